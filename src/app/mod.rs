@@ -1,0 +1,1 @@
+//! The window. GTK appears here and nowhere else.

@@ -1,0 +1,161 @@
+//! Loads the catalogue that is compiled in and looks messages up.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use unic_langid::LanguageIdentifier;
+
+/// A language that the interface speaks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Language {
+    /// English, which every other language falls back to.
+    English,
+    /// Russian.
+    Russian,
+}
+
+impl Language {
+    /// All languages, English first.
+    pub const ALL: [Self; 2] = [Self::English, Self::Russian];
+
+    /// The language that a locale name such as `ru_RU.UTF-8` or `en-GB` asks for; English for any other.
+    pub fn from_locale(name: &str) -> Self {
+        if name.to_ascii_lowercase().starts_with("ru") { Self::Russian } else { Self::English }
+    }
+
+    fn id(self) -> LanguageIdentifier {
+        match self {
+            Self::English => "en".parse().unwrap_or_default(),
+            Self::Russian => "ru".parse().unwrap_or_default(),
+        }
+    }
+
+    fn files(self) -> &'static [&'static str] {
+        macro_rules! files {
+            ($language:literal) => {
+                &[
+                    include_str!(concat!("../../resources/locales/", $language, "/app.ftl")),
+                    include_str!(concat!("../../resources/locales/", $language, "/cli.ftl")),
+                    include_str!(concat!("../../resources/locales/", $language, "/collada.ftl")),
+                    include_str!(concat!("../../resources/locales/", $language, "/document.ftl")),
+                    include_str!(concat!("../../resources/locales/", $language, "/muscle.ftl")),
+                    include_str!(concat!("../../resources/locales/", $language, "/render.ftl")),
+                ]
+            };
+        }
+        match self {
+            Self::English => files!("en"),
+            Self::Russian => files!("ru"),
+        }
+    }
+}
+
+type Bundle = FluentBundle<FluentResource>;
+
+/// 0 = not chosen yet, 1 = English, 2 = Russian.
+static CHOSEN: AtomicU8 = AtomicU8::new(0);
+
+/// The present language: the one set, else the one that the environment asks for.
+pub fn language() -> Language {
+    match CHOSEN.load(Ordering::Relaxed) {
+        1 => Language::English,
+        2 => Language::Russian,
+        _ => {
+            let found = from_environment();
+            set_language(found);
+            found
+        }
+    }
+}
+
+/// Chooses the language for everything that is said from now on.
+pub fn set_language(language: Language) {
+    let code = match language {
+        Language::English => 1,
+        Language::Russian => 2,
+    };
+    CHOSEN.store(code, Ordering::Relaxed);
+}
+
+/// POSIX order: `LC_ALL`, `LC_MESSAGES`, `LANG`; then what the system says.
+fn from_environment() -> Language {
+    ["LC_ALL", "LC_MESSAGES", "LANG"]
+        .iter()
+        .filter_map(|name| std::env::var(name).ok())
+        .find(|value| !value.is_empty())
+        .or_else(sys_locale::get_locale)
+        .map_or(Language::English, |name| Language::from_locale(&name))
+}
+
+fn bundle(language: Language) -> &'static Bundle {
+    static ENGLISH: OnceLock<Bundle> = OnceLock::new();
+    static RUSSIAN: OnceLock<Bundle> = OnceLock::new();
+    let slot = match language {
+        Language::English => &ENGLISH,
+        Language::Russian => &RUSSIAN,
+    };
+    slot.get_or_init(|| {
+        let mut bundle = Bundle::new_concurrent(vec![language.id()]);
+        // Isolation marks are for mixed-direction text; on a terminal they are noise.
+        bundle.set_use_isolating(false);
+        for text in language.files() {
+            // A syntax slip loses its message only; the catalogue test refuses it.
+            let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|(partial, _)| partial);
+            bundle.add_resource_overriding(resource);
+        }
+        bundle
+    })
+}
+
+/// The message `key` in the present language with `arguments` filled in. Prefer the macro [`tr!`](crate::tr).
+pub fn message(key: &str, arguments: &[(&str, FluentValue<'_>)]) -> String {
+    lookup(language(), key, arguments).or_else(|| lookup(Language::English, key, arguments)).unwrap_or_else(|| key.to_owned())
+}
+
+fn lookup(language: Language, key: &str, arguments: &[(&str, FluentValue<'_>)]) -> Option<String> {
+    let bundle = bundle(language);
+    let pattern = bundle.get_message(key)?.value()?;
+    let mut given = FluentArgs::with_capacity(arguments.len());
+    for (name, value) in arguments {
+        given.set(*name, value.clone());
+    }
+    let mut errors = Vec::new();
+    Some(bundle.format_pattern(pattern, Some(&given), &mut errors).into_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn keys(language: Language) -> BTreeSet<String> {
+        let mut keys = BTreeSet::new();
+        for text in language.files() {
+            assert!(FluentResource::try_new((*text).to_owned()).is_ok(), "a catalogue file of {language:?} has a syntax error");
+            for line in text.lines() {
+                if let Some((key, _)) = line.split_once(" =")
+                    && key.chars().next().is_some_and(|c| c.is_ascii_lowercase())
+                {
+                    assert!(keys.insert(key.to_owned()), "{key} stands twice in the catalogue of {language:?}");
+                }
+            }
+        }
+        keys
+    }
+
+    #[test]
+    fn both_languages_have_the_same_messages() {
+        let (english, russian) = (keys(Language::English), keys(Language::Russian));
+        assert_eq!(english.difference(&russian).collect::<Vec<_>>(), Vec::<&String>::new(), "missing in Russian");
+        assert_eq!(russian.difference(&english).collect::<Vec<_>>(), Vec::<&String>::new(), "missing in English");
+    }
+
+    #[test]
+    fn locale_names_choose_a_language() {
+        assert_eq!(Language::from_locale("ru_RU.UTF-8"), Language::Russian);
+        assert_eq!(Language::from_locale("C.UTF-8"), Language::English);
+        assert_eq!(Language::from_locale("de_DE"), Language::English);
+    }
+}

@@ -1,0 +1,16 @@
+//! Numbers as a person reads them. Files and JSON always keep the point.
+
+use super::{Language, language};
+
+/// `value` with `digits` decimals and the decimal mark of the present language.
+pub fn decimal(value: f64, digits: usize) -> String {
+    localise_decimal_mark(&format!("{value:.digits$}"))
+}
+
+/// Replaces the decimal point of a formatted number by the present language's mark.
+pub fn localise_decimal_mark(text: &str) -> String {
+    match language() {
+        Language::English => text.to_owned(),
+        Language::Russian => text.replace('.', ","),
+    }
+}

@@ -1,0 +1,36 @@
+//! Sinew opens skeletal animation clips (COLLADA) and volume-conserving muscles (YAML), puts both into one
+//! scene graph and draws them with its own rasterizer.
+//!
+//! The map of the crate, from the ground up; arrows point downward only:
+//!
+//! | module | what it holds | knows |
+//! |---|---|---|
+//! | [`i18n`] | the translation catalogue (English, Russian) | nobody |
+//! | [`health`] | findings: what a reader saw and what it did about it | nobody |
+//! | [`limits`] | every bound on what input may ask for, in one place | nobody |
+//! | [`scene`] | graph, meshes, skins, materials, lights, cameras, the posed [`scene::Frame`] | `glam` |
+//! | [`animation`] | curves, clips, the time cursor | `scene` |
+//! | [`muscle`] | the volume-conserving profile, the arm, the surface, the YAML | `scene` |
+//! | [`collada`] | the reader of `.dae` and `.zae` | `scene`, `animation` |
+//! | [`render`] | the rasterizer | `scene` |
+//! | [`document`] | any file to a [`document::Document`]; `Document::pose` makes a frame | all of the above but `render` |
+//! | [`export`] | PNG, OBJ | `scene`, `render` |
+//! | [`cli`] | one file a subcommand | `document`, `render`, `export` |
+//! | `app` | the GTK window, behind the feature `gui` | everything |
+//!
+//! There is one way to make a picture: [`document::Document::pose`] fills a [`scene::Frame`], and
+//! [`render::Renderer::draw`] turns it into pixels. The window, the command line, the tests and the benches all call these two.
+
+pub mod animation;
+#[cfg(feature = "gui")]
+pub mod app;
+pub mod cli;
+pub mod collada;
+pub mod document;
+pub mod export;
+pub mod health;
+pub mod i18n;
+pub mod limits;
+pub mod muscle;
+pub mod render;
+pub mod scene;

@@ -1,0 +1,111 @@
+//! The rasterizer. Knows the scene alone.
+
+mod display;
+
+pub use display::{Background, Display, Palette, Samples, Shading, Theme};
+
+use glam::Vec3;
+
+use crate::scene::{Camera, Frame, NodeId, Scene};
+
+/// A finished picture: 32 bits a pixel, `0xAARRGGBB` in native byte order (cairo's ARGB32 / RGB24), premultiplied, rows from the top.
+#[derive(Debug, Clone, Default)]
+pub struct Framebuffer {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// `width · height` pixels.
+    pub pixels: Vec<u32>,
+}
+
+/// What lies under a pixel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pick {
+    /// The node that the surface or bone hangs on.
+    pub node: NodeId,
+    /// Index in [`Frame::surfaces`]; `None` for a bone.
+    pub surface: Option<u32>,
+    /// Index in the surface's mesh triangles; 0 for a bone.
+    pub triangle: u32,
+    /// Weights of the triangle's corners; they add up to 1.
+    pub barycentric: Vec3,
+    /// The point in the world, metres.
+    pub point: Vec3,
+}
+
+/// Milliseconds that each stage of the last frame took, and what it drew.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Stats {
+    /// Transforming and lighting vertices.
+    pub vertex_ms: f64,
+    /// Clipping, binning, filling triangles and lines.
+    pub raster_ms: f64,
+    /// Anti-aliasing, background, and handing over the pixels.
+    pub resolve_ms: f64,
+    /// Triangles that were given.
+    pub triangles: u64,
+}
+
+/// Draws frames. Keeps its buffers and worker threads between frames.
+#[derive(Debug, Default)]
+pub struct Renderer {
+    framebuffer: Framebuffer,
+    stats: Stats,
+}
+
+impl Renderer {
+    /// A renderer with this many threads; `None` = one a core.
+    pub fn new(threads: Option<usize>) -> Self {
+        let _ = threads;
+        Self::default()
+    }
+
+    /// Draws `frame` into a picture of `width` × `height` pixels. The same input gives the same bits for any number of threads.
+    pub fn draw(&mut self, scene: &Scene, frame: &Frame, camera: &Camera, display: &Display, width: u32, height: u32) -> &Framebuffer {
+        let _ = (scene, frame, camera, display);
+        self.framebuffer.width = width;
+        self.framebuffer.height = height;
+        self.framebuffer.pixels.resize(width as usize * height as usize, 0);
+        &self.framebuffer
+    }
+
+    /// Like [`Renderer::draw`], straight into `target`: rows of `stride` bytes, the pixel format of [`Framebuffer`]. Rows or pixels that do not
+    /// fit are left out.
+    #[allow(clippy::too_many_arguments)]
+    pub fn draw_into(
+        &mut self,
+        scene: &Scene,
+        frame: &Frame,
+        camera: &Camera,
+        display: &Display,
+        width: u32,
+        height: u32,
+        target: &mut [u8],
+        stride: usize,
+    ) {
+        let _ = (scene, frame, camera, display, width, height, target, stride);
+    }
+
+    /// What lies under pixel (`x`, `y`) of a picture of that size; nothing is drawn.
+    #[allow(clippy::too_many_arguments)]
+    pub fn pick(
+        &mut self,
+        scene: &Scene,
+        frame: &Frame,
+        camera: &Camera,
+        display: &Display,
+        width: u32,
+        height: u32,
+        x: f32,
+        y: f32,
+    ) -> Option<Pick> {
+        let _ = (scene, frame, camera, display, width, height, x, y);
+        None
+    }
+
+    /// The last frame's times.
+    pub fn stats(&self) -> Stats {
+        self.stats
+    }
+}

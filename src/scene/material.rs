@@ -1,0 +1,173 @@
+//! Materials, textures and images.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use glam::Vec3;
+
+use super::{ImageId, MaterialId};
+
+/// How a texture goes on beyond its edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Wrap {
+    /// Again and again.
+    #[default]
+    Repeat,
+    /// Again, mirrored every other time.
+    Mirror,
+    /// The edge's colour.
+    Clamp,
+    /// Transparent black (COLLADA's BORDER and NONE).
+    Border,
+}
+
+/// A use of an image.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TextureRef {
+    /// The image.
+    pub image: ImageId,
+    /// The name of the texture coordinates that the effect asks for, bound in [`MaterialBinding`].
+    pub semantic: String,
+    /// Behaviour beyond the left and right edge.
+    pub wrap_s: Wrap,
+    /// Behaviour beyond the lower and upper edge.
+    pub wrap_t: Wrap,
+}
+
+/// A colour, or a texture that multiplies it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Paint {
+    /// sRGB-encoded red, green, blue from 0 to 1, as the file writes them.
+    pub color: Vec3,
+    /// Multiplies the colour where it is there.
+    pub texture: Option<TextureRef>,
+}
+
+impl Paint {
+    /// A plain colour.
+    pub fn color(red: f32, green: f32, blue: f32) -> Self {
+        Self { color: Vec3::new(red, green, blue), texture: None }
+    }
+}
+
+/// The lighting formula that the file names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ShadingModel {
+    /// Unlit: emission alone (with ambient).
+    Constant,
+    /// Diffuse.
+    #[default]
+    Lambert,
+    /// Diffuse and a mirrored highlight.
+    Phong,
+    /// Diffuse and a half-vector highlight.
+    Blinn,
+}
+
+/// Where a texture keeps its opacity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AlphaSource {
+    /// The alpha channel.
+    Alpha,
+    /// One minus the alpha channel.
+    InverseAlpha,
+    /// Luminance: 0.212671 R + 0.715160 G + 0.072169 B.
+    Luminance,
+    /// One minus luminance (COLLADA's RGB_ZERO).
+    InverseLuminance,
+}
+
+/// A material, resolved: opaque modes are already turned into one opacity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// What a person calls it.
+    pub name: String,
+    /// The id in the file.
+    pub id: String,
+    /// Lighting formula.
+    pub model: ShadingModel,
+    /// Diffuse colour or texture.
+    pub diffuse: Paint,
+    /// Light that it gives off.
+    pub emission: Paint,
+    /// Answer to ambient light; most exporters write black, so the renderer uses `diffuse` when it is.
+    pub ambient: Paint,
+    /// Colour of the highlight; black means none.
+    pub specular: Paint,
+    /// Exponent of the highlight, 0 to 1000.
+    pub shininess: f32,
+    /// 1 = solid, 0 = invisible.
+    pub opacity: f32,
+    /// A texture that multiplies the opacity.
+    pub opacity_texture: Option<(TextureRef, AlphaSource)>,
+    /// Whether the file says that both sides show.
+    pub double_sided: bool,
+}
+
+impl Default for Material {
+    fn default() -> Self {
+        Self {
+            name: String::new(),
+            id: String::new(),
+            model: ShadingModel::Lambert,
+            // The palette's "skin without material", #C9A48B.
+            diffuse: Paint::color(0.788, 0.643, 0.545),
+            emission: Paint::default(),
+            ambient: Paint::default(),
+            specular: Paint::default(),
+            shininess: 20.0,
+            opacity: 1.0,
+            opacity_texture: None,
+            double_sided: false,
+        }
+    }
+}
+
+/// A material on a part of an instance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MaterialBinding {
+    /// The material.
+    pub material: MaterialId,
+    /// Which of the mesh's [`super::Mesh::uv_sets`] each semantic name means; a name that isn't here means set 0.
+    pub uv_sets: Vec<(String, u32)>,
+}
+
+impl MaterialBinding {
+    /// A binding that uses the first set of texture coordinates for everything.
+    pub fn plain(material: MaterialId) -> Self {
+        Self { material, uv_sets: Vec::new() }
+    }
+
+    /// The set of texture coordinates that `texture` uses.
+    pub fn uv_set(&self, texture: &TextureRef) -> u32 {
+        self.uv_sets.iter().find(|(name, _)| *name == texture.semantic).map_or(0, |(_, set)| *set)
+    }
+}
+
+/// Decoded pixels: RGBA, 8 bits a channel, not premultiplied, rows from the top.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Pixels {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// `width · height · 4` bytes.
+    pub rgba: Vec<u8>,
+}
+
+/// An image that textures refer to.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Image {
+    /// What a person calls it.
+    pub name: String,
+    /// The id in the file.
+    pub id: String,
+    /// The reference as the file wrote it.
+    pub uri: String,
+    /// Line of the reference in the file.
+    pub line: Option<u32>,
+    /// The file that was found.
+    pub path: Option<PathBuf>,
+    /// The picture; `None` where it is missing or broken, and a neutral colour is drawn.
+    pub pixels: Option<Arc<Pixels>>,
+}

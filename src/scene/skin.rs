@@ -1,0 +1,118 @@
+//! What bends a mesh: skins and morphs, and an instance that puts them on it.
+
+use glam::{DMat4, Vec3};
+
+use super::{MaterialBinding, MeshId, MorphId, NodeId, SkinId};
+
+/// A joint of a skin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SkinJoint {
+    /// The name that the file uses: sid, id or name of a node.
+    pub name: String,
+    /// Takes a point from the bind pose's world into the joint's space.
+    pub inverse_bind: DMat4,
+}
+
+/// One joint's share in a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Influence {
+    /// Index in [`Skin::joints`]; −1 is the bind shape itself, which no joint moves.
+    pub joint: i32,
+    /// Its weight; the weights of a point add up to 1.
+    pub weight: f32,
+}
+
+/// A skin: `v' = Σ wᵢ Jᵢ IBMᵢ BSM v` (COLLADA 1.4.1, chapter 4, "Skin deformation (or skinning) in COLLADA").
+#[derive(Debug, Clone, Default)]
+pub struct Skin {
+    /// What a person calls it.
+    pub name: String,
+    /// The id of the controller in the file.
+    pub id: String,
+    /// Bind shape matrix: from the mesh into the bind pose's world.
+    pub bind_shape: DMat4,
+    /// The joints, in the order of the weights.
+    pub joints: Vec<SkinJoint>,
+    /// First influence of each point of the *file* (see [`super::Mesh::source_vertex`]), and one past the last: length = points + 1.
+    pub offsets: Vec<u32>,
+    /// All influences, normalised; a point may have any number, none included.
+    pub influences: Vec<Influence>,
+}
+
+impl Skin {
+    /// The influences of file point `point`; none where it is out of range.
+    pub fn influences_of(&self, point: usize) -> &[Influence] {
+        match (self.offsets.get(point), self.offsets.get(point + 1)) {
+            (Some(&from), Some(&to)) => self.influences.get(from as usize..to as usize).unwrap_or(&[]),
+            _ => &[],
+        }
+    }
+}
+
+/// How morph targets add up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MorphMethod {
+    /// `base · (1 − Σw) + Σ w·target`.
+    #[default]
+    Normalized,
+    /// `base + Σ w·target`.
+    Relative,
+}
+
+/// A shape that a mesh can be drawn towards.
+#[derive(Debug, Clone, Default)]
+pub struct MorphTarget {
+    /// What a person calls it.
+    pub name: String,
+    /// For each vertex of the base mesh what weight 1 adds to its position, so that both methods are `base + Σ w·delta`.
+    pub position_deltas: Vec<Vec3>,
+    /// The same for normals; empty where the target has none that fit.
+    pub normal_deltas: Vec<Vec3>,
+}
+
+/// A morph: targets and their weights at rest.
+#[derive(Debug, Clone, Default)]
+pub struct Morph {
+    /// What a person calls it.
+    pub name: String,
+    /// The id of the controller in the file.
+    pub id: String,
+    /// The method that the file names; the deltas already follow it.
+    pub method: MorphMethod,
+    /// The targets.
+    pub targets: Vec<MorphTarget>,
+    /// Weights at rest, one a target.
+    pub weights: Vec<f32>,
+}
+
+/// One step of deformation.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Deformer {
+    /// Morph with the weights of the pose.
+    Morph(MorphId),
+    /// Skin onto these nodes of the graph.
+    Skin {
+        /// The skin.
+        skin: SkinId,
+        /// For each joint of the skin the node that moves it; `None` where the file names one that isn't there (it stays in its bind pose).
+        joints: Vec<Option<NodeId>>,
+    },
+}
+
+/// A mesh on a node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshInstance {
+    /// The mesh.
+    pub mesh: MeshId,
+    /// Applied in order, the first to the mesh itself. After a skin the result is in world space and the node's own transform is not applied.
+    pub deformers: Vec<Deformer>,
+    /// One a part of the mesh; `None` where the file binds nothing.
+    pub materials: Vec<Option<MaterialBinding>>,
+}
+
+impl MeshInstance {
+    /// Whether a skin moves it.
+    pub fn is_skinned(&self) -> bool {
+        self.deformers.iter().any(|deformer| matches!(deformer, Deformer::Skin { .. }))
+    }
+}
