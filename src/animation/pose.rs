@@ -43,12 +43,7 @@ impl Pose {
             weights.clone_from(&morph.weights);
         }
         for (material, rest) in self.materials.iter_mut().zip(&scene.materials) {
-            material.diffuse.color = rest.diffuse.color;
-            material.emission.color = rest.emission.color;
-            material.ambient.color = rest.ambient.color;
-            material.specular.color = rest.specular.color;
-            material.shininess = rest.shininess;
-            material.opacity = rest.opacity;
+            material.take_values(rest);
         }
         for (color, light) in self.light_colors.iter_mut().zip(&scene.lights) {
             *color = light.color;

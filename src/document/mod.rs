@@ -1,12 +1,31 @@
 //! Any file to a document, and a document to a frame.
+//!
+//! [`Document::open`] reads files and puts them side by side into one scene; [`Document::pose`] makes a [`crate::scene::Frame`] of any moment of it.
 
-use std::path::{Path, PathBuf};
+mod built_in;
+mod deform;
+mod error;
+mod file;
+mod images;
+mod merge;
+mod open;
+mod pose;
+mod skinning;
+
+pub use error::OpenError;
+pub use open::{Images, OpenOptions};
+pub use pose::PoseBuffers;
+
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::DMat4;
 
 use crate::animation::Clip;
-use crate::collada::{Asset, Progress};
+use crate::collada::Asset;
 use crate::health::Finding;
 use crate::muscle::{Drive, MuscleFile, Rig};
-use crate::scene::{Frame, MuscleId, NodeId, Scene};
+use crate::scene::{Content, MuscleId, NodeId, NodeKind, Scene};
 
 /// Where a document's parts came from.
 #[derive(Debug, Clone)]
@@ -27,7 +46,7 @@ pub enum SourceKind {
     /// COLLADA.
     Collada(Asset),
     /// Muscles: what the file said, and where it stands in the scene.
-    Muscles(Box<MuscleFile>, Rig),
+    Muscles(Box<MuscleFile>, Box<Rig>),
 }
 
 /// What stands in the way of a moving picture, told plainly in the window.
@@ -52,6 +71,18 @@ pub struct Document {
     pub clips: Vec<Clip>,
     /// All findings, by file and line.
     pub health: Vec<Finding>,
+    /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
+    revision: u64,
+}
+
+/// How joints bend a skin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Skinning {
+    /// Blends matrices: what COLLADA defines.
+    #[default]
+    Linear,
+    /// Blends unit dual quaternions: keeps the volume of a twisted joint (Kavan et al., "Skinning with dual quaternions", I3D 2007).
+    DualQuaternion,
 }
 
 /// The values that choose a moment.
@@ -63,67 +94,45 @@ pub struct PoseState {
     pub time: f64,
     /// Elbow angle and contraction.
     pub drive: Drive,
-}
-
-/// Buffers that posing uses again and again.
-#[derive(Debug, Clone, Default)]
-pub struct PoseBuffers {}
-
-/// Why a file could not be used. Displays as one line: `file:line:column: what`.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{}", self.sentence())]
-pub struct OpenError {
-    /// The file, as the user named it.
-    pub file: String,
-    /// Line from 1.
-    pub line: Option<u32>,
-    /// Column from 1.
-    pub column: Option<u32>,
-    /// What is wrong and what would be right.
-    pub message: String,
-}
-
-impl OpenError {
-    fn sentence(&self) -> String {
-        use std::fmt::Write;
-        let mut text = self.file.clone();
-        for number in [self.line, self.column].into_iter().flatten() {
-            // Writing to a string cannot fail.
-            let _ = write!(text, ":{number}");
-        }
-        let _ = write!(text, ": {}", self.message);
-        text
-    }
+    /// Moves the whole model in the world, after everything else.
+    pub model: DMat4,
+    /// How joints bend a skin.
+    pub skinning: Skinning,
 }
 
 impl Document {
-    /// Opens files into one document: `.dae`, `.zae`, `.yaml`, `.yml`; told apart by content where the ending says nothing. `-` is standard input.
-    ///
-    /// # Errors
-    /// [`OpenError`] for the first file that cannot be used.
-    pub fn open<P: AsRef<Path>>(files: &[P], progress: &Progress) -> Result<Self, OpenError> {
-        let _ = (files, progress);
-        Ok(Self::default())
-    }
-
-    /// The scene that is shown when no file is given.
+    /// The scene that is shown when no file is given: the report's measured biceps on its arm.
     pub fn built_in() -> Self {
-        Self::default()
+        built_in::document()
     }
 
-    /// Poses the document: fills `frame` for the moment that `state` names. Never fails: what is out of range is held at the limit.
-    pub fn pose(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
-        let _ = (state, buffers, frame);
-    }
-
-    /// What stands in the way of a moving picture; empty where something moves or a muscle can be driven.
+    /// What stands in the way of a moving picture; empty where a muscle can be driven.
     pub fn missing(&self) -> Vec<Missing> {
-        Vec::new()
+        let mut missing = Vec::new();
+        if self.rigs().next().is_some() {
+            return missing;
+        }
+        let (mut mesh, mut joint) = (false, false);
+        for (_, node) in self.scene.graph.iter() {
+            mesh |= node.contents.iter().any(|content| matches!(content, Content::Mesh(_)));
+            joint |= node.kind == NodeKind::Joint;
+        }
+        for (there, what) in [(mesh, Missing::Mesh), (joint, Missing::Skeleton), (!self.clips.is_empty(), Missing::Animation)] {
+            if !there {
+                missing.push(what);
+            }
+        }
+        missing
     }
 
     /// The state to start with: first clip at its start, straight arm.
     pub fn start_state(&self) -> PoseState {
-        PoseState::default()
+        PoseState {
+            clip: (!self.clips.is_empty()).then_some(0),
+            time: self.clips.first().map_or(0.0, |clip| clip.start),
+            drive: self.driven_rig().map_or_else(Drive::default, |rig| rig.at_flexion(0.0)),
+            ..PoseState::default()
+        }
     }
 
     /// The rigs with their first muscle's id.
@@ -133,7 +142,7 @@ impl Document {
             SourceKind::Muscles(_, rig) => {
                 let id = MuscleId(first);
                 first += rig.len() as u32;
-                Some((rig, id))
+                Some((&**rig, id))
             }
             SourceKind::Collada(_) => None,
         })
@@ -142,5 +151,24 @@ impl Document {
     /// The rig that the sliders drive: the first one.
     pub fn driven_rig(&self) -> Option<&Rig> {
         self.rigs().next().map(|(rig, _)| rig)
+    }
+
+    /// The rig of muscle `id` and the muscle's index in it.
+    pub fn muscle(&self, id: MuscleId) -> Option<(&Rig, usize)> {
+        self.rigs().find_map(|(rig, first)| {
+            let index = id.0.checked_sub(first.0)? as usize;
+            (index < rig.len()).then_some((rig, index))
+        })
+    }
+
+    /// Number of muscles of all rigs.
+    pub fn muscle_count(&self) -> usize {
+        self.rigs().map(|(rig, _)| rig.len()).sum()
+    }
+
+    /// Says that nodes, meshes, materials or muscles were changed, so that the next pose lays out its buffers anew.
+    pub fn touch(&mut self) {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        self.revision = NEXT.fetch_add(1, Ordering::Relaxed);
     }
 }

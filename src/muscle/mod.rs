@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DMat4, Vec3};
 
 use crate::animation::Pose;
-use crate::scene::{Mesh, MuscleId, NodeId, Scene};
+use crate::scene::{MaterialBinding, Mesh, MuscleId, NodeId, Scene};
 
 /// What a YAML file describes: muscles, and the arm they are on if there is one.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -141,6 +141,12 @@ impl Rig {
     pub fn mesh(&self, index: usize) -> Arc<Mesh> {
         let _ = index;
         Arc::default()
+    }
+
+    /// Materials of muscle `index`: one a part of its mesh, already in the scene.
+    pub fn materials(&self, index: usize) -> &[Option<MaterialBinding>] {
+        let _ = index;
+        &[]
     }
 
     /// Writes the surface of muscle `index` into the buffers, in the world (metres): one entry a vertex of [`Rig::mesh`].

@@ -61,8 +61,10 @@ pub struct Frame {
     pub joints: Vec<Joint>,
     /// Materials at this moment, as [`super::Scene::materials`] but with animated values.
     pub materials: Vec<Material>,
-    /// The box round everything, in the world.
+    /// The box round everything visible, in the world; round the joints where there is no surface.
     pub bounds: Bounds,
+    /// Changes whenever surfaces, meshes or nodes were laid out anew, so that whoever keeps things made from them knows.
+    pub stamp: u64,
 }
 
 impl Frame {

@@ -68,6 +68,24 @@ impl Node {
         Self { name: name.into(), visible: true, ..Self::default() }
     }
 
+    /// The same node of this kind.
+    pub fn with_kind(mut self, kind: NodeKind) -> Self {
+        self.kind = kind;
+        self
+    }
+
+    /// The same node with this local transform.
+    pub fn with_transform(mut self, transform: Transform) -> Self {
+        self.transform = transform;
+        self
+    }
+
+    /// The same node with this hanging on it too.
+    pub fn with_content(mut self, content: Content) -> Self {
+        self.contents.push(content);
+        self
+    }
+
     /// The node above.
     pub fn parent(&self) -> Option<NodeId> {
         self.parent
@@ -206,10 +224,10 @@ mod tests {
     #[test]
     fn world_is_parent_times_local() {
         let mut graph = Graph::default();
-        let root = graph.add(None, Node { transform: Transform::from_translation(DVec3::X), ..Node::new("root") });
+        let root = graph.add(None, Node::new("root").with_transform(Transform::from_translation(DVec3::X)));
         let turned = TransformOp::Rotate { axis: DVec3::Z, angle: 90.0 };
-        let arm = graph.add(Some(root), Node { transform: Transform { ops: vec![turned] }, ..Node::new("arm") });
-        let hand = graph.add(Some(arm), Node { transform: Transform::from_translation(DVec3::X), ..Node::new("hand") });
+        let arm = graph.add(Some(root), Node::new("arm").with_transform(Transform { ops: vec![turned] }));
+        let hand = graph.add(Some(arm), Node::new("hand").with_transform(Transform::from_translation(DVec3::X)));
         let mut world = Vec::new();
         graph.world_from_local(&graph.rest_locals(), &mut world);
         assert!((world[hand.index()].w_axis.truncate() - DVec3::new(1.0, 1.0, 0.0)).length() < 1e-12);

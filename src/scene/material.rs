@@ -123,6 +123,18 @@ impl Default for Material {
     }
 }
 
+impl Material {
+    /// Takes over the colours and numbers of `other`, the values that animation can change. Allocates nothing.
+    pub fn take_values(&mut self, other: &Self) {
+        self.diffuse.color = other.diffuse.color;
+        self.emission.color = other.emission.color;
+        self.ambient.color = other.ambient.color;
+        self.specular.color = other.specular.color;
+        self.shininess = other.shininess;
+        self.opacity = other.opacity;
+    }
+}
+
 /// A material on a part of an instance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MaterialBinding {

@@ -1,0 +1,101 @@
+//! Bytes of a file, within the limits, and what kind of file they are.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::OpenError;
+use crate::{limits, tr};
+
+/// What a file holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    /// COLLADA, plain or zipped.
+    Collada,
+    /// YAML.
+    Muscles,
+}
+
+impl Format {
+    /// Largest file of this format, bytes.
+    pub(super) fn limit(self) -> u64 {
+        match self {
+            Self::Collada => limits::FILE_BYTES,
+            Self::Muscles => limits::YAML_BYTES,
+        }
+    }
+}
+
+/// Reads a regular file, or standard input for `-`, of at most `limit` bytes.
+pub(super) fn read(path: &Path, name: &str, limit: u64) -> Result<Vec<u8>, OpenError> {
+    let too_large = || OpenError::whole(name, tr!("document-too-large", limit = limit >> 20));
+    let mut bytes = Vec::new();
+    let error = |error| OpenError::io(name, &error);
+    if path.as_os_str() == "-" {
+        io::stdin().lock().take(limit + 1).read_to_end(&mut bytes).map_err(error)?;
+    } else {
+        // Asked before opening: to open a named pipe would wait for its writer.
+        let about = fs::metadata(path).map_err(error)?;
+        if about.is_dir() {
+            return Err(OpenError::whole(name, tr!("document-folder")));
+        }
+        if !about.is_file() {
+            return Err(OpenError::whole(name, tr!("document-not-regular")));
+        }
+        if about.len() > limit {
+            return Err(too_large());
+        }
+        bytes.reserve(usize::try_from(about.len()).unwrap_or(0) + 1);
+        File::open(path).map_err(error)?.take(limit + 1).read_to_end(&mut bytes).map_err(error)?;
+    }
+    if bytes.len() as u64 > limit {
+        return Err(too_large());
+    }
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(OpenError::whole(name, tr!("document-empty")));
+    }
+    Ok(bytes)
+}
+
+/// The format by the file's ending; where that says nothing, by its first bytes.
+pub(super) fn format(path: &Path, bytes: &[u8]) -> Format {
+    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    match ending.as_deref() {
+        Some("dae" | "zae" | "xml") => return Format::Collada,
+        Some("yaml" | "yml") => return Format::Muscles,
+        _ => {}
+    }
+    let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
+    let utf16 = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.starts_with(b"\0<") || bytes.starts_with(b"<\0");
+    if first == Some(&b'<') || utf16 || bytes.starts_with(b"PK") { Format::Collada } else { Format::Muscles }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ending_decides_and_the_content_helps_out() {
+        assert_eq!(format(Path::new("a.DAE"), b"x: 1"), Format::Collada);
+        assert_eq!(format(Path::new("a.yml"), b"<x/>"), Format::Muscles);
+        assert_eq!(format(Path::new("-"), b"\xEF\xBB\xBF <?xml"), Format::Collada);
+        assert_eq!(format(Path::new("-"), b"\xFF\xFE<\0"), Format::Collada);
+        assert_eq!(format(Path::new("-"), b"---\nmuscle_config:"), Format::Muscles);
+    }
+
+    #[test]
+    fn what_is_no_regular_file_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        assert!(read(folder.path(), "folder", 10).is_err());
+        assert!(read(&folder.path().join("none"), "none", 10).is_err());
+        let file = folder.path().join("long");
+        fs::write(&file, "0123456789abc").expect("written");
+        assert!(read(&file, "long", 10).is_err());
+        assert_eq!(read(&file, "long", 13).expect("fits"), b"0123456789abc");
+        fs::write(&file, " \n").expect("written");
+        assert!(read(&file, "blank", 10).is_err());
+        #[cfg(unix)]
+        assert!(read(Path::new("/dev/zero"), "zero", 10).is_err());
+    }
+}

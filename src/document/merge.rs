@@ -1,0 +1,120 @@
+//! Puts a loaded file beside what is already open: every id moves up by the number of things before it.
+
+use super::Document;
+use crate::animation::{Channel, Clip, Target};
+use crate::collada::Loaded;
+use crate::scene::{
+    CameraId, Content, Deformer, ImageId, LightId, Material, MaterialBinding, MaterialId, MeshId, MorphId, NodeId, Scene, SkinId,
+};
+
+/// How far each kind of id moves.
+struct Shift {
+    node: u32,
+    mesh: u32,
+    skin: u32,
+    morph: u32,
+    material: u32,
+    image: u32,
+    light: u32,
+    camera: u32,
+}
+
+impl Shift {
+    fn past(scene: &Scene) -> Self {
+        Self {
+            node: scene.graph.len() as u32,
+            mesh: scene.meshes.len() as u32,
+            skin: scene.skins.len() as u32,
+            morph: scene.morphs.len() as u32,
+            material: scene.materials.len() as u32,
+            image: scene.images.len() as u32,
+            light: scene.lights.len() as u32,
+            camera: scene.cameras.len() as u32,
+        }
+    }
+
+    fn node(&self, id: NodeId) -> NodeId {
+        NodeId(id.0 + self.node)
+    }
+
+    fn content(&self, content: &mut Content) {
+        match content {
+            Content::Mesh(instance) => {
+                instance.mesh = MeshId(instance.mesh.0 + self.mesh);
+                for binding in instance.materials.iter_mut().flatten() {
+                    self.binding(binding);
+                }
+                for deformer in &mut instance.deformers {
+                    match deformer {
+                        Deformer::Morph(morph) => *morph = MorphId(morph.0 + self.morph),
+                        Deformer::Skin { skin, joints } => {
+                            *skin = SkinId(skin.0 + self.skin);
+                            for joint in joints.iter_mut().flatten() {
+                                *joint = self.node(*joint);
+                            }
+                        }
+                    }
+                }
+            }
+            Content::Light(id) => *id = LightId(id.0 + self.light),
+            Content::Camera(id) => *id = CameraId(id.0 + self.camera),
+            Content::Muscle(_) => {}
+        }
+    }
+
+    fn binding(&self, binding: &mut MaterialBinding) {
+        binding.material = MaterialId(binding.material.0 + self.material);
+    }
+
+    fn material(&self, material: &mut Material) {
+        let paints = [&mut material.diffuse, &mut material.emission, &mut material.ambient, &mut material.specular];
+        let textures = paints.into_iter().filter_map(|paint| paint.texture.as_mut());
+        for texture in textures.chain(material.opacity_texture.as_mut().map(|(texture, _)| texture)) {
+            texture.image = ImageId(texture.image.0 + self.image);
+        }
+    }
+
+    fn target(&self, target: &mut Target) {
+        match target {
+            Target::Transform { node, .. } => *node = self.node(*node),
+            Target::MorphWeight { morph, .. } => *morph = MorphId(morph.0 + self.morph),
+            Target::Material { material, .. } => *material = MaterialId(material.0 + self.material),
+            Target::LightColor { light, .. } => *light = LightId(light.0 + self.light),
+        }
+    }
+}
+
+/// Appends `loaded` to the document and returns its root node.
+pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Option<NodeId> {
+    let Loaded { mut scene, clips, findings, .. } = loaded;
+    let shift = Shift::past(&document.scene);
+    let root = scene.graph.roots().first().map(|root| shift.node(*root));
+    let into = &mut document.scene;
+    for (_, node) in scene.graph.iter() {
+        let (parent, mut node) = (node.parent().map(|parent| shift.node(parent)), node.clone());
+        node.contents.iter_mut().for_each(|content| shift.content(content));
+        into.graph.add(parent, node);
+    }
+    scene.materials.iter_mut().for_each(|material| shift.material(material));
+    into.meshes.append(&mut scene.meshes);
+    into.skins.append(&mut scene.skins);
+    into.morphs.append(&mut scene.morphs);
+    into.materials.append(&mut scene.materials);
+    into.images.append(&mut scene.images);
+    into.lights.append(&mut scene.lights);
+    into.cameras.append(&mut scene.cameras);
+    document.clips.extend(clips.into_iter().map(|clip| moved(clip, &shift)));
+    document.health.extend(findings.into_iter().map(|mut finding| {
+        name.clone_into(&mut finding.file);
+        finding
+    }));
+    root
+}
+
+fn moved(clip: Clip, shift: &Shift) -> Clip {
+    let channels = clip.channels.into_iter().map(|Channel { mut target, curve }| {
+        shift.target(&mut target);
+        Channel { target, curve }
+    });
+    Clip { channels: channels.collect(), ..clip }
+}

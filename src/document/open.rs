@@ -1,0 +1,111 @@
+//! Opens files into one document.
+
+use std::path::{Path, PathBuf};
+
+use super::file::{self, Format};
+use super::{Document, OpenError, Source, SourceKind, images, merge};
+use crate::collada::{self, Progress};
+use crate::limits;
+use crate::muscle::{MuscleFile, Rig};
+use crate::scene::MuscleId;
+use crate::tr;
+
+/// What to do about the images that a file names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Images {
+    /// Find and decode them.
+    #[default]
+    Decode,
+    /// Find them only: enough for a report, and quicker.
+    Locate,
+}
+
+/// How to open.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct OpenOptions {
+    /// Images: decoded or only located.
+    pub images: Images,
+}
+
+impl Document {
+    /// Opens files into one document: `.dae`, `.zae`, `.yaml`, `.yml`; told apart by content where the ending says nothing. `-` is standard input.
+    ///
+    /// # Errors
+    /// [`OpenError`] for the first file that cannot be used.
+    pub fn open<P: AsRef<Path>>(files: &[P], progress: &Progress) -> Result<Self, OpenError> {
+        Self::open_with(files, OpenOptions::default(), progress)
+    }
+
+    /// [`Document::open`] with a choice of what is loaded.
+    ///
+    /// # Errors
+    /// [`OpenError`] for the first file that cannot be used.
+    pub fn open_with<P: AsRef<Path>>(files: &[P], options: OpenOptions, progress: &Progress) -> Result<Self, OpenError> {
+        let mut document = Self::default();
+        for path in files {
+            document.add_file(path.as_ref(), options, progress)?;
+        }
+        document.touch();
+        Ok(document)
+    }
+
+    fn add_file(&mut self, path: &Path, options: OpenOptions, progress: &Progress) -> Result<(), OpenError> {
+        let name = if path.as_os_str() == "-" { tr!("document-standard-input") } else { path.display().to_string() };
+        let bytes = file::read(path, &name, limits::FILE_BYTES)?;
+        let format = file::format(path, &bytes);
+        if bytes.len() as u64 > format.limit() {
+            return Err(OpenError::whole(&name, tr!("document-too-large", limit = format.limit() >> 20)));
+        }
+        match format {
+            Format::Collada => self.add_collada(&bytes, &name, path, options, progress),
+            Format::Muscles => add_muscles(self, &bytes, &name, path),
+        }
+    }
+
+    fn add_collada(&mut self, bytes: &[u8], name: &str, path: &Path, options: OpenOptions, progress: &Progress) -> Result<(), OpenError> {
+        let mut loaded = collada::read(bytes, name, progress).map_err(|error| OpenError {
+            file: name.to_owned(),
+            line: error.line,
+            column: None,
+            message: error.message,
+        })?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        images::load(&mut loaded, folder, options.images, progress);
+        if progress.is_cancelled() {
+            return Err(OpenError::whole(name, tr!("document-cancelled")));
+        }
+        let asset = loaded.asset.clone();
+        let root = merge::append(self, loaded, name);
+        self.sources.push(Source { name: name.to_owned(), path: real_path(path), root, kind: SourceKind::Collada(asset) });
+        Ok(())
+    }
+}
+
+/// Adds a muscle file's nodes and muscles to the document.
+pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, path: &Path) -> Result<(), OpenError> {
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let line = bytes.get(..error.valid_up_to()).map(|before| before.iter().filter(|byte| **byte == b'\n').count() as u32 + 1);
+        OpenError { file: name.to_owned(), line, column: None, message: tr!("document-not-text") }
+    })?;
+    let file = MuscleFile::parse(text).map_err(|error| OpenError {
+        file: name.to_owned(),
+        line: error.line,
+        column: error.column,
+        message: error.message,
+    })?;
+    let title = path.file_stem().map_or_else(|| name.to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let first = MuscleId(document.muscle_count() as u32);
+    let rig = Rig::build(&file, &title, &mut document.scene, first);
+    let root = rig.root;
+    document.sources.push(Source {
+        name: name.to_owned(),
+        path: real_path(path),
+        root,
+        kind: SourceKind::Muscles(Box::new(file), Box::new(rig)),
+    });
+    Ok(())
+}
+
+fn real_path(path: &Path) -> Option<PathBuf> {
+    (!path.as_os_str().is_empty() && path.as_os_str() != "-").then(|| path.to_owned())
+}

@@ -1,0 +1,207 @@
+//! A document at one moment: the only way from files to something that can be drawn.
+
+use std::sync::Arc;
+
+use glam::{DMat4, Mat4};
+
+use super::deform::Bender;
+use super::{Document, PoseState, SourceKind};
+use crate::animation::Pose;
+use crate::muscle::Solved;
+use crate::scene::{Bounds, Content, Frame, Joint, MeshInstance, MuscleId, NodeId, NodeKind, Placement, Surface};
+
+/// Buffers that posing uses again and again, and what it found out on the way.
+#[derive(Debug, Clone, Default)]
+pub struct PoseBuffers {
+    revision: u64,
+    pose: Pose,
+    local: Vec<DMat4>,
+    shown: Vec<bool>,
+    plans: Vec<Plan>,
+    solved: Vec<Solved>,
+}
+
+impl PoseBuffers {
+    /// Solutions of all muscles at the last pose, by [`MuscleId`].
+    pub fn solved(&self) -> &[Solved] {
+        &self.solved
+    }
+
+    /// The pose's animated values: transform operations, morph weights.
+    pub fn pose(&self) -> &Pose {
+        &self.pose
+    }
+}
+
+/// How one surface of the frame is made.
+#[derive(Debug, Clone)]
+enum Plan {
+    /// A mesh as it is; its box is kept until the matrix changes.
+    Rigid { made_for: Option<(Mat4, Bounds)> },
+    /// A morphed or skinned mesh.
+    Bent(Box<Bender>),
+    /// A muscle.
+    Muscle(MuscleId),
+}
+
+impl Document {
+    /// Poses the document: fills `frame` for the moment that `state` names. Never fails: what is out of range is held at the limit.
+    ///
+    /// The same `buffers` and `frame` are to be passed again for the next moment; then nothing is allocated.
+    pub fn pose(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        if buffers.revision != self.revision || frame.stamp != self.revision {
+            self.lay_out(buffers, frame);
+        }
+        let pose = &mut buffers.pose;
+        pose.reset(&self.scene);
+        if let Some(clip) = state.clip.and_then(|clip| self.clips.get(clip)) {
+            clip.sample(if state.time.is_finite() { state.time } else { clip.start }, pose);
+        }
+        for (rig, _) in self.rigs() {
+            rig.apply(state.drive, pose);
+        }
+        pose.locals(&mut buffers.local);
+        for root in self.scene.graph.roots() {
+            if let Some(local) = buffers.local.get_mut(root.index()) {
+                *local = state.model * *local;
+            }
+        }
+        self.scene.graph.world_from_local(&buffers.local, &mut frame.world);
+        for (animated, at_rest) in frame.materials.iter_mut().zip(&pose.materials) {
+            animated.take_values(at_rest);
+        }
+        self.solve_muscles(state, buffers, frame);
+        self.place_surfaces(state, buffers, frame);
+    }
+
+    fn solve_muscles(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &Frame) {
+        let mut next = 0;
+        for (rig, _) in self.rigs() {
+            for index in 0..rig.len() {
+                let solved = rig.solve(index, state.drive, &frame.world);
+                if let Some(slot) = buffers.solved.get_mut(next) {
+                    *slot = solved;
+                }
+                next += 1;
+            }
+        }
+    }
+
+    fn place_surfaces(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        let graph = &self.scene.graph;
+        buffers.shown.clear();
+        for (_, node) in graph.iter() {
+            let above = node.parent().is_none_or(|parent| buffers.shown.get(parent.index()).copied().unwrap_or(true));
+            buffers.shown.push(above && node.visible);
+        }
+        frame.bounds = Bounds::EMPTY;
+        for (surface, plan) in frame.surfaces.iter_mut().zip(&mut buffers.plans) {
+            surface.visible = buffers.shown.get(surface.node.index()).copied().unwrap_or(true);
+            let world = frame.world.get(surface.node.index()).copied().unwrap_or(DMat4::IDENTITY);
+            let bounds = match plan {
+                Plan::Rigid { made_for } => {
+                    let matrix = world.as_mat4();
+                    surface.placement = Placement::Rigid(matrix);
+                    surface.mirrored = world.determinant() < 0.0;
+                    match made_for {
+                        Some((for_matrix, bounds)) if *for_matrix == matrix => *bounds,
+                        _ => {
+                            let bounds = Bounds::of(surface.mesh.positions.iter().map(|p| matrix.transform_point3(*p)));
+                            *made_for = Some((matrix, bounds));
+                            bounds
+                        }
+                    }
+                }
+                Plan::Bent(bender) => {
+                    let Placement::Deformed { positions, normals } = &mut surface.placement else { continue };
+                    let Some(instance) = self.instance(surface.node, surface.content) else { continue };
+                    let (weights, into) = (&buffers.pose.morph_weights, (positions, normals));
+                    let (bounds, mirrored) =
+                        bender.bend(&self.scene, (surface.node, instance), &surface.mesh, state, &frame.world, weights, into);
+                    surface.mirrored = mirrored;
+                    bounds
+                }
+                Plan::Muscle(id) => {
+                    let Placement::Deformed { positions, normals } = &mut surface.placement else { continue };
+                    let (Some((rig, index)), Some(solved)) = (self.muscle(*id), buffers.solved.get(id.index())) else { continue };
+                    rig.deform(index, solved, &frame.world, positions, normals);
+                    Bounds::of(positions.iter().copied())
+                }
+            };
+            if surface.visible {
+                frame.bounds.merge(&bounds);
+            }
+        }
+        if frame.bounds.is_empty() {
+            frame.bounds = Bounds::of(frame.joints.iter().map(|joint| frame.position(joint.node)));
+        }
+    }
+
+    fn instance(&self, node: NodeId, content: u32) -> Option<&MeshInstance> {
+        match self.scene.graph.node(node).contents.get(content as usize) {
+            Some(Content::Mesh(instance)) => Some(instance),
+            _ => None,
+        }
+    }
+
+    /// Makes buffers and frame fit the document: one surface for each mesh and muscle, in the order of the nodes.
+    fn lay_out(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        *buffers = PoseBuffers { revision: self.revision, pose: Pose::rest(&self.scene), ..PoseBuffers::default() };
+        *frame = Frame { stamp: self.revision, materials: self.scene.materials.clone(), ..Frame::default() };
+        buffers.solved.resize(self.muscle_count(), Solved::default());
+        let deformed = || Placement::Deformed { positions: Vec::new(), normals: Vec::new() };
+        for (id, node) in self.scene.graph.iter() {
+            if node.kind == NodeKind::Joint {
+                frame.joints.push(Joint { node: id, parent: self.joint_above(id) });
+            }
+            for (content, thing) in node.contents.iter().enumerate() {
+                let content = content as u32;
+                let blank = |mesh, materials, placement, muscle| Surface {
+                    node: id,
+                    mesh,
+                    materials,
+                    placement,
+                    mirrored: false,
+                    muscle,
+                    visible: true,
+                    content,
+                };
+                match thing {
+                    Content::Mesh(instance) => {
+                        let Some(mesh) = self.scene.meshes.get(instance.mesh.index()) else { continue };
+                        let (plan, placement) = if instance.deformers.is_empty() {
+                            (Plan::Rigid { made_for: None }, Placement::Rigid(Mat4::IDENTITY))
+                        } else {
+                            (Plan::Bent(Box::new(Bender::new(&self.scene, instance, mesh))), deformed())
+                        };
+                        buffers.plans.push(plan);
+                        frame.surfaces.push(blank(Arc::clone(mesh), instance.materials.as_slice().into(), placement, None));
+                    }
+                    Content::Muscle(muscle) => {
+                        let Some((rig, index)) = self.muscle(*muscle) else { continue };
+                        buffers.plans.push(Plan::Muscle(*muscle));
+                        frame.surfaces.push(blank(rig.mesh(index), rig.materials(index).into(), deformed(), Some(*muscle)));
+                    }
+                    Content::Light(_) | Content::Camera(_) => {}
+                }
+            }
+        }
+    }
+
+    fn joint_above(&self, node: NodeId) -> Option<NodeId> {
+        let graph = &self.scene.graph;
+        let mut above = graph.node(node).parent();
+        while let Some(id) = above {
+            if graph.node(id).kind == NodeKind::Joint {
+                break;
+            }
+            above = graph.node(id).parent();
+        }
+        above
+    }
+
+    /// The root nodes that carry muscle files, with their rigs; for whoever shows or edits them.
+    pub fn rig_roots(&self) -> impl Iterator<Item = NodeId> {
+        self.sources.iter().filter(|source| matches!(source.kind, SourceKind::Muscles(..))).filter_map(|source| source.root)
+    }
+}
