@@ -62,21 +62,20 @@ impl Bender {
         }
         let at = |node: NodeId| world.get(node.index()).copied();
         let here = at(node).unwrap_or(DMat4::IDENTITY);
-        let mirrored = if let Some((skin, joints)) = skin_of(scene, instance) {
+        if let Some((skin, joints)) = skin_of(scene, instance) {
             let file = at(root_of(scene, node)).unwrap_or(DMat4::IDENTITY);
             let worlds = joints.iter().map(|joint| joint.and_then(at));
             self.palette.set(skin, worlds, &here, &file, state.skinning == Skinning::DualQuaternion);
-            self.palette.bend(skin, mesh, positions, normals);
-            self.palette.mirrors()
+            let bounds = self.palette.bend(skin, mesh, positions, normals);
+            (bounds, self.palette.mirrors())
         } else {
             let (matrix, turn) = (here.as_mat4(), normal_matrix(&here));
             for (position, normal) in positions.iter_mut().zip(normals.iter_mut()) {
                 *position = matrix.transform_point3(*position);
                 *normal = (turn * Vec3A::from(*normal)).normalize_or(Vec3A::Y).into();
             }
-            here.determinant() < 0.0
-        };
-        (Bounds::of(positions.iter().copied()), mirrored)
+            (Bounds::of(positions.iter().copied()), here.determinant() < 0.0)
+        }
     }
 
     fn morph(&self, morph: &Morph, weights: &[f32], mesh: &Mesh, positions: &mut [Vec3], normals: &mut Vec<Vec3>) {

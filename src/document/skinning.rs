@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, DMat3, DMat4, DQuat, Mat3A, Quat, Vec3, Vec3A};
 
-use crate::scene::{Influence, Mesh, Skin};
+use crate::scene::{Bounds, Influence, Mesh, Skin};
 
 /// Matrices of one skin at one moment, and what blending them needs. Kept between frames.
 #[derive(Debug, Clone, Default)]
@@ -95,46 +95,64 @@ impl Palette {
         self.joints.first().unwrap_or(&self.loose).matrix3.determinant() < 0.0
     }
 
-    /// Bends the mesh: `positions` and `normals` hold the shape before and the world afterwards.
-    pub(super) fn bend(&mut self, skin: &Skin, mesh: &Mesh, positions: &mut [Vec3], normals: &mut [Vec3]) {
+    /// Bends the mesh: `positions` and `normals` hold the shape before and the world afterwards. Returns the box round it.
+    pub(super) fn bend(&mut self, skin: &Skin, mesh: &Mesh, positions: &mut [Vec3], normals: &mut [Vec3]) -> Bounds {
         self.blend(skin, mesh.source_count as usize);
-        let uneven = self.uneven;
+        if self.uneven {
+            self.transform(mesh, positions, normals, |matrix, normal| cofactor(matrix) * normal)
+        } else {
+            self.transform(mesh, positions, normals, |matrix, normal| *matrix * normal)
+        }
+    }
+
+    #[inline(always)]
+    fn transform(&self, mesh: &Mesh, positions: &mut [Vec3], normals: &mut [Vec3], turn: impl Fn(&Mat3A, Vec3A) -> Vec3A) -> Bounds {
+        let (mut min, mut max) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
         for ((position, normal), source) in positions.iter_mut().zip(normals.iter_mut()).zip(&mesh.source_vertex) {
             let matrix = self.blended.get(*source as usize).unwrap_or(&self.loose);
-            *position = matrix.transform_point3a(Vec3A::from(*position)).into();
-            let turned = if uneven { cofactor(&matrix.matrix3) * Vec3A::from(*normal) } else { matrix.matrix3 * Vec3A::from(*normal) };
-            *normal = turned.normalize_or(Vec3A::Y).into();
+            let moved = matrix.transform_point3a(Vec3A::from(*position));
+            (min, max) = (moved.min(min), moved.max(max));
+            *position = moved.into();
+            let turned = turn(&matrix.matrix3, Vec3A::from(*normal));
+            let square = turned.length_squared();
+            *normal = if square > 1e-36 { (turned * (1.0 / square.sqrt())).into() } else { Vec3::Y };
         }
+        let bounds = Bounds { min: min.into(), max: max.into() };
+        // A coordinate that is no number gets lost or spoils the box: then the careful way.
+        if bounds.min.is_finite() && bounds.max.is_finite() { bounds } else { Bounds::of(positions.iter().copied()) }
     }
 
     fn blend(&mut self, skin: &Skin, points: usize) {
         let mut blended = std::mem::take(&mut self.blended);
         blended.clear();
         if self.rigid.is_empty() {
-            blended.extend((0..points).map(|point| self.blend_matrices(skin.influences_of(point))));
+            let ranges = skin.offsets.windows(2).map(|range| skin.influences.get(range[0] as usize..range[1] as usize).unwrap_or(&[]));
+            blended.extend(ranges.take(points).map(|influences| self.blend_matrices(influences)));
         } else {
             blended.extend((0..points).map(|point| self.blend_quaternions(skin.influences_of(point))));
         }
         self.blended = blended;
     }
 
+    /// The matrix of a joint; any number that is no joint, −1 above all, means the bind shape.
+    #[inline(always)]
     fn matrix(&self, joint: i32) -> &Affine3A {
-        usize::try_from(joint).ok().and_then(|joint| self.joints.get(joint)).unwrap_or(&self.bind)
+        self.joints.get(joint as usize).unwrap_or(&self.bind)
     }
 
-    #[inline]
+    #[inline(always)]
     fn blend_matrices(&self, influences: &[Influence]) -> Affine3A {
         let Some((first, rest)) = influences.split_first() else {
             return self.loose;
         };
-        let scaled = |influence: &Influence| {
-            let (m, w) = (self.matrix(influence.joint), influence.weight);
-            (m.matrix3.x_axis * w, m.matrix3.y_axis * w, m.matrix3.z_axis * w, m.translation * w)
-        };
-        let (mut x, mut y, mut z, mut t) = scaled(first);
+        let (m, w) = (self.matrix(first.joint), Vec3A::splat(first.weight));
+        let (mut x, mut y, mut z, mut t) = (m.matrix3.x_axis * w, m.matrix3.y_axis * w, m.matrix3.z_axis * w, m.translation * w);
         for influence in rest {
-            let (dx, dy, dz, dt) = scaled(influence);
-            (x, y, z, t) = (x + dx, y + dy, z + dz, t + dt);
+            let (m, w) = (self.matrix(influence.joint), Vec3A::splat(influence.weight));
+            x += m.matrix3.x_axis * w;
+            y += m.matrix3.y_axis * w;
+            z += m.matrix3.z_axis * w;
+            t += m.translation * w;
         }
         Affine3A { matrix3: Mat3A::from_cols(x, y, z), translation: t }
     }
