@@ -1,0 +1,78 @@
+# Sinew: `make run` to try it, `make test` to check it, `make install PREFIX=…` to keep it.
+# `run` and `test` install the system packages that are missing (Debian and its kin; resources/setup.sh says which and why).
+
+PREFIX ?= /usr/local
+DESTDIR ?=
+CARGO ?= cargo
+
+ID := io.github.sinew.Sinew
+BINARY := target/release/sinew
+SHARE = $(DESTDIR)$(PREFIX)/share
+ICONS = $(SHARE)/icons/hicolor
+
+.PHONY: run build test bench install uninstall clean refresh
+
+run: build
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
+	    exec $(BINARY); \
+	else \
+	    mkdir -p out && $(BINARY) render configs/biceps.yaml -o out/start.png && \
+	    echo "There is no display here, so the start scene was drawn to $(CURDIR)/out/start.png"; \
+	fi
+
+build:
+	@resources/setup.sh build
+	$(CARGO) build --release --locked
+
+test:
+	@echo "== System packages"
+	@resources/setup.sh test
+	@echo "== Format"
+	$(CARGO) fmt --check
+	@echo "== Desktop files"
+	@resources/check-desktop.sh
+	@echo "== Lints, with the window"
+	$(CARGO) clippy --locked --all-targets -- -D warnings
+	@echo "== Lints, without the window"
+	$(CARGO) clippy --locked --all-targets --no-default-features -- -D warnings
+	@echo "== Documentation"
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps
+	@echo "== Tests"
+	$(CARGO) test --locked
+	@echo "== All checks passed"
+
+bench:
+	@resources/setup.sh build
+	$(CARGO) bench --locked
+
+# Built beforehand as oneself, installed as root: `make build && sudo make install`.
+install:
+	@[ -x $(BINARY) ] || $(MAKE) --no-print-directory build
+	install -Dm755 $(BINARY) "$(DESTDIR)$(PREFIX)/bin/sinew"
+	install -Dm644 resources/icons/$(ID).svg "$(ICONS)/scalable/apps/$(ID).svg"
+	install -Dm644 resources/icons/$(ID)-symbolic.svg "$(ICONS)/symbolic/apps/$(ID)-symbolic.svg"
+	install -Dm644 resources/$(ID).desktop "$(SHARE)/applications/$(ID).desktop"
+	install -Dm644 resources/$(ID).metainfo.xml "$(SHARE)/metainfo/$(ID).metainfo.xml"
+	install -Dm644 resources/$(ID)-mime.xml "$(SHARE)/mime/packages/$(ID).xml"
+	install -Dm644 resources/sinew.thumbnailer "$(SHARE)/thumbnailers/sinew.thumbnailer"
+	install -Dm644 resources/sinew.1 "$(SHARE)/man/man1/sinew.1"
+	@$(MAKE) --no-print-directory refresh
+
+uninstall:
+	rm -f "$(DESTDIR)$(PREFIX)/bin/sinew" \
+	    "$(ICONS)/scalable/apps/$(ID).svg" "$(ICONS)/symbolic/apps/$(ID)-symbolic.svg" \
+	    "$(SHARE)/applications/$(ID).desktop" "$(SHARE)/metainfo/$(ID).metainfo.xml" \
+	    "$(SHARE)/mime/packages/$(ID).xml" "$(SHARE)/thumbnailers/sinew.thumbnailer" "$(SHARE)/man/man1/sinew.1"
+	@$(MAKE) --no-print-directory refresh
+
+# The desktop's caches; a package (DESTDIR) leaves them to its own installer.
+refresh:
+	@if [ -z "$(DESTDIR)" ]; then \
+	    ! command -v update-mime-database >/dev/null || update-mime-database "$(SHARE)/mime"; \
+	    ! command -v update-desktop-database >/dev/null || update-desktop-database -q "$(SHARE)/applications"; \
+	    ! command -v gtk4-update-icon-cache >/dev/null || gtk4-update-icon-cache -qtf "$(ICONS)"; \
+	fi
+
+clean:
+	$(CARGO) clean
+	rm -rf out
