@@ -10,6 +10,7 @@ mod images;
 mod merge;
 mod open;
 mod pose;
+mod skin_kernel;
 mod skinning;
 
 pub use error::OpenError;

@@ -1,24 +1,28 @@
 //! The two ways to bend a skin, one blended transform a point of the file, applied to all vertices that were split from it.
+//!
+//! Blending the matrices first and transforming once costs less than transforming by each joint; the two loops that do it are in
+//! [`super::skin_kernel`].
 
-use glam::{Affine3A, DMat3, DMat4, DQuat, Mat3A, Quat, Vec3, Vec3A};
+use glam::{DMat3, DMat4, DQuat, Mat3A, Quat, Vec3};
 
+use super::skin_kernel::{self, Columns};
 use crate::scene::{Bounds, Influence, Mesh, Skin};
 
 /// Matrices of one skin at one moment, and what blending them needs. Kept between frames.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Palette {
     /// `Jᵢ · IBMᵢ · BSM`, one a joint, into the world.
-    joints: Vec<Affine3A>,
+    joints: Vec<Columns>,
     /// Where points go that no joint moves: the holding node's world matrix times the bind shape matrix.
-    loose: Affine3A,
+    loose: Columns,
     /// Where the influence −1 puts a point: the bind shape in the file's world.
-    bind: Affine3A,
+    bind: Columns,
     /// Whether a matrix scales unevenly, so that normals need the inverse transpose.
     uneven: bool,
     /// The same matrices as dual quaternions, filled for that mode only: joints, then `loose`, then `bind`.
     rigid: Vec<Rigid>,
     /// One a point of the file.
-    blended: Vec<Affine3A>,
+    blended: Vec<Columns>,
 }
 
 /// A palette matrix as rotation and translation (a unit dual quaternion) after a scale and shear.
@@ -48,13 +52,9 @@ fn rotation_of(linear: DMat3) -> DQuat {
     DQuat::from_mat3(&DMat3::from_cols(x, y, x.cross(y)))
 }
 
-fn affine(matrix: &DMat4) -> Affine3A {
-    Affine3A::from_mat4(matrix.as_mat4())
-}
-
 /// Whether a matrix stretches one direction more than another by over a thousandth.
-fn is_uneven(matrix: &Affine3A) -> bool {
-    let m = matrix.matrix3;
+fn is_uneven(matrix: &Columns) -> bool {
+    let m = matrix.linear();
     let lengths = [m.x_axis.length_squared(), m.y_axis.length_squared(), m.z_axis.length_squared()];
     let (low, high) = (lengths[0].min(lengths[1]).min(lengths[2]), lengths[0].max(lengths[1]).max(lengths[2]));
     let skew = m.x_axis.dot(m.y_axis).abs().max(m.y_axis.dot(m.z_axis).abs()).max(m.z_axis.dot(m.x_axis).abs());
@@ -78,7 +78,7 @@ impl Palette {
         let (loose, bind) = (*node * skin.bind_shape, *file * skin.bind_shape);
         for (joint, world) in skin.joints.iter().zip(joint_worlds) {
             let matrix = world.map_or(bind, |world| world * joint.inverse_bind * skin.bind_shape);
-            self.joints.push(affine(&matrix));
+            self.joints.push(Columns::of(&matrix));
             if dual_quaternions {
                 self.rigid.push(Rigid::of(&matrix));
             }
@@ -86,78 +86,32 @@ impl Palette {
         if dual_quaternions {
             self.rigid.extend([Rigid::of(&loose), Rigid::of(&bind)]);
         }
-        (self.loose, self.bind) = (affine(&loose), affine(&bind));
+        (self.loose, self.bind) = (Columns::of(&loose), Columns::of(&bind));
         self.uneven = self.joints.iter().chain([&self.loose, &self.bind]).any(is_uneven);
     }
 
     /// Whether the skin as a whole is mirrored: by its first matrix.
     pub(super) fn mirrors(&self) -> bool {
-        self.joints.first().unwrap_or(&self.loose).matrix3.determinant() < 0.0
+        self.joints.first().unwrap_or(&self.loose).linear().determinant() < 0.0
     }
 
     /// Bends the mesh: `positions` and `normals` hold the shape before and the world afterwards. Returns the box round it.
     pub(super) fn bend(&mut self, skin: &Skin, mesh: &Mesh, positions: &mut [Vec3], normals: &mut [Vec3]) -> Bounds {
-        self.blend(skin, mesh.source_count as usize);
-        if self.uneven {
-            self.transform(mesh, positions, normals, |matrix, normal| cofactor(matrix) * normal)
+        let points = mesh.source_count as usize;
+        let mut blended = std::mem::take(&mut self.blended);
+        blended.clear();
+        if self.rigid.is_empty() {
+            skin_kernel::blend(skin, points, &self.joints, &self.loose, &self.bind, &mut blended);
         } else {
-            self.transform(mesh, positions, normals, |matrix, normal| *matrix * normal)
+            blended.extend((0..points).map(|point| self.blend_quaternions(skin.influences_of(point))));
         }
-    }
-
-    #[inline(always)]
-    fn transform(&self, mesh: &Mesh, positions: &mut [Vec3], normals: &mut [Vec3], turn: impl Fn(&Mat3A, Vec3A) -> Vec3A) -> Bounds {
-        let (mut min, mut max) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
-        for ((position, normal), source) in positions.iter_mut().zip(normals.iter_mut()).zip(&mesh.source_vertex) {
-            let matrix = self.blended.get(*source as usize).unwrap_or(&self.loose);
-            let moved = matrix.transform_point3a(Vec3A::from(*position));
-            (min, max) = (moved.min(min), moved.max(max));
-            *position = moved.into();
-            let turned = turn(&matrix.matrix3, Vec3A::from(*normal));
-            let square = turned.length_squared();
-            *normal = if square > 1e-36 { (turned * (1.0 / square.sqrt())).into() } else { Vec3::Y };
-        }
-        let bounds = Bounds { min: min.into(), max: max.into() };
+        let bounds = skin_kernel::transform(&blended, &self.loose, &mesh.source_vertex, self.uneven, positions, normals);
+        self.blended = blended;
         // A coordinate that is no number gets lost or spoils the box: then the careful way.
         if bounds.min.is_finite() && bounds.max.is_finite() { bounds } else { Bounds::of(positions.iter().copied()) }
     }
 
-    fn blend(&mut self, skin: &Skin, points: usize) {
-        let mut blended = std::mem::take(&mut self.blended);
-        blended.clear();
-        if self.rigid.is_empty() {
-            let ranges = skin.offsets.windows(2).map(|range| skin.influences.get(range[0] as usize..range[1] as usize).unwrap_or(&[]));
-            blended.extend(ranges.take(points).map(|influences| self.blend_matrices(influences)));
-        } else {
-            blended.extend((0..points).map(|point| self.blend_quaternions(skin.influences_of(point))));
-        }
-        self.blended = blended;
-    }
-
-    /// The matrix of a joint; any number that is no joint, −1 above all, means the bind shape.
-    #[inline(always)]
-    fn matrix(&self, joint: i32) -> &Affine3A {
-        self.joints.get(joint as usize).unwrap_or(&self.bind)
-    }
-
-    #[inline(always)]
-    fn blend_matrices(&self, influences: &[Influence]) -> Affine3A {
-        let Some((first, rest)) = influences.split_first() else {
-            return self.loose;
-        };
-        let (m, w) = (self.matrix(first.joint), Vec3A::splat(first.weight));
-        let (mut x, mut y, mut z, mut t) = (m.matrix3.x_axis * w, m.matrix3.y_axis * w, m.matrix3.z_axis * w, m.translation * w);
-        for influence in rest {
-            let (m, w) = (self.matrix(influence.joint), Vec3A::splat(influence.weight));
-            x += m.matrix3.x_axis * w;
-            y += m.matrix3.y_axis * w;
-            z += m.matrix3.z_axis * w;
-            t += m.translation * w;
-        }
-        Affine3A { matrix3: Mat3A::from_cols(x, y, z), translation: t }
-    }
-
-    fn blend_quaternions(&self, influences: &[Influence]) -> Affine3A {
+    fn blend_quaternions(&self, influences: &[Influence]) -> Columns {
         let pick = |joint: i32| {
             let at = usize::try_from(joint).ok().filter(|joint| *joint < self.joints.len()).unwrap_or(self.joints.len() + 1);
             self.rigid.get(at)
@@ -176,22 +130,16 @@ impl Palette {
         }
         let length = real.length();
         if length <= 1e-12 {
-            return self.blend_matrices(influences);
+            // Opposite half turns cancel out: then the first joint alone decides.
+            return influences.first().map_or(self.loose, |first| self.joints.get(first.joint as usize).copied().unwrap_or(self.bind));
         }
         let (real, dual) = (real * (1.0 / length), dual * (1.0 / length));
         let t = dual * real.conjugate() * 2.0;
-        Affine3A { matrix3: Mat3A::from_quat(real) * stretch, translation: Vec3A::new(t.x, t.y, t.z) }
+        Columns::from_parts(Mat3A::from_quat(real) * stretch, Vec3::new(t.x, t.y, t.z))
     }
-}
-
-/// The inverse transpose times the determinant's size: turns normals as the matrix turns the surface, mirrored or not.
-fn cofactor(m: &Mat3A) -> Mat3A {
-    let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);
-    let matrix = Mat3A::from_cols(y.cross(z), z.cross(x), x.cross(y));
-    if matrix.x_axis.dot(x) < 0.0 { matrix * -1.0 } else { matrix }
 }
 
 /// Turns normals of a rigid surface: the inverse transpose, up to a positive factor.
 pub(super) fn normal_matrix(matrix: &DMat4) -> Mat3A {
-    cofactor(&affine(matrix).matrix3)
+    skin_kernel::cofactor(&Columns::of(matrix).linear())
 }
