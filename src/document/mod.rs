@@ -15,7 +15,7 @@ mod skinning;
 
 pub use error::OpenError;
 pub use open::{Images, OpenOptions};
-pub use pose::PoseBuffers;
+pub use pose::{PoseBuffers, PoseTimes};
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,6 +1,7 @@
 //! A document at one moment: the only way from files to something that can be drawn.
 
 use std::sync::Arc;
+use std::time::Instant;
 
 use glam::{DMat4, Mat4};
 
@@ -19,9 +20,24 @@ pub struct PoseBuffers {
     shown: Vec<bool>,
     plans: Vec<Plan>,
     solved: Vec<Solved>,
+    times: PoseTimes,
+}
+
+/// Milliseconds that the parts of the last pose took.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct PoseTimes {
+    /// Sampling the clip, world transforms, solving the muscles.
+    pub pose_ms: f64,
+    /// Deforming the surfaces: skins, morphs, muscles.
+    pub deform_ms: f64,
 }
 
 impl PoseBuffers {
+    /// How long the last pose took.
+    pub fn times(&self) -> PoseTimes {
+        self.times
+    }
+
     /// Solutions of all muscles at the last pose, by [`MuscleId`].
     pub fn solved(&self) -> &[Solved] {
         &self.solved
@@ -49,6 +65,7 @@ impl Document {
     ///
     /// The same `buffers` and `frame` are to be passed again for the next moment; then nothing is allocated.
     pub fn pose(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        let begun = Instant::now();
         if buffers.revision != self.revision || frame.stamp != self.revision {
             self.lay_out(buffers, frame);
         }
@@ -71,7 +88,10 @@ impl Document {
             animated.take_values(at_rest);
         }
         self.solve_muscles(state, buffers, frame);
+        let posed = Instant::now();
         self.place_surfaces(state, buffers, frame);
+        let milliseconds = |from: Instant, to: Instant| to.duration_since(from).as_secs_f64() * 1e3;
+        buffers.times = PoseTimes { pose_ms: milliseconds(begun, posed), deform_ms: milliseconds(posed, Instant::now()) };
     }
 
     fn solve_muscles(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &Frame) {

@@ -100,6 +100,8 @@ fn bundle(language: Language) -> &'static Bundle {
         let mut bundle = Bundle::new_concurrent(vec![language.id()]);
         // Isolation marks are for mixed-direction text; on a terminal they are noise.
         bundle.set_use_isolating(false);
+        // The function NUMBER; to add it fails only where it is there already.
+        let _ = bundle.add_builtins();
         for text in language.files() {
             // A syntax slip loses its message only; the catalogue test refuses it.
             let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|(partial, _)| partial);
