@@ -1,8 +1,83 @@
 //! The command line: one file a subcommand.
+//!
+//! Results go to standard output, problems to standard error, one line each. The exit code is 0 = done, 1 = a file could not be used,
+//! 2 = the call was wrong.
 
+mod check;
+mod command;
+mod export;
+mod failure;
+mod framing;
+mod info;
+mod measure;
+mod moment;
+mod render;
+mod sequence;
+mod usage;
+mod values;
+mod window;
+
+use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
+
+use clap::ArgMatches;
+use clap::error::ErrorKind;
+
+use failure::{Failure, answer};
+
+pub use command::command;
 
 /// Runs the program and returns its exit code: 0 = done, 1 = a file could not be used, 2 = the call was wrong.
 pub fn main() -> ExitCode {
-    ExitCode::SUCCESS
+    run(std::env::args_os())
+}
+
+/// Runs the program with these arguments, the first of which is its own name.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let matches = match command().try_get_matches_from(arguments) {
+        Ok(matches) => matches,
+        Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
+            return finish(answer(&error.render().to_string()));
+        }
+        Err(error) => return Failure::Usage(usage::sentence(&error)).report(),
+    };
+    match matches.subcommand() {
+        Some(("info", given)) => finish(info::run(given)),
+        Some(("check", given)) => finish(check::run(given)),
+        Some(("render", given)) => finish(render::run(given)),
+        Some(("export", given)) => finish(export::run(given)),
+        Some(("measure", given)) => finish(measure::run(given)),
+        Some(("help", given)) => finish(help(given)),
+        _ => window::open(files(&matches)),
+    }
+}
+
+fn finish(result: Result<(), Failure>) -> ExitCode {
+    result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
+}
+
+/// `sinew help [COMMAND]`.
+fn help(given: &ArgMatches) -> Result<(), Failure> {
+    let mut all = command();
+    // Fills in the names of the subcommands as they are called.
+    all.build();
+    let page = match given.get_one::<String>("command") {
+        None => all.render_help(),
+        Some(name) => match all.find_subcommand_mut(name) {
+            Some(found) => found.render_help(),
+            None => return Err(Failure::usage(crate::tr!("cli-no-such-command", name = name.clone()))),
+        },
+    };
+    answer(&page.to_string())
+}
+
+/// The value of `--option`, where it was given.
+fn value<T: Clone + Send + Sync + 'static>(given: &ArgMatches, id: &str) -> Option<T> {
+    given.get_one::<T>(id).cloned()
+}
+
+/// All files that were given.
+fn files(given: &ArgMatches) -> Vec<PathBuf> {
+    given.get_many::<PathBuf>("file").into_iter().flatten().cloned().collect()
 }

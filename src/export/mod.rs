@@ -1,1 +1,61 @@
-//! Files to take away: pictures and posed surfaces.
+//! Files to take away: pictures, animations and posed surfaces.
+//!
+//! Every file is written beside its final place under a temporary name and renamed when it is complete, so a failed save leaves what was
+//! there.
+
+mod atomic;
+pub mod gif;
+pub mod obj;
+pub mod palette;
+pub mod png;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::tr;
+
+/// Why a file could not be written. Displays as one line: `file: what`.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// The folder, the disk or the file system refused.
+    #[error("{}: {}", .file.display(), tr!("export-not-written", reason = io_reason(.source)))]
+    Io {
+        /// The file that was to be written.
+        file: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// The target is there and is no ordinary file.
+    #[error("{}: {}", .file.display(), tr!("export-not-a-file"))]
+    NotAFile {
+        /// The target.
+        file: PathBuf,
+    },
+    /// The picture does not fit the format.
+    #[error("{}: {}", .file.display(), tr!("export-too-large", limit = .limit))]
+    TooLarge {
+        /// The file that was to be written.
+        file: PathBuf,
+        /// The longest side that the format can hold, pixels.
+        limit: u32,
+    },
+}
+
+impl ExportError {
+    fn io(file: &Path, source: io::Error) -> Self {
+        Self::Io { file: file.to_owned(), source }
+    }
+}
+
+/// What the system said, in the user's language for the kinds that people meet.
+pub fn io_reason(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => tr!("export-io-not-found"),
+        io::ErrorKind::PermissionDenied => tr!("export-io-denied"),
+        io::ErrorKind::ReadOnlyFilesystem => tr!("export-io-read-only"),
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => tr!("export-io-full"),
+        io::ErrorKind::NotADirectory => tr!("export-io-not-a-folder"),
+        io::ErrorKind::InvalidFilename => tr!("export-io-name"),
+        _ => error.to_string(),
+    }
+}

@@ -1,1 +1,171 @@
-# cli
+# The command line: help pages.
+cli-about =
+    Opens skeletal animation clips (COLLADA .dae, .zae) and muscles of constant volume (.yaml) in one scene.
+    Without a command it opens the window; without a file, on the built-in biceps.
+cli-about-info = Says what is in a file: nodes, meshes, clips, images, muscles, bounds.
+cli-about-check = Reads files and reports what is odd about them, with the line and what was done about it.
+cli-about-render = Draws a picture (.png), an animation (.gif) or a numbered row of pictures, without a screen.
+cli-about-export = Writes the posed surface as .obj: world space, metres, Y up, triangles with normals.
+cli-about-measure = Measures muscles: length, moment arm, volume and radii at each elbow angle.
+cli-about-help = Shows this page, or the page of a command.
+
+cli-heading-usage = Usage:
+cli-heading-commands = Commands
+cli-heading-arguments = Arguments
+cli-heading-options = Options
+cli-heading-output = Output
+cli-heading-moment = Moment
+cli-heading-view = View
+cli-heading-look = Look
+cli-heading-examples = Examples:
+cli-word-options = OPTIONS
+cli-help-closing = Exit code: 0 = done, 1 = a file could not be used, 2 = the call was wrong. "-" as a file is standard input.
+
+cli-arg-files = Files to open side by side in one scene
+cli-arg-file = The file: .dae, .zae or .yaml
+cli-arg-check-files = Files to read
+cli-arg-render-files = Files to draw, side by side in one scene
+cli-arg-command = The command whose page is shown
+cli-arg-help = Show this help
+cli-arg-version = Show the version
+cli-arg-json = Answer as JSON
+cli-arg-render-output = Where to write: .png, .gif, or a pattern such as frame-%04d.png for one picture a frame, numbered from 0
+cli-arg-export-output = Where to write: a file that ends in .obj
+cli-arg-size = Size of the picture in pixels; 1280x720 unless given
+cli-arg-samples = Samples a pixel: 4 smooths edges (the default), 1 is quicker
+cli-arg-background = What stands behind: #rrggbb, #rgb, a name such as white, or none for a transparent picture; a soft gradient unless given
+cli-arg-threads = Number of worker threads; one a core unless given. The picture is the same for any number
+cli-arg-stats = Print to standard error how many milliseconds each stage took (median over the frames)
+cli-arg-time = The moment, in seconds on the file's own time axis; held at the ends of the clip. The clip's start unless given
+cli-arg-clip = The clip to play; the first unless given
+cli-arg-angle = Elbow angle in degrees, 0 = straight arm
+cli-arg-contraction = Contraction of the muscle, 0 to 100 per cent
+cli-arg-from = First moment of an animation, seconds; the clip's start unless given
+cli-arg-to = Last moment of an animation, seconds, included; the clip's end unless given
+cli-arg-fps = Frames a second of an animation, 0.01 to 1000 (a .gif: up to 50); 25 unless given
+cli-arg-camera = Where to look from: orbit has perspective, the others have parallel rays; orbit unless given
+cli-arg-yaw = Degrees round the vertical axis instead of the camera's own: 0 = from the front (+Z), 90 = from the right (+X)
+cli-arg-pitch = Degrees above the horizon instead of the camera's own, -90 to 90
+cli-arg-zoom = How many times nearer than the view that shows all, 0.01 to 100
+cli-arg-turntable = Turn the model once round over the animation
+cli-arg-light = Position of the light in the world, metres; high on the left of the camera unless given
+cli-arg-shading = Where lighting is computed: once a triangle, a vertex (gouraud, the default) or a pixel
+cli-arg-bones = Draw the bones
+cli-arg-wireframe = Draw the edges of triangles
+cli-arg-no-materials = Leave materials and textures out
+cli-arg-no-normals = Light each triangle by its own plane instead of the smooth normals
+cli-arg-angles = Elbow angles in degrees; 0,30,60,90 unless given
+cli-arg-sweep = Elbow angles from FROM to TO, both included, every STEP degrees
+cli-arg-compare = Set the model beside measured radii: a CSV with a column "node" and columns deg0, deg30 …
+cli-arg-csv = Answer as CSV
+
+cli-example-start = open the window on the built-in biceps
+cli-example-open = open a clip and a muscle together
+cli-example-info = what is in the clip
+cli-example-info-json = the same for a program, from standard input
+cli-example-check = report on every clip of the folder
+cli-example-check-json = the report for a program
+cli-example-render = one picture of the moment 1.5 s, with bones
+cli-example-render-gif = the whole clip as an animation
+cli-example-render-sequence = 61 numbered pictures of the first two seconds
+cli-example-render-turntable = the bent arm from all sides
+cli-example-export = the mesh as it stands at 1.5 s
+cli-example-export-muscle = arm and muscle at 90°
+cli-example-measure = a table at four angles
+cli-example-measure-csv = every five degrees, for a spreadsheet
+cli-example-measure-compare = the model beside measured radii
+cli-example-help = the page of render
+
+# The command line: what was wrong with a call. Each is printed after "sinew: ".
+cli-call-wrong = This call was not understood; see sinew --help.
+cli-option-unknown = There is no option { $option }; see --help.
+cli-option-unknown-similar = There is no option { $option }; did you mean { $similar }?
+cli-option-twice = { $option } may be given only once.
+cli-options-contradict = { $one } and { $other } contradict each other; give one of them.
+cli-argument-too-many = "{ $argument }" is one argument too many; see --help.
+cli-argument-missing = { $what } is missing; see --help.
+cli-value-missing = { $option } needs a value; see --help.
+cli-value-not-taken = { $option } takes no value, so "{ $value }" is too much.
+cli-value-not-one-of = { $option }: "{ $value }" is none of { $choices }.
+cli-value-wrong = { $option }: "{ $value }" { $why }
+cli-value-not-text = An option's value is not valid UTF-8 text.
+cli-value-not-finite = is not finite; give an ordinary number.
+cli-value-decimal-comma = has a decimal comma; write a point, as in 1.5.
+cli-value-not-number = is not a number; write it as in 1.5.
+cli-value-out-of-range = is outside { $low } to { $high }.
+cli-value-not-size = is not a size; write WIDTHxHEIGHT as in 1280x720, each from 1 to { $limit } pixels.
+cli-value-not-point = is not a position; write X,Y,Z in metres as in 1,2.5,-1.
+cli-value-not-color = is not a colour; write #rrggbb, #rgb, a name such as white, or none.
+cli-value-not-count = is not a number of threads; write a whole number from 1 to { $limit }.
+cli-value-not-angles = is not a list of angles; write degrees as in 0,30,60,90.
+cli-value-not-sweep = is not a range; write FROM:TO:STEP in degrees as in 0:120:5.
+cli-value-sweep-empty = holds no angle: the step must lead from FROM to TO and not be 0.
+cli-value-too-many-angles = makes more than { $limit } angles; take a larger step.
+cli-no-such-command = There is no command "{ $name }"; see sinew --help.
+cli-command-mistyped = There is neither a file nor a command "{ $word }"; did you mean "{ $name }"?
+cli-no-such-clip = { $file } has no clip "{ $name }"; it has: { $names }.
+cli-no-clips = { $file } has no clip "{ $name }"; it has none at all.
+cli-no-muscle-to-drive = { $file } has no muscle, so --angle and --contraction move nothing.
+cli-no-arm-to-bend = { $file } has no arm, so --angle bends nothing; use --contraction.
+cli-no-arm-to-measure = { $file } has a muscle on no arm, so there is no angle to measure at; leave --angles and --sweep out.
+cli-needs-sequence = { $option } needs several pictures: let OUT end in .gif, or name it as in frame-%04d.png.
+cli-range-empty = --from { $from } lies after --to { $to }, so there is nothing to draw.
+cli-too-many-frames = This makes more than { $limit } frames; take a shorter stretch or a lower --fps.
+cli-gif-fps = A .gif shows at most { $limit } frames a second; give a lower --fps or write pictures.
+cli-render-ending = { $out }: the ending must be .png or .gif.
+cli-export-ending = { $out }: the ending must be .obj.
+cli-out-is-input = { $out } is one of the files that are read; choose another name for the result.
+
+# The command line: files that could not be used, notices, results.
+cli-no-window = This build has no window; draw without one: sinew render FILE -o picture.png
+cli-no-display = There is no display to open a window on; draw without one: sinew render FILE -o picture.png
+cli-stdout-failed = Standard output: { $reason }
+cli-angle-held = { $file }: the elbow goes from { $low }° to { $high }°, so { $angle }° is held at the limit.
+cli-export-nothing = There is no surface to export: the file has no mesh and no muscle.
+cli-check-clean = nothing odd.
+cli-measure-no-muscle = There is no muscle in this file, so there is nothing to measure.
+cli-measure-angle = angle, °
+cli-measure-length = length, { $unit }
+cli-measure-moment-arm = moment arm, { $unit }
+cli-measure-volume = volume, { $unit }³
+cli-measure-error = volume error
+cli-measure-delta = δ
+cli-measure-largest = largest radius, { $unit }
+cli-measure-held = the length is held at the limit of what the muscle can do.
+cli-info-file = File
+cli-info-format = Format
+cli-info-tool = Made with
+cli-info-axis = Up axis
+cli-info-unit = Unit
+cli-info-metres = { $value } m
+cli-info-nodes = Nodes
+cli-info-nodes-value = { NUMBER($nodes, useGrouping: 0) }, of them { NUMBER($joints, useGrouping: 0) } { $joints ->
+        [one] joint
+       *[other] joints
+    }
+cli-info-mesh = Mesh
+cli-info-mesh-value = "{ $name }": { NUMBER($vertices, useGrouping: 0) } vertices, { NUMBER($triangles, useGrouping: 0) } triangles
+cli-info-mesh-joints = , skin with { NUMBER($joints, useGrouping: 0) } joints
+cli-info-mesh-morphs = , { NUMBER($targets, useGrouping: 0) } morph targets
+cli-info-clip = Clip
+cli-info-clip-value = "{ $name }": { $start } s to { $end } s, { NUMBER($channels, useGrouping: 0) } channels, { NUMBER($keys, useGrouping: 0) } keys
+cli-info-materials = Materials
+cli-info-image = Image
+cli-info-image-found = { $uri }
+cli-info-image-missing = { $uri } (not found)
+cli-info-muscle = Muscle
+cli-info-muscle-value = "{ $name }": { NUMBER($nodes, useGrouping: 0) } nodes, rest length { $length }, volume { $volume } in the file's unit
+cli-info-bounds = Bounds
+cli-info-bounds-value = { $min } to { $max } m
+cli-info-warnings = Findings
+
+# Writing files.
+export-not-written = The file could not be written: { $reason }
+export-not-a-file = This is a folder or a device; choose a file name for the result.
+export-too-large = This format holds at most { NUMBER($limit, useGrouping: 0) } pixels a side.
+export-io-not-found = the folder does not exist.
+export-io-denied = you may not write in this folder.
+export-io-read-only = the file system is read-only.
+export-io-full = the disk is full.
+export-io-not-a-folder = a part of the path is not a folder.
+export-io-name = the file system does not allow this name.

@@ -1,0 +1,95 @@
+//! `sinew check`: what the readers found odd.
+
+use std::path::Path;
+
+use clap::ArgMatches;
+use serde::Serialize;
+
+use super::failure::{Failure, answer, answer_json, display_name};
+use super::files;
+use crate::collada::Progress;
+use crate::document::{Document, OpenError};
+use crate::health::{Finding, Severity};
+use crate::tr;
+
+/// One file's report.
+#[derive(Debug, Serialize)]
+struct FileReport {
+    file: String,
+    usable: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<Refusal>,
+    findings: Vec<FindingReport>,
+}
+
+/// Why a file could not be used.
+#[derive(Debug, Serialize)]
+struct Refusal {
+    line: Option<u32>,
+    column: Option<u32>,
+    message: String,
+}
+
+/// One finding.
+#[derive(Debug, Serialize)]
+pub struct FindingReport {
+    code: &'static str,
+    severity: &'static str,
+    line: Option<u32>,
+    element: String,
+    message: String,
+}
+
+impl From<&Finding> for FindingReport {
+    fn from(finding: &Finding) -> Self {
+        Self {
+            code: finding.code,
+            severity: match finding.severity {
+                Severity::Note => "note",
+                Severity::Warning => "warning",
+            },
+            line: finding.line,
+            element: finding.element.clone(),
+            message: finding.message.clone(),
+        }
+    }
+}
+
+/// Runs the subcommand.
+pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+    let opened: Vec<_> = files(given).into_iter().map(|file| (display_name(&file), open(&file))).collect();
+    if given.get_flag("json") {
+        let reports: Vec<_> = opened.iter().map(|(name, result)| report(name, result)).collect();
+        answer_json(&serde_json::json!({ "files": reports }))?;
+    } else {
+        answer(&listing(&opened))?;
+    }
+    let refused: Vec<_> = opened.iter().filter_map(|(_, result)| result.as_ref().err().map(ToString::to_string)).collect();
+    if refused.is_empty() { Ok(()) } else { Err(Failure::Files(refused)) }
+}
+
+fn open(file: &Path) -> Result<Vec<Finding>, OpenError> {
+    Document::open(&[file], &Progress::default()).map(|document| document.health)
+}
+
+fn report(name: &str, result: &Result<Vec<Finding>, OpenError>) -> FileReport {
+    FileReport {
+        file: name.to_owned(),
+        usable: result.is_ok(),
+        error: result.as_ref().err().map(|error| Refusal { line: error.line, column: error.column, message: error.message.clone() }),
+        findings: result.iter().flatten().map(FindingReport::from).collect(),
+    }
+}
+
+/// The findings of the usable files, one a line; a refused file's line goes to standard error.
+fn listing(opened: &[(String, Result<Vec<Finding>, OpenError>)]) -> String {
+    let mut text = String::new();
+    for (name, result) in opened {
+        match result {
+            Ok(findings) if findings.is_empty() => text.push_str(&format!("{name}: {}\n", tr!("cli-check-clean"))),
+            Ok(findings) => findings.iter().for_each(|finding| text.push_str(&format!("{finding}\n"))),
+            Err(_) => {}
+        }
+    }
+    text
+}

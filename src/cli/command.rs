@@ -1,0 +1,233 @@
+//! The tree of commands and options. Built at run time, since every text comes from the catalogue.
+
+use std::path::PathBuf;
+
+use clap::builder::{PossibleValuesParser, Styles, TypedValueParser, ValueParser};
+use clap::{Arg, ArgAction, Command};
+
+use super::values;
+use crate::tr;
+
+/// The whole command line.
+pub fn command() -> Command {
+    page(
+        "sinew",
+        "cli-about",
+        "sinew [FILE…]\n  sinew COMMAND …",
+        &[("sinew", "cli-example-start"), ("sinew walk.dae biceps.yaml", "cli-example-open")],
+    )
+    .version(env!("CARGO_PKG_VERSION"))
+    .disable_version_flag(true)
+    .disable_help_subcommand(true)
+    .subcommand_help_heading(tr!("cli-heading-commands"))
+    .args_conflicts_with_subcommands(true)
+    .arg(files("cli-arg-files").num_args(0..))
+    .arg(
+        Arg::new("version")
+            .short('V')
+            .long("version")
+            .action(ArgAction::Version)
+            .help(tr!("cli-arg-version"))
+            .help_heading(tr!("cli-heading-options")),
+    )
+    .arg(help_flag())
+    .subcommands([info(), check(), render(), export(), measure(), help()].map(|command| command.arg(help_flag())))
+}
+
+fn info() -> Command {
+    page(
+        "info",
+        "cli-about-info",
+        "sinew info FILE [--json]",
+        &[("sinew info walk.dae", "cli-example-info"), ("sinew info - --json < walk.dae", "cli-example-info-json")],
+    )
+    .arg(file())
+    .arg(flag("json", "cli-arg-json", "cli-heading-options"))
+}
+
+fn check() -> Command {
+    page(
+        "check",
+        "cli-about-check",
+        "sinew check FILE… [--json]",
+        &[("sinew check *.dae", "cli-example-check"), ("sinew check walk.dae --json", "cli-example-check-json")],
+    )
+    .arg(files("cli-arg-check-files").num_args(1..).required(true))
+    .arg(flag("json", "cli-arg-json", "cli-heading-options"))
+}
+
+fn render() -> Command {
+    let view = "cli-heading-view";
+    let look = "cli-heading-look";
+    page(
+        "render",
+        "cli-about-render",
+        "sinew render FILE… -o OUT [OPTIONS]",
+        &[
+            ("sinew render walk.dae -o walk.png --time 1.5 --bones", "cli-example-render"),
+            ("sinew render walk.dae -o walk.gif --size 480x480 --fps 20", "cli-example-render-gif"),
+            ("sinew render walk.dae -o frame-%04d.png --from 0 --to 2 --fps 30", "cli-example-render-sequence"),
+            ("sinew render biceps.yaml -o turn.gif --angle 90 --turntable", "cli-example-render-turntable"),
+        ],
+    )
+    .arg(files("cli-arg-render-files").num_args(1..).required(true))
+    .arg(output("cli-arg-render-output"))
+    .arg(option("size", "WxH", values::size, "cli-arg-size", "cli-heading-output"))
+    .arg(choice("samples", &["1", "4"], "cli-arg-samples", "cli-heading-output"))
+    .arg(option("background", "COLOUR", values::backdrop, "cli-arg-background", "cli-heading-output"))
+    .arg(option("threads", "N", values::threads, "cli-arg-threads", "cli-heading-output"))
+    .arg(flag("stats", "cli-arg-stats", "cli-heading-output"))
+    .args(moment())
+    .arg(number("from", "S", values::number, "cli-arg-from", "cli-heading-moment").conflicts_with("time"))
+    .arg(number("to", "S", values::number, "cli-arg-to", "cli-heading-moment").conflicts_with("time"))
+    .arg(number("fps", "N", values::number_within(0.01, 1000.0), "cli-arg-fps", "cli-heading-moment"))
+    .arg(choice("camera", &["orbit", "front", "right", "top", "iso"], "cli-arg-camera", view))
+    .arg(number("yaw", "DEG", values::number, "cli-arg-yaw", view))
+    .arg(number("pitch", "DEG", values::number_within(-90.0, 90.0), "cli-arg-pitch", view))
+    .arg(number("zoom", "F", values::number_within(0.01, 100.0), "cli-arg-zoom", view))
+    .arg(flag("turntable", "cli-arg-turntable", view))
+    .arg(option("light", "X,Y,Z", values::point, "cli-arg-light", look).allow_hyphen_values(true))
+    .arg(choice("shading", &["flat", "gouraud", "phong"], "cli-arg-shading", look))
+    .arg(flag("bones", "cli-arg-bones", look))
+    .arg(flag("wireframe", "cli-arg-wireframe", look))
+    .arg(flag("no-materials", "cli-arg-no-materials", look))
+    .arg(flag("no-normals", "cli-arg-no-normals", look))
+}
+
+fn export() -> Command {
+    page(
+        "export",
+        "cli-about-export",
+        "sinew export FILE -o OUT.obj [OPTIONS]",
+        &[
+            ("sinew export walk.dae -o walk.obj --time 1.5", "cli-example-export"),
+            ("sinew export biceps.yaml -o biceps.obj --angle 90", "cli-example-export-muscle"),
+        ],
+    )
+    .arg(file())
+    .arg(output("cli-arg-export-output"))
+    .args(moment())
+}
+
+fn measure() -> Command {
+    let heading = "cli-heading-options";
+    page(
+        "measure",
+        "cli-about-measure",
+        "sinew measure FILE [OPTIONS]",
+        &[
+            ("sinew measure biceps.yaml --angles 0,30,60,90", "cli-example-measure"),
+            ("sinew measure biceps.yaml --sweep 0:120:5 --csv > biceps.csv", "cli-example-measure-csv"),
+        ],
+    )
+    .arg(file())
+    .arg(option("angles", "DEG,DEG,…", values::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
+    .arg(option("sweep", "FROM:TO:STEP", values::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
+    .arg(flag("csv", "cli-arg-csv", heading).conflicts_with("json"))
+    .arg(flag("json", "cli-arg-json", heading))
+}
+
+fn help() -> Command {
+    page("help", "cli-about-help", "sinew help [COMMAND]", &[("sinew help render", "cli-example-help")])
+        .arg(Arg::new("command").value_name("COMMAND").help(tr!("cli-arg-command")).help_heading(tr!("cli-heading-arguments")))
+}
+
+/// A command with its own page of help: what it does, how it is called, arguments, examples.
+fn page(name: &'static str, about: &str, usage: &'static str, examples: &[(&str, &str)]) -> Command {
+    let template = format!("{{about-with-newline}}\n{}\n  {{usage}}\n\n{{all-args}}{{after-help}}", tr!("cli-heading-usage"));
+    let mut after = tr!("cli-heading-examples");
+    for (call, caption) in examples {
+        after.push_str(&format!("\n  {call}\n      {}", tr!(caption)));
+    }
+    after.push_str(&format!("\n\n{}", tr!("cli-help-closing")));
+    Command::new(name)
+        .about(tr!(about))
+        .override_usage(usage.replace("OPTIONS", &tr!("cli-word-options")))
+        .help_template(template)
+        .after_help(after)
+        .styles(Styles::plain())
+        .max_term_width(100)
+        .disable_help_flag(true)
+}
+
+/// `--help`, the last of the options on a page.
+fn help_flag() -> Arg {
+    Arg::new("help").short('h').long("help").action(ArgAction::Help).help(tr!("cli-arg-help")).help_heading(tr!("cli-heading-options"))
+}
+
+/// The options that choose a moment, shared by `render` and `export`.
+fn moment() -> [Arg; 4] {
+    let heading = "cli-heading-moment";
+    [
+        number("time", "S", values::number, "cli-arg-time", heading),
+        option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading),
+        number("angle", "DEG", values::number, "cli-arg-angle", heading).conflicts_with("contraction"),
+        number("contraction", "PCT", values::number_within(0.0, 100.0), "cli-arg-contraction", heading),
+    ]
+}
+
+fn file() -> Arg {
+    files("cli-arg-file").required(true)
+}
+
+fn files(help: &str) -> Arg {
+    Arg::new("file")
+        .value_name("FILE")
+        .value_parser(clap::value_parser!(PathBuf))
+        .value_hint(clap::ValueHint::FilePath)
+        .help(tr!(help))
+        .help_heading(tr!("cli-heading-arguments"))
+}
+
+fn output(help: &str) -> Arg {
+    Arg::new("output")
+        .short('o')
+        .long("output")
+        .value_name("OUT")
+        .value_parser(clap::value_parser!(PathBuf))
+        .value_hint(clap::ValueHint::FilePath)
+        .required(true)
+        .help(tr!(help))
+        .help_heading(tr!("cli-heading-output"))
+}
+
+fn option(id: &'static str, value: &'static str, parser: impl Into<ValueParser>, help: &str, heading: &str) -> Arg {
+    Arg::new(id).long(id).value_name(value).value_parser(parser).help(tr!(help)).help_heading(tr!(heading))
+}
+
+/// An option with a number, which may be negative.
+fn number(
+    id: &'static str,
+    value: &'static str,
+    parser: impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static,
+    help: &str,
+    heading: &str,
+) -> Arg {
+    option(id, value, ValueParser::new(parser), help, heading).allow_hyphen_values(true)
+}
+
+fn choice(id: &'static str, choices: &'static [&'static str], help: &str, heading: &str) -> Arg {
+    let parser = PossibleValuesParser::new(choices).map(|chosen: String| chosen);
+    option(id, "", ValueParser::new(parser), help, heading).value_name(choices.join("|")).hide_possible_values(true)
+}
+
+fn flag(id: &'static str, help: &str, heading: &str) -> Arg {
+    Arg::new(id).long(id).action(ArgAction::SetTrue).help(tr!(help)).help_heading(tr!(heading))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tree_is_sound_and_every_text_is_in_the_catalogue() {
+        command().debug_assert();
+        let mut all = command();
+        all.build();
+        let mut pages = vec![all.render_help().to_string()];
+        pages.extend(all.get_subcommands_mut().map(|sub| sub.render_help().to_string()));
+        for page in pages {
+            assert!(!page.contains("cli-"), "a message is missing from the catalogue:\n{page}");
+        }
+    }
+}

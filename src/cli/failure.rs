@@ -1,0 +1,109 @@
+//! How a command ends other than well, and how that is said.
+
+use std::io::{self, Write};
+use std::path::Path;
+use std::process::ExitCode;
+
+use crate::document::OpenError;
+use crate::export::ExportError;
+
+/// Why a command stopped.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Failure {
+    /// The call was wrong: exit code 2.
+    Usage(String),
+    /// Files could not be used, one line each: exit code 1.
+    Files(Vec<String>),
+    /// Whoever read the output has gone: nothing more to say, exit code 0.
+    ReaderGone,
+}
+
+impl Failure {
+    /// A call that was wrong.
+    pub fn usage(sentence: impl Into<String>) -> Self {
+        Self::Usage(sentence.into())
+    }
+
+    /// One file that could not be used: `file: what`.
+    pub fn file(file: &Path, what: impl std::fmt::Display) -> Self {
+        Self::Files(vec![format!("{}: {what}", display_name(file))])
+    }
+
+    /// Says what happened on standard error and returns the exit code.
+    pub fn report(&self) -> ExitCode {
+        match self {
+            Self::Usage(sentence) => {
+                complain(&format!("sinew: {sentence}"));
+                ExitCode::from(2)
+            }
+            Self::Files(lines) => {
+                lines.iter().for_each(|line| complain(line));
+                ExitCode::from(1)
+            }
+            Self::ReaderGone => ExitCode::SUCCESS,
+        }
+    }
+}
+
+impl From<OpenError> for Failure {
+    fn from(error: OpenError) -> Self {
+        Self::Files(vec![one_line(&error.to_string())])
+    }
+}
+
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        Self::Files(vec![one_line(&error.to_string())])
+    }
+}
+
+/// The name of a file in messages: as given, in words for standard input.
+pub fn display_name(file: &Path) -> String {
+    if file.as_os_str() == "-" {
+        return crate::tr!("document-standard-input");
+    }
+    one_line(&file.to_string_lossy())
+}
+
+/// Writes one line to standard error; a closed one is nothing to stop for.
+pub fn complain(line: &str) {
+    let _ = writeln!(io::stderr(), "{}", one_line(line));
+}
+
+/// One problem, one line: line breaks and other control characters of file names or documents become blanks.
+fn one_line(text: &str) -> String {
+    if text.chars().any(char::is_control) { text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect() } else { text.to_owned() }
+}
+
+/// Writes a result to standard output in one go.
+///
+/// # Errors
+/// [`Failure::ReaderGone`] where the reader closed the pipe, [`Failure::Files`] where the output cannot be written, such as a full disk.
+pub fn answer(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::ReaderGone,
+        _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = crate::export::io_reason(&error))]),
+    })
+}
+
+/// Writes `value` to standard output as indented JSON. Numbers that are not finite become `null`.
+///
+/// # Errors
+/// As [`answer`].
+pub fn answer_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+    let mut text = serde_json::to_string_pretty(value).map_err(|error| Failure::Files(vec![error.to_string()]))?;
+    text.push('\n');
+    answer(&text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_problem_is_one_line_whatever_the_file_is_called() {
+        let failure = Failure::file(Path::new("a\nb.dae"), "broken");
+        assert_eq!(failure, Failure::Files(vec!["a b.dae: broken".to_owned()]));
+    }
+}

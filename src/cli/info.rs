@@ -1,0 +1,257 @@
+//! `sinew info`: what is in a file.
+
+use std::fmt::Write as _;
+
+use clap::ArgMatches;
+use serde::Serialize;
+
+use super::check::FindingReport;
+use super::failure::{Failure, answer, answer_json, display_name};
+use super::files;
+use crate::collada::Progress;
+use crate::document::{Document, PoseBuffers, SourceKind};
+use crate::i18n::decimal;
+use crate::muscle::Solved;
+use crate::scene::{Content, Deformer, Frame, MeshId, MeshInstance, NodeKind};
+use crate::tr;
+
+/// What is in a file. The names and their order are a contract.
+#[derive(Debug, Serialize)]
+struct Info {
+    file: String,
+    format: &'static str,
+    version: String,
+    authoring_tool: String,
+    up_axis: String,
+    unit_metres: f64,
+    nodes: usize,
+    joints: usize,
+    meshes: Vec<MeshInfo>,
+    clips: Vec<ClipInfo>,
+    materials: usize,
+    images: Vec<ImageInfo>,
+    muscles: Vec<MuscleInfo>,
+    bounds: Option<BoundsInfo>,
+    warnings: Vec<FindingReport>,
+}
+
+#[derive(Debug, Serialize)]
+struct MeshInfo {
+    name: String,
+    /// Points of the file.
+    vertices: u32,
+    triangles: usize,
+    skinned: bool,
+    joints: usize,
+    morph_targets: usize,
+    /// Vertices after points were split where normals or texture coordinates differ.
+    drawn_vertices: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct ClipInfo {
+    name: String,
+    start: f64,
+    duration: f64,
+    channels: usize,
+    keyframes: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct ImageInfo {
+    uri: String,
+    found: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct MuscleInfo {
+    name: String,
+    nodes: usize,
+    rest_length: f64,
+    volume: f64,
+}
+
+/// A box in the world, metres.
+#[derive(Debug, Serialize)]
+struct BoundsInfo {
+    min: [f32; 3],
+    max: [f32; 3],
+}
+
+/// Runs the subcommand.
+pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+    let files = files(given);
+    let document = Document::open(&files, &Progress::default())?;
+    let name = files.first().map(|file| display_name(file)).unwrap_or_default();
+    let info = Info::of(&document, name);
+    if given.get_flag("json") { answer_json(&info) } else { answer(&info.text()) }
+}
+
+impl Info {
+    fn of(document: &Document, file: String) -> Self {
+        let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+        document.pose(&document.start_state(), &mut buffers, &mut frame);
+        let scene = &document.scene;
+        let (format, version, authoring_tool, up_axis, unit_metres) = match document.sources.first().map(|source| &source.kind) {
+            Some(SourceKind::Collada(asset)) => {
+                ("collada", asset.version.clone(), asset.authoring_tool.clone(), asset.up_axis.clone(), asset.unit_metres)
+            }
+            Some(SourceKind::Muscles(file, _)) => ("muscle", String::new(), String::new(), "Y_UP".to_owned(), file.unit_metres),
+            None => ("", String::new(), String::new(), String::new(), 1.0),
+        };
+        Self {
+            file,
+            format,
+            version,
+            authoring_tool,
+            up_axis,
+            unit_metres,
+            nodes: scene.graph.iter().filter(|(_, node)| node.kind != NodeKind::Asset).count(),
+            joints: frame.joints.len(),
+            meshes: meshes(document),
+            clips: document
+                .clips
+                .iter()
+                .map(|clip| ClipInfo {
+                    name: clip.name.clone(),
+                    start: clip.start,
+                    duration: clip.duration(),
+                    channels: clip.channels.len(),
+                    keyframes: clip.keyframes(),
+                })
+                .collect(),
+            materials: scene.materials.len(),
+            images: scene
+                .images
+                .iter()
+                .map(|image| ImageInfo { uri: image.uri.clone(), found: image.path.is_some() || image.pixels.is_some() })
+                .collect(),
+            muscles: muscles(document, buffers.solved()),
+            bounds: (!frame.bounds.is_empty()).then(|| BoundsInfo { min: frame.bounds.min.to_array(), max: frame.bounds.max.to_array() }),
+            warnings: document.health.iter().map(FindingReport::from).collect(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let mut rows =
+            vec![(tr!("cli-info-file"), self.file.clone()), (tr!("cli-info-format"), format!("{} {}", self.format, self.version))];
+        if !self.authoring_tool.is_empty() {
+            rows.push((tr!("cli-info-tool"), self.authoring_tool.clone()));
+        }
+        rows.push((tr!("cli-info-axis"), self.up_axis.clone()));
+        rows.push((tr!("cli-info-unit"), tr!("cli-info-metres", value = number(self.unit_metres))));
+        rows.push((tr!("cli-info-nodes"), tr!("cli-info-nodes-value", nodes = self.nodes, joints = self.joints)));
+        for mesh in &self.meshes {
+            let mut text = tr!("cli-info-mesh-value", name = mesh.name.clone(), vertices = mesh.vertices, triangles = mesh.triangles);
+            if mesh.skinned {
+                text.push_str(&tr!("cli-info-mesh-joints", joints = mesh.joints));
+            }
+            if mesh.morph_targets > 0 {
+                text.push_str(&tr!("cli-info-mesh-morphs", targets = mesh.morph_targets));
+            }
+            rows.push((tr!("cli-info-mesh"), text));
+        }
+        for clip in &self.clips {
+            let value = tr!(
+                "cli-info-clip-value",
+                name = clip.name.clone(),
+                start = decimal(clip.start, 3),
+                end = decimal(clip.start + clip.duration, 3),
+                channels = clip.channels,
+                keys = clip.keyframes
+            );
+            rows.push((tr!("cli-info-clip"), value));
+        }
+        rows.push((tr!("cli-info-materials"), self.materials.to_string()));
+        for image in &self.images {
+            let key = if image.found { "cli-info-image-found" } else { "cli-info-image-missing" };
+            rows.push((tr!("cli-info-image"), tr!(key, uri = image.uri.clone())));
+        }
+        for muscle in &self.muscles {
+            let value = tr!(
+                "cli-info-muscle-value",
+                name = muscle.name.clone(),
+                nodes = muscle.nodes,
+                length = number(muscle.rest_length),
+                volume = number(muscle.volume)
+            );
+            rows.push((tr!("cli-info-muscle"), value));
+        }
+        if let Some(bounds) = &self.bounds {
+            let corner = |corner: [f32; 3]| corner.map(|x| decimal(x.into(), 3)).join(" ");
+            rows.push((tr!("cli-info-bounds"), tr!("cli-info-bounds-value", min = corner(bounds.min), max = corner(bounds.max))));
+        }
+        rows.push((tr!("cli-info-warnings"), self.warnings.len().to_string()));
+        table(&rows)
+    }
+}
+
+/// A number in text: up to six digits after the decimal mark, none that say nothing.
+fn number(value: f64) -> String {
+    let text = decimal(value, 6);
+    if text.contains(['.', ',']) { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
+}
+
+/// Labels in a column of their own, repeated ones once.
+fn table(rows: &[(String, String)]) -> String {
+    let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
+    let (mut text, mut before) = (String::new(), "");
+    for (label, value) in rows {
+        let shown = if label == before { "" } else { label };
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{shown:width$}  {value}");
+        before = label;
+    }
+    text
+}
+
+/// Each mesh with what its instances put on it.
+fn meshes(document: &Document) -> Vec<MeshInfo> {
+    let scene = &document.scene;
+    let mut found: Vec<MeshInfo> = scene
+        .meshes
+        .iter()
+        .map(|mesh| MeshInfo {
+            name: mesh.name.clone(),
+            vertices: mesh.source_count,
+            triangles: mesh.triangles.len(),
+            skinned: false,
+            joints: 0,
+            morph_targets: 0,
+            drawn_vertices: mesh.positions.len(),
+        })
+        .collect();
+    let contents = scene.graph.iter().flat_map(|(_, node)| &node.contents);
+    for content in contents {
+        let Content::Mesh(MeshInstance { mesh: MeshId(mesh), deformers, .. }) = content else { continue };
+        let Some(info) = found.get_mut(*mesh as usize) else { continue };
+        for deformer in deformers {
+            match deformer {
+                Deformer::Skin { skin, .. } => {
+                    info.skinned = true;
+                    info.joints = info.joints.max(scene.skins.get(skin.index()).map_or(0, |skin| skin.joints.len()));
+                }
+                Deformer::Morph(morph) => {
+                    info.morph_targets = info.morph_targets.max(scene.morphs.get(morph.index()).map_or(0, |morph| morph.targets.len()));
+                }
+            }
+        }
+    }
+    found
+}
+
+fn muscles(document: &Document, solved: &[Solved]) -> Vec<MuscleInfo> {
+    let mut found = Vec::new();
+    for (rig, first) in document.rigs() {
+        for index in 0..rig.len() {
+            let Some(rest) = solved.get(first.index() + index) else { continue };
+            found.push(MuscleInfo {
+                name: rig.name(index).to_owned(),
+                nodes: rest.radii.len(),
+                rest_length: rest.length,
+                volume: rest.volume,
+            });
+        }
+    }
+    found
+}

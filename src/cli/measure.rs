@@ -1,0 +1,235 @@
+//! `sinew measure`: muscles in numbers.
+
+use std::fmt::Write as _;
+
+use clap::ArgMatches;
+use serde::Serialize;
+
+use super::failure::{Failure, answer, answer_json, display_name};
+use super::values::Angles;
+use super::{files, value};
+use crate::collada::Progress;
+use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
+use crate::i18n::decimal;
+use crate::muscle::{Rig, Sample, Solved};
+use crate::scene::{Frame, MuscleId};
+use crate::tr;
+
+/// Elbow angles where the call does not say.
+const ANGLES: [f64; 4] = [0.0, 30.0, 60.0, 90.0];
+
+/// Contractions, per cent, of a muscle that is on no arm.
+const CONTRACTIONS: [f64; 5] = [0.0, 25.0, 50.0, 75.0, 100.0];
+
+/// All muscles of a file. The names and their order are a contract; lengths are in `unit`.
+#[derive(Debug, Serialize)]
+struct Measurement {
+    file: String,
+    unit: String,
+    muscles: Vec<MuscleRows>,
+}
+
+#[derive(Debug, Serialize)]
+struct MuscleRows {
+    name: String,
+    samples: Vec<Row>,
+}
+
+#[derive(Debug, Serialize)]
+struct Row {
+    /// Degrees; none for a muscle that is on no arm.
+    angle: Option<f64>,
+    length: f64,
+    moment_arm: Option<f64>,
+    volume: f64,
+    volume_error: f64,
+    delta: f64,
+    radii: Vec<f64>,
+    largest_radius: f64,
+    /// Whether the length asked for was outside what the muscle can do and was held at the limit.
+    held: bool,
+}
+
+/// Runs the subcommand.
+pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+    let files = files(given);
+    let document = Document::open(&files, &Progress::default())?;
+    let file = files.first().cloned().unwrap_or_default();
+    if document.muscle_count() == 0 {
+        return Err(Failure::file(&file, tr!("cli-measure-no-muscle")));
+    }
+    let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
+    let measurement = Measurement {
+        file: display_name(&file),
+        unit: unit(&document),
+        muscles: document
+            .rigs()
+            .flat_map(|(rig, first)| (0..rig.len()).map(move |index| (rig, first, index)))
+            .map(|(rig, first, index)| {
+                let samples = samples(&document, rig, first, index, angles.as_deref())?;
+                Some(MuscleRows { name: rig.name(index).to_owned(), samples })
+            })
+            .collect::<Option<_>>()
+            .ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-measure", file = display_name(&file))))?,
+    };
+    if given.get_flag("json") {
+        answer_json(&measurement)
+    } else if given.get_flag("csv") {
+        answer(&measurement.csv())
+    } else {
+        answer(&measurement.text())
+    }
+}
+
+/// Samples of one muscle at these angles; `None` where there are angles but no arm to bend.
+fn samples(document: &Document, rig: &Rig, first: MuscleId, index: usize, angles: Option<&[f64]>) -> Option<Vec<Row>> {
+    if rig.flexion_range().is_some() {
+        return Some(rig.measure(index, angles.unwrap_or(&ANGLES)).iter().map(Row::at_angle).collect());
+    }
+    if angles.is_some() {
+        return None;
+    }
+    let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+    let rows = CONTRACTIONS.iter().filter_map(|contraction| {
+        let state = PoseState { drive: rig.at_contraction(*contraction), ..document.start_state() };
+        document.pose(&state, &mut buffers, &mut frame);
+        buffers.solved().get(first.index() + index).map(Row::alone)
+    });
+    Some(rows.collect())
+}
+
+impl Row {
+    fn at_angle(sample: &Sample) -> Self {
+        Self { angle: Some(sample.angle), moment_arm: Some(sample.moment_arm), ..Self::alone(&sample.solved) }
+    }
+
+    fn alone(solved: &Solved) -> Self {
+        Self {
+            angle: None,
+            length: solved.length,
+            moment_arm: None,
+            volume: solved.volume,
+            volume_error: solved.volume_error,
+            delta: solved.delta,
+            radii: solved.radii.clone(),
+            largest_radius: solved.radii.iter().copied().fold(0.0, f64::max),
+            held: solved.held,
+        }
+    }
+}
+
+impl Measurement {
+    /// A line a sample. Numbers have a point and every digit.
+    fn csv(&self) -> String {
+        let nodes = self.muscles.iter().flat_map(|muscle| &muscle.samples).map(|row| row.radii.len()).max().unwrap_or(0);
+        let mut text = String::from("muscle,angle,length,moment_arm,volume,volume_error,delta,largest_radius,held");
+        (1..=nodes).for_each(|node| text.push_str(&format!(",r{node}")));
+        text.push('\n');
+        let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+        for muscle in &self.muscles {
+            for row in &muscle.samples {
+                let cells = [row.length, row.volume, row.volume_error, row.delta, row.largest_radius].map(|value| value.to_string());
+                let [length, volume, error, delta, largest] = cells;
+                let (angle, arm) = (optional(row.angle), optional(row.moment_arm));
+                // Writing to a string cannot fail.
+                let _ = write!(text, "{},{angle},{length},{arm},{volume},{error},{delta},{largest},{}", cell(&muscle.name), row.held);
+                row.radii.iter().for_each(|radius| text.push_str(&format!(",{radius}")));
+                text.push('\n');
+            }
+        }
+        text
+    }
+
+    /// A table a muscle, for people.
+    fn text(&self) -> String {
+        let unit = &self.unit;
+        let mut text = String::new();
+        for muscle in &self.muscles {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            let _ = writeln!(text, "{}", muscle.name);
+            let head = [
+                tr!("cli-measure-angle"),
+                tr!("cli-measure-length", unit = unit.clone()),
+                tr!("cli-measure-moment-arm", unit = unit.clone()),
+                tr!("cli-measure-volume", unit = unit.clone()),
+                tr!("cli-measure-error"),
+                tr!("cli-measure-delta"),
+                tr!("cli-measure-largest", unit = unit.clone()),
+            ];
+            let mut rows = vec![head.to_vec()];
+            for row in &muscle.samples {
+                let dash = |value: Option<f64>, digits| value.map_or_else(|| "–".to_owned(), |value| decimal(value, digits));
+                let mark = if row.held { " *" } else { "" };
+                rows.push(vec![
+                    dash(row.angle, 1),
+                    decimal(row.length, 2) + mark,
+                    dash(row.moment_arm, 2),
+                    decimal(row.volume, 1),
+                    crate::i18n::localise_decimal_mark(&format!("{:.1e}", row.volume_error)),
+                    decimal(row.delta, 4),
+                    decimal(row.largest_radius, 2),
+                ]);
+            }
+            text.push_str(&columns(&rows));
+            if muscle.samples.iter().any(|row| row.held) {
+                let _ = writeln!(text, "* {}", tr!("cli-measure-held"));
+            }
+        }
+        text
+    }
+}
+
+/// Right-aligned columns.
+fn columns(rows: &[Vec<String>]) -> String {
+    let count = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let widths: Vec<usize> =
+        (0..count).map(|i| rows.iter().filter_map(|row| row.get(i)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();
+    let mut text = String::new();
+    for row in rows {
+        for (cell, width) in row.iter().zip(&widths) {
+            let _ = write!(text, "  {cell:>width$}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// A cell of a CSV file, in quotes where it must be (RFC 4180).
+fn cell(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
+/// The name of the unit of the file's lengths.
+fn unit(document: &Document) -> String {
+    let metres = document.sources.iter().find_map(|source| match &source.kind {
+        SourceKind::Muscles(file, _) => Some(file.unit_metres),
+        SourceKind::Collada(_) => None,
+    });
+    let known = [(1e-3, "mm"), (1e-2, "cm"), (1.0, "m"), (0.0254, "in")];
+    match metres {
+        Some(metres) => known
+            .iter()
+            .find(|(value, _)| (value - metres).abs() <= 1e-9 * value)
+            .map_or_else(|| format!("{metres} m"), |(_, name)| (*name).to_owned()),
+        None => "m".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cells_are_quoted_where_they_must_be() {
+        assert_eq!(cell("biceps"), "biceps");
+        assert_eq!(cell("long, \"short\""), "\"long, \"\"short\"\"\"");
+    }
+
+    #[test]
+    fn columns_line_up() {
+        let rows = [vec!["°".to_owned(), "мм".to_owned()], vec!["10".to_owned(), "3".to_owned()]];
+        assert_eq!(columns(&rows), "   °  мм\n  10   3\n");
+    }
+}

@@ -1,0 +1,87 @@
+//! The moment that the options name: clip, time, elbow angle or contraction.
+
+use std::path::Path;
+
+use clap::ArgMatches;
+
+use super::failure::{Failure, complain, display_name};
+use super::value;
+use super::values::plain;
+use crate::document::{Document, PoseState};
+use crate::tr;
+
+/// What the options say.
+#[derive(Debug, Clone, Default)]
+pub struct Moment {
+    /// Seconds on the file's own time axis.
+    pub time: Option<f64>,
+    clip: Option<String>,
+    angle: Option<f64>,
+    contraction: Option<f64>,
+}
+
+impl Moment {
+    /// Takes the options from the command line.
+    pub fn given(given: &ArgMatches) -> Self {
+        Self {
+            time: value(given, "time"),
+            clip: value(given, "clip"),
+            angle: value(given, "angle"),
+            contraction: value(given, "contraction"),
+        }
+    }
+
+    /// Whether the elbow angle or the contraction is fixed.
+    pub fn fixes_muscles(&self) -> bool {
+        self.angle.is_some() || self.contraction.is_some()
+    }
+
+    /// The state that poses `document` so. A time outside the clip is held at its ends.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] for a clip that the document has not, or an angle where nothing follows it.
+    pub fn state(&self, document: &Document, file: &Path) -> Result<PoseState, Failure> {
+        let mut state = document.start_state();
+        if let Some(name) = &self.clip {
+            let found = document.clips.iter().position(|clip| clip.name == *name).ok_or_else(|| unknown_clip(document, file, name))?;
+            state.clip = Some(found);
+        }
+        if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
+            state.time = self.time.unwrap_or(clip.start).max(clip.start).min(clip.end.max(clip.start));
+        }
+        if self.fixes_muscles() {
+            let rig = document.driven_rig().ok_or_else(|| Failure::usage(tr!("cli-no-muscle-to-drive", file = display_name(file))))?;
+            if let Some(angle) = self.angle {
+                let range = rig.flexion_range().ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-bend", file = display_name(file))))?;
+                if !range.contains(&angle) {
+                    complain(&tr!(
+                        "cli-angle-held",
+                        file = display_name(file),
+                        angle = plain(angle),
+                        low = plain(*range.start()),
+                        high = plain(*range.end())
+                    ));
+                }
+                state.drive = rig.at_flexion(angle);
+            }
+            if let Some(contraction) = self.contraction {
+                state.drive = rig.at_contraction(contraction);
+            }
+        }
+        Ok(state)
+    }
+}
+
+fn unknown_clip(document: &Document, file: &Path, name: &str) -> Failure {
+    /// A sentence with more names than this is no sentence.
+    const NAMED: usize = 20;
+    let file = display_name(file);
+    if document.clips.is_empty() {
+        return Failure::usage(tr!("cli-no-clips", file = file, name = name));
+    }
+    let mut names = document.clips.iter().take(NAMED).map(|clip| clip.name.as_str()).collect::<Vec<_>>().join(", ");
+    if document.clips.len() > NAMED {
+        names.push_str(", …");
+    }
+    Failure::usage(tr!("cli-no-such-clip", file = file, name = name, names = names))
+}

@@ -1,0 +1,101 @@
+//! Pictures as PNG, with the parameters that made them.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use super::{ExportError, atomic::write_whole};
+use crate::render::Framebuffer;
+
+/// Writes `picture` to `file`. With `alpha` the file has an alpha channel, not premultiplied as PNG wants it; without, the pixels are taken as
+/// solid. `notes` are pairs of keyword (Latin-1, 1 to 79 characters) and text, kept in the file as `iTXt`.
+///
+/// # Errors
+/// [`ExportError`] where the file cannot be written.
+pub fn save(file: &Path, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> Result<(), ExportError> {
+    write_whole(file, |out| encode(out, picture, alpha, notes))
+}
+
+/// Writes `picture` as PNG to `out`; see [`save`].
+///
+/// # Errors
+/// What `out` returns; [`io::ErrorKind::InvalidInput`] for a picture without pixels or a keyword that PNG does not allow.
+pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> io::Result<()> {
+    let mut encoder = ::png::Encoder::new(out, picture.width, picture.height);
+    encoder.set_color(if alpha { ::png::ColorType::Rgba } else { ::png::ColorType::Rgb });
+    encoder.set_depth(::png::BitDepth::Eight);
+    encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
+    for (keyword, text) in notes {
+        encoder.add_itxt_chunk((*keyword).to_owned(), (*text).to_owned()).map_err(to_io)?;
+    }
+    let mut writer = encoder.write_header().map_err(to_io)?;
+    writer.write_image_data(&bytes(picture, alpha)).map_err(to_io)?;
+    writer.finish().map_err(to_io)
+}
+
+fn bytes(picture: &Framebuffer, alpha: bool) -> Vec<u8> {
+    let pixels = picture.pixels.iter();
+    if alpha { pixels.flat_map(|&pixel| straight(pixel)).collect() } else { pixels.flat_map(|&pixel| rgb(pixel)).collect() }
+}
+
+/// Red, green, blue of a pixel `0xAARRGGBB`.
+pub(super) fn rgb(pixel: u32) -> [u8; 3] {
+    let [_, red, green, blue] = pixel.to_be_bytes();
+    [red, green, blue]
+}
+
+/// Red, green, blue, alpha of a premultiplied pixel, no longer premultiplied.
+pub(super) fn straight(pixel: u32) -> [u8; 4] {
+    let [alpha, red, green, blue] = pixel.to_be_bytes();
+    match alpha {
+        0 => [0; 4],
+        255 => [red, green, blue, 255],
+        _ => {
+            let part = |channel: u8| ((u32::from(channel) * 255 + u32::from(alpha) / 2) / u32::from(alpha)).min(255) as u8;
+            [part(red), part(green), part(blue), alpha]
+        }
+    }
+}
+
+fn to_io(error: ::png::EncodingError) -> io::Error {
+    match error {
+        ::png::EncodingError::IoError(error) => error,
+        other => io::Error::new(io::ErrorKind::InvalidInput, other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn decode(file: &[u8]) -> (::png::ColorType, Vec<u8>, Vec<(String, String)>) {
+        let mut reader = ::png::Decoder::new(io::Cursor::new(file)).read_info().expect("a PNG");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
+        reader.next_frame(&mut pixels).expect("complete");
+        let info = reader.info();
+        let notes = info.utf8_text.iter().map(|t| (t.keyword.clone(), t.get_text().expect("text"))).collect();
+        (info.color_type, pixels, notes)
+    }
+
+    #[test]
+    fn pixels_come_back_in_reading_order() {
+        let picture = Framebuffer { width: 2, height: 1, pixels: vec![0xFF010203, 0xFFFFFEFD] };
+        let mut file = Vec::new();
+        encode(&mut file, &picture, false, &[("Clip", "Gehen, шаг")]).expect("memory is writable");
+        let (color, pixels, notes) = decode(&file);
+        assert_eq!((color, pixels), (::png::ColorType::Rgb, vec![1, 2, 3, 255, 254, 253]));
+        assert_eq!(notes, [("Clip".to_owned(), "Gehen, шаг".to_owned())]);
+    }
+
+    #[test]
+    fn alpha_is_no_longer_premultiplied() {
+        let picture = Framebuffer { width: 3, height: 1, pixels: vec![0x80800000, 0, 0x40201000] };
+        let mut file = Vec::new();
+        encode(&mut file, &picture, true, &[]).expect("memory is writable");
+        assert_eq!(decode(&file).1, [255, 0, 0, 128, 0, 0, 0, 0, 128, 64, 0, 64]);
+    }
+
+    #[test]
+    fn a_picture_without_pixels_is_refused() {
+        assert!(encode(Vec::new(), &Framebuffer::default(), false, &[]).is_err());
+    }
+}
