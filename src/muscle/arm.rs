@@ -1,0 +1,181 @@
+//! The two-rod arm: an upper rod that hangs from the shoulder, an elbow, a forearm that bends towards +X.
+//!
+//! Elbow flexion φ is 0° for the straight arm. A muscle from a point `p` above the elbow on one rod's axis to a point `d` below it on the other's
+//! has, by the law of cosines,
+//!
+//! ```text
+//! L(φ)² = p² + d² + 2 p d cos φ        moment arm  −dL/dφ = p d sin φ / L
+//! ```
+//!
+//! The arm stands on the ground plane: the wrist of the straight arm is at height 0, the shoulder on top.
+
+use glam::{DMat4, DVec3};
+
+use crate::animation::Pose;
+use crate::scene::{
+    Content, Material, MaterialBinding, MaterialId, Mesh, MeshId, MeshInstance, Node, NodeId, NodeKind, Paint, Part, Scene, Transform,
+    TransformOp,
+};
+use crate::tr;
+use std::sync::Arc;
+
+/// The upper rod's id in the scene: what an attachment names.
+pub const UPPER_ARM: &str = "upper arm";
+/// The forearm's id in the scene.
+pub const FOREARM: &str = "forearm";
+/// The farthest that an elbow bends, degrees.
+pub const FULL_FLEXION: f64 = 150.0;
+/// Radius of the elbow's ball over that of the rods.
+pub const ELBOW: f64 = 1.35;
+/// Radius of the balls at the free ends over that of the rods.
+const END: f64 = 1.2;
+/// The axis that the elbow turns about; the forearm goes from −Y towards +X.
+pub const AXIS: DVec3 = DVec3::Z;
+
+/// Two rods and the elbow between them. Lengths are in the file's unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arm {
+    /// Shoulder to elbow.
+    pub upper: f64,
+    /// Elbow to wrist.
+    pub lower: f64,
+    /// Radius of the rods.
+    pub thickness: f64,
+    /// Least and greatest flexion that the file asks for, degrees; `None` = from straight to as far as the muscle allows, at most
+    /// [`FULL_FLEXION`].
+    pub flexion: Option<[f64; 2]>,
+}
+
+/// An arm's place in a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ArmNodes {
+    /// The upper rod.
+    pub upper: NodeId,
+    /// The elbow, which turns; the forearm hangs on it.
+    pub elbow: NodeId,
+    /// The forearm's rod.
+    pub forearm: NodeId,
+    /// Which of the elbow's operations turns it.
+    turn: u32,
+}
+
+impl Arm {
+    /// Frames of the upper rod (at the shoulder) and the forearm (at the elbow) at this flexion, from the arm's root.
+    pub fn frames(&self, degrees: f64) -> [DMat4; 2] {
+        let shoulder = DMat4::from_translation(DVec3::Y * (self.upper + self.lower));
+        let elbow = DMat4::from_translation(self.elbow()) * TransformOp::Rotate { axis: AXIS, angle: degrees }.matrix();
+        [shoulder, elbow]
+    }
+
+    /// Where the elbow is, from the arm's root.
+    pub fn elbow(&self) -> DVec3 {
+        DVec3::Y * self.lower
+    }
+
+    /// Adds the arm's nodes, rods and balls under `root`.
+    pub fn build(&self, scene: &mut Scene, root: NodeId) -> ArmNodes {
+        let bone = bone_material(scene);
+        let joint = |name: String, id: &str, ops: Vec<TransformOp>| {
+            let mut node = Node::new(name);
+            node.id = id.to_owned();
+            node.kind = NodeKind::Joint;
+            node.transform = Transform { ops };
+            node
+        };
+        let down = |by: f64| TransformOp::Translate(DVec3::NEG_Y * by);
+        let graph = &mut scene.graph;
+        let upper = joint(tr!("muscle-upper-arm"), UPPER_ARM, vec![TransformOp::Translate(DVec3::Y * (self.upper + self.lower))]);
+        let upper = graph.add(Some(root), upper);
+        let turn = TransformOp::Rotate { axis: AXIS, angle: 0.0 };
+        let elbow = graph.add(Some(upper), joint(tr!("muscle-elbow"), "elbow", vec![down(self.upper), turn]));
+        let mut forearm = Node::new(tr!("muscle-forearm"));
+        forearm.id = FOREARM.to_owned();
+        let forearm = graph.add(Some(elbow), forearm);
+        let wrist = graph.add(Some(elbow), joint(tr!("muscle-wrist"), "wrist", vec![down(self.lower)]));
+
+        let r = self.thickness;
+        let rod = |length: f64| vec![(0.0, r, [0.0, 1.0]), (-length, r, [0.0, 1.0])];
+        for (node, name, profile) in [
+            (upper, tr!("muscle-upper-arm"), rod(self.upper)),
+            (upper, tr!("muscle-shoulder"), ball(END * r)),
+            (elbow, tr!("muscle-elbow"), ball(ELBOW * r)),
+            (forearm, tr!("muscle-forearm"), rod(self.lower)),
+            (wrist, tr!("muscle-wrist"), ball(END * r)),
+        ] {
+            hang(scene, node, revolved(name, &profile), bone);
+        }
+        ArmNodes { upper, elbow, forearm, turn: 1 }
+    }
+}
+
+impl ArmNodes {
+    /// Bends the elbow of a pose.
+    pub fn bend(&self, degrees: f64, pose: &mut Pose) {
+        let Some(range) = pose.ranges.get(self.elbow.index()) else { return };
+        if let Some(TransformOp::Rotate { angle, .. }) = pose.ops.get_mut((range.start + self.turn) as usize) {
+            *angle = degrees;
+        }
+    }
+}
+
+/// Adds a mesh to the scene and hangs it on a node in one material.
+pub(super) fn hang(scene: &mut Scene, node: NodeId, mesh: Mesh, material: MaterialId) {
+    let id = MeshId(scene.meshes.len() as u32);
+    let materials = vec![Some(MaterialBinding::plain(material)); mesh.parts.len()];
+    scene.meshes.push(Arc::new(mesh));
+    let instance = MeshInstance { mesh: id, deformers: Vec::new(), materials };
+    scene.graph.node_mut(node).contents.push(Content::Mesh(instance));
+}
+
+fn bone_material(scene: &mut Scene) -> MaterialId {
+    let id = MaterialId(scene.materials.len() as u32);
+    scene.materials.push(Material {
+        name: tr!("muscle-material-bone"),
+        id: "bone".to_owned(),
+        // The palette's bone, #E9E2D0.
+        diffuse: Paint::color(0.914, 0.886, 0.816),
+        specular: Paint::color(0.12, 0.12, 0.12),
+        shininess: 30.0,
+        model: crate::scene::ShadingModel::Blinn,
+        ..Material::default()
+    });
+    id
+}
+
+/// Rows of a sphere about the origin, from the top down.
+fn ball(radius: f64) -> Vec<(f64, f64, [f64; 2])> {
+    const ROWS: usize = 16;
+    let row = |i: usize| {
+        let (sin, cos) = (std::f64::consts::PI * i as f64 / ROWS as f64).sin_cos();
+        (radius * cos, radius * sin, [cos, sin])
+    };
+    (0..=ROWS).map(row).collect()
+}
+
+/// A surface of revolution about the Y axis. Each row is a height, a radius, and the normal's components up and outward; heights fall.
+fn revolved(name: String, rows: &[(f64, f64, [f64; 2])]) -> Mesh {
+    const SEGMENTS: u32 = 32;
+    let mut mesh = Mesh { name, ..Mesh::default() };
+    let mut uvs = Vec::new();
+    for (row, &(height, radius, [up, out])) in rows.iter().enumerate() {
+        for segment in 0..=SEGMENTS {
+            let turn = f64::from(segment) / f64::from(SEGMENTS);
+            let (sin, cos) = (turn * std::f64::consts::TAU).sin_cos();
+            mesh.positions.push(DVec3::new(radius * cos, height, radius * sin).as_vec3());
+            mesh.normals.push(DVec3::new(out * cos, up, out * sin).normalize_or(DVec3::Y).as_vec3());
+            uvs.push(glam::Vec2::new(turn as f32, 1.0 - row as f32 / rows.len() as f32));
+        }
+    }
+    for row in 1..rows.len() as u32 {
+        for segment in 0..SEGMENTS {
+            let (a, b) = ((row - 1) * (SEGMENTS + 1) + segment, row * (SEGMENTS + 1) + segment);
+            mesh.triangles.push([a, a + 1, b]);
+            mesh.triangles.push([a + 1, b + 1, b]);
+        }
+    }
+    mesh.source_count = mesh.positions.len() as u32;
+    mesh.source_vertex = (0..mesh.source_count).collect();
+    mesh.uv_sets = vec![uvs];
+    mesh.parts = vec![Part { triangles: 0..mesh.triangles.len() as u32, ..Part::default() }];
+    mesh
+}

@@ -1,0 +1,132 @@
+//! Keeps a belly off the rods of the arm: where the drawn centre line begins and ends, and how far the elbow bends before flesh meets bone.
+
+use glam::{DMat4, DVec3};
+
+use super::arm::{Arm, ELBOW, FULL_FLEXION};
+use super::line::{Drawn, Frames, Line, Point, SHOULDER};
+use super::path::Path;
+use super::profile::Profile;
+use super::{Solved, Tendon};
+
+/// Flexion that a muscle never stops short of, degrees, however thick it is.
+const FREE_FLEXION: f64 = 120.0;
+/// Slides of the ends towards the elbow that are tried, as shares of the length at rest.
+const SLIDES: [f64; 9] = [0.0, 0.005, 0.01, 0.015, 0.02, 0.03, 0.04, 0.05, 0.07];
+
+/// What was found for one muscle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fit {
+    /// Ends and side of the drawn centre line.
+    pub drawn: Drawn,
+    /// The greatest flexion at which it stays clear of the rods, degrees.
+    pub flexion: f64,
+}
+
+/// Finds the drawn ends of a muscle on the arm that bends through `range` (degrees).
+///
+/// The ends lie beside the line of action's own, out on the rods' surfaces by the thickness of rod and muscle, and slid towards the elbow. Without
+/// a slide the straight arm would leave no length for an arch; with more than needed the belly stands off when the arm is bent. So the smallest
+/// slide is taken that keeps clear up to the greatest angle.
+pub fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> Fit {
+    let side = flexor_side(arm, line, range);
+    let end_radius = |end: usize, radius: Option<&f64>| {
+        if tendons[end].length > 0.0 { tendons[end].radius } else { radius.copied().unwrap_or(0.0) }
+    };
+    let lift = [end_radius(0, profile.radii().first()), end_radius(1, profile.radii().last())].map(|radius| radius + arm.thickness);
+    let mut best: Option<(f64, Drawn)> = None;
+    let mut solved = Solved::default();
+    for slide in SLIDES {
+        let ends = [(line.origin, lift[0]), (line.insertion, lift[1])].map(|(point, lift)| {
+            let slid = slid_towards_elbow(arm, point, slide * profile.rest_length());
+            let out = DVec3::new(slid.local.x, 0.0, slid.local.z);
+            if out.length() >= lift { slid } else { Point { local: DVec3::new(side * lift, slid.local.y, 0.0), ..slid } }
+        });
+        let drawn = Drawn { ends, side: DVec3::X * side };
+        let mut clear = f64::NEG_INFINITY;
+        let mut angle = range[0];
+        while angle <= range[1] + 1e-9 {
+            if gap(arm, line, profile, tendons, &drawn, angle, &mut solved) < 0.0 {
+                break;
+            }
+            clear = angle;
+            angle += 5.0;
+        }
+        if best.is_none_or(|(reach, _)| clear > reach) {
+            best = Some((clear, drawn));
+        }
+        if clear > range[1] - 5.0 {
+            break;
+        }
+    }
+    // `SLIDES` is not empty, so there is a best one.
+    let (clear, drawn) = best.unwrap_or((range[1], Drawn { ends: [line.origin, line.insertion], side: DVec3::X * side }));
+    let flexion = if clear > range[1] - 5.0 { range[1] } else { clear.max(FREE_FLEXION).min(range[1]) };
+    Fit { drawn, flexion }
+}
+
+/// +1 for a muscle that shortens when the elbow bends, −1 for one that lengthens.
+fn flexor_side(arm: &Arm, line: &Line, range: [f64; 2]) -> f64 {
+    let middle = 0.5 * (range[0] + range[1]).min(FULL_FLEXION);
+    let ends = [middle - 30.0, middle + 30.0].map(|angle| line.length(&arm.frames(angle)));
+    if ends[1] > ends[0] { -1.0 } else { 1.0 }
+}
+
+/// Bone 0 hangs from the shoulder, bone 1 from the elbow; both point down.
+fn slid_towards_elbow(arm: &Arm, point: Point, by: f64) -> Point {
+    let mut local = point.local;
+    if point.bone == 0 {
+        let room = (arm.upper + local.y).max(0.0);
+        local.y -= by.min(0.4 * room);
+    } else {
+        local.y += by.min(0.4 * (-local.y).max(0.0));
+    }
+    Point { local, ..point }
+}
+
+/// Least distance between the belly's surface and the rods at this flexion; negative where it goes in.
+fn gap(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], drawn: &Drawn, angle: f64, solved: &mut Solved) -> f64 {
+    let frames: [DMat4; 2] = arm.frames(angle);
+    let fixed = tendons[0].length + tendons[1].length;
+    profile.solve_into(line.length(&frames) - fixed, solved);
+    let [start, end] = drawn.ends.map(|point| frames.place(point));
+    if start.distance(end) > solved.length + fixed {
+        return f64::NEG_INFINITY;
+    }
+    let side = drawn.ends.map(|point| frames.frame(point.bone).transform_vector3(drawn.side));
+    let path = Path::arch(start, end, solved.length + fixed, SHOULDER, side[0] + side[1]);
+    let elbow = arm.elbow();
+    let [shoulder, wrist] = [frames[0].w_axis.truncate(), frames[1].transform_point3(DVec3::NEG_Y * arm.lower)];
+    let spans = solved.radii.len() - 1;
+    let ends = [solved.radii.first(), solved.radii.last()].map(|radius| 2.5 * radius.copied().unwrap_or(0.0));
+    let mut cursor = path.cursor();
+    let mut least = f64::INFINITY;
+    let steps = (2 * spans).clamp(24, 96);
+    for step in 1..steps {
+        let share = step as f64 / steps as f64;
+        let at = share * solved.length;
+        // The ends themselves touch the rods: they are attached there.
+        if (tendons[0].length == 0.0 && at < ends[0]) || (tendons[1].length == 0.0 && solved.length - at < ends[1]) {
+            continue;
+        }
+        let radius = radius_at(&solved.radii, share);
+        let centre = cursor.station(tendons[0].length + at).position;
+        let rods = distance(centre, shoulder, elbow).min(distance(centre, elbow, wrist)) - arm.thickness;
+        let ball = centre.distance(elbow) - ELBOW * arm.thickness;
+        least = least.min(rods.min(ball) - radius);
+    }
+    least
+}
+
+/// Radius at a share of the length between the nodes.
+pub fn radius_at(radii: &[f64], share: f64) -> f64 {
+    let place = share.clamp(0.0, 1.0) * radii.len().saturating_sub(1) as f64;
+    let node = (place as usize).min(radii.len().saturating_sub(2));
+    let (a, b) = (radii.get(node).copied().unwrap_or(0.0), radii.get(node + 1).copied().unwrap_or(0.0));
+    a + (b - a) * (place - node as f64)
+}
+
+fn distance(point: DVec3, from: DVec3, to: DVec3) -> f64 {
+    let along = to - from;
+    let share = ((point - from).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    point.distance(from + along * share)
+}

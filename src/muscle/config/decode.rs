@@ -1,0 +1,208 @@
+//! From the YAML tree to values, with a complaint that names key, place and remedy for whatever does not fit.
+
+use super::yaml::{Step, Yaml};
+use crate::tr;
+
+/// A complaint about the value at a path.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Complaint {
+    /// Where in the tree.
+    pub path: Vec<Step>,
+    /// The sentence.
+    pub message: String,
+}
+
+/// A value together with where it stands and what it is called.
+#[derive(Debug, Clone)]
+pub struct At<'a> {
+    /// The value.
+    pub value: &'a Yaml,
+    /// Where in the tree.
+    pub path: Vec<Step>,
+    /// What messages call it: the key, or the key and the number of the item.
+    pub name: String,
+}
+
+impl<'a> At<'a> {
+    /// The root of a file.
+    pub fn root(value: &'a Yaml) -> Self {
+        Self { value, path: Vec::new(), name: tr!("muscle-yaml-the-file") }
+    }
+
+    /// A complaint about this value.
+    pub fn complain(&self, message: String) -> Complaint {
+        Complaint { path: self.path.clone(), message }
+    }
+
+    fn wrong(&self, wanted: &str) -> Complaint {
+        let found = match self.value {
+            Yaml::Null => tr!("muscle-yaml-found-nothing"),
+            Yaml::Bool => tr!("muscle-yaml-found-bool"),
+            Yaml::Number(_) => tr!("muscle-yaml-found-number"),
+            Yaml::Text(_) => tr!("muscle-yaml-found-text"),
+            Yaml::List(_) => tr!("muscle-yaml-found-list"),
+            Yaml::Map(_) => tr!("muscle-yaml-found-map"),
+            Yaml::Tagged => tr!("muscle-yaml-found-tag"),
+        };
+        self.complain(tr!("muscle-yaml-wrong-type", name = self.name.clone(), wanted = message_of(wanted), found = found))
+    }
+
+    /// A finite number.
+    pub fn number(&self) -> Result<f64, Complaint> {
+        match self.value {
+            Yaml::Number(number) if number.is_finite() => Ok(*number),
+            Yaml::Number(_) => Err(self.complain(tr!("muscle-yaml-not-finite", name = self.name.clone()))),
+            Yaml::Text(text) if text.replace(',', ".").trim().parse::<f64>().is_ok() => {
+                let number = text.replace(',', ".").trim().to_owned();
+                Err(self.complain(tr!("muscle-yaml-number-as-text", name = self.name.clone(), text = text.clone(), number = number)))
+            }
+            _ => Err(self.wrong("muscle-yaml-a-number")),
+        }
+    }
+
+    /// A number above zero, or from zero on where `or_zero`.
+    pub fn positive(&self, or_zero: bool) -> Result<f64, Complaint> {
+        let number = self.number()?;
+        if number > 0.0 || (or_zero && number == 0.0) {
+            Ok(number)
+        } else {
+            let key = if or_zero { "muscle-yaml-negative" } else { "muscle-yaml-not-positive" };
+            Err(self.complain(crate::i18n::message(key, &[("name", self.name.clone().into()), ("value", format!("{number}").into())])))
+        }
+    }
+
+    /// Text.
+    pub fn text(&self) -> Result<&'a str, Complaint> {
+        match self.value {
+            Yaml::Text(text) => Ok(text),
+            _ => Err(self.wrong("muscle-yaml-a-text")),
+        }
+    }
+
+    /// The items of a list, each named after the list.
+    pub fn items(&self) -> Result<Vec<At<'a>>, Complaint> {
+        let Yaml::List(items) = self.value else { return Err(self.wrong("muscle-yaml-a-list")) };
+        let at = |(index, value)| At {
+            value,
+            path: self.below(Step::Item(index)),
+            name: tr!("muscle-yaml-item", name = self.name.clone(), number = index + 1),
+        };
+        Ok(items.iter().enumerate().map(at).collect())
+    }
+
+    /// A list of numbers of any length.
+    pub fn numbers(&self) -> Result<Vec<f64>, Complaint> {
+        self.items()?.iter().map(At::number).collect()
+    }
+
+    /// A list of exactly `N` numbers.
+    pub fn some_numbers<const N: usize>(&self) -> Result<[f64; N], Complaint> {
+        let numbers = self.numbers()?;
+        let count = numbers.len();
+        <[f64; N]>::try_from(numbers)
+            .map_err(|_| self.complain(tr!("muscle-yaml-wrong-count", name = self.name.clone(), wanted = N, found = count)))
+    }
+
+    /// A mapping whose keys are all among `known`.
+    pub fn map(&self, known: &'static [&'static str]) -> Result<Map<'a>, Complaint> {
+        let Yaml::Map(entries) = self.value else { return Err(self.wrong("muscle-yaml-a-map")) };
+        let mut seen: Vec<&str> = Vec::new();
+        for (index, (key, _)) in entries.iter().enumerate() {
+            let refuse = |message| Err(Complaint { path: self.below(Step::Key(index)), message });
+            let Some(key) = key else { return refuse(tr!("muscle-yaml-key-not-text", name = self.name.clone())) };
+            if !known.contains(&key.as_str()) {
+                let list = known.join(", ");
+                return refuse(match nearest(key, known) {
+                    Some(near) => tr!("muscle-yaml-unknown-key-near", key = key.clone(), near = near, known = list),
+                    None => tr!("muscle-yaml-unknown-key", key = key.clone(), known = list),
+                });
+            }
+            if seen.contains(&key.as_str()) {
+                return refuse(tr!("muscle-yaml-repeated-key", key = key.clone()));
+            }
+            seen.push(key);
+        }
+        Ok(Map { entries, path: self.path.clone(), name: self.name.clone() })
+    }
+
+    /// Whether the value is a mapping with this key.
+    pub fn has(&self, key: &str) -> bool {
+        matches!(self.value, Yaml::Map(entries) if entries.iter().any(|(name, _)| name.as_deref() == Some(key)))
+    }
+
+    fn below(&self, step: Step) -> Vec<Step> {
+        let mut path = self.path.clone();
+        path.push(step);
+        path
+    }
+}
+
+/// A mapping whose keys are known.
+#[derive(Debug)]
+pub struct Map<'a> {
+    entries: &'a [(Option<String>, Yaml)],
+    path: Vec<Step>,
+    name: String,
+}
+
+impl<'a> Map<'a> {
+    /// The value of a key that may be left out; an empty one counts as left out.
+    pub fn get(&self, key: &str) -> Option<At<'a>> {
+        let (index, (_, value)) = self.entries.iter().enumerate().find(|(_, (name, _))| name.as_deref() == Some(key))?;
+        let mut path = self.path.clone();
+        path.push(Step::Value(index));
+        (*value != Yaml::Null).then(|| At { value, path, name: key.to_owned() })
+    }
+
+    /// The value of a key that must be there.
+    pub fn need(&self, key: &str) -> Result<At<'a>, Complaint> {
+        self.get(key).ok_or_else(|| Complaint {
+            path: self.path.clone(),
+            message: tr!("muscle-yaml-missing-key", key = key.to_owned(), name = self.name.clone()),
+        })
+    }
+
+    /// A complaint about the mapping as a whole.
+    pub fn complain(&self, message: String) -> Complaint {
+        Complaint { path: self.path.clone(), message }
+    }
+}
+
+fn message_of(key: &str) -> String {
+    crate::i18n::message(key, &[])
+}
+
+/// The known key that `key` was probably meant to be: at most a third of its letters differ.
+fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
+    // Long keys are nothing anybody mistyped, and comparing them costs.
+    if key.len() > 60 {
+        return None;
+    }
+    let lower = key.to_lowercase();
+    known
+        .iter()
+        .map(|name| (distance(&lower, name), *name))
+        .min()
+        .filter(|(far, name)| *far <= name.len().div_ceil(3).max(2))
+        .map(|(_, name)| name)
+}
+
+/// Levenshtein's distance.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut corner = i;
+        let mut left = i + 1;
+        for (y, cell) in b.iter().zip(row.iter_mut().skip(1)) {
+            let next = (corner + usize::from(x != *y)).min(left + 1).min(*cell + 1);
+            corner = *cell;
+            *cell = next;
+            left = next;
+        }
+        if let Some(first) = row.first_mut() {
+            *first = i + 1;
+        }
+    }
+    row.last().copied().unwrap_or(0)
+}

@@ -1,0 +1,239 @@
+//! YAML as a plain tree, and the way back from a place in the tree to a line and column of the text.
+//!
+//! The tree is decoded by hand ([`super::decode`]), so that each complaint can be worded for the value it speaks of. The parser knows positions
+//! only while it reads; so a complaint carries a path, and [`locate`] reads the text once more and stops at that path.
+
+use std::cell::Cell;
+use std::fmt;
+
+use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error, IgnoredAny, MapAccess, SeqAccess, VariantAccess, Visitor};
+
+use super::ConfigError;
+use crate::tr;
+
+/// Most values of one file, aliases counted as often as they are used.
+const VALUES: usize = 1_000_000;
+
+/// A value of the file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Yaml {
+    /// Nothing, `~` or `null`.
+    Null,
+    /// `true` or `false`.
+    Bool,
+    /// A number.
+    Number(f64),
+    /// Text.
+    Text(String),
+    /// A list.
+    List(Vec<Yaml>),
+    /// Keys and values in the order of the file. A key that is not text is `None`.
+    Map(Vec<(Option<String>, Yaml)>),
+    /// A value with a `!tag`.
+    Tagged,
+}
+
+/// A step down the tree.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// The value of entry `n` of a mapping.
+    Value(usize),
+    /// The key of entry `n` of a mapping; always last.
+    Key(usize),
+    /// Item `n` of a list.
+    Item(usize),
+}
+
+/// Reads the one document of `text`.
+pub fn read(text: &str) -> Result<Yaml, ConfigError> {
+    let budget = Cell::new(VALUES);
+    let mut found = None;
+    for (index, document) in serde_yaml::Deserializer::from_str(text).enumerate() {
+        if index > 0 {
+            let place = serde_yaml::Deserializer::from_str(text).nth(1).and_then(|document| stop_in(document, &[]));
+            return Err(ConfigError::at(place, tr!("muscle-yaml-several-documents")));
+        }
+        found = Some(TreeSeed(&budget).deserialize(document).map_err(|error| broken(&error, budget.get() == 0))?);
+    }
+    Ok(found.unwrap_or(Yaml::Null))
+}
+
+fn broken(error: &serde_yaml::Error, too_many: bool) -> ConfigError {
+    let place = error.location().map(|location| (location.line(), location.column()));
+    if too_many {
+        return ConfigError::at(place, tr!("muscle-yaml-too-many-values", limit = VALUES));
+    }
+    // The parser ends its sentence with the place, which the error carries already.
+    let text = error.to_string();
+    let reason = text.split(" at line ").next().unwrap_or(&text);
+    ConfigError::at(place, tr!("muscle-yaml-syntax", reason = reason.to_owned()))
+}
+
+/// Line and column, both from 1, of the value or key at `path` in the first document.
+pub fn locate(text: &str, path: &[Step]) -> Option<(usize, usize)> {
+    serde_yaml::Deserializer::from_str(text).next().and_then(|document| stop_in(document, path))
+}
+
+fn stop_in<'de, D: Deserializer<'de, Error = serde_yaml::Error>>(document: D, path: &[Step]) -> Option<(usize, usize)> {
+    let error = StopSeed(path).deserialize(document).err()?;
+    error.location().map(|location| (location.line(), location.column()))
+}
+
+#[derive(Clone, Copy)]
+struct TreeSeed<'a>(&'a Cell<usize>);
+
+impl<'de> DeserializeSeed<'de> for TreeSeed<'_> {
+    type Value = Yaml;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Yaml, D::Error> {
+        let Some(left) = self.0.get().checked_sub(1).filter(|left| *left > 0) else {
+            self.0.set(0);
+            return Err(D::Error::custom("too many values"));
+        };
+        self.0.set(left);
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl<'de> Visitor<'de> for TreeSeed<'_> {
+    type Value = Yaml;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a value")
+    }
+
+    fn visit_unit<E>(self) -> Result<Yaml, E> {
+        Ok(Yaml::Null)
+    }
+
+    fn visit_bool<E>(self, _: bool) -> Result<Yaml, E> {
+        Ok(Yaml::Bool)
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Yaml, E> {
+        Ok(Yaml::Number(value as f64))
+    }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Yaml, E> {
+        Ok(Yaml::Number(value as f64))
+    }
+
+    fn visit_i128<E>(self, value: i128) -> Result<Yaml, E> {
+        Ok(Yaml::Number(value as f64))
+    }
+
+    fn visit_u128<E>(self, value: u128) -> Result<Yaml, E> {
+        Ok(Yaml::Number(value as f64))
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Yaml, E> {
+        Ok(Yaml::Number(value))
+    }
+
+    fn visit_str<E>(self, value: &str) -> Result<Yaml, E> {
+        Ok(Yaml::Text(value.to_owned()))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Yaml, A::Error> {
+        let mut list = Vec::new();
+        while let Some(item) = items.next_element_seed(self)? {
+            list.push(item);
+        }
+        Ok(Yaml::List(list))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Yaml, A::Error> {
+        let mut map = Vec::new();
+        while let Some(key) = entries.next_key_seed(self)? {
+            let key = match key {
+                Yaml::Text(key) => Some(key),
+                _ => None,
+            };
+            map.push((key, entries.next_value_seed(self)?));
+        }
+        Ok(Yaml::Map(map))
+    }
+
+    fn visit_enum<A: EnumAccess<'de>>(self, data: A) -> Result<Yaml, A::Error> {
+        let (_, variant) = data.variant::<IgnoredAny>()?;
+        variant.newtype_variant_seed(self)?;
+        Ok(Yaml::Tagged)
+    }
+}
+
+/// Goes down a path and fails on purpose where it ends, since a failure is given its place.
+struct StopSeed<'a>(&'a [Step]);
+
+impl<'de> DeserializeSeed<'de> for StopSeed<'_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        deserializer.deserialize_any(self)
+    }
+}
+
+impl StopSeed<'_> {
+    fn here<E: Error>(&self) -> Result<(), E> {
+        Err(E::custom("here"))
+    }
+}
+
+impl<'de> Visitor<'de> for StopSeed<'_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("a value")
+    }
+
+    fn visit_unit<E: Error>(self) -> Result<(), E> {
+        self.here()
+    }
+
+    fn visit_bool<E: Error>(self, _: bool) -> Result<(), E> {
+        self.here()
+    }
+
+    fn visit_i64<E: Error>(self, _: i64) -> Result<(), E> {
+        self.here()
+    }
+
+    fn visit_u64<E: Error>(self, _: u64) -> Result<(), E> {
+        self.here()
+    }
+
+    fn visit_f64<E: Error>(self, _: f64) -> Result<(), E> {
+        self.here()
+    }
+
+    fn visit_str<E: Error>(self, _: &str) -> Result<(), E> {
+        self.here()
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<(), A::Error> {
+        let Some((Step::Item(index), rest)) = self.0.split_first() else { return self.here() };
+        for _ in 0..*index {
+            items.next_element::<IgnoredAny>()?;
+        }
+        items.next_element_seed(StopSeed(rest))?;
+        Ok(())
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<(), A::Error> {
+        let Some((step, rest)) = self.0.split_first() else { return self.here() };
+        let (Step::Value(index) | Step::Key(index)) = *step else { return self.here() };
+        for _ in 0..index {
+            entries.next_entry::<IgnoredAny, IgnoredAny>()?;
+        }
+        if matches!(step, Step::Key(_)) {
+            entries.next_key_seed(StopSeed(&[]))?;
+        } else {
+            entries.next_key::<IgnoredAny>()?;
+            entries.next_value_seed(StopSeed(rest))?;
+        }
+        Ok(())
+    }
+
+    fn visit_enum<A: EnumAccess<'de>>(self, _: A) -> Result<(), A::Error> {
+        self.here()
+    }
+}

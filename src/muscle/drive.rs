@@ -1,0 +1,74 @@
+//! Contraction and elbow angle: one state seen two ways, each the exact inverse of the other.
+
+use super::Drive;
+
+/// Longest and shortest length of a muscle that no arm drives, as shares of its length at rest.
+pub const FREE: [f64; 2] = [2.5, 0.4];
+
+/// How an arm drives its first muscle: angles and the lengths at both ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span {
+    /// Least and greatest flexion, degrees.
+    pub flexion: [f64; 2],
+    /// Length of the line of action at these two.
+    pub lengths: [f64; 2],
+    /// Whether the length changes in one direction only over the range. Where it doesn't, contraction follows the angle itself.
+    pub monotone: bool,
+}
+
+impl Span {
+    /// Looks at `length` over a range of angles.
+    pub fn new(flexion: [f64; 2], length: impl Fn(f64) -> f64) -> Self {
+        const STEPS: usize = 64;
+        let at = |step: usize| length(flexion[0] + (flexion[1] - flexion[0]) * step as f64 / STEPS as f64);
+        let lengths = [at(0), at(STEPS)];
+        let falling = lengths[1] < lengths[0];
+        let all: Vec<f64> = (0..=STEPS).map(at).collect();
+        let monotone = lengths[0] != lengths[1] && all.windows(2).all(|pair| (pair[1] < pair[0]) == falling && pair[0] != pair[1]);
+        Self { flexion, lengths, monotone }
+    }
+
+    /// The state at this flexion, held within the range.
+    pub fn at_flexion(&self, degrees: f64, length: impl Fn(f64) -> f64) -> Drive {
+        let [low, high] = self.flexion;
+        let flexion = if degrees.is_nan() { low } else { degrees.clamp(low, high) };
+        Drive { flexion, contraction: 100.0 * self.share(flexion, &length) }
+    }
+
+    /// The state at this contraction, held within 0 to 100.
+    pub fn at_contraction(&self, per_cent: f64, length: impl Fn(f64) -> f64) -> Drive {
+        let contraction = if per_cent.is_nan() { 0.0 } else { per_cent.clamp(0.0, 100.0) };
+        let wanted = contraction / 100.0;
+        let [low, high] = self.flexion;
+        let (first, last) = (self.share(low, &length), self.share(high, &length));
+        // Whole per cents at the ends give the ends of the range, not a rounding beside them.
+        if wanted == first {
+            return Drive { flexion: low, contraction };
+        }
+        if wanted == last {
+            return Drive { flexion: high, contraction };
+        }
+        // The share is monotone: halve the range until the numbers have no middle.
+        let rising = last > first;
+        let (mut below, mut above) = if rising { (low, high) } else { (high, low) };
+        for _ in 0..200 {
+            let middle = 0.5 * (below + above);
+            if middle == below || middle == above {
+                break;
+            }
+            if self.share(middle, &length) < wanted { below = middle } else { above = middle }
+        }
+        let miss = |angle: f64| (self.share(angle, &length) - wanted).abs();
+        Drive { flexion: if miss(below) < miss(above) { below } else { above }, contraction }
+    }
+
+    /// Contraction from 0 to 1.
+    fn share(&self, flexion: f64, length: &impl Fn(f64) -> f64) -> f64 {
+        let (from, to, value) = if self.monotone {
+            (self.lengths[0].max(self.lengths[1]), self.lengths[0].min(self.lengths[1]), length(flexion))
+        } else {
+            (self.flexion[0], self.flexion[1], flexion)
+        };
+        if from == to { 0.0 } else { ((value - from) / (to - from)).clamp(0.0, 1.0) }
+    }
+}

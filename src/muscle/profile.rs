@@ -1,0 +1,227 @@
+//! The volume-conserving profile: radii along a muscle, and the quadratic that says how they grow when it shortens.
+//!
+//! Nodes `i = 1..n` stand at equal spacing `Δx = L / (n − 1)`, each with a radius `rᵢ` and a growth multiplier `mᵢ`; between neighbours lies a
+//! truncated cone. The volume is `V = π Δx F(r)` with
+//!
+//! ```text
+//! F(r) = Σ (rᵢ² + rᵢ rᵢ₊₁ + rᵢ₊₁²) / 3
+//! ```
+//!
+//! When the length goes from `L` to `L′`, every radius goes to `r′ᵢ = rᵢ + mᵢ δ`. Equal volumes make a quadratic in `δ`:
+//!
+//! ```text
+//! A δ² + B δ + C = 0
+//! A = Σ (mᵢ² + mᵢ mᵢ₊₁ + mᵢ₊₁²) / 3
+//! B = Σ (2 rᵢ mᵢ + rᵢ mᵢ₊₁ + rᵢ₊₁ mᵢ + 2 rᵢ₊₁ mᵢ₊₁) / 3
+//! C = F(r) (1 − L / L′)
+//! ```
+//!
+//! Of its roots the one that goes to 0 as `L′ → L` is taken, in the form that does not cancel: `δ = −2C / (B ± √(B² − 4AC))` with the sign of
+//! `B`. A profile is always solved from its rest shape, so the result depends on `L′` alone and never on the way there.
+
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+use super::Solved;
+use crate::{limits, tr};
+
+/// How far from rest a length may go at all, as a factor either way; profiles that could go on for ever stop here.
+const REACH: f64 = 100.0;
+/// What is left of a radius, as a share of itself, where it would reach zero.
+const SLIVER: f64 = 1e-9;
+
+/// Why numbers make no muscle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum ProfileError {
+    /// Fewer than two nodes.
+    #[error("{}", tr!("muscle-too-few-nodes", count = *.0))]
+    TooFewNodes(usize),
+    /// More nodes than [`limits::MUSCLE_NODES`].
+    #[error("{}", tr!("muscle-too-many-nodes", count = *.0, limit = limits::MUSCLE_NODES))]
+    TooManyNodes(usize),
+    /// Another number of radii than of growth multipliers.
+    #[error("{}", tr!("muscle-lengths-differ", radii = *.radii, growth = *.growth))]
+    LengthsDiffer {
+        /// Number of radii.
+        radii: usize,
+        /// Number of growth multipliers.
+        growth: usize,
+    },
+    /// A radius (index from 0) that is negative or no number.
+    #[error("{}", tr!("muscle-bad-radius", node = *.0 + 1))]
+    BadRadius(usize),
+    /// A growth multiplier (index from 0) that is no number.
+    #[error("{}", tr!("muscle-bad-growth", node = *.0 + 1))]
+    BadGrowth(usize),
+    /// A rest length that is not above zero.
+    #[error("{}", tr!("muscle-bad-length"))]
+    BadLength,
+    /// All radii zero: there is no volume to keep.
+    #[error("{}", tr!("muscle-no-radius"))]
+    NoRadius,
+    /// All growth multipliers zero: the volume cannot be kept.
+    #[error("{}", tr!("muscle-no-growth"))]
+    NoGrowth,
+}
+
+/// Largest magnitude of a radius, growth or length: beyond it squares would leave the range of `f64`.
+pub const LARGEST: f64 = 1e12;
+
+/// A muscle's shape at rest, checked, with everything about the quadratic that does not change with the length.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    radii: Vec<f64>,
+    growth: Vec<f64>,
+    length: f64,
+    /// A, B and F(r) at rest.
+    a: f64,
+    b: f64,
+    f: f64,
+    /// δ at the shortest and at the longest valid length.
+    range: RangeInclusive<f64>,
+}
+
+impl Profile {
+    /// A profile of these radii (≥ 0), growth multipliers (any sign) and rest length (> 0), all in one unit.
+    ///
+    /// # Errors
+    /// [`ProfileError`] where the numbers make no muscle that can keep its volume.
+    pub fn new(radii: Vec<f64>, growth: Vec<f64>, length: f64) -> Result<Self, ProfileError> {
+        if radii.len() != growth.len() {
+            return Err(ProfileError::LengthsDiffer { radii: radii.len(), growth: growth.len() });
+        }
+        if radii.len() < 2 {
+            return Err(ProfileError::TooFewNodes(radii.len()));
+        }
+        if radii.len() > limits::MUSCLE_NODES {
+            return Err(ProfileError::TooManyNodes(radii.len()));
+        }
+        if let Some(node) = radii.iter().position(|r| !(0.0..=LARGEST).contains(r)) {
+            return Err(ProfileError::BadRadius(node));
+        }
+        if let Some(node) = growth.iter().position(|m| m.is_nan() || m.abs() > LARGEST) {
+            return Err(ProfileError::BadGrowth(node));
+        }
+        if !(length > 0.0 && length <= LARGEST) {
+            return Err(ProfileError::BadLength);
+        }
+        let (a, b, f) = (cone_sum(&growth), mixed_sum(&radii, &growth), cone_sum(&radii));
+        if f < f64::MIN_POSITIVE {
+            return Err(ProfileError::NoRadius);
+        }
+        if a < f64::MIN_POSITIVE {
+            return Err(ProfileError::NoGrowth);
+        }
+        let mut profile = Self { radii, growth, length, a, b, f, range: length..=length };
+        profile.range = profile.find_range();
+        Ok(profile)
+    }
+
+    /// Radii at rest.
+    pub fn radii(&self) -> &[f64] {
+        &self.radii
+    }
+
+    /// Growth multipliers.
+    pub fn growth(&self) -> &[f64] {
+        &self.growth
+    }
+
+    /// Length at rest.
+    pub fn rest_length(&self) -> f64 {
+        self.length
+    }
+
+    /// Volume at rest, which is the volume at every valid length.
+    pub fn volume(&self) -> f64 {
+        PI * self.spacing(self.length) * self.f
+    }
+
+    /// The lengths at which the discriminant is not negative and every radius stays above zero; the rest length lies within. A node whose radius
+    /// is zero at rest may stay at zero.
+    pub fn length_range(&self) -> RangeInclusive<f64> {
+        self.range.clone()
+    }
+
+    /// Solves for `length`, held within [`Profile::length_range`]; a length that is no number counts as the rest length, held.
+    pub fn solve(&self, length: f64) -> Solved {
+        let mut solved = Solved::default();
+        self.solve_into(length, &mut solved);
+        solved
+    }
+
+    /// [`Profile::solve`] into a value whose buffer is kept.
+    pub fn solve_into(&self, asked: f64, solved: &mut Solved) {
+        let length = if asked.is_nan() { self.length } else { asked.clamp(*self.range.start(), *self.range.end()) };
+        let (a, b) = (self.a, self.b);
+        let c = self.f * ((length - self.length) / length);
+        // The limit of the range is where it vanishes; rounding must not push it below.
+        let discriminant = (b * b - 4.0 * a * c).max(0.0);
+        let root = discriminant.sqrt();
+        let (near, far) = if b >= 0.0 { (b + root, (-b - root) / (2.0 * a)) } else { (b - root, (-b + root) / (2.0 * a)) };
+        let mut delta = if near == 0.0 { 0.0 } else { -2.0 * c / near };
+        // One Newton step takes away what the square root rounded off; at the double root there is no slope to follow.
+        let slope = 2.0 * a * delta + b;
+        if slope.abs() > 1e-6 * b.abs().max(root) {
+            delta -= ((a * delta + b) * delta + c) / slope;
+        }
+        solved.radii.clear();
+        // A radius that a limit of the range brings to zero must not round to below it.
+        solved.radii.extend(self.radii.iter().zip(&self.growth).map(|(r, m)| (r + m * delta).max(SLIVER * 0.5 * r)));
+        solved.length = length;
+        solved.path_length = length;
+        solved.held = length != asked;
+        solved.delta = delta;
+        solved.quadratic = [a, b, c];
+        solved.discriminant = discriminant;
+        solved.roots = [delta, far];
+        solved.volume = PI * self.spacing(length) * cone_sum(&solved.radii);
+        solved.volume_error = solved.volume / self.volume() - 1.0;
+    }
+
+    fn spacing(&self, length: f64) -> f64 {
+        length / (self.radii.len() - 1) as f64
+    }
+
+    /// The length at which the radii have changed by `delta`: `L F(r) / F(r + m δ)`.
+    fn length_at(&self, delta: f64) -> f64 {
+        self.length * self.f / ((self.a * delta + self.b) * delta + self.f)
+    }
+
+    /// Along the branch of the root through δ = 0 the length is monotone in δ, so the limits on δ (the double root at −B / 2A, and each radius's
+    /// zero at −rᵢ / mᵢ) give the limits on the length.
+    fn find_range(&self) -> RangeInclusive<f64> {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (&r, &m) in self.radii.iter().zip(&self.growth) {
+            let zero = -r * (1.0 - SLIVER) / m;
+            if m > 0.0 {
+                low = low.max(zero);
+            } else if m < 0.0 {
+                high = high.min(zero);
+            }
+        }
+        let double = -self.b / (2.0 * self.a);
+        if self.b >= 0.0 {
+            low = low.max(double)
+        } else {
+            high = high.min(double)
+        }
+        // Zero lies between the two, so the rest length lies between their lengths.
+        let ends = [low, high].map(|delta| if delta.is_finite() { self.length_at(delta) } else { 0.0 });
+        let (short, long) = if self.b >= 0.0 { (ends[1], ends[0]) } else { (ends[0], ends[1]) };
+        let short = if short.is_finite() { short } else { 0.0 }.clamp(self.length / REACH, self.length);
+        let long = if long.is_nan() { self.length } else { long }.clamp(self.length, self.length * REACH);
+        short..=long
+    }
+}
+
+/// `F` of a list: Σ (xᵢ² + xᵢ xᵢ₊₁ + xᵢ₊₁²) / 3.
+pub(super) fn cone_sum(values: &[f64]) -> f64 {
+    values.windows(2).map(|pair| pair[0] * pair[0] + pair[0] * pair[1] + pair[1] * pair[1]).sum::<f64>() / 3.0
+}
+
+/// `B`: Σ (2 rᵢ mᵢ + rᵢ mᵢ₊₁ + rᵢ₊₁ mᵢ + 2 rᵢ₊₁ mᵢ₊₁) / 3.
+pub(super) fn mixed_sum(r: &[f64], m: &[f64]) -> f64 {
+    let pairs = r.windows(2).zip(m.windows(2));
+    pairs.map(|(r, m)| 2.0 * r[0] * m[0] + r[0] * m[1] + r[1] * m[0] + 2.0 * r[1] * m[1]).sum::<f64>() / 3.0
+}

@@ -1,0 +1,221 @@
+//! The surface of a muscle: rings round its centre line, a hemisphere at each end, tendons beyond.
+//!
+//! Between two nodes the radius is linear (a truncated cone); where that cone is bent, more rings follow the bend. Normals are smooth along and
+//! round. Texture coordinates, set 0: u goes once round, v from 0 at the origin to 1 at the insertion, so that fibres can be painted along it.
+
+use std::f32::consts::TAU;
+use std::sync::Arc;
+
+use glam::{DMat3, DMat4, DVec3, Vec2, Vec3};
+
+use super::Solved;
+use super::Tendon;
+use super::path::{Cursor, Path, Station};
+use crate::scene::{Mesh, Part};
+
+/// Corners of a ring.
+pub const SEGMENTS: usize = 36;
+/// Vertices of a ring: the seam stands twice, for its two texture coordinates.
+const RING: usize = SEGMENTS + 1;
+/// Rings of a hemisphere besides its rim.
+const CAP: usize = 6;
+/// About how many rings a belly has at least.
+const FINE: usize = 48;
+/// Rings of a tendon's tube.
+const TENDON: usize = 12;
+
+/// What decides the topology: it stays the same for all lengths of the muscle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Layout {
+    nodes: usize,
+    /// Rings a span between two nodes.
+    steps: usize,
+    tendons: [bool; 2],
+}
+
+/// One ring to be written.
+struct Ring {
+    station: Station,
+    radius: f64,
+    /// dr/ds.
+    slope: f64,
+}
+
+/// Matrices from the space of the centre line to the world.
+pub struct ToWorld {
+    matrix: DMat4,
+    normals: DMat3,
+}
+
+impl ToWorld {
+    /// For the rig's root at this world matrix.
+    pub fn new(matrix: DMat4) -> Self {
+        let linear = DMat3::from_mat4(matrix);
+        // A flattened matrix has no inverse; then any normals do.
+        let normals = if linear.determinant().abs() > f64::MIN_POSITIVE { linear.inverse().transpose() } else { linear };
+        // Only directions matter: keep them away from the limits of f32.
+        let size = normals.x_axis.length().max(normals.y_axis.length()).max(normals.z_axis.length());
+        Self { matrix, normals: if size > 0.0 && size.is_finite() { normals * (1.0 / size) } else { DMat3::IDENTITY } }
+    }
+}
+
+impl Layout {
+    /// For a muscle of `nodes` nodes with these tendons.
+    pub fn new(nodes: usize, tendons: &[Tendon; 2]) -> Self {
+        let spans = nodes.saturating_sub(1).max(1);
+        Self { nodes, steps: (FINE / spans).clamp(1, 8), tendons: [tendons[0].length > 0.0, tendons[1].length > 0.0] }
+    }
+
+    fn belly_rings(&self) -> usize {
+        self.nodes.saturating_sub(1) * self.steps + 1 + 2 * CAP
+    }
+
+    /// The mesh: topology, texture coordinates and parts; positions are those of [`Layout::deform`] and empty here but for their number.
+    pub fn mesh(&self, name: &str) -> Arc<Mesh> {
+        let mut mesh = Mesh { name: name.to_owned(), ..Mesh::default() };
+        let mut uvs = Vec::new();
+        let tubes = [Some(self.belly_rings()), self.tendons[0].then_some(TENDON), self.tendons[1].then_some(TENDON)];
+        for (tube, rings) in tubes.into_iter().enumerate() {
+            let Some(rings) = rings else { continue };
+            let (first, before) = (uvs.len() as u32, mesh.triangles.len() as u32);
+            for ring in 0..rings {
+                // v follows the nodes; the hemispheres keep the value of their rim.
+                let v = if tube == 0 {
+                    ring.saturating_sub(CAP).min(rings - 1 - 2 * CAP) as f32 / (rings - 1 - 2 * CAP) as f32
+                } else {
+                    ring as f32 / (rings - 1) as f32
+                };
+                uvs.extend((0..RING).map(|corner| Vec2::new(corner as f32 / SEGMENTS as f32, v)));
+            }
+            for ring in 1..rings as u32 {
+                for corner in 0..SEGMENTS as u32 {
+                    let (a, b) = (first + (ring - 1) * RING as u32 + corner, first + ring * RING as u32 + corner);
+                    // At a pole one of the two has no area.
+                    if ring > 1 {
+                        mesh.triangles.push([a, a + 1, b]);
+                    }
+                    if (ring as usize) < rings - 1 {
+                        mesh.triangles.push([a + 1, b + 1, b]);
+                    }
+                }
+            }
+            mesh.parts.push(Part {
+                symbol: if tube == 0 { "muscle" } else { "tendon" }.to_owned(),
+                triangles: before..mesh.triangles.len() as u32,
+                lines: 0..0,
+            });
+        }
+        mesh.positions = vec![Vec3::ZERO; uvs.len()];
+        mesh.normals = vec![Vec3::Y; uvs.len()];
+        mesh.source_count = uvs.len() as u32;
+        mesh.source_vertex = (0..mesh.source_count).collect();
+        mesh.uv_sets = vec![uvs];
+        Arc::new(mesh)
+    }
+
+    /// Writes positions and normals in the world for this solution along `path`.
+    pub fn deform(
+        &self,
+        solved: &Solved,
+        tendons: &[Tendon; 2],
+        path: &Path,
+        to_world: &ToWorld,
+        positions: &mut Vec<Vec3>,
+        normals: &mut Vec<Vec3>,
+    ) {
+        positions.clear();
+        normals.clear();
+        let mut out = Writer { to_world, circle: circle(), positions, normals };
+        let start = tendons[0].length;
+        let spans = self.nodes.saturating_sub(1).max(1);
+        let spacing = solved.length / spans as f64;
+        let radius = |node: usize| solved.radii.get(node).copied().unwrap_or(0.0);
+        let cone = |span: usize| (radius(span + 1) - radius(span)) / spacing;
+        // Slope at a node: the mean of the cones that meet there.
+        let slope = |node: usize| 0.5 * (cone(node.max(1) - 1) + cone(node.min(spans - 1)));
+        let mut cursor = path.cursor();
+        out.cap(cursor.station(start), radius(0), -1.0);
+        for span in 0..spans {
+            let steps = if span + 1 == spans { self.steps + 1 } else { self.steps };
+            for step in 0..steps {
+                let share = step as f64 / self.steps as f64;
+                let blend = |a: f64, b: f64| a + (b - a) * share;
+                let station = cursor.station(start + (span as f64 + share) * spacing);
+                let ring = Ring { station, radius: blend(radius(span), radius(span + 1)), slope: blend(slope(span), slope(span + 1)) };
+                out.ring(&ring);
+            }
+        }
+        out.cap(cursor.station(start + solved.length), radius(spans), 1.0);
+        if self.tendons[0] {
+            out.tendon(path.cursor(), 0.0, start, [tendons[0].radius, tendons[0].radius.min(radius(0))]);
+        }
+        if self.tendons[1] {
+            let from = start + solved.length;
+            out.tendon(path.cursor(), from, from + tendons[1].length, [tendons[1].radius.min(radius(spans)), tendons[1].radius]);
+        }
+    }
+}
+
+/// Cosine and sine of each corner of a ring.
+fn circle() -> [(f32, f32); RING] {
+    static CIRCLE: std::sync::OnceLock<[(f32, f32); RING]> = std::sync::OnceLock::new();
+    *CIRCLE.get_or_init(|| {
+        std::array::from_fn(|corner| {
+            let (sin, cos) = ((corner % SEGMENTS) as f32 / SEGMENTS as f32 * TAU).sin_cos();
+            (cos, sin)
+        })
+    })
+}
+
+struct Writer<'a> {
+    to_world: &'a ToWorld,
+    circle: [(f32, f32); RING],
+    positions: &'a mut Vec<Vec3>,
+    normals: &'a mut Vec<Vec3>,
+}
+
+impl Writer<'_> {
+    fn ring(&mut self, ring: &Ring) {
+        let Station { position, tangent, u, v, .. } = ring.station;
+        let matrix = &self.to_world.matrix;
+        let centre = matrix.transform_point3(position).as_vec3();
+        let [across_u, across_v] = [u, v].map(|axis| (matrix.transform_vector3(axis) * ring.radius).as_vec3());
+        let normal = |axis: DVec3| (self.to_world.normals * axis).as_vec3();
+        let (normal_u, normal_v, back) = (normal(u), normal(v), normal(tangent * -ring.slope));
+        self.positions.extend(self.circle.iter().map(|&(cos, sin)| centre + across_u * cos + across_v * sin));
+        self.normals.extend(self.circle.iter().map(|&(cos, sin)| {
+            let normal = normal_u * cos + normal_v * sin + back;
+            normal * normal.length_squared().max(f32::MIN_POSITIVE).sqrt().recip()
+        }));
+    }
+
+    /// A hemisphere without its rim, whose pole looks along `direction` times the tangent; its rings come in the order of the path.
+    fn cap(&mut self, station: Station, radius: f64, direction: f64) {
+        for ring in 0..CAP {
+            let latitude = if direction < 0.0 { ring } else { CAP - 1 - ring } as f64 / CAP as f64 * std::f64::consts::FRAC_PI_2;
+            // `latitude` is measured from the pole.
+            let (sin, cos) = latitude.sin_cos();
+            let moved = Station { position: station.position + station.tangent * (direction * radius * cos), ..station };
+            // For a sphere −dr/ds is the tangent of the elevation; at the pole the ring is a point and only the direction along counts.
+            let slope = -direction * cos / sin.max(1e-6);
+            self.ring(&Ring { station: moved, radius: radius * sin, slope });
+        }
+    }
+
+    /// A tube between two lengths of the path, closed by points.
+    fn tendon(&mut self, mut cursor: Cursor<'_>, from: f64, to: f64, radii: [f64; 2]) {
+        for ring in 0..TENDON {
+            // The first and last ring are points that close the tube.
+            let share = ring.saturating_sub(1).min(TENDON - 3) as f64 / (TENDON - 3) as f64;
+            let closes = if ring == 0 {
+                1e6
+            } else if ring == TENDON - 1 {
+                -1e6
+            } else {
+                0.0
+            };
+            let radius = if closes == 0.0 { radii[0] + (radii[1] - radii[0]) * share } else { 0.0 };
+            self.ring(&Ring { station: cursor.station(from + (to - from) * share), radius, slope: closes });
+        }
+    }
+}
