@@ -10,7 +10,7 @@ BINARY := target/release/sinew
 SHARE = $(DESTDIR)$(PREFIX)/share
 ICONS = $(SHARE)/icons/hicolor
 
-.PHONY: run build test bench install uninstall clean refresh
+.PHONY: run build test bench install uninstall clean refresh clips
 
 run: build
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
@@ -72,6 +72,13 @@ refresh:
 	    ! command -v update-desktop-database >/dev/null || update-desktop-database -q "$(SHARE)/applications"; \
 	    ! command -v gtk4-update-icon-cache >/dev/null || gtk4-update-icon-cache -qtf "$(ICONS)"; \
 	fi
+
+# Makes the clips of configs/ again, with Debian 12's Blender; one thread, so that the same bytes come out.
+BLENDER ?= blender --background --threads 1 --factory-startup --python-exit-code 1
+clips:
+	$(BLENDER) --python resources/blender/curl.py
+	$(BLENDER) --python resources/blender/walker.py
+	python3 resources/blender/lamp.py
 
 clean:
 	$(CARGO) clean

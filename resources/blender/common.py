@@ -13,7 +13,7 @@ import os
 import re
 
 import bpy
-from mathutils import Vector
+from mathutils import Matrix, Quaternion, Vector
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 CONFIGS = os.path.join(ROOT, "configs")
@@ -62,15 +62,16 @@ class Parts:
         self.faces = []
         self.corners = []
         self.slots = []
-        self.smooth = []
         self.owner = []
 
-    def loft(self, rings, segments, slot, owner, uv=None):
+    def loft(self, rings, segments, slot, owner, uv=None, mould=None):
         """Closes a surface over `rings` = [(centre, x axis, y axis)]; both ends are closed by a fan at the ring's centre.
 
-        `owner(point)` gives the weights {bone: weight} at a point; `uv(turn, along)` the texture coordinate.
+        `owner(point)` gives the weights {bone: weight} at a point; `uv(turn, along)` the texture coordinate, of a
+        part that has a texture; `mould(point)` moves a point after it has been laid.
         """
-        uv = uv or (lambda turn, along: (turn, along))
+        uv = uv or (lambda turn, along: (0.0, 0.0))
+        self.mould = mould or (lambda point: point)
         first = len(self.vertices)
         for centre, x_axis, y_axis in rings:
             for k in range(segments):
@@ -96,6 +97,7 @@ class Parts:
             self._face((top + k, top + n, end), slot, (uv(left, high), uv(right, high), uv(middle, 1.0)))
 
     def _vertex(self, point, owner):
+        point = self.mould(point)
         self.vertices.append(tuple(point))
         self.owner.append(owner(point))
         return len(self.vertices) - 1
@@ -118,7 +120,7 @@ class Parts:
             layer = mesh.uv_layers.new(name="map")
             flat = [c for face in self.corners for c in face]
             for loop, corner in zip(layer.data, flat):
-                loop.uv = corner
+                loop.uv = (round(corner[0], 4), round(corner[1], 4))
         mesh.validate()
         made = bpy.data.objects.new(name, mesh)
         bpy.context.scene.collection.objects.link(made)
@@ -173,11 +175,52 @@ def bind(made, rig):
     modifier.object = rig
 
 
-def turn_in_armature(bone, axis, angle):
-    """The bone's own rotation that turns it by `angle` (radians) about `axis`, given in the rest pose's space."""
-    from mathutils import Quaternion
-    local = bone.bone.matrix_local.to_3x3().inverted() @ Vector(axis)
-    return Quaternion(local, angle)
+class Pose:
+    """One frame of an armature, bone by bone from the root, in the armature's own space."""
+
+    def __init__(self, rig, frame):
+        self.rig, self.frame, self.matrices = rig, frame, {}
+
+    def _carried(self, bone):
+        """Where the bone stands when only its parents have moved."""
+        if bone.parent is None:
+            return bone.bone.matrix_local.copy()
+        return self.matrices[bone.parent.name] @ bone.parent.bone.matrix_local.inverted() @ bone.bone.matrix_local
+
+    def turn(self, name, rotation, shift=(0.0, 0.0, 0.0)):
+        """Turns the bone about its head by a quaternion and shifts it, both seen in the rest pose's axes; sets its key."""
+        bone = self.rig.pose.bones[name]
+        rest = bone.bone.matrix_local.to_3x3()
+        basis = (rest.inverted() @ rotation.to_matrix() @ rest).to_4x4()
+        basis.translation = rest.inverted() @ Vector(shift)
+        self._set(bone, self._carried(bone) @ basis)
+
+    def aim(self, name, direction):
+        """Points the bone's length along `direction`, its x axis level and along -x, as legs and feet have it; sets its key."""
+        bone = self.rig.pose.bones[name]
+        along = direction.normalized()
+        up = Vector((-1.0, 0.0, 0.0)).cross(along).normalized()
+        matrix = Matrix((along.cross(up), along, up)).transposed().to_4x4()
+        carried = self._carried(bone)
+        matrix.translation = carried.translation
+        self._set(bone, matrix)
+
+    def point(self, name, rest_point):
+        """Where a point of the rest pose goes that is fixed to the bone."""
+        return self.matrices[name] @ self.rig.pose.bones[name].bone.matrix_local.inverted() @ Vector(rest_point)
+
+    def _set(self, bone, matrix):
+        basis = self._carried(bone).inverted() @ matrix
+        self.matrices[bone.name] = matrix
+        bone.location = basis.translation
+        bone.rotation_quaternion = basis.to_quaternion()
+        bone.keyframe_insert("rotation_quaternion", frame=self.frame)
+        bone.keyframe_insert("location", frame=self.frame)
+
+
+def about(axis, degrees):
+    """A turn about an axis by degrees."""
+    return Quaternion(axis, math.radians(degrees))
 
 
 def shiny(text, name, specular, shininess):
@@ -189,6 +232,17 @@ def shiny(text, name, specular, shininess):
              f'            <shininess>\n              <float sid="shininess">{shininess}</float>\n            </shininess>\n            ')
     effect = effect.replace("<index_of_refraction>", phong + "<index_of_refraction>")
     return text[:start] + effect + text[end:]
+
+
+def shorter(text):
+    """Rounds positions to 0.01 mm, normals and texture coordinates to four places: half the file was digits nobody sees."""
+    places = {"positions": 5, "normals": 4, "map-0": 4}
+
+    def rounded(match):
+        numbers = " ".join(f"{round(float(n), places[match[2]]) + 0.0:.6g}" for n in match[3].split())
+        return match[1] + numbers
+
+    return re.sub(r'(<float_array id="[^"]*-mesh-(positions|normals|map-0)-array"[^>]*>)([^<]*)', rounded, text)
 
 
 def export(file_name, author_note):
@@ -219,8 +273,11 @@ def export(file_name, author_note):
     text = re.sub(r"<author>[^<]*</author>", "<author>The Sinew authors</author>", text)
     text = re.sub(r"(\s*)(<authoring_tool>[^<]*</authoring_tool>)",
                   rf"\1\2\1<comments>{author_note}</comments>\1<copyright>MIT OR Apache-2.0</copyright>", text)
+    # Images lie beside the clip; the exporter names them by the path on this machine.
+    text = re.sub(r"<init_from>[^<]*/([^</]+)</init_from>", r"<init_from>\1</init_from>", text)
     for name, (specular, shininess) in SHINE.items():
         text = shiny(text, name, specular, shininess)
+    text = shorter(text)
     with open(path, "w", encoding="utf-8", newline="\n") as file:
         file.write(text)
     print("wrote", path, os.path.getsize(path), "bytes")

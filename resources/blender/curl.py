@@ -184,10 +184,9 @@ def curl(rig):
     for frame in range(LAST + 1):
         t = frame / LAST
         lift = smoothstep(0.04, 0.46, t) * (1.0 - smoothstep(0.54, 0.96, t))
-        for name, degrees in (("upper_arm", -7.0 * lift), ("elbow", -70.0 * lift), ("forearm", -140.0 * lift), ("hand", -18.0 * lift)):
-            bone = rig.pose.bones[name]
-            bone.rotation_quaternion = common.turn_in_armature(bone, across, math.radians(degrees))
-            bone.keyframe_insert("rotation_quaternion", frame=frame)
+        pose = common.Pose(rig, frame)
+        for name, degrees in (("upper_arm", -7.0), ("elbow", -70.0), ("forearm", -140.0), ("hand", -18.0)):
+            pose.turn(name, common.about(across, degrees * lift))
 
 
 def main():
