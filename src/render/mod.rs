@@ -1,12 +1,35 @@
 //! The rasterizer. Knows the scene alone.
 
+mod background;
+mod bin;
+mod bins;
+mod clip;
+mod collect;
 mod display;
+mod drawing;
+mod fill;
+mod lanes;
+mod light;
+mod plane;
+mod pool;
+mod renderer;
+mod resolve;
+mod setup;
+mod shade;
+mod style;
+mod texture;
+mod vertex;
+mod view;
 
 pub use display::{Background, Display, Palette, Samples, Shading, Theme};
 
 use glam::Vec3;
 
+use crate::limits;
 use crate::scene::{Camera, Frame, NodeId, Scene};
+use lanes::Level;
+use pool::Pool;
+use renderer::Buffers;
 
 /// A finished picture: 32 bits a pixel, `0xAARRGGBB` in native byte order (cairo's ARGB32 / RGB24), premultiplied, rows from the top.
 #[derive(Debug, Clone, Default)]
@@ -48,25 +71,38 @@ pub struct Stats {
 }
 
 /// Draws frames. Keeps its buffers and worker threads between frames.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Renderer {
     framebuffer: Framebuffer,
     stats: Stats,
+    pool: Pool,
+    level: Level,
+    buffers: Buffers,
+}
+
+impl Default for Renderer {
+    fn default() -> Self {
+        Self::new(None)
+    }
 }
 
 impl Renderer {
     /// A renderer with this many threads; `None` = one a core.
     pub fn new(threads: Option<usize>) -> Self {
-        let _ = threads;
-        Self::default()
+        let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
+        let pool = Pool::new(threads.clamp(1, limits::THREADS));
+        Self { framebuffer: Framebuffer::default(), stats: Stats::default(), pool, level: Level::detect(), buffers: Buffers::default() }
     }
 
-    /// Draws `frame` into a picture of `width` × `height` pixels. The same input gives the same bits for any number of threads.
+    /// Draws `frame` into a picture of `width` × `height` pixels, each at most [`limits::PICTURE_SIDE`]. The same input gives the same bits for
+    /// any number of threads.
     pub fn draw(&mut self, scene: &Scene, frame: &Frame, camera: &Camera, display: &Display, width: u32, height: u32) -> &Framebuffer {
-        let _ = (scene, frame, camera, display);
-        self.framebuffer.width = width;
-        self.framebuffer.height = height;
-        self.framebuffer.pixels.resize(width as usize * height as usize, 0);
+        let mut framebuffer = std::mem::take(&mut self.framebuffer);
+        (framebuffer.width, framebuffer.height) = (width.min(limits::PICTURE_SIDE), height.min(limits::PICTURE_SIDE));
+        framebuffer.pixels.resize(framebuffer.width as usize * framebuffer.height as usize, 0);
+        let stride = framebuffer.width as usize * 4;
+        self.draw_into(scene, frame, camera, display, width, height, bytemuck::cast_slice_mut(&mut framebuffer.pixels), stride);
+        self.framebuffer = framebuffer;
         &self.framebuffer
     }
 
@@ -84,7 +120,7 @@ impl Renderer {
         target: &mut [u8],
         stride: usize,
     ) {
-        let _ = (scene, frame, camera, display, width, height, target, stride);
+        self.stats = self.buffers.draw(&self.pool, self.level, (scene, frame, camera, display), (width, height), target, stride);
     }
 
     /// What lies under pixel (`x`, `y`) of a picture of that size; nothing is drawn.
@@ -107,5 +143,25 @@ impl Renderer {
     /// The last frame's times.
     pub fn stats(&self) -> Stats {
         self.stats
+    }
+
+    /// The instruction set that the kernels use: `scalar`, `sse2`, `avx2` or `avx512`.
+    pub fn simd(&self) -> &'static str {
+        self.level.name()
+    }
+
+    /// Chooses an instruction set by that name; whether this processor has it.
+    pub fn set_simd(&mut self, name: &str) -> bool {
+        Level::named(name).map(|level| self.level = level).is_some()
+    }
+
+    /// The instruction sets that this processor has, slowest first.
+    pub fn simd_names() -> Vec<&'static str> {
+        Level::all().into_iter().map(Level::name).collect()
+    }
+
+    /// Number of threads that draw, the caller counted.
+    pub fn threads(&self) -> usize {
+        self.pool.workers()
     }
 }

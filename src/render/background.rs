@@ -1,0 +1,84 @@
+//! What stands behind the scene.
+
+use super::Background;
+
+/// The background, ready to be written row by row.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Backdrop {
+    kind: Background,
+    height: f32,
+}
+
+/// Thresholds of an 8 × 8 ordered dither, from 0 to 63.
+const BAYER: [[u8; 8]; 8] = bayer();
+
+const fn bayer() -> [[u8; 8]; 8] {
+    let mut matrix = [[0; 8]; 8];
+    let mut y = 0;
+    while y < 8 {
+        let mut x = 0;
+        while x < 8 {
+            // Bits of x ^ y and y, interleaved and reversed.
+            let (a, b) = (x ^ y, y);
+            let mut value = 0;
+            let mut bit = 0;
+            while bit < 3 {
+                value |= ((a >> bit & 1) << (5 - 2 * bit)) | ((b >> bit & 1) << (4 - 2 * bit));
+                bit += 1;
+            }
+            matrix[y][x] = value as u8;
+            x += 1;
+        }
+        y += 1;
+    }
+    matrix
+}
+
+impl Backdrop {
+    pub(super) fn new(kind: Background, height: u32) -> Self {
+        Self { kind, height: height as f32 }
+    }
+
+    /// Writes picture row `y`. A gradient over hundreds of rows has fewer steps than rows, so it is dithered lest it show bands.
+    pub(super) fn row(&self, y: i32, out: &mut [u32]) {
+        match self.kind {
+            Background::Transparent => out.fill(0),
+            Background::Solid(color) => out.fill(0xFF00_0000 | color),
+            Background::Gradient(top, bottom) => {
+                let t = (y as f32 + 0.5) / self.height;
+                let pattern: [u32; 8] = std::array::from_fn(|x| {
+                    let threshold = (f32::from(BAYER[y as usize & 7][x]) + 0.5) / 64.0;
+                    [16, 8, 0].into_iter().fold(0xFF00_0000, |pixel, shift| {
+                        let [from, to] = [top, bottom].map(|color| (color >> shift & 255) as f32);
+                        pixel | ((from + (to - from) * t + threshold) as u32) << shift
+                    })
+                });
+                for eight in out.chunks_mut(8) {
+                    eight.copy_from_slice(&pattern[..eight.len()]);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_threshold_stands_once() {
+        let mut all: Vec<u8> = BAYER.concat();
+        all.sort_unstable();
+        assert_eq!(all, (0..64).collect::<Vec<u8>>());
+    }
+
+    #[test]
+    fn a_gradient_runs_from_its_first_to_its_last_colour() {
+        let backdrop = Backdrop::new(Background::Gradient(0x102030, 0x405060), 100);
+        let mut row = [0; 13];
+        backdrop.row(0, &mut row);
+        assert!(row.iter().all(|p| (p >> 16 & 255).abs_diff(0x10) <= 1), "{row:x?}");
+        backdrop.row(99, &mut row);
+        assert!(row.iter().all(|p| (p & 255).abs_diff(0x60) <= 1), "{row:x?}");
+    }
+}

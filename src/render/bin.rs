@@ -1,0 +1,88 @@
+//! Between vertices and pixels: which triangles face the eye, which need clipping, and which bands they touch.
+
+use super::bins::Bins;
+use super::clip::clip;
+use super::drawing::{CUT, Drawing, Item, Unit};
+use super::setup::{Rect, area};
+use super::view::{BAD, Screen};
+
+/// The division of the picture into bands.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bands {
+    /// Rows of a band.
+    pub rows: usize,
+    pub count: usize,
+    /// Whether there are four samples a pixel.
+    pub multi: bool,
+}
+
+impl Bands {
+    /// Puts `value` into every band that the rectangle touches.
+    #[inline(always)]
+    pub(super) fn spread(&self, bins: &mut Bins, rect: &Rect, value: u32) {
+        let (from, to) = (rect.y0 as usize / self.rows, (rect.y1 as usize / self.rows).min(self.count - 1));
+        for band in from..=to {
+            bins.push(band, value);
+        }
+    }
+}
+
+/// Goes through the triangles of `unit` and fills its bins (or, for blended ones, its list).
+pub(super) fn bin(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit) {
+    unit.bins.reset(bands.count);
+    unit.clipped.clear();
+    unit.blended.clear();
+    let mut number = unit.range.start;
+    while number < unit.range.end {
+        let Some(item) = drawing.item_of(number) else { break };
+        let end = item.triangles.end.min(unit.range.end);
+        stretch(drawing, bands, unit, item, number..end);
+        number = end;
+    }
+}
+
+fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, numbers: std::ops::Range<u32>) {
+    let feed = drawing.feed(item);
+    let size = drawing.view.size;
+    let keep = |screen: &[Screen; 3]| -> Option<Rect> {
+        let area = area(screen);
+        // Positive is clockwise as seen: the other side, unless the surface is mirrored.
+        if area == 0 || (item.cull && (area > 0) != item.style.mirrored) {
+            return None;
+        }
+        let rect = Rect::of(screen, bands.multi, size);
+        (!rect.is_empty()).then_some(rect)
+    };
+    for number in numbers {
+        let t = (number - item.triangles.start) as usize;
+        let Some(screen) = feed.screens(t) else { continue };
+        let [a, b, c] = [screen[0].code, screen[1].code, screen[2].code];
+        if a | b | c == 0 {
+            if let Some(rect) = keep(&screen) {
+                emit(unit, bands, item, &rect, &screen, number);
+            }
+            continue;
+        }
+        // All corners beyond the same plane, or one that is not a number.
+        if a & b & c != 0 || (a | b | c) & BAD != 0 {
+            continue;
+        }
+        let corners = feed.geometry.triangles[t].map(|v| feed.geometry.world(v as usize));
+        clip(&drawing.view, corners, number, |piece| {
+            if let Some(rect) = keep(&piece.screen) {
+                let entry = CUT | unit.clipped.len() as u32;
+                unit.clipped.push(piece);
+                emit(unit, bands, item, &rect, &piece.screen, entry);
+            }
+        });
+    }
+}
+
+#[inline(always)]
+fn emit(unit: &mut Unit, bands: &Bands, item: &Item, rect: &Rect, screen: &[Screen; 3], entry: u32) {
+    if item.blended() {
+        unit.blended.push((screen[0].q + screen[1].q + screen[2].q, entry));
+    } else {
+        bands.spread(&mut unit.bins, rect, entry);
+    }
+}

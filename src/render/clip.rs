@@ -1,0 +1,105 @@
+//! Clipping of the few triangles that reach beyond the near plane or the guard band.
+//!
+//! Works on homogeneous coordinates in `f64`, one plane after the other (Sutherland and Hodgman, 1974). A new corner is always computed from
+//! the end of its edge that is inside, so two triangles that share the edge get the same corner and no gap opens between them.
+
+use glam::Vec3;
+
+use super::view::{Screen, View};
+
+/// A triangle cut out of another one.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Clipped {
+    /// The triangle it is a part of, by its number in the picture.
+    pub triangle: u32,
+    /// Its corners.
+    pub screen: [Screen; 3],
+    /// Each corner as a mixture of the three corners of the whole.
+    pub mixture: [[f32; 3]; 3],
+}
+
+#[derive(Clone, Copy, Default)]
+struct Corner {
+    clip: [f64; 5],
+    mixture: [f64; 3],
+}
+
+/// Three corners and one more for each of the five planes.
+const MOST: usize = 8;
+
+/// Cuts the triangle with these corners in the world, and hands each piece to `emit`.
+pub(super) fn clip(view: &View, corners: [Vec3; 3], triangle: u32, mut emit: impl FnMut(Clipped)) {
+    let mut polygon = [Corner::default(); MOST];
+    for (k, corner) in corners.into_iter().enumerate() {
+        polygon[k] = Corner { clip: view.clip(corner), mixture: std::array::from_fn(|i| f64::from(u8::from(i == k))) };
+        if !polygon[k].clip.iter().all(|x| x.is_finite()) {
+            return;
+        }
+    }
+    let [gx, gy] = view.guard().map(f64::from);
+    let near = f64::from(view.near);
+    let mut count = 3;
+    let inside: [&dyn Fn(&[f64; 5]) -> f64; 5] =
+        [&|c| c[3] - near, &|c| gx * c[2] + c[0], &|c| gx * c[2] - c[0], &|c| gy * c[2] - c[1], &|c| gy * c[2] + c[1]];
+    for plane in inside {
+        let mut kept = [Corner::default(); MOST];
+        let mut n = 0;
+        for k in 0..count {
+            let (a, b) = (polygon[k], polygon[(k + 1) % count]);
+            let (da, db) = (plane(&a.clip), plane(&b.clip));
+            if da >= 0.0 && n < MOST {
+                kept[n] = a;
+                n += 1;
+            }
+            if (da >= 0.0) != (db >= 0.0) && n < MOST {
+                let (from, to, d_from, d_to) = if da >= 0.0 { (a, b, da, db) } else { (b, a, db, da) };
+                let t = d_from / (d_from - d_to);
+                kept[n] = Corner {
+                    clip: std::array::from_fn(|i| from.clip[i] + (to.clip[i] - from.clip[i]) * t),
+                    mixture: std::array::from_fn(|i| from.mixture[i] + (to.mixture[i] - from.mixture[i]) * t),
+                };
+                n += 1;
+            }
+        }
+        (polygon, count) = (kept, n);
+        if count < 3 {
+            return;
+        }
+    }
+    let mut screen = [Screen::default(); MOST];
+    for (screen, corner) in screen.iter_mut().zip(&polygon[..count]) {
+        let Some(point) = view.snap(corner.clip) else { return };
+        *screen = point;
+    }
+    for k in 1..count - 1 {
+        let chosen = [0, k, k + 1];
+        emit(Clipped { triangle, screen: chosen.map(|i| screen[i]), mixture: chosen.map(|i| polygon[i].mixture.map(|x| x as f32)) });
+    }
+}
+
+/// Cuts a line in the world at the near plane and the guard band: the part of it that is left, as `(from, to)` between 0 and 1, and its ends.
+pub(super) fn clip_line(view: &View, a: Vec3, b: Vec3) -> Option<([f64; 2], [[f64; 5]; 2])> {
+    let (ca, cb) = (view.clip(a), view.clip(b));
+    if !ca.iter().chain(&cb).all(|x| x.is_finite()) {
+        return None;
+    }
+    let [gx, gy] = view.guard().map(f64::from);
+    let near = f64::from(view.near);
+    let distances = |c: &[f64; 5]| [c[3] - near, gx * c[2] + c[0], gx * c[2] - c[0], gy * c[2] - c[1], gy * c[2] + c[1]];
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    for (da, db) in distances(&ca).into_iter().zip(distances(&cb)) {
+        if da < 0.0 && db < 0.0 {
+            return None;
+        }
+        if da < 0.0 {
+            from = from.max(da / (da - db));
+        } else if db < 0.0 {
+            to = to.min(da / (da - db));
+        }
+    }
+    if from >= to {
+        return None;
+    }
+    let at = |t: f64| -> [f64; 5] { std::array::from_fn(|i| ca[i] + (cb[i] - ca[i]) * t) };
+    Some(([from, to], [at(from), at(to)]))
+}

@@ -1,0 +1,238 @@
+//! Everything about one frame that the stages share, and how a triangle's number leads to its corners.
+
+use std::ops::Range;
+
+use glam::{Vec2, Vec3};
+
+use super::bins::Bins;
+use super::clip::Clipped;
+use super::light::Lights;
+use super::style::{Layer, Style};
+use super::texture::Texture;
+use super::vertex::{Geometry, Quad};
+use super::view::{Screen, View};
+use crate::scene::{Frame, Placement};
+
+/// Where an item's geometry comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Source {
+    /// A stretch of the triangles of a surface of the frame.
+    Surface {
+        /// Index in [`Frame::surfaces`].
+        index: u32,
+        /// Triangles of its mesh.
+        triangles: Range<u32>,
+    },
+    /// Bones, made by the renderer.
+    Bones,
+}
+
+/// Triangles that are drawn alike.
+#[derive(Debug, Clone)]
+pub(super) struct Item {
+    pub source: Source,
+    pub style: Style,
+    /// Leaves out what faces away.
+    pub cull: bool,
+    /// Its vertices in the flat arrays.
+    pub vertices: Range<usize>,
+    /// See [`Geometry::first`] and [`Geometry::expanded`].
+    pub first_vertex: u32,
+    pub expanded: bool,
+    /// The numbers of its triangles in the picture.
+    pub triangles: Range<u32>,
+    /// Whether heat is painted on: index of the first value in the heat list.
+    pub heat: Option<usize>,
+}
+
+impl Item {
+    /// Whether it is laid over what is there instead of replacing it.
+    pub(super) fn blended(&self) -> bool {
+        self.style.layer == Layer::Blended
+    }
+}
+
+/// Geometry that the renderer makes itself: positions and normals in the world, colours.
+#[derive(Debug, Default)]
+pub(super) struct Made {
+    pub positions: Vec<Vec3>,
+    pub normals: Vec<Vec3>,
+    pub colors: Vec<glam::Vec4>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// The triangles that one worker culls, clips and bins at a time, and what came of it.
+#[derive(Debug, Default)]
+pub(super) struct Unit {
+    /// Numbers of its triangles in the picture.
+    pub range: Range<u32>,
+    /// Triangle numbers, or [`CUT`] and an index in `clipped`, by band.
+    pub bins: Bins,
+    pub clipped: Vec<Clipped>,
+    /// Blended triangles with their nearness, not yet in bins.
+    pub blended: Vec<(f32, u32)>,
+}
+
+/// Marks an entry that stands for a cut piece.
+pub(super) const CUT: u32 = 1 << 31;
+
+/// What the stages after the vertex stage share.
+pub(super) struct Drawing<'a> {
+    pub view: View,
+    pub lights: Lights,
+    pub frame: &'a Frame,
+    pub bones: &'a Made,
+    pub items: &'a [Item],
+    pub textures: &'a [Texture],
+    pub heat: &'a [glam::Vec4],
+    pub screen: &'a [Screen],
+    pub front: &'a [Quad],
+    pub back: &'a [Quad],
+}
+
+/// A triangle that is ready to be filled.
+pub(super) struct Part {
+    /// Its index in the item.
+    pub triangle: usize,
+    pub screen: [Screen; 3],
+    pub mixture: Option<[[f32; 3]; 3]>,
+}
+
+/// The geometry of an item.
+pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a Made, heat: &'a [glam::Vec4], item: &Item) -> Geometry<'a> {
+    let (first, expanded) = (item.first_vertex, item.expanded);
+    match &item.source {
+        Source::Surface { index, triangles } => {
+            let surface = &frame.surfaces[*index as usize];
+            let mesh = &*surface.mesh;
+            let (positions, normals, transform) = match &surface.placement {
+                Placement::Rigid(matrix) => (&mesh.positions[..], &mesh.normals[..], Some((*matrix, normal_matrix(matrix)))),
+                Placement::Deformed { positions, normals } => (&positions[..], &normals[..], None),
+            };
+            let triangles = &mesh.triangles[triangles.start as usize..triangles.end as usize];
+            let heat = item.heat.and_then(|from| heat.get(from..)).unwrap_or(&[]);
+            Geometry { positions, normals, transform, triangles, colors: &mesh.colors, heat, first, expanded }
+        }
+        Source::Bones => Geometry {
+            positions: &bones.positions,
+            normals: &bones.normals,
+            transform: None,
+            triangles: &bones.triangles,
+            colors: &bones.colors,
+            heat: &[],
+            first,
+            expanded,
+        },
+    }
+}
+
+/// Takes normals where `matrix` takes points: the inverse transpose, up to a factor, which exists for flat matrices too.
+fn normal_matrix(matrix: &glam::Mat4) -> glam::Mat3 {
+    let m = glam::Mat3::from_mat4(*matrix);
+    let cofactors = glam::Mat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
+    // A mirroring matrix turns the cofactors inside out.
+    let sign = if m.determinant() < 0.0 { -1.0 } else { 1.0 };
+    let scale = cofactors.x_axis.abs().max(cofactors.y_axis.abs()).max(cofactors.z_axis.abs()).max_element();
+    if scale > 0.0 && scale.is_finite() { cofactors * (sign / scale) } else { m }
+}
+
+impl<'a> Drawing<'a> {
+    /// The item that triangle `number` of the picture belongs to.
+    pub(super) fn item_of(&self, number: u32) -> Option<&'a Item> {
+        let after = self.items.partition_point(|item| item.triangles.end <= number);
+        self.items.get(after).filter(|item| item.triangles.contains(&number))
+    }
+
+    /// What an entry of a bin stands for.
+    #[inline(always)]
+    pub(super) fn part(item: &Item, feed: &Feed<'_>, unit: &Unit, entry: u32) -> Option<Part> {
+        let (number, cut) = if entry & CUT == 0 {
+            (entry, None)
+        } else {
+            let cut = unit.clipped.get((entry & !CUT) as usize)?;
+            (cut.triangle, Some(cut))
+        };
+        let triangle = number.wrapping_sub(item.triangles.start) as usize;
+        let part = match cut {
+            Some(cut) => Part { triangle, screen: cut.screen, mixture: Some(cut.mixture) },
+            None => Part { triangle, screen: feed.screens(triangle)?, mixture: None },
+        };
+        Some(part)
+    }
+
+    /// The triangle number of an entry.
+    #[inline(always)]
+    pub(super) fn number(unit: &Unit, entry: u32) -> u32 {
+        if entry & CUT == 0 { entry } else { unit.clipped.get((entry & !CUT) as usize).map_or(0, |cut| cut.triangle) }
+    }
+
+    /// Access to an item's vertices by triangle.
+    #[inline(always)]
+    pub(super) fn feed(&self, item: &'a Item) -> Feed<'a> {
+        let geometry = geometry(self.frame, self.bones, self.heat, item);
+        let uv = match (&item.source, &item.style.diffuse.or(item.style.cutout).or(item.style.glow)) {
+            (Source::Surface { index, .. }, Some(sampler)) => {
+                self.frame.surfaces[*index as usize].mesh.uv_sets.get(sampler.uv_set as usize).map_or(&[][..], |set| set)
+            }
+            _ => &[],
+        };
+        let range = item.vertices.clone();
+        Feed { geometry, uv, screen: &self.screen[range.clone()], front: &self.front[range.clone()], back: &self.back[range] }
+    }
+}
+
+/// An item's vertices, looked up by triangle. Triangles that name vertices which aren't there never get past binning, so what is returned for
+/// them does not matter; it must only not panic.
+#[derive(Clone, Copy)]
+pub(super) struct Feed<'a> {
+    pub geometry: Geometry<'a>,
+    uv: &'a [Vec2],
+    screen: &'a [Screen],
+    front: &'a [Quad],
+    back: &'a [Quad],
+}
+
+impl Feed<'_> {
+    /// Number of triangles.
+    pub(super) fn len(&self) -> usize {
+        self.geometry.triangles.len()
+    }
+
+    /// The corners on the picture; `None` where a vertex isn't there.
+    #[inline(always)]
+    pub(super) fn screens(&self, t: usize) -> Option<[Screen; 3]> {
+        let at = |k: usize| self.screen.get(self.geometry.item_vertex(t, k)).copied();
+        Some([at(0)?, at(1)?, at(2)?])
+    }
+
+    /// What the vertex stage made of the corners, on one side of the surface.
+    #[inline(always)]
+    pub(super) fn lit(&self, t: usize, other_side: bool) -> [Quad; 3] {
+        let from = if other_side { self.back } else { self.front };
+        std::array::from_fn(|k| from.get(self.geometry.item_vertex(t, k)).copied().unwrap_or_default())
+    }
+
+    /// Corners in the world. Only where the vertex stage made [`super::style::Varying::Geometry`].
+    #[inline(always)]
+    pub(super) fn places(&self, t: usize) -> [Vec3; 3] {
+        self.lit(t, false).map(|[x, y, z, _]| Vec3::new(x, y, z))
+    }
+
+    /// Normals at the corners, as for [`Feed::places`].
+    #[inline(always)]
+    pub(super) fn normals(&self, t: usize) -> [Vec3; 3] {
+        self.lit(t, true).map(|[x, y, z, _]| Vec3::new(x, y, z))
+    }
+
+    /// Texture coordinates at the corners.
+    #[inline(always)]
+    pub(super) fn uvs(&self, t: usize) -> [Vec2; 3] {
+        self.geometry.triangles[t].map(|v| self.uv.get(v as usize).copied().unwrap_or_default())
+    }
+
+    /// The colour that multiplies the material at corner `k`.
+    #[inline(always)]
+    pub(super) fn tint(&self, t: usize, k: usize) -> Quad {
+        self.geometry.tint(self.geometry.triangles[t][k] as usize).to_array()
+    }
+}

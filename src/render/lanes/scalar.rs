@@ -1,0 +1,131 @@
+//! One lane: the twin that the vector types are compared with, and the only one on other processors.
+
+use super::Lanes;
+
+/// Plain `f32`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scalar;
+
+/// An integer whose sums wrap.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Int(i32);
+
+macro_rules! int_ops {
+    ($($trait:ident $name:ident $with:expr;)*) => { $(
+        impl std::ops::$trait for Int {
+            type Output = Self;
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                let with: fn(i32, i32) -> i32 = $with;
+                Self(with(self.0, other.0))
+            }
+        }
+    )* };
+}
+int_ops! {
+    Add add i32::wrapping_add;
+    Sub sub i32::wrapping_sub;
+    BitAnd bitand |a, b| a & b;
+    BitOr bitor |a, b| a | b;
+}
+
+impl Lanes for Scalar {
+    const N: usize = 1;
+    type F = f32;
+    type I = Int;
+    type M = bool;
+
+    #[inline(always)]
+    fn splat(self, x: f32) -> f32 {
+        x
+    }
+    #[inline(always)]
+    fn isplat(self, x: i32) -> Int {
+        Int(x)
+    }
+    #[inline(always)]
+    fn iota(self) -> Int {
+        Int(0)
+    }
+    #[inline(always)]
+    fn load(self, from: &[f32]) -> f32 {
+        from[0]
+    }
+    #[inline(always)]
+    fn store(self, x: f32, to: &mut [f32]) {
+        to[0] = x;
+    }
+    #[inline(always)]
+    fn iload(self, from: &[u32]) -> Int {
+        Int(from[0] as i32)
+    }
+    #[inline(always)]
+    fn istore(self, x: Int, to: &mut [u32]) {
+        to[0] = x.0 as u32;
+    }
+    #[inline(always)]
+    fn min(self, a: f32, b: f32) -> f32 {
+        if a < b { a } else { b }
+    }
+    #[inline(always)]
+    fn max(self, a: f32, b: f32) -> f32 {
+        if a > b { a } else { b }
+    }
+    #[inline(always)]
+    fn sqrt(self, x: f32) -> f32 {
+        x.sqrt()
+    }
+    #[inline(always)]
+    fn lt(self, a: f32, b: f32) -> bool {
+        a < b
+    }
+    #[inline(always)]
+    fn ilt(self, a: Int, b: Int) -> bool {
+        a.0 < b.0
+    }
+    #[inline(always)]
+    fn select(self, which: bool, yes: f32, no: f32) -> f32 {
+        if which { yes } else { no }
+    }
+    #[inline(always)]
+    fn iselect(self, which: bool, yes: Int, no: Int) -> Int {
+        if which { yes } else { no }
+    }
+    #[inline(always)]
+    fn trunc(self, x: f32) -> Int {
+        // What `cvttps2dq` gives; a cast would saturate.
+        Int(if x.abs() < 2_147_483_648.0 { x as i32 } else { i32::MIN })
+    }
+    #[inline(always)]
+    fn float(self, x: Int) -> f32 {
+        x.0 as f32
+    }
+    #[inline(always)]
+    fn bits(self, x: f32) -> Int {
+        Int(x.to_bits() as i32)
+    }
+    #[inline(always)]
+    fn from_bits(self, x: Int) -> f32 {
+        f32::from_bits(x.0 as u32)
+    }
+    #[inline(always)]
+    fn shl<const BY: i32>(self, x: Int) -> Int {
+        Int(x.0 << BY)
+    }
+    #[inline(always)]
+    fn shr<const BY: i32>(self, x: Int) -> Int {
+        Int((x.0 as u32 >> BY) as i32)
+    }
+    #[inline(always)]
+    fn imul(self, a: Int, b: Int) -> Int {
+        Int(a.0.wrapping_mul(b.0))
+    }
+    #[inline(always)]
+    fn gather(self, from: &[u32], index: Int) -> Int {
+        Int(from[(index.0 as u32 as usize).min(from.len() - 1)] as i32)
+    }
+    #[inline(always)]
+    fn mask_bits(self, m: bool) -> u32 {
+        u32::from(m)
+    }
+}

@@ -1,0 +1,296 @@
+//! SSE2, AVX2 and AVX-512 on x86-64.
+//!
+//! The vector types can be made only through a token of their instruction set, and a token exists only where the processor has it: that is
+//! why every intrinsic here may be called. Loads and stores check the length of their slice first.
+
+use std::arch::x86_64::*;
+
+use super::Lanes;
+
+/// Makes the token type, the three vector types, their operators and the operations that have the same form everywhere.
+macro_rules! vectors {
+    (
+        $(#[$doc:meta])* $token:ident, $n:literal, $f:ident($fv:ty), $i:ident($iv:ty), $m:ident($mv:ty);
+        $(float $ftrait:ident $fname:ident $fop:ident;)*
+        $(int $itrait:ident $iname:ident $iop:ident;)*
+        $(mask $mtrait:ident $mname:ident $mop:ident;)*
+        lanes { $($body:tt)* }
+    ) => {
+        $(#[$doc])*
+        #[derive(Debug, Clone, Copy)]
+        pub(crate) struct $token(());
+        #[derive(Clone, Copy)]
+        pub(crate) struct $f($fv);
+        #[derive(Clone, Copy)]
+        pub(crate) struct $i($iv);
+        #[derive(Clone, Copy)]
+        pub(crate) struct $m($mv);
+        $(impl std::ops::$ftrait for $f {
+            type Output = Self;
+            #[inline(always)]
+            fn $fname(self, other: Self) -> Self {
+                // SAFETY: the operands exist, so the processor has the instruction set (see the head of the file).
+                Self(unsafe { $fop(self.0, other.0) })
+            }
+        })*
+        $(impl std::ops::$itrait for $i {
+            type Output = Self;
+            #[inline(always)]
+            fn $iname(self, other: Self) -> Self {
+                // SAFETY: as above.
+                Self(unsafe { $iop(self.0, other.0) })
+            }
+        })*
+        $(impl std::ops::$mtrait for $m {
+            type Output = Self;
+            #[inline(always)]
+            fn $mname(self, other: Self) -> Self {
+                // SAFETY: as above.
+                Self(unsafe { $mop(self.0, other.0) })
+            }
+        })*
+        impl Lanes for $token {
+            const N: usize = $n;
+            type F = $f;
+            type I = $i;
+            type M = $m;
+            $($body)*
+        }
+    };
+}
+
+/// A method of [`Lanes`] that is one expression of intrinsics.
+macro_rules! simple {
+    ($($name:ident ($($argument:ident: $type:ty),*) -> $out:ident = $value:expr;)*) => { $(
+        #[inline(always)]
+        fn $name(self, $($argument: $type),*) -> Self::$out {
+            // SAFETY: `self` exists, so the processor has the instruction set (see the head of the file).
+            unsafe { $value }
+        }
+    )* };
+}
+
+/// Loads and stores: `$bits` is the type that the pointer is cast to.
+macro_rules! memory {
+    ($n:literal, $f:ident, $i:ident, $loadf:ident, $storef:ident, $loadi:ident, $storei:ident, $bits:ty) => {
+        #[inline(always)]
+        fn load(self, from: &[f32]) -> $f {
+            let from = &from[..$n];
+            // SAFETY: the instruction set is there, and the slice has as many elements as are read; alignment is not asked for.
+            $f(unsafe { $loadf(from.as_ptr()) })
+        }
+        #[inline(always)]
+        fn store(self, x: $f, to: &mut [f32]) {
+            let to = &mut to[..$n];
+            // SAFETY: as for `load`.
+            unsafe { $storef(to.as_mut_ptr(), x.0) }
+        }
+        #[inline(always)]
+        fn iload(self, from: &[u32]) -> $i {
+            let from = &from[..$n];
+            // SAFETY: as for `load`.
+            $i(unsafe { $loadi(from.as_ptr().cast::<$bits>()) })
+        }
+        #[inline(always)]
+        fn istore(self, x: $i, to: &mut [u32]) {
+            let to = &mut to[..$n];
+            // SAFETY: as for `load`.
+            unsafe { $storei(to.as_mut_ptr().cast::<$bits>(), x.0) }
+        }
+    };
+}
+
+/// Shifts by a constant.
+macro_rules! shifts {
+    ($i:ident, $left:ident, $right:ident $(, $as:ty)?) => {
+        #[inline(always)]
+        fn shl<const BY: i32>(self, x: $i) -> $i {
+            // SAFETY: `self` exists, so the processor has the instruction set.
+            $i(unsafe { $left(x.0, shifts!(@count BY $(, $as)?)) })
+        }
+        #[inline(always)]
+        fn shr<const BY: i32>(self, x: $i) -> $i {
+            // SAFETY: as above.
+            $i(unsafe { $right(x.0, shifts!(@count BY $(, $as)?)) })
+        }
+    };
+    (@count $by:ident) => { _mm_cvtsi32_si128($by) };
+}
+
+vectors! {
+    /// Four lanes; every x86-64 has them.
+    Sse2, 4, F4(__m128), I4(__m128i), M4(__m128i);
+    float Add add _mm_add_ps;
+    float Sub sub _mm_sub_ps;
+    float Mul mul _mm_mul_ps;
+    float Div div _mm_div_ps;
+    int Add add _mm_add_epi32;
+    int Sub sub _mm_sub_epi32;
+    int BitAnd bitand _mm_and_si128;
+    int BitOr bitor _mm_or_si128;
+    mask BitAnd bitand _mm_and_si128;
+    mask BitOr bitor _mm_or_si128;
+    lanes {
+        simple! {
+            splat(x: f32) -> F = F4(_mm_set1_ps(x));
+            isplat(x: i32) -> I = I4(_mm_set1_epi32(x));
+            iota() -> I = I4(_mm_setr_epi32(0, 1, 2, 3));
+            min(a: F4, b: F4) -> F = F4(_mm_min_ps(a.0, b.0));
+            max(a: F4, b: F4) -> F = F4(_mm_max_ps(a.0, b.0));
+            sqrt(x: F4) -> F = F4(_mm_sqrt_ps(x.0));
+            lt(a: F4, b: F4) -> M = M4(_mm_castps_si128(_mm_cmplt_ps(a.0, b.0)));
+            ilt(a: I4, b: I4) -> M = M4(_mm_cmplt_epi32(a.0, b.0));
+            iselect(which: M4, yes: I4, no: I4) -> I = I4(_mm_or_si128(_mm_and_si128(which.0, yes.0), _mm_andnot_si128(which.0, no.0)));
+            trunc(x: F4) -> I = I4(_mm_cvttps_epi32(x.0));
+            float(x: I4) -> F = F4(_mm_cvtepi32_ps(x.0));
+            bits(x: F4) -> I = I4(_mm_castps_si128(x.0));
+            from_bits(x: I4) -> F = F4(_mm_castsi128_ps(x.0));
+            // SSE2 multiplies two of four lanes; the odd ones are brought down, multiplied, and woven in again.
+            imul(a: I4, b: I4) -> I = {
+                let even = _mm_mul_epu32(a.0, b.0);
+                let odd = _mm_mul_epu32(_mm_srli_si128::<4>(a.0), _mm_srli_si128::<4>(b.0));
+                I4(_mm_unpacklo_epi32(_mm_shuffle_epi32::<0b1000>(even), _mm_shuffle_epi32::<0b1000>(odd)))
+            };
+        }
+        #[inline(always)]
+        fn select(self, which: M4, yes: F4, no: F4) -> F4 {
+            self.from_bits(self.iselect(which, self.bits(yes), self.bits(no)))
+        }
+        memory!(4, F4, I4, _mm_loadu_ps, _mm_storeu_ps, _mm_loadu_si128, _mm_storeu_si128, __m128i);
+        shifts!(I4, _mm_sll_epi32, _mm_srl_epi32);
+        #[inline(always)]
+        fn gather(self, from: &[u32], index: I4) -> I4 {
+            let (mut indices, mut values) = ([0u32; 4], [0u32; 4]);
+            self.istore(index, &mut indices);
+            for (value, index) in values.iter_mut().zip(indices) {
+                *value = from[(index as usize).min(from.len() - 1)];
+            }
+            self.iload(&values)
+        }
+        #[inline(always)]
+        fn mask_bits(self, m: M4) -> u32 {
+            // SAFETY: SSE2 is there.
+            unsafe { _mm_movemask_ps(_mm_castsi128_ps(m.0)) as u32 }
+        }
+    }
+}
+
+impl Sse2 {
+    /// The token; SSE2 is part of x86-64.
+    pub(crate) fn new() -> Self {
+        Self(())
+    }
+}
+
+vectors! {
+    /// Eight lanes.
+    Avx2, 8, F8(__m256), I8(__m256i), M8(__m256i);
+    float Add add _mm256_add_ps;
+    float Sub sub _mm256_sub_ps;
+    float Mul mul _mm256_mul_ps;
+    float Div div _mm256_div_ps;
+    int Add add _mm256_add_epi32;
+    int Sub sub _mm256_sub_epi32;
+    int BitAnd bitand _mm256_and_si256;
+    int BitOr bitor _mm256_or_si256;
+    mask BitAnd bitand _mm256_and_si256;
+    mask BitOr bitor _mm256_or_si256;
+    lanes {
+        simple! {
+            splat(x: f32) -> F = F8(_mm256_set1_ps(x));
+            isplat(x: i32) -> I = I8(_mm256_set1_epi32(x));
+            iota() -> I = I8(_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+            min(a: F8, b: F8) -> F = F8(_mm256_min_ps(a.0, b.0));
+            max(a: F8, b: F8) -> F = F8(_mm256_max_ps(a.0, b.0));
+            sqrt(x: F8) -> F = F8(_mm256_sqrt_ps(x.0));
+            lt(a: F8, b: F8) -> M = M8(_mm256_castps_si256(_mm256_cmp_ps::<_CMP_LT_OQ>(a.0, b.0)));
+            ilt(a: I8, b: I8) -> M = M8(_mm256_cmpgt_epi32(b.0, a.0));
+            iselect(which: M8, yes: I8, no: I8) -> I = I8(_mm256_blendv_epi8(no.0, yes.0, which.0));
+            select(which: M8, yes: F8, no: F8) -> F = F8(_mm256_blendv_ps(no.0, yes.0, _mm256_castsi256_ps(which.0)));
+            trunc(x: F8) -> I = I8(_mm256_cvttps_epi32(x.0));
+            float(x: I8) -> F = F8(_mm256_cvtepi32_ps(x.0));
+            bits(x: F8) -> I = I8(_mm256_castps_si256(x.0));
+            from_bits(x: I8) -> F = F8(_mm256_castsi256_ps(x.0));
+            imul(a: I8, b: I8) -> I = I8(_mm256_mullo_epi32(a.0, b.0));
+        }
+        memory!(8, F8, I8, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_loadu_si256, _mm256_storeu_si256, __m256i);
+        shifts!(I8, _mm256_sll_epi32, _mm256_srl_epi32);
+        #[inline(always)]
+        fn gather(self, from: &[u32], index: I8) -> I8 {
+            let last = u32::try_from(from.len() - 1).unwrap_or(u32::MAX).min(i32::MAX as u32);
+            // SAFETY: AVX2 is there; every index is held at the last element, and fits in 31 bits, so that all reads are inside `from`.
+            unsafe {
+                let index = _mm256_min_epu32(index.0, _mm256_set1_epi32(last as i32));
+                I8(_mm256_i32gather_epi32::<4>(from.as_ptr().cast::<i32>(), index))
+            }
+        }
+        #[inline(always)]
+        fn mask_bits(self, m: M8) -> u32 {
+            // SAFETY: AVX2 is there.
+            unsafe { _mm256_movemask_ps(_mm256_castsi256_ps(m.0)) as u32 }
+        }
+    }
+}
+
+impl Avx2 {
+    /// The token, where the processor has AVX2.
+    pub(crate) fn detect() -> Option<Self> {
+        std::arch::is_x86_feature_detected!("avx2").then_some(Self(()))
+    }
+}
+
+vectors! {
+    /// Sixteen lanes.
+    Avx512, 16, F16(__m512), I16(__m512i), M16(__mmask16);
+    float Add add _mm512_add_ps;
+    float Sub sub _mm512_sub_ps;
+    float Mul mul _mm512_mul_ps;
+    float Div div _mm512_div_ps;
+    int Add add _mm512_add_epi32;
+    int Sub sub _mm512_sub_epi32;
+    int BitAnd bitand _mm512_and_si512;
+    int BitOr bitor _mm512_or_si512;
+    mask BitAnd bitand _kand_mask16;
+    mask BitOr bitor _kor_mask16;
+    lanes {
+        simple! {
+            splat(x: f32) -> F = F16(_mm512_set1_ps(x));
+            isplat(x: i32) -> I = I16(_mm512_set1_epi32(x));
+            iota() -> I = I16(_mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+            min(a: F16, b: F16) -> F = F16(_mm512_min_ps(a.0, b.0));
+            max(a: F16, b: F16) -> F = F16(_mm512_max_ps(a.0, b.0));
+            sqrt(x: F16) -> F = F16(_mm512_sqrt_ps(x.0));
+            lt(a: F16, b: F16) -> M = M16(_mm512_cmp_ps_mask::<_CMP_LT_OQ>(a.0, b.0));
+            ilt(a: I16, b: I16) -> M = M16(_mm512_cmplt_epi32_mask(a.0, b.0));
+            iselect(which: M16, yes: I16, no: I16) -> I = I16(_mm512_mask_blend_epi32(which.0, no.0, yes.0));
+            select(which: M16, yes: F16, no: F16) -> F = F16(_mm512_mask_blend_ps(which.0, no.0, yes.0));
+            trunc(x: F16) -> I = I16(_mm512_cvttps_epi32(x.0));
+            float(x: I16) -> F = F16(_mm512_cvtepi32_ps(x.0));
+            bits(x: F16) -> I = I16(_mm512_castps_si512(x.0));
+            from_bits(x: I16) -> F = F16(_mm512_castsi512_ps(x.0));
+            imul(a: I16, b: I16) -> I = I16(_mm512_mullo_epi32(a.0, b.0));
+        }
+        memory!(16, F16, I16, _mm512_loadu_ps, _mm512_storeu_ps, _mm512_loadu_si512, _mm512_storeu_si512, __m512i);
+        shifts!(I16, _mm512_sll_epi32, _mm512_srl_epi32);
+        #[inline(always)]
+        fn gather(self, from: &[u32], index: I16) -> I16 {
+            let last = u32::try_from(from.len() - 1).unwrap_or(u32::MAX).min(i32::MAX as u32);
+            // SAFETY: as for AVX2.
+            unsafe {
+                let index = _mm512_min_epu32(index.0, _mm512_set1_epi32(last as i32));
+                I16(_mm512_i32gather_epi32::<4>(index, from.as_ptr().cast::<i32>()))
+            }
+        }
+        #[inline(always)]
+        fn mask_bits(self, m: M16) -> u32 {
+            u32::from(m.0)
+        }
+    }
+}
+
+impl Avx512 {
+    /// The token, where the processor has AVX-512F (and AVX2).
+    pub(crate) fn detect() -> Option<Self> {
+        (std::arch::is_x86_feature_detected!("avx512f") && std::arch::is_x86_feature_detected!("avx2")).then_some(Self(()))
+    }
+}

@@ -1,0 +1,117 @@
+//! The rows of a band while they are drawn: colour and depth for each sample.
+
+use super::lanes::Lanes;
+
+/// Columns beyond the right edge that a vector may touch.
+const MARGIN: usize = 16;
+
+/// Colour and depth of some rows. Sample planes stand one after the other.
+#[derive(Debug, Default)]
+pub(super) struct Plane {
+    /// First row.
+    pub top: i32,
+    /// Number of rows.
+    pub rows: usize,
+    /// Columns of the picture.
+    pub width: usize,
+    /// 1 or 4.
+    pub samples: usize,
+    /// From row to row.
+    pub pitch: usize,
+    /// From sample to sample.
+    area: usize,
+    color: Vec<u32>,
+    depth: Vec<f32>,
+}
+
+impl Plane {
+    /// Takes this shape; what is in it stays as it was until [`Plane::clear_depth`] and the rows are written.
+    pub(super) fn shape(&mut self, top: i32, rows: usize, width: usize, samples: usize) {
+        (self.top, self.rows, self.width, self.samples) = (top, rows, width, samples);
+        self.pitch = width + MARGIN;
+        self.area = self.pitch * rows + MARGIN;
+        let needed = self.area * samples;
+        if self.color.len() < needed {
+            self.color.resize(needed, 0);
+            self.depth.resize(needed, 0.0);
+        }
+    }
+
+    /// Infinitely far everywhere.
+    pub(super) fn clear_depth(&mut self) {
+        self.depth[..self.area * self.samples].fill(f32::NEG_INFINITY);
+    }
+
+    /// One colour everywhere.
+    pub(super) fn clear_color(&mut self, color: u32) {
+        self.color[..self.area * self.samples].fill(color);
+    }
+
+    /// Row `row` (from the band's first) of sample `s`, colours.
+    pub(super) fn row(&self, s: usize, row: usize) -> &[u32] {
+        let at = s * self.area + row * self.pitch;
+        &self.color[at..at + self.width]
+    }
+
+    /// The same, to write.
+    pub(super) fn row_mut(&mut self, s: usize, row: usize) -> &mut [u32] {
+        let at = s * self.area + row * self.pitch;
+        &mut self.color[at..at + self.width]
+    }
+
+    /// The same, depths.
+    pub(super) fn depth_row(&self, s: usize, row: usize) -> &[f32] {
+        let at = s * self.area + row * self.pitch;
+        &self.depth[at..at + self.width]
+    }
+
+    /// Where pixel `x` of picture row `y` stands in a sample plane.
+    #[inline(always)]
+    pub(super) fn index(&self, y: i32, x: i32) -> usize {
+        (y - self.top) as usize * self.pitch + x as usize
+    }
+
+    #[inline(always)]
+    pub(super) fn depth<L: Lanes>(&self, l: L, s: usize, at: usize) -> L::F {
+        l.load(&self.depth[s * self.area + at..])
+    }
+
+    #[inline(always)]
+    pub(super) fn set_depth<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, depth: L::F) {
+        let slot = &mut self.depth[s * self.area + at..];
+        let old = l.load(slot);
+        l.store(l.select(mask, depth, old), slot);
+    }
+
+    #[inline(always)]
+    pub(super) fn set_color<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I) {
+        let slot = &mut self.color[s * self.area + at..];
+        let old = l.iload(slot);
+        l.istore(l.iselect(mask, color, old), slot);
+    }
+
+    /// Lays a colour with opacity (0 to 255 each, not premultiplied) over what is there.
+    #[inline(always)]
+    pub(super) fn blend<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: [L::F; 4]) {
+        let slot = &mut self.color[s * self.area + at..];
+        let old = l.iload(slot);
+        let color = color.map(|c| l.clamp(c, 0.0, 255.0));
+        let share = color[3] * l.splat(1.0 / 255.0);
+        let keep = l.splat(1.0) - share;
+        let byte = l.isplat(255);
+        let channel = |value: L::F, old: L::I| l.trunc(value * share + l.float(old & byte) * keep + l.splat(0.5));
+        let red = channel(color[0], l.shr::<16>(old));
+        let green = channel(color[1], l.shr::<8>(old));
+        let blue = channel(color[2], old);
+        let alpha = channel(l.splat(255.0), l.shr::<24>(old));
+        let new = l.shl::<24>(alpha) | l.shl::<16>(red) | l.shl::<8>(green) | blue;
+        l.istore(l.iselect(mask, new, old), slot);
+    }
+}
+
+/// Opaque pixels from red, green and blue, 0 to 255.
+#[inline(always)]
+pub(super) fn pack<L: Lanes>(l: L, color: [L::F; 4]) -> L::I {
+    let byte = |c: L::F| l.trunc(l.clamp(c, 0.0, 255.0) + l.splat(0.5));
+    l.isplat(0xFF00_0000u32 as i32) | l.shl::<16>(byte(color[0])) | l.shl::<8>(byte(color[1])) | byte(color[2])
+}

@@ -1,0 +1,352 @@
+//! The order of a frame.
+
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
+
+use glam::Vec4;
+
+use super::background::Backdrop;
+use super::bin::{Bands, bin};
+use super::bins::Bins;
+use super::collect::Collector;
+use super::drawing::{Drawing, Item, Made, Unit, geometry};
+use super::fill::{Stretch, fill};
+use super::lanes::Level;
+use super::light::Lights;
+use super::plane::Plane;
+use super::pool::Pool;
+use super::resolve::{Rows, copy_row, resolve};
+use super::style::Layer;
+use super::texture::Cache;
+use super::vertex::{CHUNK, Out, Quad, vertices};
+use super::view::{Screen, View};
+use super::{Display, Samples, Stats};
+use crate::limits;
+use crate::scene::{Camera, Frame, Scene};
+
+/// Rows of a band: enough for a small triangle to touch one band mostly, few enough for its pixels to stay in the second-level cache.
+const BAND_ROWS: usize = 32;
+/// Triangles in a unit of binning, at least.
+const UNIT: u32 = 2048;
+/// Most units a layer, so that the lists of a picture stay few.
+const UNITS: u32 = 64;
+
+/// What is kept from frame to frame.
+#[derive(Debug, Default)]
+pub(super) struct Buffers {
+    pub collector: Collector,
+    pub items: Vec<Item>,
+    pub bones: Made,
+    pub heat: Vec<Vec4>,
+    pub cache: Cache,
+    screen: Vec<Screen>,
+    front: Vec<Quad>,
+    back: Vec<Quad>,
+    units: Vec<Unit>,
+    unit_count: usize,
+    sorted: Vec<Sorted>,
+    sorted_bins: Bins,
+    locals: Vec<Mutex<Local>>,
+}
+
+/// A blended triangle in drawing order.
+#[derive(Debug, Clone, Copy)]
+struct Sorted {
+    nearness: f32,
+    unit: u32,
+    entry: u32,
+}
+
+/// What each worker has of its own.
+#[derive(Debug, Default)]
+struct Local {
+    plane: Plane,
+    overlay: Plane,
+    entries: Vec<u32>,
+    row: Vec<u32>,
+    resolve_ms: f64,
+}
+
+/// Hands out pieces of something to whoever comes, each once.
+fn take<T>(from: &Mutex<impl Iterator<Item = T>>) -> Option<T> {
+    from.lock().unwrap_or_else(PoisonError::into_inner).next()
+}
+
+/// Cuts the vertex arrays into chunks.
+struct Chunks<'a> {
+    items: std::slice::Iter<'a, Item>,
+    now: Option<&'a Item>,
+    start: usize,
+    screen: &'a mut [Screen],
+    front: &'a mut [Quad],
+    back: &'a mut [Quad],
+}
+
+impl<'a> Iterator for Chunks<'a> {
+    type Item = (&'a Item, usize, Out<'a>);
+
+    fn next(&mut self) -> Option<Self::Item> {
+        loop {
+            let Some(item) = self.now else {
+                self.now = Some(self.items.next()?);
+                self.start = 0;
+                continue;
+            };
+            let n = (item.vertices.len() - self.start).min(CHUNK);
+            if n == 0 {
+                self.now = None;
+                continue;
+            }
+            let start = self.start;
+            self.start += n;
+            let out =
+                Out { screen: self.screen.split_off_mut(..n)?, front: self.front.split_off_mut(..n)?, back: self.back.split_off_mut(..n)? };
+            return Some((item, start, out));
+        }
+    }
+}
+
+/// A picture's size, its bands, and what is behind it.
+pub(super) struct Canvas {
+    pub width: u32,
+    pub height: u32,
+    pub samples: usize,
+    pub bands: Bands,
+    pub backdrop: Backdrop,
+}
+
+impl Canvas {
+    pub(super) fn new(display: &Display, width: u32, height: u32) -> Self {
+        let multi = display.samples == Samples::Four;
+        let bands = Bands { rows: BAND_ROWS, count: (height as usize).div_ceil(BAND_ROWS).max(1), multi };
+        Self { width, height, samples: if multi { 4 } else { 1 }, bands, backdrop: Backdrop::new(display.background, height) }
+    }
+}
+
+impl Buffers {
+    /// Draws one frame into `target`, rows of `stride` bytes.
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn draw(
+        &mut self,
+        pool: &Pool,
+        level: Level,
+        (scene, frame, camera, display): (&Scene, &Frame, &Camera, &Display),
+        (width, height): (u32, u32),
+        target: &mut [u8],
+        stride: usize,
+    ) -> Stats {
+        let (width, height) = (width.min(limits::PICTURE_SIDE), height.min(limits::PICTURE_SIDE));
+        let mut stats = Stats::default();
+        if width == 0 || height == 0 || stride < 4 {
+            return stats;
+        }
+        let canvas = Canvas::new(display, width, height);
+        let start = Instant::now();
+        let mut textures = std::mem::take(&mut self.cache);
+        textures.begin();
+        let view = View::new(camera, width, height);
+        if let Some(view) = &view {
+            self.collect(&mut textures, scene, frame, view, display);
+        } else {
+            self.items.clear();
+        }
+        // Without a camera nothing is drawn but the background.
+        let view = view.unwrap_or_else(View::nowhere);
+        let lights = self.collector.lights(frame, &view, display);
+        self.vertex_stage(pool, level, frame, &view, &lights);
+        stats.vertex_ms = milliseconds(start);
+        let start = Instant::now();
+        let mut units = std::mem::take(&mut self.units);
+        let mut locals = std::mem::take(&mut self.locals);
+        let mut sorted = std::mem::take(&mut self.sorted);
+        let mut sorted_bins = std::mem::take(&mut self.sorted_bins);
+        let drawing = Drawing {
+            view,
+            lights,
+            frame,
+            bones: &self.bones,
+            items: &self.items,
+            textures: textures.textures(),
+            heat: &self.heat,
+            screen: &self.screen,
+            front: &self.front,
+            back: &self.back,
+        };
+        self.unit_count = divide(&self.items, &mut units);
+        let units_now = &mut units[..self.unit_count];
+        let jobs = Mutex::new(units_now.iter_mut());
+        pool.run(&|_| {
+            while let Some(unit) = take(&jobs) {
+                bin(&drawing, &canvas.bands, unit);
+            }
+        });
+        let units_now = &units[..self.unit_count];
+        sort_blended(&drawing, &canvas.bands, units_now, &mut sorted, &mut sorted_bins);
+        locals.resize_with(pool.workers().max(locals.len()), Mutex::default);
+        let rows = Mutex::new(target.chunks_mut(stride * BAND_ROWS).take(canvas.bands.count).enumerate());
+        pool.run(&|worker| {
+            // Each worker has its own, so the lock is free.
+            let mut local = locals[worker].lock().unwrap_or_else(PoisonError::into_inner);
+            local.resolve_ms = 0.0;
+            while let Some((band, bytes)) = take(&rows) {
+                let rows = Rows { bytes, stride };
+                draw_band(level, &drawing, &canvas, (units_now, &sorted, &sorted_bins), band, &mut local, rows);
+            }
+        });
+        let workers = pool.workers() as f64;
+        stats.resolve_ms =
+            locals.iter_mut().map(|local| local.get_mut().unwrap_or_else(PoisonError::into_inner).resolve_ms).sum::<f64>() / workers;
+        stats.raster_ms = (milliseconds(start) - stats.resolve_ms).max(0.0);
+        stats.triangles = self.items.last().map_or(0, |item| u64::from(item.triangles.end));
+        (self.units, self.locals, self.sorted, self.sorted_bins) = (units, locals, sorted, sorted_bins);
+        self.cache = textures;
+        stats
+    }
+
+    pub(super) fn vertex_stage(&mut self, pool: &Pool, level: Level, frame: &Frame, view: &View, lights: &Lights) {
+        let total = self.items.last().map_or(0, |item| item.vertices.end);
+        // Never shrunk: a smaller frame uses the front of the arrays.
+        if self.screen.len() < total {
+            self.screen.resize(total, Screen::default());
+            self.front.resize(total, Quad::default());
+            self.back.resize(total, Quad::default());
+        }
+        let (bones, heat) = (&self.bones, &self.heat);
+        let chunks = Mutex::new(Chunks {
+            items: self.items.iter(),
+            now: None,
+            start: 0,
+            screen: &mut self.screen,
+            front: &mut self.front,
+            back: &mut self.back,
+        });
+        pool.run(&|_| {
+            while let Some((item, start, out)) = take(&chunks) {
+                vertices(level, view, lights, &item.style, &geometry(frame, bones, heat, item), start, out);
+            }
+        });
+    }
+}
+
+fn milliseconds(since: Instant) -> f64 {
+    since.elapsed().as_secs_f64() * 1e3
+}
+
+/// Divides the triangles into units; none holds triangles of two layers. Returns how many there are.
+fn divide(items: &[Item], units: &mut Vec<Unit>) -> usize {
+    let mut count = 0;
+    for layer in [Layer::Opaque, Layer::Blended, Layer::Overlay] {
+        let from = items.partition_point(|item| item.style.layer < layer);
+        let to = items.partition_point(|item| item.style.layer <= layer);
+        let Some((first, last)) = items[from..to].first().zip(items[from..to].last()) else { continue };
+        let (start, end) = (first.triangles.start, last.triangles.end);
+        let size = (end - start).div_ceil(UNITS).max(UNIT);
+        for at in (start..end).step_by(size as usize) {
+            if units.len() == count {
+                units.push(Unit::default());
+            }
+            units[count].range = at..end.min(at + size);
+            count += 1;
+        }
+    }
+    count
+}
+
+/// Puts the blended triangles of all units in order, the farthest first, and into bands.
+fn sort_blended(drawing: &Drawing<'_>, bands: &Bands, units: &[Unit], sorted: &mut Vec<Sorted>, bins: &mut Bins) {
+    sorted.clear();
+    for (index, unit) in units.iter().enumerate() {
+        sorted.extend(unit.blended.iter().map(|&(nearness, entry)| Sorted { nearness, unit: index as u32, entry }));
+    }
+    bins.reset(bands.count);
+    sorted.sort_unstable_by(|a, b| a.nearness.total_cmp(&b.nearness).then(a.unit.cmp(&b.unit)).then(a.entry.cmp(&b.entry)));
+    for (index, triangle) in sorted.iter().enumerate() {
+        let unit = &units[triangle.unit as usize];
+        let Some(item) = drawing.item_of(Drawing::number(unit, triangle.entry)) else { continue };
+        if let Some(part) = Drawing::part(item, &drawing.feed(item), unit, triangle.entry) {
+            bands.spread(bins, &super::setup::Rect::of(&part.screen, bands.multi, drawing.view.size), index as u32);
+        }
+    }
+}
+
+/// Draws one band from the background to the finished rows.
+fn draw_band(
+    level: Level,
+    drawing: &Drawing<'_>,
+    canvas: &Canvas,
+    (units, sorted, sorted_bins): (&[Unit], &[Sorted], &Bins),
+    band: usize,
+    local: &mut Local,
+    mut target: Rows<'_>,
+) {
+    let (top, width) = ((band * BAND_ROWS) as i32, canvas.width as usize);
+    let rows = BAND_ROWS.min(canvas.height as usize - top as usize);
+    let Local { plane, overlay, entries, row, resolve_ms } = local;
+    let empty = units.iter().all(|unit| unit.bins.is_empty(band)) && sorted_bins.is_empty(band);
+    if empty {
+        let start = Instant::now();
+        row.resize(width, 0);
+        for y in 0..rows {
+            canvas.backdrop.row(top + y as i32, row);
+            copy_row(row, target.row(y));
+        }
+        *resolve_ms += milliseconds(start);
+        return;
+    }
+    plane.shape(top, rows, width, canvas.samples);
+    plane.clear_depth();
+    for y in 0..rows {
+        for s in 0..canvas.samples {
+            canvas.backdrop.row(top + y as i32, plane.row_mut(s, y));
+        }
+    }
+    let is_overlay = |unit: &Unit| drawing.item_of(unit.range.start).is_some_and(|item| item.style.layer == Layer::Overlay);
+    for unit in units.iter().filter(|unit| !is_overlay(unit)) {
+        fill_unit(level, drawing, unit, band, entries, plane);
+    }
+    // Blended triangles come one by one: neighbours in depth are rarely of one item.
+    for stretch in sorted_bins.of(band) {
+        for triangle in stretch.iter().filter_map(|&index| sorted.get(index as usize)) {
+            let unit = &units[triangle.unit as usize];
+            if let Some(item) = drawing.item_of(Drawing::number(unit, triangle.entry)) {
+                fill(level, &Stretch { drawing, item, unit, entries: &[triangle.entry] }, plane);
+            }
+        }
+    }
+    let has_overlay = units.iter().any(|unit| !unit.bins.is_empty(band) && is_overlay(unit));
+    if has_overlay {
+        overlay.shape(top, rows, width, canvas.samples);
+        overlay.clear_depth();
+        overlay.clear_color(0);
+        for unit in units.iter().filter(|unit| is_overlay(unit)) {
+            fill_unit(level, drawing, unit, band, entries, overlay);
+        }
+    }
+    let start = Instant::now();
+    row.resize(width, 0);
+    for y in 0..rows {
+        resolve(plane, y, row);
+        copy_row(row, target.row(y));
+    }
+    *resolve_ms += milliseconds(start);
+}
+
+/// Fills what a unit has for a band, item by item.
+fn fill_unit(level: Level, drawing: &Drawing<'_>, unit: &Unit, band: usize, entries: &mut Vec<u32>, plane: &mut Plane) {
+    let mut item: Option<&Item> = None;
+    entries.clear();
+    for &entry in unit.bins.of(band).flatten() {
+        let number = Drawing::number(unit, entry);
+        if !item.is_some_and(|item| item.triangles.contains(&number)) {
+            if let Some(item) = item {
+                fill(level, &Stretch { drawing, item, unit, entries }, plane);
+            }
+            entries.clear();
+            item = drawing.item_of(number);
+        }
+        entries.push(entry);
+    }
+    if let Some(item) = item {
+        fill(level, &Stretch { drawing, item, unit, entries }, plane);
+    }
+}

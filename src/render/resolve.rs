@@ -1,0 +1,41 @@
+//! From samples to pixels, and into the target.
+
+use super::plane::Plane;
+
+/// The rows of a band in the target.
+pub(super) struct Rows<'a> {
+    pub bytes: &'a mut [u8],
+    pub stride: usize,
+}
+
+impl Rows<'_> {
+    /// Row `y` of the band; empty where the target ends earlier.
+    pub(super) fn row(&mut self, y: usize) -> &mut [u8] {
+        let from = (y * self.stride).min(self.bytes.len());
+        let to = (from + self.stride).min(self.bytes.len());
+        &mut self.bytes[from..to]
+    }
+}
+
+/// Writes pixels in native byte order; those that do not fit are left out.
+pub(super) fn copy_row(pixels: &[u32], to: &mut [u8]) {
+    let bytes: &[u8] = bytemuck::cast_slice(pixels);
+    let n = bytes.len().min(to.len() / 4 * 4);
+    to[..n].copy_from_slice(&bytes[..n]);
+}
+
+/// Averages the samples of row `y`.
+pub(super) fn resolve(plane: &Plane, y: usize, out: &mut [u32]) {
+    if plane.samples == 1 {
+        out.copy_from_slice(plane.row(0, y));
+        return;
+    }
+    let [a, b, c, d] = [0, 1, 2, 3].map(|s| plane.row(s, y));
+    for ((((out, &a), &b), &c), &d) in out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+        // Two channels at a time, in the even bytes of a word.
+        let even = |x: u32| x & 0x00FF_00FF;
+        let low = even(a) + even(b) + even(c) + even(d) + 0x0002_0002;
+        let high = even(a >> 8) + even(b >> 8) + even(c >> 8) + even(d >> 8) + 0x0002_0002;
+        *out = even(low >> 2) | even(high >> 2) << 8;
+    }
+}

@@ -1,0 +1,51 @@
+//! Scenes and helpers of the rasterizer's tests. Everything is made here; no file is needed.
+#![allow(dead_code)]
+
+pub mod golden;
+pub mod models;
+
+use glam::{Quat, Vec3};
+use sinew::render::{Background, Display, Renderer, Samples};
+use sinew::scene::{Camera, Frame, Projection, Scene};
+
+/// A scene with its frame.
+#[derive(Default)]
+pub struct World {
+    pub scene: Scene,
+    pub frame: Frame,
+}
+
+impl World {
+    /// Draws into a fresh vector of pixels.
+    pub fn draw(&self, renderer: &mut Renderer, camera: &Camera, display: &Display, size: [u32; 2]) -> Vec<u32> {
+        renderer.draw(&self.scene, &self.frame, camera, display, size[0], size[1]).pixels.clone()
+    }
+}
+
+/// A camera on +Z that looks at the origin from this far.
+pub fn camera_at(distance: f32) -> Camera {
+    Camera {
+        eye: Vec3::Z * distance,
+        rotation: Quat::IDENTITY,
+        projection: Projection::Perspective { fov_y: 45f32.to_radians() },
+        near: 0.1,
+        far: 100.0,
+    }
+}
+
+/// A camera under which world x and y *are* pixel coordinates (y upward from the bottom edge) of a picture of this size.
+pub fn pixel_camera(size: [u32; 2]) -> Camera {
+    let [w, h] = size.map(|side| side as f32);
+    Camera {
+        eye: Vec3::new(w * 0.5, h * 0.5, 10.0),
+        rotation: Quat::IDENTITY,
+        projection: Projection::Orthographic { height: h },
+        near: 0.0,
+        far: 20.0,
+    }
+}
+
+/// Nothing but the surfaces: black background, one sample, no grid.
+pub fn plain() -> Display {
+    Display { background: Background::Solid(0), samples: Samples::One, grid: false, ..Display::default() }
+}

@@ -1,0 +1,154 @@
+//! Meshes made from formulas.
+
+use std::sync::Arc;
+
+use glam::{Mat4, Vec2, Vec3, Vec4};
+use sinew::scene::{
+    Bounds, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, MuscleId, Node, NodeId, Paint, Part, Pixels, Placement, Surface,
+    TextureRef, Wrap, smooth_normals,
+};
+
+use super::World;
+
+/// A UV sphere of radius 1 with (u, v) over it.
+pub fn sphere(segments: u32, rings: u32) -> Mesh {
+    let mut mesh = Mesh { name: "sphere".into(), ..Mesh::default() };
+    let mut uv = Vec::new();
+    for ring in 0..=rings {
+        let v = ring as f32 / rings as f32;
+        let (sin, cos) = (v * std::f32::consts::PI).sin_cos();
+        for segment in 0..=segments {
+            let u = segment as f32 / segments as f32;
+            let (s, c) = (u * std::f32::consts::TAU).sin_cos();
+            mesh.positions.push(Vec3::new(sin * s, cos, sin * c));
+            uv.push(Vec2::new(u, 1.0 - v));
+        }
+    }
+    let at = |ring: u32, segment: u32| ring * (segments + 1) + segment;
+    for ring in 0..rings {
+        for segment in 0..segments {
+            let (a, b, c, d) = (at(ring, segment), at(ring + 1, segment), at(ring + 1, segment + 1), at(ring, segment + 1));
+            if ring + 1 < rings {
+                mesh.triangles.push([a, b, c]);
+            }
+            if ring > 0 {
+                mesh.triangles.push([a, c, d]);
+            }
+        }
+    }
+    mesh.normals = mesh.positions.clone();
+    mesh.uv_sets = vec![uv];
+    finish(mesh)
+}
+
+/// A muscle's belly: radius over length from a smooth profile, u round it and v along it, along +Y from −1 to 1.
+pub fn belly(nodes: u32, segments: u32, radius: impl Fn(f32) -> f32) -> Mesh {
+    let mut mesh = Mesh { name: "belly".into(), ..Mesh::default() };
+    let mut uv = Vec::new();
+    for node in 0..nodes {
+        let v = node as f32 / (nodes - 1) as f32;
+        for segment in 0..=segments {
+            let u = segment as f32 / segments as f32;
+            let (s, c) = (u * std::f32::consts::TAU).sin_cos();
+            let r = radius(v);
+            mesh.positions.push(Vec3::new(r * s, v * 2.0 - 1.0, r * c));
+            uv.push(Vec2::new(u, v));
+        }
+    }
+    let at = |node: u32, segment: u32| node * (segments + 1) + segment;
+    for node in 0..nodes - 1 {
+        for segment in 0..segments {
+            let (a, b, c, d) = (at(node, segment), at(node, segment + 1), at(node + 1, segment + 1), at(node + 1, segment));
+            mesh.triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    mesh.normals = Vec::new();
+    let group = |v: u32| v / (segments + 1) * segments + v % (segments + 1) % segments;
+    smooth_normals(&mesh.positions, &mesh.triangles, group, mesh.positions.len(), &mut mesh.normals);
+    mesh.uv_sets = vec![uv];
+    finish(mesh)
+}
+
+/// A square in the XY plane from −1 to 1, facing +Z, with (u, v) from 0 to 1.
+pub fn square() -> Mesh {
+    soup(
+        vec![Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::new(-1.0, 1.0, 0.0)],
+        vec![[0, 1, 2], [0, 2, 3]],
+        vec![Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y],
+    )
+}
+
+/// Any triangles, with normals towards +Z.
+pub fn soup(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>, uv: Vec<Vec2>) -> Mesh {
+    let normals = vec![Vec3::Z; positions.len()];
+    finish(Mesh { name: "soup".into(), positions, normals, triangles, uv_sets: vec![uv], ..Mesh::default() })
+}
+
+/// One part over everything, each vertex its own point.
+pub fn finish(mut mesh: Mesh) -> Mesh {
+    mesh.source_count = mesh.positions.len() as u32;
+    mesh.source_vertex = (0..mesh.source_count).collect();
+    mesh.parts = vec![Part { symbol: String::new(), triangles: 0..mesh.triangles.len() as u32, lines: 0..mesh.lines.len() as u32 }];
+    mesh
+}
+
+impl World {
+    /// Adds a material and returns its binding.
+    pub fn material(&mut self, material: Material) -> MaterialBinding {
+        self.scene.materials.push(material.clone());
+        self.frame.materials.push(material);
+        MaterialBinding::plain(MaterialId(self.scene.materials.len() as u32 - 1))
+    }
+
+    /// Adds an image and returns a reference to it.
+    pub fn image(&mut self, width: u32, height: u32, texel: impl Fn(u32, u32) -> [u8; 4], wrap: Wrap) -> TextureRef {
+        let rgba = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| texel(x, y)).collect();
+        self.scene.images.push(Image { pixels: Some(Arc::new(Pixels { width, height, rgba })), ..Image::default() });
+        TextureRef { image: ImageId(self.scene.images.len() as u32 - 1), semantic: String::new(), wrap_s: wrap, wrap_t: wrap }
+    }
+
+    /// Puts a mesh into the world on a node of its own.
+    pub fn place(&mut self, mesh: Mesh, matrix: Mat4, material: Option<MaterialBinding>) -> NodeId {
+        self.put(Arc::new(mesh), matrix, material, None)
+    }
+
+    /// The same for a muscle.
+    pub fn place_muscle(&mut self, mesh: Mesh, matrix: Mat4, material: Option<MaterialBinding>) -> NodeId {
+        self.put(Arc::new(mesh), matrix, material, Some(MuscleId(0)))
+    }
+
+    fn put(&mut self, mesh: Arc<Mesh>, matrix: Mat4, material: Option<MaterialBinding>, muscle: Option<MuscleId>) -> NodeId {
+        let node = self.scene.graph.add(None, Node::new("thing"));
+        self.frame.world.push(matrix.as_dmat4());
+        let bounds = mesh.bounds().transformed(&matrix);
+        self.frame.bounds.merge(&bounds);
+        let materials = vec![material; mesh.parts.len()].into();
+        let mirrored = matrix.determinant() < 0.0;
+        let placement = Placement::Rigid(matrix);
+        self.frame.surfaces.push(Surface { node, mesh, materials, placement, mirrored, muscle, visible: true, content: 0 });
+        node
+    }
+
+    /// A sphere of that many segments and rings in a plain colour.
+    pub fn sphere(segments: u32, rings: u32, color: [f32; 3]) -> Self {
+        let mut world = Self::default();
+        let material = world.material(Material { diffuse: Paint::color(color[0], color[1], color[2]), ..Material::default() });
+        world.place(sphere(segments, rings), Mat4::IDENTITY, Some(material));
+        world
+    }
+
+    /// The box round everything.
+    pub fn bounds(&self) -> Bounds {
+        self.frame.bounds
+    }
+}
+
+/// A checkerboard with a gradient, so that every corner can be told from the others.
+pub fn checker(x: u32, y: u32, cells: u32, size: u32) -> [u8; 4] {
+    let dark = (x * cells / size + y * cells / size) % 2 == 0;
+    let shade = if dark { 60 } else { 255 };
+    [(shade * x / size.max(1)) as u8, (shade * y / size.max(1)) as u8, shade as u8, 255]
+}
+
+/// Opaque white, the neutral vertex colour.
+pub const WHITE: Vec4 = Vec4::ONE;
