@@ -98,9 +98,8 @@ impl Document {
         let mut next = 0;
         for (rig, _) in self.rigs() {
             for index in 0..rig.len() {
-                let solved = rig.solve(index, state.drive, &frame.world);
-                if let Some(slot) = buffers.solved.get_mut(next) {
-                    *slot = solved;
+                if let Some(solved) = buffers.solved.get_mut(next) {
+                    rig.solve_into(index, state.drive, &frame.world, solved);
                 }
                 next += 1;
             }
