@@ -11,7 +11,6 @@ use super::files;
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers, SourceKind};
 use crate::i18n::decimal;
-use crate::muscle::Solved;
 use crate::scene::{Content, Deformer, Frame, MeshId, MeshInstance, NodeKind};
 use crate::tr;
 
@@ -126,7 +125,7 @@ impl Info {
                 .iter()
                 .map(|image| ImageInfo { uri: image.uri.clone(), found: image.path.is_some() || image.pixels.is_some() })
                 .collect(),
-            muscles: muscles(document, buffers.solved()),
+            muscles: muscles(document),
             bounds: (!frame.bounds.is_empty()).then(|| BoundsInfo { min: frame.bounds.min.to_array(), max: frame.bounds.max.to_array() }),
             warnings: document.health.iter().map(FindingReport::from).collect(),
         }
@@ -240,18 +239,16 @@ fn meshes(document: &Document) -> Vec<MeshInfo> {
     found
 }
 
-fn muscles(document: &Document, solved: &[Solved]) -> Vec<MuscleInfo> {
-    let mut found = Vec::new();
-    for (rig, first) in document.rigs() {
-        for index in 0..rig.len() {
-            let Some(rest) = solved.get(first.index() + index) else { continue };
-            found.push(MuscleInfo {
-                name: rig.name(index).to_owned(),
-                nodes: rest.radii.len(),
-                rest_length: rest.length,
-                volume: rest.volume,
-            });
-        }
-    }
-    found
+fn muscles(document: &Document) -> Vec<MuscleInfo> {
+    let all = document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(move |index| (rig, index)));
+    all.filter_map(|(rig, index)| {
+        let profile = rig.profile(index)?;
+        Some(MuscleInfo {
+            name: rig.name(index).to_owned(),
+            nodes: profile.radii().len(),
+            rest_length: profile.rest_length(),
+            volume: profile.volume(),
+        })
+    })
+    .collect()
 }

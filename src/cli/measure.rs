@@ -46,6 +46,8 @@ struct Row {
     delta: f64,
     radii: Vec<f64>,
     largest_radius: f64,
+    /// Length from origin to insertion, tendons counted.
+    path_length: f64,
     /// Whether the length asked for was outside what the muscle can do and was held at the limit.
     held: bool,
 }
@@ -113,6 +115,7 @@ impl Row {
             delta: solved.delta,
             radii: solved.radii.clone(),
             largest_radius: solved.radii.iter().copied().fold(0.0, f64::max),
+            path_length: solved.path_length,
             held: solved.held,
         }
     }
@@ -122,17 +125,19 @@ impl Measurement {
     /// A line a sample. Numbers have a point and every digit.
     fn csv(&self) -> String {
         let nodes = self.muscles.iter().flat_map(|muscle| &muscle.samples).map(|row| row.radii.len()).max().unwrap_or(0);
-        let mut text = String::from("muscle,angle,length,moment_arm,volume,volume_error,delta,largest_radius,held");
+        let mut text = String::from("muscle,angle,length,moment_arm,volume,volume_error,delta,largest_radius,path_length,held");
         (1..=nodes).for_each(|node| text.push_str(&format!(",r{node}")));
         text.push('\n');
         let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
         for muscle in &self.muscles {
             for row in &muscle.samples {
-                let cells = [row.length, row.volume, row.volume_error, row.delta, row.largest_radius].map(|value| value.to_string());
-                let [length, volume, error, delta, largest] = cells;
+                let cells = [row.length, row.volume, row.volume_error, row.delta, row.largest_radius, row.path_length]
+                    .map(|value| value.to_string());
+                let [length, volume, error, delta, largest, path] = cells;
                 let (angle, arm) = (optional(row.angle), optional(row.moment_arm));
                 // Writing to a string cannot fail.
-                let _ = write!(text, "{},{angle},{length},{arm},{volume},{error},{delta},{largest},{}", cell(&muscle.name), row.held);
+                let _ =
+                    write!(text, "{},{angle},{length},{arm},{volume},{error},{delta},{largest},{path},{}", cell(&muscle.name), row.held);
                 row.radii.iter().for_each(|radius| text.push_str(&format!(",{radius}")));
                 text.push('\n');
             }
