@@ -10,6 +10,26 @@ pub const IMAGE_BYTES: u64 = 256 << 20;
 pub const IMAGE_SIDE: u32 = 16_384;
 /// Deepest nesting of elements or nodes.
 pub const DEPTH: usize = 1_000;
+/// Most attributes of one XML element; the parser compares each with each.
+pub const XML_ATTRIBUTES: usize = 64;
+/// Most namespace prefixes that an XML document declares; each element that declares one copies all that hold around it.
+pub const XML_PREFIXES: usize = 64;
+/// Most bytes that the entities of an XML document may expand to.
+pub const ENTITY_BYTES: usize = 16 << 20;
+/// What reading a document may take, on top of [`READ_BYTES_PER_BYTE`] times its size.
+pub const READ_BYTES: usize = 24 << 20;
+/// What reading a document may take for each of its bytes.
+pub const READ_BYTES_PER_BYTE: usize = 7;
+/// Most findings that are kept about one file.
+pub const FINDINGS: usize = 1_000;
+/// Most sets of texture coordinates of a mesh.
+pub const UV_SETS: usize = 8;
+/// Most steps that cutting the polygons of one file into triangles may take.
+pub const TRIANGULATION_STEPS: u64 = 2_000_000_000;
+/// Most files in an archive.
+pub const ARCHIVE_FILES: usize = 4_096;
+/// Most bytes that the files of an archive may unpack to, for each byte of the archive, on top of [`READ_BYTES`].
+pub const ARCHIVE_RATIO: u64 = 50;
 /// Most nodes in a scene, instances counted.
 pub const NODES: usize = 1_000_000;
 /// Most nodes of one muscle.

@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
+use glam::Vec3;
+
 use super::{Curve, Pose};
-use crate::scene::{LightId, MaterialId, MorphId, NodeId};
+use crate::scene::{LightId, MaterialId, MorphId, NodeId, TransformOp};
 
 /// Which numbers of its target a curve sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,14 +103,121 @@ impl Clip {
         self.channels.iter().map(|channel| channel.curve.times.len()).sum()
     }
 
-    /// Writes the values at `time` into `pose`, which holds the rest pose or an earlier clip's.
+    /// Writes the values at `time` into `pose`, which holds the rest pose or an earlier clip's. Outside of the clip its ends hold.
     pub fn sample(&self, time: f64, pose: &mut Pose) {
-        let _ = (time, pose);
+        let time = if time.is_nan() { self.start } else { time.min(self.end).max(self.start) };
+        for channel in &self.channels {
+            channel.sample(time, pose);
+        }
     }
 
-    /// Times of the keys that move `node`, or of all keys, ascending, each once.
+    /// Times of the keys that move `node`, or of all keys, ascending, each once; those within the clip.
     pub fn key_times(&self, node: Option<NodeId>) -> Vec<f64> {
-        let _ = node;
-        Vec::new()
+        let moves = |channel: &&Channel| match (node, channel.target) {
+            (None, _) => true,
+            (Some(wanted), Target::Transform { node, .. }) => node == wanted,
+            (Some(_), _) => false,
+        };
+        let mut times: Vec<f64> = self
+            .channels
+            .iter()
+            .filter(moves)
+            .flat_map(|channel| channel.curve.times.iter().copied())
+            .filter(|time| (self.start..=self.end).contains(time))
+            .collect();
+        times.sort_unstable_by(f64::total_cmp);
+        times.dedup();
+        times
+    }
+}
+
+impl Channel {
+    /// Writes the value at `time`; a target that the pose doesn't have is left alone.
+    fn sample(&self, time: f64, pose: &mut Pose) {
+        match self.target {
+            Target::Transform { node, op, lane } => {
+                if let Some(op) = pose.ranges.get(node.index()).and_then(|range| range.clone().nth(op as usize))
+                    && let Some(op) = pose.ops.get_mut(op as usize)
+                {
+                    set_op(op, lane, &self.curve, time);
+                }
+            }
+            Target::MorphWeight { morph, target } => {
+                if let Some(weight) = pose.morph_weights.get_mut(morph.index()).and_then(|weights| weights.get_mut(target as usize)) {
+                    *weight = self.curve.value(time, 0) as f32;
+                }
+            }
+            Target::Material { material, slot, lane } => {
+                let Some(material) = pose.materials.get_mut(material.index()) else { return };
+                match slot {
+                    MaterialSlot::Diffuse => set_color(&mut material.diffuse.color, lane, &self.curve, time),
+                    MaterialSlot::Emission => set_color(&mut material.emission.color, lane, &self.curve, time),
+                    MaterialSlot::Ambient => set_color(&mut material.ambient.color, lane, &self.curve, time),
+                    MaterialSlot::Specular => set_color(&mut material.specular.color, lane, &self.curve, time),
+                    MaterialSlot::Shininess => material.shininess = self.curve.value(time, 0).clamp(0.0, 1000.0) as f32,
+                    MaterialSlot::Opacity => material.opacity = self.curve.value(time, 0).clamp(0.0, 1.0) as f32,
+                }
+            }
+            Target::LightColor { light, lane } => {
+                if let Some(color) = pose.light_colors.get_mut(light.index()) {
+                    set_color(color, lane, &self.curve, time);
+                }
+            }
+        }
+    }
+}
+
+/// Sets a whole operation, or one number of it.
+fn set_op(op: &mut TransformOp, lane: Lane, curve: &Curve, time: f64) {
+    match (op, lane) {
+        (TransformOp::Matrix(matrix), Lane::Whole) => *matrix = curve.matrix(time),
+        (TransformOp::Matrix(matrix), Lane::Component(component)) => {
+            // The bottom row stays 0 0 0 1, whatever the file animates it to.
+            let (column, row) = (usize::from(component) / 4, usize::from(component) % 4);
+            if column < 4 && row < 3 {
+                matrix.col_mut(column).as_mut()[row] = curve.value(time, 0);
+            }
+            for column in 0..4 {
+                matrix.col_mut(column).w = if column == 3 { 1.0 } else { 0.0 };
+            }
+        }
+        (TransformOp::Translate(vector) | TransformOp::Scale(vector), lane) => set_numbers(&mut [vector.as_mut()], lane, curve, time),
+        (TransformOp::Rotate { angle, .. }, Lane::Component(3)) => *angle = curve.value(time, 0),
+        (TransformOp::Rotate { axis, angle }, lane) => set_numbers(&mut [axis.as_mut(), std::slice::from_mut(angle)], lane, curve, time),
+        (TransformOp::LookAt { eye, target, up }, lane) => {
+            set_numbers(&mut [eye.as_mut(), target.as_mut(), up.as_mut()], lane, curve, time);
+        }
+        (TransformOp::Skew { angle, rotation, translation }, lane) => {
+            set_numbers(&mut [std::slice::from_mut(angle), rotation.as_mut(), translation.as_mut()], lane, curve, time);
+        }
+    }
+}
+
+/// Sets all numbers of `parts`, which follow each other, or the one that `lane` names.
+fn set_numbers(parts: &mut [&mut [f64]], lane: Lane, curve: &Curve, time: f64) {
+    let mut numbers = parts.iter_mut().flat_map(|part| part.iter_mut());
+    match lane {
+        Lane::Whole => {
+            let mut values = [0.0; 16];
+            curve.sample(time, &mut values);
+            for (number, value) in numbers.zip(values.iter().take(curve.dimension)) {
+                *number = *value;
+            }
+        }
+        Lane::Component(component) => {
+            if let Some(number) = numbers.nth(usize::from(component)) {
+                *number = curve.value(time, 0);
+            }
+        }
+    }
+}
+
+fn set_color(color: &mut Vec3, lane: Lane, curve: &Curve, time: f64) {
+    for (component, channel) in color.as_mut().iter_mut().enumerate() {
+        match lane {
+            Lane::Whole if component < curve.dimension => *channel = curve.value(time, component) as f32,
+            Lane::Component(wanted) if usize::from(wanted) == component => *channel = curve.value(time, 0) as f32,
+            _ => {}
+        }
     }
 }

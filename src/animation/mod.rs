@@ -6,6 +6,6 @@ mod playback;
 mod pose;
 
 pub use clip::{Channel, Clip, Lane, MaterialSlot, Target};
-pub use curve::{Curve, Interpolation};
+pub use curve::{Curve, Interpolation, Keys, Tangents};
 pub use playback::{LoopMode, Playback};
 pub use pose::Pose;

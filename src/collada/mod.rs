@@ -1,4 +1,46 @@
 //! The reader of COLLADA 1.4.0, 1.4.1 and 1.5.0 (`.dae`) and of `.zae` archives.
+//!
+//! [`read`] goes through these rooms, in this order:
+//!
+//! | module | what it does |
+//! |---|---|
+//! | `archive`, `text`, `xml` | from bytes to a tree of elements, within the [limits](crate::limits) |
+//! | `context`, `lookup`, `report` | what all others carry along: ids and urls, findings with their lines, the budget |
+//! | `numbers`, `source` | lists of numbers, sources and their accessors |
+//! | `asset`, `image`, `effect`, `material` | unit and axes, materials |
+//! | `nodes` | the tree of nodes, instances resolved |
+//! | `geometry`, `primitive`, `triangulate`, `vertices` | meshes |
+//! | `controller`, `skin`, `morph` | deformers, joints found by name |
+//! | `instances`, `light_camera` | what hangs on the nodes |
+//! | `animation`, `target` | curves, clips, and what they move |
+//!
+//! A part that is broken is left out with a [`Finding`]; reading ends early only for what makes the whole file useless.
+
+mod animation;
+mod archive;
+mod asset;
+pub mod codes;
+mod context;
+mod controller;
+mod effect;
+mod geometry;
+mod image;
+mod instances;
+mod light_camera;
+mod lookup;
+mod material;
+mod morph;
+mod nodes;
+mod numbers;
+mod primitive;
+mod report;
+mod skin;
+mod source;
+mod target;
+mod text;
+mod triangulate;
+mod vertices;
+mod xml;
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -6,6 +48,21 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use crate::animation::Clip;
 use crate::health::Finding;
 use crate::scene::Scene;
+use crate::{limits, tr};
+
+use context::Context;
+use controller::Controllers;
+use geometry::Geometries;
+use image::Images;
+use instances::Libraries;
+use light_camera::LightsAndCameras;
+use material::Materials;
+use nodes::Tree;
+use report::Report;
+use target::Aims;
+
+/// An element of the document.
+type El<'a> = roxmltree::Node<'a, 'a>;
 
 /// What a file says of itself.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -66,11 +123,99 @@ impl Progress {
     }
 }
 
-/// Reads a document from its bytes. `name` is used in messages only.
+/// Reads a document from its bytes, a `.dae` or a `.zae`, told apart by content. `name` is the file's name: it stands in messages, on the root node, and
+/// tells references to the file itself from those to other files.
 ///
 /// # Errors
 /// [`ReadError`] where nothing of the file can be shown: not XML, not COLLADA, a limit broken, cancelled.
 pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
-    let _ = (bytes, name, progress);
-    Ok(Loaded::default())
+    progress.set(0.0);
+    if bytes.len() as u64 > limits::FILE_BYTES {
+        return Err(ReadError { line: None, message: tr!("collada-too-large", limit = limits::FILE_BYTES >> 20) });
+    }
+    if archive::is_archive(bytes) {
+        return archive::read(bytes, name, progress);
+    }
+    read_document(bytes, name, name, progress)
+}
+
+/// Reads one document; `file_name` is what references to itself use.
+fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
+    let decoded = text::decode(bytes);
+    let text = decoded.text.as_ref();
+    let shift = |mut error: ReadError| {
+        error.line = error.line.map(|line| line + decoded.lines_before);
+        error
+    };
+    let document = xml::parse(text).map_err(shift)?;
+    let root = document.root_element();
+    if root.tag_name().name() != "COLLADA" {
+        let message = tr!("collada-not-collada", element = context::shortened(root.tag_name().name()));
+        return Err(shift(ReadError { line: Some(document.text_pos_at(root.range().start).row), message }));
+    }
+    let mut report = Report::new(text, decoded.lines_before);
+    if let Some(named) = &decoded.misfit {
+        report.warn_file(codes::ENCODING, tr!("collada-encoding", named = named.as_str()));
+    }
+    let mut context = Context::new(&document, report, file_name, progress);
+    context.advance(0.2)?;
+    assemble(&mut context, name)
+}
+
+/// Reads the libraries in the order in which they need each other.
+fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> {
+    for repeated in context.lookup.repeated() {
+        context.report.note(repeated, codes::REPEATED_ID, tr!("collada-repeated-id"));
+    }
+    let asset = asset::read(context)?;
+    skipped_libraries(context);
+    let mut scene = Scene::default();
+    let mut images = Images::read(context, &mut scene);
+    let materials = Materials::read(context, &mut scene, &mut images)?;
+    context.advance(0.3)?;
+    let tree = Tree::read(context, &mut scene, &asset, file_stem(name))?;
+    context.advance(0.4)?;
+    let mut geometries = Geometries::new(context.root.descendants().any(|element| element.tag_name().name() == "morph"));
+    let (mut controllers, mut lights) = (Controllers::default(), LightsAndCameras::default());
+    let mut libraries = Libraries {
+        geometries: &mut geometries,
+        controllers: &mut controllers,
+        materials: &materials,
+        lights: &mut lights,
+        tree: &tree,
+        asset: &asset,
+    };
+    libraries.hang_all(context, &mut scene)?;
+    drop(geometries);
+    context.advance(0.8)?;
+    let clips = animation::read(context, &Aims::new(&tree, &materials, &lights, &controllers))?;
+    context.advance(1.0)?;
+    let report = std::mem::replace(&mut context.report, Report::new("", 0));
+    Ok(Loaded { asset, scene, clips, findings: report.finish(), archived: images.embedded })
+}
+
+/// Names the parts of the format that are not shown, where a file has any.
+fn skipped_libraries(context: &mut Context<'_>) {
+    let skipped =
+        ["library_formulas", "library_joints", "library_kinematics_models", "library_kinematics_scenes", "library_articulated_systems"];
+    for library in context.root.children().filter(|library| skipped.contains(&library.tag_name().name())) {
+        let has_content =
+            |library: &El<'_>| library.children().any(|child| child.is_element() && !matches!(child.tag_name().name(), "asset" | "extra"));
+        if has_content(&library) {
+            context.report.note(
+                library,
+                codes::UNSUPPORTED_ELEMENT,
+                tr!("collada-unsupported-element", element = library.tag_name().name()),
+            );
+        }
+    }
+}
+
+/// A file's name without folder and ending.
+fn file_stem(name: &str) -> &str {
+    let last = lookup::last_segment(name);
+    match last.rsplit_once('.') {
+        Some((stem, _)) if !stem.is_empty() => stem,
+        _ => last,
+    }
 }

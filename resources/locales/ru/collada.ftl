@@ -1,1 +1,122 @@
-# collada
+# collada: почему файл не принят
+collada-too-large = Файл больше { $limit } МБ — это предел для чтения.
+collada-cancelled = Чтение отменено.
+collada-not-xml = Это не документ XML, а значит, и не COLLADA.
+collada-not-collada = Корень документа — <{ $element }>, а документ COLLADA начинается с <COLLADA>.
+collada-too-many-elements = В документе слишком много элементов для его размера ({ $count }).
+collada-too-deep = Вложенность элементов больше { $limit } уровней.
+collada-too-many-attributes = У элемента больше { $limit } атрибутов.
+collada-too-many-prefixes = В документе объявлено больше { $limit } префиксов пространств имён.
+collada-entities = Сущности документа развернулись бы более чем в { $limit } МБ.
+collada-comma = { $element }: в «{ $entry }» стоит запятая. Числа в COLLADA пишутся с десятичной точкой и разделяются пробелами; экспортируйте файл заново с десятичной точкой.
+collada-xml = Ошибка XML в столбце { $column }.
+collada-xml-close-tag = Ошибка XML: ожидался </{ $expected }>, а стоит </{ $actual }>.
+collada-xml-cut-short = XML обрывается на середине: файл неполон.
+collada-xml-unknown-entity = В XML использована необъявленная сущность &{ $name };.
+collada-xml-entity-loop = Сущности XML бесконечно ссылаются друг на друга.
+collada-xml-unknown-prefix = В XML использован необъявленный префикс «{ $prefix }».
+collada-xml-repeated-attribute = Атрибут «{ $name }» указан у элемента дважды.
+collada-archive-broken = Архив повреждён, распаковать его нельзя.
+collada-archive-files = В архиве больше { $limit } файлов.
+collada-archive-large = Архив распаковывается более чем в { $limit } раз больше своего размера.
+collada-archive-empty = В архиве нет документа COLLADA.
+collada-archive-root = Манифест архива называет «{ $path }», но такого файла в архиве нет.
+
+# collada: замечания
+collada-encoding = Байты не в кодировке { $named }; прочитано как Windows-1252, поэтому буквы в именах могут быть искажены.
+collada-unknown-version = Версия «{ $version }» неизвестна; прочитано как 1.4.1.
+collada-bad-unit = Единица «{ $value }» — не положительное число; принят 1 метр.
+collada-bad-up-axis = Ось «{ $value }» — не X_UP, Y_UP или Z_UP; принята Y_UP.
+collada-repeated-id = Такой id уже есть у другого элемента; ссылки ведут к первому подходящему.
+collada-broken-reference = Ссылка на «{ $target }», которого нет в файле; пропущено.
+collada-external-reference = Ссылка на другой файл, «{ $file }»; он не загружается.
+collada-reference-cycle = Ссылка замыкается сама на себя; пропущено.
+collada-bad-number = { $count ->
+    [one] { $count } запись не является числом, первая — «{ $first }»; вместо неё взят 0.
+    [few] { $count } записи не являются числами, первая — «{ $first }»; вместо них взят 0.
+   *[other] { $count } записей не являются числами, первая — «{ $first }»; вместо них взят 0.
+}
+collada-not-finite = Значение бесконечно или не является числом; пропущено.
+collada-not-finite-points = Координаты точек бесконечны или не являются числами; всё, что на них опирается, не рисуется.
+collada-not-finite-keys = Ключи бесконечны или не являются числами; они пропущены.
+collada-count-mismatch = В count указано { $said }, а данных { $found }; взяты данные.
+collada-index-out-of-range = { $count ->
+    [one] { $count } грань указывает за пределы своих списков; она пропущена.
+    [few] { $count } грани указывают за пределы своих списков; они пропущены.
+   *[other] { $count } граней указывают за пределы своих списков; они пропущены.
+}
+collada-incomplete-primitive = { $count ->
+    [one] У { $count } грани слишком мало вершин; она пропущена.
+   *[other] У { $count } граней слишком мало вершин; они пропущены.
+}
+collada-polygon-too-complex = { $count ->
+    [one] { $count } многоугольник слишком сложен для разбиения на треугольники; он пропущен.
+    [few] { $count } многоугольника слишком сложны для разбиения на треугольники; они пропущены.
+   *[other] { $count } многоугольников слишком сложны для разбиения на треугольники; они пропущены.
+}
+collada-no-positions = У сетки нет координат вершин; она не рисуется.
+collada-unsupported-geometry = Геометрия вида <{ $kind }> не показывается.
+collada-too-many-uv-sets = Наборов текстурных координат больше { $limit }; остальные пропущены.
+collada-no-scene-named = Файл не указывает, какую сцену показать; показана первая.
+collada-no-scene = В файле нет сцены; его части показаны как есть.
+collada-bad-transform = Нужно чисел: { $wanted }, а есть { $found }; пропущено.
+collada-unsupported-element = <{ $element }> не показывается.
+collada-limit-nodes = В сцене больше { $nodes } узлов, больше { $depth } уровней или она слишком разрастается из-за ссылок; остальное пропущено.
+collada-limit-reached = Из-за ссылок сцена слишком разрастается для размера файла; остальное пропущено.
+collada-joint-not-found = { $count ->
+    [one] В сцене нет { $count } сустава («{ $first }»); он остаётся в позе привязки.
+   *[other] В сцене нет { $count } суставов, первый — «{ $first }»; они остаются в позе привязки.
+}
+collada-joint-names-rejoined = В именах суставов есть пробелы; имена собраны заново.
+collada-joint-count = Имён суставов { $names }, а обратных матриц привязки { $matrices }; взято число матриц.
+collada-bad-skin = У скина нет пригодного { $what }.
+collada-skin-points = Веса заданы для { $found } точек, а в сетке их { $wanted }.
+collada-influences-out-of-range = { $count ->
+    [one] { $count } вес указывает на несуществующий сустав или значение; он пропущен.
+    [few] { $count } веса указывают на несуществующие суставы или значения; они пропущены.
+   *[other] { $count } весов указывают на несуществующие суставы или значения; они пропущены.
+}
+collada-influences-missing = { $count ->
+    [one] В конце списка не хватает { $count } веса.
+   *[other] В конце списка не хватает { $count } весов.
+}
+collada-weights-not-normalised = { $count ->
+    [one] Сумма весов { $count } точки не равна 1; веса приведены к единице.
+   *[other] Сумма весов { $count } точек не равна 1; веса приведены к единице.
+}
+collada-empty-controller = В контроллере нет ни скина, ни морфа.
+collada-bad-morph = У морфа нет списка форм.
+collada-morph-weights = Весов у морфа меньше, чем форм; вместо недостающих взят 0.
+collada-morph-target = В форме «{ $target }» точек { $found }, а в основе { $wanted }; форма не используется.
+collada-unknown-target = Анимирует «{ $target }», которого нет в сцене; пропущено.
+collada-unsupported-target = Анимирует «{ $target }»; движение этого значения не показывается.
+collada-bad-sampler = У сэмплера нет пригодных моментов времени или значений; пропущено.
+collada-key-counts = Моментов времени { $times }, а значений { $values }; взято меньшее число.
+collada-key-size = В ключе чисел { $found }, а нужно { $wanted }; пропущено.
+collada-unsupported-interpolation = Интерполяция { $name } прочитана как LINEAR.
+collada-missing-tangents = У кривых ключей нет пригодных касательных; прочитано как LINEAR.
+collada-sheared-keys = В матрицах-ключах есть сдвиг; они интерполируются поэлементно.
+collada-empty-clip = Клип ничего не двигает; пропущен.
+collada-unbound-material = Материал «{ $symbol }» сетки ни к чему не привязан; взят нейтральный.
+collada-texture-not-found = Текстура «{ $name }» не ведёт к изображению; пропущена.
+collada-no-common-profile = У эффекта нет общего профиля; взят нейтральный материал.
+collada-transparency-inverted = Если читать буквально, материал был бы невидим; прозрачность понята наоборот.
+collada-bad-light = Вид источника света неизвестен; пропущен.
+collada-bad-camera = У камеры нет проекции; пропущена.
+collada-more-findings = { $count ->
+    [one] Ещё { $count } замечание; хранятся только первые { $limit }.
+    [few] Ещё { $count } замечания; хранятся только первые { $limit }.
+   *[other] Ещё { $count } замечаний; хранятся только первые { $limit }.
+}
+
+# collada: имена для безымянного
+collada-clip-default = Анимация
+collada-clip-number = Клип { $number }
+collada-unnamed-node = Узел { $number }
+collada-unnamed-mesh = Сетка
+collada-unnamed-skin = Скин
+collada-unnamed-morph = Морф
+collada-unnamed-material = Материал
+collada-unnamed-image = Изображение
+collada-unnamed-light = Свет
+collada-unnamed-camera = Камера

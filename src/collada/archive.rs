@@ -1,0 +1,123 @@
+//! `.zae` archives: a zip file with a manifest, documents and images (COLLADA 1.5.0, "The .zae archive").
+
+use std::collections::BTreeMap;
+use std::io::{Cursor, Read};
+use std::path::PathBuf;
+
+use zip::ZipArchive;
+
+use super::lookup::percent_decoded;
+use super::{Loaded, Progress, ReadError, read_document};
+use crate::{limits, tr};
+
+/// Endings of files that textures may use.
+const IMAGES: [&str; 9] = ["png", "jpg", "jpeg", "tga", "bmp", "tif", "tiff", "gif", "jpe"];
+
+type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
+
+/// Whether the bytes start like a zip file.
+pub fn is_archive(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
+}
+
+fn refused(message: String) -> ReadError {
+    ReadError { line: None, message }
+}
+
+/// Reads the document that the archive's manifest names, with the images beside it.
+///
+/// # Errors
+/// [`ReadError`] where the archive is broken, unpacks to more than the limit, or has no document.
+pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| refused(tr!("collada-archive-broken")))?;
+    if archive.len() > limits::ARCHIVE_FILES {
+        return Err(refused(tr!("collada-archive-files", limit = limits::ARCHIVE_FILES)));
+    }
+    // By name without a leading `./`, so that references find them.
+    let mut entries = BTreeMap::new();
+    for index in 0..archive.len() {
+        if let Some(Ok(entry)) = archive.name_for_index(index) {
+            entries.entry(normal(&entry)).or_insert(index);
+        }
+    }
+    let mut room = (bytes.len() as u64 * limits::ARCHIVE_RATIO + limits::READ_BYTES as u64).min(limits::FILE_BYTES);
+    let (path, index) = match named_root(&mut archive, &entries, &mut room)? {
+        Some(found) => found,
+        None => first_document(&entries).ok_or_else(|| refused(tr!("collada-archive-empty")))?,
+    };
+    let document = unpack(&mut archive, index, &mut room)?;
+    let mut loaded = read_document(&document, name, &path, progress)?;
+    drop(document);
+    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
+    for image in &mut loaded.scene.images {
+        let inside = normal(&format!("{folder}/{}", image.uri));
+        if entries.contains_key(&inside) {
+            image.uri = inside;
+        }
+    }
+    for (path, index) in &entries {
+        let ending = path.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+        if IMAGES.contains(&ending.as_str()) {
+            loaded.archived.push((PathBuf::from(path), unpack(&mut archive, *index, &mut room)?));
+        }
+    }
+    Ok(loaded)
+}
+
+/// The document that the manifest names, if there is one and it is there.
+fn named_root(archive: &mut Archive<'_>, entries: &BTreeMap<String, usize>, room: &mut u64) -> Result<Option<(String, usize)>, ReadError> {
+    let Some(manifest) = entries.get("manifest.xml") else { return Ok(None) };
+    let bytes = unpack(archive, *manifest, room)?;
+    let text = super::text::decode(&bytes);
+    let document = super::xml::parse(&text.text)?;
+    let root = document.descendants().find(|element| element.tag_name().name() == "dae_root");
+    let url = root.and_then(|root| root.text()).unwrap_or_default().trim();
+    let path = url.split('#').next().unwrap_or_default();
+    let found = [normal(path), normal(&percent_decoded(path))].into_iter().find_map(|path| Some((path.clone(), *entries.get(&path)?)));
+    match found {
+        None if !path.is_empty() => Err(refused(tr!("collada-archive-root", path = super::context::shortened(path)))),
+        found => Ok(found),
+    }
+}
+
+/// Without a manifest: the document nearest to the top.
+fn first_document(entries: &BTreeMap<String, usize>) -> Option<(String, usize)> {
+    let documents = entries.iter().filter(|(path, _)| path.to_ascii_lowercase().ends_with(".dae"));
+    documents.min_by_key(|(path, _)| path.matches('/').count()).map(|(path, index)| (path.clone(), *index))
+}
+
+fn unpack(archive: &mut Archive<'_>, index: usize, room: &mut u64) -> Result<Vec<u8>, ReadError> {
+    let broken = |_| refused(tr!("collada-archive-broken"));
+    let file = archive.by_index(index).map_err(|_| refused(tr!("collada-archive-broken")))?;
+    let mut bytes = Vec::new();
+    // What the archive says about sizes may be a lie: only what comes out counts.
+    file.take(*room + 1).read_to_end(&mut bytes).map_err(broken)?;
+    *room = room.checked_sub(bytes.len() as u64).ok_or_else(|| refused(tr!("collada-archive-large", limit = limits::ARCHIVE_RATIO)))?;
+    Ok(bytes)
+}
+
+/// A path with slashes and without `.` and `..`.
+fn normal(path: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    for part in path.split(['/', '\\']) {
+        match part {
+            "" | "." => {}
+            ".." => {
+                parts.pop();
+            }
+            part => parts.push(part),
+        }
+    }
+    parts.join("/")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::normal;
+
+    #[test]
+    fn paths_are_made_plain() {
+        assert_eq!(normal("./models/../images\\a.png"), "images/a.png");
+        assert_eq!(normal("/../../a.dae"), "a.dae");
+    }
+}

@@ -1,0 +1,105 @@
+//! `asset`: unit, up axis, and who wrote the file.
+
+use glam::{DMat3, DMat4, DVec3};
+
+use super::context::{Context, Step, child, children, text_of};
+use super::{Asset, El, codes};
+use crate::tr;
+
+/// Reads what the file says of itself.
+///
+/// # Errors
+/// None of its own; see [`Context::reals`].
+pub fn read(context: &mut Context<'_>) -> Step<Asset> {
+    let root = context.root;
+    let version = root.attribute("version").unwrap_or_default().trim().to_owned();
+    if !(version.starts_with("1.4") || version.starts_with("1.5")) {
+        context.report.note(root, codes::UNKNOWN_VERSION, tr!("collada-unknown-version", version = version.as_str()));
+    }
+    let mut asset = Asset { version, authoring_tool: String::new(), up_axis: "Y_UP".to_owned(), unit_metres: 1.0 };
+    let Some(element) = child(root, "asset") else { return Ok(asset) };
+    asset.authoring_tool = children(element, "contributor")
+        .filter_map(|contributor| child(contributor, "authoring_tool"))
+        .map(|tool| text_of(tool).split_whitespace().collect::<Vec<_>>().join(" "))
+        .find(|tool| !tool.is_empty())
+        .unwrap_or_default();
+    let local = local(context, element);
+    if let Some(unit) = local.unit {
+        asset.unit_metres = unit;
+    }
+    if let Some(axis) = local.axis {
+        asset.up_axis = axis.to_owned();
+    }
+    Ok(asset)
+}
+
+/// Unit and axis that one `asset` element gives.
+struct Local {
+    unit: Option<f64>,
+    axis: Option<&'static str>,
+}
+
+fn local(context: &mut Context<'_>, asset: El<'_>) -> Local {
+    let mut local = Local { unit: None, axis: None };
+    if let Some(element) = child(asset, "unit")
+        && let Some(text) = element.attribute("meter").or_else(|| element.attribute("meters"))
+    {
+        match text.trim().parse::<f64>() {
+            Ok(unit) if unit.is_finite() && unit > 0.0 => local.unit = Some(unit),
+            _ => context.report.warn(element, codes::BAD_UNIT, tr!("collada-bad-unit", value = super::context::shortened(text))),
+        }
+    }
+    if let Some(element) = child(asset, "up_axis") {
+        let text = text_of(element);
+        local.axis = match text.trim().to_ascii_uppercase().as_str() {
+            "X_UP" => Some("X_UP"),
+            "Y_UP" => Some("Y_UP"),
+            "Z_UP" => Some("Z_UP"),
+            _ => {
+                context.report.warn(
+                    element,
+                    codes::BAD_UP_AXIS,
+                    tr!("collada-bad-up-axis", value = super::context::shortened(text.trim())),
+                );
+                None
+            }
+        };
+    }
+    local
+}
+
+/// From the file's unit and axes to metres, Y up: Z_UP (x,y,z)→(x,z,−y), X_UP (x,y,z)→(−y,x,z).
+pub fn to_world(asset: &Asset) -> DMat4 {
+    conversion(&asset.up_axis, asset.unit_metres)
+}
+
+fn conversion(axis: &str, unit: f64) -> DMat4 {
+    let turn = match axis {
+        "Z_UP" => DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y),
+        "X_UP" => DMat3::from_cols(DVec3::Y, DVec3::NEG_X, DVec3::Z),
+        _ => DMat3::IDENTITY,
+    };
+    DMat4::from_mat3(turn * unit)
+}
+
+/// From an element's own unit and axes to those of the document, where the element (or its library) has an `asset` of its own that differs.
+/// The unit and axis of an `asset` hold for everything in the element that it stands in (COLLADA 1.4.1, `unit`).
+pub fn own_space(context: &mut Context<'_>, document: &Asset, element: El<'_>) -> Option<DMat4> {
+    let asset = child(element, "asset")?;
+    let local = local(context, asset);
+    let (axis, unit) = (local.axis.unwrap_or(&document.up_axis), local.unit.unwrap_or(document.unit_metres));
+    (axis != document.up_axis || unit != document.unit_metres).then(|| to_world(document).inverse() * conversion(axis, unit))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_and_unit_are_turned_into_the_world() {
+        let point = DVec3::new(1.0, 2.0, 3.0);
+        assert_eq!(conversion("Y_UP", 0.01).transform_point3(point), point * 0.01);
+        assert_eq!(conversion("Z_UP", 1.0).transform_point3(point), DVec3::new(1.0, 3.0, -2.0));
+        assert_eq!(conversion("X_UP", 2.0).transform_point3(point), DVec3::new(-4.0, 2.0, 6.0));
+    }
+}

@@ -1,0 +1,213 @@
+//! What every part of the reader carries along: the document, its index, the findings, the budget.
+
+use std::borrow::Cow;
+use std::sync::atomic::Ordering;
+
+use glam::DVec3;
+
+use super::lookup::{Lookup, Url};
+use super::numbers::{Comma, Parsed, Real, integers, reals};
+use super::report::{Report, describe};
+use super::{El, Progress, ReadError, codes};
+use crate::{limits, tr};
+
+/// The result of a step that may end the reading.
+pub type Step<T> = Result<T, ReadError>;
+
+/// The document with everything that reading it needs.
+pub struct Context<'a> {
+    /// The root element.
+    pub root: El<'a>,
+    /// Ids and scoped ids.
+    pub lookup: Lookup<'a>,
+    /// The findings.
+    pub report: Report<'a>,
+    progress: &'a Progress,
+    /// Bytes that may still be made out of references, which cost the file little.
+    budget: usize,
+    said_budget: bool,
+}
+
+impl<'a> Context<'a> {
+    /// A context for `document`, which was parsed from `text`.
+    pub fn new(document: &'a roxmltree::Document<'a>, report: Report<'a>, file_name: &str, progress: &'a Progress) -> Self {
+        let size = document.input_text().len();
+        Self {
+            root: document.root_element(),
+            lookup: Lookup::new(document, file_name),
+            report,
+            progress,
+            budget: limits::READ_BYTES.saturating_add(size.saturating_mul(3)),
+            said_budget: false,
+        }
+    }
+
+    /// Says how far the reading is.
+    ///
+    /// # Errors
+    /// Where somebody asked to stop.
+    pub fn advance(&self, part: f32) -> Step<()> {
+        self.progress.set(part);
+        self.check_cancelled()
+    }
+
+    /// # Errors
+    /// Where somebody asked to stop.
+    pub fn check_cancelled(&self) -> Step<()> {
+        if self.progress.cancelled.load(Ordering::Relaxed) {
+            return Err(ReadError { line: None, message: tr!("collada-cancelled") });
+        }
+        Ok(())
+    }
+
+    /// Takes `bytes` from what references may make; `false`, with one finding for the file, where too little is left.
+    pub fn spend(&mut self, element: El<'_>, bytes: usize) -> bool {
+        if let Some(left) = self.budget.checked_sub(bytes) {
+            self.budget = left;
+            return true;
+        }
+        if !self.said_budget {
+            self.said_budget = true;
+            self.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-reached"));
+        }
+        false
+    }
+
+    /// The element that `url` names, if its tag is one of `tags`; what doesn't lead there is reported at `from`.
+    pub fn resolve(&mut self, from: El<'a>, url: &str, tags: &[&str]) -> Option<El<'a>> {
+        match self.lookup.url(url) {
+            Url::Local(id) => {
+                let found = self.lookup.by_id(&id, tags);
+                if found.is_none() {
+                    self.report.warn(from, codes::BROKEN_REFERENCE, tr!("collada-broken-reference", target = shortened(url)));
+                }
+                found
+            }
+            Url::External(file) => {
+                self.report.warn(from, codes::EXTERNAL_REFERENCE, tr!("collada-external-reference", file = shortened(&file)));
+                None
+            }
+        }
+    }
+
+    /// [`Context::resolve`] with the url in attribute `key`; `None` without a finding where there is none.
+    pub fn follow(&mut self, from: El<'a>, key: &str, tags: &[&str]) -> Option<El<'a>> {
+        let url = from.attribute(key)?;
+        self.resolve(from, url, tags)
+    }
+
+    /// The numbers in an element's text; `expected` of them, if that is true.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in the list.
+    pub fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> Step<Vec<T>> {
+        let text = text_of(element);
+        let parsed = reals(&text, expected);
+        self.checked(element, parsed)
+    }
+
+    /// The whole numbers in an element's text.
+    ///
+    /// # Errors
+    /// Where commas stand in the list.
+    pub fn integers(&mut self, element: El<'a>) -> Step<Vec<i32>> {
+        let text = text_of(element);
+        let parsed = integers(&text, text.len() / 4);
+        self.checked(element, parsed)
+    }
+
+    fn checked<T>(&mut self, element: El<'a>, parsed: Result<Parsed<T>, Comma>) -> Step<Vec<T>> {
+        match parsed {
+            Ok(parsed) => {
+                if let Some(first) = parsed.first_bad {
+                    self.report.warn(element, codes::BAD_NUMBER, tr!("collada-bad-number", count = parsed.bad, first = first));
+                }
+                Ok(parsed.values)
+            }
+            Err(comma) => {
+                let start = element.first_child().map_or(element.range().start, |text| text.range().start);
+                let line = Some(self.report.line_of(start + comma.at));
+                Err(ReadError { line, message: tr!("collada-comma", element = describe(element), entry = comma.entry) })
+            }
+        }
+    }
+
+    /// Exactly `N` finite numbers in an element's text; reported and `None` where it is otherwise.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in the list.
+    pub fn exactly<const N: usize>(&mut self, element: El<'a>) -> Step<Option<[f64; N]>> {
+        let values: Vec<f64> = self.reals(element, N)?;
+        let Ok(values) = <[f64; N]>::try_from(values.as_slice()) else {
+            let message = tr!("collada-bad-transform", wanted = N, found = values.len());
+            self.report.warn(element, codes::BAD_TRANSFORM, message);
+            return Ok(None);
+        };
+        if !values.iter().all(|value| value.is_finite()) {
+            self.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite"));
+            return Ok(None);
+        }
+        Ok(Some(values))
+    }
+
+    /// The first finite number in the text of a child of `parent`; `None` where there is none.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in the list.
+    pub fn number(&mut self, parent: El<'a>, tag: &str) -> Step<Option<f64>> {
+        match child(parent, tag) {
+            Some(element) => Ok(self.reals::<f64>(element, 1)?.first().copied().filter(|value| value.is_finite())),
+            None => Ok(None),
+        }
+    }
+}
+
+/// Three numbers as a vector.
+pub fn vector(values: [f64; 3]) -> DVec3 {
+    DVec3::from_array(values)
+}
+
+/// The first child with this tag.
+pub fn child<'a>(parent: El<'a>, tag: &str) -> Option<El<'a>> {
+    parent.children().find(|element| element.tag_name().name() == tag)
+}
+
+/// All children with this tag.
+pub fn children<'a>(parent: El<'a>, tag: &'static str) -> impl Iterator<Item = El<'a>> {
+    parent.children().filter(move |element| element.tag_name().name() == tag)
+}
+
+/// An element's text; comments in it cut it into pieces, which are put together.
+pub fn text_of(element: El<'_>) -> Cow<'_, str> {
+    let mut pieces = element.children().filter(El::is_text).filter_map(|node| node.text());
+    let Some(first) = pieces.next() else { return Cow::Borrowed("") };
+    match pieces.next() {
+        None => Cow::Borrowed(first),
+        Some(second) => {
+            let mut text = format!("{first} {second}");
+            for piece in pieces {
+                text.push(' ');
+                text.push_str(piece);
+            }
+            Cow::Owned(text)
+        }
+    }
+}
+
+/// What a person calls an element: its name, else its id, else `otherwise`.
+pub fn name_of(element: El<'_>, otherwise: impl FnOnce() -> String) -> String {
+    ["name", "id", "sid"]
+        .iter()
+        .find_map(|key| element.attribute(*key).filter(|name| !name.trim().is_empty()))
+        .map_or_else(otherwise, ToOwned::to_owned)
+}
+
+/// The id of an element; empty where it has none.
+pub fn id_of(element: El<'_>) -> String {
+    element.attribute("id").unwrap_or_default().to_owned()
+}
+
+/// Text from the file for a message: not too long.
+pub fn shortened(text: &str) -> String {
+    if text.chars().count() <= 80 { text.to_owned() } else { text.chars().take(79).chain(['…']).collect() }
+}

@@ -1,0 +1,164 @@
+//! `library_controllers`: chains of skins and morphs over a mesh.
+
+use std::rc::Rc;
+
+use roxmltree::NodeId;
+use rustc_hash::FxHashMap;
+
+use super::context::{Context, Step, child};
+use super::geometry::{Geometries, Placed};
+use super::morph::{self, MorphTargets};
+use super::nodes::Tree;
+use super::skin::{self, JointNames};
+use super::source::Arrays;
+use super::{Asset, El, codes};
+use crate::scene::{MorphId, Scene, SkinId};
+use crate::tr;
+
+/// One step of a chain, from the mesh outwards.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Link {
+    /// A morph.
+    Morph(MorphId),
+    /// A skin.
+    Skin(SkinId),
+}
+
+/// A mesh with the controllers over it.
+#[derive(Clone)]
+pub struct Chain {
+    /// The mesh.
+    pub placed: Placed,
+    /// The controllers, the first to the mesh itself.
+    pub links: Vec<Link>,
+}
+
+/// Reads controllers, each once.
+#[derive(Default)]
+pub struct Controllers<'a> {
+    arrays: Arrays<f64>,
+    chains: FxHashMap<NodeId, Option<Rc<Chain>>>,
+    skins: FxHashMap<NodeId, Option<SkinId>>,
+    morphs: FxHashMap<NodeId, Option<MorphId>>,
+    /// What the joints of each skin are called, and how to look that up.
+    pub joint_names: Vec<JointNames>,
+    /// Where each morph's weights stand in the file, for animation.
+    pub morph_targets: Vec<MorphTargets<'a>>,
+}
+
+/// What reading a controller needs besides the document.
+pub struct Sources<'s, 'a> {
+    /// The scene so far.
+    pub scene: &'s mut Scene,
+    /// The meshes.
+    pub geometries: &'s mut Geometries,
+    /// Unit and axes of the document.
+    pub asset: &'s Asset,
+    /// The nodes, for the names of joints.
+    pub tree: &'s Tree<'a>,
+}
+
+impl<'a> Controllers<'a> {
+    /// The chain that starts at a `controller` element; `None`, reported, where it leads to no mesh.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in its numbers, or on cancel.
+    pub fn chain(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, controller: El<'a>) -> Step<Option<Rc<Chain>>> {
+        if let Some(known) = self.chains.get(&controller.id()) {
+            return Ok(known.clone());
+        }
+        let chain = self.read_chain(context, sources, controller)?.map(Rc::new);
+        self.chains.insert(controller.id(), chain.clone());
+        Ok(chain)
+    }
+
+    fn read_chain(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, controller: El<'a>) -> Step<Option<Chain>> {
+        let Some((geometry, layers)) = layers(context, controller) else { return Ok(None) };
+        let Some(placed) = sources.geometries.place(context, sources.scene, sources.asset, geometry)? else { return Ok(None) };
+        let mut links = Vec::new();
+        // From the mesh outwards.
+        for layer in layers.into_iter().rev() {
+            if layer.tag_name().name() == "skin" {
+                let skin = match self.skins.get(&layer.id()) {
+                    Some(known) => *known,
+                    None => {
+                        let skin = self.read_skin(context, sources, layer, &placed)?;
+                        self.skins.insert(layer.id(), skin);
+                        skin
+                    }
+                };
+                links.extend(skin.map(Link::Skin));
+            } else {
+                let morph = match self.morphs.get(&layer.id()) {
+                    Some(known) => *known,
+                    None => {
+                        let morph = self.read_morph(context, sources, layer, &placed)?;
+                        self.morphs.insert(layer.id(), morph);
+                        morph
+                    }
+                };
+                links.extend(morph.map(Link::Morph));
+            }
+        }
+        Ok(Some(Chain { placed, links }))
+    }
+
+    fn read_skin(
+        &mut self,
+        context: &mut Context<'a>,
+        sources: &mut Sources<'_, 'a>,
+        element: El<'a>,
+        placed: &Placed,
+    ) -> Step<Option<SkinId>> {
+        let points = sources.scene.meshes.get(placed.mesh.index()).map_or(0, |mesh| mesh.source_count as usize);
+        let Some((skin, names)) = skin::read(context, &mut self.arrays, sources.tree, element, points)? else { return Ok(None) };
+        sources.scene.skins.push(skin);
+        self.joint_names.push(names);
+        Ok(Some(SkinId(sources.scene.skins.len() as u32 - 1)))
+    }
+
+    fn read_morph(
+        &mut self,
+        context: &mut Context<'a>,
+        sources: &mut Sources<'_, 'a>,
+        element: El<'a>,
+        placed: &Placed,
+    ) -> Step<Option<MorphId>> {
+        let Some(base) = &placed.geometry else { return Ok(None) };
+        let Some((morph, targets)) = morph::read(context, &mut self.arrays, sources, element, base)? else { return Ok(None) };
+        sources.scene.morphs.push(morph);
+        self.morph_targets.push(targets);
+        Ok(Some(MorphId(sources.scene.morphs.len() as u32 - 1)))
+    }
+}
+
+/// Walks from a controller down to its geometry: the `skin` and `morph` elements on the way, the outermost first.
+fn layers<'a>(context: &mut Context<'a>, controller: El<'a>) -> Option<(El<'a>, Vec<El<'a>>)> {
+    let mut layers: Vec<El<'a>> = Vec::new();
+    let mut next = controller;
+    loop {
+        let Some(layer) = child(next, "skin").or_else(|| child(next, "morph")) else {
+            context.report.warn(next, codes::BAD_SKIN, tr!("collada-empty-controller"));
+            return None;
+        };
+        if layers.contains(&layer) {
+            context.report.warn(layer, codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
+            return None;
+        }
+        if !context.spend(layer, 64 * (layers.len() + 1)) {
+            return None;
+        }
+        layers.push(layer);
+        let key = if layer.tag_name().name() == "morph" && layer.attribute("source").is_none() { "target" } else { "source" };
+        let below = context.follow(layer, key, &["geometry", "controller"])?;
+        if below.tag_name().name() == "geometry" {
+            return Some((below, layers));
+        }
+        next = below;
+    }
+}
+
+/// The geometry at the end of a morph target, which may itself be a controller.
+pub fn geometry_below<'a>(context: &mut Context<'a>, target: El<'a>) -> Option<El<'a>> {
+    if target.tag_name().name() == "geometry" { Some(target) } else { layers(context, target).map(|(geometry, _)| geometry) }
+}

@@ -1,0 +1,283 @@
+//! `library_geometries`: meshes.
+
+use std::rc::Rc;
+
+use glam::{DMat3, DMat4, DVec3, Vec3};
+use roxmltree::NodeId;
+use rustc_hash::FxHashMap;
+
+use super::context::{Context, Step, child, id_of, name_of};
+use super::primitive::{self, Shape};
+use super::source::{Accessor, Arrays, Input, inputs};
+use super::triangulate::Triangulator;
+use super::vertices::{Builder, Layout, Stream};
+use super::{Asset, El, asset, codes};
+use crate::scene::{Mesh, MeshId, Part, Scene, smooth_normals};
+use crate::{limits, tr};
+
+/// A mesh that was read.
+pub struct Geometry {
+    /// The mesh, until it is put into a scene.
+    pub mesh: Mesh,
+    /// The `set` number of each of the mesh's sets of texture coordinates.
+    pub sets: Vec<u32>,
+    /// The points of the file; kept only where a morph may need them.
+    pub points: Vec<Vec3>,
+    /// The vertex of each corner in file order; kept only where a morph may need them.
+    pub corners: Vec<u32>,
+}
+
+/// What instances need of a mesh.
+#[derive(Clone)]
+pub struct Placed {
+    /// The mesh in the scene.
+    pub mesh: MeshId,
+    /// The `set` number of each set of texture coordinates.
+    pub sets: Rc<[u32]>,
+    /// The whole, where a morph may need it.
+    pub geometry: Option<Rc<Geometry>>,
+}
+
+/// Reads geometries, each once.
+pub struct Geometries {
+    arrays: Arrays<f32>,
+    placed: FxHashMap<NodeId, Option<Placed>>,
+    targets: FxHashMap<NodeId, Option<Rc<Geometry>>>,
+    keep: bool,
+    steps: u64,
+    triangulator: Triangulator,
+}
+
+impl Geometries {
+    /// A reader that keeps points and corners if the document has a morph.
+    pub fn new(has_morph: bool) -> Self {
+        Self {
+            arrays: Arrays::default(),
+            placed: FxHashMap::default(),
+            targets: FxHashMap::default(),
+            keep: has_morph,
+            steps: limits::TRIANGULATION_STEPS,
+            triangulator: Triangulator::default(),
+        }
+    }
+
+    /// The mesh of a `geometry` element, put into the scene the first time; `None` where there is nothing to draw.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in its numbers, or on cancel.
+    pub fn place<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, element: El<'a>) -> Step<Option<Placed>> {
+        if let Some(known) = self.placed.get(&element.id()) {
+            return Ok(known.clone());
+        }
+        context.check_cancelled()?;
+        let placed = self.read(context, asset, element)?.map(|mut geometry| {
+            let id = MeshId(scene.meshes.len() as u32);
+            let sets = Rc::from(geometry.sets.as_slice());
+            if self.keep {
+                scene.meshes.push(geometry.mesh.clone().into());
+                Placed { mesh: id, sets, geometry: Some(Rc::new(geometry)) }
+            } else {
+                scene.meshes.push(std::mem::take(&mut geometry.mesh).into());
+                Placed { mesh: id, sets, geometry: None }
+            }
+        });
+        self.placed.insert(element.id(), placed.clone());
+        Ok(placed)
+    }
+
+    /// The shape of a morph target, which is not drawn by itself.
+    ///
+    /// # Errors
+    /// As [`Geometries::place`].
+    pub fn target<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> Step<Option<Rc<Geometry>>> {
+        if let Some(Some(placed)) = self.placed.get(&element.id()) {
+            return Ok(placed.geometry.clone());
+        }
+        if let Some(known) = self.targets.get(&element.id()) {
+            return Ok(known.clone());
+        }
+        let geometry = self.read(context, asset, element)?.map(Rc::new);
+        self.targets.insert(element.id(), geometry.clone());
+        Ok(geometry)
+    }
+
+    fn read<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> Step<Option<Geometry>> {
+        let Some(mesh) = child(element, "mesh") else {
+            let kind = element.children().find(|child| ["convex_mesh", "spline", "brep"].contains(&child.tag_name().name()));
+            let tag = kind.map_or("?", |kind| kind.tag_name().name());
+            context.report.warn(element, codes::UNSUPPORTED_GEOMETRY, tr!("collada-unsupported-geometry", kind = tag));
+            return Ok(None);
+        };
+        let mut raws = Vec::new();
+        let mut sets = Vec::new();
+        for part in mesh.children() {
+            if let Some(shape) = Shape::of(part.tag_name().name()) {
+                let raw = RawLayout::read(context, part, shape);
+                sets.extend(raw.uvs.iter().map(|(set, _)| *set));
+                raws.push(raw);
+            }
+        }
+        sets.sort_unstable();
+        sets.dedup();
+        if sets.len() > limits::UV_SETS {
+            context.report.note(mesh, codes::TOO_MANY_UV_SETS, tr!("collada-too-many-uv-sets", limit = limits::UV_SETS));
+            sets.truncate(limits::UV_SETS);
+        }
+        let Some(points) = self.points(context, mesh, &raws)? else {
+            context.report.warn(mesh, codes::NO_POSITIONS, tr!("collada-no-positions"));
+            return Ok(None);
+        };
+        let own = Mesh { name: name_of(element, || tr!("collada-unnamed-mesh")), id: id_of(element), ..Mesh::default() };
+        let mut builder = Builder::new(own, sets.len(), raws.iter().any(|raw| raw.color.is_some()), self.keep);
+        for raw in &raws {
+            let part = Part {
+                symbol: raw.element.attribute("material").unwrap_or_default().to_owned(),
+                triangles: builder.mesh.triangles.len() as u32..0,
+                lines: builder.mesh.lines.len() as u32..0,
+            };
+            if let Some(layout) = self.layout(context, raw, &sets)? {
+                builder.start(&layout);
+                primitive::read(context, raw.element, raw.shape, &layout, &mut builder, &mut self.triangulator, &mut self.steps)?;
+            }
+            let (triangles, lines) = (builder.mesh.triangles.len() as u32, builder.mesh.lines.len() as u32);
+            builder.mesh.parts.push(Part { triangles: part.triangles.start..triangles, lines: part.lines.start..lines, ..part });
+        }
+        let mut geometry = Geometry { corners: builder.corners.take().unwrap_or_default(), mesh: builder.mesh, sets, points: Vec::new() };
+        finish(context, mesh, &mut geometry.mesh, &points);
+        if self.keep {
+            geometry.points = (0..geometry.mesh.source_count as usize).map(|i| Vec3::from_array(points.row(i, [0.0; 3]))).collect();
+        }
+        let own_space = asset::own_space(context, asset, element)
+            .or_else(|| element.parent().filter(El::is_element).and_then(|library| asset::own_space(context, asset, library)));
+        if let Some(matrix) = own_space {
+            move_to(&mut geometry, &matrix);
+        }
+        Ok(Some(geometry))
+    }
+
+    /// The points of a mesh: those of its first primitive, else those of `vertices`.
+    fn points<'a>(&mut self, context: &mut Context<'a>, mesh: El<'a>, raws: &[RawLayout<'a>]) -> Step<Option<Accessor<f32>>> {
+        let source = raws.iter().find_map(|raw| raw.position).map(|(_, source)| source).or_else(|| {
+            let vertices = child(mesh, "vertices")?;
+            let input = inputs(vertices).into_iter().find(|input| input.semantic == "POSITION")?;
+            context.follow(input.element, "source", &["source"])
+        });
+        match source {
+            Some(source) => self.arrays.accessor(context, source, 3),
+            None => Ok(None),
+        }
+    }
+
+    fn layout<'a>(&mut self, context: &mut Context<'a>, raw: &RawLayout<'a>, sets: &[u32]) -> Step<Option<Layout>> {
+        let Some(position) = self.stream(context, raw.position, 3)? else {
+            context.report.warn(raw.element, codes::NO_POSITIONS, tr!("collada-no-positions"));
+            return Ok(None);
+        };
+        let normal = self.stream(context, raw.normal, 3)?;
+        let color = self.stream(context, raw.color, 4)?;
+        let mut uvs = Vec::new();
+        for (set, at) in &raw.uvs {
+            if let (Ok(place), Some(stream)) = (sets.binary_search(set), self.stream(context, Some(*at), 2)?) {
+                uvs.push((place, stream));
+            }
+        }
+        Ok(Some(Layout::new(raw.stride, position, normal, uvs, color)))
+    }
+
+    fn stream<'a>(&mut self, context: &mut Context<'a>, at: Option<(usize, El<'a>)>, width: usize) -> Step<Option<Stream>> {
+        let Some((offset, source)) = at else { return Ok(None) };
+        Ok(self.arrays.accessor(context, source, width)?.map(|values| Stream { offset, values }))
+    }
+}
+
+/// What a primitive's inputs say, before the sources are read: offset and source of each list.
+struct RawLayout<'a> {
+    element: El<'a>,
+    shape: Shape,
+    stride: usize,
+    position: Option<(usize, El<'a>)>,
+    normal: Option<(usize, El<'a>)>,
+    color: Option<(usize, El<'a>)>,
+    uvs: Vec<(u32, (usize, El<'a>))>,
+}
+
+impl<'a> RawLayout<'a> {
+    fn read(context: &mut Context<'a>, element: El<'a>, shape: Shape) -> Self {
+        let mut raw = Self { element, shape, stride: 1, position: None, normal: None, color: None, uvs: Vec::new() };
+        let own = inputs(element);
+        raw.stride = own.iter().map(|input| input.offset.saturating_add(1)).max().unwrap_or(1);
+        // A primitive's own lists come before those that its vertices bring along.
+        for input in own.iter().filter(|input| input.semantic != "VERTEX") {
+            raw.add(context, *input, input.offset);
+        }
+        for vertex in own.iter().filter(|input| input.semantic == "VERTEX") {
+            if let Some(vertices) = context.follow(vertex.element, "source", &["vertices"]) {
+                for input in inputs(vertices) {
+                    raw.add(context, input, vertex.offset);
+                }
+            }
+        }
+        raw
+    }
+
+    fn add(&mut self, context: &mut Context<'a>, input: Input<'a>, offset: usize) {
+        let wanted = match input.semantic {
+            "POSITION" => self.position.is_none(),
+            "NORMAL" => self.normal.is_none(),
+            "COLOR" => self.color.is_none(),
+            "TEXCOORD" | "UV" => self.uvs.len() < 4 * limits::UV_SETS,
+            _ => false,
+        };
+        if !wanted {
+            return;
+        }
+        let Some(source) = context.follow(input.element, "source", &["source"]) else { return };
+        match input.semantic {
+            "POSITION" => self.position = Some((offset, source)),
+            "NORMAL" => self.normal = Some((offset, source)),
+            "COLOR" => self.color = Some((offset, source)),
+            _ => {
+                let taken = |set: u32| self.uvs.iter().any(|(known, _)| *known == set);
+                let set = input.set.filter(|set| !taken(*set)).or_else(|| (0..u32::MAX).find(|set| !taken(*set)));
+                self.uvs.extend(set.map(|set| (set, (offset, source))));
+            }
+        }
+    }
+}
+
+/// Counts the points, fills in the normals that are missing.
+fn finish(context: &mut Context<'_>, element: El<'_>, mesh: &mut Mesh, points: &Accessor<f32>) {
+    let used = mesh.source_vertex.iter().max().map_or(0, |last| *last as usize + 1);
+    if used > points.count {
+        let message = tr!("collada-count-mismatch", said = points.count, found = points.available);
+        context.report.warn(element, codes::COUNT_MISMATCH, message);
+    }
+    mesh.source_count = u32::try_from(points.count.max(used)).unwrap_or(u32::MAX);
+    if mesh.positions.iter().any(|position| !position.is_finite()) {
+        context.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite-points"));
+    }
+    if mesh.normals.iter().any(|normal| normal.is_nan()) {
+        let mut computed = Vec::new();
+        let source = &mesh.source_vertex;
+        let group = |v: u32| source.get(v as usize).copied().unwrap_or(0);
+        smooth_normals(&mesh.positions, &mesh.triangles, group, mesh.source_count as usize, &mut computed);
+        for (normal, computed) in mesh.normals.iter_mut().zip(computed) {
+            if normal.is_nan() {
+                *normal = computed;
+            }
+        }
+    }
+}
+
+/// Moves a geometry out of its own unit and axes.
+fn move_to(geometry: &mut Geometry, matrix: &DMat4) {
+    let turn = DMat3::from_mat4(*matrix);
+    let moved = |point: &Vec3| matrix.transform_point3(point.as_dvec3()).as_vec3();
+    for point in geometry.mesh.positions.iter_mut().chain(&mut geometry.points) {
+        *point = moved(point);
+    }
+    for normal in &mut geometry.mesh.normals {
+        // Turn and even scale only, so no inverse transpose is needed.
+        *normal = (turn * normal.as_dvec3()).try_normalize().unwrap_or(DVec3::Y).as_vec3();
+    }
+}

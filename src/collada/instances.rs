@@ -1,0 +1,199 @@
+//! What hangs on nodes: meshes with their controllers and materials, lights, cameras.
+
+use std::sync::Arc;
+
+use super::context::{Context, Step, child, children, text_of};
+use super::controller::{Chain, Controllers, Link, Sources};
+use super::geometry::{Geometries, Placed};
+use super::light_camera::LightsAndCameras;
+use super::material::Materials;
+use super::nodes::{Instance, Tree};
+use super::skin::JointFinder;
+use super::source::NameKind;
+use super::{Asset, El, codes};
+use crate::scene::{Content, Deformer, MaterialBinding, Mesh, MeshInstance, NodeId, NodeKind, Scene};
+use crate::tr;
+
+/// What a binding of one part or joint takes, roughly, for the budget.
+const BINDING_BYTES: usize = 64;
+
+/// Everything that instances refer to.
+pub struct Libraries<'s, 'a> {
+    /// The meshes.
+    pub geometries: &'s mut Geometries,
+    /// Skins and morphs.
+    pub controllers: &'s mut Controllers<'a>,
+    /// The materials.
+    pub materials: &'s Materials<'a>,
+    /// Lights and cameras.
+    pub lights: &'s mut LightsAndCameras,
+    /// The nodes.
+    pub tree: &'s Tree<'a>,
+    /// Unit and axes of the document.
+    pub asset: &'s Asset,
+}
+
+impl<'a> Libraries<'_, 'a> {
+    /// Hangs everything on its node.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in numbers, or on cancel.
+    pub fn hang_all(&mut self, context: &mut Context<'a>, scene: &mut Scene) -> Step<()> {
+        let total = self.tree.instances.len().max(1);
+        for (done, instance) in self.tree.instances.iter().enumerate() {
+            context.advance(0.4 + 0.4 * done as f32 / total as f32)?;
+            if let Some(content) = self.content(context, scene, instance)? {
+                scene.graph.node_mut(instance.node).contents.push(content);
+            }
+        }
+        Ok(())
+    }
+
+    fn content(&mut self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>) -> Step<Option<Content>> {
+        let element = instance.element;
+        Ok(match element.tag_name().name() {
+            "instance_light" => match context.follow(element, "url", &["light"]) {
+                Some(light) => self.lights.light(context, scene, light)?.map(Content::Light),
+                None => None,
+            },
+            "instance_camera" => match context.follow(element, "url", &["camera"]) {
+                Some(camera) => self.lights.camera(context, scene, camera)?.map(Content::Camera),
+                None => None,
+            },
+            "instance_controller" => self.controlled(context, scene, instance)?.map(Content::Mesh),
+            // A geometry that is shown without a scene.
+            "geometry" => self.plain(context, scene, element, element)?.map(Content::Mesh),
+            _ => match context.follow(element, "url", &["geometry"]) {
+                Some(geometry) => self.plain(context, scene, element, geometry)?.map(Content::Mesh),
+                None => None,
+            },
+        })
+    }
+
+    fn plain(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>, geometry: El<'a>) -> Step<Option<MeshInstance>> {
+        let placed = self.geometries.place(context, scene, self.asset, geometry)?;
+        Ok(placed.map(|placed| self.dressed(context, scene, element, &placed, Vec::new())))
+    }
+
+    fn controlled(&mut self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>) -> Step<Option<MeshInstance>> {
+        // A morph or geometry under `instance_controller` is met as well.
+        let Some(target) = context.follow(instance.element, "url", &["controller", "geometry"]) else { return Ok(None) };
+        if target.tag_name().name() == "geometry" {
+            return self.plain(context, scene, instance.element, target);
+        }
+        let mut sources = Sources { scene, geometries: self.geometries, asset: self.asset, tree: self.tree };
+        let Some(chain) = self.controllers.chain(context, &mut sources, target)? else { return Ok(None) };
+        let deformers = self.deformers(context, scene, instance, &chain);
+        Ok(Some(self.dressed(context, scene, instance.element, &chain.placed, deformers)))
+    }
+
+    fn deformers(&self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>, chain: &Chain) -> Vec<Deformer> {
+        let mut roots: Vec<NodeId> = Vec::new();
+        let has_skin = chain.links.iter().any(|link| matches!(link, Link::Skin(_)));
+        for skeleton in children(instance.element, "skeleton").filter(|_| has_skin) {
+            let text = text_of(skeleton);
+            if let Some(root) = context.resolve(skeleton, text.trim(), &["node"])
+                && let Some(node) = self.tree.nearest(&scene.graph, instance.node, self.tree.nodes_of(root))
+            {
+                roots.push(node);
+            }
+        }
+        let mut deformers = Vec::new();
+        for link in &chain.links {
+            match link {
+                Link::Morph(morph) => deformers.push(Deformer::Morph(*morph)),
+                Link::Skin(id) => {
+                    let Some(skin) = scene.skins.get(id.index()) else { continue };
+                    if !context.spend(instance.element, skin.joints.len() * BINDING_BYTES) {
+                        continue;
+                    }
+                    let kind = self.controllers.joint_names.get(id.index()).map_or(NameKind::Name, |names| names.kind);
+                    let finder = JointFinder { tree: self.tree, graph: &scene.graph, instance: instance.node, roots: roots.clone() };
+                    let joints = finder.find_all(skin, kind);
+                    let lost: Vec<&str> =
+                        skin.joints.iter().zip(&joints).filter(|(_, node)| node.is_none()).map(|(joint, _)| joint.name.as_str()).collect();
+                    if let Some(first) = lost.first() {
+                        let message = tr!("collada-joint-not-found", count = lost.len(), first = super::context::shortened(first));
+                        context.report.warn(instance.element, codes::JOINT_NOT_FOUND, message);
+                    }
+                    // Exporters that know no joints write plain nodes; what moves a skin is a bone.
+                    for joint in joints.iter().flatten() {
+                        let node = scene.graph.node_mut(*joint);
+                        if node.kind == NodeKind::Node {
+                            node.kind = NodeKind::Joint;
+                        }
+                    }
+                    deformers.push(Deformer::Skin { skin: *id, joints });
+                }
+            }
+        }
+        deformers
+    }
+
+    /// A mesh with its materials.
+    fn dressed(
+        &self,
+        context: &mut Context<'a>,
+        scene: &Scene,
+        element: El<'a>,
+        placed: &Placed,
+        deformers: Vec<Deformer>,
+    ) -> MeshInstance {
+        let bindings = self.bindings(context, element, placed);
+        let mesh: Option<&Arc<Mesh>> = scene.meshes.get(placed.mesh.index());
+        let parts = mesh.map_or(&[][..], |mesh| &mesh.parts);
+        let mut materials = Vec::new();
+        let mut unbound = Vec::new();
+        for part in parts {
+            if !context.spend(element, BINDING_BYTES) {
+                break;
+            }
+            let bound = bindings.iter().find(|(symbol, _)| *symbol == part.symbol).map(|(_, binding)| binding.clone());
+            let direct = || {
+                let material = context.lookup.by_id(&part.symbol, &["material"])?;
+                self.materials.of(material).map(MaterialBinding::plain)
+            };
+            let material = match bound {
+                Some(bound) => bound,
+                // Some exporters name the material itself and bind nothing.
+                None if !part.symbol.is_empty() => {
+                    let direct = direct();
+                    if direct.is_none() && !scene.materials.is_empty() {
+                        unbound.push(part.symbol.as_str());
+                    }
+                    direct
+                }
+                None => None,
+            };
+            materials.push(material);
+        }
+        materials.resize(parts.len(), None);
+        if let Some(first) = unbound.first() {
+            let message = tr!("collada-unbound-material", symbol = super::context::shortened(first));
+            context.report.note(element, codes::UNBOUND_MATERIAL, message);
+        }
+        MeshInstance { mesh: placed.mesh, deformers, materials }
+    }
+
+    /// What an instance binds: symbol to material with its sets of texture coordinates.
+    fn bindings(&self, context: &mut Context<'a>, element: El<'a>, placed: &Placed) -> Vec<(&'a str, Option<MaterialBinding>)> {
+        let common = child(element, "bind_material").and_then(|bind| child(bind, "technique_common"));
+        let Some(common) = common else { return Vec::new() };
+        let mut bindings = Vec::new();
+        for instance in children(common, "instance_material") {
+            let Some(symbol) = instance.attribute("symbol") else { continue };
+            let material = context.follow(instance, "target", &["material"]).and_then(|material| self.materials.of(material));
+            let mut uv_sets = Vec::new();
+            for bind in children(instance, "bind_vertex_input") {
+                let input = bind.attribute("input_semantic").unwrap_or("TEXCOORD");
+                let set = bind.attribute("input_set").and_then(|set| set.trim().parse::<u32>().ok()).unwrap_or(0);
+                if let (Some(semantic), "TEXCOORD" | "UV", Ok(place)) = (bind.attribute("semantic"), input, placed.sets.binary_search(&set))
+                {
+                    uv_sets.push((semantic.to_owned(), place as u32));
+                }
+            }
+            bindings.push((symbol, material.map(|material| MaterialBinding { material, uv_sets })));
+        }
+        bindings
+    }
+}

@@ -1,0 +1,167 @@
+//! `library_materials`: materials made from effects, and their opacity.
+
+use roxmltree::NodeId;
+use rustc_hash::FxHashMap;
+
+use super::context::{Context, Step, child, children, id_of, name_of, text_of};
+use super::effect::Effect;
+use super::image::Images;
+use super::{El, codes};
+use crate::scene::{AlphaSource, Material, MaterialId, Paint, Scene, ShadingModel};
+use crate::tr;
+
+/// What a material takes, roughly, for the budget.
+const MATERIAL_BYTES: usize = 640;
+
+/// A material that an effect made, for animation.
+pub struct Made<'a> {
+    /// The material.
+    pub material: MaterialId,
+    /// Its effect's common profile.
+    pub effect: Effect<'a>,
+    /// Opacity as a line over the file's transparency: at 0, and what 1 adds.
+    pub opacity: (f64, f64),
+}
+
+/// The materials that were read.
+#[derive(Default)]
+pub struct Materials<'a> {
+    by_element: FxHashMap<NodeId, MaterialId>,
+    /// What each effect made.
+    by_effect: FxHashMap<NodeId, Vec<Made<'a>>>,
+}
+
+impl<'a> Materials<'a> {
+    /// Reads all materials of the libraries.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in their numbers.
+    pub fn read(context: &mut Context<'a>, scene: &mut Scene, images: &mut Images) -> Step<Self> {
+        let mut materials = Self::default();
+        for library in children(context.root, "library_materials") {
+            for element in children(library, "material") {
+                if !context.spend(element, MATERIAL_BYTES) {
+                    return Ok(materials);
+                }
+                materials.add(context, scene, images, element)?;
+            }
+        }
+        Ok(materials)
+    }
+
+    /// The material of a `material` element.
+    pub fn of(&self, element: El<'_>) -> Option<MaterialId> {
+        self.by_element.get(&element.id()).copied()
+    }
+
+    /// The materials that an `effect` element made.
+    pub fn made_by(&self, effect: El<'_>) -> &[Made<'a>] {
+        self.by_effect.get(&effect.id()).map_or(&[], Vec::as_slice)
+    }
+
+    fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, element: El<'a>) -> Step<()> {
+        let id = MaterialId(scene.materials.len() as u32);
+        self.by_element.insert(element.id(), id);
+        let mut material =
+            Material { name: name_of(element, || tr!("collada-unnamed-material")), id: id_of(element), ..Material::default() };
+        let effect = child(element, "instance_effect").and_then(|instance| {
+            let effect = context.follow(instance, "url", &["effect"])?;
+            // Many materials may name one long effect.
+            context.spend(instance, effect.range().len()).then_some(())?;
+            let common = Effect::find(context, effect, instance)?;
+            Some((effect, common))
+        });
+        if let Some((element_of_effect, effect)) = effect {
+            material.double_sided = is_double_sided(element_of_effect) || is_double_sided(element);
+            let opacity = shade(context, scene, images, &effect, &mut material)?;
+            self.by_effect.entry(element_of_effect.id()).or_default().push(Made { material: id, effect, opacity });
+        }
+        scene.materials.push(material);
+        Ok(())
+    }
+}
+
+/// Fills a material from an effect; returns opacity as a line over transparency.
+fn shade<'a>(
+    context: &mut Context<'a>,
+    scene: &mut Scene,
+    images: &mut Images,
+    effect: &Effect<'a>,
+    material: &mut Material,
+) -> Step<(f64, f64)> {
+    material.model = effect.model;
+    let mut paint = |tag| -> Step<Option<Paint>> { Ok(effect.paint(context, scene, images, tag)?.map(|(paint, _)| paint)) };
+    let emission = paint("emission")?;
+    material.diffuse = match paint("diffuse")? {
+        Some(diffuse) => diffuse,
+        // A formula that only names a glow has no diffuse part; one that names nothing gets the neutral colour.
+        None if effect.model == ShadingModel::Constant || emission.is_some() => Paint::default(),
+        None => Material::default().diffuse,
+    };
+    material.emission = emission.unwrap_or_default();
+    material.ambient = paint("ambient")?.unwrap_or_default();
+    material.specular = paint("specular")?.unwrap_or_default();
+    if let Some(shininess) = effect.number(context, "shininess")? {
+        material.shininess = shininess.clamp(0.0, 1000.0);
+    }
+    opacity(context, scene, images, effect, material)
+}
+
+/// Opacity after the opaque mode of `transparent` (COLLADA 1.5.0, "Determining Transparency (Opacity) in COLLADA"):
+/// A_ONE `a·t`, A_ZERO `1 − a·t`, RGB_ONE `luminance·t`, RGB_ZERO `1 − luminance·t`; without the attribute A_ONE.
+///
+/// Several exporters (ColladaMaya, FCollada, early SketchUp) write a transparency of 0 for a solid material while their mode asks for 1. A material
+/// that would not be seen at all is therefore taken to be written the wrong way round.
+fn opacity<'a>(
+    context: &mut Context<'a>,
+    scene: &mut Scene,
+    images: &mut Images,
+    effect: &Effect<'a>,
+    material: &mut Material,
+) -> Step<(f64, f64)> {
+    let element = child(effect.shader, "transparent");
+    let transparency = effect.number(context, "transparency")?;
+    if element.is_none() && transparency.is_none() {
+        return Ok((1.0, 0.0));
+    }
+    let amount = transparency.unwrap_or(1.0).clamp(0.0, 1.0);
+    let mode = element.and_then(|element| element.attribute("opaque")).unwrap_or("A_ONE");
+    let (paint, alpha) = effect.paint(context, scene, images, "transparent")?.unwrap_or_else(|| (Paint::color(1.0, 1.0, 1.0), 1.0));
+    let by_alpha = !mode.starts_with("RGB");
+    let inverse = mode.ends_with("ZERO");
+    if let Some(texture) = paint.texture {
+        let source = match (by_alpha, inverse) {
+            (true, false) => AlphaSource::Alpha,
+            (true, true) => AlphaSource::InverseAlpha,
+            (false, false) => AlphaSource::Luminance,
+            (false, true) => AlphaSource::InverseLuminance,
+        };
+        // With an inverse mode and no transparency at all the texture takes nothing away.
+        if !(inverse && amount == 0.0) {
+            material.opacity_texture = Some((texture, source));
+        }
+        material.opacity = if inverse || amount == 0.0 { 1.0 } else { amount };
+        return Ok(if inverse { (1.0, 0.0) } else { (0.0, 1.0) });
+    }
+    let color = paint.color;
+    let luminance = 0.212_671 * color.x + 0.715_160 * color.y + 0.072_169 * color.z;
+    let share = if by_alpha { alpha } else { luminance }.clamp(0.0, 1.0);
+    let line = if inverse { (1.0, -f64::from(share)) } else { (0.0, f64::from(share)) };
+    let opacity = (line.0 + line.1 * f64::from(amount)).clamp(0.0, 1.0) as f32;
+    if opacity < 1.0 / 512.0 {
+        context.report.note(element.unwrap_or(effect.shader), codes::TRANSPARENCY_INVERTED, tr!("collada-transparency-inverted"));
+        material.opacity = 1.0;
+        // An animation of it is read the other way round as well.
+        return Ok(if inverse { (0.0, 1.0) } else { (1.0, -1.0) });
+    }
+    material.opacity = opacity;
+    Ok(line)
+}
+
+/// The hint that several exporters put into `extra`.
+fn is_double_sided(element: El<'_>) -> bool {
+    element
+        .descendants()
+        .filter(|hint| hint.tag_name().name() == "double_sided")
+        .any(|hint| matches!(text_of(hint).trim(), "1" | "true" | "TRUE"))
+}

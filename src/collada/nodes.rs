@@ -1,0 +1,309 @@
+//! `library_visual_scenes` and `library_nodes`: the tree of nodes.
+
+use std::collections::HashMap;
+
+use glam::{DMat4, DVec3};
+use rustc_hash::FxHashMap;
+
+use super::context::{Context, Step, child, children, id_of, name_of, vector};
+use super::{Asset, El, asset, codes};
+use crate::scene::{Graph, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
+use crate::{limits, tr};
+
+/// What a node and one of its operations take, roughly, for the budget.
+const NODE_BYTES: usize = 512;
+const OP_BYTES: usize = 160;
+
+/// What hangs on a node, to be read when the tree is there.
+pub struct Instance<'a> {
+    /// The node.
+    pub node: NodeId,
+    /// The `instance_…` element.
+    pub element: El<'a>,
+}
+
+/// Which graph nodes an element of the file became, and how to find nodes by name.
+#[derive(Default)]
+pub struct Tree<'a> {
+    by_element: FxHashMap<roxmltree::NodeId, Vec<NodeId>>,
+    /// The element of each graph node; `None` for the asset node.
+    elements: Vec<Option<El<'a>>>,
+    /// One past the last node below each node: a node and all below it stand in a row.
+    ends: Vec<u32>,
+    /// Operations put before a node's own because its `asset` has another unit.
+    lead: Vec<u32>,
+    /// What hangs on the nodes.
+    pub instances: Vec<Instance<'a>>,
+    sids: HashMap<&'a str, Vec<NodeId>>,
+    ids: HashMap<&'a str, Vec<NodeId>>,
+    names: HashMap<&'a str, Vec<NodeId>>,
+}
+
+/// A piece of work while the tree is built.
+struct Todo<'a> {
+    element: El<'a>,
+    parent: NodeId,
+    depth: usize,
+    /// From the unit and axes of the nearest `asset` above to those of the document.
+    space: Option<DMat4>,
+}
+
+impl<'a> Tree<'a> {
+    /// Builds the tree of the scene that the file names, under an asset node.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in a transform, or on cancel.
+    pub fn read(context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, name: &str) -> Step<Self> {
+        let mut tree = Self::default();
+        let mut top = Node::new(if name.is_empty() { "COLLADA" } else { name });
+        top.kind = NodeKind::Asset;
+        top.transform = Transform::from_matrix(asset::to_world(asset));
+        let root = scene.graph.add(None, top);
+        tree.elements.push(None);
+        tree.lead.push(0);
+        let mut todo = Vec::new();
+        match scene_element(context) {
+            Some(element) => {
+                let library = element.parent().filter(El::is_element);
+                let space = asset::own_space(context, asset, element)
+                    .or_else(|| library.and_then(|library| asset::own_space(context, asset, library)));
+                push_children(element, root, 1, space, &mut todo);
+            }
+            None => loose_parts(context, root, &mut todo),
+        }
+        while let Some(work) = todo.pop() {
+            tree.add(context, scene, asset, work, &mut todo)?;
+        }
+        tree.finish(&scene.graph);
+        Ok(tree)
+    }
+
+    fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, work: Todo<'a>, todo: &mut Vec<Todo<'a>>) -> Step<()> {
+        let Todo { element, parent, depth, space } = work;
+        let (target, space) = match element.tag_name().name() {
+            "instance_node" => {
+                let Some(target) = context.follow(element, "url", &["node"]) else { return Ok(()) };
+                if self.is_inside(&scene.graph, parent, target) {
+                    context.report.warn(element, codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
+                    return Ok(());
+                }
+                let library = target.parent().filter(|library| library.tag_name().name() == "library_nodes");
+                (target, library.and_then(|library| asset::own_space(context, asset, library)))
+            }
+            _ => (element, space),
+        };
+        if depth > limits::DEPTH || scene.graph.len() >= limits::NODES || !context.spend(element, NODE_BYTES) {
+            context.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-nodes", nodes = limits::NODES, depth = limits::DEPTH));
+            todo.clear();
+            return Ok(());
+        }
+        if scene.graph.len().is_multiple_of(4096) {
+            context.check_cancelled()?;
+        }
+        let space = asset::own_space(context, asset, target).or(space);
+        let mut ops = transform(context, target)?;
+        if let Some(space) = space {
+            // In and out again, so that only this node's own lengths and directions are read in its unit and axes.
+            ops.insert(0, TransformOp::Matrix(space));
+            ops.push(TransformOp::Matrix(space.inverse()));
+        }
+        let is_scene_node = target.tag_name().name() == "node";
+        let kind = if is_scene_node && target.attribute("type") == Some("JOINT") { NodeKind::Joint } else { NodeKind::Node };
+        let number = scene.graph.len();
+        let mut node = Node::new(name_of(target, || tr!("collada-unnamed-node", number = number)));
+        if is_scene_node {
+            node.id = id_of(target);
+            node.sid = target.attribute("sid").unwrap_or_default().to_owned();
+        }
+        node.kind = kind;
+        node.transform = Transform { ops };
+        let id = scene.graph.add(Some(parent), node);
+        self.elements.push(Some(target));
+        self.lead.push(u32::from(space.is_some()));
+        self.by_element.entry(target.id()).or_default().push(id);
+        if is_scene_node {
+            for child in target.children() {
+                if matches!(child.tag_name().name(), "instance_geometry" | "instance_controller" | "instance_light" | "instance_camera") {
+                    self.instances.push(Instance { node: id, element: child });
+                }
+            }
+            push_children(target, id, depth + 1, space, todo);
+        } else {
+            self.instances.push(Instance { node: id, element: target });
+        }
+        Ok(())
+    }
+
+    /// Whether `node` or one above it was made from `element`.
+    fn is_inside(&self, graph: &Graph, node: NodeId, element: El<'a>) -> bool {
+        let mut next = Some(node);
+        while let Some(node) = next {
+            if self.elements.get(node.index()).copied().flatten() == Some(element) {
+                return true;
+            }
+            next = graph.node(node).parent();
+        }
+        false
+    }
+
+    fn finish(&mut self, graph: &Graph) {
+        self.ends = (1..=graph.len() as u32).collect();
+        for (id, node) in graph.iter().collect::<Vec<_>>().into_iter().rev() {
+            let end = self.ends.get(id.index()).copied().unwrap_or(0);
+            if let Some(above) = node.parent().and_then(|parent| self.ends.get_mut(parent.index())) {
+                *above = (*above).max(end);
+            }
+        }
+        for (index, element) in self.elements.iter().enumerate() {
+            let Some(element) = element.filter(|element| element.tag_name().name() == "node") else { continue };
+            let id = NodeId(index as u32);
+            for (key, map) in [("sid", &mut self.sids), ("id", &mut self.ids), ("name", &mut self.names)] {
+                if let Some(name) = element.attribute(key) {
+                    map.entry(name).or_default().push(id);
+                }
+            }
+        }
+    }
+
+    /// The graph nodes that a `node` element became.
+    pub fn nodes_of(&self, element: El<'_>) -> &[NodeId] {
+        self.by_element.get(&element.id()).map_or(&[], Vec::as_slice)
+    }
+
+    /// Operations of this node that stand before those of the file.
+    pub fn lead(&self, node: NodeId) -> u32 {
+        self.lead.get(node.index()).copied().unwrap_or(0)
+    }
+
+    /// The first node with scoped id `sid` at or below `root`.
+    pub fn sid_below(&self, root: NodeId, sid: &str) -> Option<NodeId> {
+        self.below(root, self.sids.get(sid)?)
+    }
+
+    /// The first node with this id at or below `root`.
+    pub fn id_below(&self, root: NodeId, id: &str) -> Option<NodeId> {
+        self.below(root, self.ids.get(id)?)
+    }
+
+    fn below(&self, root: NodeId, found: &[NodeId]) -> Option<NodeId> {
+        let end = self.ends.get(root.index()).copied()?;
+        let from = found.partition_point(|node| *node < root);
+        found.get(from).copied().filter(|node| node.0 < end)
+    }
+
+    /// The node with this sid, id or name anywhere; the one nearest to `near` where there are several.
+    pub fn anywhere(&self, graph: &Graph, near: NodeId, key: Key, name: &str) -> Option<NodeId> {
+        let map = match key {
+            Key::Sid => &self.sids,
+            Key::Id => &self.ids,
+            Key::Name => &self.names,
+        };
+        self.nearest(graph, near, map.get(name)?)
+    }
+
+    /// Whether any node goes by this name in any way.
+    pub fn knows(&self, name: &str) -> bool {
+        self.sids.contains_key(name) || self.ids.contains_key(name) || self.names.contains_key(name)
+    }
+
+    /// Of several nodes the one whose way to `near` through a common parent starts lowest; the first among equals.
+    pub fn nearest(&self, graph: &Graph, near: NodeId, found: &[NodeId]) -> Option<NodeId> {
+        let [_, _, ..] = found else { return found.first().copied() };
+        let mut above = Some(near);
+        while let Some(root) = above {
+            if let Some(node) = self.below(root, found) {
+                return Some(node);
+            }
+            above = graph.node(root).parent();
+        }
+        found.first().copied()
+    }
+}
+
+/// What a name is looked up as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Key {
+    /// A scoped id.
+    Sid,
+    /// An id.
+    Id,
+    /// A name.
+    Name,
+}
+
+fn push_children<'a>(element: El<'a>, parent: NodeId, depth: usize, space: Option<DMat4>, todo: &mut Vec<Todo<'a>>) {
+    let start = todo.len();
+    todo.extend(element.children().filter(|child| matches!(child.tag_name().name(), "node" | "instance_node")).map(|element| Todo {
+        element,
+        parent,
+        depth,
+        space,
+    }));
+    // Taken from the end.
+    if let Some(new) = todo.get_mut(start..) {
+        new.reverse();
+    }
+}
+
+/// The visual scene that `scene` names, else the first one.
+fn scene_element<'a>(context: &mut Context<'a>) -> Option<El<'a>> {
+    let root = context.root;
+    let instance = child(root, "scene").and_then(|scene| child(scene, "instance_visual_scene"));
+    if let Some(instance) = instance
+        && let Some(found) = context.follow(instance, "url", &["visual_scene"])
+    {
+        return Some(found);
+    }
+    let first = children(root, "library_visual_scenes").find_map(|library| child(library, "visual_scene"))?;
+    context.report.warn(first, codes::NO_SCENE_NAMED, tr!("collada-no-scene-named"));
+    Some(first)
+}
+
+/// What a file without a scene has to show: the nodes of its libraries, else its geometry.
+fn loose_parts<'a>(context: &mut Context<'a>, root: NodeId, todo: &mut Vec<Todo<'a>>) {
+    let all = |library, tag| children(context.root, library).flat_map(move |library| children(library, tag));
+    let mut parts: Vec<El<'a>> = all("library_nodes", "node").collect();
+    if parts.is_empty() {
+        parts = all("library_geometries", "geometry").collect();
+    }
+    let Some(first) = parts.first() else { return };
+    context.report.warn(*first, codes::NO_SCENE, tr!("collada-no-scene"));
+    todo.extend(parts.into_iter().rev().map(|element| Todo { element, parent: root, depth: 1, space: None }));
+}
+
+/// Whether a child of a node is one of its transforms.
+pub fn is_transform(tag: &str) -> bool {
+    matches!(tag, "lookat" | "matrix" | "rotate" | "scale" | "skew" | "translate")
+}
+
+/// A node's transforms, in document order. One that cannot be read counts as one that does nothing, so that the others keep their places.
+fn transform<'a>(context: &mut Context<'a>, node: El<'a>) -> Step<Vec<TransformOp>> {
+    let mut ops = Vec::new();
+    if node.tag_name().name() != "node" {
+        return Ok(ops);
+    }
+    for element in node.children().filter(|child| is_transform(child.tag_name().name())) {
+        if !context.spend(element, OP_BYTES) {
+            break;
+        }
+        let op = match element.tag_name().name() {
+            "translate" => context.exactly(element)?.map(|by| TransformOp::Translate(vector(by))),
+            "scale" => context.exactly(element)?.map(|by| TransformOp::Scale(vector(by))),
+            "rotate" => context.exactly(element)?.map(|[x, y, z, angle]| TransformOp::Rotate { axis: DVec3::new(x, y, z), angle }),
+            // Written row by row.
+            "matrix" => context.exactly(element)?.map(|rows| TransformOp::Matrix(DMat4::from_cols_array(&rows).transpose())),
+            "lookat" => context.exactly(element)?.map(|[a, b, c, d, e, f, g, h, i]| TransformOp::LookAt {
+                eye: DVec3::new(a, b, c),
+                target: DVec3::new(d, e, f),
+                up: DVec3::new(g, h, i),
+            }),
+            _ => context.exactly(element)?.map(|[angle, a, b, c, d, e, f]| TransformOp::Skew {
+                angle,
+                rotation: DVec3::new(a, b, c),
+                translation: DVec3::new(d, e, f),
+            }),
+        };
+        ops.push(op.unwrap_or(TransformOp::Translate(DVec3::ZERO)));
+    }
+    Ok(ops)
+}

@@ -1,0 +1,318 @@
+//! `skin`: joints, inverse bind matrices, weights.
+
+use std::collections::HashMap;
+
+use glam::DMat4;
+
+use super::context::{Context, Step, child, name_of};
+use super::nodes::{Key, Tree};
+use super::source::{Arrays, NameKind, inputs, name_list};
+use super::{El, codes};
+use crate::scene::{Graph, Influence, NodeId, Skin, SkinJoint};
+use crate::tr;
+
+/// What the joints of a skin are called.
+pub struct JointNames {
+    /// How the names are looked up.
+    pub kind: NameKind,
+}
+
+/// How far the weights of a point may be from 1 in sum without a word: six printed digits and a handful of influences stay well below.
+const SUM_TOLERANCE: f64 = 1e-3;
+
+/// Reads a `skin` element over a mesh of `points` points.
+///
+/// # Errors
+/// Where decimal commas stand in its numbers.
+pub fn read<'a>(
+    context: &mut Context<'a>,
+    arrays: &mut Arrays<f64>,
+    tree: &Tree<'a>,
+    element: El<'a>,
+    points: usize,
+) -> Step<Option<(Skin, JointNames)>> {
+    let controller = element.parent().filter(El::is_element).unwrap_or(element);
+    let mut skin = Skin {
+        name: name_of(controller, || tr!("collada-unnamed-skin")),
+        id: controller.attribute("id").unwrap_or_default().to_owned(),
+        bind_shape: DMat4::IDENTITY,
+        ..Skin::default()
+    };
+    if let Some(matrix) = child(element, "bind_shape_matrix") {
+        skin.bind_shape = context.exactly(matrix)?.map_or(DMat4::IDENTITY, |rows| DMat4::from_cols_array(&rows).transpose());
+    }
+    let Some(weights) = child(element, "vertex_weights") else {
+        context.report.warn(element, codes::BAD_SKIN, tr!("collada-bad-skin", what = "vertex_weights"));
+        return Ok(None);
+    };
+    let Some(kind) = joints(context, arrays, tree, element, weights, &mut skin)? else { return Ok(None) };
+    influences(context, arrays, weights, points, &mut skin)?;
+    Ok(Some((skin, JointNames { kind })))
+}
+
+/// Reads the joints; `None`, reported, where there are none.
+fn joints<'a>(
+    context: &mut Context<'a>,
+    arrays: &mut Arrays<f64>,
+    tree: &Tree<'a>,
+    element: El<'a>,
+    weights: El<'a>,
+    skin: &mut Skin,
+) -> Step<Option<NameKind>> {
+    let (mut names, mut matrices) = (None, None);
+    let own = child(element, "joints").map(inputs).unwrap_or_default();
+    for input in own.iter().chain(&inputs(weights)) {
+        match input.semantic {
+            "JOINT" if names.is_none() => names = context.follow(input.element, "source", &["source"]),
+            "INV_BIND_MATRIX" => matrices = context.follow(input.element, "source", &["source"]),
+            _ => {}
+        }
+    }
+    let list = match names {
+        Some(source) => name_list(context, source),
+        None => None,
+    };
+    let Some(list) = list else {
+        context.report.warn(element, codes::BAD_SKIN, tr!("collada-bad-skin", what = "JOINT"));
+        return Ok(None);
+    };
+    let matrices = match matrices {
+        Some(source) => arrays.accessor(context, source, 16)?.filter(|matrices| matrices.width() == 16),
+        None => None,
+    };
+    let mut names: Vec<String> = list.entries().map(ToOwned::to_owned).collect();
+    let count = matrices.as_ref().map_or(names.len(), |matrices| matrices.available);
+    if matrices.is_none() {
+        context.report.warn(element, codes::BAD_SKIN, tr!("collada-bad-skin", what = "INV_BIND_MATRIX"));
+    }
+    if names.len() > count
+        && let Some(joined) = rejoin(&names, count, |name| tree.knows(name))
+    {
+        names = joined;
+        context.report.note(element, codes::JOINT_NAMES_REJOINED, tr!("collada-joint-names-rejoined"));
+    }
+    if names.len() != count {
+        context.report.warn(element, codes::COUNT_MISMATCH, tr!("collada-joint-count", names = names.len(), matrices = count));
+        names.resize(count, String::new());
+    }
+    let mut bad = false;
+    for (i, name) in names.into_iter().enumerate() {
+        let rows = matrices.as_ref().map(|matrices| matrices.row(i, [0.0; 16]));
+        let inverse_bind = match rows {
+            Some(rows) if rows.iter().all(|value| value.is_finite()) => DMat4::from_cols_array(&rows).transpose(),
+            Some(_) => {
+                bad = true;
+                DMat4::IDENTITY
+            }
+            None => DMat4::IDENTITY,
+        };
+        skin.joints.push(SkinJoint { name, inverse_bind });
+    }
+    if bad {
+        context.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite"));
+    }
+    Ok(Some(list.kind))
+}
+
+/// Names with blanks in them were cut at the blanks: puts `parts` together into `count` names so that as many as possible are known.
+///
+/// Dynamic programming over (parts used, names made); the cost of a name is 0 where it is known, 1 for a single unknown part, and more than all of
+/// these for a run of parts that nobody knows. `None` where no way gives `count` names.
+fn rejoin(parts: &[String], count: usize, known: impl Fn(&str) -> bool) -> Option<Vec<String>> {
+    /// Most blanks that are expected in one name, plus one.
+    const LONGEST: usize = 8;
+    let extra = parts.len().checked_sub(count)?;
+    if count == 0 || parts.len().checked_mul(extra + 1)? > 4_000_000 {
+        return None;
+    }
+    let unknown_run = parts.len() as u32 + 1;
+    // Indexed by parts used, and by how many of the extra blanks were taken into names.
+    let width = extra + 1;
+    let mut best = vec![(u32::MAX, 0usize); (parts.len() + 1) * width];
+    if let Some(start) = best.first_mut() {
+        start.0 = 0;
+    }
+    let mut name = String::new();
+    for from in 0..parts.len() {
+        name.clear();
+        for length in 1..=LONGEST.min(parts.len() - from).min(width) {
+            if length > 1 {
+                name.push(' ');
+            }
+            name.push_str(parts.get(from + length - 1)?);
+            let cost = match (known(&name), length) {
+                (true, _) => 0,
+                (false, 1) => 1,
+                (false, _) if known(&name.replace(' ', "_")) => 0,
+                (false, length) => unknown_run * length as u32,
+            };
+            for taken in 0..width - (length - 1) {
+                let so_far = best.get(from * width + taken)?.0;
+                let slot = best.get_mut((from + length) * width + taken + length - 1)?;
+                if so_far != u32::MAX && so_far.saturating_add(cost) < slot.0 {
+                    *slot = (so_far.saturating_add(cost), length);
+                }
+            }
+        }
+    }
+    let (mut at, mut taken) = (parts.len(), extra);
+    let mut names = Vec::with_capacity(count);
+    while at > 0 {
+        let (cost, length) = *best.get(at * width + taken)?;
+        if cost == u32::MAX {
+            return None;
+        }
+        let spaced = parts.get(at - length..at)?.join(" ");
+        let scored = spaced.replace(' ', "_");
+        names.push(if !known(&spaced) && known(&scored) { scored } else { spaced });
+        at -= length;
+        taken -= length - 1;
+    }
+    names.reverse();
+    Some(names)
+}
+
+/// Reads the weights of all points.
+fn influences<'a>(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: El<'a>, points: usize, skin: &mut Skin) -> Step<()> {
+    let inputs = inputs(element);
+    let find = |semantic| inputs.iter().find(|input| input.semantic == semantic);
+    let (joint_at, weight_at) = (find("JOINT").map(|input| input.offset), find("WEIGHT").map(|input| input.offset));
+    let weight_source = match find("WEIGHT") {
+        Some(input) => context.follow(input.element, "source", &["source"]),
+        None => None,
+    };
+    let weights = match weight_source {
+        Some(source) => arrays.accessor(context, source, 1)?,
+        None => None,
+    };
+    let (Some(joint_at), Some(weight_at), Some(weights)) = (joint_at, weight_at, weights) else {
+        context.report.warn(element, codes::BAD_SKIN, tr!("collada-bad-skin", what = "WEIGHT"));
+        skin.offsets = vec![0; points + 1];
+        return Ok(());
+    };
+    let stride = inputs.iter().map(|input| input.offset.saturating_add(1)).max().unwrap_or(2);
+    let counts = match child(element, "vcount") {
+        Some(counts) => context.integers(counts)?,
+        None => Vec::new(),
+    };
+    let pairs = match child(element, "v") {
+        Some(pairs) => context.integers(pairs)?,
+        None => Vec::new(),
+    };
+    if counts.len() != points {
+        context.report.warn(element, codes::SKIN_POINTS_MISMATCH, tr!("collada-skin-points", found = counts.len(), wanted = points));
+    }
+    let mut pairs = pairs.chunks_exact(stride);
+    let (mut out_of_range, mut unnormalised, mut missing) = (0, 0, 0usize);
+    skin.offsets.push(0);
+    for count in counts.iter().take(points) {
+        let start = skin.influences.len();
+        let mut sum = 0.0;
+        let count = usize::try_from(*count).unwrap_or(0);
+        for taken in 0..count {
+            let Some(pair) = pairs.next() else {
+                missing = missing.saturating_add(count - taken);
+                break;
+            };
+            let joint = pair.get(joint_at).copied().unwrap_or(i32::MIN);
+            let weight = pair.get(weight_at).and_then(|index| usize::try_from(*index).ok()).and_then(|index| weights.get(index, 0));
+            let known = joint == -1 || usize::try_from(joint).is_ok_and(|joint| joint < skin.joints.len());
+            match weight {
+                Some(weight) if known && weight.is_finite() => {
+                    sum += weight;
+                    skin.influences.push(Influence { joint, weight: weight as f32 });
+                }
+                _ => out_of_range += 1,
+            }
+        }
+        let own = skin.influences.len() - start;
+        if own > 0 && (sum - 1.0).abs() > SUM_TOLERANCE {
+            unnormalised += 1;
+        }
+        if sum.abs() < 1e-9 {
+            // Weights of nothing move nothing: as if there were none.
+            skin.influences.truncate(start);
+        } else if let Some(own) = skin.influences.get_mut(start..) {
+            for influence in own {
+                influence.weight = (f64::from(influence.weight) / sum) as f32;
+            }
+        }
+        skin.offsets.push(u32::try_from(skin.influences.len()).unwrap_or(u32::MAX));
+    }
+    let last = skin.offsets.last().copied().unwrap_or(0);
+    skin.offsets.resize(points + 1, last);
+    if out_of_range > 0 {
+        context.report.warn(element, codes::INDEX_OUT_OF_RANGE, tr!("collada-influences-out-of-range", count = out_of_range));
+    }
+    if missing > 0 {
+        context.report.warn(element, codes::COUNT_MISMATCH, tr!("collada-influences-missing", count = missing));
+    }
+    if unnormalised > 0 {
+        context.report.warn(element, codes::WEIGHTS_NOT_NORMALISED, tr!("collada-weights-not-normalised", count = unnormalised));
+    }
+    Ok(())
+}
+
+/// Finds the nodes of a skin's joints for one instance.
+pub struct JointFinder<'f, 'a> {
+    /// The nodes.
+    pub tree: &'f Tree<'a>,
+    /// The graph.
+    pub graph: &'f Graph,
+    /// The node that holds the instance.
+    pub instance: NodeId,
+    /// The nodes that the instance's `skeleton` elements name.
+    pub roots: Vec<NodeId>,
+}
+
+impl JointFinder<'_, '_> {
+    /// The node of each joint.
+    pub fn find_all(&self, skin: &Skin, kind: NameKind) -> Vec<Option<NodeId>> {
+        let mut found: HashMap<&str, Option<NodeId>> = HashMap::new();
+        skin.joints.iter().map(|joint| *found.entry(&joint.name).or_insert_with(|| self.find(&joint.name, kind))).collect()
+    }
+
+    fn find(&self, name: &str, kind: NameKind) -> Option<NodeId> {
+        let by_sid = || self.roots.iter().find_map(|root| self.tree.sid_below(*root, name));
+        let by_id = || self.roots.iter().find_map(|root| self.tree.id_below(*root, name));
+        let anywhere = |key| self.tree.anywhere(self.graph, self.instance, key, name);
+        match kind {
+            _ if name.is_empty() => None,
+            NameKind::Name => by_sid().or_else(|| anywhere(Key::Sid)).or_else(by_id).or_else(|| anywhere(Key::Id)),
+            NameKind::IdRef => by_id().or_else(|| anywhere(Key::Id)).or_else(by_sid).or_else(|| anywhere(Key::Sid)),
+            NameKind::SidRef => self.path(name),
+        }
+        .or_else(|| anywhere(Key::Name))
+    }
+
+    /// `id/sid/sid`, or a lone sid.
+    fn path(&self, path: &str) -> Option<NodeId> {
+        let mut segments = path.split('/');
+        let first = segments.next().unwrap_or_default();
+        let start = self.tree.anywhere(self.graph, self.instance, Key::Id, first).or_else(|| self.find(first, NameKind::Name));
+        segments.try_fold(start?, |node, sid| self.tree.sid_below(node, sid))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rejoin;
+
+    fn joined(parts: &str, count: usize, known: &[&str]) -> Option<Vec<String>> {
+        let parts: Vec<String> = parts.split(' ').map(ToOwned::to_owned).collect();
+        rejoin(&parts, count, |name| known.contains(&name))
+    }
+
+    #[test]
+    fn names_cut_at_blanks_are_put_together_as_the_nodes_know_them() {
+        let known = ["Bip01", "Bip01 Head", "Bip01 L Hand", "Tail"];
+        assert_eq!(
+            joined("Bip01 Bip01 Head Tail Bip01 L Hand", 4, &known).unwrap_or_default(),
+            ["Bip01", "Bip01 Head", "Tail", "Bip01 L Hand"]
+        );
+        assert_eq!(joined("Bip01 Head Bip01", 2, &known).unwrap_or_default(), ["Bip01 Head", "Bip01"]);
+        assert_eq!(joined("Bip01 Head Bip01", 2, &["Bip01_Head", "Bip01"]).unwrap_or_default(), ["Bip01_Head", "Bip01"]);
+        assert_eq!(joined("a b c", 4, &known), None);
+        assert_eq!(joined("a b c", 0, &known), None);
+    }
+}

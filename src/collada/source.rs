@@ -1,0 +1,245 @@
+//! Sources: arrays of numbers or names, and the accessors that say how to walk them.
+
+use std::borrow::Cow;
+use std::rc::Rc;
+
+use roxmltree::NodeId;
+use rustc_hash::FxHashMap;
+
+use super::context::{Context, Step, child, children, text_of};
+use super::numbers::{Real, names};
+use super::{El, codes};
+use crate::tr;
+
+/// The tags of arrays that hold numbers, and of those that hold names.
+const NUMBER_ARRAYS: [&str; 2] = ["float_array", "int_array"];
+const NAME_ARRAYS: [&str; 4] = ["Name_array", "IDREF_array", "SIDREF_array", "bool_array"];
+
+/// A view on an array: rows of components.
+#[derive(Debug, Clone)]
+pub struct Accessor<T> {
+    data: Rc<[T]>,
+    offset: usize,
+    stride: usize,
+    /// Rows that the file says there are, as far as the data reach.
+    pub count: usize,
+    /// Rows that the data reach for.
+    pub available: usize,
+    /// Which numbers of a row count; a `param` without a name leaves its number out.
+    components: Vec<usize>,
+}
+
+impl<T: Copy> Accessor<T> {
+    /// Numbers a row.
+    pub fn width(&self) -> usize {
+        self.components.len()
+    }
+
+    /// One number; `None` outside of the data.
+    pub fn get(&self, row: usize, component: usize) -> Option<T> {
+        let column = self.components.get(component)?;
+        self.data.get(row.checked_mul(self.stride)?.checked_add(self.offset)?.checked_add(*column)?).copied()
+    }
+
+    /// The first numbers of a row, with `fill` for those that it lacks.
+    pub fn row<const N: usize>(&self, row: usize, fill: [T; N]) -> [T; N] {
+        let start = row.saturating_mul(self.stride).saturating_add(self.offset);
+        let mut values = fill;
+        for (value, column) in values.iter_mut().zip(&self.components) {
+            if let Some(found) = self.data.get(start.saturating_add(*column)) {
+                *value = *found;
+            }
+        }
+        values
+    }
+
+    /// Appends all numbers of a row.
+    pub fn extend_row(&self, row: usize, values: &mut Vec<T>) {
+        values.extend((0..self.width()).filter_map(|component| self.get(row, component)));
+    }
+}
+
+/// The arrays that were read, so that each is read once.
+pub struct Arrays<T> {
+    read: FxHashMap<NodeId, Rc<[T]>>,
+}
+
+impl<T> Default for Arrays<T> {
+    fn default() -> Self {
+        Self { read: FxHashMap::default() }
+    }
+}
+
+impl<T: Real> Arrays<T> {
+    /// The accessor of a source of numbers. `width` is what its use expects, for sources that don't say. `None` where there are no numbers.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in the array.
+    pub fn accessor<'a>(&mut self, context: &mut Context<'a>, source: El<'a>, width: usize) -> Step<Option<Accessor<T>>> {
+        let accessor = child(source, "technique_common").and_then(|technique| child(technique, "accessor"));
+        let Some(array) = array_of(context, source, accessor, &NUMBER_ARRAYS) else { return Ok(None) };
+        let data = self.array(context, array)?;
+        let (layout, given) = match accessor {
+            Some(accessor) => (Layout::of(accessor, width), number_attribute(accessor, "count")),
+            None => (Layout { offset: 0, stride: width.max(1), components: (0..width.max(1)).collect() }, None),
+        };
+        let reach = layout.components.iter().max().map_or(1, |last| last + 1);
+        let room = data.len().checked_sub(layout.offset.saturating_add(reach));
+        let available = room.map_or(0, |room| room / layout.stride + 1);
+        if let (Some(given), Some(accessor)) = (given, accessor)
+            && given > available
+        {
+            let message = tr!("collada-count-mismatch", said = given, found = available);
+            context.report.warn(accessor, codes::COUNT_MISMATCH, message);
+        }
+        let count = given.unwrap_or(available).min(available);
+        Ok(Some(Accessor { data, offset: layout.offset, stride: layout.stride, count, available, components: layout.components }))
+    }
+
+    fn array<'a>(&mut self, context: &mut Context<'a>, array: El<'a>) -> Step<Rc<[T]>> {
+        if let Some(known) = self.read.get(&array.id()) {
+            return Ok(known.clone());
+        }
+        let said = number_attribute(array, "count");
+        let values: Vec<T> = context.reals(array, said.unwrap_or(0))?;
+        if let Some(said) = said
+            && said != values.len()
+        {
+            let message = tr!("collada-count-mismatch", said = said, found = values.len());
+            context.report.warn(array, codes::COUNT_MISMATCH, message);
+        }
+        let values: Rc<[T]> = values.into();
+        self.read.insert(array.id(), values.clone());
+        Ok(values)
+    }
+}
+
+/// How an accessor walks its array.
+struct Layout {
+    offset: usize,
+    stride: usize,
+    components: Vec<usize>,
+}
+
+impl Layout {
+    fn of(accessor: El<'_>, width: usize) -> Self {
+        let params: Vec<(bool, usize)> = children(accessor, "param")
+            .take(256)
+            .map(|param| {
+                (param.attribute("name").is_some_and(|name| !name.is_empty()), param_size(param.attribute("type").unwrap_or_default()))
+            })
+            .collect();
+        let size: usize = params.iter().map(|(_, size)| size).sum();
+        // Many exporters name no param at all; then all are meant.
+        let any_named = params.iter().any(|(named, _)| *named);
+        let mut components = Vec::new();
+        let mut at = 0;
+        for (named, size) in params {
+            if named || !any_named {
+                components.extend(at..at + size);
+            }
+            at += size;
+        }
+        let stride =
+            number_attribute(accessor, "stride").filter(|stride| *stride > 0).unwrap_or(if size > 0 { size } else { width.max(1) });
+        if components.is_empty() || (components.len() == 1 && size == 1 && stride > 1 && !any_named) {
+            // No param, or one plain one for the whole row: the stride tells.
+            components = (0..stride.min(256)).collect();
+        }
+        Self { offset: number_attribute(accessor, "offset").unwrap_or(0), stride, components }
+    }
+}
+
+/// Numbers that a param of this type takes.
+fn param_size(kind: &str) -> usize {
+    let digits: Vec<usize> = kind.chars().filter_map(|c| c.to_digit(10)).map(|d| d as usize).collect();
+    match digits.as_slice() {
+        [rows, columns] if (1..=4).contains(rows) && (1..=4).contains(columns) => rows * columns,
+        [size] if (1..=4).contains(size) => *size,
+        _ => 1,
+    }
+}
+
+/// A whole number in an attribute; `None` where it is missing or none.
+pub fn number_attribute(element: El<'_>, key: &str) -> Option<usize> {
+    element.attribute(key).and_then(|value| value.trim().parse().ok())
+}
+
+fn array_of<'a>(context: &mut Context<'a>, source: El<'a>, accessor: Option<El<'a>>, tags: &[&str]) -> Option<El<'a>> {
+    let own = source.children().find(|child| tags.contains(&child.tag_name().name()));
+    match accessor.and_then(|accessor| accessor.attribute("source").map(|url| (accessor, url))) {
+        // The usual case, without a look into the index.
+        Some((_, url)) if own.is_some_and(|own| own.attribute("id").is_some_and(|id| url.strip_prefix('#') == Some(id))) => own,
+        Some((accessor, url)) => match context.lookup.url(url) {
+            super::lookup::Url::Local(id) => context.lookup.by_id(&id, tags).or(own),
+            super::lookup::Url::External(_) => own.or_else(|| context.resolve(accessor, url, tags)),
+        },
+        None => own,
+    }
+}
+
+/// What the names of a list are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NameKind {
+    /// Plain names: sids, mostly.
+    Name,
+    /// Ids.
+    IdRef,
+    /// Paths of ids and sids.
+    SidRef,
+}
+
+/// A source of names.
+pub struct NameList<'a> {
+    text: Cow<'a, str>,
+    offset: usize,
+    stride: usize,
+    /// What the names are.
+    pub kind: NameKind,
+}
+
+impl NameList<'_> {
+    /// The entries, whether or not the accessor counts them.
+    pub fn entries(&self) -> impl Iterator<Item = &str> {
+        names(&self.text).skip(self.offset).step_by(self.stride)
+    }
+}
+
+/// The names of a source; `None` where it has none.
+pub fn name_list<'a>(context: &mut Context<'a>, source: El<'a>) -> Option<NameList<'a>> {
+    let accessor = child(source, "technique_common").and_then(|technique| child(technique, "accessor"));
+    let array = array_of(context, source, accessor, &NAME_ARRAYS)?;
+    let kind = match array.tag_name().name() {
+        "IDREF_array" => NameKind::IdRef,
+        "SIDREF_array" => NameKind::SidRef,
+        _ => NameKind::Name,
+    };
+    let attribute = |key| accessor.and_then(|accessor| number_attribute(accessor, key));
+    Some(NameList { text: text_of(array), offset: attribute("offset").unwrap_or(0), stride: attribute("stride").unwrap_or(1).max(1), kind })
+}
+
+/// An `input` of a mesh, skin, morph or sampler.
+#[derive(Debug, Clone, Copy)]
+pub struct Input<'a> {
+    /// The element.
+    pub element: El<'a>,
+    /// What it holds, such as `POSITION`.
+    pub semantic: &'a str,
+    /// Where its index stands among those of a corner.
+    pub offset: usize,
+    /// Its set, where the file says.
+    pub set: Option<u32>,
+}
+
+/// The inputs of an element.
+pub fn inputs<'a>(parent: El<'a>) -> Vec<Input<'a>> {
+    children(parent, "input")
+        .map(|element| Input {
+            element,
+            semantic: element.attribute("semantic").unwrap_or_default(),
+            // 1.3 called it `idx`. An offset that is no number cannot be met by any index.
+            offset: number_attribute(element, "offset").or_else(|| number_attribute(element, "idx")).unwrap_or(0),
+            set: element.attribute("set").and_then(|set| set.trim().parse().ok()),
+        })
+        .collect()
+}

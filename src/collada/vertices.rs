@@ -1,0 +1,190 @@
+//! Makes vertices out of a file's corners: each different combination of indices becomes one vertex.
+
+use std::collections::HashMap;
+
+use glam::{Vec2, Vec3, Vec4};
+
+use super::source::Accessor;
+use crate::scene::Mesh;
+
+/// One list of values that a primitive's corners point into.
+#[derive(Clone)]
+pub struct Stream {
+    /// Where its index stands in a corner.
+    pub offset: usize,
+    /// The values.
+    pub values: Accessor<f32>,
+}
+
+/// The lists that one primitive uses.
+#[derive(Clone)]
+pub struct Layout {
+    /// Numbers a corner.
+    pub stride: usize,
+    /// Points.
+    pub position: Stream,
+    /// Normals.
+    pub normal: Option<Stream>,
+    /// Texture coordinates, each with its place in the mesh's list of sets.
+    pub uvs: Vec<(usize, Stream)>,
+    /// Colours.
+    pub color: Option<Stream>,
+    /// Which corner offsets make a vertex, beyond that of the position.
+    keys: Vec<usize>,
+    /// The lowest number of values behind each offset in `keys`, and behind the position.
+    limits: Vec<u32>,
+    position_limit: u32,
+}
+
+impl Layout {
+    /// A layout of these streams.
+    pub fn new(stride: usize, position: Stream, normal: Option<Stream>, uvs: Vec<(usize, Stream)>, color: Option<Stream>) -> Self {
+        let rows = |stream: &Stream| u32::try_from(stream.values.available).unwrap_or(u32::MAX).min(i32::MAX as u32);
+        let mut position_limit = rows(&position);
+        let (mut keys, mut limits): (Vec<usize>, Vec<u32>) = (Vec::new(), Vec::new());
+        for stream in normal.iter().chain(uvs.iter().map(|(_, stream)| stream)).chain(&color) {
+            if stream.offset == position.offset {
+                position_limit = position_limit.min(rows(stream));
+            } else if let Some(known) = keys.iter().position(|offset| *offset == stream.offset) {
+                if let Some(limit) = limits.get_mut(known) {
+                    *limit = (*limit).min(rows(stream));
+                }
+            } else {
+                keys.push(stream.offset);
+                limits.push(rows(stream));
+            }
+        }
+        Self { stride, position, normal, uvs, color, keys, limits, position_limit }
+    }
+}
+
+/// Longest chain of vertices on one point that is walked; beyond it a hash table takes over, so that a fan of a million corners stays fast.
+const CHAIN: usize = 16;
+const NONE: u32 = u32::MAX;
+
+/// Builds the vertex lists of one mesh.
+pub struct Builder {
+    /// The mesh so far.
+    pub mesh: Mesh,
+    has_colors: bool,
+    /// Index of each corner's vertex, in file order, where that is wanted.
+    pub corners: Option<Vec<u32>>,
+    /// Latest vertex on each point, with the primitive that made it.
+    heads: Vec<(u32, u32)>,
+    /// The vertex before on the same point.
+    links: Vec<u32>,
+    keys: Vec<i32>,
+    key_starts: Vec<u32>,
+    overflow: HashMap<Vec<i32>, u32>,
+    primitive: u32,
+    key: Vec<i32>,
+}
+
+impl Builder {
+    /// A builder for a mesh with `sets` sets of texture coordinates.
+    pub fn new(mesh: Mesh, sets: usize, has_colors: bool, want_corners: bool) -> Self {
+        let mut mesh = mesh;
+        mesh.uv_sets = vec![Vec::new(); sets];
+        Self {
+            mesh,
+            has_colors,
+            corners: want_corners.then(Vec::new),
+            heads: Vec::new(),
+            links: Vec::new(),
+            keys: Vec::new(),
+            key_starts: Vec::new(),
+            overflow: HashMap::new(),
+            primitive: 0,
+            key: Vec::new(),
+        }
+    }
+
+    /// Starts a primitive: vertices are shared within it only, since the next may point into other lists.
+    pub fn start(&mut self, layout: &Layout) {
+        self.primitive += 1;
+        self.overflow.clear();
+        if self.heads.len() < layout.position.values.available {
+            self.heads.resize(layout.position.values.available, (0, NONE));
+        }
+    }
+
+    /// The vertex of a corner; `None` where an index is out of range.
+    pub fn vertex(&mut self, layout: &Layout, corner: &[i32]) -> Option<u32> {
+        let point = u32::try_from(*corner.get(layout.position.offset)?).ok().filter(|point| *point < layout.position_limit)?;
+        self.key.clear();
+        for (offset, limit) in layout.keys.iter().zip(&layout.limits) {
+            let index = *corner.get(*offset)?;
+            if index < 0 || index as u32 >= *limit {
+                return None;
+            }
+            self.key.push(index);
+        }
+        let width = self.key.len();
+        let head = self.heads.get_mut(point as usize)?;
+        if head.0 != self.primitive {
+            *head = (self.primitive, NONE);
+        }
+        let (mut vertex, mut walked) = (head.1, 0);
+        while vertex != NONE && walked < CHAIN {
+            let start = self.key_starts.get(vertex as usize).copied().unwrap_or(0) as usize;
+            if self.keys.get(start..start + width) == Some(self.key.as_slice()) {
+                return Some(self.note(vertex));
+            }
+            vertex = self.links.get(vertex as usize).copied().unwrap_or(NONE);
+            walked += 1;
+        }
+        if vertex != NONE {
+            let mut key = self.key.clone();
+            key.push(point as i32);
+            if let Some(known) = self.overflow.get(&key) {
+                return Some(self.note(*known));
+            }
+            let new = self.push(layout, corner, point);
+            self.overflow.insert(key, new);
+            return Some(self.note(new));
+        }
+        let new = self.push(layout, corner, point);
+        if let Some(head) = self.heads.get_mut(point as usize) {
+            if let Some(link) = self.links.get_mut(new as usize) {
+                *link = head.1;
+            }
+            head.1 = new;
+        }
+        Some(self.note(new))
+    }
+
+    fn note(&mut self, vertex: u32) -> u32 {
+        if let Some(corners) = &mut self.corners {
+            corners.push(vertex);
+        }
+        vertex
+    }
+
+    fn push(&mut self, layout: &Layout, corner: &[i32], point: u32) -> u32 {
+        let row = |stream: &Stream| corner.get(stream.offset).map_or(0, |index| *index as usize);
+        let mesh = &mut self.mesh;
+        let vertex = mesh.positions.len() as u32;
+        mesh.positions.push(Vec3::from_array(layout.position.values.row(point as usize, [0.0; 3])));
+        mesh.source_vertex.push(point);
+        // What is missing is not a number until all primitives are there, and is computed then.
+        let normal = layout.normal.as_ref().map_or(Vec3::NAN, |stream| Vec3::from_array(stream.values.row(row(stream), [0.0; 3])));
+        mesh.normals.push(normal.try_normalize().unwrap_or(Vec3::NAN));
+        for uvs in &mut mesh.uv_sets {
+            uvs.push(Vec2::ZERO);
+        }
+        for (set, stream) in &layout.uvs {
+            if let Some(uv) = mesh.uv_sets.get_mut(*set).and_then(|uvs| uvs.last_mut()) {
+                *uv = Vec2::from_array(stream.values.row(row(stream), [0.0; 2]));
+            }
+        }
+        if self.has_colors {
+            let color =
+                layout.color.as_ref().map_or(Vec4::ONE, |stream| Vec4::from_array(stream.values.row(row(stream), [0.0, 0.0, 0.0, 1.0])));
+            mesh.colors.push(color.clamp(Vec4::ZERO, Vec4::ONE));
+        }
+        self.links.push(NONE);
+        self.key_starts.push(self.keys.len() as u32);
+        self.keys.extend_from_slice(&self.key);
+        vertex
+    }
+}

@@ -1,0 +1,229 @@
+//! What a document asks of the XML parser, looked at before the parser runs: depth, number of nodes, namespaces, entities.
+//!
+//! The parser builds its whole tree at once. One pass over the tags, which skips text at memory speed, tells how much that tree will take,
+//! so that a document of nothing but tags is refused before it fills the memory.
+
+use memchr::{memchr, memchr_iter, memchr3, memmem};
+
+use super::ReadError;
+use crate::{limits, tr};
+
+/// What the tree takes per node and per attribute, bytes: sizes in roxmltree 0.21, rounded up.
+const NODE_BYTES: usize = 80;
+const ATTRIBUTE_BYTES: usize = 80;
+
+/// What one pass over the tags found.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Survey {
+    nodes: usize,
+    attributes: usize,
+    prefixes: Vec<String>,
+    /// Length of the document type definition, where it declares entities.
+    entities: usize,
+    nested_entities: bool,
+}
+
+/// Parses `text`.
+///
+/// # Errors
+/// [`ReadError`] with the line where it is not well-formed XML or asks for more than the limits allow.
+pub fn parse(text: &str) -> Result<roxmltree::Document<'_>, ReadError> {
+    let survey = survey(text)?;
+    let budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
+    let tree = survey.nodes * NODE_BYTES + survey.attributes * ATTRIBUTE_BYTES;
+    // The parser reserves by counting `<` and `=`, wherever they stand.
+    let reserved = memchr_iter(b'<', text.as_bytes()).count() * NODE_BYTES + memchr_iter(b'=', text.as_bytes()).count() * ATTRIBUTE_BYTES;
+    if tree > budget || reserved > 4 * budget {
+        return Err(ReadError { line: None, message: tr!("collada-too-many-elements", count = survey.nodes) });
+    }
+    if survey.entities > 0 {
+        let uses = memchr_iter(b'&', text.as_bytes()).count();
+        // The parser lets one use lead to 255 others.
+        let grown = survey.entities.saturating_mul(uses).saturating_mul(if survey.nested_entities { 256 } else { 1 });
+        if grown > limits::ENTITY_BYTES {
+            return Err(ReadError { line: None, message: tr!("collada-entities", limit = limits::ENTITY_BYTES >> 20) });
+        }
+    }
+    let nodes_limit = u32::try_from(budget / NODE_BYTES).unwrap_or(u32::MAX);
+    let options = roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
+    roxmltree::Document::parse_with_options(text, options).map_err(|error| refused(&error))
+}
+
+/// The parser's error in the user's language.
+fn refused(error: &roxmltree::Error) -> ReadError {
+    use roxmltree::Error;
+    let position = error.pos();
+    let (line, column) = (Some(position.row), position.col);
+    match error {
+        Error::UnexpectedCloseTag(expected, actual, _) => {
+            ReadError { line, message: tr!("collada-xml-close-tag", expected = expected.as_str(), actual = actual.as_str()) }
+        }
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => ReadError { line: None, message: tr!("collada-xml-cut-short") },
+        Error::NoRootNode => ReadError { line: None, message: tr!("collada-not-xml") },
+        Error::UnknownEntityReference(name, _) => ReadError { line, message: tr!("collada-xml-unknown-entity", name = name.as_str()) },
+        Error::EntityReferenceLoop(_) => ReadError { line, message: tr!("collada-xml-entity-loop") },
+        Error::UnknownNamespace(prefix, _) => ReadError { line, message: tr!("collada-xml-unknown-prefix", prefix = prefix.as_str()) },
+        Error::DuplicatedAttribute(name, _) => ReadError { line, message: tr!("collada-xml-repeated-attribute", name = name.as_str()) },
+        Error::NodesLimitReached => ReadError { line: None, message: tr!("collada-too-many-elements", count = 0) },
+        _ if position.row == 1 && position.col == 1 => ReadError { line, message: tr!("collada-not-xml") },
+        _ => ReadError { line, message: tr!("collada-xml", column = column) },
+    }
+}
+
+/// One pass over the tags. Where the document is not well-formed it stops, and the parser says what is wrong.
+fn survey(text: &str) -> Result<Survey, ReadError> {
+    let bytes = text.as_bytes();
+    let mut survey = Survey { nodes: 2, ..Survey::default() };
+    let (mut at, mut depth) = (0, 0usize);
+    while let Some(found) = bytes.get(at..).and_then(|rest| memchr(b'<', rest)) {
+        survey.nodes += usize::from(found > 0);
+        at += found;
+        let Some(rest) = bytes.get(at..) else { break };
+        let skipped = match rest {
+            [b'<', b'!', b'-', b'-', body @ ..] => {
+                survey.nodes += 1;
+                memmem::find(body, b"-->").map(|end| end + 7)
+            }
+            [b'<', b'!', b'[', body @ ..] => {
+                survey.nodes += 1;
+                memmem::find(body, b"]]>").map(|end| end + 6)
+            }
+            [b'<', b'!', ..] => doctype(rest, &mut survey),
+            [b'<', b'?', body @ ..] => {
+                survey.nodes += 1;
+                memmem::find(body, b"?>").map(|end| end + 4)
+            }
+            [b'<', b'/', body @ ..] => {
+                depth = depth.saturating_sub(1);
+                memchr(b'>', body).map(|end| end + 3)
+            }
+            _ => {
+                survey.nodes += 1;
+                match tag(rest, &mut survey) {
+                    Ok(Some((length, empty))) => {
+                        depth += usize::from(!empty);
+                        Some(length)
+                    }
+                    Ok(None) => None,
+                    Err(message) => return Err(ReadError { line: Some(line_at(bytes, at)), message }),
+                }
+            }
+        };
+        if depth > limits::DEPTH {
+            return Err(ReadError { line: Some(line_at(bytes, at)), message: tr!("collada-too-deep", limit = limits::DEPTH) });
+        }
+        match skipped {
+            Some(length) => at += length,
+            None => break,
+        }
+    }
+    Ok(survey)
+}
+
+/// A start tag: its length and whether it closes itself; `None` where it doesn't end.
+fn tag(rest: &[u8], survey: &mut Survey) -> Result<Option<(usize, bool)>, String> {
+    let mut at = 0;
+    let mut attributes = 0;
+    loop {
+        let Some(found) = rest.get(at..).and_then(|tail| memchr3(b'"', b'\'', b'>', tail)) else { return Ok(None) };
+        let start = at;
+        at += found;
+        let Some(&mark) = rest.get(at) else { return Ok(None) };
+        if mark == b'>' {
+            survey.attributes += attributes;
+            return Ok(Some((at + 1, at > 0 && rest.get(at - 1) == Some(&b'/'))));
+        }
+        attributes += 1;
+        if attributes > limits::XML_ATTRIBUTES {
+            return Err(tr!("collada-too-many-attributes", limit = limits::XML_ATTRIBUTES));
+        }
+        if let Some(name) = rest.get(start..at).and_then(declared_prefix)
+            && !survey.prefixes.iter().any(|known| *known == name)
+        {
+            if survey.prefixes.len() >= limits::XML_PREFIXES {
+                return Err(tr!("collada-too-many-prefixes", limit = limits::XML_PREFIXES));
+            }
+            survey.prefixes.push(name);
+        }
+        let Some(length) = rest.get(at + 1..).and_then(|value| memchr(mark, value)) else { return Ok(None) };
+        at += length + 2;
+    }
+}
+
+/// The prefix that an attribute declares, given what stands before its value.
+fn declared_prefix(before: &[u8]) -> Option<String> {
+    let at = memmem::find(before, b"xmlns:")?;
+    let name = before.get(at + 6..)?;
+    let end = name.iter().position(|b| *b == b'=' || b.is_ascii_whitespace()).unwrap_or(name.len());
+    name.get(..end).map(|name| String::from_utf8_lossy(name).into_owned())
+}
+
+/// A document type declaration with its internal subset: its length.
+fn doctype(rest: &[u8], survey: &mut Survey) -> Option<usize> {
+    let end = memchr(b'>', rest)? + 1;
+    let Some(open) = rest.get(..end).and_then(|head| memchr(b'[', head)) else { return Some(end) };
+    let subset = rest.get(open..)?;
+    let close = memchr(b']', subset)?;
+    // A `]` inside a quoted value ends the subset too early here; what follows is then looked at as tags, which only makes the survey stricter.
+    let body = subset.get(..close)?;
+    if memmem::find(body, b"<!ENTITY").is_some() {
+        survey.entities += body.len();
+        survey.nested_entities |= memchr(b'&', body).is_some() || memchr(b'<', body.get(9..).unwrap_or_default()).is_some();
+    }
+    let tail = memchr(b'>', subset.get(close..)?)?;
+    Some(open + close + tail + 1)
+}
+
+/// The line of a byte, from 1.
+fn line_at(bytes: &[u8], at: usize) -> u32 {
+    bytes.get(..at).map_or(1, |before| memchr_iter(b'\n', before).count() as u32 + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_survey_counts_what_the_parser_makes() {
+        let text = "<?xml version='1.0'?><!DOCTYPE a><a x='1>' y=\"2\"> t <b/><!-- <c> --><![CDATA[<d>]]></a>";
+        let survey = survey(text).unwrap_or_default();
+        let document = parse(text).unwrap_or_else(|error| unreachable!("{error}"));
+        assert!(survey.nodes >= document.descendants().count());
+        // The declaration's own attribute counts as none.
+        assert_eq!(survey.attributes, 2);
+    }
+
+    #[test]
+    fn a_million_levels_are_refused_by_their_line() {
+        let text = format!("<a>\n{}", "<b>".repeat(1_000_000));
+        let error = parse(&text).err();
+        assert_eq!(error.as_ref().and_then(|error| error.line), Some(2));
+        assert!(error.is_some_and(|error| error.message.contains("1000") || error.message.contains("1,000")));
+    }
+
+    #[test]
+    fn bombs_of_entities_tags_attributes_and_namespaces_are_refused() {
+        let laughs =
+            "<!DOCTYPE a [<!ENTITY a 'ha'><!ENTITY b '&a;&a;&a;&a;&a;&a;&a;&a;'><!ENTITY c '&b;&b;&b;&b;&b;&b;&b;&b;'>]><a>&c;</a>";
+        assert!(parse(laughs).is_ok(), "a small joke is harmless");
+        let mut nested = String::from("<!DOCTYPE a [<!ENTITY x0 'ha'>");
+        for i in 1..20 {
+            nested.push_str(&format!("<!ENTITY x{i} '&x{0};&x{0};&x{0};&x{0};'>", i - 1));
+        }
+        assert!(parse(&format!("{nested}]><a>{}</a>", "&x19;".repeat(1000))).is_err());
+        let quadratic = format!("<!DOCTYPE a [<!ENTITY x '{}'>]><a>{}</a>", "h".repeat(100_000), "&x;".repeat(100_000));
+        assert!(parse(&quadratic).is_err());
+        assert!(parse(&format!("<a>{}</a>", "<b/>".repeat(3_000_000))).is_err());
+        let attributes: String = (0..1000).map(|i| format!(" a{i}=''")).collect();
+        assert!(parse(&format!("<a{attributes}/>")).is_err());
+        let prefixes: String = (0..100).map(|i| format!("<a xmlns:p{i}='u'/>")).collect();
+        assert!(parse(&format!("<a>{prefixes}</a>")).is_err());
+    }
+
+    #[test]
+    fn broken_documents_name_their_line() {
+        for (text, line) in [("<a>\n<b>\n</a>", Some(3)), ("<a>\n<b", None), ("<a>\n<b c=1/></a>", Some(2)), ("hello", Some(1))] {
+            assert_eq!(parse(text).err().map(|error| error.line), Some(line), "{text}");
+        }
+    }
+}
