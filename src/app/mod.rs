@@ -1,1 +1,93 @@
 //! The window. GTK appears here and nowhere else.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`session`] | what is open and how it is looked at; no widgets |
+//! | [`actions`], [`keys`], `perform` | the one table of commands, their keys, and what they do |
+//! | `window` | puts the parts together and hands changes round |
+//! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
+//! | `files`, `recent`, `picture` | opening off the interface thread, watching, recent files, pictures |
+//!
+//! A change goes one way: a widget calls `Window::act` with what to do to the session; the session notes what changed; the window
+//! refreshes the parts that show it. While it refreshes, signals of the widgets are not taken for the user's hand.
+
+mod about;
+pub mod actions;
+mod bone_names;
+mod canvas;
+mod display_panel;
+mod error_bar;
+mod files;
+mod format;
+mod glyph;
+mod health_panel;
+mod keyboard;
+mod keys;
+mod menus;
+mod muscle_panel;
+mod node_table;
+mod perform;
+mod picture;
+mod profile_view;
+mod recent;
+mod scene_tree;
+pub mod session;
+pub mod settings;
+mod start;
+mod theme;
+mod timeline;
+mod track;
+mod tree_rows;
+mod ui;
+mod viewport;
+mod window;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use crate::tr;
+
+/// The one id for the application, its icon, its desktop file and its metainfo.
+pub const APPLICATION_ID: &str = "io.github.sinew.Sinew";
+
+/// Opens the window with these files; none = the built-in biceps. Returns when the window is closed: 1 where there is no display.
+pub fn run(files: Vec<PathBuf>) -> ExitCode {
+    choose_renderer();
+    if gtk::init().is_err() {
+        eprintln!("{}", tr!("app-no-display"));
+        return ExitCode::FAILURE;
+    }
+    glib::set_application_name("Sinew");
+    glib::set_prgname(Some("sinew"));
+    let flags = gio::ApplicationFlags::HANDLES_OPEN | gio::ApplicationFlags::NON_UNIQUE;
+    let application = gtk::Application::new(Some(APPLICATION_ID), flags);
+    application.connect_activate(|application| {
+        window::Window::open(application, Vec::new());
+    });
+    application.connect_open(|application, files, _| {
+        window::Window::open(application, files.iter().filter_map(gio::prelude::FileExt::path).collect());
+    });
+    let arguments = std::iter::once("sinew".into()).chain(files.into_iter().map(argument)).collect::<Vec<_>>();
+    match application.run_with_args(&arguments).get() {
+        0 => ExitCode::SUCCESS,
+        _ => ExitCode::FAILURE,
+    }
+}
+
+/// A file as an argument that is not taken for an option.
+fn argument(file: PathBuf) -> String {
+    gio::File::for_commandline_arg(file).uri().into()
+}
+
+/// Without a GPU, GTK before 4.14 shows a frame through OpenGL in software: 41–51 ms of CPU where cairo needs 1.4–2.1.
+fn choose_renderer() {
+    let chooses_well = (gtk::major_version(), gtk::minor_version()) >= (4, 14);
+    if !chooses_well && std::env::var_os("GSK_RENDERER").is_none() {
+        // SAFETY: nothing else runs yet: this is the first thing that the window's thread does, before GTK starts any other.
+        unsafe { std::env::set_var("GSK_RENDERER", "cairo") };
+    }
+}

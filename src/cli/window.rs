@@ -17,8 +17,7 @@ pub fn open(files: Vec<PathBuf>) -> ExitCode {
 #[cfg(feature = "gui")]
 fn start(files: Vec<PathBuf>) -> ExitCode {
     if has_display() {
-        // The window lands here.
-        drop(files);
+        return crate::app::run(files);
     }
     Failure::Files(vec![tr!("cli-no-display")]).report()
 }

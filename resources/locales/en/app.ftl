@@ -1,1 +1,282 @@
-# app
+# The window.
+app-name = Sinew
+app-about = Skeletal animation clips and muscles that keep their volume, in one scene, drawn without a GPU.
+app-no-display = There is no display to open a window on. To make a picture without one: sinew render FILE -o picture.png
+app-open = Open
+app-cancel = Cancel
+app-save = Save
+app-retry = Try again
+app-details = Details
+app-copied = Copied.
+app-warning = Warning
+app-note = Note
+app-line = line { $line }
+app-line-column = line { $line }, column { $column }
+
+# Pages and groups
+app-page-muscle = Muscle
+app-page-display = Display
+app-page-health = Health
+app-group-files = Files
+app-group-time = Time
+app-group-camera = Camera and light
+app-group-model = Model
+app-group-display = Display
+app-group-window = Window
+app-group-mouse = Mouse
+app-menu-camera = Camera
+app-menu-display = Display
+app-menu-colours = Colours
+app-file-cameras = Cameras of the file
+
+# Commands
+app-do-open = Open files
+app-do-reload = Read again
+app-do-previous-file = Previous file in the folder
+app-do-next-file = Next file in the folder
+app-do-picture = Save picture
+app-do-picture-transparent = Save picture without background
+app-do-copy-picture = Copy picture
+app-do-close = Close
+app-do-quit = Quit
+app-do-play = Play or pause
+app-do-reverse = Play backwards
+app-do-frame-back = One frame back
+app-do-frame-forward = One frame forward
+app-do-second-back = One second back
+app-do-second-forward = One second forward
+app-do-first = To the start
+app-do-last = To the end
+app-do-previous-key = Previous key
+app-do-next-key = Next key
+app-do-slower = Slower
+app-do-faster = Faster
+app-do-normal-speed = Normal speed
+app-do-loop-mode = Loop, once, ping-pong
+app-do-mark-a = Set mark A here
+app-do-mark-b = Set mark B here
+app-do-clear-marks = Clear marks A and B
+app-do-previous-clip = Previous clip
+app-do-next-clip = Next clip
+app-do-fit = Fit to view
+app-do-reset-camera = Reset camera
+app-do-centre = Centre on the selection
+app-do-view-front = Front
+app-do-view-back = Back
+app-do-view-right = Right
+app-do-view-left = Left
+app-do-view-top = Top
+app-do-view-bottom = Bottom
+app-do-view-iso = Isometric
+app-do-view-iso-opposite = Isometric from behind
+app-do-orthographic = Parallel projection
+app-do-fly = Fly
+app-do-reset-light = Reset light
+app-do-tool-navigate = Navigate: drag moves the camera
+app-do-tool-move = Move the model
+app-do-tool-rotate = Rotate the model
+app-do-tool-scale = Scale the model
+app-do-reset-model = Reset the model
+app-do-contract-more = Contract by 5 %
+app-do-contract-less = Relax by 5 %
+app-do-elbow-more = Bend the elbow by 5°
+app-do-elbow-less = Straighten the elbow by 5°
+app-do-undo = Undo
+app-do-redo = Redo
+app-do-bones = Bones
+app-do-bone-names = Bone names
+app-do-bone-axes = Bone axes
+app-do-xray = Bones through surfaces
+app-do-mesh = Meshes
+app-do-muscle = Muscles
+app-do-materials = Materials and textures
+app-do-smooth-normals = Smooth normals in lighting
+app-do-normal-glyphs = Normals as lines
+app-do-wireframe = Edges
+app-do-weights = Weights of the selected bone
+app-do-grid = Ground grid
+app-do-axes = World axes
+app-do-bounding-box = Bounding box
+app-do-depth-test = Depth test
+app-do-cull-back-faces = Hide back faces
+app-do-smooth-edges = Smooth edges
+app-do-flat = Flat
+app-do-gouraud = Gouraud
+app-do-phong = Phong
+app-do-sidebars = Both side panels
+app-do-tree = Scene tree
+app-do-panel = Right panel
+app-do-fullscreen = Full screen
+app-do-frame-times = Frame times
+app-do-colours-system = As the desktop
+app-do-colours-light = Light
+app-do-colours-dark = Dark
+app-do-menu = Main menu
+app-do-shortcuts = Keyboard shortcuts
+app-do-about = About Sinew
+
+# Mouse
+app-mouse-orbit = Orbit
+app-mouse-orbit-how = Drag with the left or middle button
+app-mouse-pan = Pan
+app-mouse-pan-how = Shift + drag
+app-mouse-zoom = Zoom
+app-mouse-zoom-how = Wheel, pinch or Ctrl + drag
+app-mouse-zoom-pointer = Zoom to the pointer
+app-mouse-zoom-pointer-how = Ctrl + wheel
+app-mouse-light = Move the light
+app-mouse-light-how = Drag with the right button; Shift + right click resets it
+app-mouse-pick = Select
+app-mouse-pick-how = Click
+app-mouse-centre = Centre
+app-mouse-centre-how = Double-click
+app-mouse-fly = In flight
+app-mouse-fly-how = W A S D Q E, Shift faster, Alt slower, wheel sets the speed, Esc lands
+
+# Picture
+app-hint = Drag to orbit · Shift+drag to pan · wheel to zoom · right-drag moves the light
+app-hint-move = Drag to move the model · V goes back to the camera
+app-hint-rotate = Drag to rotate the model · V goes back to the camera
+app-hint-scale = Drag up or right to enlarge the model · V goes back to the camera
+app-hint-fly = W A S D and Q E to fly · drag to look · wheel sets the speed · Esc lands
+app-times = { $rate } fps · { $total } ms
+    pose { $pose } · vertices { $vertex }
+    raster { $raster } · resolve { $resolve }
+app-axis-x = X
+app-axis-y = Y
+app-axis-z = Z
+app-numbers-move = Moved, m
+app-numbers-rotate = Turned, °
+app-numbers-scale = Scale
+app-drop-here = Drop to open
+app-open-folder = Open folder
+app-status-position = { $name }: x { $x }, y { $y }, z { $z } m
+app-status-triangles = { $count ->
+    [one] { $shown } triangle
+   *[other] { $shown } triangles
+}
+app-picture-title = Save picture
+app-picture-copied = The picture is copied.
+app-saved = Saved { $file }.
+app-unsaved = { $file } could not be saved
+
+# Files
+app-loading = Reading { $file } …
+app-loading-progress = Reading
+app-refused = { $file } cannot be opened
+app-kept = What was open stays open.
+app-reader-broke = The reader failed on this file. Please report it together with the file.
+app-reloaded = Read again, nothing changed in number.
+app-reloaded-changes = Read again: { $changes }.
+app-changed-nodes = { $old } → { $new } nodes
+app-changed-triangles = { $old } → { $new } triangles
+app-changed-clips = { $old } → { $new } clips
+app-changed-seconds = { $old } → { $new } s
+app-findings = { $count ->
+    [one] One oddity was found while reading; see Health.
+   *[other] { $count } oddities were found while reading; see Health.
+}
+app-choose-title = Open files
+app-choose-open = Open
+app-choose-ours = Animation clips and muscles
+app-choose-all = All files
+app-recent = Recent files
+app-recent-none = None yet
+app-settings-broken = The settings in { $file } cannot be read and were ignored: { $reason }
+app-settings-unsaved = The settings could not be saved: { $reason }
+app-missing = no { $what }
+app-missing-still = no { $what }: nothing moves
+app-missing-mesh = mesh
+app-missing-skeleton = skeleton
+app-missing-animation = animation
+
+# Start page
+app-start-title = Nothing is open
+app-start-text = Open a COLLADA clip (.dae, .zae) or a muscle (.yaml), or drop files here.
+app-start-open = Open files
+app-start-biceps = Built-in biceps
+
+# Timeline
+app-play = Play
+app-time = Time
+app-clip = Clip
+app-speed = Speed; below 0 plays backwards
+app-seconds = Time
+app-seconds-tip = Exact time, seconds
+app-frame = Frame
+app-frame-tip = Frame number
+app-no-animation = No animation
+app-loop = loop
+app-once = once
+app-ping-pong = ping-pong
+app-loop-tip = At the end: { $mode } ({ $key })
+
+# Scene tree
+app-tree = Scene tree
+app-search = Find a node
+app-search-nothing = Nothing is called that.
+app-hide-node = Show or hide
+
+# Muscle
+app-contraction = Contraction
+app-contraction-tip = Contraction; the elbow follows
+app-elbow = Elbow angle
+app-elbow-tip = Elbow angle; the contraction follows
+app-which-muscle = Muscle
+app-no-muscle = There is no muscle in this scene. Open a muscle file (.yaml), alone or together with a clip.
+app-held = The muscle cannot get this long or short and keep its volume. Its length is held at the limit.
+app-profile = Profile
+app-profile-tip = The muscle from the side: now (red) and at rest (dashed)
+app-profile-legend = red: now · dashed: at rest
+app-profile-node = node { $node }: { $now } (at rest { $rest })
+app-volume-heading = Length and volume
+app-length = Length L
+app-rest-length = Rest length L₀
+app-shortening = Change of length
+app-volume = Volume V
+app-rest-volume = Rest volume V₀
+app-volume-error = Error V / V₀ − 1
+app-delta = Growth step δ
+app-quadratic-heading = Why it bulges: A δ² + B δ + C = 0
+app-a = A
+app-b = B
+app-c = C
+app-discriminant = B² − 4AC
+app-root-taken = Root taken
+app-root-other = Other root
+app-nodes-heading = Nodes
+app-node-number = Node
+app-node-rest = Rest, { $unit }
+app-node-growth = Growth
+app-node-now = Now, { $unit }
+
+# Display
+app-display-surfaces = Surfaces
+app-display-bones = Bones
+app-display-space = Space
+app-display-light = Light
+app-display-drawing = Drawing
+app-shading = Shading
+app-skinning = Skinning
+app-skinning-linear = Linear blend
+app-skinning-dual = Dual quaternion
+app-ambient = Ambient
+app-light-default = With the camera, high on the left. Right-drag in the picture moves it.
+app-light-position = At x { $x }, y { $y }, z { $z } m
+
+# Health
+app-health-none = Nothing odd was found.
+app-health-some = { $warnings ->
+    [one] One warning
+   *[other] { $warnings } warnings
+}, { $notes ->
+    [one] one note
+   *[other] { $notes } notes
+}
+app-health-copy = Copy as text
+app-facts-collada = COLLADA { $version }, { $axis }, unit { $unit } m
+app-facts-muscles = { $count ->
+    [one] One muscle
+   *[other] { $count } muscles
+}
+app-facts-nodes = { $nodes } nodes, { $meshes } meshes, { $clips } clips

@@ -1,1 +1,287 @@
-# app
+# Окно.
+app-name = Sinew
+app-about = Клипы скелетной анимации и мышцы постоянного объёма в одной сцене. Рисует без видеокарты.
+app-no-display = Нет экрана, на котором можно открыть окно. Картинку можно получить и без него: sinew render ФАЙЛ -o picture.png
+app-open = Открыть
+app-cancel = Отмена
+app-save = Сохранить
+app-retry = Повторить
+app-details = Подробности
+app-copied = Скопировано.
+app-warning = Предупреждение
+app-note = Примечание
+app-line = строка { $line }
+app-line-column = строка { $line }, столбец { $column }
+
+# Страницы и группы
+app-page-muscle = Мышца
+app-page-display = Вид
+app-page-health = Проверка
+app-group-files = Файлы
+app-group-time = Время
+app-group-camera = Камера и свет
+app-group-model = Модель
+app-group-display = Вид
+app-group-window = Окно
+app-group-mouse = Мышь
+app-menu-camera = Камера
+app-menu-display = Вид
+app-menu-colours = Оформление
+app-file-cameras = Камеры из файла
+
+# Команды
+app-do-open = Открыть файлы
+app-do-reload = Прочитать заново
+app-do-previous-file = Предыдущий файл в папке
+app-do-next-file = Следующий файл в папке
+app-do-picture = Сохранить картинку
+app-do-picture-transparent = Сохранить картинку без фона
+app-do-copy-picture = Скопировать картинку
+app-do-close = Закрыть
+app-do-quit = Выйти
+app-do-play = Воспроизведение или пауза
+app-do-reverse = Воспроизвести назад
+app-do-frame-back = На кадр назад
+app-do-frame-forward = На кадр вперёд
+app-do-second-back = На секунду назад
+app-do-second-forward = На секунду вперёд
+app-do-first = В начало
+app-do-last = В конец
+app-do-previous-key = Предыдущий ключ
+app-do-next-key = Следующий ключ
+app-do-slower = Медленнее
+app-do-faster = Быстрее
+app-do-normal-speed = Обычная скорость
+app-do-loop-mode = По кругу, один раз, туда и обратно
+app-do-mark-a = Поставить метку A
+app-do-mark-b = Поставить метку B
+app-do-clear-marks = Убрать метки A и B
+app-do-previous-clip = Предыдущий клип
+app-do-next-clip = Следующий клип
+app-do-fit = Показать всё
+app-do-reset-camera = Вернуть камеру
+app-do-centre = Показать выбранное
+app-do-view-front = Спереди
+app-do-view-back = Сзади
+app-do-view-right = Справа
+app-do-view-left = Слева
+app-do-view-top = Сверху
+app-do-view-bottom = Снизу
+app-do-view-iso = Изометрия
+app-do-view-iso-opposite = Изометрия сзади
+app-do-orthographic = Параллельная проекция
+app-do-fly = Полёт
+app-do-reset-light = Вернуть свет на место
+app-do-tool-navigate = Осмотр: мышь двигает камеру
+app-do-tool-move = Двигать модель
+app-do-tool-rotate = Вращать модель
+app-do-tool-scale = Менять размер модели
+app-do-reset-model = Вернуть модель на место
+app-do-contract-more = Сократить на 5 %
+app-do-contract-less = Расслабить на 5 %
+app-do-elbow-more = Согнуть локоть на 5°
+app-do-elbow-less = Разогнуть локоть на 5°
+app-do-undo = Отменить
+app-do-redo = Вернуть
+app-do-bones = Кости
+app-do-bone-names = Названия костей
+app-do-bone-axes = Оси костей
+app-do-xray = Кости сквозь поверхность
+app-do-mesh = Сетки
+app-do-muscle = Мышцы
+app-do-materials = Материалы и текстуры
+app-do-smooth-normals = Сглаженные нормали
+app-do-normal-glyphs = Нормали отрезками
+app-do-wireframe = Рёбра
+app-do-weights = Веса выбранной кости
+app-do-grid = Сетка пола
+app-do-axes = Оси мира
+app-do-bounding-box = Габариты
+app-do-depth-test = Проверка глубины
+app-do-cull-back-faces = Без обратных сторон
+app-do-smooth-edges = Сглаживание краёв
+app-do-flat = Плоское
+app-do-gouraud = По Гуро
+app-do-phong = По Фонгу
+app-do-sidebars = Обе боковые панели
+app-do-tree = Дерево сцены
+app-do-panel = Правая панель
+app-do-fullscreen = Во весь экран
+app-do-frame-times = Время кадра
+app-do-colours-system = Как в системе
+app-do-colours-light = Светлое
+app-do-colours-dark = Тёмное
+app-do-menu = Главное меню
+app-do-shortcuts = Сочетания клавиш
+app-do-about = О программе
+
+# Мышь
+app-mouse-orbit = Облёт
+app-mouse-orbit-how = Левая или средняя кнопка
+app-mouse-pan = Сдвиг
+app-mouse-pan-how = Shift и левая кнопка
+app-mouse-zoom = Приближение
+app-mouse-zoom-how = Колесо, щипок или Ctrl и левая кнопка
+app-mouse-zoom-pointer = Приближение к указателю
+app-mouse-zoom-pointer-how = Ctrl и колесо
+app-mouse-light = Свет
+app-mouse-light-how = Правая кнопка; Shift и правая кнопка возвращают его
+app-mouse-pick = Выбор
+app-mouse-pick-how = Щелчок
+app-mouse-centre = В центр
+app-mouse-centre-how = Двойной щелчок
+app-mouse-fly = В полёте
+app-mouse-fly-how = W A S D Q E, Shift быстрее, Alt медленнее, колесо задаёт скорость, Esc завершает
+
+# Картинка
+app-hint = Мышь вращает · с Shift сдвигает · колесо приближает · правая кнопка двигает свет
+app-hint-move = Мышь двигает модель · V возвращает к камере
+app-hint-rotate = Мышь вращает модель · V возвращает к камере
+app-hint-scale = Вверх или вправо – модель больше · V возвращает к камере
+app-hint-fly = W A S D и Q E – полёт · мышь – взгляд · колесо – скорость · Esc завершает
+app-times = { $rate } кадр/с · { $total } мс
+    поза { $pose } · вершины { $vertex }
+    растр { $raster } · сведение { $resolve }
+app-axis-x = X
+app-axis-y = Y
+app-axis-z = Z
+app-numbers-move = Сдвиг, м
+app-numbers-rotate = Поворот, °
+app-numbers-scale = Размер
+app-drop-here = Отпустите, чтобы открыть
+app-open-folder = Открыть папку
+app-status-position = { $name }: x { $x }; y { $y }; z { $z } м
+app-status-triangles = { $count ->
+    [one] { $shown } треугольник
+    [few] { $shown } треугольника
+   *[other] { $shown } треугольников
+}
+app-picture-title = Сохранить картинку
+app-picture-copied = Картинка скопирована.
+app-saved = Сохранено: { $file }.
+app-unsaved = Не удалось сохранить { $file }
+
+# Файлы
+app-loading = Чтение: { $file } …
+app-loading-progress = Чтение
+app-refused = Не удалось открыть { $file }
+app-kept = То, что было открыто, осталось.
+app-reader-broke = Этот файл не удалось прочитать из-за ошибки в программе. Пожалуйста, сообщите о ней и приложите файл.
+app-reloaded = Прочитано заново, числа те же.
+app-reloaded-changes = Прочитано заново: { $changes }.
+app-changed-nodes = узлов { $old } → { $new }
+app-changed-triangles = треугольников { $old } → { $new }
+app-changed-clips = клипов { $old } → { $new }
+app-changed-seconds = секунд { $old } → { $new }
+app-findings = { $count ->
+    [one] При чтении найдена { $count } странность – см. «Проверка».
+    [few] При чтении найдены { $count } странности – см. «Проверка».
+   *[other] При чтении найдено { $count } странностей – см. «Проверка».
+}
+app-choose-title = Открыть файлы
+app-choose-open = Открыть
+app-choose-ours = Клипы и мышцы
+app-choose-all = Все файлы
+app-recent = Недавние файлы
+app-recent-none = Пока нет
+app-settings-broken = Настройки в { $file } не читаются и пропущены: { $reason }
+app-settings-unsaved = Не удалось сохранить настройки: { $reason }
+app-missing = нет: { $what }
+app-missing-still = нет: { $what } – двигаться нечему
+app-missing-mesh = сетка
+app-missing-skeleton = скелет
+app-missing-animation = анимация
+
+# Начальная страница
+app-start-title = Ничего не открыто
+app-start-text = Откройте клип COLLADA (.dae, .zae) или мышцу (.yaml) либо перетащите файлы сюда.
+app-start-open = Открыть файлы
+app-start-biceps = Встроенный бицепс
+
+# Шкала времени
+app-play = Воспроизвести
+app-time = Время
+app-clip = Клип
+app-speed = Скорость; меньше 0 – назад
+app-seconds = Время
+app-seconds-tip = Точное время в секундах
+app-frame = Кадр
+app-frame-tip = Номер кадра
+app-no-animation = Анимации нет
+app-loop = по кругу
+app-once = один раз
+app-ping-pong = туда и обратно
+app-loop-tip = В конце: { $mode } ({ $key })
+
+# Дерево сцены
+app-tree = Дерево сцены
+app-search = Найти узел
+app-search-nothing = Ничего не найдено.
+app-hide-node = Показать или скрыть
+
+# Мышца
+app-contraction = Сокращение
+app-contraction-tip = Сокращение; угол в локте меняется вместе с ним
+app-elbow = Угол в локте
+app-elbow-tip = Угол в локте; сокращение меняется вместе с ним
+app-which-muscle = Мышца
+app-no-muscle = В этой сцене нет мышц. Откройте файл мышцы (.yaml) – отдельно или вместе с клипом.
+app-held = При такой длине мышца не может сохранить объём. Длина удержана на пределе.
+app-profile = Профиль
+app-profile-tip = Мышца сбоку: сейчас (красная) и в покое (пунктир)
+app-profile-legend = красное – сейчас · пунктир – в покое
+app-profile-node = узел { $node }: { $now } (в покое { $rest })
+app-volume-heading = Длина и объём
+app-length = Длина L
+app-rest-length = Длина покоя L₀
+app-shortening = Изменение длины
+app-volume = Объём V
+app-rest-volume = Объём покоя V₀
+app-volume-error = Ошибка V / V₀ − 1
+app-delta = Шаг роста δ
+app-quadratic-heading = Почему утолщается: A δ² + B δ + C = 0
+app-a = A
+app-b = B
+app-c = C
+app-discriminant = B² − 4AC
+app-root-taken = Взятый корень
+app-root-other = Другой корень
+app-nodes-heading = Узлы
+app-node-number = Узел
+app-node-rest = Покой, { $unit }
+app-node-growth = Рост
+app-node-now = Сейчас, { $unit }
+
+# Вид
+app-display-surfaces = Поверхности
+app-display-bones = Кости
+app-display-space = Пространство
+app-display-light = Свет
+app-display-drawing = Рисование
+app-shading = Освещение
+app-skinning = Привязка к костям
+app-skinning-linear = Линейная
+app-skinning-dual = Бикватернионы
+app-ambient = Рассеянный
+app-light-default = Вместе с камерой, слева сверху. Правая кнопка мыши на картинке двигает свет.
+app-light-position = Положение: x { $x }; y { $y }; z { $z } м
+
+# Проверка
+app-health-none = Ничего необычного не найдено.
+app-health-some = { $warnings ->
+    [one] { $warnings } предупреждение
+    [few] { $warnings } предупреждения
+   *[other] { $warnings } предупреждений
+}, { $notes ->
+    [one] { $notes } примечание
+    [few] { $notes } примечания
+   *[other] { $notes } примечаний
+}
+app-health-copy = Скопировать как текст
+app-facts-collada = COLLADA { $version }, { $axis }, единица { $unit } м
+app-facts-muscles = { $count ->
+    [one] { $count } мышца
+    [few] { $count } мышцы
+   *[other] { $count } мышц
+}
+app-facts-nodes = узлов { $nodes }, сеток { $meshes }, клипов { $clips }

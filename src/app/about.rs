@@ -1,0 +1,103 @@
+//! The shortcuts window, made from the table of commands, and the about window.
+
+use std::fmt::Write;
+use std::rc::Rc;
+
+use gtk::glib::markup_escape_text;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::APPLICATION_ID;
+use super::actions::{Command, Group};
+use super::window::{Window, part};
+use crate::tr;
+
+/// What the mouse does: the keys of its names and of its gestures in the catalogue.
+const MOUSE: [(&str, &str); 8] = [
+    ("app-mouse-orbit", "app-mouse-orbit-how"),
+    ("app-mouse-pan", "app-mouse-pan-how"),
+    ("app-mouse-zoom", "app-mouse-zoom-how"),
+    ("app-mouse-zoom-pointer", "app-mouse-zoom-pointer-how"),
+    ("app-mouse-light", "app-mouse-light-how"),
+    ("app-mouse-pick", "app-mouse-pick-how"),
+    ("app-mouse-centre", "app-mouse-centre-how"),
+    ("app-mouse-fly", "app-mouse-fly-how"),
+];
+
+/// Shows all keys and what the mouse does.
+pub fn shortcuts(window: &Rc<Window>) {
+    let shortcuts: gtk::ShortcutsWindow = part(&gtk::Builder::from_string(&shortcuts_ui()), "shortcuts");
+    shortcuts.set_transient_for(Some(&window.widget));
+    shortcuts.present();
+}
+
+/// The window as a `.ui` text.
+fn shortcuts_ui() -> String {
+    let mut text = String::from(
+        "<interface><object class=\"GtkShortcutsWindow\" id=\"shortcuts\"><property name=\"modal\">1</property>\
+         <child><object class=\"GtkShortcutsSection\"><property name=\"section-name\">all</property>\
+         <property name=\"max-height\">14</property>",
+    );
+    let open_group = |text: &mut String, title: &str| {
+        let title = markup_escape_text(title);
+        // Writing to a string cannot fail.
+        let _ = write!(text, "<child><object class=\"GtkShortcutsGroup\"><property name=\"title\">{title}</property>");
+    };
+    for group in Group::ALL {
+        open_group(&mut text, &group.label());
+        for command in Command::ALL.iter().filter(|command| command.group() == group && !command.keys().is_empty()) {
+            let (label, keys) = (command.label(), command.keys().join(" "));
+            let _ = write!(
+                text,
+                "<child><object class=\"GtkShortcutsShortcut\"><property name=\"title\">{}</property>\
+                 <property name=\"accelerator\">{}</property></object></child>",
+                markup_escape_text(&label),
+                markup_escape_text(&keys)
+            );
+        }
+        text.push_str("</object></child>");
+    }
+    open_group(&mut text, &tr!("app-group-mouse"));
+    for (name, how) in MOUSE {
+        let _ = write!(
+            text,
+            "<child><object class=\"GtkShortcutsShortcut\"><property name=\"title\">{}</property><property name=\"subtitle\">{}</property>\
+             <property name=\"shortcut-type\">gesture</property></object></child>",
+            markup_escape_text(&tr!(name)),
+            markup_escape_text(&tr!(how))
+        );
+    }
+    text.push_str("</object></child></object></child></object></interface>");
+    text
+}
+
+/// Shows what the program is.
+pub fn about(window: &Rc<Window>) {
+    let about = gtk::AboutDialog::builder()
+        .transient_for(&window.widget)
+        .modal(true)
+        .program_name("Sinew")
+        .version(env!("CARGO_PKG_VERSION"))
+        .comments(tr!("app-about"))
+        .logo_icon_name(APPLICATION_ID)
+        .license_type(gtk::License::MitX11)
+        .build();
+    about.present();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_shortcuts_are_sound_xml_and_name_every_key() {
+        let text = shortcuts_ui();
+        let document = roxmltree::Document::parse(&text).expect("sound XML");
+        let keys: Vec<_> =
+            document.descendants().filter(|node| node.attribute("name") == Some("accelerator")).filter_map(|node| node.text()).collect();
+        for command in Command::ALL.iter().filter(|command| !command.keys().is_empty()) {
+            assert!(keys.contains(&command.keys().join(" ").as_str()), "{command:?}");
+        }
+        assert!(!text.contains("app-mouse"), "a gesture has no words");
+    }
+}

@@ -1,0 +1,35 @@
+//! The names of bones, written beside them in the picture.
+
+use glam::Vec2;
+use gtk4 as gtk;
+
+use super::canvas::{Align, Canvas, rgb, write};
+use super::session::Session;
+
+/// Most names that are written; more would be a grey cloud.
+const MOST: usize = 400;
+
+/// Writes the names of the bones of a picture of this size, logical pixels. Names that would lie over one another are left out, the nearer bone first.
+pub fn write_all(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    let (scene, frame, camera, display) = session.picture();
+    let size = Vec2::new(width as f32, height as f32);
+    let mut names: Vec<_> = frame
+        .joints
+        .iter()
+        .filter_map(|joint| camera.project(frame.position(joint.node), size).map(|place| (place, joint.node)))
+        .filter(|(place, _)| place.z <= 1.0 && place.x > 0.0 && place.y > 0.0 && place.x < size.x && place.y < size.y)
+        .collect();
+    names.sort_by(|(a, _), (b, _)| a.z.total_cmp(&b.z));
+    let mut taken: Vec<(f64, f64, f64)> = Vec::new();
+    for (place, node) in names.into_iter().take(MOST) {
+        let (x, y) = (f64::from(place.x) + 6.0, f64::from(place.y) - 7.0);
+        let name = &scene.graph.node(node).name;
+        let length = name.chars().count() as f64 * 7.0;
+        if taken.iter().any(|(left, right, top)| x < *right && x + length > *left && (y - top).abs() < 12.0) {
+            continue;
+        }
+        let color = if display.selected == Some(node) { display.palette.selected } else { display.palette.bone };
+        let (written, _) = write(canvas, snapshot, name, x, y, Align::Left, 0.8, &rgb(color));
+        taken.push((x, x + written, y));
+    }
+}

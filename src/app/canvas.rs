@@ -1,0 +1,157 @@
+//! A widget that a closure paints: the viewport, the timeline, the profile and the small icons are canvases.
+
+use gtk::prelude::*;
+use gtk::subclass::prelude::*;
+use gtk::{cairo, gdk, glib, graphene};
+use gtk4 as gtk;
+
+mod imp {
+    use std::cell::{Cell, RefCell};
+
+    use super::*;
+
+    /// Paints a canvas of a width and height, logical pixels.
+    pub type Painter = Box<dyn Fn(&super::Canvas, &gtk::Snapshot, f64, f64)>;
+
+    #[derive(Default)]
+    pub struct Canvas {
+        pub painter: RefCell<Option<Painter>>,
+        pub resized: RefCell<Option<Box<dyn Fn(i32, i32)>>>,
+        pub natural: Cell<(i32, i32)>,
+    }
+
+    #[glib::object_subclass]
+    impl ObjectSubclass for Canvas {
+        const NAME: &'static str = "SinewCanvas";
+        type Type = super::Canvas;
+        type ParentType = gtk::Widget;
+    }
+
+    impl ObjectImpl for Canvas {}
+
+    impl WidgetImpl for Canvas {
+        fn snapshot(&self, snapshot: &gtk::Snapshot) {
+            let widget = self.obj();
+            let (width, height) = (f64::from(widget.width()), f64::from(widget.height()));
+            if let Some(painter) = &*self.painter.borrow()
+                && width > 0.0
+                && height > 0.0
+            {
+                painter(&widget, snapshot, width, height);
+            }
+        }
+
+        fn size_allocate(&self, width: i32, height: i32, _baseline: i32) {
+            if let Some(resized) = &*self.resized.borrow() {
+                resized(width, height);
+            }
+        }
+
+        fn measure(&self, orientation: gtk::Orientation, _for_size: i32) -> (i32, i32, i32, i32) {
+            let (width, height) = self.natural.get();
+            let natural = if orientation == gtk::Orientation::Horizontal { width } else { height };
+            (natural, natural, -1, -1)
+        }
+    }
+}
+
+glib::wrapper! {
+    /// A widget that a closure paints.
+    pub struct Canvas(ObjectSubclass<imp::Canvas>)
+        @extends gtk::Widget,
+        @implements gtk::Buildable, gtk::ConstraintTarget;
+}
+
+impl Default for Canvas {
+    fn default() -> Self {
+        glib::Object::new()
+    }
+}
+
+impl Canvas {
+    /// A canvas of at least this size, logical pixels.
+    pub fn new(width: i32, height: i32) -> Self {
+        let canvas = Self::default();
+        canvas.imp().natural.set((width, height));
+        canvas
+    }
+
+    /// Sets what paints it: the canvas, the snapshot, width and height.
+    pub fn set_painter(&self, painter: impl Fn(&Self, &gtk::Snapshot, f64, f64) + 'static) {
+        self.imp().painter.replace(Some(Box::new(painter)));
+        self.queue_draw();
+    }
+
+    /// Sets what hears of a new size, logical pixels.
+    pub fn set_resized(&self, resized: impl Fn(i32, i32) + 'static) {
+        self.imp().resized.replace(Some(Box::new(resized)));
+    }
+
+    /// The colour of text here.
+    pub fn text_color(&self) -> gdk::RGBA {
+        text_color(self)
+    }
+}
+
+/// The colour of text in a widget.
+pub fn text_color(widget: &impl IsA<gtk::Widget>) -> gdk::RGBA {
+    // From 4.10 on a widget has its own `color`; this one is there in all versions.
+    #[allow(deprecated)]
+    widget.style_context().color()
+}
+
+/// A cairo context over the whole of a snapshot.
+pub fn cairo(snapshot: &gtk::Snapshot, width: f64, height: f64) -> cairo::Context {
+    snapshot.append_cairo(&graphene::Rect::new(0.0, 0.0, width as f32, height as f32))
+}
+
+/// Sets the colour that a cairo context draws with.
+pub fn set_color(context: &cairo::Context, color: &gdk::RGBA, opacity: f64) {
+    context.set_source_rgba(color.red().into(), color.green().into(), color.blue().into(), f64::from(color.alpha()) * opacity);
+}
+
+/// A colour from `0xRRGGBB`.
+pub fn rgb(color: u32) -> gdk::RGBA {
+    let part = |shift: u32| ((color >> shift) & 0xFF) as f32 / 255.0;
+    gdk::RGBA::new(part(16), part(8), part(0), 1.0)
+}
+
+/// Where text stands against its point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Align {
+    /// The point is the upper left corner.
+    Left,
+    /// The point is the middle of the upper edge.
+    Centre,
+}
+
+/// Writes text in the widget's own font, `size` times as large, held within the canvas' width; returns its width and height.
+#[allow(clippy::too_many_arguments)]
+pub fn write(
+    canvas: &Canvas,
+    snapshot: &gtk::Snapshot,
+    text: &str,
+    x: f64,
+    y: f64,
+    align: Align,
+    size: f64,
+    color: &gdk::RGBA,
+) -> (f64, f64) {
+    let layout = canvas.create_pango_layout(Some(text));
+    let attributes = gtk::pango::AttrList::new();
+    attributes.insert(gtk::pango::AttrFloat::new_scale(size));
+    attributes.insert(gtk::pango::AttrFontFeatures::new("tnum"));
+    layout.set_attributes(Some(&attributes));
+    let (width, height) = layout.pixel_size();
+    let (width, height) = (f64::from(width), f64::from(height));
+    let left = match align {
+        Align::Left => x,
+        Align::Centre => x - width / 2.0,
+    };
+    let left = left.clamp(0.0, (f64::from(canvas.width()) - width).max(0.0));
+    snapshot.save();
+    snapshot.translate(&graphene::Point::new(left.round() as f32, y.round() as f32));
+    snapshot.append_layout(&layout, color);
+    snapshot.restore();
+    (width, height)
+}

@@ -1,0 +1,102 @@
+//! The bar that stays: a file that could not be used, what is wrong and where.
+
+use std::cell::RefCell;
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::session::Arrival;
+use super::window::{Window, part};
+use super::{files, ui};
+
+/// The bar.
+pub struct ErrorBar {
+    /// The whole.
+    pub root: gtk::InfoBar,
+    headline: gtk::Label,
+    message: gtk::Label,
+    details: gtk::Label,
+    more: gtk::ToggleButton,
+    retry: gtk::Button,
+    again: RefCell<Option<(Vec<PathBuf>, Arrival)>>,
+}
+
+/// What went wrong.
+pub struct Trouble {
+    /// One line: what could not be done.
+    pub headline: String,
+    /// Why, and where.
+    pub message: String,
+    /// Everything known, for a report.
+    pub details: String,
+    /// What Retry opens.
+    pub again: Option<(Vec<PathBuf>, Arrival)>,
+}
+
+impl ErrorBar {
+    /// A folded bar.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::ERROR_BAR);
+        Self {
+            root: part(&builder, "root"),
+            headline: part(&builder, "headline"),
+            message: part(&builder, "message"),
+            details: part(&builder, "details"),
+            more: part(&builder, "more"),
+            retry: part(&builder, "retry"),
+            again: RefCell::new(None),
+        }
+    }
+
+    /// Lets the buttons work.
+    pub fn connect(&self, window: &Rc<Window>) {
+        self.root.connect_response(glib::clone!(
+            #[weak]
+            window,
+            move |bar, _| {
+                bar.set_revealed(false);
+                bar.set_visible(false);
+                window.error_bar.again.replace(None);
+            }
+        ));
+        self.root.set_visible(false);
+        self.more.connect_toggled(glib::clone!(
+            #[weak(rename_to = details)]
+            self.details,
+            move |more| details.set_visible(more.is_active())
+        ));
+        self.retry.connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| {
+                let again = window.error_bar.again.borrow().clone();
+                if let Some((paths, arrival)) = again {
+                    files::open(&window, paths, arrival);
+                }
+            }
+        ));
+    }
+
+    /// Shows what went wrong, until it is closed or something opens.
+    pub fn show(&self, trouble: Trouble) {
+        self.headline.set_text(&trouble.headline);
+        self.message.set_text(&trouble.message);
+        self.details.set_text(&trouble.details);
+        self.more.set_active(false);
+        self.more.set_visible(!trouble.details.is_empty());
+        self.retry.set_visible(trouble.again.is_some());
+        self.again.replace(trouble.again);
+        self.root.set_visible(true);
+        self.root.set_revealed(true);
+    }
+
+    /// Folds it away.
+    pub fn hide(&self) {
+        self.root.set_revealed(false);
+        self.root.set_visible(false);
+        self.again.replace(None);
+    }
+}

@@ -1,0 +1,345 @@
+//! Opening files off the interface thread, reloading when they change, closing, and files dropped on the window.
+
+use std::cell::{Cell, RefCell};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+use gtk::prelude::*;
+use gtk::{gdk, gio, glib};
+use gtk4 as gtk;
+
+use super::error_bar::Trouble;
+use super::recent;
+use super::session::Arrival;
+use super::window::Window;
+use crate::collada::Progress;
+use crate::document::{Document, OpenError};
+use crate::tr;
+
+/// Files that can be opened, by their ending.
+const ENDINGS: [&str; 4] = ["dae", "zae", "yaml", "yml"];
+/// Reading that is done within this time shows no progress.
+const PATIENCE: Duration = Duration::from_millis(150);
+/// How long a file must rest after a change before it is read again.
+const SETTLED: Duration = Duration::from_millis(300);
+
+/// What is being read and watched.
+#[derive(Default)]
+pub struct Files {
+    reading: RefCell<Option<Arc<Progress>>>,
+    monitors: RefCell<Vec<gio::FileMonitor>>,
+    changes: Rc<Cell<u32>>,
+    failed: Cell<bool>,
+}
+
+impl Files {
+    /// Whether something is being read.
+    pub fn is_loading(&self) -> bool {
+        self.reading.borrow().is_some()
+    }
+
+    /// Stops reading.
+    pub fn stop(&self) {
+        if let Some(progress) = &*self.reading.borrow() {
+            progress.cancelled.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// Whether there is a file that could not be opened.
+    pub fn can_retry(&self) -> bool {
+        self.failed.get()
+    }
+}
+
+/// Opens files side by side into one scene. What is open stays until they are read; whatever was being read is given up.
+pub fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
+    if paths.is_empty() {
+        return;
+    }
+    window.files.stop();
+    let progress = Arc::new(Progress::default());
+    window.files.reading.replace(Some(progress.clone()));
+    show_progress(window, &paths, &progress);
+    let window = window.clone();
+    glib::spawn_future_local(async move {
+        let (wanted, hand) = (paths.clone(), progress.clone());
+        let read = gio::spawn_blocking(move || Document::open(&wanted, &hand)).await;
+        let newest = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &progress));
+        if !newest {
+            return;
+        }
+        window.files.reading.replace(None);
+        window.viewport.loading(None);
+        match read {
+            _ if progress.is_cancelled() => window.act(|session| session.touch()),
+            Ok(Ok(document)) => arrived(&window, document, &paths, arrival),
+            Ok(Err(error)) => refused(&window, &error, paths, arrival),
+            // The reader is made not to panic; should it, what is open is still worth more than the program's life.
+            Err(_) => refused(&window, &unexpected(&paths), paths, arrival),
+        }
+    });
+}
+
+fn unexpected(paths: &[PathBuf]) -> OpenError {
+    let file = paths.first().map(|path| path.display().to_string()).unwrap_or_default();
+    OpenError { file, line: None, column: None, message: tr!("app-reader-broke") }
+}
+
+fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress>) {
+    let names = paths.iter().filter_map(|path| path.file_name()).map(|name| name.to_string_lossy()).collect::<Vec<_>>().join(", ");
+    let text = tr!("app-loading", file = names);
+    let (weak, mine) = (Rc::downgrade(window), progress.clone());
+    glib::timeout_add_local_once(PATIENCE, move || {
+        glib::timeout_add_local(Duration::from_millis(60), move || {
+            let Some(window) = weak.upgrade() else { return glib::ControlFlow::Break };
+            let reading = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &mine));
+            if reading {
+                let part = f64::from(mine.permille.load(Ordering::Relaxed)) / 1000.0;
+                window.viewport.loading(Some((&text, part)));
+                glib::ControlFlow::Continue
+            } else {
+                glib::ControlFlow::Break
+            }
+        });
+    });
+}
+
+fn arrived(window: &Rc<Window>, document: Document, paths: &[PathBuf], arrival: Arrival) {
+    window.error_bar.hide();
+    window.files.failed.set(false);
+    let news = (arrival == Arrival::Again).then(|| window.look(|session| what_changed(session.document(), &document)));
+    let warnings = document.health.len();
+    window.act(|session| session.show(document, arrival));
+    watch(window, paths);
+    if let Some(folder) =
+        paths.first().and_then(|path| std::path::absolute(path).ok()).and_then(|path| path.parent().map(Path::to_path_buf))
+    {
+        window.settings.borrow_mut().folder = Some(folder);
+    }
+    match news {
+        Some(news) => window.viewport.toast(&news, None),
+        None => {
+            paths.iter().for_each(|path| recent::remember(path));
+            if warnings > 0 {
+                window.viewport.toast(&tr!("app-findings", count = warnings), None);
+            }
+        }
+    }
+}
+
+fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, arrival: Arrival) {
+    let name = Path::new(&error.file).file_name().map_or_else(|| error.file.clone(), |name| name.to_string_lossy().into_owned());
+    let place = match (error.line, error.column) {
+        (Some(line), Some(column)) => tr!("app-line-column", line = line.to_string(), column = column.to_string()),
+        (Some(line), None) => tr!("app-line", line = line.to_string()),
+        _ => String::new(),
+    };
+    let message = if place.is_empty() { error.message.clone() } else { format!("{place}: {}", error.message) };
+    let kept = if window.look(|session| session.is_empty()) { String::new() } else { format!("\n{}", tr!("app-kept")) };
+    window.files.failed.set(true);
+    // The file is watched even so: when it is mended it opens by itself.
+    window.error_bar.show(Trouble {
+        headline: tr!("app-refused", file = name),
+        message,
+        details: format!("{error}{kept}"),
+        again: Some((paths, arrival)),
+    });
+    window.act(|session| session.touch());
+}
+
+/// What is different after a reload, in one sentence.
+fn what_changed(before: &Document, after: &Document) -> String {
+    let counts = |document: &Document| {
+        let triangles: usize = document.scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
+        let seconds: f64 = document.clips.iter().map(crate::animation::Clip::duration).sum();
+        [document.scene.graph.len() as f64, triangles as f64, document.clips.len() as f64, seconds]
+    };
+    let names = ["app-changed-nodes", "app-changed-triangles", "app-changed-clips", "app-changed-seconds"];
+    let changes: Vec<String> = counts(before)
+        .into_iter()
+        .zip(counts(after))
+        .zip(names)
+        .filter(|((old, new), _)| (old - new).abs() > 1e-9)
+        .map(|((old, new), key)| {
+            let digits = if key == "app-changed-seconds" { 2 } else { 0 };
+            tr!(key, old = super::format::number(old, digits), new = super::format::number(new, digits))
+        })
+        .collect();
+    if changes.is_empty() { tr!("app-reloaded") } else { tr!("app-reloaded-changes", changes = changes.join(", ")) }
+}
+
+/// Watches the files: when one is written again, all are read again.
+fn watch(window: &Rc<Window>, paths: &[PathBuf]) {
+    let make = |path: &PathBuf| {
+        let monitor = gio::File::for_path(path).monitor_file(gio::FileMonitorFlags::WATCH_MOVES, gio::Cancellable::NONE).ok()?;
+        let weak = Rc::downgrade(window);
+        monitor.connect_changed(move |_, _, _, event| {
+            use gio::FileMonitorEvent as E;
+            if !matches!(event, E::Changed | E::ChangesDoneHint | E::Created | E::Renamed | E::MovedIn) {
+                return;
+            }
+            let Some(window) = weak.upgrade() else { return };
+            let number = window.files.changes.get().wrapping_add(1);
+            window.files.changes.set(number);
+            let weak = weak.clone();
+            glib::timeout_add_local_once(SETTLED, move || {
+                if let Some(window) = weak.upgrade()
+                    && window.files.changes.get() == number
+                {
+                    reload(&window);
+                }
+            });
+        });
+        Some(monitor)
+    };
+    window.files.monitors.replace(paths.iter().filter_map(make).collect());
+}
+
+/// Reads the open files again.
+pub fn reload(window: &Rc<Window>) {
+    open(window, window.look(|session| session.files()), Arrival::Again);
+}
+
+/// Closes the files; the start page comes up. With nothing open the window closes.
+pub fn close(window: &Rc<Window>) {
+    if window.look(|session| session.is_empty()) && !window.files.is_loading() {
+        window.widget.close();
+        return;
+    }
+    window.files.stop();
+    window.files.reading.replace(None);
+    window.files.monitors.replace(Vec::new());
+    window.viewport.loading(None);
+    window.error_bar.hide();
+    window.act(|session| session.show(Document::default(), Arrival::New));
+}
+
+/// Opens the next (or previous) file of the folder, by name.
+pub fn neighbour(window: &Rc<Window>, by: isize) {
+    let Some(open_now) = window.look(|session| session.files()).into_iter().next().and_then(|path| std::path::absolute(path).ok()) else {
+        return;
+    };
+    let Some(entries) = open_now.parent().and_then(|folder| std::fs::read_dir(folder).ok()) else { return };
+    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(|path| is_ours(path) && path.is_file()).collect();
+    files.sort();
+    if let Some(place) = files.iter().position(|path| *path == open_now) {
+        let next = (place as isize + by).rem_euclid(files.len() as isize) as usize;
+        if next != place {
+            open(window, vec![files.swap_remove(next)], Arrival::New);
+        }
+    }
+}
+
+fn is_ours(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ENDINGS.iter().any(|ours| ending.eq_ignore_ascii_case(ours)))
+}
+
+/// Lets the user choose files.
+pub fn choose(window: &Rc<Window>) {
+    let dialog = gtk::FileChooserNative::new(
+        Some(&tr!("app-choose-title")),
+        Some(&window.widget),
+        gtk::FileChooserAction::Open,
+        Some(&tr!("app-choose-open")),
+        Some(&tr!("app-cancel")),
+    );
+    dialog.set_select_multiple(true);
+    let ours = gtk::FileFilter::new();
+    ours.set_name(Some(&tr!("app-choose-ours")));
+    for ending in ENDINGS {
+        ours.add_pattern(&format!("*.{ending}"));
+        ours.add_pattern(&format!("*.{}", ending.to_uppercase()));
+    }
+    let all = gtk::FileFilter::new();
+    all.set_name(Some(&tr!("app-choose-all")));
+    all.add_pattern("*");
+    dialog.add_filter(&ours);
+    dialog.add_filter(&all);
+    if let Some(folder) = window.settings.borrow().folder.as_deref().filter(|folder| folder.is_dir()) {
+        // Where the folder cannot be shown, the dialog starts where it likes.
+        let _ = dialog.set_current_folder(Some(&gio::File::for_path(folder)));
+    }
+    let keep = RefCell::new(Some(dialog.clone()));
+    dialog.connect_response(glib::clone!(
+        #[weak]
+        window,
+        move |dialog, response| {
+            keep.take();
+            if response == gtk::ResponseType::Accept {
+                let files = dialog.files();
+                let paths = (0..files.n_items()).filter_map(|i| files.item(i).and_downcast::<gio::File>()?.path()).collect();
+                open(&window, paths, Arrival::New);
+            }
+        }
+    ));
+    dialog.show();
+}
+
+/// Files can be dropped on the picture; the place is marked while they hang over it. The Cancel button stops reading.
+pub fn accept_drops(window: &Rc<Window>) {
+    let target = gtk::DropTarget::new(gdk::FileList::static_type(), gdk::DragAction::COPY);
+    target.connect_enter(glib::clone!(
+        #[weak]
+        window,
+        #[upgrade_or]
+        gdk::DragAction::empty(),
+        move |_, _, _| {
+            window.viewport.drop_here(true);
+            gdk::DragAction::COPY
+        }
+    ));
+    target.connect_leave(glib::clone!(
+        #[weak]
+        window,
+        move |_| window.viewport.drop_here(false)
+    ));
+    target.connect_drop(glib::clone!(
+        #[weak]
+        window,
+        #[upgrade_or]
+        false,
+        move |_, value, _, _| {
+            window.viewport.drop_here(false);
+            let Ok(files) = value.get::<gdk::FileList>() else { return false };
+            let paths: Vec<PathBuf> = files.files().iter().filter_map(gio::prelude::FileExt::path).collect();
+            let any = !paths.is_empty();
+            open(&window, paths, Arrival::New);
+            any
+        }
+    ));
+    window.viewport.add_controller(&target);
+    window.viewport.cancel_button().connect_clicked(glib::clone!(
+        #[weak]
+        window,
+        move |_| {
+            window.files.stop();
+            window.files.reading.replace(None);
+            window.viewport.loading(None);
+            window.act(|session| session.touch());
+        }
+    ));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Node;
+
+    #[test]
+    fn a_reload_says_what_changed() {
+        let before = Document::default();
+        let mut after = Document::default();
+        assert_eq!(what_changed(&before, &after), tr!("app-reloaded"));
+        after.scene.graph.add(None, Node::new("new"));
+        let told = what_changed(&before, &after);
+        assert!(told.contains('0') && told.contains('1'), "{told}");
+    }
+
+    #[test]
+    fn endings_are_known_in_any_case() {
+        assert!(is_ours(Path::new("a.DAE")) && is_ours(Path::new("b.yml")) && !is_ours(Path::new("dae")) && !is_ours(Path::new("c.obj")));
+    }
+}

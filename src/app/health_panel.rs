@@ -1,0 +1,189 @@
+//! The health panel: everything odd that was found while reading, and what the file says of itself.
+
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::session::{Changes, Session};
+use super::window::{Window, part};
+use super::{format, ui};
+use crate::document::{Document, SourceKind};
+use crate::health::{Finding, Severity};
+use crate::scene::NodeId;
+use crate::tr;
+
+/// The panel.
+pub struct HealthPanel {
+    /// The whole.
+    pub root: gtk::Box,
+    summary: gtk::Label,
+    facts: gtk::Label,
+    copy: gtk::Button,
+    scroller: gtk::ScrolledWindow,
+    list: gtk::ListView,
+}
+
+impl HealthPanel {
+    /// A panel of nothing.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::HEALTH_PANEL);
+        let list: gtk::ListView = part(&builder, "list");
+        list.set_factory(Some(&factory()));
+        Self {
+            root: part(&builder, "root"),
+            summary: part(&builder, "summary"),
+            facts: part(&builder, "facts"),
+            copy: part(&builder, "copy"),
+            scroller: part(&builder, "scroller"),
+            list,
+        }
+    }
+
+    /// Lets a click select what a finding speaks of.
+    pub fn connect(&self, window: &Rc<Window>) {
+        self.list.connect_activate(glib::clone!(
+            #[weak]
+            window,
+            move |list, position| {
+                let item = list.model().and_then(|model| model.item(position)).and_downcast::<glib::BoxedAnyObject>();
+                let Some(item) = item else { return };
+                window.act(|session| {
+                    let node = node_named(session.document(), &item.borrow::<Finding>().element);
+                    if node.is_some() {
+                        session.select(node);
+                    }
+                });
+            }
+        ));
+        self.copy.connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |button| {
+                let text = window.look(|session| report(session.document()));
+                button.clipboard().set_text(&text);
+                window.viewport.toast(&tr!("app-copied"), None);
+            }
+        ));
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+        if !changes.any(Changes::DOCUMENT) {
+            return;
+        }
+        let document = session.document();
+        let store = gio::ListStore::new::<glib::BoxedAnyObject>();
+        let items: Vec<_> = document.health.iter().cloned().map(glib::BoxedAnyObject::new).collect();
+        store.extend_from_slice(&items);
+        self.list.set_model(Some(&gtk::NoSelection::new(Some(store))));
+        let count = |severity| document.health.iter().filter(|finding| finding.severity == severity).count();
+        let (warnings, notes) = (count(Severity::Warning), count(Severity::Note));
+        self.summary.set_text(&match (warnings, notes) {
+            (0, 0) => tr!("app-health-none"),
+            _ => tr!("app-health-some", warnings = warnings, notes = notes),
+        });
+        self.scroller.set_visible(!document.health.is_empty());
+        self.copy.set_sensitive(!document.health.is_empty());
+        self.facts.set_text(&facts(document));
+    }
+}
+
+/// All findings, one a line.
+fn report(document: &Document) -> String {
+    document.health.iter().map(|finding| format!("{finding}\n")).collect()
+}
+
+/// What the files say of themselves.
+fn facts(document: &Document) -> String {
+    let mut lines = Vec::new();
+    for source in &document.sources {
+        lines.push(source.name.clone());
+        match &source.kind {
+            SourceKind::Collada(asset) => {
+                let unit = format::significant(asset.unit_metres, 4);
+                lines.push(tr!("app-facts-collada", version = asset.version.as_str(), axis = asset.up_axis.as_str(), unit = unit));
+                if !asset.authoring_tool.is_empty() {
+                    lines.push(asset.authoring_tool.clone());
+                }
+            }
+            SourceKind::Muscles(_, rig) => lines.push(tr!("app-facts-muscles", count = rig.len())),
+        }
+    }
+    lines.push(tr!(
+        "app-facts-nodes",
+        nodes = document.scene.graph.len(),
+        meshes = document.scene.meshes.len(),
+        clips = document.clips.len()
+    ));
+    lines.join("\n")
+}
+
+/// The node whose id or name stands in quotes in a finding's element: `<skin> "Body-skin"`.
+fn node_named(document: &Document, element: &str) -> Option<NodeId> {
+    let name = element.split('"').nth(1)?;
+    let graph = &document.scene.graph;
+    graph.iter().find(|(_, node)| node.id == name).or_else(|| graph.iter().find(|(_, node)| node.name == name)).map(|(id, _)| id)
+}
+
+fn factory() -> gtk::SignalListItemFactory {
+    let factory = gtk::SignalListItemFactory::new();
+    factory.connect_setup(|_, item| {
+        let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
+        let row = gtk::Box::new(gtk::Orientation::Horizontal, 6);
+        let icon = gtk::Image::builder().valign(gtk::Align::Start).build();
+        let words = gtk::Box::new(gtk::Orientation::Vertical, 3);
+        let wrapped = || gtk::Label::builder().xalign(0.0).wrap(true).wrap_mode(gtk::pango::WrapMode::WordChar).build();
+        let (message, place) = (wrapped(), wrapped());
+        place.add_css_class("dim-label");
+        place.add_css_class("small");
+        words.append(&message);
+        words.append(&place);
+        words.set_hexpand(true);
+        row.append(&icon);
+        row.append(&words);
+        item.set_child(Some(&row));
+    });
+    factory.connect_bind(|_, item| {
+        let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
+        let (Some(boxed), Some(row)) = (item.item().and_downcast::<glib::BoxedAnyObject>(), item.child()) else { return };
+        let finding = boxed.borrow::<Finding>();
+        let icon = row.first_child().and_downcast::<gtk::Image>();
+        let words = row.last_child();
+        let message = words.as_ref().and_then(|words| words.first_child()).and_downcast::<gtk::Label>();
+        let place = words.as_ref().and_then(|words| words.last_child()).and_downcast::<gtk::Label>();
+        if let (Some(icon), Some(message), Some(place)) = (icon, message, place) {
+            let (name, tip) = match finding.severity {
+                Severity::Warning => ("dialog-warning-symbolic", tr!("app-warning")),
+                Severity::Note => ("dialog-information-symbolic", tr!("app-note")),
+            };
+            icon.set_icon_name(Some(name));
+            icon.set_tooltip_text(Some(&tip));
+            message.set_text(&finding.message);
+            let mut where_it_is: Vec<String> = Vec::new();
+            if let Some(line) = finding.line {
+                where_it_is.push(tr!("app-line", line = line.to_string()));
+            }
+            where_it_is.extend([finding.element.clone(), finding.code.to_owned()].into_iter().filter(|part| !part.is_empty()));
+            place.set_text(&where_it_is.join(" · "));
+        }
+    });
+    factory
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Node;
+
+    #[test]
+    fn a_finding_leads_to_the_node_it_names() {
+        let mut document = Document::default();
+        let hip = document.scene.graph.add(None, Node::new("Hip"));
+        document.scene.graph.node_mut(hip).id = "Hip_01".into();
+        assert_eq!(node_named(&document, "<node> \"Hip_01\""), Some(NodeId(0)));
+        assert_eq!(node_named(&document, "<node> \"Hip\""), Some(NodeId(0)));
+        assert_eq!(node_named(&document, "<source>"), None);
+    }
+}

@@ -1,0 +1,98 @@
+//! The keyboard of the window: keys go to commands before any widget sees them, but not where a widget needs them.
+
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gdk, glib};
+use gtk4 as gtk;
+
+use super::actions::Command;
+use super::keys::at_place;
+use super::window::Window;
+
+/// Listens at the window.
+pub fn connect(window: &Rc<Window>) {
+    let keys = gtk::EventControllerKey::new();
+    keys.set_propagation_phase(gtk::PropagationPhase::Capture);
+    keys.connect_key_pressed(glib::clone!(
+        #[weak]
+        window,
+        #[upgrade_or]
+        glib::Propagation::Proceed,
+        move |controller, key, code, modifiers| {
+            let hardware = keycode(controller, code);
+            if !is_typing(&window) && window.viewport.flight_key(&window, letter(key, hardware), key, true) {
+                return glib::Propagation::Stop;
+            }
+            match window.keys.command(key, hardware, modifiers) {
+                Some(command) if !is_for_widget(&window, key, modifiers) => {
+                    run(&window, command);
+                    glib::Propagation::Stop
+                }
+                _ => glib::Propagation::Proceed,
+            }
+        }
+    ));
+    keys.connect_key_released(glib::clone!(
+        #[weak]
+        window,
+        move |controller, key, code, _| {
+            window.viewport.flight_key(&window, letter(key, keycode(controller, code)), key, false);
+        }
+    ));
+    window.widget.add_controller(keys);
+}
+
+/// Only what can be done now is done.
+fn run(window: &Rc<Window>, command: Command) {
+    if let Some(action) = window.actions().get(&command).filter(|action| action.is_enabled()) {
+        action.activate(None);
+    }
+}
+
+/// The keycode where keycodes are those of X11 and Wayland.
+fn keycode(controller: &gtk::EventControllerKey, code: u32) -> Option<u32> {
+    let display = controller.widget()?.display().type_().name();
+    ["X11", "Wayland"].iter().any(|kind| display.contains(kind)).then_some(code)
+}
+
+fn letter(key: gdk::Key, hardware: Option<u32>) -> Option<char> {
+    hardware.and_then(at_place).or_else(|| key.to_unicode()).map(|letter| letter.to_ascii_lowercase())
+}
+
+fn focus(window: &Rc<Window>) -> Option<gtk::Widget> {
+    gtk::prelude::GtkWindowExt::focus(&window.widget)
+}
+
+/// Whether text is being typed somewhere.
+fn is_typing(window: &Rc<Window>) -> bool {
+    focus(window).is_some_and(|widget| widget.is::<gtk::Text>() || widget.is::<gtk::TextView>())
+}
+
+/// Whether the focused widget needs this key itself.
+fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierType) -> bool {
+    use gdk::Key as K;
+    let Some(widget) = focus(window) else { return false };
+    let plain = !modifiers.intersects(gdk::ModifierType::CONTROL_MASK | gdk::ModifierType::ALT_MASK);
+    let function = key.name().is_some_and(|name| name.len() > 1 && name.starts_with('F') && name[1..].parse::<u8>().is_ok());
+    // Menus and other popovers take all that is typed.
+    if widget.native().is_some_and(|native| native.downcast_ref::<gtk::Window>().is_none()) {
+        return plain && !function;
+    }
+    if is_typing(window) {
+        let text_keys = [K::c, K::z, K::Z, K::y, K::Left, K::Right, K::o].contains(&key) && key != K::o;
+        return !function && (plain || text_keys && modifiers.contains(gdk::ModifierType::CONTROL_MASK));
+    }
+    let arrows = matches!(key, K::Left | K::Right | K::Up | K::Down | K::Home | K::End | K::Page_Up | K::Page_Down);
+    if widget.is::<gtk::Range>() {
+        return arrows && plain;
+    }
+    let enter = matches!(key, K::Return | K::KP_Enter);
+    let in_list = std::iter::successors(Some(widget.clone()), |widget| widget.parent())
+        .any(|widget| widget.is::<gtk::ListView>() || widget.is::<gtk::ColumnView>() || widget.is::<gtk::StackSwitcher>());
+    if in_list {
+        return (arrows || enter) && plain;
+    }
+    // Enter presses a button; Space plays, whatever has the focus.
+    (widget.is::<gtk::Button>() || widget.is::<gtk::CheckButton>() || widget.is::<gtk::MenuButton>()) && enter && plain
+}

@@ -1,0 +1,158 @@
+//! Keys to commands. Plain letters and digits mean the place on the keyboard, so that they work on ЙЦУКЕН and AZERTY; with Ctrl, a Latin letter is
+//! itself, as everywhere on the desktop, and any other one its place.
+
+use std::collections::HashMap;
+
+use gtk4::gdk;
+
+use super::actions::Command;
+
+/// Keycodes of X11 and Wayland (evdev + 8) that are letters, digits and brackets on a US keyboard.
+const ROWS: [(u32, &str); 5] = [(10, "1234567890"), (24, "qwertyuiop[]"), (38, "asdfghjkl"), (51, "\\zxcvbnm,./"), (49, "`")];
+
+/// A key with what is held down.
+type Chord = (String, u8);
+
+const SHIFT: u8 = 1;
+const CONTROL: u8 = 2;
+const ALT: u8 = 4;
+const SUPER: u8 = 8;
+
+/// Finds commands by keys.
+pub struct Keys {
+    commands: HashMap<Chord, Command>,
+}
+
+impl Default for Keys {
+    fn default() -> Self {
+        let all = Command::ALL.iter().flat_map(|command| command.keys().iter().map(|key| (parse(key), *command)));
+        Self { commands: all.collect() }
+    }
+}
+
+impl Keys {
+    /// The command of a key press; `hardware` is its keycode where keycodes are those of X11 and Wayland.
+    pub fn command(&self, key: gdk::Key, hardware: Option<u32>, modifiers: gdk::ModifierType) -> Option<Command> {
+        chords(key, hardware, modifiers).iter().find_map(|chord| self.commands.get(chord)).copied()
+    }
+}
+
+/// The letter or sign at a place of the keyboard, as on a US one.
+pub fn at_place(hardware: u32) -> Option<char> {
+    ROWS.iter().find_map(|(first, row)| hardware.checked_sub(*first).and_then(|place| row.chars().nth(place as usize)))
+}
+
+fn parse(accelerator: &str) -> Chord {
+    let mut held = 0;
+    let mut rest = accelerator;
+    for (word, bit) in [("<Control>", CONTROL), ("<Shift>", SHIFT), ("<Alt>", ALT)] {
+        if let Some(tail) = rest.strip_prefix(word) {
+            held |= bit;
+            rest = tail;
+        }
+    }
+    (rest.to_owned(), held)
+}
+
+fn held(modifiers: gdk::ModifierType) -> u8 {
+    use gdk::ModifierType as M;
+    [(M::SHIFT_MASK, SHIFT), (M::CONTROL_MASK, CONTROL), (M::ALT_MASK, ALT), (M::SUPER_MASK, SUPER)]
+        .iter()
+        .filter(|(mask, _)| modifiers.contains(*mask))
+        .fold(0, |sum, (_, bit)| sum | bit)
+}
+
+fn name(key: gdk::Key) -> String {
+    let name = key.to_lower().name().map(String::from).unwrap_or_default();
+    match name.strip_prefix("KP_") {
+        Some("Enter") => "Return".into(),
+        Some(digit) if digit.len() == 1 => digit.into(),
+        _ => name,
+    }
+}
+
+/// The chords that a key press may mean, the likeliest first.
+fn chords(key: gdk::Key, hardware: Option<u32>, modifiers: gdk::ModifierType) -> Vec<Chord> {
+    let held = held(modifiers);
+    let by_value = name(key);
+    let latin = key.to_unicode().is_some_and(|c| c.is_ascii_alphabetic());
+    let by_place = hardware.and_then(at_place).and_then(|sign| gdk::Key::from_name(sign_name(sign))).map(name);
+    let mut found = Vec::with_capacity(3);
+    match by_place {
+        Some(place) if !(held & CONTROL != 0 && latin) => found.push((place, held)),
+        _ => {}
+    }
+    found.push((by_value.clone(), held));
+    // A sign that needs Shift on this keyboard is meant without it.
+    if !latin && key.to_unicode().is_some_and(|c| !c.is_whitespace() && !c.is_control()) {
+        found.push((by_value, held & !SHIFT));
+    }
+    found
+}
+
+fn sign_name(sign: char) -> String {
+    match sign {
+        '[' => "bracketleft".into(),
+        ']' => "bracketright".into(),
+        '\\' => "backslash".into(),
+        ',' => "comma".into(),
+        '.' => "period".into(),
+        '/' => "slash".into(),
+        '`' => "grave".into(),
+        letter => letter.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use gdk::{Key, ModifierType as M};
+
+    #[test]
+    fn no_key_has_two_meanings() {
+        let all = Command::ALL.iter().map(|command| command.keys().len()).sum::<usize>();
+        assert_eq!(Keys::default().commands.len(), all);
+    }
+
+    #[test]
+    fn every_key_is_one_that_gdk_knows() {
+        for key in Command::ALL.iter().flat_map(|command| command.keys()) {
+            let (name, _) = parse(key);
+            assert!(Key::from_name(&name).is_some(), "{key}");
+        }
+    }
+
+    #[test]
+    fn letters_mean_their_place() {
+        let keys = Keys::default();
+        // B on a US, the same key on a Russian keyboard, and A's place on a French one (Q there is A in the US).
+        assert_eq!(keys.command(Key::b, Some(56), M::empty()), Some(Command::Bones));
+        assert_eq!(keys.command(Key::Cyrillic_i, Some(56), M::empty()), Some(Command::Bones));
+        assert_eq!(keys.command(Key::z, Some(25), M::empty()), Some(Command::Weights));
+        assert_eq!(keys.command(Key::b, None, M::empty()), Some(Command::Bones));
+        assert_eq!(keys.command(Key::ampersand, Some(10), M::empty()), Some(Command::Front));
+    }
+
+    #[test]
+    fn with_control_a_latin_letter_is_itself() {
+        let keys = Keys::default();
+        // Ctrl+Z on a French keyboard, where Z is at W's place, must not close the file.
+        assert_eq!(keys.command(Key::z, Some(25), M::CONTROL_MASK), Some(Command::Undo));
+        assert_eq!(keys.command(Key::Cyrillic_ya, Some(52), M::CONTROL_MASK), Some(Command::Undo));
+        assert_eq!(keys.command(Key::Z, Some(52), M::CONTROL_MASK | M::SHIFT_MASK), Some(Command::Redo));
+    }
+
+    #[test]
+    fn signs_numpad_and_named_keys() {
+        let keys = Keys::default();
+        assert_eq!(keys.command(Key::question, Some(61), M::CONTROL_MASK | M::SHIFT_MASK), Some(Command::Shortcuts));
+        assert_eq!(keys.command(Key::KP_7, Some(79), M::empty()), Some(Command::Top));
+        assert_eq!(keys.command(Key::KP_1, Some(87), M::CONTROL_MASK), Some(Command::Back));
+        assert_eq!(keys.command(Key::Left, Some(113), M::SHIFT_MASK), Some(Command::First));
+        assert_eq!(keys.command(Key::space, Some(65), M::empty()), Some(Command::Play));
+        assert_eq!(keys.command(Key::asciitilde, Some(49), M::SHIFT_MASK), Some(Command::Fly));
+        assert_eq!(keys.command(Key::N, Some(57), M::SHIFT_MASK), Some(Command::NormalGlyphs));
+        assert_eq!(keys.command(Key::space, Some(65), M::SUPER_MASK), None);
+        assert_eq!(keys.command(Key::F9, Some(75), M::LOCK_MASK), Some(Command::Sidebars));
+    }
+}

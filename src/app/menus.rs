@@ -1,0 +1,126 @@
+//! The menus of the header, made from the table of commands.
+
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::actions::Command;
+use super::recent;
+use super::session::{Session, file_cameras};
+use super::window::{Window, part};
+use crate::tr;
+
+/// The action that looks through a camera of the file, by its place in the list.
+const LOOK_THROUGH: &str = "look-through";
+
+/// Puts the menus into the header.
+pub fn connect(window: &Rc<Window>, builder: &gtk::Builder) {
+    window.menu.set_menu_model(Some(&main_menu()));
+    part::<gtk::MenuButton>(builder, "display_menu").set_menu_model(Some(&display_menu()));
+    let look = gio::SimpleAction::new(LOOK_THROUGH, Some(glib::VariantTy::UINT32));
+    look.connect_activate(glib::clone!(
+        #[weak]
+        window,
+        move |_, place| {
+            let Some(place) = place.and_then(glib::Variant::get::<u32>) else { return };
+            window.act(|session| {
+                if let Some((node, camera)) = file_cameras(&session.document().scene).get(place as usize).copied() {
+                    session.change_eye(|eye| eye.look_through(node, camera));
+                }
+            });
+        }
+    ));
+    window.widget.add_action(&look);
+    recent_menu(window, &part(builder, "recent"));
+}
+
+fn section(menu: &gio::Menu, commands: &[Command]) {
+    let section = gio::Menu::new();
+    for command in commands {
+        section.append_item(&item(*command));
+    }
+    menu.append_section(None, &section);
+}
+
+fn item(command: Command) -> gio::MenuItem {
+    let item = gio::MenuItem::new(Some(&command.label()), Some(&format!("win.{}", command.id())));
+    if let Some(key) = command.keys().first() {
+        item.set_attribute_value("accel", Some(&key.to_variant()));
+    }
+    item
+}
+
+fn main_menu() -> gio::Menu {
+    use Command as C;
+    let menu = gio::Menu::new();
+    section(&menu, &[C::Reload, C::PreviousFile, C::NextFile, C::Close]);
+    section(&menu, &[C::Picture, C::PictureTransparent, C::CopyPicture]);
+    let time = gio::Menu::new();
+    section(&time, &[C::Reverse, C::MarkA, C::MarkB, C::ClearMarks]);
+    section(&time, &[C::Slower, C::Faster, C::NormalSpeed]);
+    section(&time, &[C::PreviousClip, C::NextClip]);
+    let colours = gio::Menu::new();
+    section(&colours, &[C::ColoursSystem, C::ColoursLight, C::ColoursDark]);
+    let more = gio::Menu::new();
+    more.append_submenu(Some(&tr!("app-group-time")), &time);
+    more.append_submenu(Some(&tr!("app-menu-colours")), &colours);
+    menu.append_section(None, &more);
+    section(&menu, &[C::Sidebars, C::Fullscreen]);
+    section(&menu, &[C::Shortcuts, C::About, C::Quit]);
+    menu
+}
+
+fn display_menu() -> gio::Menu {
+    use Command as C;
+    let menu = gio::Menu::new();
+    section(&menu, &[C::Bones, C::BoneNames, C::Materials, C::SmoothNormals, C::NormalGlyphs, C::Wireframe, C::Muscle, C::Weights]);
+    section(&menu, &[C::Grid, C::Axes, C::BoundingBox]);
+    section(&menu, &[C::Flat, C::Gouraud, C::Phong]);
+    section(&menu, &[C::FrameTimes]);
+    menu
+}
+
+/// The camera menu, with the cameras of the file.
+pub fn list_cameras(button: &gtk::MenuButton, session: &Session) {
+    use Command as C;
+    let menu = gio::Menu::new();
+    section(&menu, &[C::Fit, C::ResetCamera, C::Centre]);
+    section(&menu, &[C::Front, C::Right, C::Top, C::Iso]);
+    section(&menu, &[C::Back, C::Left, C::Bottom, C::IsoOpposite]);
+    section(&menu, &[C::Orthographic, C::Fly]);
+    let scene = &session.document().scene;
+    let of_file = gio::Menu::new();
+    for (place, (node, _)) in file_cameras(scene).iter().enumerate().take(20) {
+        let item = gio::MenuItem::new(Some(&scene.graph.node(*node).name.replace('_', "__")), None);
+        item.set_action_and_target_value(Some(&format!("win.{LOOK_THROUGH}")), Some(&(place as u32).to_variant()));
+        of_file.append_item(&item);
+    }
+    if of_file.n_items() > 0 {
+        menu.append_section(Some(&tr!("app-file-cameras")), &of_file);
+    }
+    button.set_menu_model(Some(&menu));
+}
+
+/// Recent files, listed anew whenever they are looked at.
+fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
+    let slot = gtk::Box::new(gtk::Orientation::Vertical, 6);
+    for set in [gtk::Box::set_margin_start, gtk::Box::set_margin_end, gtk::Box::set_margin_top, gtk::Box::set_margin_bottom] {
+        set(&slot, 6);
+    }
+    let popover = gtk::Popover::builder().child(&slot).build();
+    button.set_popover(Some(&popover));
+    popover.connect_show(glib::clone!(
+        #[weak]
+        window,
+        move |popover| {
+            let popover = popover.downgrade();
+            recent::fill(&window, &slot, move || {
+                if let Some(popover) = popover.upgrade() {
+                    popover.popdown();
+                }
+            });
+        }
+    ));
+}

@@ -1,0 +1,265 @@
+//! What each command does, when it can be done, and what its switch shows.
+
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::actions::Command;
+use super::session::{Session, Tool};
+use super::settings::Colours;
+use super::window::Window;
+use super::{about, files, picture, theme};
+use crate::render::{Samples, Shading};
+use crate::scene::View;
+
+/// One action a command; those that are on or off have a state.
+pub fn make_actions() -> HashMap<Command, gio::SimpleAction> {
+    let probe = Session::default();
+    let make = |command: Command| match switch_state(command, &probe) {
+        Some(_) => gio::SimpleAction::new_stateful(command.id(), None, &false.to_variant()),
+        None if has_window_state(command) => gio::SimpleAction::new_stateful(command.id(), None, &false.to_variant()),
+        None => gio::SimpleAction::new(command.id(), None),
+    };
+    Command::ALL.iter().map(|command| (*command, make(*command))).collect()
+}
+
+/// Lets the actions perform their commands.
+pub fn connect(window: &Rc<Window>) {
+    for (command, action) in window.actions() {
+        let command = *command;
+        action.connect_activate(glib::clone!(
+            #[weak]
+            window,
+            move |_, _| perform(&window, command)
+        ));
+    }
+}
+
+/// Shows in the actions what is on and what can be done.
+pub fn show_states(window: &Rc<Window>, session: &Session, actions: &HashMap<Command, gio::SimpleAction>) {
+    for (command, action) in actions {
+        if let Some(on) = switch_state(*command, session).or_else(|| window_state(window, *command)) {
+            action.set_state(&on.to_variant());
+        }
+        action.set_enabled(is_possible(window, *command, session));
+    }
+}
+
+fn tool_of(command: Command) -> Option<Tool> {
+    match command {
+        Command::ToolNavigate => Some(Tool::Navigate),
+        Command::ToolMove => Some(Tool::Move),
+        Command::ToolRotate => Some(Tool::Rotate),
+        Command::ToolScale => Some(Tool::Scale),
+        _ => None,
+    }
+}
+
+fn shading_of(command: Command) -> Option<Shading> {
+    match command {
+        Command::Flat => Some(Shading::Flat),
+        Command::Gouraud => Some(Shading::Gouraud),
+        Command::Phong => Some(Shading::Phong),
+        _ => None,
+    }
+}
+
+fn colours_of(command: Command) -> Option<Colours> {
+    match command {
+        Command::ColoursSystem => Some(Colours::System),
+        Command::ColoursLight => Some(Colours::Light),
+        Command::ColoursDark => Some(Colours::Dark),
+        _ => None,
+    }
+}
+
+fn switch_state(command: Command, session: &Session) -> Option<bool> {
+    if let Some(switch) = command.switch() {
+        return Some(*switch(&mut session.display().clone()));
+    }
+    if let Some(tool) = tool_of(command) {
+        return Some(session.tool() == tool);
+    }
+    if let Some(shading) = shading_of(command) {
+        return Some(session.display().shading == shading);
+    }
+    match command {
+        Command::Play => Some(session.playback().playing),
+        Command::Reverse => Some(session.playback().speed < 0.0),
+        Command::Orthographic => Some(session.eye().orbit().orthographic),
+        Command::Weights => Some(session.display().weights.is_some()),
+        Command::SmoothEdges => Some(session.display().samples == Samples::Four),
+        Command::BoneNames => Some(session.bone_names()),
+        _ => None,
+    }
+}
+
+fn has_window_state(command: Command) -> bool {
+    matches!(command, Command::Tree | Command::Panel | Command::Fullscreen | Command::FrameTimes) || colours_of(command).is_some()
+}
+
+fn window_state(window: &Rc<Window>, command: Command) -> Option<bool> {
+    match command {
+        Command::Tree => Some(window.sides().0),
+        Command::Panel => Some(window.sides().1),
+        Command::Fullscreen => Some(window.widget.is_fullscreen()),
+        Command::FrameTimes => Some(window.settings.borrow().frame_times),
+        _ => colours_of(command).map(|colours| window.settings.borrow().colours == colours),
+    }
+}
+
+fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool {
+    use Command as C;
+    let has_time = session.playback().duration() > 0.0;
+    match command {
+        C::Undo => session.steps().0,
+        C::Redo => session.steps().1,
+        C::Play | C::Reverse | C::FrameBack | C::FrameForward | C::SecondBack | C::SecondForward | C::First | C::Last => has_time,
+        C::PreviousKey | C::NextKey | C::MarkA | C::MarkB => has_time,
+        C::ClearMarks => session.playback().mark_a.is_some() || session.playback().mark_b.is_some(),
+        C::PreviousClip | C::NextClip => session.document().clips.len() > 1,
+        C::ContractMore | C::ContractLess | C::ElbowMore | C::ElbowLess => session.document().driven_rig().is_some(),
+        C::Centre => session.selected().is_some(),
+        C::Weights => session.selected().is_some() || session.display().weights.is_some(),
+        C::ResetLight => session.light().is_some(),
+        C::ResetModel => !session.model().is_identity(),
+        C::Reload | C::PreviousFile | C::NextFile => !session.files().is_empty() || window.files.can_retry(),
+        C::Picture | C::PictureTransparent | C::CopyPicture => !session.is_empty(),
+        _ => true,
+    }
+}
+
+/// Does it.
+pub fn perform(window: &Rc<Window>, command: Command) {
+    use Command as C;
+    if let Some(switch) = command.switch() {
+        return window.act(|session| {
+            session.change_display(|display| {
+                let on = switch(display);
+                *on = !*on;
+            });
+        });
+    }
+    if let Some(tool) = tool_of(command) {
+        return window.act(|session| session.set_tool(tool));
+    }
+    if let Some(shading) = shading_of(command) {
+        return window.act(|session| session.change_display(|display| display.shading = shading));
+    }
+    if let Some(colours) = colours_of(command) {
+        window.settings.borrow_mut().colours = colours;
+        theme::choose(colours);
+        return window.show_states();
+    }
+    let look = |view: View| window.act(|session| session.change_eye(|eye| eye.look_from(view)));
+    match command {
+        C::Open => files::choose(window),
+        C::Reload => files::reload(window),
+        C::PreviousFile => files::neighbour(window, -1),
+        C::NextFile => files::neighbour(window, 1),
+        C::Close => files::close(window),
+        C::Quit => window.widget.close(),
+        C::Picture => picture::save(window, false),
+        C::PictureTransparent => picture::save(window, true),
+        C::CopyPicture => picture::copy(window),
+        C::Front => look(View::Front),
+        C::Back => look(View::Back),
+        C::Right => look(View::Right),
+        C::Left => look(View::Left),
+        C::Top => look(View::Top),
+        C::Bottom => look(View::Bottom),
+        C::Iso => look(View::Iso),
+        C::Sidebars => {
+            let shown = window.sides() != (false, false);
+            window.show_side(!shown, !shown);
+        }
+        C::Tree => window.show_side(!window.sides().0, window.sides().1),
+        C::Panel => window.show_side(window.sides().0, !window.sides().1),
+        C::Fullscreen => {
+            if window.widget.is_fullscreen() {
+                window.widget.unfullscreen()
+            } else {
+                window.widget.fullscreen()
+            }
+            window.show_states();
+        }
+        C::FrameTimes => {
+            let shown = !window.settings.borrow().frame_times;
+            window.settings.borrow_mut().frame_times = shown;
+            window.viewport.show_times(shown);
+            window.show_states();
+        }
+        C::Menu => window.menu.popup(),
+        C::Shortcuts => about::shortcuts(window),
+        C::About => about::about(window),
+        C::Fly => window.viewport.toggle_flight(window),
+        in_session => window.act(|session| change_session(in_session, session)),
+    }
+}
+
+/// The commands that change the session and nothing else.
+fn change_session(command: Command, session: &mut Session) {
+    use Command as C;
+    let pace = session.playback().speed.abs();
+    let (here, start, end) = (session.playback().time, session.playback().start, session.playback().end);
+    let drive = session.drive();
+    match command {
+        C::Play => session.toggle_playing(),
+        C::Reverse => session.time(|time| {
+            time.speed = -time.speed;
+            time.play();
+        }),
+        C::FrameBack => session.step_frames(-1),
+        C::FrameForward => session.step_frames(1),
+        C::SecondBack => session.time(|time| time.seek(here - 1.0)),
+        C::SecondForward => session.time(|time| time.seek(here + 1.0)),
+        C::First => session.time(|time| time.seek(start)),
+        C::Last => session.time(|time| time.seek(end)),
+        C::PreviousKey => session.step_key(false),
+        C::NextKey => session.step_key(true),
+        C::Slower => session.time(|time| time.set_pace(pace / 1.25)),
+        C::Faster => session.time(|time| time.set_pace(pace * 1.25)),
+        C::NormalSpeed => session.time(|time| time.speed = 1.0),
+        C::LoopMode => session.next_loop_mode(),
+        C::MarkA => session.time(|time| time.mark_a = Some(here)),
+        C::MarkB => session.time(|time| time.mark_b = Some(here)),
+        C::ClearMarks => session.time(|time| (time.mark_a, time.mark_b) = (None, None)),
+        C::PreviousClip => session.next_clip(-1),
+        C::NextClip => session.next_clip(1),
+        C::Fit => session.fit(),
+        C::ResetCamera => session.reset_camera(),
+        C::Centre => {
+            if let Some(node) = session.selected() {
+                session.centre_on(node);
+            }
+        }
+        C::IsoOpposite => session.change_eye(|eye| {
+            eye.jump(|orbit| {
+                let (yaw, pitch) = View::Iso.angles();
+                (orbit.yaw, orbit.pitch) = (yaw + 180.0, -pitch);
+            });
+        }),
+        C::Orthographic => session.change_eye(|eye| eye.jump(|orbit| orbit.orthographic = !orbit.orthographic)),
+        C::ResetLight => session.reset_light(),
+        C::ResetModel => {
+            session.remember();
+            session.change_model(|model| model.reset());
+        }
+        C::ContractMore => session.set_contraction(drive.contraction + 5.0),
+        C::ContractLess => session.set_contraction(drive.contraction - 5.0),
+        C::ElbowMore => session.set_flexion(drive.flexion + 5.0),
+        C::ElbowLess => session.set_flexion(drive.flexion - 5.0),
+        C::Undo => session.undo(),
+        C::Redo => session.redo(),
+        C::BoneNames => session.set_bone_names(!session.bone_names()),
+        C::Weights => session.set_weights(session.display().weights.is_none()),
+        C::SmoothEdges => session.change_display(|display| {
+            display.samples = if display.samples == Samples::Four { Samples::One } else { Samples::Four };
+        }),
+        // Every other command was done before it came here.
+        _ => {}
+    }
+}

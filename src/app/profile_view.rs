@@ -1,0 +1,168 @@
+//! The profile of a muscle seen from the side: at rest as an outline, now as a filled shape, to one scale.
+
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+use gtk::cairo::Context;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
+use super::format;
+use crate::tr;
+
+/// Room round the shape, logical pixels.
+const INSET: f64 = 10.0;
+/// Muscle red, in light and dark.
+const MUSCLE: u32 = 0xB8322E;
+
+/// A muscle at rest and now; lengths in the file's unit.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Shape {
+    /// Radii at rest.
+    pub rest: Vec<f64>,
+    /// Length at rest.
+    pub rest_length: f64,
+    /// Radii now.
+    pub now: Vec<f64>,
+    /// Length now.
+    pub length: f64,
+    /// The unit's sign.
+    pub unit: &'static str,
+}
+
+/// The drawing.
+pub struct ProfileView {
+    /// Where it is drawn.
+    pub canvas: Canvas,
+    shape: Rc<RefCell<Shape>>,
+}
+
+impl ProfileView {
+    /// A drawing of nothing.
+    pub fn new() -> Self {
+        let canvas = Canvas::new(120, 130);
+        canvas.set_hexpand(true);
+        let shape = Rc::new(RefCell::new(Shape::default()));
+        let pointer = Rc::new(Cell::new(None::<f64>));
+        let (painted, at) = (shape.clone(), pointer.clone());
+        canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height, at.get()));
+        let motion = gtk::EventControllerMotion::new();
+        let (at, drawn) = (pointer.clone(), canvas.downgrade());
+        motion.connect_motion(move |_, x, _| {
+            at.set(Some(x));
+            if let Some(canvas) = drawn.upgrade() {
+                canvas.queue_draw();
+            }
+        });
+        let drawn = canvas.downgrade();
+        motion.connect_leave(move |_| {
+            pointer.set(None);
+            if let Some(canvas) = drawn.upgrade() {
+                canvas.queue_draw();
+            }
+        });
+        canvas.add_controller(motion);
+        Self { canvas, shape }
+    }
+
+    /// Shows a shape.
+    pub fn show(&self, shape: Shape) {
+        if *self.shape.borrow() != shape {
+            self.shape.replace(shape);
+            self.canvas.queue_draw();
+        }
+    }
+}
+
+impl Shape {
+    /// Pixels a unit, so that both shapes fit; one scale for length and radius.
+    fn scale(&self, width: f64, height: f64) -> f64 {
+        let longest = self.rest_length.max(self.length);
+        let thickest = self.rest.iter().chain(&self.now).copied().fold(0.0, f64::max);
+        // The caps stand out by the radius of the ends.
+        let ends = |radii: &[f64]| radii.first().unwrap_or(&0.0) + radii.last().unwrap_or(&0.0);
+        let scale = ((width - 2.0 * INSET) / (longest + ends(&self.rest).max(ends(&self.now)))).min((height - 34.0) / (2.0 * thickest));
+        if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
+    }
+
+    fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64, pointer: Option<f64>) {
+        if self.now.len() < 2 {
+            return;
+        }
+        let scale = self.scale(width, height);
+        let middle = (height - 18.0) / 2.0;
+        let text = canvas.text_color();
+        let context = cairo(snapshot, width, height);
+        set_color(&context, &rgb(MUSCLE), 0.85);
+        outline(&context, &self.now, self.length, scale, width, middle);
+        let _ = context.fill();
+        set_color(&context, &text, 0.6);
+        context.set_dash(&[4.0, 3.0], 0.0);
+        context.set_line_width(1.0);
+        outline(&context, &self.rest, self.rest_length, scale, width, middle);
+        let _ = context.stroke();
+        context.set_dash(&[], 0.0);
+        let places = places(self.now.len(), self.length, scale, width);
+        let near = pointer.and_then(|x| (0..self.now.len()).min_by(|a, b| (places(*a) - x).abs().total_cmp(&(places(*b) - x).abs())));
+        for (index, radius) in self.now.iter().enumerate() {
+            set_color(&context, &rgb(0xFFFFFF), if near == Some(index) { 1.0 } else { 0.35 });
+            context.rectangle(places(index).round(), middle - radius * scale, 1.0, 2.0 * radius * scale);
+            let _ = context.fill();
+        }
+        drop(context);
+        let caption = match near {
+            Some(index) => tr!(
+                "app-profile-node",
+                node = index + 1,
+                now = format::with_unit(self.now[index], 2, self.unit),
+                rest = format::with_unit(self.rest.get(index).copied().unwrap_or(f64::NAN), 2, self.unit)
+            ),
+            None => tr!("app-profile-legend"),
+        };
+        write(canvas, snapshot, &caption, width / 2.0, height - 17.0, Align::Centre, 0.85, &text.with_alpha(0.7));
+    }
+}
+
+/// Where node `index` of `count` stands.
+fn places(count: usize, length: f64, scale: f64, width: f64) -> impl Fn(usize) -> f64 {
+    let left = (width - length * scale) / 2.0;
+    let step = length * scale / (count.max(2) - 1) as f64;
+    move |index| left + step * index as f64
+}
+
+/// Upper and lower edge with round ends.
+fn outline(context: &Context, radii: &[f64], length: f64, scale: f64, width: f64, middle: f64) {
+    let (Some(first), Some(last)) = (radii.first(), radii.last()) else { return };
+    let x = places(radii.len(), length, scale, width);
+    let quarter = std::f64::consts::FRAC_PI_2;
+    context.new_path();
+    for (index, radius) in radii.iter().enumerate() {
+        context.line_to(x(index), middle - radius * scale);
+    }
+    context.arc(x(radii.len() - 1), middle, last * scale, -quarter, quarter);
+    for (index, radius) in radii.iter().enumerate().rev() {
+        context.line_to(x(index), middle + radius * scale);
+    }
+    context.arc(x(0), middle, first * scale, quarter, 3.0 * quarter);
+    context.close_path();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_shapes_fit_to_one_scale() {
+        let shape = Shape { rest: vec![5.0, 20.0, 5.0], rest_length: 200.0, now: vec![6.0, 30.0, 6.0], length: 120.0, unit: "mm" };
+        let scale = shape.scale(300.0, 130.0);
+        assert!((200.0 + 10.0) * scale <= 300.0 - 2.0 * INSET + 1e-9 && 60.0 * scale <= 96.0 + 1e-9);
+        assert_eq!(Shape::default().scale(0.0, 0.0), 1.0);
+    }
+
+    #[test]
+    fn nodes_stand_evenly_about_the_middle() {
+        let at = places(3, 100.0, 2.0, 300.0);
+        assert_eq!((at(0), at(1), at(2)), (50.0, 150.0, 250.0));
+    }
+}

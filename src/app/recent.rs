@@ -1,0 +1,76 @@
+//! Files that were opened lately, as the desktop remembers them.
+
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::files;
+use super::session::Arrival;
+use super::window::Window;
+use crate::tr;
+
+/// Most files that are listed.
+const MOST: usize = 8;
+
+/// Remembers a file that was opened.
+pub fn remember(path: &Path) {
+    gtk::RecentManager::default().add_item(&gio::File::for_path(path).uri());
+}
+
+/// The files that this program opened and that are still there, the last one first.
+pub fn list() -> Vec<PathBuf> {
+    let ours = |path: &Path| {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+        matches!(ending.as_deref(), Some("dae" | "zae" | "yaml" | "yml"))
+    };
+    let name = glib::application_name();
+    let mut found: Vec<(i64, PathBuf)> = gtk::RecentManager::default()
+        .items()
+        .iter()
+        .filter(|info| name.as_deref().is_some_and(|name| info.has_application(name)))
+        .filter_map(|info| Some((info.visited().to_unix(), gio::File::for_uri(&info.uri()).path()?)))
+        .filter(|(_, path)| ours(path) && path.is_file())
+        .collect();
+    found.sort_by_key(|(visited, _)| std::cmp::Reverse(*visited));
+    found.into_iter().map(|(_, path)| path).take(MOST).collect()
+}
+
+/// Fills a box with a button a file; `done` runs before one opens.
+pub fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'static) {
+    while let Some(child) = slot.first_child() {
+        slot.remove(&child);
+    }
+    let files = list();
+    let heading = gtk::Label::builder().label(tr!("app-recent")).xalign(0.0).css_classes(["heading"]).build();
+    slot.append(&heading);
+    if files.is_empty() {
+        slot.append(&gtk::Label::builder().label(tr!("app-recent-none")).xalign(0.0).css_classes(["dim-label"]).build());
+    }
+    for path in files {
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let folder = path.parent().map(|folder| folder.display().to_string()).unwrap_or_default();
+        let words = gtk::Box::new(gtk::Orientation::Vertical, 0);
+        let line = |text: &str| {
+            gtk::Label::builder().label(text).xalign(0.0).ellipsize(gtk::pango::EllipsizeMode::Middle).max_width_chars(36).build()
+        };
+        words.append(&line(&name));
+        let place = line(&folder);
+        place.add_css_class("dim-label");
+        place.add_css_class("small");
+        words.append(&place);
+        let button = gtk::Button::builder().child(&words).has_frame(false).tooltip_text(path.display().to_string()).build();
+        let done = done.clone();
+        button.connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| {
+                done();
+                files::open(&window, vec![path.clone()], Arrival::New);
+            }
+        ));
+        slot.append(&button);
+    }
+}

@@ -1,0 +1,251 @@
+//! The scene tree: nodes, bones, meshes and muscles, with search; selection goes both ways.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::canvas::Canvas;
+use super::glyph;
+use super::session::{Changes, Session};
+use super::tree_rows::{Row, path_to, search};
+use super::ui;
+use super::window::{Window, part};
+use crate::scene::NodeId;
+use crate::tr;
+
+/// Trees of at most this many nodes are shown unfolded.
+const UNFOLDED: usize = 300;
+
+/// The tree.
+pub struct SceneTree {
+    /// The whole.
+    pub root: gtk::Box,
+    list: gtk::ListView,
+    search: gtk::SearchEntry,
+    nothing: gtk::Label,
+    selection: RefCell<gtk::SingleSelection>,
+    rows: Rc<RefCell<Vec<Row>>>,
+    window: RefCell<std::rc::Weak<Window>>,
+}
+
+impl SceneTree {
+    /// A tree of nothing.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::SCENE_TREE);
+        Self {
+            root: part(&builder, "root"),
+            list: part(&builder, "list"),
+            search: part(&builder, "search"),
+            nothing: part(&builder, "nothing"),
+            selection: RefCell::new(gtk::SingleSelection::new(None::<gio::ListModel>)),
+            rows: Rc::default(),
+            window: RefCell::default(),
+        }
+    }
+
+    /// Lets hands select, search and hide.
+    pub fn connect(&self, window: &Rc<Window>) {
+        self.window.replace(Rc::downgrade(window));
+        self.list.set_factory(Some(&factory(window)));
+        self.search.connect_search_changed(glib::clone!(
+            #[weak]
+            window,
+            move |_| window.act(Session::list_anew)
+        ));
+        self.search.connect_stop_search(glib::clone!(
+            #[weak]
+            window,
+            move |entry| {
+                entry.set_text("");
+                window.viewport.take_focus();
+            }
+        ));
+        self.list.connect_activate(glib::clone!(
+            #[weak]
+            window,
+            move |list, position| {
+                let node = list.model().and_then(|model| model.item(position)).and_then(|item| node_of(&item));
+                if let Some(node) = node {
+                    window.act(|session| session.centre_on(node));
+                }
+            }
+        ));
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &Session, changes: Changes) {
+        let scene = &session.document().scene;
+        if changes.any(Changes::DOCUMENT | Changes::LIST) {
+            *self.rows.borrow_mut() = scene.graph.iter().map(|(id, _)| Row::of(scene, id)).collect();
+            let wanted = self.search.text();
+            let (roots, flat) =
+                if wanted.trim().is_empty() { (scene.graph.roots().to_vec(), false) } else { (search(scene, &wanted), true) };
+            self.nothing.set_visible(flat && roots.is_empty());
+            let unfolded = scene.graph.len() <= UNFOLDED;
+            self.set_model(&roots, flat, unfolded);
+            if !unfolded && !flat {
+                self.unfold_first();
+            }
+        }
+        if changes.any(Changes::DOCUMENT | Changes::LIST | Changes::SELECTION) {
+            self.select(session);
+        }
+        if changes.any(Changes::DISPLAY) {
+            for row in self.rows.borrow_mut().iter_mut() {
+                row.visible = scene.graph.node(row.node).visible;
+            }
+        }
+    }
+
+    fn set_model(&self, roots: &[NodeId], flat: bool, unfolded: bool) {
+        let rows = self.rows.clone();
+        let model = gtk::TreeListModel::new(store(roots), false, unfolded, move |item| {
+            let node = item.downcast_ref::<glib::BoxedAnyObject>().map(|boxed| *boxed.borrow::<NodeId>())?;
+            let rows = rows.borrow();
+            let row = rows.get(node.index()).filter(|row| !flat && !row.children.is_empty())?;
+            Some(store(&row.children).upcast())
+        });
+        let selection = gtk::SingleSelection::new(Some(model));
+        selection.set_autoselect(false);
+        selection.set_can_unselect(true);
+        selection.set_selected(gtk::INVALID_LIST_POSITION);
+        let window = self.window.borrow().clone();
+        selection.connect_selected_item_notify(move |selection| {
+            if let Some(window) = window.upgrade() {
+                let node = selection.selected_item().and_then(|item| node_of(&item));
+                window.act(|session| session.select(node));
+            }
+        });
+        self.list.set_model(Some(&selection));
+        self.selection.replace(selection);
+    }
+
+    /// Unfolds the first two levels of a large tree.
+    fn unfold_first(&self) {
+        for _ in 0..2 {
+            let rows: Vec<_> = self.tree_rows().take(64).collect();
+            rows.iter().for_each(|row| row.set_expanded(true));
+        }
+    }
+
+    fn tree_rows(&self) -> impl Iterator<Item = gtk::TreeListRow> {
+        let selection = self.selection.borrow().clone();
+        (0..selection.n_items()).filter_map(move |position| selection.item(position).and_downcast())
+    }
+
+    fn select(&self, session: &Session) {
+        let selection = self.selection.borrow().clone();
+        let Some(node) = session.selected() else {
+            selection.set_selected(gtk::INVALID_LIST_POSITION);
+            return;
+        };
+        if selection.selected_item().and_then(|item| node_of(&item)) == Some(node) {
+            return;
+        }
+        // Unfolds everything above it; each row found lies below the one before.
+        let mut position = None;
+        for step in path_to(&session.document().scene, node) {
+            let from = position.unwrap_or(0);
+            let found = (from..selection.n_items()).find(|at| selection.item(*at).and_then(|item| node_of(&item)) == Some(step));
+            let Some(at) = found else { continue };
+            position = Some(at);
+            if step != node
+                && let Some(row) = selection.item(at).and_downcast::<gtk::TreeListRow>()
+            {
+                row.set_expanded(true);
+            }
+        }
+        let there = position.filter(|at| selection.item(*at).and_then(|item| node_of(&item)) == Some(node));
+        selection.set_selected(there.unwrap_or(gtk::INVALID_LIST_POSITION));
+        if let Some(at) = there {
+            // An action of the list itself: scrolling by code has a function from GTK 4.12 on only.
+            let _ = self.list.activate_action("list.scroll-to-item", Some(&at.to_variant()));
+        }
+    }
+}
+
+fn store(nodes: &[NodeId]) -> gio::ListStore {
+    let store = gio::ListStore::new::<glib::BoxedAnyObject>();
+    let items: Vec<_> = nodes.iter().map(|node| glib::BoxedAnyObject::new(*node)).collect();
+    store.extend_from_slice(&items);
+    store
+}
+
+fn node_of(item: &glib::Object) -> Option<NodeId> {
+    let boxed = item.downcast_ref::<gtk::TreeListRow>()?.item().and_downcast::<glib::BoxedAnyObject>()?;
+    let node = *boxed.borrow::<NodeId>();
+    Some(node)
+}
+
+/// Makes and fills the rows: expander, icon, name, eye.
+fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
+    let factory = gtk::SignalListItemFactory::new();
+    let weak = Rc::downgrade(window);
+    factory.connect_setup(move |_, item| {
+        let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
+        let expander = gtk::TreeExpander::new();
+        let content = gtk::Box::new(gtk::Orientation::Horizontal, 6);
+        let icon = Canvas::new(16, 16);
+        icon.set_valign(gtk::Align::Center);
+        let label = gtk::Label::builder().xalign(0.0).hexpand(true).ellipsize(gtk::pango::EllipsizeMode::Middle).build();
+        let eye = gtk::ToggleButton::builder().has_frame(false).focusable(false).css_classes(["eye", "flat"]).build();
+        eye.set_icon_name("view-reveal-symbolic");
+        eye.set_tooltip_text(Some(&tr!("app-hide-node")));
+        content.append(&icon);
+        content.append(&label);
+        content.append(&eye);
+        expander.set_child(Some(&content));
+        item.set_child(Some(&expander));
+        let weak = weak.clone();
+        let item = item.downgrade();
+        eye.connect_clicked(move |eye| {
+            let node = item.upgrade().and_then(|item| item.item()).and_then(|item| node_of(&item));
+            if let (Some(window), Some(node)) = (weak.upgrade(), node) {
+                let visible = !eye.is_active();
+                show_eye(eye, visible);
+                window.act(|session| session.set_visible(node, visible));
+            }
+        });
+    });
+    let weak = Rc::downgrade(window);
+    factory.connect_bind(move |_, item| {
+        let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
+        let (Some(row), Some(expander)) =
+            (item.item().and_downcast::<gtk::TreeListRow>(), item.child().and_downcast::<gtk::TreeExpander>())
+        else {
+            return;
+        };
+        expander.set_list_row(Some(&row));
+        let Some(window) = weak.upgrade() else { return };
+        let Some(node) = node_of(row.upcast_ref()) else { return };
+        let Some(row) = window.tree_row(node) else { return };
+        let Some(content) = expander.child() else { return };
+        let (icon, eye) = (content.first_child().and_downcast::<Canvas>(), content.last_child().and_downcast::<gtk::ToggleButton>());
+        let label = icon.as_ref().and_then(|icon| icon.next_sibling()).and_downcast::<gtk::Label>();
+        if let (Some(icon), Some(label), Some(eye)) = (icon, label, eye) {
+            glyph::set(&icon, row.glyph);
+            label.set_text(&row.name);
+            label.set_tooltip_text(Some(&row.name));
+            eye.set_active(!row.visible);
+            show_eye(&eye, row.visible);
+        }
+    });
+    factory
+}
+
+fn show_eye(eye: &gtk::ToggleButton, visible: bool) {
+    eye.set_icon_name(if visible { "view-reveal-symbolic" } else { "view-conceal-symbolic" });
+    if let Some(row) = eye.parent() {
+        if visible { row.remove_css_class("hidden-node") } else { row.add_css_class("hidden-node") }
+    }
+}
+
+impl SceneTree {
+    /// The row of a node.
+    pub fn row(&self, node: NodeId) -> Option<Row> {
+        self.rows.borrow().get(node.index()).cloned()
+    }
+}

@@ -1,0 +1,74 @@
+//! What of a session changed, so that only what shows it is refreshed.
+
+use std::ops::{BitOr, BitOrAssign};
+
+/// A set of kinds of change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Changes(u16);
+
+impl Changes {
+    /// Another document.
+    pub const DOCUMENT: Self = Self(1);
+    /// The present moment.
+    pub const TIME: Self = Self(1 << 1);
+    /// Whether and how time goes on: playing, speed, loop mode, marks, clip.
+    pub const PLAYBACK: Self = Self(1 << 2);
+    /// Elbow angle and contraction.
+    pub const DRIVE: Self = Self(1 << 3);
+    /// The selected node.
+    pub const SELECTION: Self = Self(1 << 4);
+    /// Switches of the display.
+    pub const DISPLAY: Self = Self(1 << 5);
+    /// The camera.
+    pub const CAMERA: Self = Self(1 << 6);
+    /// The light.
+    pub const LIGHT: Self = Self(1 << 7);
+    /// The model's transform.
+    pub const MODEL: Self = Self(1 << 8);
+    /// The tool in hand.
+    pub const TOOL: Self = Self(1 << 9);
+    /// The node under the pointer.
+    pub const HOVER: Self = Self(1 << 10);
+    /// What can be undone.
+    pub const HISTORY: Self = Self(1 << 11);
+    /// What the scene tree lists.
+    pub const LIST: Self = Self(1 << 12);
+    /// Which muscle the ledger shows.
+    pub const MUSCLE: Self = Self(1 << 13);
+    /// What surrounds the document: whether one is being read.
+    pub const SURROUNDINGS: Self = Self(1 << 14);
+    /// Everything.
+    pub const ALL: Self = Self(0x7FFF);
+
+    /// What changes the picture.
+    pub const PICTURE: Self = Self(
+        Self::DOCUMENT.0
+            | Self::TIME.0
+            | Self::DRIVE.0
+            | Self::SELECTION.0
+            | Self::DISPLAY.0
+            | Self::CAMERA.0
+            | Self::LIGHT.0
+            | Self::MODEL.0
+            | Self::HOVER.0,
+    );
+
+    /// Whether any of `kinds` is among them.
+    pub fn any(self, kinds: Self) -> bool {
+        self.0 & kinds.0 != 0
+    }
+}
+
+impl BitOr for Changes {
+    type Output = Self;
+
+    fn bitor(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+}
+
+impl BitOrAssign for Changes {
+    fn bitor_assign(&mut self, other: Self) {
+        self.0 |= other.0;
+    }
+}

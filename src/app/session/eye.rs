@@ -1,0 +1,268 @@
+//! The eye of the window: orbit, free flight or a camera of the file, with eased jumps between views.
+
+use glam::{Quat, Vec3};
+
+use crate::scene::{Bounds, Camera, CameraId, Content, Frame, NodeId, OrbitCamera, Projection, Scene, View};
+
+/// Seconds that a jump of the camera takes.
+const JUMP_SECONDS: f64 = 0.15;
+
+/// A camera that flies: looks anywhere, moves where it looks.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlyCamera {
+    /// Where the eye is, metres.
+    pub eye: Vec3,
+    /// Degrees round +Y, as the orbit's.
+    pub yaw: f32,
+    /// Degrees that the eye looks *down*, −90 to 90, as the orbit's.
+    pub pitch: f32,
+    /// Metres a second.
+    pub speed: f32,
+}
+
+impl FlyCamera {
+    /// Turns by degrees.
+    pub fn look(&mut self, yaw: f32, pitch: f32) {
+        self.yaw = (self.yaw + yaw).rem_euclid(360.0);
+        self.pitch = (self.pitch + pitch).clamp(-90.0, 90.0);
+    }
+
+    /// Moves for `seconds` along (right, up, into the picture).
+    pub fn go(&mut self, direction: Vec3, seconds: f32) {
+        let way = self.rotation() * Vec3::new(direction.x, direction.y, -direction.z) * self.speed * seconds;
+        if way.is_finite() {
+            self.eye += way;
+        }
+    }
+
+    fn rotation(&self) -> Quat {
+        Quat::from_rotation_y(self.yaw.to_radians()) * Quat::from_rotation_x(-self.pitch.to_radians())
+    }
+}
+
+/// Through which camera one looks.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Viewpoint {
+    /// Round the model.
+    #[default]
+    Orbit,
+    /// Free flight.
+    Fly(FlyCamera),
+    /// A camera of the file, on its node.
+    File(NodeId, CameraId),
+}
+
+/// A jump under way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Jump {
+    from: OrbitCamera,
+    to: OrbitCamera,
+    seconds: f64,
+}
+
+/// The eye.
+#[derive(Debug, Clone, Default)]
+pub struct Eye {
+    /// The orbit; the end of a jump while one is under way is in [`Eye::goal`].
+    orbit: OrbitCamera,
+    viewpoint: Viewpoint,
+    jump: Option<Jump>,
+    /// Whether jumps are eased; the desktop may ask for no animation.
+    pub eased: bool,
+}
+
+impl Eye {
+    /// The orbit as it stands.
+    pub fn orbit(&self) -> &OrbitCamera {
+        &self.orbit
+    }
+
+    /// Through which camera one looks.
+    pub fn viewpoint(&self) -> Viewpoint {
+        self.viewpoint
+    }
+
+    /// Changes the orbit at once: a hand is on it. A jump under way ends; flight and file cameras are left.
+    pub fn handle(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
+        self.jump = None;
+        self.viewpoint = Viewpoint::Orbit;
+        change(&mut self.orbit);
+    }
+
+    /// Jumps to what `change` makes of the orbit, eased where that is wanted.
+    pub fn jump(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
+        let mut to = self.jump.map_or(self.orbit, |jump| jump.to);
+        change(&mut to);
+        self.viewpoint = Viewpoint::Orbit;
+        if self.eased {
+            // The yaw takes the short way round.
+            let mut from = self.orbit;
+            from.yaw = to.yaw + (from.yaw - to.yaw + 180.0).rem_euclid(360.0) - 180.0;
+            from.scene_radius = to.scene_radius;
+            from.orthographic = to.orthographic;
+            self.jump = Some(Jump { from, to, seconds: 0.0 });
+        } else {
+            self.jump = None;
+            self.orbit = to;
+        }
+    }
+
+    /// Lets time go by for a jump; whether anything moved.
+    pub fn advance(&mut self, seconds: f64) -> bool {
+        let Some(jump) = &mut self.jump else { return false };
+        jump.seconds += seconds;
+        let part = (jump.seconds / JUMP_SECONDS).clamp(0.0, 1.0) as f32;
+        let part = part * part * (3.0 - 2.0 * part);
+        let (from, to) = (jump.from, jump.to);
+        self.orbit = OrbitCamera {
+            target: from.target.lerp(to.target, part),
+            yaw: from.yaw + (to.yaw - from.yaw) * part,
+            pitch: from.pitch + (to.pitch - from.pitch) * part,
+            distance: from.distance * (to.distance / from.distance).powf(part),
+            ..to
+        };
+        if part >= 1.0 {
+            self.orbit = to;
+            self.jump = None;
+        }
+        true
+    }
+
+    /// Whether a jump is under way.
+    pub fn is_jumping(&self) -> bool {
+        self.jump.is_some()
+    }
+
+    /// Jumps so that `bounds` fill a picture of this aspect.
+    pub fn fit(&mut self, bounds: &Bounds, aspect: f32) {
+        self.jump(|orbit| orbit.fit(bounds, aspect));
+    }
+
+    /// Jumps to a named direction.
+    pub fn look_from(&mut self, view: View) {
+        self.jump(|orbit| orbit.look_from(view));
+    }
+
+    /// Takes off from where the eye is.
+    pub fn fly(&mut self) {
+        let camera = self.orbit.camera();
+        self.jump = None;
+        self.viewpoint = Viewpoint::Fly(FlyCamera {
+            eye: camera.eye,
+            yaw: self.orbit.yaw,
+            pitch: self.orbit.pitch,
+            speed: self.orbit.scene_radius.max(1e-6),
+        });
+    }
+
+    /// The flying camera, to move it.
+    pub fn flying(&mut self) -> Option<&mut FlyCamera> {
+        match &mut self.viewpoint {
+            Viewpoint::Fly(fly) => Some(fly),
+            Viewpoint::Orbit | Viewpoint::File(..) => None,
+        }
+    }
+
+    /// Lands: the orbit goes on from where the flight ended, round a point ahead.
+    pub fn land(&mut self) {
+        if let Viewpoint::Fly(fly) = self.viewpoint {
+            let ahead = fly.rotation() * Vec3::NEG_Z;
+            self.orbit.target = fly.eye + ahead * self.orbit.distance;
+            (self.orbit.yaw, self.orbit.pitch) = (fly.yaw, fly.pitch);
+            self.viewpoint = Viewpoint::Orbit;
+        }
+    }
+
+    /// Looks through a camera of the file.
+    pub fn look_through(&mut self, node: NodeId, camera: CameraId) {
+        self.jump = None;
+        self.viewpoint = Viewpoint::File(node, camera);
+    }
+
+    /// The camera to draw with.
+    pub fn camera(&self, scene: &Scene, frame: &Frame) -> Camera {
+        match self.viewpoint {
+            Viewpoint::Orbit => self.orbit.camera(),
+            Viewpoint::Fly(fly) => Camera { eye: fly.eye, rotation: fly.rotation(), ..self.flight_planes(&fly) },
+            Viewpoint::File(node, id) => stored(scene, frame, node, id).unwrap_or_else(|| self.orbit.camera()),
+        }
+    }
+
+    fn flight_planes(&self, fly: &FlyCamera) -> Camera {
+        let radius = self.orbit.scene_radius.max(1e-9);
+        let far = (fly.eye - self.orbit.target).length() + radius * 12.0;
+        let projection = Projection::Perspective { fov_y: OrbitCamera::FOV_Y };
+        Camera { eye: fly.eye, rotation: Quat::IDENTITY, projection, near: (radius * 0.002).max(far * 1e-5), far }
+    }
+}
+
+/// The cameras of the file with the nodes that carry them.
+pub fn file_cameras(scene: &Scene) -> Vec<(NodeId, CameraId)> {
+    let on = |node: &crate::scene::Node| -> Vec<CameraId> {
+        node.contents.iter().filter_map(|content| if let Content::Camera(id) = content { Some(*id) } else { None }).collect()
+    };
+    scene.graph.iter().flat_map(|(id, node)| on(node).into_iter().map(move |camera| (id, camera))).collect()
+}
+
+/// A camera of the file in the world; `None` where its node or its numbers make no camera.
+fn stored(scene: &Scene, frame: &Frame, node: NodeId, id: CameraId) -> Option<Camera> {
+    let (stored, world) = (scene.cameras.get(id.index())?, frame.world.get(node.index())?);
+    let (scale, rotation, eye) = world.to_scale_rotation_translation();
+    let unit = scale.abs().max_element() as f32;
+    let projection = match stored.projection {
+        Projection::Orthographic { height } => Projection::Orthographic { height: height * unit },
+        perspective => perspective,
+    };
+    let camera = Camera {
+        eye: eye.as_vec3(),
+        rotation: rotation.as_quat().normalize(),
+        projection,
+        near: stored.near * unit,
+        far: stored.far * unit,
+    };
+    let sound =
+        camera.eye.is_finite() && camera.rotation.is_finite() && camera.near > 0.0 && camera.far > camera.near && camera.far.is_finite();
+    sound.then_some(camera)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_jump_ends_exactly_where_it_should_and_turns_the_short_way() {
+        let mut eye = Eye { eased: true, ..Eye::default() };
+        eye.handle(|orbit| orbit.yaw = 350.0);
+        eye.look_from(View::Front);
+        eye.advance(JUMP_SECONDS / 2.0);
+        assert!(eye.orbit().yaw < 0.0 && eye.orbit().yaw > -10.0, "{}", eye.orbit().yaw);
+        assert!(eye.advance(1.0) && !eye.advance(1.0));
+        assert_eq!((eye.orbit().yaw, eye.orbit().pitch), (0.0, 0.0));
+    }
+
+    #[test]
+    fn without_animation_a_jump_is_at_once() {
+        let mut eye = Eye::default();
+        eye.look_from(View::Top);
+        assert_eq!(eye.orbit().pitch, 90.0);
+        assert!(!eye.is_jumping());
+    }
+
+    #[test]
+    fn landing_keeps_what_one_sees() {
+        let (scene, frame) = (Scene::default(), Frame::default());
+        let mut eye = Eye::default();
+        eye.handle(|orbit| orbit.orbit(20.0, 10.0));
+        let before = eye.camera(&scene, &frame);
+        eye.fly();
+        let flying = eye.camera(&scene, &frame);
+        assert!((flying.eye - before.eye).length() < 1e-5 && flying.rotation.angle_between(before.rotation) < 1e-3);
+        let fly = eye.flying().expect("it flies");
+        fly.go(Vec3::new(0.5, 0.2, 1.0), 0.5);
+        fly.look(33.0, -12.0);
+        let there = eye.camera(&scene, &frame);
+        eye.land();
+        let landed = eye.camera(&scene, &frame);
+        assert!((landed.eye - there.eye).length() < 1e-4 && landed.rotation.angle_between(there.rotation) < 1e-3);
+    }
+}

@@ -1,0 +1,121 @@
+use super::*;
+use crate::scene::Node;
+use glam::DVec3;
+
+fn two_clips() -> Document {
+    let mut document = Document::default();
+    document.scene.graph.add(None, Node::new("root"));
+    document.scene.graph.add(Some(NodeId(0)), Node::new("arm"));
+    for (name, start, end) in [("walk", 0.5, 2.5), ("run", 0.0, 1.0)] {
+        document.clips.push(Clip { name: name.into(), start, end, channels: Vec::new() });
+    }
+    document
+}
+
+fn session() -> Session {
+    let mut session = Session::new(two_clips());
+    session.set_clip(Some(0));
+    session.take_changes();
+    session
+}
+
+#[test]
+fn every_change_is_told_once() {
+    let mut session = session();
+    session.time(|time| time.seek(1.0));
+    let changes = session.take_changes();
+    assert!(changes.any(Changes::TIME) && !changes.any(Changes::PLAYBACK | Changes::CAMERA));
+    session.time(|time| time.seek(1.0));
+    assert_eq!(session.take_changes(), Changes::default());
+    session.toggle_playing();
+    assert_eq!(session.take_changes(), Changes::PLAYBACK);
+    session.change_display(|display| display.grid = !display.grid);
+    assert_eq!(session.take_changes(), Changes::DISPLAY);
+}
+
+#[test]
+fn playing_advances_with_the_clock_it_is_given() {
+    let mut session = session();
+    session.toggle_playing();
+    session.advance(0.25);
+    assert_eq!(session.state().time, 0.75);
+    session.toggle_playing();
+    session.advance(0.25);
+    assert_eq!(session.state().time, 0.75);
+    assert!(!session.is_moving());
+}
+
+#[test]
+fn another_clip_starts_at_its_start_and_goes_on_playing() {
+    let mut session = session();
+    session.toggle_playing();
+    session.advance(1.0);
+    session.next_clip(1);
+    assert_eq!((session.clip().map(|clip| clip.name.as_str()), session.state().time), (Some("run"), 0.0));
+    assert!(session.playback().playing);
+    session.next_clip(1);
+    assert_eq!(session.clip_index(), Some(0));
+    session.set_clip(Some(99));
+    assert_eq!(session.clip_index(), Some(0));
+}
+
+#[test]
+fn a_reload_keeps_moment_camera_selection_and_model() {
+    let mut session = session();
+    session.time(|time| time.seek(2.0));
+    session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(33.0, 5.0)));
+    session.select(Some(NodeId(1)));
+    session.change_model(|model| model.shift(DVec3::X));
+    let orbit = *session.eye().orbit();
+    session.show(two_clips(), Arrival::Again);
+    assert_eq!((session.state().time, session.clip_index()), (2.0, Some(0)));
+    assert_eq!((*session.eye().orbit(), session.selected()), (orbit, Some(NodeId(1))));
+    assert_eq!(session.model().translation, DVec3::X);
+
+    let mut shorter = two_clips();
+    shorter.clips[0].end = 1.5;
+    shorter.scene = Scene::default();
+    session.show(shorter, Arrival::Again);
+    assert_eq!((session.state().time, session.selected()), (1.5, None));
+    session.show(two_clips(), Arrival::New);
+    assert!(session.model().is_identity());
+}
+
+#[test]
+fn undo_brings_back_model_light_and_visibility() {
+    let mut session = session();
+    session.remember();
+    session.change_model(|model| model.grow(2.0));
+    session.remember();
+    session.turn_light(10.0, 0.0);
+    session.set_visible(NodeId(1), false);
+    assert!(!session.document().scene.graph.node(NodeId(1)).visible);
+    session.undo();
+    assert!(session.document().scene.graph.node(NodeId(1)).visible && session.light().is_some());
+    session.undo();
+    assert!(session.light().is_none() && session.model().scale == 2.0);
+    session.undo();
+    assert!(session.model().is_identity());
+    assert_eq!(session.steps(), (false, true));
+    session.redo();
+    assert_eq!(session.model().scale, 2.0);
+}
+
+#[test]
+fn selecting_something_that_is_not_there_selects_nothing() {
+    let mut session = session();
+    session.select(Some(NodeId(77)));
+    assert_eq!(session.selected(), None);
+    session.set_visible(NodeId(77), false);
+}
+
+#[test]
+fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
+    let mut session = session();
+    session.set_aspect(0.5);
+    assert!(session.take_changes().any(Changes::CAMERA));
+    session.change_eye(|eye| eye.handle(|orbit| orbit.zoom(2.0)));
+    session.take_changes();
+    session.set_aspect(2.0);
+    assert!(!session.take_changes().any(Changes::CAMERA));
+}

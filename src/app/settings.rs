@@ -1,0 +1,225 @@
+//! What is remembered from one start to the next: a small YAML file in the user's config folder.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::app::session::{Session, Tool};
+use crate::render::{Samples, Shading};
+use crate::tr;
+
+/// Light or dark, or what the desktop says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Colours {
+    /// As the desktop has it.
+    #[default]
+    System,
+    /// Light.
+    Light,
+    /// Dark.
+    Dark,
+}
+
+impl Colours {
+    /// All choices, in the order of the menu.
+    pub const ALL: [Self; 3] = [Self::System, Self::Light, Self::Dark];
+
+    /// The name that actions and the file use.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::System => "system",
+            Self::Light => "light",
+            Self::Dark => "dark",
+        }
+    }
+}
+
+/// Everything that is remembered. A key that is missing has its default; one that is unknown (from a newer version) is passed over.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+pub struct Settings {
+    /// Width of the window, logical pixels.
+    pub width: i32,
+    /// Height of the window.
+    pub height: i32,
+    /// Whether it fills the screen.
+    pub maximised: bool,
+    /// Whether the scene tree is shown.
+    pub tree_shown: bool,
+    /// Whether the right panel is shown.
+    pub panel_shown: bool,
+    /// The page of the right panel.
+    pub page: String,
+    /// The folder of the file that was opened last.
+    pub folder: Option<PathBuf>,
+    /// Light or dark.
+    pub colours: Colours,
+    /// Whether frame times are shown over the picture.
+    pub frame_times: bool,
+    /// `flat`, `gouraud` or `phong`.
+    pub shading: String,
+    /// Anti-aliasing.
+    pub smooth_edges: bool,
+    /// Switches of the display that are on.
+    pub shown: Vec<String>,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            width: 1280,
+            height: 800,
+            maximised: false,
+            tree_shown: true,
+            panel_shown: true,
+            page: "muscle".into(),
+            folder: None,
+            colours: Colours::System,
+            frame_times: false,
+            shading: "gouraud".into(),
+            smooth_edges: true,
+            shown: ["mesh", "muscle", "materials", "smooth-normals", "xray", "grid", "depth-test"].map(String::from).to_vec(),
+        }
+    }
+}
+
+/// A switch of the display: its name in the file and in actions, and where it is.
+pub type Switch = (&'static str, fn(&mut crate::render::Display) -> &mut bool);
+
+/// All switches of the display that are on or off and nothing else.
+pub const SWITCHES: [Switch; 14] = [
+    ("mesh", |d| &mut d.mesh),
+    ("muscle", |d| &mut d.muscle),
+    ("materials", |d| &mut d.materials),
+    ("smooth-normals", |d| &mut d.smooth_normals),
+    ("normal-glyphs", |d| &mut d.normal_glyphs),
+    ("wireframe", |d| &mut d.wireframe),
+    ("bones", |d| &mut d.bones),
+    ("bone-axes", |d| &mut d.bone_axes),
+    ("xray", |d| &mut d.xray),
+    ("grid", |d| &mut d.grid),
+    ("axes", |d| &mut d.axes),
+    ("bounding-box", |d| &mut d.bounding_box),
+    ("depth-test", |d| &mut d.depth_test),
+    ("cull-back-faces", |d| &mut d.cull_back_faces),
+];
+
+/// Shading by the name that the file and the actions use.
+pub const SHADINGS: [(&str, Shading); 3] = [("flat", Shading::Flat), ("gouraud", Shading::Gouraud), ("phong", Shading::Phong)];
+
+impl Settings {
+    /// The file: `sinew/settings.yaml` in the user's config folder.
+    pub fn path() -> PathBuf {
+        gtk4::glib::user_config_dir().join("sinew").join("settings.yaml")
+    }
+
+    /// Reads the file. A missing one is the defaults; a broken one too, with a sentence for the user.
+    pub fn load(path: &Path) -> (Self, Option<String>) {
+        let text = match std::fs::read_to_string(path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return (Self::default(), None),
+            Err(error) => return (Self::default(), Some(broken(path, &error.to_string()))),
+        };
+        match serde_yaml::from_str::<Option<Self>>(&text) {
+            Ok(settings) => (settings.unwrap_or_default().sane(), None),
+            Err(error) => (Self::default(), Some(broken(path, &error.to_string()))),
+        }
+    }
+
+    /// Writes the file by way of a temporary one.
+    ///
+    /// # Errors
+    /// Whatever the file system says; the old file stays then.
+    pub fn save(&self, path: &Path) -> std::io::Result<()> {
+        let folder = path.parent().unwrap_or(Path::new("."));
+        std::fs::create_dir_all(folder)?;
+        let text = serde_yaml::to_string(self).map_err(std::io::Error::other)?;
+        let mut file = tempfile::NamedTempFile::new_in(folder)?;
+        file.write_all(text.as_bytes())?;
+        file.persist(path)?;
+        Ok(())
+    }
+
+    fn sane(mut self) -> Self {
+        self.width = self.width.clamp(640, 16_384);
+        self.height = self.height.clamp(480, 16_384);
+        self
+    }
+
+    /// Puts the remembered looks into a session.
+    pub fn apply(&self, session: &mut Session) {
+        let shading = SHADINGS.iter().find(|(name, _)| *name == self.shading).map_or(Shading::Gouraud, |(_, shading)| *shading);
+        let samples = if self.smooth_edges { Samples::Four } else { Samples::One };
+        session.change_display(|display| {
+            (display.shading, display.samples) = (shading, samples);
+            for (name, switch) in SWITCHES {
+                *switch(display) = self.shown.iter().any(|shown| shown == name);
+            }
+        });
+        session.set_tool(Tool::Navigate);
+    }
+
+    /// Takes the looks of a session over.
+    pub fn take(&mut self, session: &Session) {
+        let mut display = session.display().clone();
+        self.shading = SHADINGS.iter().find(|(_, shading)| *shading == display.shading).map_or("gouraud", |(name, _)| name).into();
+        self.smooth_edges = display.samples == Samples::Four;
+        self.shown = SWITCHES.iter().filter(|(_, switch)| *switch(&mut display)).map(|(name, _)| (*name).to_owned()).collect();
+    }
+}
+
+fn broken(path: &Path, reason: &str) -> String {
+    tr!("app-settings-broken", file = path.display().to_string(), reason = reason.lines().next().unwrap_or_default().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_saved_comes_back() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("new").join("settings.yaml");
+        let mut session = Session::default();
+        session.change_display(|display| {
+            display.bones = true;
+            display.grid = false;
+            display.shading = Shading::Phong;
+            display.samples = Samples::One;
+        });
+        let mut settings = Settings { width: 1000, colours: Colours::Dark, folder: Some("/tmp/ü".into()), ..Settings::default() };
+        settings.take(&session);
+        settings.save(&path).expect("saved");
+        let (loaded, notice) = Settings::load(&path);
+        assert_eq!((&loaded, notice), (&settings, None));
+        let mut other = Session::default();
+        loaded.apply(&mut other);
+        assert_eq!(other.display(), session.display());
+    }
+
+    #[test]
+    fn defaults_are_the_defaults_of_the_display() {
+        let mut session = Session::default();
+        let before = session.display().clone();
+        Settings::default().apply(&mut session);
+        assert_eq!(session.display(), &before);
+    }
+
+    #[test]
+    fn a_broken_file_is_ignored_with_a_notice() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let path = folder.path().join("settings.yaml");
+        assert_eq!(Settings::load(&path), (Settings::default(), None));
+        for (text, good) in [("", true), ("width: 900\nfuture: 1\n", true), ("width: wide", false), ("[1", false), ("\u{0}", false)] {
+            std::fs::write(&path, text).expect("written");
+            let (settings, notice) = Settings::load(&path);
+            assert_eq!(notice.is_none(), good, "{text:?}");
+            assert!(good || settings == Settings::default());
+        }
+        std::fs::write(&path, "width: -5\nheight: 2000000000").expect("written");
+        let (settings, _) = Settings::load(&path);
+        assert!(settings.width >= 640 && settings.height <= 16_384);
+    }
+}

@@ -1,0 +1,249 @@
+//! The timeline: transport, clip, speed, the track that seeks wherever it is clicked, and the boxes for exact moments.
+//!
+//! The track is drawn by [`Track`]; under it lies a scale without looks, so that the keyboard and assistive tools find an ordinary slider
+//! named *Time*.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gdk, glib};
+use gtk4 as gtk;
+
+use super::actions::Command;
+use super::canvas::Canvas;
+use super::glyph::{self, Glyph};
+use super::session::{Changes, Session};
+use super::track::{Track, frame_of};
+use super::ui;
+use super::window::{Window, part};
+use crate::animation::LoopMode;
+use crate::tr;
+
+/// The timeline.
+pub struct Timeline {
+    /// The whole.
+    pub root: gtk::Box,
+    canvas: Canvas,
+    track: Rc<RefCell<Track>>,
+    time: gtk::Scale,
+    seconds: gtk::SpinButton,
+    frame: gtk::SpinButton,
+    speed: gtk::SpinButton,
+    clip: gtk::DropDown,
+    play_image: gtk::Image,
+    loop_mode: gtk::Button,
+}
+
+impl Timeline {
+    /// A timeline of nothing.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::TIMELINE);
+        let canvas = Canvas::new(160, 72);
+        part::<gtk::Overlay>(&builder, "track").set_child(Some(&canvas));
+        for (id, glyph) in [("previous_key", Glyph::PreviousKey), ("next_key", Glyph::NextKey)] {
+            part::<gtk::Button>(&builder, id).set_child(Some(&glyph::image(glyph)));
+        }
+        let track = Rc::new(RefCell::new(Track { empty: tr!("app-no-animation"), ..Track::default() }));
+        let painted = track.clone();
+        canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
+        Self {
+            root: part(&builder, "root"),
+            canvas,
+            track,
+            time: part(&builder, "time"),
+            seconds: part(&builder, "seconds"),
+            frame: part(&builder, "frame"),
+            speed: part(&builder, "speed"),
+            clip: part(&builder, "clip"),
+            play_image: part(&builder, "play_image"),
+            loop_mode: part(&builder, "loop_mode"),
+        }
+    }
+
+    /// Lets hands seek and choose.
+    pub fn connect(&self, window: &Rc<Window>) {
+        self.connect_track(window);
+        for (widget, of_frame) in [(&self.seconds, false), (&self.frame, true)] {
+            widget.connect_value_changed(glib::clone!(
+                #[weak]
+                window,
+                move |number| {
+                    let value = number.value();
+                    window.act(|session| {
+                        let rate = session.frame_rate();
+                        session.time(|time| time.seek(if of_frame { value / rate } else { value }));
+                    });
+                }
+            ));
+        }
+        self.time.connect_value_changed(glib::clone!(
+            #[weak]
+            window,
+            move |scale| window.act(|session| session.time(|time| time.seek(scale.value())))
+        ));
+        self.speed.connect_value_changed(glib::clone!(
+            #[weak]
+            window,
+            move |number| {
+                let speed = number.value();
+                // Zero lies on the way from forwards to backwards and is passed over.
+                if speed.abs() >= *crate::animation::Playback::SPEED.start() {
+                    window.act(|session| session.time(|time| time.speed = speed));
+                }
+            }
+        ));
+        self.clip.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |list| {
+                let chosen = list.selected();
+                if chosen != gtk::INVALID_LIST_POSITION {
+                    window.act(|session| session.set_clip(Some(chosen as usize)));
+                }
+            }
+        ));
+    }
+
+    fn connect_track(&self, window: &Rc<Window>) {
+        let drag = gtk::GestureDrag::new();
+        let track = self.track.clone();
+        drag.connect_drag_begin(glib::clone!(
+            #[weak]
+            window,
+            #[strong]
+            track,
+            #[weak(rename_to = time)]
+            self.time,
+            move |gesture, x, _| {
+                time.grab_focus();
+                seek(&window, &track, gesture, x);
+            }
+        ));
+        drag.connect_drag_update(glib::clone!(
+            #[weak]
+            window,
+            #[strong]
+            track,
+            move |gesture, dx, _| {
+                if let Some((x, _)) = gesture.start_point() {
+                    seek(&window, &track, gesture, x + dx);
+                }
+            }
+        ));
+        self.canvas.add_controller(drag);
+        let motion = gtk::EventControllerMotion::new();
+        let point = |track: &Rc<RefCell<Track>>, canvas: &Canvas, x: Option<f64>| {
+            track.borrow_mut().pointer = x;
+            canvas.queue_draw();
+        };
+        motion.connect_motion(glib::clone!(
+            #[strong]
+            track,
+            #[weak(rename_to = canvas)]
+            self.canvas,
+            move |_, x, _| point(&track, &canvas, Some(x))
+        ));
+        motion.connect_leave(glib::clone!(
+            #[strong]
+            track,
+            #[weak(rename_to = canvas)]
+            self.canvas,
+            move |_| point(&track, &canvas, None)
+        ));
+        self.canvas.add_controller(motion);
+        let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL | gtk::EventControllerScrollFlags::DISCRETE);
+        wheel.connect_scroll(glib::clone!(
+            #[weak]
+            window,
+            #[upgrade_or]
+            glib::Propagation::Proceed,
+            move |_, _, dy| {
+                window.act(|session| session.step_frames(if dy > 0.0 { 1 } else { -1 }));
+                glib::Propagation::Stop
+            }
+        ));
+        self.canvas.add_controller(wheel);
+        self.time.connect_has_focus_notify(glib::clone!(
+            #[strong]
+            track,
+            #[weak(rename_to = canvas)]
+            self.canvas,
+            move |scale| {
+                track.borrow_mut().focused =
+                    scale.has_focus() && scale.root().and_downcast::<gtk::Window>().is_some_and(|w| w.gets_focus_visible());
+                canvas.queue_draw();
+            }
+        ));
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &Session, changes: Changes) {
+        let playback = *session.playback();
+        let rate = session.frame_rate();
+        if changes.any(Changes::DOCUMENT) {
+            let names: Vec<&str> = session.document().clips.iter().map(|clip| clip.name.as_str()).collect();
+            self.clip.set_model(Some(&gtk::StringList::new(&names)));
+        }
+        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+            self.clip.set_sensitive(!session.document().clips.is_empty());
+            self.clip.set_selected(session.clip_index().map_or(gtk::INVALID_LIST_POSITION, |index| index as u32));
+            let moves = playback.duration() > 0.0;
+            for (widget, per_second, step) in [(&self.seconds, 1.0, 1.0 / rate), (&self.frame, rate, 1.0)] {
+                widget.set_range((playback.start * per_second).floor().min(playback.start * per_second), playback.end * per_second);
+                widget.set_increments(step, per_second);
+                widget.set_sensitive(moves);
+            }
+            self.seconds.set_range(playback.start, playback.end);
+            self.time.set_range(playback.start, playback.end.max(playback.start + 1e-9));
+            self.time.set_increments(1.0 / rate, 1.0);
+            self.time.set_sensitive(moves);
+            self.speed.set_sensitive(moves);
+            self.speed.set_value(playback.speed);
+            self.play_image.set_icon_name(Some(if playback.playing {
+                "media-playback-pause-symbolic"
+            } else {
+                "media-playback-start-symbolic"
+            }));
+            let (icon, name) = match playback.mode {
+                LoopMode::Loop => ("media-playlist-repeat-symbolic", tr!("app-loop")),
+                LoopMode::Once => ("media-playlist-consecutive-symbolic", tr!("app-once")),
+                LoopMode::PingPong => ("object-flip-horizontal-symbolic", tr!("app-ping-pong")),
+            };
+            self.loop_mode.set_icon_name(icon);
+            self.loop_mode.set_tooltip_text(Some(&tr!("app-loop-tip", mode = name, key = Command::LoopMode.key_label())));
+        }
+        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::TIME) {
+            self.time.set_value(playback.time);
+            // A box that is being typed into keeps what is typed.
+            for (number, value) in [(&self.seconds, playback.time), (&self.frame, frame_of(playback.time, rate))] {
+                number.set_value(value);
+            }
+        }
+        let shown = Changes::DOCUMENT | Changes::PLAYBACK | Changes::TIME | Changes::SELECTION | Changes::DISPLAY;
+        if changes.any(shown) {
+            let mut track = self.track.borrow_mut();
+            track.range = (playback.start, playback.end);
+            (track.time, track.rate, track.accent) = (playback.time, rate, session.display().palette.selected);
+            track.marks = (playback.mark_a, playback.mark_b);
+            if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::SELECTION) {
+                track.keys = session.all_keys().to_vec();
+                track.own_keys = session.own_keys().to_vec();
+            }
+            self.canvas.queue_draw();
+        }
+    }
+}
+
+fn seek(window: &Rc<Window>, track: &Rc<RefCell<Track>>, gesture: &gtk::GestureDrag, x: f64) {
+    let Some(canvas) = gesture.widget() else { return };
+    if gesture.current_event().is_some_and(|event| event.event_type() == gdk::EventType::TouchCancel) {
+        return;
+    }
+    let time = {
+        let mut track = track.borrow_mut();
+        track.pointer = Some(x);
+        track.time_at(x, f64::from(canvas.width()))
+    };
+    window.act(|session| session.time(|cursor| cursor.seek(time)));
+}

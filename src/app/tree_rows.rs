@@ -1,0 +1,95 @@
+//! What the scene tree lists: one row a node, made before any widget sees it.
+
+use super::glyph::Glyph;
+use crate::scene::{Content, Node, NodeId, NodeKind, Scene};
+
+/// A row of the tree.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// The node.
+    pub node: NodeId,
+    /// What a person calls it.
+    pub name: String,
+    /// Its icon.
+    pub glyph: Glyph,
+    /// Whether it is drawn.
+    pub visible: bool,
+    /// The nodes below it.
+    pub children: Vec<NodeId>,
+}
+
+impl Row {
+    /// The row of a node.
+    pub fn of(scene: &Scene, id: NodeId) -> Self {
+        let node = scene.graph.node(id);
+        Self { node: id, name: node.name.clone(), glyph: glyph(node), visible: node.visible, children: node.children().to_vec() }
+    }
+}
+
+fn glyph(node: &Node) -> Glyph {
+    let of = |content: &Content| match content {
+        Content::Muscle(_) => Glyph::Muscle,
+        Content::Mesh(_) => Glyph::Mesh,
+        Content::Camera(_) => Glyph::Camera,
+        Content::Light(_) => Glyph::Light,
+    };
+    let muscle = node.contents.iter().find(|content| matches!(content, Content::Muscle(_)));
+    match (node.kind, muscle.or(node.contents.first())) {
+        (NodeKind::Joint, _) => Glyph::Bone,
+        (_, Some(content)) => of(content),
+        (NodeKind::Asset, None) => Glyph::File,
+        (NodeKind::Node, None) => Glyph::Node,
+    }
+}
+
+/// The nodes whose name or id holds `text`, letter case aside, in file order.
+pub fn search(scene: &Scene, text: &str) -> Vec<NodeId> {
+    let text = text.trim().to_lowercase();
+    let holds = |node: &Node| node.name.to_lowercase().contains(&text) || node.id.to_lowercase().contains(&text);
+    scene.graph.iter().filter(|(_, node)| holds(node)).map(|(id, _)| id).collect()
+}
+
+/// A node with all nodes above it, from the root down.
+pub fn path_to(scene: &Scene, id: NodeId) -> Vec<NodeId> {
+    let mut path: Vec<NodeId> = std::iter::successors(Some(id), |id| scene.graph.node(*id).parent()).collect();
+    path.reverse();
+    path
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> Scene {
+        let mut scene = Scene::default();
+        let mut add = |parent, name: &str, kind, id: &str| {
+            let node = scene.graph.add(parent, Node::new(name));
+            (scene.graph.node_mut(node).kind, scene.graph.node_mut(node).id) = (kind, id.to_owned());
+            node
+        };
+        let root = add(None, "file.dae", NodeKind::Asset, "");
+        let hip = add(Some(root), "Hip", NodeKind::Joint, "Armature_Hip");
+        add(Some(hip), "Колено", NodeKind::Joint, "");
+        scene
+    }
+
+    #[test]
+    fn names_and_ids_are_found_in_any_case() {
+        let scene = scene();
+        assert_eq!(search(&scene, " hip"), [NodeId(1)]);
+        assert_eq!(search(&scene, "ARMATURE"), [NodeId(1)]);
+        assert_eq!(search(&scene, "КОЛЕНО"), [NodeId(2)]);
+        assert!(search(&scene, "foot").is_empty());
+    }
+
+    #[test]
+    fn the_path_leads_from_the_root() {
+        assert_eq!(path_to(&scene(), NodeId(2)), [NodeId(0), NodeId(1), NodeId(2)]);
+    }
+
+    #[test]
+    fn icons_tell_kinds_apart() {
+        let scene = scene();
+        assert_eq!((Row::of(&scene, NodeId(0)).glyph, Row::of(&scene, NodeId(1)).glyph), (Glyph::File, Glyph::Bone));
+    }
+}

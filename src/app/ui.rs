@@ -1,0 +1,114 @@
+//! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, and `tip:command` for the label of a command with its shortcut.
+
+use gtk4::Builder;
+use gtk4::glib::markup_escape_text;
+
+use super::actions::Command;
+use crate::tr;
+
+/// The `.ui` files, by the name of the code that uses them.
+macro_rules! files {
+    ($($name:ident = $file:literal),+ $(,)?) => {
+        $(
+            #[doc = concat!("`", $file, ".ui`.")]
+            pub const $name: &str = include_str!(concat!("../../resources/ui/", $file, ".ui"));
+        )+
+        #[cfg(test)]
+        const ALL: &[(&str, &str)] = &[$(($file, $name)),+];
+    };
+}
+files! {
+    WINDOW = "window",
+    VIEWPORT = "viewport",
+    TIMELINE = "timeline",
+    SCENE_TREE = "scene_tree",
+    MUSCLE_PANEL = "muscle_panel",
+    DISPLAY_PANEL = "display_panel",
+    HEALTH_PANEL = "health_panel",
+    ERROR_BAR = "error_bar",
+    START = "start",
+}
+
+/// A builder of one of the files, in the user's language.
+pub fn builder(text: &str) -> Builder {
+    Builder::from_string(&translate(text))
+}
+
+/// Puts the catalogue's text in place of each `>tr:key<` and `>tip:command<`.
+fn translate(text: &str) -> String {
+    let mut result = String::with_capacity(text.len() + 1024);
+    let mut rest = text;
+    while let Some(at) = rest.find('>') {
+        let (before, after) = rest.split_at(at + 1);
+        result.push_str(before);
+        rest = after;
+        let (placeholder, tail) = after.split_at(after.find('<').unwrap_or(after.len()));
+        if let Some(words) = meaning(placeholder) {
+            result.push_str(&markup_escape_text(&words));
+            rest = tail;
+        }
+    }
+    result.push_str(rest);
+    result
+}
+
+fn meaning(placeholder: &str) -> Option<String> {
+    if let Some(key) = placeholder.strip_prefix("tr:") {
+        Some(tr!(key))
+    } else if let Some(id) = placeholder.strip_prefix("tip:") {
+        Some(Command::from_id(id).map_or_else(|| id.to_owned(), Command::tooltip))
+    } else {
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn placeholders_become_escaped_text() {
+        let translated = translate("<property name=\"label\">tr:app-no-such-key</property>\n<a>b</a>");
+        assert_eq!(translated, "<property name=\"label\">app-no-such-key</property>\n<a>b</a>");
+        assert_eq!(translate("<a>tr:a&b</a>"), "<a>a&amp;b</a>");
+        assert_eq!(translate("no markup"), "no markup");
+    }
+
+    #[test]
+    fn every_placeholder_is_known() {
+        for (file, text) in ALL {
+            for piece in text.split('>') {
+                let piece = piece.split('<').next().unwrap_or_default();
+                if let Some(key) = piece.strip_prefix("tr:") {
+                    assert_ne!(tr!(key), key, "{file}.ui asks for the message {key}, which the catalogue lacks");
+                }
+                if let Some(id) = piece.strip_prefix("tip:") {
+                    assert!(Command::from_id(id).is_some(), "{file}.ui asks for the command {id}, which is not in the table");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_action_in_a_file_is_in_the_table() {
+        for (file, text) in ALL {
+            for piece in text.split("\"action-name\">win.").skip(1) {
+                let id = piece.split(['<', ':', '(']).next().unwrap_or_default();
+                assert!(Command::from_id(id).is_some(), "{file}.ui uses the action {id}, which is not in the table");
+            }
+        }
+    }
+
+    #[test]
+    fn no_text_is_written_into_a_file() {
+        for (file, text) in ALL {
+            for property in ["label", "tooltip-text", "title", "placeholder-text", "text"] {
+                for piece in text.split(&format!("name=\"{property}\">")).skip(1) {
+                    let value = piece.split('<').next().unwrap_or_default();
+                    let plain = value.chars().any(char::is_alphabetic) && !value.starts_with("tr:") && !value.starts_with("tip:");
+                    assert!(!plain, "{file}.ui says “{value}” past the catalogue");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,307 @@
+//! Hands on the picture: drags, wheel, clicks, flight.
+
+use std::cell::{Cell, RefCell};
+use std::collections::HashSet;
+use std::rc::Rc;
+
+use glam::Vec3;
+use gtk::prelude::*;
+use gtk::{gdk, glib};
+use gtk4 as gtk;
+
+use crate::app::canvas::Canvas;
+use crate::app::format;
+use crate::app::session::{Session, Tool, Viewpoint};
+use crate::app::window::Window;
+use crate::tr;
+
+/// Degrees that a drag over one logical pixel turns.
+const DEGREES: f32 = 0.4;
+/// What one notch of the wheel zooms.
+const NOTCH: f64 = 1.12;
+
+/// What a drag does, decided when it begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Grip {
+    Orbit,
+    Pan,
+    Zoom,
+    Light,
+    Model,
+    Look,
+}
+
+/// What the hands hold.
+#[derive(Default)]
+pub struct Hands {
+    grip: Cell<Option<Grip>>,
+    last: Cell<(f64, f64)>,
+    moved: Cell<bool>,
+    pointer: Cell<Option<(f64, f64)>>,
+    held: RefCell<HashSet<char>>,
+    pace: Cell<(bool, bool)>,
+}
+
+impl Hands {
+    /// Whether a drag is under way.
+    pub fn is_dragging(&self) -> bool {
+        self.grip.get().is_some()
+    }
+
+    /// Flies, or lands.
+    pub fn toggle_flight(&self, window: &Rc<Window>) {
+        self.held.borrow_mut().clear();
+        window.act(|session| session.change_eye(|eye| if eye.flying().is_some() { eye.land() } else { eye.fly() }));
+        let flying = window.look(|session| matches!(session.eye().viewpoint(), Viewpoint::Fly(_)));
+        window.viewport.hint(&tr!(if flying { "app-hint-fly" } else { "app-hint" }));
+    }
+
+    /// Takes a key in flight; whether it was one of flight's.
+    pub fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gdk::Key, pressed: bool) -> bool {
+        if !window.look(|session| matches!(session.eye().viewpoint(), Viewpoint::Fly(_))) {
+            return false;
+        }
+        let (fast, slow) = self.pace.get();
+        match (key, letter) {
+            (gdk::Key::Escape, _) if pressed => self.toggle_flight(window),
+            (gdk::Key::Shift_L | gdk::Key::Shift_R, _) => self.pace.set((pressed, slow)),
+            (gdk::Key::Alt_L | gdk::Key::Alt_R, _) => self.pace.set((fast, pressed)),
+            (_, Some(letter @ ('w' | 'a' | 's' | 'd' | 'q' | 'e'))) => {
+                if pressed {
+                    self.held.borrow_mut().insert(letter)
+                } else {
+                    self.held.borrow_mut().remove(&letter)
+                };
+                window.wake();
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Flies on for `seconds`; whether a key is held.
+    pub fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
+        let held = self.held.borrow();
+        if held.is_empty() {
+            return false;
+        }
+        let along = |plus: char, minus: char| f32::from(u8::from(held.contains(&plus))) - f32::from(u8::from(held.contains(&minus)));
+        let direction = Vec3::new(along('d', 'a'), along('e', 'q'), along('w', 's'));
+        let (fast, slow) = self.pace.get();
+        let pace = if fast { 4.0 } else { 1.0 } / if slow { 4.0 } else { 1.0 };
+        window.act(|session| {
+            session.change_eye(|eye| {
+                if let Some(fly) = eye.flying() {
+                    fly.go(direction * pace, seconds.min(0.1) as f32);
+                }
+            });
+        });
+        true
+    }
+}
+
+/// Connects everything to the canvas.
+pub fn connect(window: &Rc<Window>, canvas: &Canvas) {
+    connect_drag(window, canvas);
+    connect_clicks(window, canvas);
+    connect_wheel(window, canvas);
+    connect_pointer(window, canvas);
+}
+
+fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
+    let drag = gtk::GestureDrag::new();
+    drag.set_button(0);
+    drag.connect_drag_begin(glib::clone!(
+        #[weak]
+        window,
+        move |gesture, _, _| {
+            let hands = &window.viewport.hands;
+            window.viewport.take_focus();
+            let state = gesture.current_event_state();
+            let shift = state.contains(gdk::ModifierType::SHIFT_MASK);
+            let control = state.contains(gdk::ModifierType::CONTROL_MASK);
+            let (tool, flying) = window.look(|session| (session.tool(), matches!(session.eye().viewpoint(), Viewpoint::Fly(_))));
+            let grip = match gesture.current_button() {
+                gdk::BUTTON_SECONDARY if shift => {
+                    window.act(Session::reset_light);
+                    return;
+                }
+                gdk::BUTTON_SECONDARY => Grip::Light,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if flying => Grip::Look,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if shift => Grip::Pan,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if control => Grip::Zoom,
+                gdk::BUTTON_PRIMARY if tool != Tool::Navigate => Grip::Model,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE => Grip::Orbit,
+                _ => return,
+            };
+            hands.grip.set(Some(grip));
+            hands.last.set((0.0, 0.0));
+            hands.moved.set(false);
+        }
+    ));
+    drag.connect_drag_update(glib::clone!(
+        #[weak]
+        window,
+        move |_, x, y| drag_on(&window, x, y)
+    ));
+    drag.connect_drag_end(glib::clone!(
+        #[weak]
+        window,
+        move |_, _, _| {
+            let hands = &window.viewport.hands;
+            if hands.grip.replace(None).is_some() && hands.moved.get() {
+                window.act(|session| session.change_display(|display| display.light_marker = false));
+                window.viewport.invalidate();
+            }
+        }
+    ));
+    canvas.add_controller(drag);
+}
+
+fn drag_on(window: &Rc<Window>, x: f64, y: f64) {
+    let hands = &window.viewport.hands;
+    let Some(grip) = hands.grip.get() else { return };
+    // A click that trembles is no drag.
+    if !hands.moved.get() {
+        if x.abs().max(y.abs()) < 4.0 {
+            return;
+        }
+        hands.moved.set(true);
+        if matches!(grip, Grip::Light | Grip::Model) {
+            window.act(Session::remember);
+        }
+    }
+    let (last_x, last_y) = hands.last.replace((x, y));
+    let (dx, dy) = (x - last_x, y - last_y);
+    let height = f64::from(window.viewport.size().1.max(1));
+    let (degrees_x, degrees_y) = (dx as f32 * DEGREES, dy as f32 * DEGREES);
+    window.act(|session| match grip {
+        Grip::Orbit => session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(-degrees_x, degrees_y))),
+        Grip::Pan => session.change_eye(|eye| eye.handle(|orbit| orbit.pan((-dx / height) as f32, (dy / height) as f32))),
+        Grip::Zoom => session.change_eye(|eye| eye.handle(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
+        Grip::Look => session.change_eye(|eye| {
+            if let Some(fly) = eye.flying() {
+                fly.look(-degrees_x * 0.6, degrees_y * 0.6);
+            }
+        }),
+        Grip::Light => {
+            session.turn_light(degrees_x, -degrees_y);
+            session.change_display(|display| display.light_marker = true);
+        }
+        Grip::Model => session.drag_model(dx / height, dy / height),
+    });
+}
+
+fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
+    let click = gtk::GestureClick::new();
+    click.set_button(gdk::BUTTON_PRIMARY);
+    click.connect_released(glib::clone!(
+        #[weak]
+        window,
+        move |gesture, presses, x, y| {
+            let plain = !gesture.current_event_state().intersects(gdk::ModifierType::SHIFT_MASK | gdk::ModifierType::CONTROL_MASK);
+            if window.viewport.hands.moved.get() || !plain {
+                return;
+            }
+            window.act(|session| {
+                let found = window.viewport.pick(session, x, y).map(|pick| pick.node);
+                session.select(found);
+                if let (true, Some(node)) = (presses == 2, found) {
+                    session.centre_on(node);
+                }
+            });
+        }
+    ));
+    canvas.add_controller(click);
+}
+
+fn connect_wheel(window: &Rc<Window>, canvas: &Canvas) {
+    let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL);
+    wheel.connect_scroll(glib::clone!(
+        #[weak]
+        window,
+        #[upgrade_or]
+        glib::Propagation::Proceed,
+        move |controller, _, dy| {
+            let factor = NOTCH.powf(-dy) as f32;
+            let to_pointer = controller.current_event_state().contains(gdk::ModifierType::CONTROL_MASK);
+            zoom(&window, factor, if to_pointer { window.viewport.hands.pointer.get() } else { None });
+            glib::Propagation::Stop
+        }
+    ));
+    canvas.add_controller(wheel);
+    let pinch = gtk::GestureZoom::new();
+    let before = Rc::new(Cell::new(1.0));
+    pinch.connect_begin(glib::clone!(
+        #[strong]
+        before,
+        move |_, _| before.set(1.0)
+    ));
+    pinch.connect_scale_changed(glib::clone!(
+        #[weak]
+        window,
+        move |gesture, scale| {
+            let factor = scale / before.replace(scale);
+            zoom(&window, factor as f32, gesture.bounding_box_center());
+        }
+    ));
+    canvas.add_controller(pinch);
+}
+
+/// Zooms by a factor; what lies under `point` (logical pixels) stays there.
+fn zoom(window: &Rc<Window>, factor: f32, point: Option<(f64, f64)>) {
+    let (width, height) = window.viewport.size();
+    let (width, height) = (f64::from(width), f64::from(height.max(1)));
+    window.act(|session| {
+        session.change_eye(|eye| {
+            if let Some(fly) = eye.flying() {
+                fly.speed = (fly.speed * factor).clamp(1e-4, 1e4);
+                return;
+            }
+            eye.handle(|orbit| {
+                let before = orbit.distance;
+                orbit.zoom(factor);
+                if let Some((x, y)) = point {
+                    let part = before / orbit.distance - 1.0;
+                    orbit.pan(((x - width / 2.0) / height) as f32 * part, ((height / 2.0 - y) / height) as f32 * part);
+                }
+            });
+        });
+    });
+}
+
+fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
+    let motion = gtk::EventControllerMotion::new();
+    motion.connect_motion(glib::clone!(
+        #[weak]
+        window,
+        move |_, x, y| {
+            let hands = &window.viewport.hands;
+            // GTK repeats the last place when something under a still pointer changes.
+            if hands.pointer.replace(Some((x, y))) == Some((x, y)) || hands.is_dragging() {
+                return;
+            }
+            let mut text = String::new();
+            window.act(|session| {
+                let found = window.viewport.pick(session, x, y);
+                session.hover(found.map(|pick| pick.node));
+                if let Some(pick) = found {
+                    let [x, y, z] = pick.point.to_array().map(|value| format::number(f64::from(value), 3));
+                    let name = session.document().scene.graph.node(pick.node).name.clone();
+                    text = tr!("app-status-position", x = x, y = y, z = z, name = name);
+                }
+            });
+            window.show_position(&text);
+        }
+    ));
+    motion.connect_leave(glib::clone!(
+        #[weak]
+        window,
+        move |_| {
+            window.viewport.hands.pointer.set(None);
+            window.act(|session| session.hover(None));
+            window.show_position("");
+        }
+    ));
+    canvas.add_controller(motion);
+}

@@ -1,0 +1,304 @@
+//! The picture: draws the session into a kept surface and shows what stands over it. The hands on it are in [`hands`].
+
+mod gizmo;
+mod hands;
+mod numbers;
+mod screen;
+
+use std::cell::{Cell, RefCell};
+use std::path::PathBuf;
+use std::rc::{Rc, Weak};
+use std::time::{Duration, Instant};
+
+use gtk::prelude::*;
+use gtk::{cairo, gio, glib};
+use gtk4 as gtk;
+
+use self::numbers::Numbers;
+use self::screen::Screen;
+use super::bone_names;
+use super::canvas::{Canvas, cairo as cairo_over};
+use super::glyph::{self, Glyph};
+use super::session::{Changes, Session, Tool};
+use super::window::{Window, part};
+use super::{format, ui};
+use crate::render::{Pick, Renderer, Stats};
+use crate::tr;
+
+/// Milliseconds over which a frame is drawn coarsely while a hand is on it.
+const HEAVY_MS: f64 = 14.0;
+/// How long a hand must rest before a coarse picture is drawn in full.
+const REST: Duration = Duration::from_millis(120);
+
+/// The picture with what stands over it.
+pub struct Viewport {
+    /// The whole.
+    pub root: gtk::Overlay,
+    canvas: Canvas,
+    screen: Rc<RefCell<Screen>>,
+    builder: gtk::Builder,
+    numbers: Numbers,
+    hands: hands::Hands,
+    toasts: Rc<Cell<u32>>,
+    toast_file: Rc<RefCell<Option<PathBuf>>>,
+}
+
+impl Viewport {
+    /// An empty one; [`Viewport::connect`] brings it to life.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::VIEWPORT);
+        let root: gtk::Overlay = part(&builder, "root");
+        let canvas = Canvas::new(150, 150);
+        canvas.set_focusable(true);
+        root.set_child(Some(&canvas));
+        for (id, glyph) in
+            [("tool_navigate", Glyph::Navigate), ("tool_move", Glyph::Move), ("tool_rotate", Glyph::Rotate), ("tool_scale", Glyph::Scale)]
+        {
+            part::<gtk::ToggleButton>(&builder, id).set_child(Some(&glyph::image(glyph)));
+        }
+        Self {
+            root,
+            canvas,
+            screen: Rc::new(RefCell::new(Screen::new())),
+            numbers: Numbers::new(&builder),
+            builder,
+            hands: hands::Hands::default(),
+            toasts: Rc::default(),
+            toast_file: Rc::default(),
+        }
+    }
+
+    /// Connects painter, hands and buttons.
+    pub fn connect(&self, window: &Rc<Window>) {
+        let weak = Rc::downgrade(window);
+        let screen = self.screen.clone();
+        self.canvas.set_painter(move |canvas, snapshot, width, height| {
+            if let Some(window) = weak.upgrade() {
+                paint(&window, &screen, canvas, snapshot, width, height);
+            }
+        });
+        let weak = Rc::downgrade(window);
+        self.canvas.set_resized(move |width, height| {
+            if let Some(window) = weak.upgrade() {
+                window.act(|session| session.set_aspect(width as f32 / height.max(1) as f32));
+                window.viewport.invalidate();
+            }
+        });
+        self.numbers.connect(window);
+        hands::connect(window, &self.canvas);
+        self.show_times(window.settings.borrow().frame_times);
+        let file = self.toast_file.clone();
+        part::<gtk::Button>(&self.builder, "toast_folder").connect_clicked(move |_| {
+            if let Some(folder) = file.borrow().as_deref().and_then(std::path::Path::parent) {
+                let uri = gio::File::for_path(folder).uri();
+                gio::AppInfo::launch_default_for_uri_async(&uri, gio::AppLaunchContext::NONE, gio::Cancellable::NONE, |_| ());
+            }
+        });
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+        if changes.any(Changes::PICTURE) {
+            self.invalidate();
+        }
+        if changes.any(Changes::TOOL | Changes::MODEL) {
+            self.numbers.refresh(session.tool(), session.model());
+        }
+        if changes.any(Changes::TOOL | Changes::DOCUMENT) {
+            self.hint(&match session.tool() {
+                _ if session.is_empty() => String::new(),
+                Tool::Navigate => tr!("app-hint"),
+                Tool::Move => tr!("app-hint-move"),
+                Tool::Rotate => tr!("app-hint-rotate"),
+                Tool::Scale => tr!("app-hint-scale"),
+            });
+            part::<gtk::Box>(&self.builder, "tools").set_visible(!session.is_empty());
+        }
+    }
+
+    /// The picture is no longer true.
+    pub fn invalidate(&self) {
+        self.screen.borrow_mut().fresh = false;
+        self.canvas.queue_draw();
+    }
+
+    /// Logical width and height.
+    pub fn size(&self) -> (i32, i32) {
+        (self.canvas.width(), self.canvas.height())
+    }
+
+    /// Pixels of the device a logical pixel.
+    pub fn scale(&self) -> i32 {
+        self.canvas.scale_factor()
+    }
+
+    /// Where dropped files are accepted.
+    pub fn add_controller(&self, controller: &impl IsA<gtk::EventController>) {
+        self.root.add_controller(controller.clone());
+    }
+
+    /// Gives the keyboard to the picture.
+    pub fn take_focus(&self) {
+        self.canvas.grab_focus();
+    }
+
+    /// What lies under a point, logical pixels.
+    pub fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<Pick> {
+        let ((width, height), scale) = (self.size(), self.scale());
+        let (scene, frame, camera, mut display) = session.picture();
+        display.scale = scale as f32;
+        let scale = f64::from(scale);
+        let (width, height) = ((f64::from(width) * scale) as u32, (f64::from(height) * scale) as u32);
+        self.screen.borrow_mut().renderer.pick(scene, frame, &camera, &display, width, height, (x * scale) as f32, (y * scale) as f32)
+    }
+
+    /// The renderer, for pictures to take away.
+    pub fn with_renderer<T>(&self, work: impl FnOnce(&mut Renderer) -> T) -> T {
+        work(&mut self.screen.borrow_mut().renderer)
+    }
+
+    /// Says for a while what a drag does.
+    pub fn hint(&self, text: &str) {
+        let label: gtk::Label = part(&self.builder, "hint");
+        label.set_text(text);
+        label.set_visible(!text.is_empty());
+    }
+
+    /// Whether frame times stand over the picture.
+    pub fn show_times(&self, shown: bool) {
+        part::<gtk::Label>(&self.builder, "times").set_visible(shown);
+        self.invalidate();
+    }
+
+    /// Says something in passing; with the file that was written, offers its folder.
+    pub fn toast(&self, text: &str, file: Option<PathBuf>) {
+        part::<gtk::Label>(&self.builder, "toast_label").set_text(text);
+        part::<gtk::Button>(&self.builder, "toast_folder").set_visible(file.is_some());
+        self.toast_file.replace(file);
+        let revealer: gtk::Revealer = part(&self.builder, "toast");
+        revealer.set_can_target(true);
+        revealer.set_reveal_child(true);
+        let (number, toasts) = (self.toasts.get().wrapping_add(1), self.toasts.clone());
+        toasts.set(number);
+        glib::timeout_add_local_once(Duration::from_secs(6), move || {
+            if toasts.get() == number {
+                revealer.set_reveal_child(false);
+                revealer.set_can_target(false);
+            }
+        });
+    }
+
+    /// Shows how far reading is; `None` = nothing is being read.
+    pub fn loading(&self, state: Option<(&str, f64)>) {
+        part::<gtk::Box>(&self.builder, "loading").set_visible(state.is_some());
+        if let Some((text, part_done)) = state {
+            part::<gtk::Label>(&self.builder, "loading_label").set_text(text);
+            let bar: gtk::ProgressBar = part(&self.builder, "loading_bar");
+            if part_done > 0.0 { bar.set_fraction(part_done.min(1.0)) } else { bar.pulse() }
+        }
+    }
+
+    /// The button that stops reading.
+    pub fn cancel_button(&self) -> gtk::Button {
+        part(&self.builder, "loading_cancel")
+    }
+
+    /// Marks the place where files can be dropped.
+    pub fn drop_here(&self, shown: bool) {
+        part::<gtk::Label>(&self.builder, "drop_here").set_visible(shown);
+    }
+
+    /// Flies, or lands.
+    pub fn toggle_flight(&self, window: &Rc<Window>) {
+        self.hands.toggle_flight(window);
+    }
+
+    /// Takes a key in flight; whether it was one of flight's.
+    pub fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
+        self.hands.flight_key(window, letter, key, pressed)
+    }
+
+    /// Flies on for `seconds`; whether a key is held.
+    pub fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
+        self.hands.fly(window, seconds)
+    }
+}
+
+/// Draws what is stale and shows it.
+fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    let scale = canvas.scale_factor();
+    let (pixel_width, pixel_height) = (width as i32 * scale, height as i32 * scale);
+    let was_fresh = screen.borrow().is_fresh(pixel_width, pixel_height);
+    if !was_fresh {
+        let begun = Instant::now();
+        let pose_ms = window.look(|session| {
+            session.frame();
+            begun.elapsed().as_secs_f64() * 1e3
+        });
+        let mut screen = screen.borrow_mut();
+        let coarse = screen.full_ms > HEAVY_MS && window.viewport.hands.is_dragging();
+        let drawn = window.look(|session| screen.draw(session, pixel_width, pixel_height, scale, coarse));
+        let total_ms = begun.elapsed().as_secs_f64() * 1e3;
+        if let Some(stats) = drawn {
+            if !coarse {
+                screen.full_ms = total_ms;
+            }
+            drop(screen);
+            if coarse {
+                draw_in_full_when_at_rest(&Rc::downgrade(window));
+            }
+            // Labels must not change while the frame is being put together.
+            let weak = Rc::downgrade(window);
+            glib::idle_add_local_once(move || {
+                if let Some(window) = weak.upgrade() {
+                    tell(&window, pose_ms, total_ms, stats);
+                }
+            });
+        }
+    }
+    let context = cairo_over(snapshot, width, height);
+    screen.borrow().show(&context, scale);
+    drop(context);
+    window.look(|session| {
+        if session.bone_names() {
+            bone_names::write_all(session, canvas, snapshot, width, height);
+        }
+        if !session.is_empty() {
+            gizmo::draw(session, canvas, snapshot, height);
+        }
+    });
+}
+
+fn draw_in_full_when_at_rest(weak: &Weak<Window>) {
+    let weak = weak.clone();
+    glib::timeout_add_local_once(REST, move || {
+        if let Some(window) = weak.upgrade()
+            && !window.viewport.hands.is_dragging()
+        {
+            window.viewport.invalidate();
+        }
+    });
+}
+
+/// Frame times and counts.
+fn tell(window: &Rc<Window>, pose_ms: f64, total_ms: f64, stats: Stats) {
+    window.show_stats(stats.triangles);
+    let label: gtk::Label = part(&window.viewport.builder, "times");
+    if label.is_visible() {
+        let rate = window.viewport.screen.borrow().rate();
+        label.set_text(&tr!(
+            "app-times",
+            rate = format::number(rate, 0),
+            total = format::number(total_ms, 1),
+            pose = format::number(pose_ms, 1),
+            vertex = format::number(stats.vertex_ms, 1),
+            raster = format::number(stats.raster_ms, 1),
+            resolve = format::number(stats.resolve_ms, 1)
+        ));
+    }
+}
+
+/// Cairo's own words are of no use to a person; a picture that could not be shown is drawn again with the next change.
+fn ignore(result: Result<(), cairo::Error>) {
+    let _ = result;
+}

@@ -1,0 +1,340 @@
+//! The main window: puts the parts together and hands changes round.
+
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::actions::Command;
+use super::display_panel::DisplayPanel;
+use super::error_bar::ErrorBar;
+use super::files::Files;
+use super::health_panel::HealthPanel;
+use super::keys::Keys;
+use super::muscle_panel::MusclePanel;
+use super::scene_tree::SceneTree;
+use super::session::{Arrival, Changes, Session};
+use super::settings::Settings;
+use super::start::StartPage;
+use super::timeline::Timeline;
+use super::tree_rows::Row;
+use super::viewport::Viewport;
+use super::{files, format, keyboard, menus, perform, theme, ui};
+use crate::document::{Document, Missing};
+use crate::scene::NodeId;
+use crate::tr;
+
+/// Below this width the scene tree folds away by itself.
+const ROOM_FOR_TREE: i32 = 1000;
+
+/// The main window.
+pub struct Window {
+    /// The window itself.
+    pub widget: gtk::ApplicationWindow,
+    /// What is remembered.
+    pub settings: RefCell<Settings>,
+    /// The picture.
+    pub viewport: Viewport,
+    /// Errors.
+    pub error_bar: ErrorBar,
+    /// The main menu's button.
+    pub menu: gtk::MenuButton,
+    /// Opening, watching.
+    pub files: Files,
+    /// Keys to commands.
+    pub keys: Keys,
+    session: RefCell<Session>,
+    refreshing: Cell<bool>,
+    ticking: Cell<bool>,
+    actions: HashMap<Command, gio::SimpleAction>,
+    builder: gtk::Builder,
+    timeline: Timeline,
+    tree: SceneTree,
+    muscle: MusclePanel,
+    display: DisplayPanel,
+    health: HealthPanel,
+    start: StartPage,
+}
+
+/// An object of a `.ui` file.
+///
+/// # Panics
+/// Where the file lacks it: the files are compiled in, and the first start of the window would show the slip.
+pub fn part<T: IsA<glib::Object>>(builder: &gtk::Builder, id: &str) -> T {
+    builder.object(id).unwrap_or_else(|| panic!("the .ui file has no {id}"))
+}
+
+impl Window {
+    /// Opens a window that shows `files`, or the built-in biceps.
+    pub fn open(application: &gtk::Application, files: Vec<PathBuf>) {
+        theme::load_style();
+        let (settings, notice) = Settings::load(&Settings::path());
+        let builder = ui::builder(ui::WINDOW);
+        let widget: gtk::ApplicationWindow = part(&builder, "window");
+        widget.set_application(Some(application));
+        widget.set_default_size(settings.width, settings.height);
+        if settings.maximised {
+            widget.maximize();
+        }
+        // With files on the way the picture stays empty until the first of them is there.
+        let document = if files.is_empty() { Document::built_in() } else { Document::default() };
+        let mut session = Session::new(document);
+        settings.apply(&mut session);
+        session.set_eased(theme::animates());
+
+        let window = Rc::new(Self {
+            widget,
+            settings: RefCell::new(settings),
+            viewport: Viewport::new(),
+            error_bar: ErrorBar::new(),
+            menu: part(&builder, "menu"),
+            files: Files::default(),
+            keys: Keys::default(),
+            session: RefCell::new(session),
+            refreshing: Cell::new(false),
+            ticking: Cell::new(false),
+            actions: perform::make_actions(),
+            timeline: Timeline::new(),
+            tree: SceneTree::new(),
+            muscle: MusclePanel::new(),
+            display: DisplayPanel::new(),
+            health: HealthPanel::new(),
+            start: StartPage::new(),
+            builder,
+        });
+        window.put_together();
+        theme::follow(&window);
+        window.refresh();
+        if let Some(notice) = notice {
+            window.viewport.toast(&notice, None);
+        }
+        window.widget.present();
+        if !files.is_empty() {
+            files::open(&window, files, Arrival::New);
+        }
+    }
+
+    fn put_together(self: &Rc<Self>) {
+        let slot = |id: &str| part::<gtk::Box>(&self.builder, id);
+        slot("error_slot").append(&self.error_bar.root);
+        slot("tree_slot").append(&self.tree.root);
+        slot("viewport_slot").append(&self.viewport.root);
+        slot("timeline_slot").append(&self.timeline.root);
+        self.viewport.root.add_overlay(&self.start.root);
+        let stack: gtk::Stack = part(&self.builder, "stack");
+        stack.add_titled(&self.muscle.root, Some("muscle"), &tr!("app-page-muscle"));
+        stack.add_titled(&self.display.root, Some("display"), &tr!("app-page-display"));
+        stack.add_titled(&self.health.root, Some("health"), &tr!("app-page-health"));
+        let page = self.settings.borrow().page.clone();
+        if stack.child_by_name(&page).is_some() {
+            stack.set_visible_child_name(&page);
+        }
+        for action in self.actions.values() {
+            self.widget.add_action(action);
+        }
+        self.viewport.connect(self);
+        self.timeline.connect(self);
+        self.tree.connect(self);
+        self.muscle.connect(self);
+        self.display.connect(self);
+        self.health.connect(self);
+        self.error_bar.connect(self);
+        self.start.connect(self);
+        perform::connect(self);
+        keyboard::connect(self);
+        menus::connect(self, &self.builder);
+        files::accept_drops(self);
+        self.show_side(self.settings.borrow().tree_shown, self.settings.borrow().panel_shown);
+        self.widget.connect_close_request(glib::clone!(
+            #[strong(rename_to = window)]
+            self,
+            move |_| {
+                window.remember();
+                window.files.stop();
+                glib::Propagation::Proceed
+            }
+        ));
+        self.widget.connect_default_width_notify(glib::clone!(
+            #[weak(rename_to = window)]
+            self,
+            move |widget| {
+                if widget.default_width() < ROOM_FOR_TREE && widget.is_visible() && !widget.is_maximized() {
+                    window.show_side(false, window.sides().1);
+                }
+            }
+        ));
+    }
+
+    /// Does something to the session and shows what came of it. Nothing happens while widgets are being refreshed: their signals are echoes.
+    pub fn act(self: &Rc<Self>, change: impl FnOnce(&mut Session)) {
+        if self.refreshing.get() {
+            return;
+        }
+        change(&mut self.session.borrow_mut());
+        self.refresh();
+    }
+
+    /// Looks at the session.
+    pub fn look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> T {
+        look(&mut self.session.borrow_mut())
+    }
+
+    /// Refreshes the parts that show what changed.
+    pub fn refresh(self: &Rc<Self>) {
+        let changes = self.session.borrow_mut().take_changes();
+        if changes == Changes::default() {
+            return;
+        }
+        self.refreshing.set(true);
+        {
+            let session = &mut *self.session.borrow_mut();
+            self.timeline.refresh(session, changes);
+            self.tree.refresh(session, changes);
+            self.muscle.refresh(session, changes);
+            self.display.refresh(session, changes);
+            self.health.refresh(session, changes);
+            self.viewport.refresh(session, changes);
+            if changes.any(Changes::DOCUMENT) {
+                menus::list_cameras(&part(&self.builder, "camera_menu"), session);
+            }
+            if changes.any(Changes::DOCUMENT | Changes::SURROUNDINGS) {
+                self.start.root.set_visible(session.is_empty() && !self.files.is_loading());
+            }
+            if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+                self.name(session);
+            }
+            if changes.any(Changes::SELECTION | Changes::DOCUMENT) {
+                let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
+                part::<gtk::Label>(&self.builder, "status_selection").set_text(&name.unwrap_or_default());
+            }
+            perform::show_states(self, session, &self.actions);
+        }
+        self.refreshing.set(false);
+        if self.session.borrow().is_moving() {
+            self.tick();
+        }
+    }
+
+    /// Lets the display's frame clock drive what moves by itself.
+    fn tick(self: &Rc<Self>) {
+        if self.ticking.replace(true) {
+            return;
+        }
+        let last = Cell::new(None::<i64>);
+        let weak = Rc::downgrade(self);
+        self.widget.add_tick_callback(move |_, clock| {
+            let Some(window) = weak.upgrade() else { return glib::ControlFlow::Break };
+            let now = clock.frame_time();
+            let seconds = last.replace(Some(now)).map_or(0.0, |before| (now - before) as f64 * 1e-6);
+            let flying = window.viewport.fly(&window, seconds);
+            window.act(|session| session.advance(seconds));
+            if flying || window.session.borrow().is_moving() {
+                glib::ControlFlow::Continue
+            } else {
+                window.ticking.set(false);
+                glib::ControlFlow::Break
+            }
+        });
+    }
+
+    /// Starts the clock for something that the session does not know of, such as a key held in flight.
+    pub fn wake(self: &Rc<Self>) {
+        self.tick();
+    }
+
+    fn name(&self, session: &Session) {
+        let sources = session.document().sources.iter();
+        let names = sources.map(|source| match &source.path {
+            Some(path) => path.file_name().map_or_else(|| source.name.clone(), |name| name.to_string_lossy().into_owned()),
+            None => source.name.clone(),
+        });
+        let mut title = names.collect::<Vec<_>>().join(" + ");
+        if title.is_empty() {
+            title = tr!("app-name");
+        }
+        if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
+            title = format!("{title} / {}", clip.name);
+        }
+        let missing = session.document().missing();
+        let lacks = |what| missing.contains(&what);
+        let subtitle = if session.is_empty() || missing.is_empty() {
+            String::new()
+        } else {
+            let words = [
+                (Missing::Mesh, "app-missing-mesh"),
+                (Missing::Skeleton, "app-missing-skeleton"),
+                (Missing::Animation, "app-missing-animation"),
+            ];
+            let what = words.iter().filter(|(what, _)| lacks(*what)).map(|(_, key)| tr!(key)).collect::<Vec<_>>().join(", ");
+            if lacks(Missing::Animation) { tr!("app-missing-still", what = what) } else { tr!("app-missing", what = what) }
+        };
+        part::<gtk::Label>(&self.builder, "title").set_text(&title);
+        self.widget.set_title(Some(&title));
+        let label = part::<gtk::Label>(&self.builder, "subtitle");
+        label.set_text(&subtitle);
+        label.set_tooltip_text(Some(&subtitle));
+        label.set_visible(!subtitle.is_empty());
+    }
+
+    /// Says what is drawn: triangles in the status line, times over the picture.
+    pub fn show_stats(&self, triangles: u64) {
+        let text = tr!("app-status-triangles", count = triangles, shown = format::count(triangles));
+        part::<gtk::Label>(&self.builder, "status_triangles").set_text(&text);
+    }
+
+    /// Says where the pointer is in the world.
+    pub fn show_position(&self, text: &str) {
+        part::<gtk::Label>(&self.builder, "status_position").set_text(text);
+    }
+
+    /// Whether the tree and the right panel are shown.
+    pub fn sides(&self) -> (bool, bool) {
+        let shown = |id: &str| part::<gtk::Box>(&self.builder, id).is_visible();
+        (shown("tree_slot"), shown("panel_slot"))
+    }
+
+    /// Shows or folds away the tree and the right panel.
+    pub fn show_side(self: &Rc<Self>, tree: bool, panel: bool) {
+        part::<gtk::Box>(&self.builder, "tree_slot").set_visible(tree);
+        part::<gtk::Box>(&self.builder, "panel_slot").set_visible(panel);
+        self.show_states();
+    }
+
+    /// Shows the states of the actions anew.
+    pub fn show_states(self: &Rc<Self>) {
+        if let Ok(session) = self.session.try_borrow() {
+            perform::show_states(self, &session, &self.actions);
+        }
+    }
+
+    /// What the scene tree shows of a node.
+    pub fn tree_row(&self, node: NodeId) -> Option<Row> {
+        self.tree.row(node)
+    }
+
+    /// The actions, to connect them.
+    pub fn actions(&self) -> &HashMap<Command, gio::SimpleAction> {
+        &self.actions
+    }
+
+    /// Writes down what is remembered. A folder that cannot be written is no reason not to close.
+    fn remember(&self) {
+        let mut settings = self.settings.borrow_mut();
+        if !self.widget.is_maximized() && !self.widget.is_fullscreen() {
+            (settings.width, settings.height) = (self.widget.width(), self.widget.height());
+        }
+        settings.maximised = self.widget.is_maximized();
+        (settings.tree_shown, settings.panel_shown) = self.sides();
+        if let Some(page) = part::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
+            settings.page = page.into();
+        }
+        settings.take(&self.session.borrow());
+        if let Err(error) = settings.save(&Settings::path()) {
+            eprintln!("{}", tr!("app-settings-unsaved", reason = error.to_string()));
+        }
+    }
+}
