@@ -67,10 +67,11 @@ uninstall:
 
 # The desktop's caches; a package (DESTDIR) leaves them to its own installer.
 refresh:
-	@if [ -z "$(DESTDIR)" ]; then \
-	    ! command -v update-mime-database >/dev/null || update-mime-database "$(SHARE)/mime"; \
-	    ! command -v update-desktop-database >/dev/null || update-desktop-database -q "$(SHARE)/applications"; \
-	    ! command -v gtk4-update-icon-cache >/dev/null || gtk4-update-icon-cache -qtf "$(ICONS)"; \
+	@call() { if command -v "$$1" >/dev/null; then "$$@"; fi; }; \
+	if [ -z "$(DESTDIR)" ] && [ -d "$(SHARE)/mime/packages" ]; then \
+	    call update-mime-database "$(SHARE)/mime"; \
+	    call update-desktop-database -q "$(SHARE)/applications"; \
+	    call gtk4-update-icon-cache -qtf "$(ICONS)"; \
 	fi
 
 # Makes the clips of configs/ again, with Debian 12's Blender; one thread, so that the same bytes come out.
