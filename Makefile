@@ -78,6 +78,7 @@ refresh:
 BLENDER ?= blender --background --threads 1 --factory-startup --python-exit-code 1
 clips:
 	$(BLENDER) --python resources/blender/curl.py
+	$(BLENDER) --python resources/blender/atlas.py
 	$(BLENDER) --python resources/blender/walker.py
 	python3 resources/blender/lamp.py
 

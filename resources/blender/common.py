@@ -36,12 +36,12 @@ def empty_scene(fps, last_frame):
     return scene
 
 
-SHINE = {}
+LOOKS = {}
 
 
-def material(name, colour, image=None, specular=0.08, shininess=18.0):
-    """A material of one sRGB colour, or of an image. The exporter leaves the shine out; `export` puts it back."""
-    SHINE[name] = (specular, shininess)
+def material(name, colour, image=None, specular=0.08, shininess=18.0, opacity=1.0):
+    """A material of one sRGB colour, or of an image. The exporter leaves shine and opacity out; `export` puts them back."""
+    LOOKS[name] = (specular, shininess, opacity)
     made = bpy.data.materials.new(name)
     made.use_nodes = True
     shader = made.node_tree.nodes["Principled BSDF"]
@@ -223,13 +223,16 @@ def about(axis, degrees):
     return Quaternion(axis, math.radians(degrees))
 
 
-def shiny(text, name, specular, shininess):
-    """Makes the Lambert effect of a material a Phong one."""
+def looked(text, name, specular, shininess, opacity):
+    """Makes the Lambert effect of a material a Phong one, and lets it be seen through where it should be."""
     start = text.index(f'<effect id="{name}-effect">')
     end = text.index("</effect>", start)
     effect = text[start:end].replace("<lambert>", "<phong>").replace("</lambert>", "</phong>")
     phong = (f'<specular>\n              <color sid="specular">{specular} {specular} {specular} 1</color>\n            </specular>\n'
              f'            <shininess>\n              <float sid="shininess">{shininess}</float>\n            </shininess>\n            ')
+    if opacity < 1.0:
+        phong += (f'<transparent opaque="A_ONE">\n              <color sid="alpha">1 1 1 {opacity}</color>\n            </transparent>\n'
+                  '            <transparency>\n              <float sid="transparency">1</float>\n            </transparency>\n            ')
     effect = effect.replace("<index_of_refraction>", phong + "<index_of_refraction>")
     return text[:start] + effect + text[end:]
 
@@ -275,8 +278,8 @@ def export(file_name, author_note):
                   rf"\1\2\1<comments>{author_note}</comments>\1<copyright>MIT OR Apache-2.0</copyright>", text)
     # Images lie beside the clip; the exporter names them by the path on this machine.
     text = re.sub(r"<init_from>[^<]*/([^</]+)</init_from>", r"<init_from>\1</init_from>", text)
-    for name, (specular, shininess) in SHINE.items():
-        text = shiny(text, name, specular, shininess)
+    for name, look in LOOKS.items():
+        text = looked(text, name, *look)
     text = shorter(text)
     with open(path, "w", encoding="utf-8", newline="\n") as file:
         file.write(text)

@@ -15,14 +15,19 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
+import bmesh
 import bpy
 from mathutils import Vector
+from mathutils.bvhtree import BVHTree
 
 import common
 from common import smoothstep
 
 FPS, LAST = 24, 96
 SHOULDER, ELBOW, WRIST, KNUCKLES = (Vector((0.0, 0.0, z)) for z in (0.750, 0.450, 0.190, 0.100))
+
+# Where the hand is sewn to the arm.
+CUT = 0.212
 
 # Outline of the arm: height, centre in x, half depth (x, front to back), half width (y).
 ARM = [
@@ -111,56 +116,87 @@ def finger(parts, base, middle, tip, radii):
     parts.loft(rings, 14, 0, nobody)
 
 
-def magnify(z):
-    """How much larger the hand is made at this height while the quads are laid, so that fingers get more of them."""
-    return 1.0 + 1.1 * (1.0 - smoothstep(0.120, 0.235, z))
+def arm_rings():
+    """The arm's rings, close together where the surface turns or bends: at the shoulder's dome and round the elbow."""
+    rows, chosen = spline(ARM, 2000), []
+    for row in rows:
+        z = row[0]
+        if z < CUT + 0.010:
+            break
+        gap = 0.006 + 0.012 * smoothstep(0.045, 0.100, abs(z - ELBOW.z)) * smoothstep(0.005, 0.060, ARM[0][0] - z)
+        if not chosen or chosen[-1][0] - z >= gap:
+            chosen.append(row)
+    return upright(chosen)
 
 
-HEIGHTS = [0.80]
-MAGNIFIED = [0.80]
-while HEIGHTS[-1] > -0.05:
-    MAGNIFIED.append(MAGNIFIED[-1] - 0.0005 * magnify(HEIGHTS[-1] - 0.00025))
-    HEIGHTS.append(HEIGHTS[-1] - 0.0005)
-
-
-def between(value, table, other):
-    """Looks `value` up in one falling table and gives its place in the other."""
-    low, high = 0, len(table) - 1
-    while high - low > 1:
-        middle = (low + high) // 2
-        low, high = (middle, high) if table[middle] >= value else (low, middle)
-    t = (table[low] - value) / (table[low] - table[high])
-    return other[low] + (other[high] - other[low]) * t
-
-
-def skin():
-    """The arm's surface: the parts melted together, smoothed, and laid again with even quads."""
+def hand():
+    """The hand: its parts melted together, smoothed, thinned out, and cut off above the wrist."""
     parts = common.Parts()
-    parts.loft(upright(spline(ARM, 90)), 40, 0, nobody)
+    parts.loft(upright(spline([row for row in ARM if row[0] < 0.30], 40)), 40, 0, nobody)
     parts.loft(upright(spline(PALM, 30)), 32, 0, nobody)
     for base, middle, tip, radii in FINGERS:
         finger(parts, base, middle, tip, radii)
-    made = parts.build("arm", [common.material("skin", (0.800, 0.585, 0.475))], False)
+    made = parts.build("hand", [], False)
     bpy.context.view_layer.objects.active = made
     made.select_set(True)
-    made.data.remesh_voxel_size = 0.0018
+    made.data.remesh_voxel_size = 0.0016
     bpy.ops.object.voxel_remesh()
     relax(made, 0.5, 7)
-    for vertex in made.data.vertices:
-        z = vertex.co.z
-        grow = magnify(z)
-        vertex.co = (vertex.co.x * grow, vertex.co.y * grow, between(z, HEIGHTS, MAGNIFIED))
-    bpy.ops.object.quadriflow_remesh(target_faces=2700, seed=0, use_mesh_symmetry=False)
-    for vertex in made.data.vertices:
-        z = between(vertex.co.z, MAGNIFIED, HEIGHTS)
-        grow = magnify(z)
-        vertex.co = (vertex.co.x / grow, vertex.co.y / grow, z)
-    mesh = made.data
-    # The remesher can lose a finger; another seed or size then finds it.
+    thin_out(made, 2000)
+    cut = bmesh.new()
+    cut.from_mesh(made.data)
+    bmesh.ops.bisect_plane(cut, geom=cut.verts[:] + cut.edges[:] + cut.faces[:], plane_co=(0.0, 0.0, CUT), plane_no=(0.0, 0.0, 1.0),
+                           clear_outer=True)
+    bpy.data.objects.remove(made)
+    return cut
+
+
+def skin(material):
+    """The arm's surface: even rings down to the wrist, sewn to the hand."""
+    whole = hand()
+    segments, before = 32, None
+    for centre, x_axis, y_axis in arm_rings():
+        turns = [2.0 * math.pi * k / segments for k in range(segments)]
+        ring = [whole.verts.new(centre + x_axis * math.cos(a) + y_axis * math.sin(a)) for a in turns]
+        for k in range(segments):
+            n = (k + 1) % segments
+            if before is None:
+                continue
+            whole.faces.new((before[k], before[n], ring[n], ring[k]))
+        if before is None:
+            top = whole.verts.new(centre)
+            for k in range(segments):
+                whole.faces.new((ring[(k + 1) % segments], ring[k], top))
+        before = ring
+    whole.verts.index_update()
+    open_edges = [edge for edge in whole.edges if edge.is_boundary]
+    bmesh.ops.bridge_loops(whole, edges=open_edges)
+    bmesh.ops.recalc_face_normals(whole, faces=whole.faces[:])
+    mesh = bpy.data.meshes.new("arm")
+    whole.to_mesh(mesh)
+    whole.free()
     assert len(mesh.vertices) - len(mesh.edges) + len(mesh.polygons) == 2, "the surface is not one closed piece"
-    relax(made, 0.3, 1)
+    mesh.materials.append(material)
+    made = bpy.data.objects.new("arm", mesh)
+    bpy.context.scene.collection.objects.link(made)
+    bpy.context.view_layer.objects.active = made
+    made.select_set(True)
     bpy.ops.object.shade_smooth()
+    common.weigh(made, [weights(v.co) for v in mesh.vertices])
     return made
+
+
+def thin_out(made, triangles):
+    """Fewer triangles where the surface is flat; no point of the fine surface may be left more than 2 mm outside."""
+    points = [v.co.copy() for v in made.data.vertices][::7]
+    faces = sum(len(p.vertices) - 2 for p in made.data.polygons)
+    modifier = made.modifiers.new("Decimate", "DECIMATE")
+    modifier.ratio = triangles / faces
+    bpy.ops.object.modifier_apply(modifier=modifier.name)
+    mesh = made.data
+    tree = BVHTree.FromPolygons([v.co for v in mesh.vertices], [p.vertices for p in mesh.polygons])
+    furthest = max(tree.find_nearest(point)[3] for point in points)
+    assert furthest < 0.002, f"a part was lost: {furthest} m"
 
 
 def relax(made, factor, iterations):
@@ -189,19 +225,24 @@ def curl(rig):
             pose.turn(name, common.about(across, degrees * lift))
 
 
-def main():
-    common.empty_scene(FPS, LAST)
-    made = skin()
-    common.weigh(made, [weights(v.co) for v in made.data.vertices])
-    rig = common.armature("skeleton", [
+def skeleton():
+    """The four bones."""
+    return common.armature("skeleton", [
         ("upper_arm", SHOULDER, ELBOW, None, (0.0, 1.0, 0.0)),
         ("elbow", ELBOW, ELBOW + Vector((0.0, 0.0, -0.03)), "upper_arm", (0.0, 1.0, 0.0)),
         ("forearm", ELBOW, WRIST, "upper_arm", (0.0, 1.0, 0.0)),
         ("hand", WRIST, KNUCKLES, "forearm", (0.0, 1.0, 0.0)),
     ])
+
+
+def main():
+    common.empty_scene(FPS, LAST)
+    made = skin(common.material("skin", (0.800, 0.585, 0.475)))
+    rig = skeleton()
     common.bind(made, rig)
     curl(rig)
     common.export("curl.dae", "An arm that curls; made by resources/blender/curl.py")
 
 
-main()
+if __name__ == "__main__":
+    main()
