@@ -95,7 +95,7 @@ fn options_change_the_picture() {
     let muscle = models::write(folder.path(), "arm.yaml", models::BICEPS);
     assert!(render(&muscle, &small(&[])) != render(&muscle, &small(&["--no-normals"])));
     assert!(render(&muscle, &small(&["--angle", "0"])) != render(&muscle, &small(&["--angle", "90"])));
-    assert!(render(&muscle, &small(&["--contraction", "0"])) == render(&muscle, &small(&["--angle", "0"])));
+    assert!(render(&muscle, &small(&["--contraction", "0"])).bytes == render(&muscle, &small(&["--angle", "0"])).bytes);
     // The default camera, and the sides written as angles.
     assert!(plain == render(&file, &small(&["--time", "1", "--background", "black", "--camera", "orbit"])));
 }

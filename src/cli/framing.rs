@@ -97,3 +97,10 @@ pub fn reach(document: &Document, state: &PoseState) -> Bounds {
     }
     reach
 }
+
+/// The box round everything at one moment.
+pub fn posed_bounds(document: &Document, state: &PoseState) -> Bounds {
+    let mut frame = Frame::default();
+    document.pose(state, &mut PoseBuffers::default(), &mut frame);
+    frame.bounds
+}

@@ -7,7 +7,7 @@ use glam::Vec3;
 
 use super::export::{ending, refuse_overwriting};
 use super::failure::{Failure, complain, display_name};
-use super::framing::{Direction, Eye, reach};
+use super::framing::{Direction, Eye, posed_bounds, reach};
 use super::moment::Moment;
 use super::sequence::{Pattern, Sequence, Shot};
 use super::values::Backdrop;
@@ -47,7 +47,8 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
     let size = value::<(u32, u32)>(given, "size").unwrap_or(SIZE);
     let aspect = size.0 as f32 / size.1 as f32;
-    let eye = Eye::fit(Direction::given(given), &reach(&document, &state), aspect, sequence.turning());
+    let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { reach(&document, &state) };
+    let eye = Eye::fit(Direction::given(given), &bounds, aspect, sequence.turning());
     let (width, height) = size;
     let images = document.scene.images.iter().filter_map(|image| image.path.clone());
     let mut studio = Studio {
@@ -200,7 +201,8 @@ fn shot_note(document: &Document, shot: &Shot) -> String {
         note.push_str(&format!(" --clip {} --time {}", quoted(&clip.name), shot.state.time));
     }
     if document.driven_rig().is_some() {
-        note.push_str(&format!(" --contraction {}", shot.state.drive.contraction));
+        // `+ 0.0` turns a negative zero into zero.
+        note.push_str(&format!(" --contraction {}", shot.state.drive.contraction + 0.0));
     }
     if shot.turn != 0.0 {
         note.push_str(&format!(" (turned by {}°)", shot.turn));

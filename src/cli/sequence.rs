@@ -96,13 +96,18 @@ impl Sequence {
         if steps >= FRAMES as f64 {
             return Err(Failure::usage(tr!("cli-too-many-frames", limit = plain(FRAMES as f64))));
         }
-        let last = usize::from(!(turning && motion == Motion::Still) || steps < 1.0);
+        let last = usize::from(!turning || motion != Motion::Still || steps < 1.0);
         Ok(Self { count: steps as usize + last, fps, state, from, to, motion, turning })
     }
 
     /// Whether the model turns.
     pub fn turning(&self) -> bool {
         self.turning
+    }
+
+    /// Whether the model turns and nothing else moves.
+    pub fn only_turns(&self) -> bool {
+        self.turning && self.motion == Motion::Still
     }
 
     /// Picture `index`, from 0.

@@ -28,13 +28,20 @@ pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&st
         encoder.add_itxt_chunk((*keyword).to_owned(), (*text).to_owned()).map_err(to_io)?;
     }
     let mut writer = encoder.write_header().map_err(to_io)?;
-    writer.write_image_data(&bytes(picture, alpha)).map_err(to_io)?;
+    // The header refuses a picture without columns, so a chunk is never empty. Row by row: a second copy of a large picture would take as much memory as the first.
+    let mut stream = writer.stream_writer_with_size(1 << 16).map_err(to_io)?;
+    let columns = picture.width as usize;
+    let mut row = Vec::with_capacity(columns * 4);
+    for pixels in picture.pixels.chunks_exact(columns).take(picture.height as usize) {
+        row.clear();
+        match alpha {
+            true => row.extend(pixels.iter().flat_map(|&pixel| straight(pixel))),
+            false => row.extend(pixels.iter().flat_map(|&pixel| rgb(pixel))),
+        }
+        stream.write_all(&row)?;
+    }
+    stream.finish().map_err(to_io)?;
     writer.finish().map_err(to_io)
-}
-
-fn bytes(picture: &Framebuffer, alpha: bool) -> Vec<u8> {
-    let pixels = picture.pixels.iter();
-    if alpha { pixels.flat_map(|&pixel| straight(pixel)).collect() } else { pixels.flat_map(|&pixel| rgb(pixel)).collect() }
 }
 
 /// Red, green, blue of a pixel `0xAARRGGBB`.
