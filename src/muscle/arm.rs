@@ -11,13 +11,11 @@
 
 use glam::{DMat4, DVec3};
 
+use super::materials;
+use super::rods::{ball, hang, revolved};
 use crate::animation::Pose;
-use crate::scene::{
-    Content, Material, MaterialBinding, MaterialId, Mesh, MeshId, MeshInstance, Node, NodeId, NodeKind, Paint, Part, Scene, Transform,
-    TransformOp,
-};
+use crate::scene::{Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::tr;
-use std::sync::Arc;
 
 /// The upper rod's id in the scene: what an attachment names.
 pub const UPPER_ARM: &str = "upper arm";
@@ -74,7 +72,7 @@ impl Arm {
 
     /// Adds the arm's nodes, rods and balls under `root`.
     pub fn build(&self, scene: &mut Scene, root: NodeId) -> ArmNodes {
-        let bone = bone_material(scene);
+        let bone = materials::bone(scene);
         let joint = |name: String, id: &str, ops: Vec<TransformOp>| {
             let mut node = Node::new(name);
             node.id = id.to_owned();
@@ -116,66 +114,4 @@ impl ArmNodes {
             *angle = degrees;
         }
     }
-}
-
-/// Adds a mesh to the scene and hangs it on a node in one material.
-pub(super) fn hang(scene: &mut Scene, node: NodeId, mesh: Mesh, material: MaterialId) {
-    let id = MeshId(scene.meshes.len() as u32);
-    let materials = vec![Some(MaterialBinding::plain(material)); mesh.parts.len()];
-    scene.meshes.push(Arc::new(mesh));
-    let instance = MeshInstance { mesh: id, deformers: Vec::new(), materials };
-    scene.graph.node_mut(node).contents.push(Content::Mesh(instance));
-}
-
-fn bone_material(scene: &mut Scene) -> MaterialId {
-    let id = MaterialId(scene.materials.len() as u32);
-    scene.materials.push(Material {
-        name: tr!("muscle-material-bone"),
-        id: "bone".to_owned(),
-        // The palette's bone, #E9E2D0.
-        diffuse: Paint::color(0.914, 0.886, 0.816),
-        specular: Paint::color(0.12, 0.12, 0.12),
-        shininess: 30.0,
-        model: crate::scene::ShadingModel::Blinn,
-        ..Material::default()
-    });
-    id
-}
-
-/// Rows of a sphere about the origin, from the top down.
-fn ball(radius: f64) -> Vec<(f64, f64, [f64; 2])> {
-    const ROWS: usize = 16;
-    let row = |i: usize| {
-        let (sin, cos) = (std::f64::consts::PI * i as f64 / ROWS as f64).sin_cos();
-        (radius * cos, radius * sin, [cos, sin])
-    };
-    (0..=ROWS).map(row).collect()
-}
-
-/// A surface of revolution about the Y axis. Each row is a height, a radius, and the normal's components up and outward; heights fall.
-fn revolved(name: String, rows: &[(f64, f64, [f64; 2])]) -> Mesh {
-    const SEGMENTS: u32 = 32;
-    let mut mesh = Mesh { name, ..Mesh::default() };
-    let mut uvs = Vec::new();
-    for (row, &(height, radius, [up, out])) in rows.iter().enumerate() {
-        for segment in 0..=SEGMENTS {
-            let turn = f64::from(segment) / f64::from(SEGMENTS);
-            let (sin, cos) = (turn * std::f64::consts::TAU).sin_cos();
-            mesh.positions.push(DVec3::new(radius * cos, height, radius * sin).as_vec3());
-            mesh.normals.push(DVec3::new(out * cos, up, out * sin).normalize_or(DVec3::Y).as_vec3());
-            uvs.push(glam::Vec2::new(turn as f32, 1.0 - row as f32 / rows.len() as f32));
-        }
-    }
-    for row in 1..rows.len() as u32 {
-        for segment in 0..SEGMENTS {
-            let (a, b) = ((row - 1) * (SEGMENTS + 1) + segment, row * (SEGMENTS + 1) + segment);
-            mesh.triangles.push([a, a + 1, b]);
-            mesh.triangles.push([a + 1, b + 1, b]);
-        }
-    }
-    mesh.source_count = mesh.positions.len() as u32;
-    mesh.source_vertex = (0..mesh.source_count).collect();
-    mesh.uv_sets = vec![uvs];
-    mesh.parts = vec![Part { triangles: 0..mesh.triangles.len() as u32, ..Part::default() }];
-    mesh
 }

@@ -1,10 +1,10 @@
 //! Keeps a belly off the rods of the arm: where the drawn centre line begins and ends, and how far the elbow bends before flesh meets bone.
 
-use glam::{DMat4, DVec3};
+use glam::DVec3;
 
 use super::arm::{Arm, ELBOW, FULL_FLEXION};
-use super::line::{Drawn, Frames, Line, Point, SHOULDER};
-use super::path::Path;
+use super::hinge::Hinge;
+use super::line::{Drawn, Frames, Line, Point};
 use super::profile::Profile;
 use super::{Solved, Tendon};
 
@@ -28,7 +28,8 @@ pub struct Fit {
 /// a slide the straight arm would leave no length for an arch; with more than needed the belly stands off when the arm is bent. So the smallest
 /// slide is taken that keeps clear up to the greatest angle.
 pub fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> Fit {
-    let side = flexor_side(arm, line, range);
+    let hinge = Hinge::elbow(arm, range);
+    let side = flexor_side(&hinge, line);
     let end_radius = |end: usize, radius: Option<&f64>| {
         if tendons[end].length > 0.0 { tendons[end].radius } else { radius.copied().unwrap_or(0.0) }
     };
@@ -39,13 +40,13 @@ pub fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], ran
         let ends = [(line.origin, lift[0]), (line.insertion, lift[1])].map(|(point, lift)| {
             let slid = slid_towards_elbow(arm, point, slide * profile.rest_length());
             let out = DVec3::new(slid.local.x, 0.0, slid.local.z);
-            if out.length() >= lift { slid } else { Point { local: DVec3::new(side * lift, slid.local.y, 0.0), ..slid } }
+            if out.length() >= lift { point } else { Point { local: DVec3::new(side * lift, slid.local.y, 0.0), ..slid } }
         });
         let drawn = Drawn { ends, side: DVec3::X * side };
         let mut clear = f64::NEG_INFINITY;
         let mut angle = range[0];
         while angle <= range[1] + 1e-9 {
-            if gap(arm, line, profile, tendons, &drawn, angle, &mut solved) < 0.0 {
+            if gap(arm, &hinge.at(angle), line, profile, tendons, &drawn, &mut solved) < 0.0 {
                 break;
             }
             clear = angle;
@@ -65,10 +66,9 @@ pub fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], ran
 }
 
 /// +1 for a muscle that shortens when the elbow bends, −1 for one that lengthens.
-fn flexor_side(arm: &Arm, line: &Line, range: [f64; 2]) -> f64 {
-    let middle = 0.5 * (range[0] + range[1]).min(FULL_FLEXION);
-    let ends = [middle - 30.0, middle + 30.0].map(|angle| line.length(&arm.frames(angle)));
-    if ends[1] > ends[0] { -1.0 } else { 1.0 }
+fn flexor_side(hinge: &Hinge, line: &Line) -> f64 {
+    let middle = 0.5 * (hinge.range[0] + hinge.range[1]).min(FULL_FLEXION);
+    if line.length(&hinge.at(middle + 30.0)) > line.length(&hinge.at(middle - 30.0)) { -1.0 } else { 1.0 }
 }
 
 /// Bone 0 hangs from the shoulder, bone 1 from the elbow; both point down.
@@ -83,19 +83,17 @@ fn slid_towards_elbow(arm: &Arm, point: Point, by: f64) -> Point {
     Point { local, ..point }
 }
 
-/// Least distance between the belly's surface and the rods at this flexion; negative where it goes in.
-fn gap(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], drawn: &Drawn, angle: f64, solved: &mut Solved) -> f64 {
-    let frames: [DMat4; 2] = arm.frames(angle);
+/// Least distance between the belly's surface and the rods; negative where it goes in.
+fn gap(arm: &Arm, frames: &impl Frames, line: &Line, profile: &Profile, tendons: &[Tendon; 2], drawn: &Drawn, solved: &mut Solved) -> f64 {
     let fixed = tendons[0].length + tendons[1].length;
-    profile.solve_into(line.length(&frames) - fixed, solved);
+    profile.solve_into(line.length(frames) - fixed, solved);
     let [start, end] = drawn.ends.map(|point| frames.place(point));
     if start.distance(end) > solved.length + fixed {
         return f64::NEG_INFINITY;
     }
-    let side = drawn.ends.map(|point| frames.frame(point.bone).transform_vector3(drawn.side));
-    let path = Path::arch(start, end, solved.length + fixed, SHOULDER, side[0] + side[1]);
+    let path = drawn.lay(frames, solved.length + fixed);
     let elbow = arm.elbow();
-    let [shoulder, wrist] = [frames[0].w_axis.truncate(), frames[1].transform_point3(DVec3::NEG_Y * arm.lower)];
+    let [shoulder, wrist] = [frames.frame(0).w_axis.truncate(), frames.frame(1).transform_point3(DVec3::NEG_Y * arm.lower)];
     let spans = solved.radii.len() - 1;
     let ends = [solved.radii.first(), solved.radii.last()].map(|radius| 2.5 * radius.copied().unwrap_or(0.0));
     let mut cursor = path.cursor();

@@ -72,3 +72,23 @@ impl Span {
         if from == to { 0.0 } else { ((value - from) / (to - from)).clamp(0.0, 1.0) }
     }
 }
+
+/// The first stretch of `range` (degrees) in which `fits` holds, its limits found by halving; all of it where it holds nowhere.
+pub fn valid_part(range: [f64; 2], fits: impl Fn(f64) -> bool) -> [f64; 2] {
+    const STEPS: usize = 300;
+    let angle = |step: usize| range[0] + (range[1] - range[0]) * step as f64 / STEPS as f64;
+    let all: Vec<bool> = (0..=STEPS).map(|step| fits(angle(step))).collect();
+    let Some(first) = all.iter().position(|fits| *fits) else { return range };
+    let last = all.iter().skip(first).position(|fits| !fits).map_or(STEPS, |count| first + count - 1);
+    // Between a step that fits and its neighbour that doesn't.
+    let limit = |mut inside: f64, mut outside: f64| {
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            if fits(middle) { inside = middle } else { outside = middle }
+        }
+        inside
+    };
+    let low = if first == 0 { range[0] } else { limit(angle(first), angle(first - 1)) };
+    let high = if last == STEPS { range[1] } else { limit(angle(last), angle(last + 1)) };
+    [low, high]
+}

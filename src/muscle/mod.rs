@@ -4,28 +4,35 @@
 //! |---|---|
 //! | `profile` | radii and growth, the quadratic, the valid lengths |
 //! | `arm` | the two rods and the elbow as nodes of the scene |
+//! | `rods`, `materials` | the arm's solid shapes, and the colours of all |
 //! | `line` | the line of action: length, and the centre line that is drawn for it |
 //! | `path` | lines and arcs, exact in length, with frames that do not twist |
 //! | `clearance` | keeps the belly off the rods |
 //! | `surface` | rings, hemispheres and tendons as triangles |
 //! | `drive` | contraction and elbow angle, each the inverse of the other |
-//! | `measure` | length, moment arm, volume over the elbow angle |
-//! | `rig` | all of it in a scene |
+//! | `hinge` | the joint that measurements turn |
+//! | `measure` | moment arms |
+//! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
+//! | `rig` | muscles in a scene: solve, lay, measure |
 //! | `config` | YAML |
 
 mod arm;
+mod build;
 mod clearance;
 mod config;
 mod drive;
+mod hinge;
 mod line;
+mod materials;
 mod measure;
 mod path;
 mod profile;
 mod rig;
+mod rods;
 mod surface;
 
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
-pub use config::{Anchor, ConfigError, Form, MuscleFile, MuscleSpec, Tendon};
+pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
 pub use path::{Path, Station};
 pub use profile::{Profile, ProfileError};
 pub use rig::Rig;

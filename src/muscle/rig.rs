@@ -1,57 +1,58 @@
-//! Muscles placed in a scene: nodes, bones, surfaces, and the state that drives them.
+//! Muscles placed in a scene: what they solve, lay and measure. [`super::build`] puts them there.
 
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
 
-use super::arm::{Arm, ArmNodes, FOREARM, UPPER_ARM};
-use super::clearance;
-use super::config::{Anchor, MuscleFile, MuscleSpec, Tendon};
+use super::arm::{Arm, ArmNodes};
+use super::config::{JointSpec, MuscleSpec};
 use super::drive::{FREE, Span};
-use super::line::{Frames, Line, Point};
+use super::hinge::Hinge;
+use super::line::{Frames, Line};
 use super::path::Path;
 use super::profile::Profile;
 use super::surface::{Layout, ToWorld};
 use super::{Drive, Sample, Solved, measure};
 use crate::animation::Pose;
-use crate::scene::{
-    Content, Material, MaterialBinding, MaterialId, Mesh, MuscleId, Node, NodeId, NodeKind, Paint, Scene, ShadingModel, Transform,
-    TransformOp,
-};
-use crate::tr;
+use crate::health::Finding;
+use crate::scene::{MaterialBinding, Mesh, NodeId};
 
 /// A muscle file placed in a scene.
 #[derive(Debug, Clone, Default)]
 pub struct Rig {
     /// The root of its nodes; carries the unit.
     pub root: Option<NodeId>,
-    arm: Option<(Arm, ArmNodes)>,
+    pub(super) arm: Option<(Arm, ArmNodes)>,
     /// Nodes of the bones that lines of action name.
-    bones: Vec<NodeId>,
-    muscles: Vec<Muscle>,
-    span: Option<Span>,
+    pub(super) bones: Vec<NodeId>,
+    pub(super) muscles: Vec<Muscle>,
+    pub(super) joint: Option<JointSpec>,
+    /// What measurements turn; `None` where nothing is known to turn.
+    pub(super) hinge: Option<Hinge>,
+    pub(super) span: Option<Span>,
+    pub(super) findings: Vec<Finding>,
 }
 
 /// One muscle of a rig.
 #[derive(Debug, Clone)]
-struct Muscle {
-    name: String,
-    profile: Profile,
-    tendons: [Tendon; 2],
-    line: Option<Line>,
-    layout: Layout,
-    mesh: Arc<Mesh>,
-    materials: Vec<Option<MaterialBinding>>,
+pub(super) struct Muscle {
+    /// As the file has it, but with a name.
+    pub spec: MuscleSpec,
+    /// Its line of action; `None` where nothing holds it.
+    pub line: Option<Line>,
+    pub layout: Layout,
+    pub mesh: Arc<Mesh>,
+    pub materials: Vec<Option<MaterialBinding>>,
     /// Where it lies when nothing holds it: the middle of its line, from the root.
-    free_middle: DVec3,
+    pub free_middle: DVec3,
 }
 
 /// Bone frames of a posed scene, seen from the rig's root.
-struct WorldFrames<'a> {
-    from_world: DMat4,
-    world: &'a [DMat4],
-    bones: &'a [NodeId],
+pub(super) struct WorldFrames<'a> {
+    pub from_world: DMat4,
+    pub world: &'a [DMat4],
+    pub bones: &'a [NodeId],
 }
 
 impl Frames for WorldFrames<'_> {
@@ -67,92 +68,6 @@ impl Frames for WorldFrames<'_> {
 }
 
 impl Rig {
-    /// Adds the file's nodes, rods and muscles to `scene`; its muscles get the ids from `first` on.
-    pub fn build(file: &MuscleFile, name: &str, scene: &mut Scene, first: MuscleId) -> Self {
-        let unit = if file.unit_metres > 0.0 && file.unit_metres.is_finite() { file.unit_metres } else { 0.001 };
-        let mut node = Node::new(name);
-        node.kind = NodeKind::Asset;
-        node.transform = Transform { ops: vec![TransformOp::Scale(DVec3::splat(unit))] };
-        let root = scene.graph.add(None, node);
-        let mut rig = Self { root: Some(root), ..Self::default() };
-        if let Some(arm) = file.arm {
-            let nodes = arm.build(scene, root);
-            rig.bones = vec![nodes.upper, nodes.elbow];
-            rig.arm = Some((arm, nodes));
-        }
-        let tendon = tendon_material(scene);
-        let mut height = 0.0;
-        for (index, spec) in file.muscles.iter().enumerate() {
-            let mut muscle = rig.muscle(index, spec, scene, tendon);
-            // Muscles that nothing holds lie above each other, each clear of the ground at its thickest.
-            let thick = 1.6 * spec.profile.radii().iter().copied().fold(0.0, f64::max);
-            muscle.free_middle = DVec3::Y * (height + thick);
-            if muscle.line.is_none() {
-                height += 2.0 * thick;
-            }
-            let id = MuscleId(first.0 + index as u32);
-            let mut node = Node::new(muscle.name.clone());
-            node.contents.push(Content::Muscle(id));
-            scene.graph.add(Some(root), node);
-            rig.muscles.push(muscle);
-        }
-        rig.settle();
-        rig
-    }
-
-    fn muscle(&self, index: usize, spec: &MuscleSpec, scene: &mut Scene, tendon: MaterialId) -> Muscle {
-        let name = if spec.name.is_empty() { tr!("muscle-name", number = index + 1) } else { spec.name.clone() };
-        let layout = Layout::new(spec.profile.radii().len(), &spec.tendons);
-        let mesh = layout.mesh(&name);
-        let flesh = muscle_material(scene, &name);
-        let materials = mesh.parts.iter().enumerate().map(|(part, _)| Some(MaterialBinding::plain(if part == 0 { flesh } else { tendon })));
-        let line = spec.origin.as_ref().zip(spec.insertion.as_ref()).and_then(|(origin, insertion)| {
-            let (origin, insertion) = (self.arm_point(origin)?, self.arm_point(insertion)?);
-            Some(Line { origin, insertion, drawn: None })
-        });
-        Muscle {
-            name,
-            profile: spec.profile.clone(),
-            tendons: spec.tendons,
-            line,
-            layout,
-            materials: materials.collect(),
-            mesh,
-            free_middle: DVec3::ZERO,
-        }
-    }
-
-    fn arm_point(&self, anchor: &Anchor) -> Option<Point> {
-        self.arm?;
-        let bone = match anchor.bone.as_str() {
-            UPPER_ARM => 0,
-            FOREARM => 1,
-            _ => return None,
-        };
-        Some(Point { bone, local: anchor.offset })
-    }
-
-    /// Finds drawn ends and the range of the elbow, once all muscles are there.
-    fn settle(&mut self) {
-        let Some((arm, _)) = self.arm else { return };
-        let asked = arm.flexion.unwrap_or([0.0, super::FULL_FLEXION]);
-        let mut range = asked;
-        for (index, muscle) in self.muscles.iter_mut().enumerate() {
-            let fixed = muscle.fixed();
-            let Some(line) = &mut muscle.line else { continue };
-            let fit = clearance::fit(&arm, line, &muscle.profile, &muscle.tendons, asked);
-            line.drawn = Some(fit.drawn);
-            if index == 0 {
-                if arm.flexion.is_none() {
-                    range[1] = range[1].min(fit.flexion);
-                }
-                range = within_valid_lengths(&arm, line, fixed, &muscle.profile, range);
-            }
-        }
-        let line = self.muscles.first().and_then(|muscle| muscle.line.as_ref());
-        self.span = Some(Span::new(range, |angle| line.map_or(0.0, |line| line.length(&arm.frames(angle)))));
-    }
-
     /// Number of muscles.
     pub fn len(&self) -> usize {
         self.muscles.len()
@@ -165,17 +80,37 @@ impl Rig {
 
     /// Name of muscle `index`.
     pub fn name(&self, index: usize) -> &str {
-        self.muscles.get(index).map_or("", |muscle| &muscle.name)
+        self.spec(index).map_or("", |spec| &spec.name)
+    }
+
+    /// What the file says about muscle `index`; a muscle without a name has got one here.
+    pub fn spec(&self, index: usize) -> Option<&MuscleSpec> {
+        self.muscles.get(index).map(|muscle| &muscle.spec)
     }
 
     /// Shape at rest of muscle `index`.
     pub fn profile(&self, index: usize) -> Option<&Profile> {
-        self.muscles.get(index).map(|muscle| &muscle.profile)
+        self.spec(index).map(|spec| &spec.profile)
+    }
+
+    /// Whether muscle `index` is held by bones; else it lies on its own and contraction alone gives its length.
+    pub fn is_attached(&self, index: usize) -> bool {
+        self.muscles.get(index).is_some_and(|muscle| muscle.line.is_some())
+    }
+
+    /// Oddities seen while building and attaching: bones that are not there, a muscle bent tighter than it is thick.
+    pub fn findings(&self) -> &[Finding] {
+        &self.findings
     }
 
     /// The elbow angles that the arm allows, degrees; `None` without an arm.
     pub fn flexion_range(&self) -> Option<RangeInclusive<f64>> {
         self.span.map(|span| span.flexion[0]..=span.flexion[1])
+    }
+
+    /// The angles that [`Rig::measure`] turns the joint through, degrees: the arm's elbow or the file's `joint`; `None` where there is none.
+    pub fn measured_range(&self) -> Option<RangeInclusive<f64>> {
+        self.hinge.as_ref().map(|hinge| hinge.range[0]..=hinge.range[1])
     }
 
     /// The state with this elbow angle, held within the range. Without an arm: the muscle at rest.
@@ -195,15 +130,15 @@ impl Rig {
     }
 
     /// Length of the first muscle's line of action on the arm.
-    fn driving_length(&self, angle: f64) -> f64 {
+    pub(super) fn driving_length(&self, angle: f64) -> f64 {
         let line = self.muscles.first().and_then(|muscle| muscle.line.as_ref());
-        self.arm.zip(line).map_or(0.0, |((arm, _), line)| line.length(&arm.frames(angle)))
+        self.hinge.as_ref().zip(line).map_or(0.0, |(hinge, line)| line.length(&hinge.at(angle)))
     }
 
     fn free_contraction_at_rest(&self) -> f64 {
         let Some(muscle) = self.muscles.first() else { return 0.0 };
         let [long, short] = muscle.free_lengths();
-        if long == short { 0.0 } else { (long - muscle.profile.rest_length()) / (long - short) }
+        if long == short { 0.0 } else { (long - muscle.spec.profile.rest_length()) / (long - short) }
     }
 
     /// Turns the arm's nodes.
@@ -232,7 +167,7 @@ impl Rig {
             None => {
                 let [long, short] = muscle.free_lengths();
                 let share = if drive.contraction.is_nan() { 0.0 } else { drive.contraction.clamp(0.0, 100.0) / 100.0 };
-                muscle.profile.solve_into(long + (short - long) * share, solved);
+                muscle.spec.profile.solve_into(long + (short - long) * share, solved);
                 solved.path_length = solved.length + muscle.fixed();
             }
         }
@@ -242,7 +177,7 @@ impl Rig {
         self.root.and_then(|root| world.get(root.index())).copied().unwrap_or(DMat4::IDENTITY)
     }
 
-    fn frames<'a>(&'a self, world: &'a [DMat4]) -> WorldFrames<'a> {
+    pub(super) fn frames<'a>(&'a self, world: &'a [DMat4]) -> WorldFrames<'a> {
         let root = self.root_matrix(world);
         // A root that is scaled to nothing has no inside to measure in.
         let from_world = if root.determinant().abs() > f64::MIN_POSITIVE { root.inverse() } else { DMat4::IDENTITY };
@@ -264,7 +199,7 @@ impl Rig {
         let Some(muscle) = self.muscles.get(index) else { return };
         let path = self.path(muscle, solved, world);
         let to_world = ToWorld::new(self.root_matrix(world));
-        muscle.layout.deform(solved, &muscle.tendons, &path, &to_world, positions, normals);
+        muscle.layout.deform(solved, &muscle.spec.tendons, &path, &to_world, positions, normals);
     }
 
     /// The centre line of muscle `index` as it is drawn, in the space of the rig's root and its unit, tendons included.
@@ -285,18 +220,19 @@ impl Rig {
         }
     }
 
-    /// Measures muscle `index` at elbow angles in degrees. Without an arm there is no angle, and each row is the muscle at rest.
+    /// Measures muscle `index` at angles of the elbow, or of the joint that the file names, in degrees. Without either there is no angle, and each
+    /// row is the muscle at rest.
     pub fn measure(&self, index: usize, angles: &[f64]) -> Vec<Sample> {
         let Some(muscle) = self.muscles.get(index) else { return Vec::new() };
         let row = |&angle: &f64| {
             let mut solved = Solved::default();
-            let moment_arm = match (&self.arm, &muscle.line) {
-                (Some((arm, _)), Some(line)) => {
-                    muscle.solve_along(line.length(&arm.frames(angle)), &mut solved);
-                    measure::moment_arm(arm, line, angle)
+            let moment_arm = match (&self.hinge, &muscle.line) {
+                (Some(hinge), Some(line)) => {
+                    muscle.solve_along(line.length(&hinge.at(angle)), &mut solved);
+                    measure::moment_arm(hinge, line, angle)
                 }
                 _ => {
-                    muscle.profile.solve_into(muscle.profile.rest_length(), &mut solved);
+                    muscle.spec.profile.solve_into(muscle.spec.profile.rest_length(), &mut solved);
                     0.0
                 }
             };
@@ -308,70 +244,18 @@ impl Rig {
 
 impl Muscle {
     /// Length that the tendons take.
-    fn fixed(&self) -> f64 {
-        self.tendons[0].length + self.tendons[1].length
+    pub fn fixed(&self) -> f64 {
+        self.spec.tendons[0].length + self.spec.tendons[1].length
     }
 
     fn solve_along(&self, path_length: f64, solved: &mut Solved) {
-        self.profile.solve_into(path_length - self.fixed(), solved);
+        self.spec.profile.solve_into(path_length - self.fixed(), solved);
         solved.path_length = path_length;
     }
 
     /// Lengths at contraction 0 and 100 % where nothing holds the muscle.
     fn free_lengths(&self) -> [f64; 2] {
-        let (rest, valid) = (self.profile.rest_length(), self.profile.length_range());
+        let (rest, valid) = (self.spec.profile.rest_length(), self.spec.profile.length_range());
         FREE.map(|share| (share * rest).clamp(*valid.start(), *valid.end()))
     }
-}
-
-/// The part of `range` (degrees) around its most restful angle in which the muscle's length is valid.
-fn within_valid_lengths(arm: &Arm, line: &Line, fixed: f64, profile: &Profile, range: [f64; 2]) -> [f64; 2] {
-    const STEPS: usize = 300;
-    let valid = profile.length_range();
-    let angle = |step: usize| range[0] + (range[1] - range[0]) * step as f64 / STEPS as f64;
-    let fits = |angle: f64| valid.contains(&(line.length(&arm.frames(angle)) - fixed));
-    let all: Vec<bool> = (0..=STEPS).map(|step| fits(angle(step))).collect();
-    let Some(first) = all.iter().position(|fits| *fits) else { return range };
-    let last = all.iter().skip(first).position(|fits| !fits).map_or(STEPS, |count| first + count - 1);
-    // Between a step that fits and its neighbour that doesn't, halve to the limit.
-    let limit = |mut inside: f64, mut outside: f64| {
-        for _ in 0..60 {
-            let middle = 0.5 * (inside + outside);
-            if fits(middle) { inside = middle } else { outside = middle }
-        }
-        inside
-    };
-    let low = if first == 0 { range[0] } else { limit(angle(first), angle(first - 1)) };
-    let high = if last == STEPS { range[1] } else { limit(angle(last), angle(last + 1)) };
-    [low, high]
-}
-
-fn muscle_material(scene: &mut Scene, name: &str) -> MaterialId {
-    let id = MaterialId(scene.materials.len() as u32);
-    scene.materials.push(Material {
-        name: name.to_owned(),
-        id: "muscle".to_owned(),
-        model: ShadingModel::Blinn,
-        // The palette's muscle, #B8322E.
-        diffuse: Paint::color(0.722, 0.196, 0.180),
-        specular: Paint::color(0.18, 0.14, 0.14),
-        shininess: 24.0,
-        ..Material::default()
-    });
-    id
-}
-
-fn tendon_material(scene: &mut Scene) -> MaterialId {
-    let id = MaterialId(scene.materials.len() as u32);
-    scene.materials.push(Material {
-        name: tr!("muscle-material-tendon"),
-        id: "tendon".to_owned(),
-        model: ShadingModel::Blinn,
-        // The palette's tendon, #E8DFC8.
-        diffuse: Paint::color(0.910, 0.875, 0.784),
-        specular: Paint::color(0.16, 0.16, 0.16),
-        shininess: 30.0,
-        ..Material::default()
-    });
-    id
 }

@@ -6,7 +6,7 @@
 use std::f32::consts::TAU;
 use std::sync::Arc;
 
-use glam::{DMat3, DMat4, DVec3, Vec2, Vec3};
+use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 
 use super::Solved;
 use super::Tendon;
@@ -87,6 +87,7 @@ impl Layout {
                 };
                 uvs.extend((0..RING).map(|corner| Vec2::new(corner as f32 / SEGMENTS as f32, v)));
             }
+            mesh.colors.extend((0..rings).flat_map(|_| (0..RING).map(|corner| fibre(corner, tube == 0))));
             for ring in 1..rings as u32 {
                 for corner in 0..SEGMENTS as u32 {
                     let (a, b) = (first + (ring - 1) * RING as u32 + corner, first + ring * RING as u32 + corner);
@@ -126,7 +127,9 @@ impl Layout {
         positions.clear();
         normals.clear();
         let mut out = Writer { to_world, circle: circle(), positions, normals };
-        let start = tendons[0].length;
+        // Where a limit holds the length, the muscle lies in the middle of its line.
+        let slack = path.length() - solved.length - tendons[0].length - tendons[1].length;
+        let start = tendons[0].length + 0.5 * slack;
         let spans = self.nodes.saturating_sub(1).max(1);
         let spacing = solved.length / spans as f64;
         let radius = |node: usize| solved.radii.get(node).copied().unwrap_or(0.0);
@@ -147,13 +150,21 @@ impl Layout {
         }
         out.cap(cursor.station(start + solved.length), radius(spans), 1.0);
         if self.tendons[0] {
-            out.tendon(path.cursor(), 0.0, start, [tendons[0].radius, tendons[0].radius.min(radius(0))]);
+            out.tendon(path.cursor(), start - tendons[0].length, start, [tendons[0].radius, tendons[0].radius.min(radius(0))]);
         }
         if self.tendons[1] {
             let from = start + solved.length;
             out.tendon(path.cursor(), from, from + tendons[1].length, [tendons[1].radius.min(radius(spans)), tendons[1].radius]);
         }
     }
+}
+
+/// Fibres: lengthwise streaks a little darker than the material, the same at every ring, so that they follow the nodes.
+fn fibre(corner: usize, flesh: bool) -> Vec4 {
+    // Multiples of the golden ratio never repeat and lie evenly: no two neighbours alike, no pattern to see.
+    let spread = ((corner % SEGMENTS) as f32 * 0.618_034).fract();
+    let shade = 1.0 - if flesh { 0.22 } else { 0.06 } * spread;
+    Vec4::new(shade, shade, shade, 1.0)
 }
 
 /// Cosine and sine of each corner of a ring.

@@ -161,11 +161,6 @@ impl<'a> Map<'a> {
             message: tr!("muscle-yaml-missing-key", key = key.to_owned(), name = self.name.clone()),
         })
     }
-
-    /// A complaint about the mapping as a whole.
-    pub fn complain(&self, message: String) -> Complaint {
-        Complaint { path: self.path.clone(), message }
-    }
 }
 
 fn message_of(key: &str) -> String {
@@ -173,7 +168,7 @@ fn message_of(key: &str) -> String {
 }
 
 /// The known key that `key` was probably meant to be: at most a third of its letters differ.
-fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
+pub fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
     // Long keys are nothing anybody mistyped, and comparing them costs.
     if key.len() > 60 {
         return None;

@@ -1,84 +1,35 @@
 //! Muscle files: what they say, how they are read, and how they are written.
+//!
+//! There are two forms. The **report's form** describes one muscle on a two-rod arm, in millimetres:
+//!
+//! ```yaml
+#![doc = include_str!("../../../configs/biceps.yaml")]
+//! ```
+//!
+//! `carcass_config.data` is `[[a, p], [d, b]]`: free end of the upper rod to the attachment, attachment to elbow; elbow to the attachment on the
+//! forearm, attachment to its free end. Without `carcass_config` the muscle lies on its own. `len` is the length at which the radii are
+//! those of `radiuses`: where it differs from `p + d`, the straight arm stretches or slackens the muscle.
+//!
+//! The **richer form** describes any number of muscles, on the arm or on the bones of any clip. All keys, with comments:
+//!
+//! ```yaml
+#![doc = include_str!("../../../configs/example.yaml")]
+//! ```
+//!
+//! `resources/muscle.schema.json` is the same as a JSON schema, for editors. Reading refuses what it does not know or cannot use, with line,
+//! column and remedy; writing ([`MuscleFile::to_yaml`]) keeps every value but not the comments.
 
 mod decode;
 mod report;
+mod rich;
+mod spec;
+mod write;
 mod yaml;
 
-use glam::DVec3;
+pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
 
-use super::arm::Arm;
-use super::profile::Profile;
 use crate::{limits, tr};
 use decode::{At, Complaint};
-
-/// Which of the two forms a file is written in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Form {
-    /// `muscle_config` and `carcass_config`: one muscle, millimetres.
-    #[default]
-    Report,
-    /// The richer form.
-    Rich,
-}
-
-/// What a YAML file describes: muscles, and the arm they are on if there is one.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MuscleFile {
-    /// Metres a unit of the file.
-    pub unit_metres: f64,
-    /// The form it was written in, which it is saved in again.
-    pub form: Form,
-    /// The two-rod arm.
-    pub arm: Option<Arm>,
-    /// The muscles.
-    pub muscles: Vec<MuscleSpec>,
-}
-
-impl Default for MuscleFile {
-    fn default() -> Self {
-        Self { unit_metres: 0.001, form: Form::Report, arm: None, muscles: Vec::new() }
-    }
-}
-
-/// A muscle as its file describes it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MuscleSpec {
-    /// What a person calls it; empty where the file gives no name.
-    pub name: String,
-    /// Shape at rest.
-    pub profile: Profile,
-    /// Where it begins.
-    pub origin: Option<Anchor>,
-    /// Where it ends.
-    pub insertion: Option<Anchor>,
-    /// Tendons at the origin and at the insertion.
-    pub tendons: [Tendon; 2],
-}
-
-impl MuscleSpec {
-    /// A muscle of this shape, attached to nothing.
-    pub fn new(profile: Profile) -> Self {
-        Self { name: String::new(), profile, origin: None, insertion: None, tendons: [Tendon::default(); 2] }
-    }
-}
-
-/// A point on a bone.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Anchor {
-    /// Id or name of the bone's node.
-    pub bone: String,
-    /// From the bone's node, along the bone's own axes, in the file's unit.
-    pub offset: DVec3,
-}
-
-/// A tendon: it goes on from the muscle's end and does not change its length.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Tendon {
-    /// Length; 0 = no tendon.
-    pub length: f64,
-    /// Radius.
-    pub radius: f64,
-}
 
 /// Why a YAML file could not be used: one sentence that says where and what would be right.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -114,6 +65,7 @@ impl MuscleFile {
             return Err(ConfigError::at(Some((1, 1)), tr!("muscle-yaml-empty")));
         }
         let root = At::root(&tree);
-        report::decode(&root).map_err(|Complaint { path, message }| ConfigError::at(yaml::locate(text, &path), message))
+        let file = if rich::KEYS.iter().any(|key| root.has(key)) { rich::decode(&root) } else { report::decode(&root) };
+        file.map_err(|Complaint { path, message }| ConfigError::at(yaml::locate(text, &path), message))
     }
 }

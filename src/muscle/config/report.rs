@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::decode::{At, Complaint};
-use super::{Anchor, Form, MuscleFile, MuscleSpec};
+use super::spec::{Anchor, Form, MuscleFile, MuscleSpec};
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
 use crate::muscle::profile::{Profile, ProfileError};
 use crate::tr;
@@ -30,7 +30,7 @@ fn muscle(at: &At<'_>) -> Result<MuscleSpec, Complaint> {
     let length = map.need("len")?;
     let profile = Profile::new(radii, growth, length.positive(false)?).map_err(|error| {
         let at = match error {
-            ProfileError::LengthsDiffer { .. } | ProfileError::NoGrowth => &growth_at,
+            ProfileError::LengthsDiffer { .. } | ProfileError::NoGrowth | ProfileError::BadGrowth(_) => &growth_at,
             ProfileError::BadLength => &length,
             _ => &radii_at,
         };

@@ -1,0 +1,229 @@
+//! Puts a muscle file into a scene: its nodes, the arm if it has one, and its muscles; attaches muscles to the bones of a clip.
+
+use glam::DVec3;
+
+use super::arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
+use super::config::{Anchor, MuscleFile, MuscleSpec};
+use super::drive::Span;
+use super::hinge::Hinge;
+use super::line::{Drawn, Frames, Line, Point, Pulley};
+use super::rig::{Muscle, Rig};
+use super::surface::Layout;
+use super::{Solved, clearance, materials, rods};
+use crate::health::Finding;
+use crate::scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
+use crate::tr;
+
+/// Radius of the arcs at via points over the muscle's thickest radius.
+const ROUNDING: f64 = 1.25;
+
+impl Rig {
+    /// Adds the file's nodes, rods and muscles to `scene`; its muscles get the ids from `first` on. Muscles on bones of a clip lie on their own until
+    /// [`Rig::attach`] finds those bones.
+    pub fn build(file: &MuscleFile, name: &str, scene: &mut Scene, first: MuscleId) -> Self {
+        let unit = if file.unit_metres > 0.0 && file.unit_metres.is_finite() { file.unit_metres } else { 0.001 };
+        let mut node = Node::new(name);
+        node.kind = NodeKind::Asset;
+        node.transform = Transform { ops: vec![TransformOp::Scale(DVec3::splat(unit))] };
+        let root = scene.graph.add(None, node);
+        let mut rig = Self { root: Some(root), joint: file.joint.clone(), ..Self::default() };
+        if let Some(arm) = file.arm {
+            let nodes = arm.build(scene, root);
+            rig.bones = vec![nodes.upper, nodes.elbow];
+            rig.hinge = Some(Hinge::elbow(&arm, arm.flexion.unwrap_or([0.0, FULL_FLEXION])));
+            rig.arm = Some((arm, nodes));
+        }
+        let tendon = materials::tendon(scene);
+        let mut height = 0.0;
+        for (index, spec) in file.muscles.iter().enumerate() {
+            let mut spec = spec.clone();
+            if spec.name.is_empty() {
+                // A file of one muscle is that muscle.
+                spec.name = if file.muscles.len() == 1 { name.to_owned() } else { tr!("muscle-name", number = index + 1) };
+            }
+            // Muscles that nothing holds lie above each other, each clear of the ground at its thickest.
+            let thick = 1.6 * spec.profile.radii().iter().copied().fold(0.0, f64::max);
+            let free_middle = DVec3::Y * (height + thick);
+            if spec.origin.is_none() {
+                height += 2.0 * thick;
+            }
+            let mut node = Node::new(spec.name.clone());
+            node.contents.push(Content::Muscle(MuscleId(first.0 + index as u32)));
+            scene.graph.add(Some(root), node);
+            let mut muscle = new_muscle(spec, scene, tendon, free_middle);
+            if rig.arm.is_some() {
+                let find = |bone: &str| match bone {
+                    UPPER_ARM => Some(0),
+                    FOREARM => Some(1),
+                    _ => None,
+                };
+                muscle.line = resolve(&muscle.spec, find).ok().flatten();
+            }
+            rig.muscles.push(muscle);
+        }
+        rig.settle_on_arm(scene, tendon);
+        rig.look_for_tight_bends();
+        rig
+    }
+
+    /// Attaches the muscles that name bones of a clip to nodes of `scene` with these ids, scoped ids or names, and finds the joint that the file
+    /// names. A bone that is not there is a finding, and its muscle lies on its own. May be called again when the scene has changed.
+    ///
+    /// The scene's rest pose is where the joint's angle is 0.
+    pub fn attach(&mut self, scene: &Scene) -> Vec<Finding> {
+        if self.arm.is_some() {
+            return Vec::new();
+        }
+        self.findings.clear();
+        self.bones.clear();
+        let mut names: Vec<String> = Vec::new();
+        let (bones, root) = (&mut self.bones, self.root);
+        for muscle in &mut self.muscles {
+            let find = |bone: &str| {
+                if let Some(known) = names.iter().position(|name| name == bone) {
+                    return Some(known);
+                }
+                bones.push(find_bone(&scene.graph, root, bone)?);
+                names.push(bone.to_owned());
+                Some(bones.len() - 1)
+            };
+            match resolve(&muscle.spec, find) {
+                Ok(line) => muscle.line = line,
+                Err(bone) => {
+                    muscle.line = None;
+                    let message = tr!("muscle-bone-not-found", bone = bone);
+                    self.findings.push(Finding::warning("muscle-bone-not-found", None, muscle.spec.name.clone(), message));
+                }
+            }
+        }
+        self.hinge = self.joint_in(scene);
+        self.look_for_tight_bends();
+        self.findings.clone()
+    }
+
+    fn joint_in(&mut self, scene: &Scene) -> Option<Hinge> {
+        let joint = self.joint.as_ref()?;
+        let Some(turning) = find_bone(&scene.graph, self.root, &joint.bone) else {
+            let message = tr!("muscle-joint-not-found", bone = joint.bone.clone());
+            self.findings.push(Finding::warning("muscle-joint-not-found", None, joint.bone.clone(), message));
+            return None;
+        };
+        let mut world = Vec::new();
+        scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
+        let below = scene.graph.subtree(turning);
+        let frames = self.frames(&world);
+        let bones = self.bones.iter().enumerate().map(|(index, node)| (frames.frame(index), below.contains(node))).collect();
+        let place = super::rig::WorldFrames { from_world: frames.from_world, world: &world, bones: &[turning] }.frame(0);
+        let axis = place.transform_vector3(joint.axis).normalize_or(DVec3::Z);
+        Some(Hinge { pivot: place.w_axis.truncate(), axis, bones, range: joint.range })
+    }
+
+    /// On the arm: finds drawn ends and the range of the elbow, once all muscles are there, and roots the ends in the rods.
+    fn settle_on_arm(&mut self, scene: &mut Scene, tendon: MaterialId) {
+        let (Some((arm, nodes)), Some(hinge)) = (self.arm, &mut self.hinge) else { return };
+        let asked = hinge.range;
+        let mut range = asked;
+        for (index, muscle) in self.muscles.iter_mut().enumerate() {
+            let fixed = muscle.fixed();
+            let Some(line) = &mut muscle.line else { continue };
+            let fit = clearance::fit(&arm, line, &muscle.spec.profile, &muscle.spec.tendons, asked);
+            if line.via.is_empty() {
+                line.drawn = Some(fit.drawn);
+                add_roots(scene, &arm, &nodes, &muscle.spec, &fit.drawn, tendon);
+            }
+            if index == 0 {
+                if arm.flexion.is_none() {
+                    range[1] = range[1].min(fit.flexion);
+                }
+                let valid = muscle.spec.profile.length_range();
+                range = super::drive::valid_part(range, |angle| valid.contains(&(line.length(&hinge.at(angle)) - fixed)));
+            }
+        }
+        hinge.range = range;
+        self.span = Some(Span::new(range, |angle| self.driving_length(angle)));
+    }
+
+    /// Reports muscles whose belly is bent tighter than it is thick at some angle: there the surface would fold into itself.
+    fn look_for_tight_bends(&mut self) {
+        const ANGLES: u32 = 12;
+        let Some(hinge) = &self.hinge else { return };
+        let mut solved = Solved::default();
+        for muscle in &self.muscles {
+            let Some(line) = &muscle.line else { continue };
+            let worst = (0..=ANGLES).map(|step| {
+                let angle = hinge.range[0] + (hinge.range[1] - hinge.range[0]) * f64::from(step) / f64::from(ANGLES);
+                let frames = hinge.at(angle);
+                muscle.spec.profile.solve_into(line.length(&frames) - muscle.fixed(), &mut solved);
+                let path = line.lay(&frames, solved.length + muscle.fixed());
+                let spacing = solved.length / solved.radii.len().saturating_sub(1).max(1) as f64;
+                let start = muscle.spec.tendons[0].length;
+                let bend = |(node, pair): (usize, &[f64])| {
+                    let from = start + node as f64 * spacing;
+                    path.sharpest(from, from + spacing) * pair.iter().copied().fold(0.0, f64::max)
+                };
+                solved.radii.windows(2).enumerate().map(bend).fold(0.0, f64::max)
+            });
+            if worst.fold(0.0, f64::max) > 1.0 {
+                let message = tr!("muscle-bent-too-tight");
+                self.findings.push(Finding::warning("muscle-bent-too-tight", None, muscle.spec.name.clone(), message));
+            }
+        }
+    }
+}
+
+fn new_muscle(spec: MuscleSpec, scene: &mut Scene, tendon: MaterialId, free_middle: DVec3) -> Muscle {
+    let layout = Layout::new(spec.profile.radii().len(), &spec.tendons);
+    let mesh = layout.mesh(&spec.name);
+    let flesh = materials::muscle(scene, &spec.name, spec.color);
+    let material = |part| Some(MaterialBinding::plain(if part == 0 { flesh } else { tendon }));
+    Muscle { materials: (0..mesh.parts.len()).map(material).collect(), spec, line: None, layout, mesh, free_middle }
+}
+
+/// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.
+fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<usize>) -> Result<Option<Line>, String> {
+    let (Some(origin), Some(insertion)) = (&spec.origin, &spec.insertion) else { return Ok(None) };
+    let mut point = |anchor: &Anchor| -> Result<Point, String> {
+        let bone = find(&anchor.bone).ok_or_else(|| anchor.bone.clone())?;
+        Ok(Point { bone, local: anchor.offset })
+    };
+    let (origin, insertion) = (point(origin)?, point(insertion)?);
+    let via = spec.via.iter().map(&mut point).collect::<Result<Vec<_>, _>>()?;
+    let pulley = match &spec.wrap {
+        Some(wrap) => {
+            // It lies on the stretch that leads from one bone to another; a joint is where they meet.
+            let all: Vec<usize> = [origin].iter().chain(&via).chain([&insertion]).map(|point| point.bone).collect();
+            let stretch = all.windows(2).position(|pair| pair[0] != pair[1]).unwrap_or(0);
+            Some(Pulley { center: point(&wrap.center)?, side: wrap.side.normalize_or(DVec3::X), radius: wrap.radius, stretch })
+        }
+        None => None,
+    };
+    let thickest = spec.profile.radii().iter().copied().fold(0.0, f64::max);
+    Ok(Some(Line { origin, insertion, via, pulley, rounding: ROUNDING * thickest, drawn: None }))
+}
+
+/// A node by id, scoped id or name, joints first; nodes below `own` are the rig's own and don't count.
+fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Option<NodeId> {
+    let own = own.map(|root| graph.subtree(root)).unwrap_or_default();
+    let fields: [fn(&Node) -> &str; 3] = [|node| &node.id, |node| &node.sid, |node| &node.name];
+    let find = |joints: bool, field: fn(&Node) -> &str| {
+        let matches = |node: &Node| (node.kind == NodeKind::Joint || !joints) && field(node) == name;
+        graph.iter().find(|(id, node)| matches(node) && !own.contains(id)).map(|(id, _)| id)
+    };
+    [true, false].into_iter().find_map(|joints| fields.iter().find_map(|field| find(joints, *field)))
+}
+
+/// Roots of tendon, fixed to the rods, from the drawn ends of a muscle to the rods' axes.
+fn add_roots(scene: &mut Scene, arm: &Arm, nodes: &ArmNodes, spec: &MuscleSpec, drawn: &Drawn, tendon: MaterialId) {
+    let radii = spec.profile.radii();
+    for (end, point) in drawn.ends.into_iter().enumerate() {
+        let node = if point.bone == 0 { nodes.upper } else { nodes.elbow };
+        let belly = if end == 0 { radii.first() } else { radii.last() }.copied().unwrap_or(0.0);
+        let tip = if spec.tendons[end].length > 0.0 { spec.tendons[end].radius } else { belly };
+        let out = DVec3::new(point.local.x, 0.0, point.local.z).length();
+        // It leans away from the elbow, as a tendon does that has been pulled at.
+        let away = if point.bone == 0 { 1.0 } else { -1.0 };
+        let foot = DVec3::new(0.0, (point.local.y + away * 1.1 * out).clamp(-arm.upper.max(arm.lower), 0.0), 0.0);
+        let mesh = rods::root(tr!("muscle-material-tendon"), foot, point.local, [0.95 * arm.thickness, 0.92 * tip]);
+        rods::hang(scene, node, mesh, tendon);
+    }
+}

@@ -1,0 +1,187 @@
+//! The richer form: any number of muscles, on the arm or on the bones of a clip.
+
+use glam::DVec3;
+
+use super::decode::{At, Complaint, nearest};
+use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
+use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
+use crate::muscle::profile::{Profile, ProfileError};
+use crate::{limits, tr};
+
+/// Keys at the top of the richer form; one of them makes a file a richer one.
+pub const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "muscles"];
+/// Units by name, in metres.
+pub const UNITS: [(&str, f64); 4] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("in", 0.0254)];
+/// Most via points of one muscle.
+const VIA: usize = 8;
+
+pub fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
+    let map = root.map(KEYS)?;
+    let mut file = MuscleFile { form: Form::Rich, ..MuscleFile::default() };
+    if let Some(at) = map.get("unit") {
+        file.unit_metres = unit(&at)?;
+    }
+    if let Some(at) = map.get("clip") {
+        file.clip = Some(at.text()?.to_owned());
+    }
+    if let Some(at) = map.get("arm") {
+        if file.clip.is_some() {
+            return Err(at.complain(tr!("muscle-arm-and-clip")));
+        }
+        file.arm = Some(arm(&at)?);
+    }
+    if let Some(at) = map.get("joint") {
+        if file.arm.is_some() {
+            return Err(at.complain(tr!("muscle-arm-and-joint")));
+        }
+        file.joint = Some(joint(&at)?);
+    }
+    let list = map.need("muscles")?;
+    let items = list.items()?;
+    if items.is_empty() {
+        return Err(list.complain(tr!("muscle-no-muscles")));
+    }
+    if items.len() > limits::MUSCLES {
+        return Err(list.complain(tr!("muscle-too-many-muscles", count = items.len(), limit = limits::MUSCLES)));
+    }
+    file.muscles = items.iter().map(|at| muscle(at, file.arm.is_some())).collect::<Result<_, _>>()?;
+    Ok(file)
+}
+
+fn unit(at: &At<'_>) -> Result<f64, Complaint> {
+    match at.text() {
+        Ok(text) => {
+            let found = UNITS.iter().find(|(name, _)| *name == text);
+            found.map(|(_, metres)| *metres).ok_or_else(|| at.complain(tr!("muscle-unknown-unit", unit = text.to_owned())))
+        }
+        Err(_) => at.positive(false),
+    }
+}
+
+fn arm(at: &At<'_>) -> Result<Arm, Complaint> {
+    let map = at.map(&["upper", "forearm", "thickness", "flexion"])?;
+    let flexion = match map.get("flexion") {
+        Some(at) => Some(range(&at, 0.0, 180.0)?),
+        None => None,
+    };
+    Ok(Arm {
+        upper: map.need("upper")?.positive(false)?,
+        lower: map.need("forearm")?.positive(false)?,
+        thickness: map.need("thickness")?.positive(false)?,
+        flexion,
+    })
+}
+
+fn joint(at: &At<'_>) -> Result<JointSpec, Complaint> {
+    let map = at.map(&["bone", "axis", "range"])?;
+    let range = match map.get("range") {
+        Some(at) => range(&at, -360.0, 360.0)?,
+        None => [0.0, 150.0],
+    };
+    Ok(JointSpec { bone: map.need("bone")?.text()?.to_owned(), axis: direction(&map.need("axis")?)?, range })
+}
+
+fn range(at: &At<'_>, least: f64, most: f64) -> Result<[f64; 2], Complaint> {
+    let [low, high] = at.some_numbers::<2>()?;
+    if least <= low && low < high && high <= most {
+        return Ok([low, high]);
+    }
+    Err(at.complain(tr!("muscle-bad-range", name = at.name.clone(), least = least, most = most)))
+}
+
+fn direction(at: &At<'_>) -> Result<DVec3, Complaint> {
+    let direction = DVec3::from_array(at.some_numbers::<3>()?);
+    if direction.try_normalize().is_none() {
+        return Err(at.complain(tr!("muscle-no-direction", name = at.name.clone())));
+    }
+    Ok(direction)
+}
+
+fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, Complaint> {
+    let map = at.map(&["name", "color", "source", "length", "radii", "growth", "origin", "via", "wrap", "insertion", "tendons"])?;
+    let radii = map.need("radii")?;
+    let growth = map.need("growth")?;
+    let length = map.need("length")?;
+    let numbers = radii.items()?.iter().map(|item| item.positive(true)).collect::<Result<Vec<f64>, _>>()?;
+    let profile = Profile::new(numbers, growth.numbers()?, length.positive(false)?).map_err(|error| {
+        let at = match error {
+            ProfileError::LengthsDiffer { .. } | ProfileError::NoGrowth | ProfileError::BadGrowth(_) => &growth,
+            ProfileError::BadLength => &length,
+            _ => &radii,
+        };
+        at.complain(error.to_string())
+    })?;
+    let mut spec = MuscleSpec::new(profile);
+    if let Some(at) = map.get("name") {
+        spec.name = at.text()?.to_owned();
+    }
+    if let Some(at) = map.get("color") {
+        spec.color = Some(color(&at)?);
+    }
+    if let Some(at) = map.get("source") {
+        spec.source = at.text()?.to_owned();
+    }
+    for (end, key) in ["origin", "insertion"].into_iter().enumerate() {
+        let Some(at) = map.get(key) else { continue };
+        let anchor = Some(anchor(&at, on_arm)?);
+        if end == 0 { spec.origin = anchor } else { spec.insertion = anchor }
+    }
+    if spec.origin.is_some() != spec.insertion.is_some() {
+        return Err(at.complain(tr!("muscle-one-end", name = at.name.clone())));
+    }
+    for key in ["via", "wrap"] {
+        if let (Some(at), None) = (map.get(key), &spec.origin) {
+            return Err(at.complain(tr!("muscle-no-ends", name = key)));
+        }
+    }
+    if let Some(at) = map.get("via") {
+        let points = at.items()?;
+        if points.len() > VIA {
+            return Err(at.complain(tr!("muscle-too-many-via", limit = VIA, count = points.len())));
+        }
+        spec.via = points.iter().map(|point| anchor(point, on_arm)).collect::<Result<_, _>>()?;
+    }
+    if let Some(at) = map.get("wrap") {
+        let wrap = at.map(&["bone", "offset", "radius", "side"])?;
+        let center = Anchor { bone: bone(&wrap.need("bone")?, on_arm)?, offset: offset(wrap.get("offset"))? };
+        spec.wrap = Some(Wrap { center, radius: wrap.need("radius")?.positive(false)?, side: direction(&wrap.need("side")?)? });
+    }
+    if let Some(at) = map.get("tendons") {
+        let tendons = at.map(&["origin", "insertion"])?;
+        for (tendon, key) in spec.tendons.iter_mut().zip(["origin", "insertion"]) {
+            if let Some(at) = tendons.get(key) {
+                let map = at.map(&["length", "radius"])?;
+                *tendon = Tendon { length: map.need("length")?.positive(true)?, radius: map.need("radius")?.positive(false)? };
+            }
+        }
+    }
+    Ok(spec)
+}
+
+fn anchor(at: &At<'_>, on_arm: bool) -> Result<Anchor, Complaint> {
+    let map = at.map(&["bone", "offset"])?;
+    Ok(Anchor { bone: bone(&map.need("bone")?, on_arm)?, offset: offset(map.get("offset"))? })
+}
+
+fn offset(at: Option<At<'_>>) -> Result<DVec3, Complaint> {
+    at.map_or(Ok(DVec3::ZERO), |at| at.some_numbers::<3>().map(DVec3::from_array))
+}
+
+fn bone(at: &At<'_>, on_arm: bool) -> Result<String, Complaint> {
+    const BONES: &[&str] = &[UPPER_ARM, FOREARM];
+    let name = at.text()?;
+    if on_arm && !BONES.contains(&name) {
+        let near = nearest(name, BONES).unwrap_or(UPPER_ARM);
+        return Err(at.complain(tr!("muscle-unknown-arm-bone", bone = name.to_owned(), near = near, known = BONES.join(", "))));
+    }
+    Ok(name.to_owned())
+}
+
+fn color(at: &At<'_>) -> Result<[u8; 3], Complaint> {
+    let text = at.text()?;
+    let parsed = text.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.bytes().all(|byte| byte.is_ascii_hexdigit()));
+    match parsed.and_then(|digits| u32::from_str_radix(digits, 16).ok()) {
+        Some(number) => Ok([(number >> 16) as u8, (number >> 8) as u8, number as u8]),
+        None => Err(at.complain(tr!("muscle-bad-color", text = text.to_owned()))),
+    }
+}

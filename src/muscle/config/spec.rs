@@ -1,0 +1,119 @@
+//! What a muscle file says, as values.
+
+use glam::DVec3;
+
+use crate::muscle::arm::Arm;
+use crate::muscle::profile::Profile;
+
+/// Which of the two forms a file is written in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Form {
+    /// `muscle_config` and `carcass_config`: one muscle, millimetres.
+    #[default]
+    Report,
+    /// The richer form.
+    Rich,
+}
+
+/// What a YAML file describes: muscles, and the arm they are on if there is one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MuscleFile {
+    /// Metres a unit of the file.
+    pub unit_metres: f64,
+    /// The form it was written in, which it is saved in again where that form can say everything.
+    pub form: Form,
+    /// A clip to attach to: a path relative to the YAML file.
+    pub clip: Option<String>,
+    /// The two-rod arm.
+    pub arm: Option<Arm>,
+    /// The joint that measurements turn; on the two-rod arm it is the elbow and this is `None`.
+    pub joint: Option<JointSpec>,
+    /// The muscles.
+    pub muscles: Vec<MuscleSpec>,
+}
+
+impl Default for MuscleFile {
+    fn default() -> Self {
+        Self { unit_metres: 0.001, form: Form::Report, clip: None, arm: None, joint: None, muscles: Vec::new() }
+    }
+}
+
+/// A joint with one axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct JointSpec {
+    /// Id or name of the bone that turns, with everything below it.
+    pub bone: String,
+    /// Axis through the bone's node, along the bone's own axes.
+    pub axis: DVec3,
+    /// Least and greatest angle from the rest pose, degrees.
+    pub range: [f64; 2],
+}
+
+/// A muscle as its file describes it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MuscleSpec {
+    /// What a person calls it; empty where the file gives no name.
+    pub name: String,
+    /// Colour, sRGB; `None` = the palette's.
+    pub color: Option<[u8; 3]>,
+    /// Where the numbers come from, for a person to read.
+    pub source: String,
+    /// Shape at rest.
+    pub profile: Profile,
+    /// Where it begins.
+    pub origin: Option<Anchor>,
+    /// Points that it passes, in order.
+    pub via: Vec<Anchor>,
+    /// What it goes round.
+    pub wrap: Option<Wrap>,
+    /// Where it ends.
+    pub insertion: Option<Anchor>,
+    /// Tendons at the origin and at the insertion.
+    pub tendons: [Tendon; 2],
+}
+
+impl MuscleSpec {
+    /// A muscle of this shape, attached to nothing.
+    pub fn new(profile: Profile) -> Self {
+        Self {
+            name: String::new(),
+            color: None,
+            source: String::new(),
+            profile,
+            origin: None,
+            via: Vec::new(),
+            wrap: None,
+            insertion: None,
+            tendons: [Tendon::default(); 2],
+        }
+    }
+}
+
+/// A point on a bone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Anchor {
+    /// Id or name of the bone's node.
+    pub bone: String,
+    /// From the bone's node, along the bone's own axes, in the file's unit whatever the bone's scale.
+    pub offset: DVec3,
+}
+
+/// A ball, fixed to a bone, that a muscle goes round like a rope round a pulley.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wrap {
+    /// Its centre.
+    pub center: Anchor,
+    /// Its radius.
+    pub radius: f64,
+    /// The side on which the muscle passes: a direction along the bone's own axes.
+    pub side: DVec3,
+}
+
+/// A tendon: it goes on from the muscle's end and does not change its length.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Tendon {
+    /// Length; 0 = no tendon.
+    pub length: f64,
+    /// Radius.
+    pub radius: f64,
+}

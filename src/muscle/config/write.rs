@@ -1,0 +1,168 @@
+//! Muscle files as YAML: the same values, read back bit for bit; comments are not kept.
+
+use std::fmt::Write;
+
+use glam::DVec3;
+
+use super::rich::UNITS;
+use super::spec::{Anchor, Form, MuscleFile, MuscleSpec};
+use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
+
+impl MuscleFile {
+    /// The file as YAML, in the report's form where it was written in that and can be still, else in the richer one. Reading it again gives an
+    /// equal file.
+    pub fn to_yaml(&self) -> String {
+        let report = if self.form == Form::Report { report(self) } else { None };
+        report.unwrap_or_else(|| rich(self))
+    }
+}
+
+/// `None` where the report's form cannot say everything.
+fn report(file: &MuscleFile) -> Option<String> {
+    let [muscle] = file.muscles.as_slice() else { return None };
+    let plain =
+        MuscleSpec { origin: muscle.origin.clone(), insertion: muscle.insertion.clone(), ..MuscleSpec::new(muscle.profile.clone()) };
+    if *muscle != plain || file.unit_metres != 0.001 || file.clip.is_some() || file.joint.is_some() {
+        return None;
+    }
+    let mut text = String::from("muscle_config:\n");
+    line(&mut text, 2, "radiuses", &numbers(muscle.profile.radii()));
+    line(&mut text, 2, "grow_mults", &numbers(muscle.profile.growth()));
+    line(&mut text, 2, "len", &number(muscle.profile.rest_length()));
+    let Some(arm) = &file.arm else {
+        return (muscle.origin.is_none() && muscle.insertion.is_none()).then_some(text);
+    };
+    let (upper, lower) = (depth(muscle.origin.as_ref()?, UPPER_ARM)?, depth(muscle.insertion.as_ref()?, FOREARM)?);
+    let (above, rest) = (rest_of(arm.upper, upper)?, rest_of(arm.lower, lower)?);
+    if arm.flexion.is_some() || above <= 0.0 || lower <= 0.0 {
+        return None;
+    }
+    text.push_str("\ncarcass_config:\n");
+    line(&mut text, 2, "data", &format!("[{}, {}]", numbers(&[upper, above]), numbers(&[lower, rest])));
+    line(&mut text, 2, "thickness", &number(arm.thickness));
+    Some(text)
+}
+
+/// How far down the axis of `bone` an attachment lies; `None` where it lies elsewhere.
+fn depth(anchor: &Anchor, bone: &str) -> Option<f64> {
+    let DVec3 { x, y, z } = anchor.offset;
+    (anchor.bone == bone && x == 0.0 && z == 0.0 && y <= 0.0).then_some(-y + 0.0)
+}
+
+/// The number that, added to `part`, gives exactly `whole`: of those the roundest.
+fn rest_of(whole: f64, part: f64) -> Option<f64> {
+    let plain = whole - part;
+    let rounded = (0..=12).filter_map(|digits| format!("{plain:.digits$}").parse::<f64>().ok());
+    rounded.chain([plain, plain.next_up(), plain.next_down()]).find(|rest| *rest >= 0.0 && part + rest == whole)
+}
+
+fn rich(file: &MuscleFile) -> String {
+    let mut text = String::new();
+    let unit = UNITS.iter().find(|(_, metres)| *metres == file.unit_metres);
+    line(&mut text, 0, "unit", &unit.map_or_else(|| number(file.unit_metres), |(name, _)| (*name).to_owned()));
+    if let Some(clip) = &file.clip {
+        line(&mut text, 0, "clip", &quoted(clip));
+    }
+    if let Some(Arm { upper, lower, thickness, flexion }) = file.arm {
+        text.push_str("arm:\n");
+        for (key, value) in [("upper", upper), ("forearm", lower), ("thickness", thickness)] {
+            line(&mut text, 2, key, &number(value));
+        }
+        if let Some(range) = flexion {
+            line(&mut text, 2, "flexion", &numbers(&range));
+        }
+    }
+    if let Some(joint) = &file.joint {
+        text.push_str("joint:\n");
+        line(&mut text, 2, "bone", &quoted(&joint.bone));
+        line(&mut text, 2, "axis", &numbers(&joint.axis.to_array()));
+        line(&mut text, 2, "range", &numbers(&joint.range));
+    }
+    text.push_str("muscles:\n");
+    for muscle in &file.muscles {
+        text.push_str("  -\n");
+        write_muscle(&mut text, muscle);
+    }
+    text
+}
+
+fn write_muscle(text: &mut String, muscle: &MuscleSpec) {
+    if !muscle.name.is_empty() {
+        line(text, 4, "name", &quoted(&muscle.name));
+    }
+    if let Some([red, green, blue]) = muscle.color {
+        line(text, 4, "color", &format!("\"#{red:02X}{green:02X}{blue:02X}\""));
+    }
+    if !muscle.source.is_empty() {
+        line(text, 4, "source", &quoted(&muscle.source));
+    }
+    line(text, 4, "length", &number(muscle.profile.rest_length()));
+    line(text, 4, "radii", &numbers(muscle.profile.radii()));
+    line(text, 4, "growth", &numbers(muscle.profile.growth()));
+    if let Some(origin) = &muscle.origin {
+        line(text, 4, "origin", &anchor(origin));
+    }
+    if !muscle.via.is_empty() {
+        text.push_str("    via:\n");
+        for point in &muscle.via {
+            let _ = writeln!(text, "      - {}", anchor(point));
+        }
+    }
+    if let Some(wrap) = &muscle.wrap {
+        text.push_str("    wrap:\n");
+        line(text, 6, "bone", &quoted(&wrap.center.bone));
+        line(text, 6, "offset", &numbers(&wrap.center.offset.to_array()));
+        line(text, 6, "radius", &number(wrap.radius));
+        line(text, 6, "side", &numbers(&wrap.side.to_array()));
+    }
+    if let Some(insertion) = &muscle.insertion {
+        line(text, 4, "insertion", &anchor(insertion));
+    }
+    if muscle.tendons.iter().any(|tendon| tendon.length != 0.0 || tendon.radius != 0.0) {
+        text.push_str("    tendons:\n");
+        for (tendon, key) in muscle.tendons.iter().zip(["origin", "insertion"]) {
+            if tendon.length != 0.0 || tendon.radius != 0.0 {
+                line(text, 6, key, &format!("{{length: {}, radius: {}}}", number(tendon.length), number(tendon.radius)));
+            }
+        }
+    }
+}
+
+fn anchor(anchor: &Anchor) -> String {
+    format!("{{bone: {}, offset: {}}}", quoted(&anchor.bone), numbers(&anchor.offset.to_array()))
+}
+
+fn line(text: &mut String, indent: usize, key: &str, value: &str) {
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "{:indent$}{key}: {value}", "");
+}
+
+fn numbers(values: &[f64]) -> String {
+    let list: Vec<String> = values.iter().map(|value| number(*value)).collect();
+    format!("[{}]", list.join(", "))
+}
+
+/// The shortest digits that read back as the same number.
+fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// Text in double quotes, with everything escaped that YAML does not take as it is.
+fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for letter in text.chars() {
+        match letter {
+            '"' | '\\' => out.extend(['\\', letter]),
+            '\n' => out.push_str("\\n"),
+            '\t' => out.push_str("\\t"),
+            ' '..='~' | '\u{a0}'..='\u{2027}' | '\u{202a}'..='\u{d7ff}' | '\u{e000}'..='\u{fefe}' | '\u{ff00}'..='\u{fffd}' => {
+                out.push(letter)
+            }
+            other => {
+                let _ = write!(out, "\\U{:08X}", u32::from(other));
+            }
+        }
+    }
+    out.push('"');
+    out
+}
