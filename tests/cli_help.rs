@@ -55,7 +55,7 @@ fn help_names_every_option_of_the_contract() {
     );
     options("render", &["--wireframe", "--no-materials", "--no-normals", "--background", "--turntable", "--threads", "--stats"]);
     options("export", &moment);
-    options("measure", &["--angles", "--sweep", "--csv", "--json"]);
+    options("measure", &["--angles", "--sweep", "--compare", "--csv", "--json"]);
 }
 
 /// Wrong calls with a part of what is said about each.

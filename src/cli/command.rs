@@ -118,11 +118,17 @@ fn measure() -> Command {
         &[
             ("sinew measure biceps.yaml --angles 0,30,60,90", "cli-example-measure"),
             ("sinew measure biceps.yaml --sweep 0:120:5 --csv > biceps.csv", "cli-example-measure-csv"),
+            ("sinew measure biceps.yaml --compare radii.csv", "cli-example-measure-compare"),
         ],
     )
     .arg(file())
     .arg(option("angles", "DEG,DEG,…", values::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
     .arg(option("sweep", "FROM:TO:STEP", values::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
+    .arg(
+        option("compare", "CSV", clap::value_parser!(PathBuf), "cli-arg-compare", heading)
+            .conflicts_with_all(["angles", "sweep"])
+            .value_hint(clap::ValueHint::FilePath),
+    )
     .arg(flag("csv", "cli-arg-csv", heading).conflicts_with("json"))
     .arg(flag("json", "cli-arg-json", heading))
 }

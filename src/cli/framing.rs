@@ -5,6 +5,7 @@
 
 use clap::ArgMatches;
 
+use super::moment::is_drivable;
 use super::value;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::scene::{Bounds, Camera, Frame, OrbitCamera, View};
@@ -90,7 +91,7 @@ pub fn reach(document: &Document, state: &PoseState) -> Bounds {
         Some(clip) if clip.duration() > 0.0 => {
             parts.for_each(|part| see(&PoseState { time: clip.start + clip.duration() * part, ..*state }))
         }
-        _ => match document.driven_rig() {
+        _ => match document.driven_rig().filter(|rig| is_drivable(rig)) {
             Some(rig) => parts.for_each(|part| see(&PoseState { drive: rig.at_contraction(100.0 * part), ..*state })),
             None => see(state),
         },

@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::check::FindingReport;
 use super::failure::{Failure, answer, answer_json, display_name};
 use super::files;
+use super::measure::{unit_for_people, unit_name};
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers, SourceKind};
 use crate::i18n::decimal;
@@ -172,7 +173,8 @@ impl Info {
                 name = muscle.name.clone(),
                 nodes = muscle.nodes,
                 length = number(muscle.rest_length),
-                volume = number(muscle.volume)
+                volume = number(muscle.volume),
+                unit = unit_for_people(&unit_name(self.unit_metres))
             );
             rows.push((tr!("cli-info-muscle"), value));
         }

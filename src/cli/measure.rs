@@ -1,10 +1,12 @@
 //! `sinew measure`: muscles in numbers.
 
 use std::fmt::Write as _;
+use std::path::PathBuf;
 
 use clap::ArgMatches;
 use serde::Serialize;
 
+use super::compare::Comparison;
 use super::failure::{Failure, answer, answer_json, display_name};
 use super::values::Angles;
 use super::{files, value};
@@ -35,16 +37,17 @@ struct MuscleRows {
     samples: Vec<Row>,
 }
 
+/// One row of a measurement; lengths are in the file's unit.
 #[derive(Debug, Serialize)]
-struct Row {
+pub struct Row {
     /// Degrees; none for a muscle that is on no arm.
-    angle: Option<f64>,
-    length: f64,
+    pub angle: Option<f64>,
+    pub length: f64,
     moment_arm: Option<f64>,
-    volume: f64,
+    pub volume: f64,
     volume_error: f64,
     delta: f64,
-    radii: Vec<f64>,
+    pub radii: Vec<f64>,
     largest_radius: f64,
     /// Length from origin to insertion, tendons counted.
     path_length: f64,
@@ -59,6 +62,16 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let file = files.first().cloned().unwrap_or_default();
     if document.muscle_count() == 0 {
         return Err(Failure::file(&file, tr!("cli-measure-no-muscle")));
+    }
+    if let Some(csv) = value::<PathBuf>(given, "compare") {
+        let comparison = Comparison::of(&document, &file, &csv)?;
+        return if given.get_flag("json") {
+            answer_json(&comparison)
+        } else if given.get_flag("csv") {
+            answer(&comparison.csv())
+        } else {
+            answer(&comparison.text())
+        };
     }
     let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
     let measurement = Measurement {
@@ -85,7 +98,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
 
 /// Samples of one muscle at these angles; `None` where there are angles but no arm to bend.
 fn samples(document: &Document, rig: &Rig, first: MuscleId, index: usize, angles: Option<&[f64]>) -> Option<Vec<Row>> {
-    if rig.flexion_range().is_some() {
+    if rig.measured_range().is_some() {
         return Some(rig.measure(index, angles.unwrap_or(&ANGLES)).iter().map(Row::at_angle).collect());
     }
     if angles.is_some() {
@@ -101,8 +114,9 @@ fn samples(document: &Document, rig: &Rig, first: MuscleId, index: usize, angles
 }
 
 impl Row {
-    fn at_angle(sample: &Sample) -> Self {
-        Self { angle: Some(sample.angle), moment_arm: Some(sample.moment_arm), ..Self::alone(&sample.solved) }
+    /// A sample at an elbow angle.
+    pub fn at_angle(sample: &Sample) -> Self {
+        Self { angle: Some(sample.angle), moment_arm: Some(sample.moment_arm + 0.0), ..Self::alone(&sample.solved) }
     }
 
     fn alone(solved: &Solved) -> Self {
@@ -111,8 +125,9 @@ impl Row {
             length: solved.length,
             moment_arm: None,
             volume: solved.volume,
-            volume_error: solved.volume_error,
-            delta: solved.delta,
+            volume_error: solved.volume_error + 0.0,
+            // `+ 0.0` turns a negative zero into zero.
+            delta: solved.delta + 0.0,
             radii: solved.radii.clone(),
             largest_radius: solved.radii.iter().copied().fold(0.0, f64::max),
             path_length: solved.path_length,
@@ -136,8 +151,12 @@ impl Measurement {
                 let [length, volume, error, delta, largest, path] = cells;
                 let (angle, arm) = (optional(row.angle), optional(row.moment_arm));
                 // Writing to a string cannot fail.
-                let _ =
-                    write!(text, "{},{angle},{length},{arm},{volume},{error},{delta},{largest},{path},{}", cell(&muscle.name), row.held);
+                let _ = write!(
+                    text,
+                    "{},{angle},{length},{arm},{volume},{error},{delta},{largest},{path},{}",
+                    csv_cell(&muscle.name),
+                    row.held
+                );
                 row.radii.iter().for_each(|radius| text.push_str(&format!(",{radius}")));
                 text.push('\n');
             }
@@ -147,7 +166,7 @@ impl Measurement {
 
     /// A table a muscle, for people.
     fn text(&self) -> String {
-        let unit = &self.unit;
+        let unit = &unit_for_people(&self.unit);
         let mut text = String::new();
         for muscle in &self.muscles {
             if !text.is_empty() {
@@ -187,7 +206,7 @@ impl Measurement {
 }
 
 /// Right-aligned columns.
-fn columns(rows: &[Vec<String>]) -> String {
+pub fn columns(rows: &[Vec<String>]) -> String {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let widths: Vec<usize> =
         (0..count).map(|i| rows.iter().filter_map(|row| row.get(i)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();
@@ -202,23 +221,34 @@ fn columns(rows: &[Vec<String>]) -> String {
 }
 
 /// A cell of a CSV file, in quotes where it must be (RFC 4180).
-fn cell(text: &str) -> String {
+pub fn csv_cell(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
 }
 
-/// The name of the unit of the file's lengths.
-fn unit(document: &Document) -> String {
+/// The name of the unit of the muscles' lengths.
+pub fn unit(document: &Document) -> String {
     let metres = document.sources.iter().find_map(|source| match &source.kind {
         SourceKind::Muscles(file, _) => Some(file.unit_metres),
         SourceKind::Collada(_) => None,
     });
+    unit_name(metres.unwrap_or(1.0))
+}
+
+/// The name of a unit that is this many metres long.
+pub fn unit_name(metres: f64) -> String {
     let known = [(1e-3, "mm"), (1e-2, "cm"), (1.0, "m"), (0.0254, "in")];
-    match metres {
-        Some(metres) => known
-            .iter()
-            .find(|(value, _)| (value - metres).abs() <= 1e-9 * value)
-            .map_or_else(|| format!("{metres} m"), |(_, name)| (*name).to_owned()),
-        None => "m".to_owned(),
+    let found = known.iter().find(|(value, _)| (value - metres).abs() <= 1e-9 * value);
+    found.map_or_else(|| format!("{metres} m"), |(_, name)| (*name).to_owned())
+}
+
+/// The same in the user's language.
+pub fn unit_for_people(unit: &str) -> String {
+    match unit {
+        "mm" => tr!("cli-unit-mm"),
+        "cm" => tr!("cli-unit-cm"),
+        "m" => tr!("cli-unit-m"),
+        "in" => tr!("cli-unit-in"),
+        other => other.to_owned(),
     }
 }
 
@@ -228,8 +258,8 @@ mod tests {
 
     #[test]
     fn cells_are_quoted_where_they_must_be() {
-        assert_eq!(cell("biceps"), "biceps");
-        assert_eq!(cell("long, \"short\""), "\"long, \"\"short\"\"\"");
+        assert_eq!(csv_cell("biceps"), "biceps");
+        assert_eq!(csv_cell("long, \"short\""), "\"long, \"\"short\"\"\"");
     }
 
     #[test]

@@ -5,11 +5,13 @@
 
 mod check;
 mod command;
+mod compare;
 mod export;
 mod failure;
 mod framing;
 mod info;
 mod measure;
+mod measured;
 mod moment;
 mod render;
 mod sequence;

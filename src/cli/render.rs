@@ -8,7 +8,7 @@ use glam::Vec3;
 use super::export::{ending, refuse_overwriting};
 use super::failure::{Failure, complain, display_name};
 use super::framing::{Direction, Eye, posed_bounds, reach};
-use super::moment::Moment;
+use super::moment::{Moment, is_drivable};
 use super::sequence::{Pattern, Sequence, Shot};
 use super::values::Backdrop;
 use super::{files, value};
@@ -200,7 +200,7 @@ fn shot_note(document: &Document, shot: &Shot) -> String {
     if let Some(clip) = shot.state.clip.and_then(|index| document.clips.get(index)) {
         note.push_str(&format!(" --clip {} --time {}", quoted(&clip.name), shot.state.time));
     }
-    if document.driven_rig().is_some() {
+    if document.driven_rig().is_some_and(is_drivable) {
         // `+ 0.0` turns a negative zero into zero.
         note.push_str(&format!(" --contraction {}", shot.state.drive.contraction + 0.0));
     }
