@@ -46,11 +46,11 @@ pub fn parse(text: &str) -> Result<roxmltree::Document<'_>, ReadError> {
     }
     let nodes_limit = u32::try_from(budget / NODE_BYTES).unwrap_or(u32::MAX);
     let options = roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
-    roxmltree::Document::parse_with_options(text, options).map_err(|error| refused(&error))
+    roxmltree::Document::parse_with_options(text, options).map_err(|error| refused(&error, text))
 }
 
 /// The parser's error in the user's language.
-fn refused(error: &roxmltree::Error) -> ReadError {
+fn refused(error: &roxmltree::Error, text: &str) -> ReadError {
     use roxmltree::Error;
     let position = error.pos();
     let (line, column) = (Some(position.row), position.col);
@@ -58,7 +58,11 @@ fn refused(error: &roxmltree::Error) -> ReadError {
         Error::UnexpectedCloseTag(expected, actual, _) => {
             ReadError { line, message: tr!("collada-xml-close-tag", expected = expected.as_str(), actual = actual.as_str()) }
         }
-        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => ReadError { line: None, message: tr!("collada-xml-cut-short") },
+        Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
+            // Cut short is seen at the end, and the last line with anything on it is where to look.
+            let end = text.trim_end().len();
+            ReadError { line: Some(line_at(text.as_bytes(), end)), message: tr!("collada-xml-cut-short") }
+        }
         Error::NoRootNode => ReadError { line: None, message: tr!("collada-not-xml") },
         Error::UnknownEntityReference(name, _) => ReadError { line, message: tr!("collada-xml-unknown-entity", name = name.as_str()) },
         Error::EntityReferenceLoop(_) => ReadError { line, message: tr!("collada-xml-entity-loop") },
@@ -222,7 +226,7 @@ mod tests {
 
     #[test]
     fn broken_documents_name_their_line() {
-        for (text, line) in [("<a>\n<b>\n</a>", Some(3)), ("<a>\n<b", None), ("<a>\n<b c=1/></a>", Some(2)), ("hello", Some(1))] {
+        for (text, line) in [("<a>\n<b>\n</a>", Some(3)), ("<a>\n<b", Some(2)), ("<a>\n<b c=1/></a>", Some(2)), ("hello", Some(1))] {
             assert_eq!(parse(text).err().map(|error| error.line), Some(line), "{text}");
         }
     }

@@ -6,7 +6,6 @@ muscle-shoulder = Shoulder
 muscle-elbow = Elbow
 muscle-wrist = Wrist
 muscle-material-bone = Bone
-muscle-material-muscle = Muscle
 muscle-material-tendon = Tendon
 
 muscle-too-few-nodes = A muscle needs at least 2 nodes, this one has { $count }.

@@ -6,7 +6,6 @@ muscle-shoulder = Плечевой сустав
 muscle-elbow = Локоть
 muscle-wrist = Запястье
 muscle-material-bone = Кость
-muscle-material-muscle = Мышца
 muscle-material-tendon = Сухожилие
 
 muscle-too-few-nodes = У мышцы должно быть не меньше 2 узлов, а здесь { $count }.
