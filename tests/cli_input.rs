@@ -86,6 +86,42 @@ fn broken_yaml_has_line_and_column() {
 }
 
 #[test]
+fn hostile_numbers_harm_nobody() {
+    let folder = folder();
+    let (picture, object) = (folder.path().join("out.png"), folder.path().join("out.obj"));
+    let plain = "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1";
+    for (points, transform) in [
+        ("NaN 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", ""),
+        ("0 0 INF 1 0 0 1 -INF 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1", ""),
+        ("0 0 0 3e38 0 0 3e38 3e38 0 0 3e38 0 0 0 -3e38 1 0 1 1 1 1 0 1 1", ""),
+        ("0 0 0 1e-45 0 0 1e-45 1e-45 0 0 1e-45 0 0 0 1e-45 1e-45 0 1e-45 1e-45 1e-45 1e-45 0 1e-45 1e-45", ""),
+        (plain, "<scale>0 0 0</scale>"),
+        (plain, "<scale>1e300 1e300 1e300</scale>"),
+        (plain, "<translate>1e39 0 0</translate>"),
+        (plain, "<rotate>0 1 0 1e308</rotate>"),
+        (plain, "<matrix>NaN 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>"),
+        (plain, "<matrix>0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0</matrix>"),
+    ] {
+        let file = models::write(folder.path(), "hostile.dae", &models::cube(transform).replace(plain, points));
+        for arguments in [
+            vec!["info", arg(&file), "--json"],
+            vec!["check", arg(&file)],
+            vec!["render", arg(&file), "-o", arg(&picture), "--size", "64x48", "--bones", "--wireframe"],
+            vec!["export", arg(&file), "-o", arg(&object)],
+        ] {
+            let ended = sinew(&arguments);
+            assert!(matches!(ended.code, 0 | 1) && !ended.err.contains("panicked"), "{arguments:?} {transform}: {}", ended.err);
+            if arguments[0] == "info" && ended.code == 0 {
+                serde_json::from_str::<serde_json::Value>(&ended.out).expect("JSON knows no NaN");
+            }
+        }
+        if let Ok(text) = std::fs::read_to_string(&object) {
+            assert!(!text.contains("NaN") && !text.contains("inf"), "{points} {transform}");
+        }
+    }
+}
+
+#[test]
 fn check_goes_on_after_a_bad_file() {
     let folder = folder();
     let good = models::write(folder.path(), "good.dae", &models::column());

@@ -133,8 +133,10 @@ impl Info {
     }
 
     fn text(&self) -> String {
-        let mut rows =
-            vec![(tr!("cli-info-file"), self.file.clone()), (tr!("cli-info-format"), format!("{} {}", self.format, self.version))];
+        let mut rows = vec![
+            (tr!("cli-info-file"), self.file.clone()),
+            (tr!("cli-info-format"), format!("{} {}", self.format, self.version).trim_end().to_owned()),
+        ];
         if !self.authoring_tool.is_empty() {
             rows.push((tr!("cli-info-tool"), self.authoring_tool.clone()));
         }
@@ -187,9 +189,9 @@ impl Info {
     }
 }
 
-/// A number in text: up to six digits after the decimal mark, none that say nothing.
+/// A number in text: up to six digits after the decimal mark, fewer for large numbers, none that say nothing.
 fn number(value: f64) -> String {
-    let text = decimal(value, 6);
+    let text = decimal(value, if value.abs() < 1000.0 { 6 } else { 1 });
     if text.contains(['.', ',']) { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
 }
 

@@ -17,7 +17,7 @@ use crate::document::{Document, PoseBuffers};
 use crate::export::palette::Sampler;
 use crate::export::{gif, png};
 use crate::render::{Background, Display, Framebuffer, Renderer, Samples, Shading};
-use crate::scene::Frame;
+use crate::scene::{Content, Frame};
 use crate::tr;
 
 /// Columns and rows where the call does not say.
@@ -55,7 +55,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         document: &document,
         sequence,
         eye,
-        display: display(given),
+        display: display(given, !shows_surface(&document)),
         renderer: Renderer::new(value(given, "threads")),
         buffers: PoseBuffers::default(),
         frame: Frame::default(),
@@ -95,8 +95,15 @@ impl Target {
     }
 }
 
-/// How things look, from the options. What is only a help on the screen, such as the ground grid, stays away.
-fn display(given: &ArgMatches) -> Display {
+/// Whether anything but bones is there to be drawn.
+fn shows_surface(document: &Document) -> bool {
+    let drawn = |content: &Content| matches!(content, Content::Mesh(_) | Content::Muscle(_));
+    document.scene.graph.iter().any(|(_, node)| node.contents.iter().any(drawn))
+}
+
+/// How things look, from the options. What is only a help on the screen, such as the ground grid, stays away; the bones of a file that has
+/// nothing else are drawn without being asked for.
+fn display(given: &ArgMatches, only_bones: bool) -> Display {
     let usual = Display::default();
     Display {
         shading: match value::<String>(given, "shading").as_deref() {
@@ -108,7 +115,7 @@ fn display(given: &ArgMatches) -> Display {
         materials: !given.get_flag("no-materials"),
         smooth_normals: !given.get_flag("no-normals"),
         wireframe: given.get_flag("wireframe"),
-        bones: given.get_flag("bones"),
+        bones: only_bones || given.get_flag("bones"),
         grid: false,
         background: match value::<Backdrop>(given, "background") {
             Some(Backdrop::None) => Background::Transparent,
