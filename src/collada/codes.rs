@@ -20,7 +20,7 @@ codes! {
     BAD_UP_AXIS = "bad-up-axis";
     /// Two elements have the same id; references mean the first one that fits.
     REPEATED_ID = "repeated-id";
-    /// A reference names an element that is not in the file.
+    /// A reference names an element that is not in the file, or one of the wrong kind.
     BROKEN_REFERENCE = "broken-reference";
     /// A reference names another document, which is not loaded.
     EXTERNAL_REFERENCE = "external-reference";
@@ -56,6 +56,8 @@ codes! {
     JOINT_NOT_FOUND = "joint-not-found";
     /// Joint names with blanks in them were put together again.
     JOINT_NAMES_REJOINED = "joint-names-rejoined";
+    /// A skin names a skeleton that the scene doesn't show; it is added.
+    SKELETON_NOT_IN_SCENE = "skeleton-not-in-scene";
     /// A skin lacks something that it needs.
     BAD_SKIN = "bad-skin";
     /// The weights of a skin speak of more or fewer points than the mesh has.

@@ -79,7 +79,11 @@ impl<'a> Context<'a> {
             Url::Local(id) => {
                 let found = self.lookup.by_id(&id, tags);
                 if found.is_none() {
-                    self.report.warn(from, codes::BROKEN_REFERENCE, tr!("collada-broken-reference", target = shortened(url)));
+                    let message = match self.lookup.by_id(&id, &[]) {
+                        Some(other) => tr!("collada-wrong-reference", target = shortened(url), tag = other.tag_name().name()),
+                        None => tr!("collada-broken-reference", target = shortened(url)),
+                    };
+                    self.report.warn(from, codes::BROKEN_REFERENCE, message);
                 }
                 found
             }

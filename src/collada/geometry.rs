@@ -211,10 +211,11 @@ impl<'a> RawLayout<'a> {
             raw.add(context, *input, input.offset);
         }
         for vertex in own.iter().filter(|input| input.semantic == "VERTEX") {
-            if let Some(vertices) = context.follow(vertex.element, "source", &["vertices"]) {
-                for input in inputs(vertices) {
-                    raw.add(context, input, vertex.offset);
-                }
+            // A mesh has one `vertices` only, so a broken reference can mean no other.
+            let named = context.follow(vertex.element, "source", &["vertices"]);
+            let vertices = named.or_else(|| element.parent().and_then(|mesh| child(mesh, "vertices")));
+            for input in vertices.map(inputs).unwrap_or_default() {
+                raw.add(context, input, vertex.offset);
             }
         }
         raw

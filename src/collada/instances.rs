@@ -92,10 +92,9 @@ impl<'a> Libraries<'_, 'a> {
         let has_skin = chain.links.iter().any(|link| matches!(link, Link::Skin(_)));
         for skeleton in children(instance.element, "skeleton").filter(|_| has_skin) {
             let text = text_of(skeleton);
-            if let Some(root) = context.resolve(skeleton, text.trim(), &["node"])
-                && let Some(node) = self.tree.nearest(&scene.graph, instance.node, self.tree.nodes_of(root))
-            {
-                roots.push(node);
+            let Some(root) = context.resolve(skeleton, text.trim(), &["node", "visual_scene"]) else { continue };
+            if root.tag_name().name() == "node" {
+                roots.extend(self.tree.nearest(&scene.graph, instance.node, self.tree.nodes_of(root)));
             }
         }
         let mut deformers = Vec::new();

@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use glam::{DMat4, DVec3};
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, child, children, id_of, name_of, vector};
+use super::context::{Context, Step, child, children, id_of, name_of, text_of, vector};
+use super::lookup::Url;
 use super::{Asset, El, asset, codes};
 use crate::scene::{Graph, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::{limits, tr};
@@ -74,6 +75,10 @@ impl<'a> Tree<'a> {
         while let Some(work) = todo.pop() {
             tree.add(context, scene, asset, work, &mut todo)?;
         }
+        tree.loose_skeletons(context, root, &mut todo);
+        while let Some(work) = todo.pop() {
+            tree.add(context, scene, asset, work, &mut todo)?;
+        }
         tree.finish(&scene.graph);
         Ok(tree)
     }
@@ -132,6 +137,28 @@ impl<'a> Tree<'a> {
             self.instances.push(Instance { node: id, element: target });
         }
         Ok(())
+    }
+
+    /// Skeletons that skins name but no scene shows: without their joints the skins could not be posed.
+    fn loose_skeletons(&self, context: &mut Context<'a>, root: NodeId, todo: &mut Vec<Todo<'a>>) {
+        let mut tops: Vec<El<'a>> = Vec::new();
+        for instance in &self.instances {
+            for skeleton in children(instance.element, "skeleton") {
+                let text = text_of(skeleton);
+                let Url::Local(id) = context.lookup.url(&text) else { continue };
+                let Some(node) = context.lookup.by_id(&id, &["node"]) else { continue };
+                if self.by_element.contains_key(&node.id()) {
+                    continue;
+                }
+                let is_node = |element: &El<'a>| element.tag_name().name() == "node";
+                let top = node.ancestors().take_while(is_node).last().unwrap_or(node);
+                if !tops.contains(&top) && context.spend(skeleton, 8 * tops.len()) {
+                    context.report.warn(skeleton, codes::SKELETON_NOT_IN_SCENE, tr!("collada-skeleton-not-in-scene"));
+                    tops.push(top);
+                }
+            }
+        }
+        todo.extend(tops.into_iter().rev().map(|element| Todo { element, parent: root, depth: 1, space: None }));
     }
 
     /// Whether `node` or one above it was made from `element`.

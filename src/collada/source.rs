@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::rc::Rc;
 
 use roxmltree::NodeId;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::context::{Context, Step, child, children, text_of};
 use super::numbers::{Real, names};
@@ -62,11 +62,13 @@ impl<T: Copy> Accessor<T> {
 /// The arrays that were read, so that each is read once.
 pub struct Arrays<T> {
     read: FxHashMap<NodeId, Rc<[T]>>,
+    /// Accessors whose count was found wrong, so that it is said once.
+    said: FxHashSet<NodeId>,
 }
 
 impl<T> Default for Arrays<T> {
     fn default() -> Self {
-        Self { read: FxHashMap::default() }
+        Self { read: FxHashMap::default(), said: FxHashSet::default() }
     }
 }
 
@@ -88,6 +90,7 @@ impl<T: Real> Arrays<T> {
         let available = room.map_or(0, |room| room / layout.stride + 1);
         if let (Some(given), Some(accessor)) = (given, accessor)
             && given > available
+            && self.said.insert(accessor.id())
         {
             let message = tr!("collada-count-mismatch", said = given, found = available);
             context.report.warn(accessor, codes::COUNT_MISMATCH, message);

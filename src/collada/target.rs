@@ -110,9 +110,18 @@ impl<'s, 'a> Aims<'s, 'a> {
                 }
             };
         };
-        // An id may stand on a mesh and on a node; what is animated is rarely the mesh.
-        let animated = ["node", "controller", "source", "effect", "material", "light", "camera"];
-        let start = context.lookup.by_id(first, &animated).or_else(|| context.lookup.by_id(first, &[]))?;
+        // Exporters give one id to a node and to what hangs on it; what is animated is the node, mostly.
+        for tags in [&["node"][..], &["controller", "source", "effect", "material", "light", "camera"], &[]] {
+            if let Some(start) = context.lookup.by_id(first, tags)
+                && let Some(found) = self.below(context, start, middle, last)
+            {
+                return Some(found);
+            }
+        }
+        None
+    }
+
+    fn below(&self, context: &mut Context<'a>, start: El<'a>, middle: &[&str], last: &str) -> Option<(El<'a>, Member, bool)> {
         let mut element = middle.iter().try_fold(start, |element, sid| context.lookup.by_sid(element, sid))?;
         if element.tag_name().name() == "material" {
             let instance = super::context::child(element, "instance_effect")?;

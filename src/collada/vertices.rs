@@ -133,7 +133,7 @@ impl Builder {
             vertex = self.links.get(vertex as usize).copied().unwrap_or(NONE);
             walked += 1;
         }
-        if vertex != NONE {
+        if walked == CHAIN {
             let mut key = self.key.clone();
             key.push(point as i32);
             if let Some(known) = self.overflow.get(&key) {

@@ -29,6 +29,7 @@ collada-bad-unit = The unit “{ $value }” is not a positive number; 1 metre i
 collada-bad-up-axis = The up axis “{ $value }” is none of X_UP, Y_UP, Z_UP; Y_UP is used.
 collada-repeated-id = Another element has this id already; references mean the first one that fits.
 collada-broken-reference = Refers to “{ $target }”, which is not in the file; left out.
+collada-wrong-reference = Refers to “{ $target }”, which is a <{ $tag }> and cannot stand here; left out.
 collada-external-reference = Refers to another file, “{ $file }”, which is not loaded.
 collada-reference-cycle = Refers to itself in a circle; left out.
 collada-bad-number = { $count ->
@@ -64,6 +65,7 @@ collada-joint-not-found = { $count ->
     [one] The joint “{ $first }” is not in the scene; it stays in its bind pose.
    *[other] { $count } joints are not in the scene, the first is “{ $first }”; they stay in their bind pose.
 }
+collada-skeleton-not-in-scene = The skeleton is not part of the scene; it was added to it.
 collada-joint-names-rejoined = Joint names have blanks in them; they were put together again.
 collada-joint-count = There are { $names } joint names and { $matrices } inverse bind matrices; the number of matrices is used.
 collada-bad-skin = The skin has no usable { $what }.

@@ -29,6 +29,7 @@ collada-bad-unit = Единица «{ $value }» — не положительн
 collada-bad-up-axis = Ось «{ $value }» — не X_UP, Y_UP или Z_UP; принята Y_UP.
 collada-repeated-id = Такой id уже есть у другого элемента; ссылки ведут к первому подходящему.
 collada-broken-reference = Ссылка на «{ $target }», которого нет в файле; пропущено.
+collada-wrong-reference = Ссылка на «{ $target }» ведёт к <{ $tag }>, которому здесь не место; пропущено.
 collada-external-reference = Ссылка на другой файл, «{ $file }»; он не загружается.
 collada-reference-cycle = Ссылка замыкается сама на себя; пропущено.
 collada-bad-number = { $count ->
@@ -67,6 +68,7 @@ collada-joint-not-found = { $count ->
     [one] В сцене нет { $count } сустава («{ $first }»); он остаётся в позе привязки.
    *[other] В сцене нет { $count } суставов, первый — «{ $first }»; они остаются в позе привязки.
 }
+collada-skeleton-not-in-scene = Скелет не входит в сцену; он добавлен в неё.
 collada-joint-names-rejoined = В именах суставов есть пробелы; имена собраны заново.
 collada-joint-count = Имён суставов { $names }, а обратных матриц привязки { $matrices }; взято число матриц.
 collada-bad-skin = У скина нет пригодного { $what }.

@@ -1,0 +1,127 @@
+//! `morph`, and chains of morphs and skins.
+
+use glam::{DMat4, Vec3};
+use sinew::scene::{Deformer, MorphId, MorphMethod, SkinId};
+
+use crate::build::*;
+
+/// The triangle `g` and two shapes: `high` (one unit up) and `wide` (twice as wide).
+fn shapes() -> String {
+    geometries(
+        &(geometry("g", "0 0 0 1 0 0 0 1 0", &triangles("g", "0 1 2"))
+            + &geometry("high", "0 0 1 1 0 1 0 1 1", &triangles("high", "0 1 2"))
+            + &geometry("wide", "0 0 0 2 0 0 0 1 0", &triangles("wide", "0 1 2"))),
+    )
+}
+
+fn morph(id: &str, source: &str, method: &str, targets: &str, weights: &str) -> String {
+    format!(
+        "<controller id=\"{id}\"><morph source=\"#{source}\"{method}>{}{}<targets><input semantic=\"MORPH_TARGET\" source=\"#{id}-t\"/>\
+         <input semantic=\"MORPH_WEIGHT\" source=\"#{id}-w\"/></targets></morph></controller>",
+        names(&format!("{id}-t"), "IDREF_array", "MORPH_TARGET", targets),
+        floats(&format!("{id}-w"), "MORPH_WEIGHT", weights)
+    )
+}
+
+fn skin(id: &str, source: &str) -> String {
+    format!(
+        "<controller id=\"{id}\"><skin source=\"#{source}\">{}{}{}<joints><input semantic=\"JOINT\" source=\"#{id}-j\"/><input semantic=\"INV_BIND_MATRIX\" \
+         source=\"#{id}-m\"/></joints><vertex_weights count=\"3\"><input semantic=\"JOINT\" source=\"#{id}-j\" offset=\"0\"/><input semantic=\"WEIGHT\" \
+         source=\"#{id}-w\" offset=\"1\"/><vcount>1 1 1</vcount><v>0 0 0 0 0 0</v></vertex_weights></skin></controller>",
+        names(&format!("{id}-j"), "Name_array", "JOINT", "bone"),
+        matrices(&format!("{id}-m"), &[DMat4::IDENTITY]),
+        floats(&format!("{id}-w"), "WEIGHT", "1")
+    )
+}
+
+fn with(controllers: &str, used: &str, more: &str) -> String {
+    let nodes = format!("<node sid=\"bone\"/><node><instance_controller url=\"#{used}\"/></node>");
+    document(&(shapes() + "<library_controllers>" + controllers + "</library_controllers>" + more + &scene(&nodes)))
+}
+
+#[test]
+fn normalized_and_relative_targets_become_deltas() {
+    let loaded = load_clean(&with(&morph("m", "g", "", "high wide", "0.25 0.5"), "m", ""));
+    let read = &loaded.scene.morphs[0];
+    assert_eq!((read.method, read.weights.as_slice()), (MorphMethod::Normalized, &[0.25, 0.5][..]));
+    assert_eq!(read.targets[0].position_deltas, [Vec3::Z; 3]);
+    assert_eq!(read.targets[1].position_deltas, [Vec3::ZERO, Vec3::X, Vec3::ZERO]);
+    assert_eq!(read.targets[1].normal_deltas, [Vec3::ZERO; 3]);
+    assert_eq!(read.targets[0].name, "high");
+    // A relative target is the delta itself.
+    let loaded = load_clean(&with(&morph("m", "g", " method=\"RELATIVE\"", "wide", "1"), "m", ""));
+    let read = &loaded.scene.morphs[0];
+    assert_eq!(read.method, MorphMethod::Relative);
+    assert_eq!(read.targets[0].position_deltas, [Vec3::ZERO, Vec3::X * 2.0, Vec3::Y]);
+    // The shapes are not drawn themselves.
+    assert_eq!(loaded.scene.meshes.len(), 1);
+}
+
+#[test]
+fn deltas_follow_the_points_when_vertices_are_split() {
+    let split = shapes().replace(
+        &triangles("g", "0 1 2"),
+        "<triangles count=\"2\"><input semantic=\"VERTEX\" source=\"#g-v\" offset=\"0\"/><input semantic=\"NORMAL\" source=\"#high-p\" offset=\"1\"/>\
+         <p>0 0 1 0 2 0 0 1 2 0 1 2</p></triangles>",
+    );
+    let loaded = load(&with(&morph("m", "g", "", "wide", "1"), "m", "").replace(&shapes(), &split));
+    let mesh = mesh(&loaded);
+    assert!(mesh.positions.len() > 3);
+    for (vertex, source) in mesh.source_vertex.iter().enumerate() {
+        let wanted = if *source == 1 { Vec3::X } else { Vec3::ZERO };
+        assert_eq!(loaded.scene.morphs[0].targets[0].position_deltas[vertex], wanted);
+    }
+}
+
+#[test]
+fn targets_that_do_not_fit_keep_their_place_and_do_nothing() {
+    let more = shapes().replace(
+        "</library_geometries>",
+        &(geometry("four", "0 0 0 1 0 0 0 1 0 5 5 5", &triangles("four", "0 1 2")) + "</library_geometries>"),
+    );
+    let loaded = load(&with(&morph("m", "g", "", "four lost high", "1 1 1"), "m", "").replace(&shapes(), &more));
+    let mut found = codes(&loaded);
+    found.sort_unstable();
+    assert_eq!(found, ["broken-reference", "morph-target-mismatch"]);
+    let targets = &loaded.scene.morphs[0].targets;
+    assert_eq!(targets.len(), 3);
+    assert!(targets[..2].iter().all(|target| target.position_deltas == [Vec3::ZERO; 3]));
+    assert_eq!(targets[2].position_deltas, [Vec3::Z; 3]);
+}
+
+#[test]
+fn chains_are_applied_from_the_mesh_outwards() {
+    let (m, s) =
+        (Deformer::Morph(MorphId(0)), |loaded: &sinew::collada::Loaded| Deformer::Skin { skin: SkinId(0), joints: joints(loaded, 0) });
+    let on_morph = load_clean(&with(&(skin("k", "m") + &morph("m", "g", "", "high", "1")), "k", ""));
+    assert_eq!(instances(&on_morph)[0].1.deformers, [m.clone(), s(&on_morph)]);
+    let on_skin = load_clean(&with(&(morph("m", "k", "", "high", "1") + &skin("k", "g")), "m", ""));
+    assert_eq!(instances(&on_skin)[0].1.deformers, [s(&on_skin), m.clone()]);
+    let twice = load_clean(&with(&(morph("m", "n", "", "high", "1") + &morph("n", "g", "", "wide", "0")), "m", ""));
+    assert_eq!(instances(&twice)[0].1.deformers, [m, Deformer::Morph(MorphId(1))]);
+    assert_eq!(twice.scene.morphs[0].targets[0].name, "wide");
+}
+
+#[test]
+fn weights_are_animated_by_every_address() {
+    for address in ["m-w(1)", "m-w-a(1)", "m/weights(1)", "m(1)"] {
+        let moves = animations(&animation("a", address, "0 1", "X", "0 1", "LINEAR LINEAR"));
+        let loaded = load_clean(&with(&morph("m", "g", "", "high wide", "0 0"), "m", &moves));
+        assert_eq!(pose(&loaded, 0, 0.5).morph_weights, [[0.0, 0.5]], "{address}");
+    }
+    // All weights at once.
+    let moves = animations(&animation("a", "m-w", "0 1", "A B", "0 1 1 0", "LINEAR LINEAR"));
+    let loaded = load_clean(&with(&morph("m", "g", "", "high wide", "0 0"), "m", &moves));
+    assert_eq!(pose(&loaded, 0, 0.25).morph_weights, [[0.25, 0.75]]);
+    let beyond = animations(&animation("a", "m-w(7)", "0 1", "X", "0 1", "LINEAR LINEAR"));
+    assert_eq!(codes(&load(&with(&morph("m", "g", "", "high wide", "0 0"), "m", &beyond))), ["unknown-target"]);
+}
+
+#[test]
+fn a_morph_without_targets_or_weights_is_told() {
+    let loaded = load(&with(&morph("m", "g", "", "high", "1"), "m", "").replace("MORPH_TARGET\" source", "X\" source"));
+    assert_eq!(codes(&loaded), ["bad-morph"]);
+    assert_eq!(instances(&loaded).len(), 1);
+    let loaded = load(&with(&morph("m", "g", "", "high", "1"), "m", "").replace("MORPH_WEIGHT\" source", "X\" source"));
+    assert_eq!((codes(&loaded), loaded.scene.morphs[0].weights.as_slice()), (vec!["bad-morph"], &[0.0][..]));
+}

@@ -1,0 +1,212 @@
+//! Headers, encodings, references, numbers: the document as a whole.
+
+use glam::DVec3;
+use sinew::collada::{Progress, read};
+
+use crate::build::*;
+
+fn shown() -> String {
+    triangle() + &scene("<node name=\"n\"><instance_geometry url=\"#g\"/></node>")
+}
+
+#[test]
+fn three_versions_are_read_without_a_word_and_others_with_one() {
+    for version in ["1.4.0", "1.4.1", "1.5.0"] {
+        let loaded = load_clean(&headed(version, "<asset><unit meter=\"1\"/><up_axis>Y_UP</up_axis></asset>", &shown()));
+        assert_eq!(loaded.asset.version, version);
+        assert_eq!(mesh(&loaded).triangles.len(), 1);
+    }
+    assert_eq!(codes(&load(&headed("1.3.0", "", &shown()))), ["unknown-version"]);
+}
+
+#[test]
+fn any_namespace_prefix_will_do() {
+    let text = document(&shown());
+    let prefixed =
+        text.replace("</", "</c:").replace('<', "<c:").replace("<c:/c:", "</c:").replace("<c:?", "<?").replace("xmlns=", "xmlns:c=");
+    let loaded = load_clean(&prefixed);
+    assert_eq!(corners(mesh(&loaded)), corners(mesh(&load_clean(&text))));
+}
+
+#[test]
+fn marks_utf16_and_windows_line_ends_change_nothing() {
+    let text = document(&shown()).replace("name=\"n\"", "name=\"Schräg и криво\"");
+    let wanted = corners(mesh(&load_clean(&text)));
+    let mut marked = vec![0xEF, 0xBB, 0xBF];
+    marked.extend(text.as_bytes());
+    let little: Vec<u8> = [0xFF, 0xFE].into_iter().chain(text.encode_utf16().flat_map(u16::to_le_bytes)).collect();
+    let big: Vec<u8> = [0xFE, 0xFF].into_iter().chain(text.encode_utf16().flat_map(u16::to_be_bytes)).collect();
+    let windows = text.replace('\n', "\r\n").into_bytes();
+    for bytes in [marked, little, big, windows] {
+        let loaded = read(&bytes, "test.dae", &Progress::default()).expect("readable");
+        assert!(loaded.findings.is_empty(), "{:?}", loaded.findings);
+        assert_eq!(corners(mesh(&loaded)), wanted);
+        assert!(loaded.scene.graph.find("Schräg и криво").is_some());
+    }
+}
+
+#[test]
+fn lines_are_those_of_the_file_whatever_its_line_ends() {
+    let text = document(&shown()).replace("<p>0 1 2</p>", "\n\n<p>0 1 9</p>");
+    let line = text.lines().position(|line| line.contains("<triangles")).expect("it is there") as u32 + 1;
+    for text in [text.clone(), text.replace('\n', "\r\n"), format!("\n\n{text}")] {
+        let loaded = load(&text);
+        assert_eq!(codes(&loaded), ["index-out-of-range"]);
+        let before = u32::from(text.starts_with('\n')) * 2;
+        assert_eq!(loaded.findings[0].line, Some(line + before));
+        assert_eq!(loaded.findings[0].element, "<triangles> in <geometry> \"g\"");
+    }
+}
+
+#[test]
+fn unit_and_axis_are_applied_last_and_default_to_a_metre_and_y_up() {
+    let at = "<node name=\"n\"><translate>1 2 3</translate></node>";
+    for (asset, wanted) in [
+        ("", DVec3::new(1.0, 2.0, 3.0)),
+        ("<asset/>", DVec3::new(1.0, 2.0, 3.0)),
+        ("<asset><unit meter=\"0.01\"/><up_axis>Z_UP</up_axis></asset>", DVec3::new(0.01, 0.03, -0.02)),
+        ("<asset><unit meter=\" 2 \"/><up_axis> X_UP\n</up_axis></asset>", DVec3::new(-4.0, 2.0, 6.0)),
+    ] {
+        let loaded = load_clean(&headed("1.4.1", asset, &scene(at)));
+        near(rest_world(&loaded)[node(&loaded, "n").index()].w_axis.truncate(), wanted);
+        assert_eq!(loaded.scene.graph.roots().len(), 1);
+    }
+    let odd = load(&headed("1.4.1", "<asset><unit meter=\"-1\"/><up_axis>UP</up_axis></asset>", &scene(at)));
+    assert_eq!(codes(&odd), ["bad-unit", "bad-up-axis"]);
+    assert_eq!((odd.asset.unit_metres, odd.asset.up_axis.as_str()), (1.0, "Y_UP"));
+}
+
+#[test]
+fn an_asset_on_an_element_holds_for_that_element() {
+    let own = "<asset><unit meter=\"10\"/><up_axis>Z_UP</up_axis></asset>";
+    let nodes = format!(
+        "<node name=\"outer\">{own}<translate>1 2 3</translate><instance_geometry url=\"#g\"/><node name=\"inner\"><translate>0 0 1</translate></node></node>"
+    );
+    let loaded = load_clean(&document(&(triangle() + &scene(&nodes))));
+    let world = rest_world(&loaded);
+    // (1, 2, 3) in tens of metres, Z up; what hangs on the node keeps the document's own metres.
+    near(world[node(&loaded, "outer").index()].transform_point3(DVec3::X), DVec3::new(11.0, 30.0, -20.0));
+    near(world[node(&loaded, "inner").index()].w_axis.truncate(), DVec3::new(10.0, 40.0, -20.0));
+    let in_geometry = triangle().replace("<mesh>", &format!("{own}<mesh>"));
+    let loaded = load_clean(&document(&(in_geometry + &scene("<node><instance_geometry url=\"#g\"/></node>"))));
+    assert_eq!(corners(mesh(&loaded)), [[[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 0.0, -10.0]]]);
+    near32(mesh(&loaded).normals[0], glam::Vec3::Y);
+    let quiet = document(&shown()).replace("<mesh>", "<asset><contributor/></asset><mesh>");
+    assert_eq!(corners(mesh(&load_clean(&quiet)))[0][1], [1.0, 0.0, 0.0]);
+}
+
+#[test]
+fn libraries_repeat_and_come_in_any_order() {
+    let second = geometries(&geometry("h", "0 0 5 1 0 5 0 1 5", &triangles("h", "0 1 2")));
+    let nodes = scene("<node><instance_geometry url=\"#g\"/><instance_geometry url=\"#h\"/></node>");
+    let loaded = load_clean(&document(&(nodes + &second + &triangle())));
+    assert_eq!(loaded.scene.meshes.len(), 2);
+    assert_eq!(instances(&loaded).len(), 2);
+}
+
+#[test]
+fn ids_and_names_may_be_missing() {
+    let loaded = load_clean(&document(&(triangle() + &scene("<node><node/><instance_geometry url=\"#g\"/></node>"))));
+    assert!(loaded.scene.graph.iter().all(|(_, node)| !node.name.is_empty()));
+    assert_eq!(loaded.scene.graph.len(), 3);
+}
+
+#[test]
+fn urls_are_relative_absolute_or_percent_encoded() {
+    for url in ["#g", "test.dae#g", "./test.dae#g", "file:///C:/models/test.dae#g", "g"] {
+        load_clean(&document(&shown()).replace("url=\"#g\"", &format!("url=\"{url}\"")));
+    }
+    let blank = document(&shown()).replace("id=\"g\"", "id=\"a g\"").replace("url=\"#g\"", "url=\"#a%20g\"");
+    assert_eq!(mesh(&load_clean(&blank)).triangles.len(), 1);
+}
+
+#[test]
+fn references_to_other_files_and_to_nothing_are_named() {
+    let loaded = load(&document(&shown()).replace("url=\"#g\"", "url=\"parts/wheel.dae#rim\""));
+    assert_eq!(codes(&loaded), ["external-reference"]);
+    assert!(loaded.findings[0].message.contains("parts/wheel.dae"), "{}", loaded.findings[0].message);
+    let loaded = load(&document(&shown()).replace("url=\"#g\"", "url=\"#nothing\""));
+    assert_eq!(codes(&loaded), ["broken-reference"]);
+    assert!(loaded.findings[0].message.contains("nothing"));
+    let loaded = load(&document(&shown()).replace("url=\"#g\"", "url=\"#s\""));
+    assert!(loaded.findings[0].message.contains("visual_scene"), "{}", loaded.findings[0].message);
+}
+
+#[test]
+fn an_id_on_a_mesh_and_on_a_node_is_two_things_and_is_noted() {
+    let text = document(&(triangle() + &scene("<node id=\"g\" name=\"n\"><instance_geometry url=\"#g\"/></node>")));
+    let loaded = load(&text);
+    assert_eq!(codes(&loaded), ["repeated-id"]);
+    assert_eq!(mesh(&loaded).triangles.len(), 1);
+}
+
+#[test]
+fn numbers_are_read_however_they_are_written() {
+    let odd = document(&shown()).replace("0 0 0 1 0 0 0 1 0", "\n\t 0.0 -0 +0\r\n1e0 0E+5   0. .0 1.0e-0 <!-- half way --> 00 ");
+    assert_eq!(corners(mesh(&load_clean(&odd))), [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]]);
+    let infinite = load(&document(&shown()).replace("0 0 0 1 0 0 0 1 0", "NaN 0 0 INF 0 0 0 -INF 0"));
+    assert_eq!(codes(&infinite), ["not-finite"]);
+    let worded = load(&document(&shown()).replace("0 0 0 1 0 0 0 1 0", "zero 0 0 1 0 0 0 1 0"));
+    assert_eq!(codes(&worded), ["bad-number"]);
+    assert!(worded.findings[0].message.contains("zero"));
+}
+
+#[test]
+fn decimal_commas_are_refused_with_their_line() {
+    let text = document(&shown()).replace("0 0 0 1 0 0 0 1 0", "0 0 0\n1 0,5 0 0 1 0");
+    let line = text.lines().position(|line| line.contains("0,5")).expect("it is there") as u32 + 1;
+    let error = try_load(&text).expect_err("refused");
+    assert_eq!(error.line, Some(line));
+    assert!(error.message.contains("0,5") && error.message.contains("g-p-a"), "{error}");
+}
+
+#[test]
+fn counts_that_lie_are_told_and_the_data_win() {
+    for (from, to, wanted) in [
+        ("count=\"9\"", "count=\"7\"", "count-mismatch"),
+        ("count=\"9\"", "count=\"4000000000\"", "count-mismatch"),
+        ("count=\"3\" stride", "count=\"4000000000\" stride", "count-mismatch"),
+        ("count=\"3\" stride", "count=\"2\" stride", "count-mismatch"),
+        ("<triangles count=\"1\"", "<triangles count=\"99999999999999999999999\"", ""),
+        ("<triangles count=\"1\"", "<triangles count=\"5\"", "count-mismatch"),
+    ] {
+        let text = document(&shown());
+        assert!(text.contains(from));
+        let loaded = load(&text.replace(from, to));
+        assert_eq!(codes(&loaded).join(" "), wanted, "{from} -> {to}");
+        assert_eq!(mesh(&loaded).triangles.len(), 1);
+        assert_eq!(mesh(&loaded).source_count, 3);
+    }
+}
+
+#[test]
+fn kinematics_and_formulas_are_named() {
+    let body = "<library_formulas><formula id=\"f\"/></library_formulas><library_joints><joint id=\"j\"/></library_joints><library_kinematics_models/>";
+    let loaded = load(&document(&(body.to_owned() + &shown())));
+    assert_eq!(codes(&loaded), ["unsupported-element", "unsupported-element"]);
+    assert!(loaded.findings[0].message.contains("library_formulas"));
+}
+
+#[test]
+fn what_is_no_collada_is_refused_plainly() {
+    for (text, part) in [
+        ("", "XML"),
+        ("hello", "XML"),
+        ("<html><body/></html>", "<html>"),
+        ("<COLLADA version=\"1.4.1\"><asset></COLLADA>", "asset"),
+        ("<COLLADA version=\"1.4.1\"><asset>", "cut short"),
+    ] {
+        let error = try_load(text).expect_err("refused");
+        assert!(error.message.contains(part), "{text}: {error}");
+    }
+    assert_eq!(load("<COLLADA version=\"1.4.1\"/>").scene.graph.len(), 1);
+}
+
+#[test]
+fn reading_stops_when_asked_and_says_how_far_it_is() {
+    let progress = Progress::default();
+    read(document(&shown()).as_bytes(), "test.dae", &progress).expect("readable");
+    assert_eq!(progress.permille.load(std::sync::atomic::Ordering::Relaxed), 1000);
+    progress.cancelled.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert!(read(document(&shown()).as_bytes(), "test.dae", &progress).is_err());
+}

@@ -1,0 +1,230 @@
+//! `skin`: matrices, weights, and which nodes move it.
+
+use glam::{DMat4, DVec3};
+use sinew::collada::Loaded;
+use sinew::scene::{Influence, NodeKind};
+
+use crate::build::*;
+
+/// A skin over the triangle `g`: joints named by `tag` and `joints`, one inverse bind matrix for each of `count`, `vcount` and `v` as given.
+struct Skin<'a> {
+    tag: &'a str,
+    joints: &'a str,
+    count: usize,
+    weights: &'a str,
+    vcount: &'a str,
+    v: &'a str,
+}
+
+const PLAIN: Skin<'static> = Skin { tag: "Name_array", joints: "a b", count: 2, weights: "1 0.5", vcount: "1 2 1", v: "0 0 0 1 1 1 1 0" };
+
+impl Skin<'_> {
+    fn library(&self) -> String {
+        let binds: Vec<DMat4> = (0..self.count).map(|i| DMat4::from_translation(DVec3::X * -(i as f64))).collect();
+        format!(
+            "<library_controllers><controller id=\"c\" name=\"skin\"><skin source=\"#g\"><bind_shape_matrix>{}</bind_shape_matrix>{}{}{}\
+             <joints><input semantic=\"JOINT\" source=\"#j\"/><input semantic=\"INV_BIND_MATRIX\" source=\"#m\"/></joints>\
+             <vertex_weights count=\"3\"><input semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input semantic=\"WEIGHT\" source=\"#w\" offset=\"1\"/>\
+             <vcount>{}</vcount><v>{}</v></vertex_weights></skin></controller></library_controllers>",
+            rows(&DMat4::from_translation(DVec3::new(0.0, 5.0, 0.0))),
+            names("j", self.tag, "JOINT", self.joints),
+            matrices("m", &binds),
+            floats("w", "WEIGHT", self.weights),
+            self.vcount,
+            self.v
+        )
+    }
+
+    fn text(&self, nodes: &str) -> String {
+        document(&(triangle() + &self.library() + &scene(nodes)))
+    }
+}
+
+const BONES: &str =
+    "<node id=\"A\" name=\"bone a\" sid=\"a\" type=\"JOINT\"><node id=\"B\" name=\"bone b\" sid=\"b\" type=\"JOINT\"/></node>";
+const USE: &str = "<node name=\"body\"><instance_controller url=\"#c\"><skeleton>#A</skeleton></instance_controller></node>";
+
+fn nodes(loaded: &Loaded, names: &[&str]) -> Vec<Option<sinew::scene::NodeId>> {
+    names.iter().map(|name| Some(node(loaded, name))).collect()
+}
+
+#[test]
+fn matrices_weights_and_joints_are_read() {
+    let loaded = load_clean(&PLAIN.text(&(BONES.to_owned() + USE)));
+    let skin = &loaded.scene.skins[0];
+    assert_eq!(skin.bind_shape, DMat4::from_translation(DVec3::new(0.0, 5.0, 0.0)));
+    assert_eq!(skin.joints[1].inverse_bind, DMat4::from_translation(DVec3::NEG_X));
+    assert_eq!(skin.offsets, [0, 1, 3, 4]);
+    assert_eq!(skin.influences_of(1), [Influence { joint: 0, weight: 0.5 }, Influence { joint: 1, weight: 0.5 }]);
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    assert_eq!((skin.name.as_str(), skin.id.as_str()), ("skin", "c"));
+}
+
+#[test]
+fn names_with_blanks_are_joined_as_the_nodes_know_them() {
+    let bones =
+        "<node id=\"A\" name=\"bone a\" sid=\"Bip01\" type=\"JOINT\"><node name=\"bone b\" sid=\"Bip01 L Hand\" type=\"JOINT\"/></node>";
+    let skin = Skin { joints: "Bip01 Bip01 L Hand", ..PLAIN };
+    let loaded = load(&skin.text(&(bones.to_owned() + USE)));
+    assert_eq!(codes(&loaded), ["joint-names-rejoined"]);
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    assert_eq!(loaded.scene.skins[0].joints[1].name, "Bip01 L Hand");
+}
+
+#[test]
+fn names_are_sids_under_the_skeleton_first() {
+    // Another node with the same sid stands earlier, outside of the skeleton.
+    let decoy = "<node name=\"decoy\" sid=\"b\"/>";
+    let loaded = load_clean(&PLAIN.text(&(decoy.to_owned() + BONES + USE)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    // A joint outside of the named skeleton is found in the whole scene.
+    let apart = "<node id=\"A\" name=\"bone a\" sid=\"a\"/><node name=\"bone b\" sid=\"b\"/>";
+    let loaded = load_clean(&PLAIN.text(&(apart.to_owned() + USE)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    // What moves a skin is a bone, whatever the file calls it.
+    assert_eq!(loaded.scene.graph.node(node(&loaded, "bone b")).kind, NodeKind::Joint);
+}
+
+#[test]
+fn then_ids_then_names() {
+    let skin = Skin { joints: "A b", ..PLAIN };
+    let loaded = load_clean(&skin.text(&(BONES.to_owned() + USE)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    let bones = "<node id=\"A\" name=\"a\"><node name=\"b\"/></node>";
+    let loaded = load_clean(&PLAIN.text(&(bones.to_owned() + USE)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["a", "b"]));
+}
+
+#[test]
+fn idrefs_are_ids_and_sidrefs_are_paths() {
+    let decoy = "<node name=\"decoy\" sid=\"A\"/>";
+    let skin = Skin { tag: "IDREF_array", joints: "A B", ..PLAIN };
+    let loaded = load_clean(&skin.text(&(decoy.to_owned() + BONES + USE)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    let skin = Skin { tag: "SIDREF_array", joints: "A A/b", ..PLAIN };
+    let loaded = load_clean(&skin.text(&(BONES.to_owned() + USE)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+}
+
+#[test]
+fn without_a_skeleton_the_whole_scene_is_searched() {
+    let loaded = load_clean(&PLAIN.text(&(BONES.to_owned() + USE)).replace("<skeleton>#A</skeleton>", ""));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    let of_scene = load_clean(&PLAIN.text(&(BONES.to_owned() + USE)).replace("<skeleton>#A<", "<skeleton>#s<"));
+    assert_eq!(joints(&of_scene, 0), nodes(&of_scene, &["bone a", "bone b"]));
+}
+
+#[test]
+fn several_skeletons_of_one_instance_are_all_searched() {
+    let bones = "<node name=\"decoy\" sid=\"b\"/><node id=\"A\" name=\"bone a\" sid=\"a\"/><node id=\"B\" name=\"root\"><node name=\"bone b\" sid=\"b\"/></node>";
+    let text = PLAIN.text(&(bones.to_owned() + USE)).replace("<skeleton>#A</skeleton>", "<skeleton>#A</skeleton><skeleton> #B </skeleton>");
+    let loaded = load_clean(&text);
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+}
+
+#[test]
+fn one_controller_stands_on_two_skeletons() {
+    let bones = |id: &str| format!("<node id=\"{id}\" name=\"{id}a\" sid=\"a\"><node name=\"{id}b\" sid=\"b\"/></node>");
+    let used = |id: &str| format!("<node><instance_controller url=\"#c\"><skeleton>#{id}</skeleton></instance_controller></node>");
+    let loaded = load_clean(&PLAIN.text(&(bones("L") + &bones("R") + &used("L") + &used("R"))));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["La", "Lb"]));
+    assert_eq!(joints(&loaded, 1), nodes(&loaded, &["Ra", "Rb"]));
+    assert_eq!((loaded.scene.skins.len(), loaded.scene.meshes.len()), (1, 1));
+}
+
+#[test]
+fn joints_of_the_node_library_are_those_of_the_own_instance() {
+    let library = format!("<library_nodes><node id=\"figure\">{BONES}{USE}</node></library_nodes>");
+    let twice = "<instance_node url=\"#figure\"/><instance_node url=\"#figure\"/>";
+    let loaded = load_clean(&document(&(triangle() + &PLAIN.library() + &library + &scene(twice))));
+    let [first, second] = [joints(&loaded, 0), joints(&loaded, 1)];
+    assert!(first.iter().zip(&second).all(|(a, b)| a.is_some() && a < b), "{first:?} {second:?}");
+    let body = |index: usize| loaded.scene.graph.iter().filter(|(_, node)| node.name == "body").nth(index).map(|(id, _)| id);
+    assert!(first[1] < body(0) && body(0) < second[0]);
+}
+
+#[test]
+fn a_skeleton_outside_of_the_scene_is_brought_in() {
+    let library = format!("<library_nodes>{BONES}</library_nodes>");
+    let loaded = load(&document(&(triangle() + &PLAIN.library() + &library + &scene(USE))));
+    assert_eq!(codes(&loaded), ["skeleton-not-in-scene"]);
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+}
+
+#[test]
+fn joints_that_are_nowhere_are_told() {
+    let skin = Skin { joints: "a lost", ..PLAIN };
+    let loaded = load(&skin.text(&(BONES.to_owned() + USE)));
+    assert_eq!(codes(&loaded), ["joint-not-found"]);
+    assert!(loaded.findings[0].message.contains("lost"));
+    assert_eq!(joints(&loaded, 0), [Some(node(&loaded, "bone a")), None]);
+}
+
+#[test]
+fn the_number_of_joints_is_that_of_the_matrices() {
+    for (joints, count) in [("a", 2), ("a b c", 2), ("a b", 1)] {
+        let skin = Skin { joints, count, vcount: "1 1 1", v: "0 0 0 0 0 0", ..PLAIN };
+        let loaded = load(&skin.text(&(BONES.to_owned() + USE)));
+        assert!(
+            codes(&loaded).iter().any(|code| ["count-mismatch", "joint-names-rejoined"].contains(code)),
+            "{joints}: {:?}",
+            codes(&loaded)
+        );
+        assert_eq!(loaded.scene.skins[0].joints.len(), count);
+    }
+}
+
+#[test]
+fn points_have_any_number_of_influences_none_and_the_bind_shape_included() {
+    let skin = Skin { weights: "0.1 0.2 1", vcount: "8 0 1", v: "0 0 1 0 0 0 1 0 0 0 1 0 0 1 1 1 -1 2", ..PLAIN };
+    let loaded = load_clean(&skin.text(&(BONES.to_owned() + USE)));
+    let skin = &loaded.scene.skins[0];
+    assert_eq!(skin.influences_of(0).len(), 8);
+    assert!((skin.influences_of(0).iter().map(|influence| influence.weight).sum::<f32>() - 1.0).abs() < 1e-6);
+    assert!(skin.influences_of(1).is_empty());
+    assert_eq!(skin.influences_of(2), [Influence { joint: -1, weight: 1.0 }]);
+}
+
+#[test]
+fn sums_other_than_one_are_scaled_and_told() {
+    let skin = Skin { weights: "1 3", vcount: "2 1 1", v: "0 0 1 1 0 0 1 0", ..PLAIN };
+    let loaded = load(&skin.text(&(BONES.to_owned() + USE)));
+    assert_eq!(codes(&loaded), ["weights-not-normalised"]);
+    assert_eq!(loaded.scene.skins[0].influences_of(0), [Influence { joint: 0, weight: 0.25 }, Influence { joint: 1, weight: 0.75 }]);
+    let nothing = Skin { weights: "0 1", vcount: "1 1 1", v: "0 0 0 1 0 1", ..PLAIN };
+    let loaded = load(&nothing.text(&(BONES.to_owned() + USE)));
+    assert_eq!(codes(&loaded), ["weights-not-normalised"]);
+    assert!(loaded.scene.skins[0].influences_of(0).is_empty());
+}
+
+#[test]
+fn weights_that_lead_nowhere_or_are_missing_are_told() {
+    for (vcount, v, wanted) in [
+        ("1 1 1", "9 0 0 0 0 0", "index-out-of-range"),
+        ("1 1 1", "0 9 0 0 0 0", "index-out-of-range"),
+        ("1 1 1", "-2 0 0 0 0 0", "index-out-of-range"),
+        ("1 1 1", "0 0 0 0", "count-mismatch"),
+        ("1 1 4000000000", "0 0 0 0 0 0", "count-mismatch"),
+        ("1 1", "0 0 0 0", "skin-points-mismatch"),
+        ("1 1 1 1", "0 0 0 0 0 0 0 0", "skin-points-mismatch"),
+    ] {
+        let loaded = load(&Skin { vcount, v, ..PLAIN }.text(&(BONES.to_owned() + USE)));
+        assert_eq!(codes(&loaded), [wanted], "{vcount} / {v}");
+        assert_eq!(loaded.scene.skins[0].offsets.len(), 4);
+    }
+}
+
+#[test]
+fn a_skin_that_lacks_its_parts_still_shows_the_mesh() {
+    for (from, to) in [("semantic=\"WEIGHT\"", "semantic=\"X\""), ("semantic=\"JOINT\"", "semantic=\"X\""), ("vertex_weights", "other")] {
+        let loaded = load(&PLAIN.text(&(BONES.to_owned() + USE)).replace(from, to));
+        assert_eq!(codes(&loaded), ["bad-skin"], "{from}");
+        assert_eq!(instances(&loaded).len(), 1);
+    }
+}
+
+#[test]
+fn a_circle_of_controllers_is_cut() {
+    let loaded = load(&PLAIN.text(&(BONES.to_owned() + USE)).replace("<skin source=\"#g\">", "<skin source=\"#c\">"));
+    assert_eq!(codes(&loaded), ["reference-cycle"]);
+}
