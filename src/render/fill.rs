@@ -1,7 +1,7 @@
 //! The kernels that fill triangles: which pixels, which of them are in front, what colour.
 
 use super::drawing::{Drawing, Item, Unit};
-use super::lanes::{Lanes, kernel};
+use super::lanes::{Lanes, Level, always, each, kernel, map};
 use super::plane::Plane;
 use super::setup::{BLOCK, Edges, Planes, Rect, area};
 use super::shade::{Attributes, Gouraud, Phong, PhongTextured, Shader, Slopes, Textured};
@@ -19,23 +19,38 @@ pub(super) struct Stretch<'a> {
     pub entries: &'a [u32],
 }
 
-kernel! {
-    /// Fills a stretch of triangles into the rows of `plane`.
-    pub(super) fn fill<'a>(stretch: &Stretch<'a>, plane: &mut Plane) = fill_any
+/// One function for each way of shading and number of samples: together they would be too much for the optimizer's patience.
+macro_rules! kernels {
+    ($($name:ident = $shader:ident, $attributes:literal, $samples:literal;)*) => { $(
+        kernel! {
+            fn $name<'a>(stretch: &Stretch<'a>, plane: &mut Plane) = triangles::<_, $shader<'_>, $attributes, $samples>
+        }
+    )* };
+}
+kernels! {
+    gouraud = Gouraud, 5, 1;
+    gouraud_4 = Gouraud, 5, 4;
+    textured = Textured, 7, 1;
+    textured_4 = Textured, 7, 4;
+    phong = Phong, 11, 1;
+    phong_4 = Phong, 11, 4;
+    phong_textured = PhongTextured, 12, 1;
+    phong_textured_4 = PhongTextured, 12, 4;
 }
 
-#[inline(always)]
-fn fill_any<L: Lanes>(l: L, stretch: &Stretch<'_>, plane: &mut Plane) {
-    match (stretch.item.style.fill, plane.samples) {
-        (Fill::Gouraud, 1) => triangles::<L, Gouraud<'_>, 5, 1>(l, stretch, plane),
-        (Fill::Gouraud, _) => triangles::<L, Gouraud<'_>, 5, 4>(l, stretch, plane),
-        (Fill::Textured, 1) => triangles::<L, Textured<'_>, 7, 1>(l, stretch, plane),
-        (Fill::Textured, _) => triangles::<L, Textured<'_>, 7, 4>(l, stretch, plane),
-        (Fill::Phong, 1) => triangles::<L, Phong<'_>, 11, 1>(l, stretch, plane),
-        (Fill::Phong, _) => triangles::<L, Phong<'_>, 11, 4>(l, stretch, plane),
-        (Fill::PhongTextured, 1) => triangles::<L, PhongTextured<'_>, 12, 1>(l, stretch, plane),
-        (Fill::PhongTextured, _) => triangles::<L, PhongTextured<'_>, 12, 4>(l, stretch, plane),
-    }
+/// Fills a stretch of triangles into the rows of `plane`.
+pub(super) fn fill(level: Level, stretch: &Stretch<'_>, plane: &mut Plane) {
+    let kernel = match (stretch.item.style.fill, plane.samples) {
+        (Fill::Gouraud, 1) => gouraud,
+        (Fill::Gouraud, _) => gouraud_4,
+        (Fill::Textured, 1) => textured,
+        (Fill::Textured, _) => textured_4,
+        (Fill::Phong, 1) => phong,
+        (Fill::Phong, _) => phong_4,
+        (Fill::PhongTextured, 1) => phong_textured,
+        (Fill::PhongTextured, _) => phong_textured_4,
+    };
+    kernel(level, stretch, plane);
 }
 
 #[inline(always)]
@@ -80,12 +95,8 @@ where
                 }
             }
         }
-        let triangle = Triangle { screen, area: size, values, depth_test: item.style.depth_test, blended: item.blended() };
-        if curved {
-            raster::<L, S, K, M, true>(l, &shader, &triangle, plane, drawing.view.size);
-        } else {
-            raster::<L, S, K, M, false>(l, &shader, &triangle, plane, drawing.view.size);
-        }
+        let triangle = Triangle { screen, area: size, values, curved, depth_test: item.style.depth_test, blended: item.blended() };
+        raster::<L, S, K, M>(l, &shader, &triangle, plane, drawing.view.size);
     }
 }
 
@@ -114,19 +125,16 @@ struct Triangle<const K: usize> {
     screen: [Screen; 3],
     area: i64,
     values: [[f32; K]; 3],
+    /// Whether attributes were multiplied with the nearness and have to be divided again.
+    curved: bool,
     depth_test: bool,
     blended: bool,
 }
 
-/// The inner loops. `M` is the number of samples; `CURVED` says that attributes were multiplied with the nearness and have to be divided again.
+/// The inner loops. `M` is the number of samples.
 #[inline(always)]
-fn raster<'a, L: Lanes, S, const K: usize, const M: usize, const CURVED: bool>(
-    l: L,
-    shader: &S,
-    triangle: &Triangle<K>,
-    plane: &mut Plane,
-    size: [u32; 2],
-) where
+fn raster<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, shader: &S, triangle: &Triangle<K>, plane: &mut Plane, size: [u32; 2])
+where
     S: Shader<'a> + Attributes<K>,
 {
     let rect = Rect::of(&triangle.screen, M > 1, size);
@@ -136,13 +144,13 @@ fn raster<'a, L: Lanes, S, const K: usize, const M: usize, const CURVED: bool>(
     }
     let edges = Edges::new(&triangle.screen, rect.x0, rect.y0);
     let planes = Planes::new(&triangle.screen, triangle.area, &triangle.values, rect.x0, rect.y0);
-    let slopes = Slopes { right: planes.right, below: planes.below, curved: CURVED };
-    let right = planes.right.map(|slope| l.splat(slope));
+    let slopes = Slopes { right: planes.right, below: planes.below, curved: triangle.curved };
+    let right = map(planes.right, always!(|slope: f32| l.splat(slope)));
     // How the nearness changes from the centre to each sample.
-    let lift: [L::F; M] = std::array::from_fn(|s| {
+    let lift: [L::F; M] = each(always!(|s: usize| {
         let [x, y] = if M == 1 { [0, 0] } else { super::setup::SAMPLES[s] };
         l.splat(planes.right[0] * (x as f32 / 256.0) + planes.below[0] * (y as f32 / 256.0))
-    });
+    }));
     let ramp = l.float(l.iota());
     let mut left = rect.x0;
     while left <= rect.x1 {
@@ -151,17 +159,17 @@ fn raster<'a, L: Lanes, S, const K: usize, const M: usize, const CURVED: bool>(
             left += BLOCK;
             continue;
         };
-        let across = stepping.a.map(|a| l.imul(l.isplat(a), l.iota()));
-        let jump = stepping.a.map(|a| l.isplat(a.wrapping_mul(L::N as i32)));
+        let across = map(stepping.a, always!(|a: i32| l.imul(l.isplat(a), l.iota())));
+        let jump = map(stepping.a, always!(|a: i32| l.isplat(a.wrapping_mul(L::N as i32))));
         let mut start = stepping.start;
         for y in top..=bottom {
             let row = planes.row(y - rect.y0);
-            let row = row.map(|value| l.splat(value));
-            let mut inside_of: [[L::I; 3]; M] = std::array::from_fn(|s| std::array::from_fn(|i| l.isplat(start[s][i]) + across[i]));
+            let row = map(row, always!(|value: f32| l.splat(value)));
+            let mut inside_of: [[L::I; 3]; M] = each(always!(|s: usize| each(always!(|i: usize| l.isplat(start[s][i]) + across[i]))));
             let at = plane.index(y, left);
             let mut x = 0;
             while x < width {
-                let outside: [L::I; M] = std::array::from_fn(|s| inside_of[s][0] | inside_of[s][1] | inside_of[s][2]);
+                let outside: [L::I; M] = each(always!(|s: usize| inside_of[s][0] | inside_of[s][1] | inside_of[s][2]));
                 for edge in &mut inside_of {
                     for i in 0..3 {
                         edge[i] = edge[i] + jump[i];
@@ -172,12 +180,12 @@ fn raster<'a, L: Lanes, S, const K: usize, const M: usize, const CURVED: bool>(
                 x += L::N as i32;
                 let q = row[0] + right[0] * offset;
                 let mut any = 0;
-                let covered: [L::M; M] = std::array::from_fn(|s| {
+                let covered: [L::M; M] = each(always!(|s: usize| {
                     let inside = l.ilt(l.isplat(-1), outside[s]);
                     let front = l.lt(if triangle.depth_test { plane.depth(l, s, here) } else { l.splat(f32::NEG_INFINITY) }, q + lift[s]);
                     any |= l.mask_bits(inside & front);
                     inside & front
-                });
+                }));
                 if any == 0 {
                     continue;
                 }
@@ -186,8 +194,8 @@ fn raster<'a, L: Lanes, S, const K: usize, const M: usize, const CURVED: bool>(
                         plane.set_depth(l, s, here, covered[s], q + lift[s]);
                     }
                 }
-                let mut values: [L::F; K] = std::array::from_fn(|k| if k == 0 { q } else { row[k] + right[k] * offset });
-                if CURVED {
+                let mut values: [L::F; K] = each(always!(|k: usize| row[k] + right[k] * offset));
+                if triangle.curved {
                     let inverse = l.splat(1.0) / l.max(q, l.splat(1e-30));
                     values[0] = inverse;
                     for value in &mut values[1..] {

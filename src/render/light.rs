@@ -5,7 +5,7 @@
 
 use glam::Vec3;
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, always, map};
 use super::view::View;
 
 /// Ambient light from straight above and straight below, and from the direction of the viewer: what keeps form readable in the shade.
@@ -70,7 +70,7 @@ pub(super) fn dot<L: Lanes>(_: L, a: V3<L>, b: V3<L>) -> L::F {
 pub(super) fn normalize<L: Lanes>(l: L, a: V3<L>) -> V3<L> {
     let length = l.sqrt(dot(l, a, a));
     let inverse = l.splat(1.0) / l.max(length, l.splat(1e-20));
-    a.map(|x| x * inverse)
+    map(a, always!(|x| x * inverse))
 }
 
 /// Light that falls on a point, before it meets the material.
@@ -94,11 +94,11 @@ pub(super) struct Seen<L: Lanes> {
 /// Light and viewer as seen from `p` with the unit normal `n`.
 #[inline(always)]
 pub(super) fn see<L: Lanes>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> Seen<L> {
-    let splat = |v: Vec3| [l.splat(v.x), l.splat(v.y), l.splat(v.z)];
-    let towards = |v: Vec3| {
+    let splat = always!(|v: Vec3| [l.splat(v.x), l.splat(v.y), l.splat(v.z)]);
+    let towards = always!(|v: Vec3| {
         let v = splat(v);
         normalize(l, [v[0] - p[0], v[1] - p[1], v[2] - p[2]])
-    };
+    });
     let to_light = towards(lights.position);
     let to_eye = if lights.perspective { towards(lights.eye) } else { splat(lights.eye) };
     Seen { light: dot(l, n, to_light), viewer: dot(l, n, to_eye), up: n[1], between: dot(l, to_light, to_eye) }
@@ -108,7 +108,7 @@ pub(super) fn see<L: Lanes>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> Seen<L
 #[inline(always)]
 pub(super) fn shine<L: Lanes>(l: L, lights: &Lights, gloss: Gloss, seen: Seen<L>, other: bool) -> Shine<L> {
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
-    let turn = |x: L::F| if other { zero - x } else { x };
+    let turn = always!(|x: L::F| if other { zero - x } else { x });
     let (ndl, ndv, up) = (turn(seen.light), turn(seen.viewer), turn(seen.up));
     let (direct, facing) = (l.max(ndl, zero), l.max(ndv, zero));
     let mut light = [zero; 3];

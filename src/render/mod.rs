@@ -1,6 +1,7 @@
 //! The rasterizer. Knows the scene alone.
 
 mod background;
+pub mod bench;
 mod bin;
 mod bins;
 mod clip;

@@ -1,6 +1,6 @@
 //! The rows of a band while they are drawn: colour and depth for each sample.
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
 const MARGIN: usize = 16;
@@ -95,11 +95,11 @@ impl Plane {
     pub(super) fn blend<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: [L::F; 4]) {
         let slot = &mut self.color[s * self.area + at..];
         let old = l.iload(slot);
-        let color = color.map(|c| l.clamp(c, 0.0, 255.0));
+        let color = map(color, always!(|c| l.clamp(c, 0.0, 255.0)));
         let share = color[3] * l.splat(1.0 / 255.0);
         let keep = l.splat(1.0) - share;
         let byte = l.isplat(255);
-        let channel = |value: L::F, old: L::I| l.trunc(value * share + l.float(old & byte) * keep + l.splat(0.5));
+        let channel = always!(|value: L::F, old: L::I| l.trunc(value * share + l.float(old & byte) * keep + l.splat(0.5)));
         let red = channel(color[0], l.shr::<16>(old));
         let green = channel(color[1], l.shr::<8>(old));
         let blue = channel(color[2], old);
@@ -112,6 +112,6 @@ impl Plane {
 /// Opaque pixels from red, green and blue, 0 to 255.
 #[inline(always)]
 pub(super) fn pack<L: Lanes>(l: L, color: [L::F; 4]) -> L::I {
-    let byte = |c: L::F| l.trunc(l.clamp(c, 0.0, 255.0) + l.splat(0.5));
+    let byte = always!(|c: L::F| l.trunc(l.clamp(c, 0.0, 255.0) + l.splat(0.5)));
     l.isplat(0xFF00_0000u32 as i32) | l.shl::<16>(byte(color[0])) | l.shl::<8>(byte(color[1])) | byte(color[2])
 }

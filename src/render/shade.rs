@@ -3,10 +3,9 @@
 use glam::Vec3;
 
 use super::drawing::{Drawing, Feed, Item};
-use super::lanes::{Lanes, Scalar};
+use super::lanes::{Lanes, Scalar, always, each, map};
 use super::light::{normalize, see, shine};
 use super::style::{Normals, Style};
-use super::texture::Sampler;
 use super::vertex::finish;
 
 /// A way of shading with `K` attributes; attribute 0 is left to the caller.
@@ -34,11 +33,11 @@ impl<const K: usize> Slopes<K> {
     /// Change of the attributes `first` and `first + 1` a pixel to the right and downward.
     #[inline(always)]
     fn of<L: Lanes>(&self, l: L, values: &[L::F; K], first: usize) -> [[L::F; 2]; 2] {
-        let along = |slope: &[f32; K], k: usize| {
+        let along = always!(|slope: &[f32; K], k: usize| {
             let straight = l.splat(slope[k]);
             // Quotient rule, with values[0] = 1 / nearness.
             if self.curved { (straight - values[k] * l.splat(slope[0])) * values[0] } else { straight }
-        };
+        });
         [[along(&self.right, first), along(&self.right, first + 1)], [along(&self.below, first), along(&self.below, first + 1)]]
     }
 }
@@ -63,7 +62,7 @@ impl Attributes<5> for Gouraud<'_> {
             Normals::Smooth => feed.lit(t, other_side),
             _ => face_colors(self.drawing, self.style, feed, t, other_side),
         };
-        quads.map(|[r, g, b, a]| [0.0, r, g, b, a])
+        map(quads, always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a]))
     }
 
     #[inline(always)]
@@ -93,7 +92,7 @@ impl Attributes<7> for Textured<'_> {
             Normals::Smooth => feed.lit(t, other_side),
             _ => face_light(self.drawing, self.style, feed, t, other_side),
         };
-        std::array::from_fn(|k| [0.0, uv[k].x, uv[k].y, quads[k][0], quads[k][1], quads[k][2], quads[k][3]])
+        each(always!(|k: usize| [0.0, uv[k].x, uv[k].y, quads[k][0], quads[k][1], quads[k][2], quads[k][3]]))
     }
 
     #[inline(always)]
@@ -103,12 +102,12 @@ impl Attributes<7> for Textured<'_> {
         let texel = Texels::read(l, self.drawing, self.style, uv, across, down);
         let (one, full) = (l.splat(1.0), l.splat(255.0));
         let style = self.style;
-        let channel = |i: usize| {
+        let channel = always!(|i: usize| {
             let lit = texel.color[i] * values[3 + i];
             let dark = (one - lit * l.splat(1.0 / 255.0)) * (one - values[6] * l.splat(style.specular[i])) * (one - texel.glow[i]);
             let out = one - dark;
             (out + (l.splat(style.mark[i]) - out) * l.splat(style.mark_share)) * full
-        };
+        });
         [channel(0), channel(1), channel(2), texel.opacity * full]
     }
 }
@@ -130,10 +129,10 @@ impl Attributes<11> for Phong<'_> {
     #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 11]; 3] {
         let (places, normals) = geometry(self.style, feed, t, other_side);
-        std::array::from_fn(|k| {
+        each(always!(|k: usize| {
             let (n, p, c) = (normals[k], places[k], feed.tint(t, k));
             [0.0, n.x, n.y, n.z, p.x, p.y, p.z, c[0], c[1], c[2], c[3]]
-        })
+        }))
     }
 
     #[inline(always)]
@@ -142,7 +141,7 @@ impl Attributes<11> for Phong<'_> {
         let lights = &self.drawing.lights;
         let seen = see(l, lights, [v[4], v[5], v[6]], normal);
         let light = shine(l, lights, self.style.gloss, seen, false);
-        let [r, g, b] = finish(l, self.style, light, [v[7], v[8], v[9]], self.style.emission.map(|e| l.splat(e)));
+        let [r, g, b] = finish(l, self.style, light, [v[7], v[8], v[9]], map(self.style.emission, always!(|e| l.splat(e))));
         let full = l.splat(255.0);
         [r * full, g * full, b * full, v[10] * l.splat(self.style.opacity * 255.0)]
     }
@@ -166,10 +165,10 @@ impl Attributes<12> for PhongTextured<'_> {
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
         let (places, normals) = geometry(self.style, feed, t, other_side);
         let uv = feed.uvs(t);
-        std::array::from_fn(|k| {
+        each(always!(|k: usize| {
             let (n, p, c) = (normals[k], places[k], feed.tint(t, k));
             [0.0, n.x, n.y, n.z, p.x, p.y, p.z, uv[k].x, uv[k].y, c[0], c[1], c[2]]
-        })
+        }))
     }
 
     #[inline(always)]
@@ -201,21 +200,23 @@ impl<L: Lanes> Texels<L> {
     #[inline(always)]
     fn read(l: L, drawing: &Drawing<'_>, style: &Style, uv: [L::F; 2], across: [L::F; 2], down: [L::F; 2]) -> Self {
         let byte = l.splat(1.0 / 255.0);
-        let read = |sampler: &Sampler| {
-            drawing.textures.get(sampler.texture as usize).map(|texture| texture.sample(l, sampler.wrap, uv, across, down))
+        let mut texels = Self {
+            color: [l.splat(1.0); 3],
+            opacity: l.splat(style.opacity),
+            glow: map(style.emission, always!(|emission| l.splat(emission))),
         };
-        let mut texels =
-            Self { color: [l.splat(1.0); 3], opacity: l.splat(style.opacity), glow: style.emission.map(|emission| l.splat(emission)) };
-        if let Some([r, g, b, a]) = style.diffuse.as_ref().and_then(read) {
-            texels.color = [r * byte, g * byte, b * byte];
-            texels.opacity = texels.opacity * (a * byte);
-        }
-        if let Some([_, _, _, a]) = style.cutout.as_ref().and_then(read) {
-            texels.opacity = texels.opacity * (a * byte);
-        }
-        if let Some([r, g, b, _]) = style.glow.as_ref().and_then(read) {
-            for (glow, c) in texels.glow.iter_mut().zip([r, g, b]) {
-                *glow = *glow * (c * byte);
+        // A loop, so that there is one copy of the sampling code.
+        for (which, sampler) in [&style.diffuse, &style.cutout, &style.glow].into_iter().enumerate() {
+            let Some(sampler) = sampler else { continue };
+            let Some(texture) = drawing.textures.get(sampler.texture as usize) else { continue };
+            let [r, g, b, a] = map(texture.sample(l, sampler.wrap, uv, across, down), always!(|c| c * byte));
+            match which {
+                0 => {
+                    texels.color = [r, g, b];
+                    texels.opacity = texels.opacity * a;
+                }
+                1 => texels.opacity = texels.opacity * a,
+                _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
             }
         }
         texels
@@ -228,7 +229,7 @@ fn geometry(style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> ([Vec
     let places = feed.places(t);
     let sign = if other_side { -1.0 } else { 1.0 };
     let normals = match style.normals {
-        Normals::Smooth => feed.normals(t).map(|n| n * sign),
+        Normals::Smooth => map(feed.normals(t), always!(|n| n * sign)),
         _ => [face_normal(style, places, other_side); 3],
     };
     (places, normals)
@@ -244,30 +245,34 @@ fn face_normal(style: &Style, [a, b, c]: [Vec3; 3], other_side: bool) -> Vec3 {
 }
 
 /// Light at the corners, or in the middle, with the triangle's own normal.
-#[inline(always)]
+#[inline(never)]
 fn face_shine(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> [super::light::Shine<Scalar>; 3] {
     let places = feed.places(t);
     let normal = face_normal(style, places, other_side).to_array();
-    let at = |p: Vec3| shine(Scalar, &drawing.lights, style.gloss, see(Scalar, &drawing.lights, p.to_array(), normal), false);
-    if style.normals == Normals::Flat { [at((places[0] + places[1] + places[2]) / 3.0); 3] } else { places.map(at) }
+    let at = always!(|p: Vec3| shine(Scalar, &drawing.lights, style.gloss, see(Scalar, &drawing.lights, p.to_array(), normal), false));
+    if style.normals == Normals::Flat {
+        [at((places[0] + places[1] + places[2]) / 3.0); 3]
+    } else {
+        each(always!(|k: usize| at(places[k])))
+    }
 }
 
-#[inline(always)]
+#[inline(never)]
 fn face_colors(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
     let light = face_shine(drawing, style, feed, t, other_side);
-    std::array::from_fn(|k| {
+    each(always!(|k: usize| {
         let [r, g, b, a] = feed.tint(t, k);
         let color = finish(Scalar, style, light[k], [r, g, b], style.emission);
         [color[0] * 255.0, color[1] * 255.0, color[2] * 255.0, a * (style.opacity * 255.0)]
-    })
+    }))
 }
 
-#[inline(always)]
+#[inline(never)]
 fn face_light(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
     let light = face_shine(drawing, style, feed, t, other_side);
-    std::array::from_fn(|k| {
+    each(always!(|k: usize| {
         let tint = feed.tint(t, k);
-        let c = |i: usize| (if style.unlit { 1.0 } else { light[k].light[i] }) * tint[i] * style.albedo[i] * 255.0;
+        let c = always!(|i: usize| (if style.unlit { 1.0 } else { light[k].light[i] }) * tint[i] * style.albedo[i] * 255.0);
         [c(0), c(1), c(2), light[k].highlight]
-    })
+    }))
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::lanes::Lanes;
+use super::lanes::{Lanes, always};
 use crate::scene::{AlphaSource, Pixels, Wrap};
 
 /// Most levels: enough for [`crate::limits::IMAGE_SIDE`].
@@ -90,10 +90,10 @@ impl Texture {
     #[inline(always)]
     pub(super) fn sample<L: Lanes>(&self, l: L, wrap: [Wrap; 2], uv: [L::F; 2], across: [L::F; 2], down: [L::F; 2]) -> [L::F; 4] {
         let (w0, h0) = (l.splat(self.width[0] as f32), l.splat(self.height[0] as f32));
-        let size = |d: [L::F; 2]| {
+        let size = always!(|d: [L::F; 2]| {
             let (x, y) = (d[0] * w0, d[1] * h0);
             x * x + y * y
-        };
+        });
         // The nearest level: floor(log2 ρ + ½), read off the exponent of ρ².
         let squared = l.clamp(l.max(size(across), size(down)), 1.0, 1e9);
         let level = l.shr::<1>(l.shr::<23>(l.bits(squared)) - l.isplat(126));
@@ -111,16 +111,22 @@ impl Texture {
         let x = Axis::new(l, wrap[0], uv[0], width);
         let y = Axis::new(l, wrap[1], l.splat(1.0) - uv[1], height);
         let rows = [offset + l.imul(y.texel[0], width), offset + l.imul(y.texel[1], width)];
-        let tap = |row: usize, column: usize| l.gather(&self.texels, rows[row] + x.texel[column]);
+        let tap = always!(|row: usize, column: usize| l.gather(&self.texels, rows[row] + x.texel[column]));
         let taps = [[tap(0, 0), tap(0, 1)], [tap(1, 0), tap(1, 1)]];
         let byte = l.isplat(255);
-        let channel = |pick: &dyn Fn(L::I) -> L::I| {
-            let value = |row: usize, column: usize| l.float(pick(taps[row][column]) & byte);
+        let channel = always!(|which: usize| {
+            let pick = always!(|t: L::I| match which {
+                0 => l.shr::<16>(t),
+                1 => l.shr::<8>(t),
+                2 => t,
+                _ => l.shr::<24>(t),
+            });
+            let value = always!(|row: usize, column: usize| l.float(pick(taps[row][column]) & byte));
             let upper = value(0, 0) * x.weight[0] + value(0, 1) * x.weight[1];
             let lower = value(1, 0) * x.weight[0] + value(1, 1) * x.weight[1];
             upper * y.weight[0] + lower * y.weight[1]
-        };
-        [channel(&|t| l.shr::<16>(t)), channel(&|t| l.shr::<8>(t)), channel(&|t| t), channel(&|t| l.shr::<24>(t))]
+        });
+        [channel(0), channel(1), channel(2), channel(3)]
     }
 }
 

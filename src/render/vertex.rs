@@ -2,7 +2,7 @@
 
 use glam::{Mat3, Mat4, Vec3, Vec4};
 
-use super::lanes::{Lanes, kernel};
+use super::lanes::{Lanes, always, kernel, map};
 use super::light::{Lights, Shine, V3, normalize, see, shine};
 use super::style::{Style, Varying};
 use super::view::{BAD, NEAR, SIDES, Screen, View};
@@ -78,8 +78,8 @@ fn chunk<L: Lanes>(l: L, view: &View, lights: &Lights, style: &Style, geometry: 
         let here = start + done;
         let mut gathered = Gathered::default();
         gathered.fill(geometry, here, n, style.tinted);
-        let mut p = gathered.position.map(|lane| l.load(&lane));
-        let mut normal = gathered.normal.map(|lane| l.load(&lane));
+        let mut p = map(gathered.position, always!(|lane: [f32; 16]| l.load(&lane)));
+        let mut normal = map(gathered.normal, always!(|lane: [f32; 16]| l.load(&lane)));
         if let Some((matrix, turn)) = &geometry.transform {
             p = transform(l, matrix, p);
             normal = rotate(l, turn, normal);
@@ -94,7 +94,7 @@ fn chunk<L: Lanes>(l: L, view: &View, lights: &Lights, style: &Style, geometry: 
             }
             Varying::Light | Varying::Color => {
                 let seen = see(l, lights, p, normal);
-                let tint = gathered.tint.map(|lane| l.load(&lane));
+                let tint = map(gathered.tint, always!(|lane: [f32; 16]| l.load(&lane)));
                 let front = paint(l, style, shine(l, lights, style.gloss, seen, false), tint);
                 scatter(l, front, &mut out.front[done..done + n]);
                 if style.both_sides {
@@ -149,40 +149,42 @@ impl Gathered {
 
 #[inline(always)]
 fn transform<L: Lanes>(l: L, m: &Mat4, p: V3<L>) -> V3<L> {
-    let row = |i: usize| {
-        let r = [m.x_axis[i], m.y_axis[i], m.z_axis[i], m.w_axis[i]].map(|x| l.splat(x));
+    let row = always!(|i: usize| {
+        let r = [m.x_axis[i], m.y_axis[i], m.z_axis[i], m.w_axis[i]];
+        let r = map(r, always!(|x| l.splat(x)));
         r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3]
-    };
+    });
     [row(0), row(1), row(2)]
 }
 
 #[inline(always)]
 fn rotate<L: Lanes>(l: L, m: &Mat3, p: V3<L>) -> V3<L> {
-    let row = |i: usize| {
-        let r = [m.x_axis[i], m.y_axis[i], m.z_axis[i]].map(|x| l.splat(x));
+    let row = always!(|i: usize| {
+        let r = [m.x_axis[i], m.y_axis[i], m.z_axis[i]];
+        let r = map(r, always!(|x| l.splat(x)));
         r[0] * p[0] + r[1] * p[1] + r[2] * p[2]
-    };
+    });
     [row(0), row(1), row(2)]
 }
 
 #[inline(always)]
 fn project<L: Lanes>(l: L, view: &View, p: V3<L>, out: &mut [Screen]) {
-    let row = |r: Vec4| {
-        let r = r.to_array().map(|x| l.splat(x));
+    let row = always!(|r: Vec4| {
+        let r = map(r.to_array(), always!(|x| l.splat(x)));
         r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3]
-    };
+    });
     let (x, y, distance) = (row(view.x), row(view.y), row(view.distance));
     let one = l.splat(1.0);
     let w = if view.perspective { distance } else { one };
     let inverse = one / w;
     let q = if view.perspective { inverse } else { row(view.nearness) };
-    let [half_x, half_y] = view.half.map(|half| l.splat(half));
-    let snap = |pixels: L::F| l.trunc(l.floor(pixels * l.splat(256.0) + l.splat(0.5)));
+    let [half_x, half_y] = map(view.half, always!(|half| l.splat(half)));
+    let snap = always!(|pixels: L::F| l.trunc(l.floor(pixels * l.splat(256.0) + l.splat(0.5))));
     let (sx, sy) = (snap((x * inverse + one) * half_x), snap((one - y * inverse) * half_y));
     // Everything is asked so that NaN answers "no".
-    let [gx, gy] = view.guard().map(|g| l.splat(g) * w);
+    let [gx, gy] = map(view.guard(), always!(|g| l.splat(g) * w));
     let zero = l.splat(0.0);
-    let flag = |ok: L::M, code: u32| l.iselect(ok, l.isplat(0), l.isplat(code as i32));
+    let flag = always!(|ok: L::M, code: u32| l.iselect(ok, l.isplat(0), l.isplat(code as i32)));
     let largest = l.max(l.max(l.abs(x), l.abs(y)), l.abs(distance));
     // A sum is not a number, or infinite, if one of its terms is.
     let finite = l.lt(l.abs(x) + l.abs(y) + l.abs(distance) + largest, l.splat(f32::MAX));
@@ -208,12 +210,12 @@ fn paint<L: Lanes>(l: L, style: &Style, shine: Shine<L>, tint: [L::F; 4]) -> [L:
     let full = l.splat(255.0);
     match style.varying {
         Varying::Color => {
-            let color = finish(l, style, shine, [tint[0], tint[1], tint[2]], style.emission.map(|e| l.splat(e)));
+            let color = finish(l, style, shine, [tint[0], tint[1], tint[2]], map(style.emission, always!(|e| l.splat(e))));
             [color[0] * full, color[1] * full, color[2] * full, tint[3] * l.splat(style.opacity * 255.0)]
         }
         _ => {
             let light = if style.unlit { [l.splat(1.0); 3] } else { shine.light };
-            let c = |i: usize| light[i] * tint[i] * l.splat(style.albedo[i]) * full;
+            let c = always!(|i: usize| light[i] * tint[i] * l.splat(style.albedo[i]) * full);
             [c(0), c(1), c(2), shine.highlight]
         }
     }
@@ -223,14 +225,14 @@ fn paint<L: Lanes>(l: L, style: &Style, shine: Shine<L>, tint: [L::F; 4]) -> [L:
 #[inline(always)]
 pub(super) fn finish<L: Lanes>(l: L, style: &Style, shine: Shine<L>, base: V3<L>, emission: V3<L>) -> V3<L> {
     let one = l.splat(1.0);
-    let channel = |i: usize| {
+    let channel = always!(|i: usize| {
         let albedo = base[i] * l.splat(style.albedo[i]);
         let lit = if style.unlit { albedo } else { albedo * shine.light[i] };
         // Screen on the highlight and the emission.
         let dark = (one - lit) * (one - shine.highlight * l.splat(style.specular[i])) * (one - emission[i]);
         let out = one - dark;
         out + (l.splat(style.mark[i]) - out) * l.splat(style.mark_share)
-    };
+    });
     [channel(0), channel(1), channel(2)]
 }
 

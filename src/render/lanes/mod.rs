@@ -1,8 +1,8 @@
 //! Vectors of `f32` and `i32`, and the choice of instruction set.
 //!
 //! Every kernel is written once, generic over [`Lanes`], and compiled for each instruction set. All operations are those that IEEE 754 rounds
-//! exactly (no fused multiply-add, no approximate reciprocals), each lane on its own, so a pixel gets the same bits whether 1, 4, 8 or
-//! 16 of them are computed at a time. `f32` stays correct where a compiler's own vectorizer would have to be trusted to see the pattern;
+//! exactly (no fused multiply-add, no approximate reciprocals), each lane on its own, so a pixel gets the same bits whether 1, 4 or 8
+//! of them are computed at a time. `f32` stays correct where a compiler's own vectorizer would have to be trusted to see the pattern;
 //! that was tried first and lost the masked stores.
 //!
 //! A value of an instruction set's type ([`Avx2`], …) is the proof that the processor has it: only [`Level::detect`] makes one.
@@ -15,7 +15,7 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
 pub(crate) use scalar::Scalar;
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Avx2, Avx512, Sse2};
+pub(crate) use x86::{Avx2, Sse2};
 
 /// `N` pixels or vertices side by side.
 pub(crate) trait Lanes: Copy {
@@ -87,6 +87,44 @@ pub(crate) trait Lanes: Copy {
     }
 }
 
+/// `std::array::from_fn` that is certain to be inlined. An intrinsic can only be inlined where its instruction set is switched on, so every function and
+/// closure between a kernel's entry and its intrinsics has to dissolve; one that does not costs a factor of fifty.
+#[inline(always)]
+pub(crate) fn each<T: Copy, const N: usize>(mut value: impl FnMut(usize) -> T) -> [T; N] {
+    let mut all = [value(0); N];
+    for (i, slot) in all.iter_mut().enumerate().skip(1) {
+        *slot = value(i);
+    }
+    all
+}
+
+/// `array::map`, inlined in the same way.
+#[inline(always)]
+pub(crate) fn map<T: Copy, U: Copy, const N: usize>(from: [T; N], mut to: impl FnMut(T) -> U) -> [U; N] {
+    let mut all = [to(from[0]); N];
+    for i in 1..N {
+        all[i] = to(from[i]);
+    }
+    all
+}
+
+/// A closure that is certain to be inlined: `always!(|x| …)`. The attribute is allowed on arguments of calls only, hence [`same`].
+macro_rules! always {
+    ($closure:expr) => {
+        $crate::render::lanes::same(
+            #[inline(always)]
+            $closure,
+        )
+    };
+}
+pub(crate) use always;
+
+/// Gives back what it is given.
+#[inline(always)]
+pub(crate) fn same<T>(value: T) -> T {
+    value
+}
+
 /// An instruction set that this processor has.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Level {
@@ -95,8 +133,6 @@ pub(crate) enum Level {
     Sse2(Sse2),
     #[cfg(target_arch = "x86_64")]
     Avx2(Avx2),
-    #[cfg(target_arch = "x86_64")]
-    Avx512(Avx512),
 }
 
 impl Level {
@@ -107,7 +143,6 @@ impl Level {
         {
             all.push(Self::Sse2(Sse2::new()));
             all.extend(Avx2::detect().map(Self::Avx2));
-            all.extend(Avx512::detect().map(Self::Avx512));
         }
         all
     }
@@ -120,8 +155,6 @@ impl Level {
             Self::Sse2(_) => "sse2",
             #[cfg(target_arch = "x86_64")]
             Self::Avx2(_) => "avx2",
-            #[cfg(target_arch = "x86_64")]
-            Self::Avx512(_) => "avx512",
         }
     }
 
@@ -130,8 +163,8 @@ impl Level {
         Self::all().into_iter().find(|level| level.name() == name)
     }
 
-    /// The one that the environment variable `SINEW_SIMD` asks for, else the fastest. AVX-512 is never chosen by itself: triangles of a
-    /// few pixels fill 8 lanes badly and 16 worse.
+    /// The one that the environment variable `SINEW_SIMD` asks for, else the fastest. There is no AVX-512: triangles of a few
+    /// pixels fill eight lanes badly and would fill sixteen worse.
     pub(crate) fn detect() -> Self {
         if let Some(level) = std::env::var("SINEW_SIMD").ok().and_then(|name| Self::named(&name)) {
             return level;
@@ -154,12 +187,6 @@ macro_rules! kernel {
             fn avx2 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
-            #[cfg(target_arch = "x86_64")]
-            #[allow(clippy::too_many_arguments)]
-            #[target_feature(enable = "avx2,avx512f")]
-            fn avx512 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx512, $($argument: $type),*) {
-                $generic(lanes, $($argument),*)
-            }
             match level {
                 $crate::render::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
                 #[cfg(target_arch = "x86_64")]
@@ -167,9 +194,6 @@ macro_rules! kernel {
                 // SAFETY: a value of the type `Avx2` exists only where the processor has AVX2.
                 #[cfg(target_arch = "x86_64")]
                 $crate::render::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
-                // SAFETY: a value of the type `Avx512` exists only where the processor has AVX2 and AVX-512F.
-                #[cfg(target_arch = "x86_64")]
-                $crate::render::lanes::Level::Avx512(lanes) => unsafe { avx512(lanes, $($argument),*) },
             }
         }
     };
