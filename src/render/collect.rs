@@ -4,14 +4,17 @@ use std::sync::{Arc, Weak};
 
 use glam::Vec3;
 
+use super::bin::Bands;
 use super::drawing::{Item, Source};
-use super::light::{Gloss, Lights};
+use super::edges::Edge;
+use super::glyphs::Pen;
+use super::light::Gloss;
 use super::renderer::Buffers;
 use super::style::{Fill, Layer, Normals, Style, Varying};
 use super::texture::{Alpha, Cache, Sampler};
 use super::view::View;
 use super::{Display, Shading};
-use crate::scene::{AlphaSource, Bounds, Frame, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef};
+use crate::scene::{AlphaSource, Bounds, Frame, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef, Wrap};
 
 /// What was found out about meshes, kept from frame to frame.
 #[derive(Debug, Default)]
@@ -19,6 +22,8 @@ pub(super) struct Collector {
     known: Vec<Facts>,
     /// Items by layer before they are put in order.
     pending: Vec<Item>,
+    /// Which triangles of a surface face the eye, while its outline is drawn.
+    facing: Vec<bool>,
 }
 
 /// Facts about one mesh.
@@ -28,36 +33,35 @@ struct Facts {
     mesh: Weak<Mesh>,
     /// For each part the mesh vertices it uses: first and one past the last.
     ranges: Vec<(u32, u32)>,
+    edges: Option<Vec<Edge>>,
 }
 
 impl Collector {
-    /// The vertices that each part of a mesh uses.
-    fn ranges(&mut self, mesh: &Arc<Mesh>) -> &[(u32, u32)] {
+    /// The facts about a mesh, found when first asked for: an index in `known`.
+    fn facts(&mut self, mesh: &Arc<Mesh>) -> usize {
         let known = self.known.iter().position(|facts| std::ptr::eq(facts.mesh.as_ptr(), Arc::as_ptr(mesh)));
-        let index = known.unwrap_or_else(|| {
+        known.unwrap_or_else(|| {
             self.known.retain(|facts| facts.mesh.strong_count() > 0);
             let range = |part: &crate::scene::Part| {
                 let triangles = mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]);
                 let corners = || triangles.iter().flatten().copied().filter(|v| (*v as usize) < mesh.positions.len());
                 (corners().min().unwrap_or(0), corners().max().map_or(0, |v| v + 1))
             };
-            self.known.push(Facts { mesh: Arc::downgrade(mesh), ranges: mesh.parts.iter().map(range).collect() });
+            self.known.push(Facts { mesh: Arc::downgrade(mesh), ranges: mesh.parts.iter().map(range).collect(), edges: None });
             self.known.len() - 1
-        });
-        &self.known[index].ranges
-    }
-
-    /// The light of the picture.
-    pub(super) fn lights(&self, frame: &Frame, view: &View, display: &Display) -> Lights {
-        let position = display.light.filter(|p| p.is_finite()).unwrap_or_else(|| key_light(&frame.bounds, view));
-        Lights::new(position, display.ambient, view)
+        })
     }
 }
 
+/// Where the light is: where the display puts it, or its usual place.
+pub(super) fn light_position(frame: &Frame, view: &View, display: &Display) -> Vec3 {
+    display.light.filter(|p| p.is_finite()).unwrap_or_else(|| key_light(&frame.bounds, view))
+}
+
 /// High on the left of the camera, some way off the bounds.
-pub(super) fn key_light(bounds: &Bounds, view: &View) -> Vec3 {
+fn key_light(bounds: &Bounds, view: &View) -> Vec3 {
     let radius = if bounds.is_empty() { 1.0 } else { (bounds.diagonal() * 0.5).max(1e-6) };
-    bounds.center() + (view.back * 1.9 - view.right * 1.6 + view.up * 2.1) * radius
+    bounds.center() + (view.back * 2.3 - view.right * 1.6 + view.up * 2.1) * radius
 }
 
 /// `0xRRGGBB` as numbers from 0 to 1.
@@ -67,20 +71,32 @@ pub(super) fn rgb(color: u32) -> [f32; 3] {
 
 impl Buffers {
     /// Makes the list of items and numbers their vertices and triangles.
-    pub(super) fn collect(&mut self, cache: &mut Cache, scene: &Scene, frame: &Frame, view: &View, display: &Display) {
-        let _ = view;
+    pub(super) fn collect(&mut self, cache: &mut Cache, scene: &Scene, frame: &Frame, display: &Display) {
         let mut pending = std::mem::take(&mut self.collector.pending);
         pending.clear();
+        self.heat.clear();
         for (index, surface) in frame.surfaces.iter().enumerate() {
-            let shown = if surface.muscle.is_some() { display.muscle } else { display.mesh };
-            if !shown || !surface.visible {
-                continue;
+            if shown(display, surface) {
+                self.surface(&mut pending, cache, scene, frame, display, index as u32, surface);
             }
-            self.surface(&mut pending, cache, scene, frame, display, index as u32, surface);
+        }
+        if display.bones {
+            self.bones.bones(scene, frame, display);
+            pending.push(Item {
+                source: Source::Bones,
+                style: Style { layer: Layer::Overlay, tinted: true, depth_test: display.depth_test, ..Style::default() },
+                cull: false,
+                vertices: 0..self.bones.positions.len(),
+                first_vertex: 0,
+                expanded: false,
+                triangles: 0..self.bones.triangles.len() as u32,
+                heat: None,
+            });
         }
         self.items.clear();
         for layer in [Layer::Opaque, Layer::Blended, Layer::Overlay] {
-            self.items.extend(pending.iter().filter(|item| item.style.layer == layer).cloned());
+            let of_layer = |item: &&Item| item.style.layer == layer && !item.triangles.is_empty();
+            self.items.extend(pending.iter().filter(of_layer).cloned());
         }
         let (mut vertices, mut triangles) = (0usize, 0u32);
         let mut fitting = 0;
@@ -97,6 +113,37 @@ impl Buffers {
         self.collector.pending = pending;
     }
 
+    /// Makes all lines.
+    pub(super) fn sketch(&mut self, scene: &Scene, frame: &Frame, view: &View, bands: &Bands, display: &Display, light: Vec3) {
+        let mut strokes = std::mem::take(&mut self.strokes);
+        strokes.reset(bands);
+        let mut pen = Pen { view, bands, display, strokes: &mut strokes };
+        pen.helpers(frame, light);
+        for surface in frame.surfaces.iter().filter(|surface| shown(display, surface)) {
+            let selected = display.selected == Some(surface.node);
+            if display.wireframe || selected {
+                let index = self.collector.facts(&surface.mesh);
+                let facts = &mut self.collector.known[index];
+                let edges = facts.edges.get_or_insert_with(|| super::edges::find(&surface.mesh));
+                if display.wireframe {
+                    pen.wireframe(surface, edges);
+                }
+                if selected {
+                    pen.outline(surface, edges, display.palette.selected, &mut self.collector.facing);
+                }
+            }
+            // A muscle's own lines are the rings of its nodes, of interest while it is selected.
+            if surface.muscle.is_none() || selected {
+                let color = if selected { rgb(display.palette.selected) } else { own_color(frame, display, surface) };
+                pen.own_lines(surface, color);
+            }
+        }
+        if display.bones || display.bone_axes {
+            pen.joints(scene, frame);
+        }
+        self.strokes = strokes;
+    }
+
     #[allow(clippy::too_many_arguments)]
     fn surface(
         &mut self,
@@ -109,6 +156,11 @@ impl Buffers {
         surface: &Surface,
     ) {
         let mesh = &surface.mesh;
+        let heat = display.weights.filter(|_| surface.muscle.is_none()).map(|joint| {
+            let from = self.heat.len();
+            super::heat::paint(scene, surface, joint, &mut self.heat);
+            from
+        });
         for part in 0..mesh.parts.len() {
             let triangles = mesh.parts[part].triangles.clone();
             if triangles.is_empty() || triangles.end as usize > mesh.triangles.len() {
@@ -116,11 +168,12 @@ impl Buffers {
             }
             let binding = surface.materials.get(part).and_then(Option::as_ref);
             let material = binding.and_then(|binding| frame.materials.get(binding.material.index()));
-            let style = style(cache, scene, display, surface, material, binding);
+            let style = style(cache, scene, display, surface, part, material, binding);
             if style.opacity <= 0.0 {
                 continue;
             }
-            let (first, end) = self.collector.ranges(mesh)[part];
+            let facts = self.collector.facts(mesh);
+            let (first, end) = self.collector.known[facts].ranges[part];
             let expanded = (end.saturating_sub(first)) as usize > triangles.len() * 3;
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
             pending.push(Item {
@@ -130,35 +183,51 @@ impl Buffers {
                 expanded,
                 triangles: 0..triangles.len() as u32,
                 source: Source::Surface { index, triangles },
-                heat: None,
+                heat,
                 style,
             });
         }
     }
 }
 
+/// Whether a surface is drawn at all.
+pub(super) fn shown(display: &Display, surface: &Surface) -> bool {
+    surface.visible && if surface.muscle.is_some() { display.muscle } else { display.mesh }
+}
+
+/// The colour of the lines that a mesh brings along: its material's.
+fn own_color(frame: &Frame, display: &Display, surface: &Surface) -> [f32; 3] {
+    let material = surface.materials.iter().flatten().next().and_then(|binding| frame.materials.get(binding.material.index()));
+    let neutral = Material::default();
+    material.filter(|_| display.materials).unwrap_or(&neutral).diffuse.color.to_array()
+}
+
 /// How a part of a surface is drawn.
+#[allow(clippy::too_many_arguments)]
 fn style(
     cache: &mut Cache,
     scene: &Scene,
     display: &Display,
     surface: &Surface,
+    part: usize,
     material: Option<&Material>,
     binding: Option<&MaterialBinding>,
 ) -> Style {
     let neutral = Material::default();
-    let material = material.filter(|_| display.materials).unwrap_or(&neutral);
+    let heated = display.weights.is_some() && surface.muscle.is_none();
+    let colored = display.materials && !heated;
+    let material = material.filter(|_| colored).unwrap_or(&neutral);
     let mut style = Style {
-        albedo: material.diffuse.color.to_array(),
+        albedo: if heated { [1.0; 3] } else { material.diffuse.color.to_array() },
         opacity: if material.opacity.is_finite() { material.opacity.clamp(0.0, 1.0) } else { 1.0 },
         emission: material.emission.color.to_array(),
         mirrored: surface.mirrored,
-        tinted: display.materials && !surface.mesh.colors.is_empty(),
+        tinted: heated || (colored && !surface.mesh.colors.is_empty()),
         depth_test: display.depth_test,
         both_sides: !(display.cull_back_faces && !material.double_sided),
         ..Style::default()
     };
-    if display.materials {
+    if colored {
         let mut sampler = |texture: &TextureRef, alpha: Alpha| {
             let set = binding.map_or(0, |binding| binding.uv_set(texture));
             let pixels = scene.images.get(texture.image.index())?.pixels.as_ref()?;
@@ -166,18 +235,23 @@ fn style(
             Some(Sampler { texture: cache.get(pixels, alpha), wrap: [texture.wrap_s, texture.wrap_t], uv_set: set })
         };
         style.diffuse = material.diffuse.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
-        style.cutout = material
-            .opacity_texture
-            .as_ref()
-            .and_then(|(texture, source): &(TextureRef, AlphaSource)| sampler(texture, Alpha::From(*source)));
+        let cutout = |(texture, source): &(TextureRef, AlphaSource)| sampler(texture, Alpha::From(*source));
+        style.cutout = material.opacity_texture.as_ref().and_then(cutout);
         style.glow = material.emission.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
         let shiny = matches!(material.model, ShadingModel::Phong | ShadingModel::Blinn) && material.specular.color.max_element() > 0.0;
         if shiny {
-            style.specular = material.specular.color.to_array();
+            style.specular = material.specular.color.clamp(Vec3::ZERO, Vec3::ONE).to_array();
             style.gloss = Gloss { exponent: material.shininess.clamp(1.0, 1000.0), mirrored: material.model == ShadingModel::Phong };
         }
         style.unlit = material.model == ShadingModel::Constant;
+        if style.unlit && style.emission.iter().any(|e| *e > 0.0) {
+            style.albedo = [0.0; 3];
+        }
+        if surface.muscle.is_some() {
+            flesh(&mut style, cache, display, surface, part, material, &neutral);
+        }
     }
+    mark(&mut style, display, surface);
     let textured = style.diffuse.is_some() || style.cutout.is_some() || style.glow.is_some();
     style.layer = if style.opacity < 1.0 || style.cutout.is_some() { Layer::Blended } else { Layer::Opaque };
     style.normals = match (display.shading, display.smooth_normals) {
@@ -195,4 +269,41 @@ fn style(
         style.varying = Varying::Geometry;
     }
     style
+}
+
+/// Turns a muscle's plain colour into fibres, with a soft shine; a flat look has none.
+#[allow(clippy::too_many_arguments)]
+fn flesh(style: &mut Style, cache: &mut Cache, display: &Display, surface: &Surface, part: usize, material: &Material, neutral: &Material) {
+    let tendon = surface.mesh.parts.get(part).is_some_and(|part| part.symbol == "tendon");
+    if std::ptr::eq(material, neutral) {
+        // `#B8322E` and, for a tendon, `#E8DFC8`.
+        style.albedo = rgb(if tendon { 0xE8DFC8 } else { 0xB8322E });
+    }
+    if style.gloss.exponent == 0.0 {
+        style.specular = [0.28; 3];
+        style.gloss = Gloss { exponent: 26.0, mirrored: false };
+    }
+    if display.shading == Shading::Flat || surface.mesh.uv_sets.is_empty() || style.diffuse.is_some() {
+        return;
+    }
+    let color = style.albedo.map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8);
+    let texture = cache.muscle(color, !tendon);
+    style.diffuse = Some(Sampler { texture, wrap: [Wrap::Repeat, Wrap::Clamp], uv_set: 0 });
+    // The fibres bring their own colour.
+    style.albedo = [1.0; 3];
+    style.tinted = false;
+}
+
+/// Tints what is selected or under the pointer.
+fn mark(style: &mut Style, display: &Display, surface: &Surface) {
+    let found = if display.selected == Some(surface.node) {
+        Some((display.palette.selected, 0.14))
+    } else if display.hovered == Some(surface.node) {
+        Some((display.palette.hovered, 0.10))
+    } else {
+        None
+    };
+    if let Some((color, share)) = found {
+        (style.mark, style.mark_share) = (rgb(color), share);
+    }
 }

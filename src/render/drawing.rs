@@ -127,7 +127,7 @@ pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a Made, heat: &'a [glam::V
 }
 
 /// Takes normals where `matrix` takes points: the inverse transpose, up to a factor, which exists for flat matrices too.
-fn normal_matrix(matrix: &glam::Mat4) -> glam::Mat3 {
+pub(super) fn normal_matrix(matrix: &glam::Mat4) -> glam::Mat3 {
     let m = glam::Mat3::from_mat4(*matrix);
     let cofactors = glam::Mat3::from_cols(m.y_axis.cross(m.z_axis), m.z_axis.cross(m.x_axis), m.x_axis.cross(m.y_axis));
     // A mirroring matrix turns the cofactors inside out.
@@ -193,11 +193,6 @@ pub(super) struct Feed<'a> {
 }
 
 impl Feed<'_> {
-    /// Number of triangles.
-    pub(super) fn len(&self) -> usize {
-        self.geometry.triangles.len()
-    }
-
     /// The corners on the picture; `None` where a vertex isn't there.
     #[inline(always)]
     pub(super) fn screens(&self, t: usize) -> Option<[Screen; 3]> {

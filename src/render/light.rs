@@ -9,9 +9,9 @@ use super::lanes::{Lanes, always, map};
 use super::view::View;
 
 /// Ambient light from straight above and straight below, and from the direction of the viewer: what keeps form readable in the shade.
-const SKY: [f32; 3] = [0.66, 0.71, 0.78];
-const GROUND: [f32; 3] = [0.44, 0.40, 0.38];
-const VIEWER: [f32; 3] = [0.30, 0.29, 0.28];
+const SKY: [f32; 3] = [0.70, 0.74, 0.80];
+const GROUND: [f32; 3] = [0.50, 0.46, 0.44];
+const VIEWER: [f32; 3] = [0.26, 0.25, 0.24];
 /// The key light's colour, a little warm.
 const KEY: [f32; 3] = [1.0, 0.985, 0.96];
 
@@ -31,9 +31,11 @@ pub(super) struct Lights {
 }
 
 impl Lights {
-    /// `ambient` from 0 to 1 is the share of the ambient light; the key light has the rest.
+    /// `ambient` from 0 to 1 sets the share of the ambient light, the key light has the rest. The eye judges light by ratios, so the share
+    /// rises fast from 0: a quarter of the way gives two fifths of the light to the shade.
     pub(super) fn new(position: Vec3, ambient: f32, view: &View) -> Self {
         let ambient = if ambient.is_finite() { ambient.clamp(0.0, 1.0) } else { 0.25 };
+        let ambient = ambient * (1.75 - 0.75 * ambient);
         let each = |f: fn(usize) -> f32| -> [f32; 3] { std::array::from_fn(f) };
         let scaled = |colour: [f32; 3], by: f32| colour.map(|c| c * by);
         Self {

@@ -4,13 +4,20 @@ mod background;
 pub mod bench;
 mod bin;
 mod bins;
+mod bones;
 mod clip;
 mod collect;
 mod display;
 mod drawing;
+mod edges;
 mod fill;
+mod glyphs;
+mod heat;
 mod lanes;
 mod light;
+mod line;
+mod muscle;
+mod pick;
 mod plane;
 mod pool;
 mod renderer;
@@ -137,8 +144,7 @@ impl Renderer {
         x: f32,
         y: f32,
     ) -> Option<Pick> {
-        let _ = (scene, frame, camera, display, width, height, x, y);
-        None
+        self.buffers.pick(&self.pool, self.level, (scene, frame, camera, display), (width, height), x, y)
     }
 
     /// The last frame's times.

@@ -65,6 +65,12 @@ impl Plane {
         &self.depth[at..at + self.width]
     }
 
+    /// Colours to write and depths to read of one row.
+    pub(super) fn row_and_depth(&mut self, s: usize, row: usize) -> (&mut [u32], &[f32]) {
+        let at = s * self.area + row * self.pitch;
+        (&mut self.color[at..at + self.width], &self.depth[at..at + self.width])
+    }
+
     /// Where pixel `x` of picture row `y` stands in a sample plane.
     #[inline(always)]
     pub(super) fn index(&self, y: i32, x: i32) -> usize {

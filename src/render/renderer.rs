@@ -8,14 +8,15 @@ use glam::Vec4;
 use super::background::Backdrop;
 use super::bin::{Bands, bin};
 use super::bins::Bins;
-use super::collect::Collector;
+use super::collect::{Collector, light_position};
 use super::drawing::{Drawing, Item, Made, Unit, geometry};
 use super::fill::{Stretch, fill};
 use super::lanes::Level;
 use super::light::Lights;
+use super::line::{self, Stage, Strokes};
 use super::plane::Plane;
 use super::pool::Pool;
-use super::resolve::{Rows, copy_row, resolve};
+use super::resolve::{Rows, copy_row, lay_over, resolve};
 use super::style::Layer;
 use super::texture::Cache;
 use super::vertex::{CHUNK, Out, Quad, vertices};
@@ -26,6 +27,7 @@ use crate::scene::{Camera, Frame, Scene};
 
 /// Rows of a band: enough for a small triangle to touch one band mostly, few enough for its pixels to stay in the second-level cache.
 const BAND_ROWS: usize = 32;
+const _: () = assert!(BAND_ROWS <= super::setup::ROWS);
 /// Triangles in a unit of binning, at least.
 const UNIT: u32 = 2048;
 /// Most units a layer, so that the lists of a picture stay few.
@@ -39,11 +41,11 @@ pub(super) struct Buffers {
     pub bones: Made,
     pub heat: Vec<Vec4>,
     pub cache: Cache,
+    pub strokes: Strokes,
     screen: Vec<Screen>,
     front: Vec<Quad>,
     back: Vec<Quad>,
     units: Vec<Unit>,
-    unit_count: usize,
     sorted: Vec<Sorted>,
     sorted_bins: Bins,
     locals: Vec<Mutex<Local>>,
@@ -142,17 +144,7 @@ impl Buffers {
         }
         let canvas = Canvas::new(display, width, height);
         let start = Instant::now();
-        let mut textures = std::mem::take(&mut self.cache);
-        textures.begin();
-        let view = View::new(camera, width, height);
-        if let Some(view) = &view {
-            self.collect(&mut textures, scene, frame, view, display);
-        } else {
-            self.items.clear();
-        }
-        // Without a camera nothing is drawn but the background.
-        let view = view.unwrap_or_else(View::nowhere);
-        let lights = self.collector.lights(frame, &view, display);
+        let (view, lights) = self.prepare(scene, frame, camera, display, &canvas);
         self.vertex_stage(pool, level, frame, &view, &lights);
         stats.vertex_ms = milliseconds(start);
         let start = Instant::now();
@@ -160,28 +152,32 @@ impl Buffers {
         let mut locals = std::mem::take(&mut self.locals);
         let mut sorted = std::mem::take(&mut self.sorted);
         let mut sorted_bins = std::mem::take(&mut self.sorted_bins);
-        let drawing = Drawing {
-            view,
-            lights,
-            frame,
-            bones: &self.bones,
-            items: &self.items,
-            textures: textures.textures(),
-            heat: &self.heat,
-            screen: &self.screen,
-            front: &self.front,
-            back: &self.back,
-        };
-        self.unit_count = divide(&self.items, &mut units);
-        let units_now = &mut units[..self.unit_count];
-        let jobs = Mutex::new(units_now.iter_mut());
+        let drawing = self.drawing(frame, view, lights);
+        let unit_count = divide(&self.items, &mut units);
+        let jobs = Mutex::new(units[..unit_count].iter_mut());
         pool.run(&|_| {
             while let Some(unit) = take(&jobs) {
                 bin(&drawing, &canvas.bands, unit);
             }
         });
-        let units_now = &units[..self.unit_count];
+        let units_now = &units[..unit_count];
         sort_blended(&drawing, &canvas.bands, units_now, &mut sorted, &mut sorted_bins);
+        let xray = if !display.depth_test {
+            1.0
+        } else if display.xray {
+            XRAY
+        } else {
+            0.0
+        };
+        let picture = Picture {
+            drawing: &drawing,
+            canvas: &canvas,
+            units: units_now,
+            sorted: &sorted,
+            sorted_bins: &sorted_bins,
+            strokes: &self.strokes,
+            xray,
+        };
         locals.resize_with(pool.workers().max(locals.len()), Mutex::default);
         let rows = Mutex::new(target.chunks_mut(stride * BAND_ROWS).take(canvas.bands.count).enumerate());
         pool.run(&|worker| {
@@ -190,7 +186,7 @@ impl Buffers {
             local.resolve_ms = 0.0;
             while let Some((band, bytes)) = take(&rows) {
                 let rows = Rows { bytes, stride };
-                draw_band(level, &drawing, &canvas, (units_now, &sorted, &sorted_bins), band, &mut local, rows);
+                draw_band(level, &picture, band, &mut local, rows);
             }
         });
         let workers = pool.workers() as f64;
@@ -199,10 +195,45 @@ impl Buffers {
         stats.raster_ms = (milliseconds(start) - stats.resolve_ms).max(0.0);
         stats.triangles = self.items.last().map_or(0, |item| u64::from(item.triangles.end));
         (self.units, self.locals, self.sorted, self.sorted_bins) = (units, locals, sorted, sorted_bins);
-        self.cache = textures;
         stats
     }
 
+    /// Makes the lists of what is to be drawn.
+    pub(super) fn prepare(&mut self, scene: &Scene, frame: &Frame, camera: &Camera, display: &Display, canvas: &Canvas) -> (View, Lights) {
+        let view = View::new(camera, canvas.width, canvas.height);
+        // Without a camera nothing is drawn but the background.
+        let seen = view.is_some();
+        let view = view.unwrap_or_else(View::nowhere);
+        let position = light_position(frame, &view, display);
+        self.items.clear();
+        self.strokes.reset(&canvas.bands);
+        if seen {
+            let mut cache = std::mem::take(&mut self.cache);
+            cache.begin();
+            self.collect(&mut cache, scene, frame, display);
+            self.cache = cache;
+            self.sketch(scene, frame, &view, &canvas.bands, display, position);
+        }
+        (view, Lights::new(position, display.ambient, &view))
+    }
+
+    /// What the stages after the vertex stage read.
+    pub(super) fn drawing<'a>(&'a self, frame: &'a Frame, view: View, lights: Lights) -> Drawing<'a> {
+        Drawing {
+            view,
+            lights,
+            frame,
+            bones: &self.bones,
+            items: &self.items,
+            textures: self.cache.textures(),
+            heat: &self.heat,
+            screen: &self.screen,
+            front: &self.front,
+            back: &self.back,
+        }
+    }
+
+    /// Transforms and lights the vertices of all items.
     pub(super) fn vertex_stage(&mut self, pool: &Pool, level: Level, frame: &Frame, view: &View, lights: &Lights) {
         let total = self.items.last().map_or(0, |item| item.vertices.end);
         // Never shrunk: a smaller frame uses the front of the arrays.
@@ -269,23 +300,32 @@ fn sort_blended(drawing: &Drawing<'_>, bands: &Bands, units: &[Unit], sorted: &m
     }
 }
 
+/// Opacity of bones behind a surface, where they show through it.
+const XRAY: f32 = 0.45;
+
+/// All that a band is drawn from.
+struct Picture<'a> {
+    drawing: &'a Drawing<'a>,
+    canvas: &'a Canvas,
+    units: &'a [Unit],
+    sorted: &'a [Sorted],
+    sorted_bins: &'a Bins,
+    strokes: &'a Strokes,
+    /// Opacity of the overlay behind a surface.
+    xray: f32,
+}
+
 /// Draws one band from the background to the finished rows.
-fn draw_band(
-    level: Level,
-    drawing: &Drawing<'_>,
-    canvas: &Canvas,
-    (units, sorted, sorted_bins): (&[Unit], &[Sorted], &Bins),
-    band: usize,
-    local: &mut Local,
-    mut target: Rows<'_>,
-) {
+fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local: &mut Local, mut target: Rows<'_>) {
+    let Picture { drawing, canvas, units, sorted, sorted_bins, strokes, xray } = *picture;
     let (top, width) = ((band * BAND_ROWS) as i32, canvas.width as usize);
     let rows = BAND_ROWS.min(canvas.height as usize - top as usize);
     let Local { plane, overlay, entries, row, resolve_ms } = local;
-    let empty = units.iter().all(|unit| unit.bins.is_empty(band)) && sorted_bins.is_empty(band);
+    let no_lines = [Stage::Under, Stage::Over, Stage::Overlay].into_iter().all(|stage| strokes.is_empty(stage, band));
+    let empty = no_lines && units.iter().all(|unit| unit.bins.is_empty(band)) && sorted_bins.is_empty(band);
+    row.resize(width, 0);
     if empty {
         let start = Instant::now();
-        row.resize(width, 0);
         for y in 0..rows {
             canvas.backdrop.row(top + y as i32, row);
             copy_row(row, target.row(y));
@@ -304,6 +344,7 @@ fn draw_band(
     for unit in units.iter().filter(|unit| !is_overlay(unit)) {
         fill_unit(level, drawing, unit, band, entries, plane);
     }
+    line::strokes(level, strokes, Stage::Under, band, plane);
     // Blended triangles come one by one: neighbours in depth are rarely of one item.
     for stretch in sorted_bins.of(band) {
         for triangle in stretch.iter().filter_map(|&index| sorted.get(index as usize)) {
@@ -313,7 +354,8 @@ fn draw_band(
             }
         }
     }
-    let has_overlay = units.iter().any(|unit| !unit.bins.is_empty(band) && is_overlay(unit));
+    line::strokes(level, strokes, Stage::Over, band, plane);
+    let has_overlay = units.iter().any(|unit| !unit.bins.is_empty(band) && is_overlay(unit)) || !strokes.is_empty(Stage::Overlay, band);
     if has_overlay {
         overlay.shape(top, rows, width, canvas.samples);
         overlay.clear_depth();
@@ -321,9 +363,10 @@ fn draw_band(
         for unit in units.iter().filter(|unit| is_overlay(unit)) {
             fill_unit(level, drawing, unit, band, entries, overlay);
         }
+        line::strokes(level, strokes, Stage::Overlay, band, overlay);
+        lay_over(plane, overlay, xray);
     }
     let start = Instant::now();
-    row.resize(width, 0);
     for y in 0..rows {
         resolve(plane, y, row);
         copy_row(row, target.row(y));

@@ -39,3 +39,25 @@ pub(super) fn resolve(plane: &Plane, y: usize, out: &mut [u32]) {
         *out = even(low >> 2) | even(high >> 2) << 8;
     }
 }
+
+/// Lays the overlay over the picture: fully where it is in front of the surface, with the opacity `behind` where it is not.
+pub(super) fn lay_over(plane: &mut Plane, overlay: &Plane, behind: f32) {
+    for s in 0..plane.samples {
+        for y in 0..plane.rows {
+            let (colors, depths) = (overlay.row(s, y), overlay.depth_row(s, y));
+            let (row, under) = plane.row_and_depth(s, y);
+            for (((to, under), &color), &depth) in row.iter_mut().zip(under).zip(colors).zip(depths) {
+                if color == 0 {
+                    continue;
+                }
+                let share = if depth >= *under { 1.0 } else { behind };
+                let keep = 1.0 - (color >> 24) as f32 * share / 255.0;
+                let channel = |shift: u32| {
+                    let [new, old] = [color, *to].map(|pixel| (pixel >> shift & 255) as f32);
+                    ((new * share + old * keep + 0.5) as u32).min(255) << shift
+                };
+                *to = channel(24) | channel(16) | channel(8) | channel(0);
+            }
+        }
+    }
+}

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::lanes::{Lanes, always};
+use super::muscle::Pattern;
 use crate::scene::{AlphaSource, Pixels, Wrap};
 
 /// Most levels: enough for [`crate::limits::IMAGE_SIDE`].
@@ -192,15 +193,23 @@ fn halve(texels: &mut Vec<u32>, at: usize, from: [u32; 2], to: [u32; 2]) {
 pub(super) struct Cache {
     entries: Vec<Entry>,
     textures: Vec<Texture>,
+    fibres: Pattern,
     frame: u64,
 }
 
 #[derive(Debug)]
 struct Entry {
-    /// Held, so that the address cannot be given to another image while the entry lives.
-    pixels: Arc<Pixels>,
-    alpha: Alpha,
+    key: Key,
     used: u64,
+}
+
+/// What a texture was made from.
+#[derive(Debug)]
+enum Key {
+    /// The image is held, so that its address cannot be given to another one while the entry lives.
+    Image(Arc<Pixels>, Alpha),
+    /// Muscle fibres of a colour, with or without tendons.
+    Muscle([u8; 3], bool),
 }
 
 /// A texture that was not used for this many frames is dropped.
@@ -223,10 +232,21 @@ impl Cache {
 
     /// The index of an image's texture.
     pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha) -> u32 {
-        let known = self.entries.iter().position(|entry| Arc::ptr_eq(&entry.pixels, pixels) && entry.alpha == alpha);
-        let index = known.unwrap_or_else(|| {
-            self.entries.push(Entry { pixels: Arc::clone(pixels), alpha, used: 0 });
-            self.textures.push(Texture::from_pixels(pixels, alpha));
+        let same = |key: &Key| matches!(key, Key::Image(known, kind) if Arc::ptr_eq(known, pixels) && *kind == alpha);
+        self.find(same, |_| (Key::Image(Arc::clone(pixels), alpha), Texture::from_pixels(pixels, alpha)))
+    }
+
+    /// The index of the fibres of a muscle.
+    pub(super) fn muscle(&mut self, color: [u8; 3], tendon: bool) -> u32 {
+        let same = |key: &Key| matches!(key, Key::Muscle(known, end) if *known == color && *end == tendon);
+        self.find(same, |fibres| (Key::Muscle(color, tendon), fibres.texture(color, tendon)))
+    }
+
+    fn find(&mut self, same: impl Fn(&Key) -> bool, make: impl FnOnce(&mut Pattern) -> (Key, Texture)) -> u32 {
+        let index = self.entries.iter().position(|entry| same(&entry.key)).unwrap_or_else(|| {
+            let (key, texture) = make(&mut self.fibres);
+            self.entries.push(Entry { key, used: 0 });
+            self.textures.push(texture);
             self.entries.len() - 1
         });
         self.entries[index].used = self.frame;

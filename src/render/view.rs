@@ -58,8 +58,6 @@ pub(super) struct View {
     /// Directions of the picture.
     pub right: Vec3,
     pub up: Vec3,
-    /// What to do to a nearness to bring a line in front of the surface it lies on: factor and summand.
-    pub bias: [f32; 2],
     /// Metres a pixel at distance 1 (perspective) or anywhere (parallel).
     pub metres_per_pixel: f32,
 }
@@ -92,7 +90,6 @@ impl View {
             back: -camera.forward(),
             right: camera.right(),
             up: camera.up(),
-            bias: if perspective { [1.001, 0.0] } else { [1.0, 1.5e-4] },
             metres_per_pixel,
         };
         let numbers = [this.x, this.y, this.w, this.distance, this.nearness];
@@ -127,6 +124,11 @@ impl View {
         self.half.map(|half| GUARD / half)
     }
 
+    /// What to do to a nearness to bring something `by` steps forward: factor and summand. A step is a thousandth of the distance, or of the scene.
+    pub(super) fn lift(&self, by: f32) -> [f32; 2] {
+        if self.perspective { [1.0 + by * 1e-3, 0.0] } else { [1.0, by * 1.5e-4] }
+    }
+
     /// Metres that a pixel spans at `p`, at least as much as at the near plane.
     pub(super) fn pixel_at(&self, p: Vec3) -> f32 {
         if self.perspective { self.metres_per_pixel * self.distance.dot(p.extend(1.0)).max(self.near) } else { self.metres_per_pixel }
@@ -150,7 +152,6 @@ impl View {
             back: Vec3::Z,
             right: Vec3::X,
             up: Vec3::Y,
-            bias: [1.0, 0.0],
             metres_per_pixel: 1.0,
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{Mat4, Vec2, Vec3, Vec4};
+use glam::{Mat4, Vec2, Vec3};
 use sinew::scene::{
     Bounds, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, MuscleId, Node, NodeId, Paint, Part, Pixels, Placement, Surface,
     TextureRef, Wrap, smooth_normals,
@@ -66,7 +66,10 @@ pub fn belly(nodes: u32, segments: u32, radius: impl Fn(f32) -> f32) -> Mesh {
     let group = |v: u32| v / (segments + 1) * segments + v % (segments + 1) % segments;
     smooth_normals(&mesh.positions, &mesh.triangles, group, mesh.positions.len(), &mut mesh.normals);
     mesh.uv_sets = vec![uv];
-    finish(mesh)
+    let mut mesh = finish(mesh);
+    // The two ends of a ring are one point.
+    mesh.source_vertex = (0..mesh.positions.len() as u32).map(group).collect();
+    mesh
 }
 
 /// A square in the XY plane from −1 to 1, facing +Z, with (u, v) from 0 to 1.
@@ -150,5 +153,57 @@ pub fn checker(x: u32, y: u32, cells: u32, size: u32) -> [u8; 4] {
     [(shade * x / size.max(1)) as u8, (shade * y / size.max(1)) as u8, shade as u8, 255]
 }
 
-/// Opaque white, the neutral vertex colour.
-pub const WHITE: Vec4 = Vec4::ONE;
+/// An arm: a skinned tube along +X from 0 to 2 with three joints, the elbow at 1 bent by `degrees`. Returns the joints.
+pub fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
+    use glam::{DMat4, DVec3};
+    use sinew::scene::{Content, Deformer, Influence, Joint, MeshInstance, NodeKind, Skin, SkinJoint};
+    let (rings, segments) = (40u32, 24u32);
+    let mut rest = belly(rings, segments, |v| 0.16 + 0.05 * (v * std::f32::consts::TAU * 2.0).sin().abs());
+    for p in rest.positions.iter_mut().chain(&mut rest.normals) {
+        *p = Vec3::new(p.y, -p.x, p.z);
+    }
+    for p in &mut rest.positions {
+        p.x += 1.0;
+    }
+    let turn = DMat4::from_rotation_z(f64::from(degrees).to_radians());
+    let locals = [DMat4::IDENTITY, DMat4::from_translation(DVec3::X) * turn, DMat4::from_translation(DVec3::X)];
+    let (mut parent, mut above, mut joints) = (None, DMat4::IDENTITY, Vec::new());
+    for (k, local) in locals.into_iter().enumerate() {
+        let node = world.scene.graph.add(parent, Node::new(["shoulder", "elbow", "hand"][k]).with_kind(NodeKind::Joint));
+        above *= local;
+        world.frame.world.push(above);
+        world.frame.joints.push(Joint { node, parent });
+        joints.push(node);
+        parent = Some(node);
+    }
+    let share = |x: f32| ((x - 0.8) / 0.4).clamp(0.0, 1.0);
+    let elbow = world.frame.world[joints[1].index()].as_mat4() * Mat4::from_translation(-Vec3::X);
+    let blend = |p: Vec3| Mat4::IDENTITY * (1.0 - share(p.x)) + elbow * share(p.x);
+    let positions: Vec<Vec3> = rest.positions.iter().map(|p| blend(*p).transform_point3(*p)).collect();
+    let normals = rest.positions.iter().zip(&rest.normals).map(|(p, n)| blend(*p).transform_vector3(*n).normalize_or_zero()).collect();
+    let mut skin = Skin { bind_shape: DMat4::IDENTITY, offsets: vec![0], ..Skin::default() };
+    for (k, name) in ["shoulder", "elbow"].into_iter().enumerate() {
+        skin.joints.push(SkinJoint { name: name.into(), inverse_bind: DMat4::from_translation(-DVec3::X * k as f64) });
+    }
+    for p in &rest.positions {
+        let s = share(p.x);
+        skin.influences.extend([Influence { joint: 0, weight: 1.0 - s }, Influence { joint: 1, weight: s }]);
+        skin.offsets.push(skin.influences.len() as u32);
+    }
+    world.scene.skins.push(skin);
+    let deformers = vec![Deformer::Skin { skin: sinew::scene::SkinId(0), joints: vec![Some(joints[0]), Some(joints[1])] }];
+    let instance = MeshInstance { mesh: sinew::scene::MeshId(0), deformers, materials: vec![None] };
+    let node = world.scene.graph.add(None, Node::new("skin").with_content(Content::Mesh(instance)));
+    world.frame.world.push(DMat4::IDENTITY);
+    world.frame.bounds.merge(&Bounds::of(positions.iter().copied()));
+    let materials = vec![None; rest.parts.len()].into();
+    let placement = Placement::Deformed { positions, normals };
+    let mesh = Arc::new(rest);
+    world.frame.surfaces.push(Surface { node, mesh, materials, placement, mirrored: false, muscle: None, visible: true, content: 0 });
+    [joints[0], joints[1], joints[2]]
+}
+
+/// A biceps-like outline: thin at the ends, thick a little above the middle.
+pub fn profile(v: f32) -> f32 {
+    0.06 + 0.30 * (std::f32::consts::PI * v.powf(0.9)).sin().max(0.0).powf(1.3)
+}

@@ -1,0 +1,119 @@
+//! Bones as shaded octahedra, joints as dots that keep their size on the picture.
+
+use glam::{Vec3, Vec4};
+
+use super::Display;
+use super::collect::rgb;
+use super::drawing::Made;
+use super::glyphs::Pen;
+use super::line::{Ink, Stage};
+use crate::scene::{Frame, NodeId, Scene};
+
+/// Triangles of an octahedron.
+pub(super) const FACES: usize = 8;
+/// Radius of a joint's dot in logical pixels.
+pub(super) const DOT: f32 = 3.2;
+
+/// How far dots and axes are brought forward, so that a bone does not hide the joint in it; see [`super::view::View::lift`].
+pub(super) const LIFT: f32 = 20.0;
+
+/// Where along a bone its girdle is, and how thick it is there, as shares of its length.
+const GIRDLE: f32 = 0.14;
+const THICKNESS: f32 = 0.075;
+
+/// A bone: the joint that moves it, its head and its tip.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bone {
+    pub owner: NodeId,
+    pub head: Vec3,
+    pub tip: Vec3,
+}
+
+/// The bones of the frame: one from each joint to each joint below it.
+pub(super) fn bones<'a>(scene: &'a Scene, frame: &'a Frame) -> impl Iterator<Item = Bone> + 'a {
+    frame.joints.iter().filter_map(move |joint| {
+        let owner = joint.parent?;
+        let bone = Bone { owner, head: frame.position(owner), tip: frame.position(joint.node) };
+        let shown = joint.node.index() < scene.graph.len() && scene.graph.is_shown(joint.node);
+        let length = (bone.tip - bone.head).length();
+        (shown && length.is_finite() && length > 1e-9).then_some(bone)
+    })
+}
+
+/// The palette's colour for what hangs on `node`.
+pub(super) fn color(display: &Display, node: NodeId) -> [f32; 3] {
+    let palette = &display.palette;
+    rgb(if display.selected == Some(node) {
+        palette.selected
+    } else if display.hovered == Some(node) {
+        palette.hovered
+    } else {
+        palette.bone
+    })
+}
+
+impl Made {
+    /// Makes the octahedra of all bones.
+    pub(super) fn bones(&mut self, scene: &Scene, frame: &Frame, display: &Display) {
+        self.positions.clear();
+        self.normals.clear();
+        self.colors.clear();
+        self.triangles.clear();
+        for bone in bones(scene, frame) {
+            let paint = color(display, bone.owner);
+            self.octahedron(frame, &bone, Vec4::new(paint[0], paint[1], paint[2], 1.0));
+        }
+    }
+
+    fn octahedron(&mut self, frame: &Frame, bone: &Bone, paint: Vec4) {
+        let along = bone.tip - bone.head;
+        let length = along.length();
+        let axis = along / length;
+        // The girdle turns with the bone's own x axis.
+        let own = frame.world.get(bone.owner.index()).map_or(Vec3::X, |matrix| matrix.x_axis.truncate().as_vec3());
+        let side = (own - axis * own.dot(axis)).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
+        let other = axis.cross(side);
+        let middle = bone.head + along * GIRDLE;
+        let girdle = [side, other, -side, -other].map(|out| middle + out * (length * THICKNESS));
+        for k in 0..4 {
+            let (a, b) = (girdle[k], girdle[(k + 1) % 4]);
+            self.face([a, b, bone.tip], paint);
+            self.face([b, a, bone.head], paint);
+        }
+    }
+
+    fn face(&mut self, corners: [Vec3; 3], paint: Vec4) {
+        let [a, b, c] = corners;
+        let normal = (b - a).cross(c - a).try_normalize().unwrap_or(Vec3::Y);
+        let first = self.positions.len() as u32;
+        self.positions.extend(corners);
+        self.normals.extend([normal; 3]);
+        self.colors.extend([paint; 3]);
+        self.triangles.push([first, first + 1, first + 2]);
+    }
+}
+
+impl Pen<'_> {
+    /// Joints as dots with a dark rim, and their axes where they are asked for.
+    pub(super) fn joints(&mut self, scene: &Scene, frame: &Frame) {
+        let radius = DOT * self.scale();
+        for joint in &frame.joints {
+            if joint.node.index() >= scene.graph.len() || !scene.graph.is_shown(joint.node) {
+                continue;
+            }
+            let at = frame.position(joint.node);
+            let paint = color(self.display, joint.node);
+            if self.display.bones {
+                let plain = Ink { stage: Stage::Overlay, depth_test: true, ..self.ink(paint, 1.0, 1.0) };
+                let rim = paint.map(|c| c * 0.25);
+                self.line(at, at, &Ink { color: rim, width: 2.0 * radius + 2.5, lift: LIFT, ..plain });
+                let dot = Ink { width: 2.0 * radius, lift: LIFT + 1.0, ..plain };
+                self.line(at, at, &dot);
+            }
+            if self.display.bone_axes {
+                let length = frame.bounds.diagonal() * 0.03;
+                self.node_axes(frame, joint.node, length);
+            }
+        }
+    }
+}

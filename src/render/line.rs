@@ -1,0 +1,190 @@
+//! Smooth lines with depth: a stroke covers a pixel by how far the pixel's centre is from it. A stroke without length is a dot.
+//!
+//! Strokes are blended and write no depth into the picture, so their order among each other shows only where they cross. In the overlay they do write
+//! depth, because that decides whether a dot is in front of the surface.
+
+use glam::Vec3;
+
+use super::bin::Bands;
+use super::bins::Bins;
+use super::clip::clip_line;
+use super::lanes::{Lanes, always, kernel, map};
+use super::plane::Plane;
+use super::setup::Rect;
+use super::view::View;
+
+/// When strokes are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stage {
+    /// After the opaque surfaces, before the transparent ones.
+    Under,
+    /// After all surfaces.
+    Over,
+    /// In the overlay.
+    Overlay,
+}
+
+/// How a stroke looks.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ink {
+    /// 0 to 1.
+    pub color: [f32; 3],
+    /// Opacity at the two ends.
+    pub alpha: [f32; 2],
+    /// Pixels.
+    pub width: f32,
+    pub stage: Stage,
+    pub depth_test: bool,
+    /// How far it is brought nearer, so that it wins against the surface it lies on: 1 is enough for that.
+    pub lift: f32,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Stroke {
+    /// Pixel coordinates and nearness.
+    from: [f32; 3],
+    to: [f32; 3],
+    /// 0 to 255.
+    color: [f32; 3],
+    alpha: [f32; 2],
+    /// Half the width in pixels.
+    half: f32,
+    depth_test: bool,
+}
+
+/// The strokes of a picture, by stage and band.
+#[derive(Debug, Default)]
+pub(super) struct Strokes {
+    all: Vec<Stroke>,
+    bins: [Bins; 3],
+}
+
+impl Strokes {
+    /// Empties all.
+    pub(super) fn reset(&mut self, bands: &Bands) {
+        self.all.clear();
+        for bins in &mut self.bins {
+            bins.reset(bands.count);
+        }
+    }
+
+    /// Whether nothing is drawn in `band` at this stage.
+    pub(super) fn is_empty(&self, stage: Stage, band: usize) -> bool {
+        self.bins[stage as usize].is_empty(band)
+    }
+
+    /// Adds the line from `a` to `b` in the world.
+    pub(super) fn line(&mut self, view: &View, bands: &Bands, a: Vec3, b: Vec3, ink: &Ink) {
+        let (part, ends) = if a == b {
+            let clip = view.clip(a);
+            if !clip.iter().all(|x| x.is_finite()) || clip[3] < f64::from(view.near) {
+                return;
+            }
+            ([0.0, 1.0], [clip, clip])
+        } else if let Some(found) = clip_line(view, a, b) {
+            found
+        } else {
+            return;
+        };
+        let factor = view.lift(ink.lift);
+        let [from, to] = ends.map(|end| {
+            let [x, y, q] = view.project(end);
+            [x as f32, y as f32, q as f32 * factor[0] + factor[1]]
+        });
+        let alpha = part.map(|t| ink.alpha[0] + (ink.alpha[1] - ink.alpha[0]) * t as f32);
+        // A line thinner than a pixel is drawn a pixel wide and fainter.
+        let width = ink.width.max(1.0);
+        let thin = (ink.width / width).clamp(0.0, 1.0);
+        let stroke = Stroke {
+            from,
+            to,
+            color: ink.color.map(|c| c * 255.0),
+            alpha: alpha.map(|a| (a * thin).clamp(0.0, 1.0)),
+            half: width * 0.5,
+            depth_test: ink.depth_test,
+        };
+        let reach = stroke.half + 1.0;
+        let [w, h] = view.size.map(|side| side as i32);
+        let low = |i: usize| (from[i].min(to[i]) - reach).max(-1.0) as i32;
+        let high = |i: usize, side: i32| ((from[i].max(to[i]) + reach).clamp(-1.0, side as f32) as i32).min(side - 1);
+        let rect = Rect { x0: low(0).max(0), y0: low(1).max(0), x1: high(0, w), y1: high(1, h) };
+        let visible = from.iter().chain(&to).all(|x| x.is_finite()) && from[0].max(to[0]) + reach > 0.0 && from[1].max(to[1]) + reach > 0.0;
+        if visible && !rect.is_empty() && (stroke.alpha[0] > 0.0 || stroke.alpha[1] > 0.0) {
+            bands.spread(&mut self.bins[ink.stage as usize], &rect, self.all.len() as u32);
+            self.all.push(stroke);
+        }
+    }
+}
+
+kernel! {
+    /// Draws the strokes of a stage into the rows of a band.
+    pub(super) fn strokes(all: &Strokes, stage: Stage, band: usize, plane: &mut Plane) = draw
+}
+
+#[inline(always)]
+fn draw<L: Lanes>(l: L, all: &Strokes, stage: Stage, band: usize, plane: &mut Plane) {
+    for stretch in all.bins[stage as usize].of(band) {
+        for &index in stretch {
+            if let Some(stroke) = all.all.get(index as usize) {
+                one(l, stroke, plane, stage == Stage::Overlay);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
+    let [ax, ay, aq] = stroke.from;
+    let (dx, dy) = (stroke.to[0] - ax, stroke.to[1] - ay);
+    let squared = dx * dx + dy * dy;
+    let inverse = if squared > 1e-12 { 1.0 / squared } else { 0.0 };
+    let reach = stroke.half + 0.5;
+    let (low, high) = (ay.min(ay + dy) - reach, ay.max(ay + dy) + reach);
+    let last = plane.top + plane.rows as i32 - 1;
+    let top = (low.max(-1.0) as i32).max(plane.top);
+    let bottom = (high.min(2e6) as i32).min(last);
+    let (zero, one) = (l.splat(0.0), l.splat(1.0));
+    let color = map(stroke.color, always!(|c: f32| l.splat(c)));
+    for y in top..=bottom {
+        let cy = y as f32 + 0.5 - ay;
+        // Where along the stroke it is within reach of this row; a little too much does no harm, since coverage is worked out exactly.
+        let (mut from, mut to) = (0.0f32, 1.0f32);
+        if dy.abs() > 1e-3 {
+            let (t0, t1) = ((cy - reach) / dy, (cy + reach) / dy);
+            from = t0.min(t1).clamp(0.0, 1.0);
+            to = t0.max(t1).clamp(0.0, 1.0);
+        }
+        let (x0, x1) = (ax + dx * from, ax + dx * to);
+        let left = ((x0.min(x1) - reach - 1.0).max(0.0) as i32).min(plane.width as i32);
+        let right = (x0.max(x1) + reach + 1.0).clamp(-1.0, plane.width as f32 - 1.0) as i32;
+        let py = l.splat(cy);
+        let mut x = left;
+        while x <= right {
+            let px = l.float(l.iota() + l.isplat(x)) + l.splat(0.5 - ax);
+            let t = l.clamp((px * l.splat(dx) + py * l.splat(dy)) * l.splat(inverse), 0.0, 1.0);
+            let (ex, ey) = (px - l.splat(dx) * t, py - l.splat(dy) * t);
+            let distance = l.sqrt(ex * ex + ey * ey);
+            let cover = l.clamp(l.splat(stroke.half + 0.5) - distance, 0.0, 1.0);
+            let alpha = cover * (l.splat(stroke.alpha[0]) + l.splat(stroke.alpha[1] - stroke.alpha[0]) * t);
+            // Columns past the right end belong to the margin of the plane or are not covered.
+            let visible = l.lt(zero, alpha) & l.ilt(l.iota() + l.isplat(x), l.isplat(plane.width as i32));
+            let at = plane.index(y, x);
+            x += L::N as i32;
+            if !l.any(visible) {
+                continue;
+            }
+            let q = l.splat(aq) + l.splat(stroke.to[2] - aq) * t;
+            let full = l.min(alpha, one) * l.splat(255.0);
+            for s in 0..plane.samples {
+                let mut shown = visible;
+                if stroke.depth_test {
+                    shown = shown & l.lt(plane.depth(l, s, at), q);
+                }
+                if write_depth {
+                    plane.set_depth(l, s, at, shown, q);
+                }
+                plane.blend(l, s, at, shown, [color[0], color[1], color[2], full]);
+            }
+        }
+    }
+}
