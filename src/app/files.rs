@@ -133,8 +133,8 @@ fn arrived(window: &Rc<Window>, document: Document, paths: &[PathBuf], arrival: 
 fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, arrival: Arrival) {
     let name = Path::new(&error.file).file_name().map_or_else(|| error.file.clone(), |name| name.to_string_lossy().into_owned());
     let place = match (error.line, error.column) {
-        (Some(line), Some(column)) => tr!("app-line-column", line = line.to_string(), column = column.to_string()),
-        (Some(line), None) => tr!("app-line", line = line.to_string()),
+        (Some(line), Some(column)) => tr!("app-at-line-column", line = line.to_string(), column = column.to_string()),
+        (Some(line), None) => tr!("app-at-line", line = line.to_string()),
         _ => String::new(),
     };
     let message = if place.is_empty() { error.message.clone() } else { format!("{place}: {}", error.message) };

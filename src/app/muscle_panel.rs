@@ -12,8 +12,8 @@ use super::profile_view::{ProfileView, Shape};
 use super::session::{Changes, Session};
 use super::window::{Window, part};
 use super::{format, ui};
-use crate::document::SourceKind;
-use crate::muscle::Solved;
+use crate::document::{Document, SourceKind};
+use crate::muscle::{Rig, Solved};
 use crate::scene::{Content, MuscleId};
 use crate::tr;
 
@@ -34,24 +34,34 @@ pub struct MusclePanel {
 }
 
 /// A muscle's file unit, for numbers.
-struct Unit {
-    length: &'static str,
-    volume: &'static str,
+pub struct Unit {
+    /// The sign of a length.
+    pub length: String,
+    volume: String,
     /// What a volume in cubed file units is multiplied by.
     volume_factor: f64,
 }
 
 impl Unit {
+    /// The unit of the file that a rig was made from.
+    pub fn of_rig(document: &Document, rig: &Rig) -> Self {
+        let metres = document.sources.iter().find_map(|source| match &source.kind {
+            SourceKind::Muscles(file, own) if std::ptr::eq(&raw const **own, rig) => Some(file.unit_metres),
+            _ => None,
+        });
+        Self::of(metres.unwrap_or(0.001))
+    }
+
     fn of(metres: f64) -> Self {
         let near = |value: f64| (metres / value - 1.0).abs() < 1e-9;
         if near(0.001) {
-            Self { length: "mm", volume: "cm³", volume_factor: 1e-3 }
+            Self { length: tr!("app-unit-mm"), volume: tr!("app-unit-cm3"), volume_factor: 1e-3 }
         } else if near(0.01) {
-            Self { length: "cm", volume: "cm³", volume_factor: 1.0 }
+            Self { length: tr!("app-unit-cm"), volume: tr!("app-unit-cm3"), volume_factor: 1.0 }
         } else if near(1.0) {
-            Self { length: "m", volume: "m³", volume_factor: 1.0 }
+            Self { length: tr!("app-unit-m"), volume: tr!("app-unit-m3"), volume_factor: 1.0 }
         } else {
-            Self { length: "", volume: "", volume_factor: 1.0 }
+            Self { length: String::new(), volume: String::new(), volume_factor: 1.0 }
         }
     }
 }
@@ -145,12 +155,6 @@ impl MusclePanel {
         self.flexion.set_sensitive(range.is_some());
         if let Some(range) = range {
             self.flexion.set_range(*range.start(), range.end().max(*range.start() + 1e-9));
-            self.flexion.clear_marks();
-            for angle in [0.0, 30.0, 60.0, 90.0, 120.0, 150.0] {
-                if range.contains(&angle) {
-                    self.flexion.add_mark(angle, gtk::PositionType::Bottom, None);
-                }
-            }
         }
     }
 
@@ -172,16 +176,9 @@ impl MusclePanel {
         let mut solved = self.solved.borrow_mut();
         rig.solve_into(index, drive, &frame.world, &mut solved);
         let Some(profile) = rig.profile(index) else { return };
-        let unit = document
-            .sources
-            .iter()
-            .find_map(|source| match &source.kind {
-                SourceKind::Muscles(file, own) if std::ptr::eq(&raw const **own, rig) => Some(Unit::of(file.unit_metres)),
-                _ => None,
-            })
-            .unwrap_or(Unit::of(0.001));
-        let length = |value: f64, digits| format::with_unit(value, digits, unit.length);
-        let volume = |value: f64| format::with_unit(value * unit.volume_factor, 3, unit.volume);
+        let unit = Unit::of_rig(document, rig);
+        let length = |value: f64, digits| format::with_unit(value, digits, &unit.length);
+        let volume = |value: f64| format::with_unit(value * unit.volume_factor, 3, &unit.volume);
         let values = [
             length(solved.length, 2),
             length(profile.rest_length(), 2),
@@ -210,9 +207,9 @@ impl MusclePanel {
             rest_length: profile.rest_length(),
             now: solved.radii.clone(),
             length: solved.length,
-            unit: unit.length,
+            unit: unit.length.clone(),
         });
-        self.nodes.show(profile, &solved.radii, unit.length, anew);
+        self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
 }
 

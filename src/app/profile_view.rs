@@ -28,7 +28,7 @@ pub struct Shape {
     /// Length now.
     pub length: f64,
     /// The unit's sign.
-    pub unit: &'static str,
+    pub unit: String,
 }
 
 /// The drawing.
@@ -115,8 +115,8 @@ impl Shape {
             Some(index) => tr!(
                 "app-profile-node",
                 node = index + 1,
-                now = format::with_unit(self.now[index], 2, self.unit),
-                rest = format::with_unit(self.rest.get(index).copied().unwrap_or(f64::NAN), 2, self.unit)
+                now = format::with_unit(self.now[index], 2, &self.unit),
+                rest = format::with_unit(self.rest.get(index).copied().unwrap_or(f64::NAN), 2, &self.unit)
             ),
             None => tr!("app-profile-legend"),
         };
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn both_shapes_fit_to_one_scale() {
-        let shape = Shape { rest: vec![5.0, 20.0, 5.0], rest_length: 200.0, now: vec![6.0, 30.0, 6.0], length: 120.0, unit: "mm" };
+        let shape = Shape { rest: vec![5.0, 20.0, 5.0], rest_length: 200.0, now: vec![6.0, 30.0, 6.0], length: 120.0, unit: "mm".into() };
         let scale = shape.scale(300.0, 130.0);
         assert!((200.0 + 10.0) * scale <= 300.0 - 2.0 * INSET + 1e-9 && 60.0 * scale <= 96.0 + 1e-9);
         assert_eq!(Shape::default().scale(0.0, 0.0), 1.0);

@@ -14,7 +14,6 @@ use super::tree_rows::{Row, path_to, search};
 use super::ui;
 use super::window::{Window, part};
 use crate::scene::NodeId;
-use crate::tr;
 
 /// Trees of at most this many nodes are shown unfolded.
 const UNFOLDED: usize = 300;
@@ -191,9 +190,7 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         let icon = Canvas::new(16, 16);
         icon.set_valign(gtk::Align::Center);
         let label = gtk::Label::builder().xalign(0.0).hexpand(true).ellipsize(gtk::pango::EllipsizeMode::Middle).build();
-        let eye = gtk::ToggleButton::builder().has_frame(false).focusable(false).css_classes(["eye", "flat"]).build();
-        eye.set_icon_name("view-reveal-symbolic");
-        eye.set_tooltip_text(Some(&tr!("app-hide-node")));
+        let eye: gtk::ToggleButton = part(&ui::builder(ui::TREE_EYE), "eye");
         content.append(&icon);
         content.append(&label);
         content.append(&eye);

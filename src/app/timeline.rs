@@ -44,7 +44,7 @@ impl Timeline {
         for (id, glyph) in [("previous_key", Glyph::PreviousKey), ("next_key", Glyph::NextKey)] {
             part::<gtk::Button>(&builder, id).set_child(Some(&glyph::image(glyph)));
         }
-        let track = Rc::new(RefCell::new(Track { empty: tr!("app-no-animation"), ..Track::default() }));
+        let track = Rc::new(RefCell::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() }));
         let painted = track.clone();
         canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
         Self {
@@ -182,19 +182,23 @@ impl Timeline {
         let playback = *session.playback();
         let rate = session.frame_rate();
         if changes.any(Changes::DOCUMENT) {
-            let names: Vec<&str> = session.document().clips.iter().map(|clip| clip.name.as_str()).collect();
+            let mut names: Vec<&str> = session.document().clips.iter().map(|clip| clip.name.as_str()).collect();
+            if names.is_empty() {
+                names.push("–");
+            }
             self.clip.set_model(Some(&gtk::StringList::new(&names)));
         }
         if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
             self.clip.set_sensitive(!session.document().clips.is_empty());
-            self.clip.set_selected(session.clip_index().map_or(gtk::INVALID_LIST_POSITION, |index| index as u32));
+            self.clip.set_selected(session.clip_index().map_or(0, |index| index as u32));
             let moves = playback.duration() > 0.0;
             for (widget, per_second, step) in [(&self.seconds, 1.0, 1.0 / rate), (&self.frame, rate, 1.0)] {
-                widget.set_range((playback.start * per_second).floor().min(playback.start * per_second), playback.end * per_second);
+                widget.set_range(playback.start * per_second, playback.end * per_second);
                 widget.set_increments(step, per_second);
                 widget.set_sensitive(moves);
             }
-            self.seconds.set_range(playback.start, playback.end);
+            // A clip that starts between two frames still shows the frame it starts in.
+            self.frame.set_range(frame_of(playback.start, rate), frame_of(playback.end, rate));
             self.time.set_range(playback.start, playback.end.max(playback.start + 1e-9));
             self.time.set_increments(1.0 / rate, 1.0);
             self.time.set_sensitive(moves);

@@ -36,6 +36,8 @@ pub struct Track {
     pub focused: bool,
     /// What stands there where there is no clip.
     pub empty: String,
+    /// The sign of a second.
+    pub second: String,
     /// Colour of the cursor.
     pub accent: u32,
 }
@@ -176,7 +178,8 @@ impl Track {
                 write(canvas, snapshot, &format::number(frame, 0), x, 1.0, Align::Centre, 0.8, &dim);
             }
         }
-        if let Some(x) = self.pointer {
+        // Next to the cursor there is no room for a second flag.
+        if let Some(x) = self.pointer.filter(|x| (x - self.x(self.time, width)).abs() > 52.0) {
             let time = self.time_at(x, width);
             self.flag(canvas, snapshot, time, width, height, &canvas.text_color().with_alpha(0.8));
         }
@@ -186,7 +189,7 @@ impl Track {
     /// The moment in seconds below and as a frame above.
     fn flag(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, time: f64, width: f64, height: f64, color: &gtk::gdk::RGBA) {
         let x = self.x(time, width);
-        write(canvas, snapshot, &format::with_unit(time, 2, "s"), x, height - 17.0, Align::Centre, 0.8, color);
+        write(canvas, snapshot, &format::with_unit(time, 2, &self.second), x, height - 17.0, Align::Centre, 0.8, color);
         write(canvas, snapshot, &format::number(frame_of(time, self.rate), 0), x, 1.0, Align::Centre, 0.8, color);
     }
 }

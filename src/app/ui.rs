@@ -24,7 +24,9 @@ files! {
     SCENE_TREE = "scene_tree",
     MUSCLE_PANEL = "muscle_panel",
     DISPLAY_PANEL = "display_panel",
+    MEASURE_PANEL = "measure_panel",
     HEALTH_PANEL = "health_panel",
+    TREE_EYE = "tree_eye",
     ERROR_BAR = "error_bar",
     START = "start",
 }

@@ -15,6 +15,7 @@ use super::error_bar::ErrorBar;
 use super::files::Files;
 use super::health_panel::HealthPanel;
 use super::keys::Keys;
+use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
 use super::scene_tree::SceneTree;
 use super::session::{Arrival, Changes, Session};
@@ -25,6 +26,7 @@ use super::tree_rows::Row;
 use super::viewport::Viewport;
 use super::{files, format, keyboard, menus, perform, theme, ui};
 use crate::document::{Document, Missing};
+use crate::muscle::Sample;
 use crate::scene::NodeId;
 use crate::tr;
 
@@ -50,12 +52,14 @@ pub struct Window {
     session: RefCell<Session>,
     refreshing: Cell<bool>,
     ticking: Cell<bool>,
+    page_turned: Cell<bool>,
     actions: HashMap<Command, gio::SimpleAction>,
     builder: gtk::Builder,
     timeline: Timeline,
     tree: SceneTree,
     muscle: MusclePanel,
     display: DisplayPanel,
+    measure: MeasurePanel,
     health: HealthPanel,
     start: StartPage,
 }
@@ -97,11 +101,13 @@ impl Window {
             session: RefCell::new(session),
             refreshing: Cell::new(false),
             ticking: Cell::new(false),
+            page_turned: Cell::new(false),
             actions: perform::make_actions(),
             timeline: Timeline::new(),
             tree: SceneTree::new(),
             muscle: MusclePanel::new(),
             display: DisplayPanel::new(),
+            measure: MeasurePanel::new(),
             health: HealthPanel::new(),
             start: StartPage::new(),
             builder,
@@ -128,6 +134,7 @@ impl Window {
         let stack: gtk::Stack = part(&self.builder, "stack");
         stack.add_titled(&self.muscle.root, Some("muscle"), &tr!("app-page-muscle"));
         stack.add_titled(&self.display.root, Some("display"), &tr!("app-page-display"));
+        stack.add_titled(&self.measure.root, Some("measure"), &tr!("app-page-measure"));
         stack.add_titled(&self.health.root, Some("health"), &tr!("app-page-health"));
         let page = self.settings.borrow().page.clone();
         if stack.child_by_name(&page).is_some() {
@@ -141,6 +148,7 @@ impl Window {
         self.tree.connect(self);
         self.muscle.connect(self);
         self.display.connect(self);
+        self.measure.connect(self);
         self.health.connect(self);
         self.error_bar.connect(self);
         self.start.connect(self);
@@ -196,10 +204,14 @@ impl Window {
             self.tree.refresh(session, changes);
             self.muscle.refresh(session, changes);
             self.display.refresh(session, changes);
+            self.measure.refresh(session, changes);
             self.health.refresh(session, changes);
             self.viewport.refresh(session, changes);
             if changes.any(Changes::DOCUMENT) {
                 menus::list_cameras(&part(&self.builder, "camera_menu"), session);
+            }
+            if changes.any(Changes::DOCUMENT) {
+                self.turn_page(session);
             }
             if changes.any(Changes::DOCUMENT | Changes::SURROUNDINGS) {
                 self.start.root.set_visible(session.is_empty() && !self.files.is_loading());
@@ -244,6 +256,18 @@ impl Window {
     /// Starts the clock for something that the session does not know of, such as a key held in flight.
     pub fn wake(self: &Rc<Self>) {
         self.tick();
+    }
+
+    /// A scene without a muscle has nothing on the muscle page, so the display page comes up in its place, and goes again with it.
+    fn turn_page(&self, session: &Session) {
+        let stack: gtk::Stack = part(&self.builder, "stack");
+        let (page, has_muscle) = (stack.visible_child_name(), session.document().driven_rig().is_some());
+        if has_muscle && self.page_turned.take() {
+            stack.set_visible_child_name("muscle");
+        } else if !has_muscle && !session.is_empty() && page.as_deref() == Some("muscle") {
+            stack.set_visible_child_name("display");
+            self.page_turned.set(true);
+        }
     }
 
     fn name(&self, session: &Session) {
@@ -311,6 +335,11 @@ impl Window {
         }
     }
 
+    /// What the measure panel measured.
+    pub fn measured(&self) -> Vec<Sample> {
+        self.measure.samples()
+    }
+
     /// What the scene tree shows of a node.
     pub fn tree_row(&self, node: NodeId) -> Option<Row> {
         self.tree.row(node)
@@ -330,7 +359,7 @@ impl Window {
         settings.maximised = self.widget.is_maximized();
         (settings.tree_shown, settings.panel_shown) = self.sides();
         if let Some(page) = part::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
-            settings.page = page.into();
+            settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }
         settings.take(&self.session.borrow());
         if let Err(error) = settings.save(&Settings::path()) {

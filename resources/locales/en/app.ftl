@@ -11,7 +11,14 @@ app-copied = Copied.
 app-warning = Warning
 app-note = Note
 app-line = line { $line }
-app-line-column = line { $line }, column { $column }
+app-at-line = Line { $line }
+app-at-line-column = Line { $line }, column { $column }
+app-unit-mm = mm
+app-unit-cm = cm
+app-unit-m = m
+app-unit-s = s
+app-unit-cm3 = cm³
+app-unit-m3 = m³
 
 # Pages and groups
 app-page-muscle = Muscle
@@ -280,3 +287,13 @@ app-facts-muscles = { $count ->
    *[other] { $count } muscles
 }
 app-facts-nodes = { $nodes } nodes, { $meshes } meshes, { $clips } clips
+
+# Measure
+app-page-measure = Measure
+app-measure-none = There is nothing to measure: no muscle of this scene crosses an elbow.
+app-measure-hint = Click or drag in a plot to bend the elbow.
+app-measure-angle = Elbow angle, °
+app-measure-length = Length, { $unit }
+app-measure-arm = Moment arm, { $unit }
+app-measure-radius = Largest radius, { $unit }
+app-measure-copy = Copy as CSV

@@ -11,7 +11,14 @@ app-copied = Скопировано.
 app-warning = Предупреждение
 app-note = Примечание
 app-line = строка { $line }
-app-line-column = строка { $line }, столбец { $column }
+app-at-line = Строка { $line }
+app-at-line-column = Строка { $line }, столбец { $column }
+app-unit-mm = мм
+app-unit-cm = см
+app-unit-m = м
+app-unit-s = с
+app-unit-cm3 = см³
+app-unit-m3 = м³
 
 # Страницы и группы
 app-page-muscle = Мышца
@@ -134,7 +141,7 @@ app-mouse-fly = В полёте
 app-mouse-fly-how = W A S D Q E, Shift быстрее, Alt медленнее, колесо задаёт скорость, Esc завершает
 
 # Картинка
-app-hint = Мышь вращает · с Shift сдвигает · колесо приближает · правая кнопка двигает свет
+app-hint = Мышь вращает · Shift сдвигает · колесо приближает · правая кнопка – свет
 app-hint-move = Мышь двигает модель · V возвращает к камере
 app-hint-rotate = Мышь вращает модель · V возвращает к камере
 app-hint-scale = Вверх или вправо – модель больше · V возвращает к камере
@@ -285,3 +292,13 @@ app-facts-muscles = { $count ->
    *[other] { $count } мышц
 }
 app-facts-nodes = узлов { $nodes }, сеток { $meshes }, клипов { $clips }
+
+# Замеры
+app-page-measure = Замеры
+app-measure-none = Измерять нечего: в этой сцене нет мышцы, которая сгибает локоть.
+app-measure-hint = Щелчок по графику сгибает локоть до этого угла.
+app-measure-angle = Угол в локте, °
+app-measure-length = Длина, { $unit }
+app-measure-arm = Плечо силы, { $unit }
+app-measure-radius = Наибольший радиус, { $unit }
+app-measure-copy = Скопировать как CSV

@@ -1,4 +1,5 @@
 use super::*;
+use crate::animation::Clip;
 use crate::scene::Node;
 use glam::DVec3;
 

@@ -1,0 +1,110 @@
+//! What a hand changes in a session: elbow and contraction, the model's place, and undo.
+
+use super::history::Snapshot;
+use super::{Changes, ModelTransform, Session, Tool};
+use crate::muscle::Drive;
+use crate::scene::NodeId;
+
+impl Session {
+    /// Elbow angle and contraction.
+    pub fn drive(&self) -> Drive {
+        self.state.drive
+    }
+
+    /// Sets the elbow angle, degrees; the contraction follows.
+    pub fn set_flexion(&mut self, degrees: f64) {
+        let drive = self.document.driven_rig().filter(|_| degrees.is_finite()).map(|rig| rig.at_flexion(degrees));
+        self.set_drive(drive);
+    }
+
+    /// Sets the contraction, per cent; the elbow angle follows.
+    pub fn set_contraction(&mut self, per_cent: f64) {
+        let drive = self.document.driven_rig().filter(|_| per_cent.is_finite()).map(|rig| rig.at_contraction(per_cent.clamp(0.0, 100.0)));
+        self.set_drive(drive);
+    }
+
+    fn set_drive(&mut self, drive: Option<Drive>) {
+        if let Some(drive) = drive.filter(|drive| *drive != self.state.drive) {
+            self.state.drive = drive;
+            self.changed(Changes::DRIVE);
+        }
+    }
+
+    /// The model's transform.
+    pub fn model(&self) -> &ModelTransform {
+        &self.model
+    }
+
+    /// Changes the model's transform. Call [`Session::remember`] before the first change of a gesture.
+    pub fn change_model(&mut self, change: impl FnOnce(&mut ModelTransform)) {
+        let before = self.model;
+        change(&mut self.model);
+        if before != self.model {
+            self.changed(Changes::MODEL);
+        }
+    }
+
+    /// The tool in hand.
+    pub fn tool(&self) -> Tool {
+        self.tool
+    }
+
+    /// Takes a tool.
+    pub fn set_tool(&mut self, tool: Tool) {
+        if tool != self.tool {
+            self.tool = tool;
+            self.changed(Changes::TOOL);
+        }
+    }
+
+    /// Drags the model with the tool in hand by a part of the picture's height (right, down).
+    pub fn drag_model(&mut self, dx: f64, dy: f64) {
+        self.frame();
+        let camera = self.eye.camera(&self.document.scene, &self.frame);
+        let tool = self.tool;
+        self.change_model(|model| tool.drag(model, &camera, dx, dy));
+    }
+
+    /// Makes the present state a step that can be gone back to.
+    pub fn remember(&mut self) {
+        self.history.remember(self.snapshot());
+        self.changed(Changes::HISTORY);
+    }
+
+    /// Whether there is a step back, and one forward.
+    pub fn steps(&self) -> (bool, bool) {
+        (self.history.can_undo(), self.history.can_redo())
+    }
+
+    /// Goes back one step.
+    pub fn undo(&mut self) {
+        let step = self.history.undo(self.snapshot());
+        self.restore(step);
+    }
+
+    /// Goes forward one step.
+    pub fn redo(&mut self) {
+        let step = self.history.redo(self.snapshot());
+        self.restore(step);
+    }
+
+    fn snapshot(&self) -> Snapshot {
+        let hidden = self.document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| id).collect();
+        Snapshot { model: self.model, light: self.light, hidden }
+    }
+
+    fn restore(&mut self, step: Option<Snapshot>) {
+        if let Some(step) = step {
+            if step.hidden != self.snapshot().hidden {
+                self.changed(Changes::LIST);
+            }
+            (self.model, self.light) = (step.model, step.light);
+            for index in 0..self.document.scene.graph.len() as u32 {
+                let id = NodeId(index);
+                self.document.scene.graph.node_mut(id).visible = step.hidden.binary_search(&id).is_err();
+            }
+            self.changed(Changes::MODEL | Changes::LIGHT | Changes::DISPLAY);
+        }
+        self.changed(Changes::HISTORY);
+    }
+}

@@ -1,0 +1,206 @@
+//! How a session is looked at: selection, switches, camera and light.
+
+use glam::Vec3;
+
+use super::{Changes, Eye, LightAim, Session};
+use crate::document::Skinning;
+use crate::render::{Background, Display, Palette, Theme};
+use crate::scene::{Bounds, NodeId, View};
+
+impl Session {
+    /// The selected node.
+    pub fn selected(&self) -> Option<NodeId> {
+        self.display.selected
+    }
+
+    /// Selects a node, or none.
+    pub fn select(&mut self, node: Option<NodeId>) {
+        let node = node.filter(|id| id.index() < self.document.scene.graph.len());
+        if node != self.display.selected {
+            self.display.selected = node;
+            if self.display.weights.is_some() {
+                self.display.weights = node;
+            }
+            self.find_own_keys();
+            self.changed(Changes::SELECTION);
+        }
+    }
+
+    /// The ledger shows another muscle.
+    pub fn show_other_muscle(&mut self) {
+        self.changed(Changes::MUSCLE);
+    }
+
+    /// The scene tree lists something else: another search.
+    pub fn list_anew(&mut self) {
+        self.changed(Changes::LIST);
+    }
+
+    /// Marks the node under the pointer.
+    pub fn hover(&mut self, node: Option<NodeId>) {
+        if node != self.display.hovered {
+            self.display.hovered = node;
+            self.changed(Changes::HOVER);
+        }
+    }
+
+    /// Shows or hides a node with everything below it.
+    pub fn set_visible(&mut self, node: NodeId, visible: bool) {
+        if node.index() < self.document.scene.graph.len() && self.document.scene.graph.node(node).visible != visible {
+            self.remember();
+            self.document.scene.graph.node_mut(node).visible = visible;
+            self.stale = true;
+            self.changed(Changes::DISPLAY);
+        }
+    }
+
+    /// The switches.
+    pub fn display(&self) -> &Display {
+        &self.display
+    }
+
+    /// Changes switches.
+    pub fn change_display(&mut self, change: impl FnOnce(&mut Display)) {
+        let before = self.display.clone();
+        change(&mut self.display);
+        if before != self.display {
+            self.changed(Changes::DISPLAY);
+        }
+    }
+
+    /// The colours of the surroundings.
+    pub fn theme(&self) -> Theme {
+        self.theme
+    }
+
+    /// Follows the desktop's light or dark.
+    pub fn set_theme(&mut self, theme: Theme) {
+        self.theme = theme;
+        let palette = Palette::of(theme);
+        self.change_display(|display| {
+            display.palette = palette;
+            display.background = Background::Gradient(palette.background.0, palette.background.1);
+        });
+    }
+
+    /// Whether the names of bones are written beside them.
+    pub fn bone_names(&self) -> bool {
+        self.bone_names
+    }
+
+    /// Writes the names of bones, or no longer.
+    pub fn set_bone_names(&mut self, shown: bool) {
+        self.bone_names = shown;
+        self.changed(Changes::DISPLAY);
+    }
+
+    /// How joints bend skins.
+    pub fn set_skinning(&mut self, skinning: Skinning) {
+        if skinning != self.state.skinning {
+            self.state.skinning = skinning;
+            self.stale = true;
+            self.changed(Changes::DISPLAY);
+        }
+    }
+
+    /// Paints the weights of the selected node, or no longer.
+    pub fn set_weights(&mut self, shown: bool) {
+        let selected = self.display.selected;
+        self.change_display(|display| display.weights = selected.filter(|_| shown));
+    }
+
+    /// The eye.
+    pub fn eye(&self) -> &Eye {
+        &self.eye
+    }
+
+    /// Whether jumps of the camera are eased.
+    pub fn set_eased(&mut self, eased: bool) {
+        self.eye.eased = eased;
+    }
+
+    /// Nothing changed but what surrounds the document, such as a reading that ended without one.
+    pub fn touch(&mut self) {
+        self.changed(Changes::SURROUNDINGS);
+    }
+
+    /// Changes the eye.
+    pub fn change_eye(&mut self, change: impl FnOnce(&mut Eye)) {
+        change(&mut self.eye);
+        self.fit_on_resize = false;
+        self.changed(Changes::CAMERA);
+    }
+
+    /// The picture's width over its height. A view that no hand has touched is fitted anew.
+    pub fn set_aspect(&mut self, aspect: f32) {
+        if aspect.is_finite() && aspect > 0.0 && aspect != self.aspect {
+            self.aspect = aspect;
+            if self.fit_on_resize {
+                let eased = std::mem::take(&mut self.eye.eased);
+                self.fit();
+                self.eye.eased = eased;
+                self.fit_on_resize = true;
+            }
+        }
+    }
+
+    /// Fits everything into the picture.
+    pub fn fit(&mut self) {
+        let (bounds, aspect) = (self.bounds(), self.aspect);
+        self.change_eye(|eye| eye.fit(&bounds, aspect));
+    }
+
+    /// Back to the start view, fitted.
+    pub fn reset_camera(&mut self) {
+        let (bounds, aspect) = (self.bounds(), self.aspect);
+        self.change_eye(|eye| {
+            eye.jump(|orbit| {
+                orbit.orthographic = false;
+                orbit.look_from(View::Start);
+                orbit.fit(&bounds, aspect);
+            });
+        });
+    }
+
+    /// Puts a node into the middle of the picture.
+    pub fn centre_on(&mut self, node: NodeId) {
+        let target = self.node_centre(node);
+        if target.is_finite() {
+            self.change_eye(|eye| eye.jump(|orbit| orbit.target = target));
+        }
+    }
+
+    /// The middle of what hangs on a node, else its origin; world, metres.
+    fn node_centre(&mut self, node: NodeId) -> Vec3 {
+        let frame = self.frame();
+        let mut bounds = Bounds::EMPTY;
+        for surface in frame.surfaces.iter().filter(|surface| surface.node == node) {
+            for vertex in 0..surface.mesh.positions.len() as u32 {
+                bounds.add(surface.position(vertex));
+            }
+        }
+        if bounds.is_empty() { frame.position(node) } else { bounds.center() }
+    }
+
+    /// Where the light comes from; `None` = with the camera, high on the left.
+    pub fn light(&self) -> Option<LightAim> {
+        self.light
+    }
+
+    /// Moves the light by degrees.
+    pub fn turn_light(&mut self, yaw: f32, pitch: f32) {
+        let mut aim = self.light.unwrap_or_else(|| LightAim::beside_camera(self.eye.orbit().yaw));
+        aim.turn(yaw, pitch);
+        self.light = Some(aim);
+        self.changed(Changes::LIGHT);
+    }
+
+    /// The light goes back to its place beside the camera.
+    pub fn reset_light(&mut self) {
+        if self.light.is_some() {
+            self.remember();
+            self.light = None;
+            self.changed(Changes::LIGHT);
+        }
+    }
+}

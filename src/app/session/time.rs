@@ -1,0 +1,142 @@
+//! A session in time: clip, cursor, keys, and the clock that drives what moves by itself.
+
+use super::{Changes, Session, frames};
+use crate::animation::{Clip, LoopMode, Playback};
+
+impl Session {
+    /// The clip that plays.
+    pub fn clip(&self) -> Option<&Clip> {
+        self.state.clip.and_then(|index| self.document.clips.get(index))
+    }
+
+    /// Its index.
+    pub fn clip_index(&self) -> Option<usize> {
+        self.state.clip
+    }
+
+    /// The time cursor.
+    pub fn playback(&self) -> &Playback {
+        &self.playback
+    }
+
+    /// Frames a second of the frame numbers.
+    pub fn frame_rate(&self) -> f64 {
+        self.frame_rate
+    }
+
+    /// Key times of everything that the clip moves; seconds, ascending.
+    pub fn all_keys(&self) -> &[f64] {
+        &self.keys
+    }
+
+    /// Key times of the selected node; empty where it has none.
+    pub fn own_keys(&self) -> &[f64] {
+        &self.own_keys
+    }
+
+    /// Chooses the clip; the cursor goes to its start.
+    pub fn set_clip(&mut self, index: Option<usize>) {
+        if index != self.state.clip && index.is_none_or(|index| index < self.document.clips.len()) {
+            let playing = self.playback.playing;
+            self.take_clip(index);
+            if playing {
+                self.playback.play();
+            }
+            self.changed(Changes::TIME | Changes::PLAYBACK);
+        }
+    }
+
+    /// The clip `by` places further on, round the end.
+    pub fn next_clip(&mut self, by: isize) {
+        let count = self.document.clips.len() as isize;
+        if count > 0 {
+            let now = self.state.clip.map_or(0, |index| index as isize);
+            self.set_clip(Some((now + by).rem_euclid(count) as usize));
+        }
+    }
+
+    pub(super) fn take_clip(&mut self, index: Option<usize>) {
+        self.state.clip = index;
+        let (start, end) = self.clip().map_or((0.0, 0.0), |clip| (clip.start, clip.end));
+        let Playback { speed, mode, .. } = self.playback;
+        self.playback = Playback { speed: speed.abs(), mode, ..Playback::new(start, end) };
+        self.find_keys();
+        self.frame_rate = frames::guess_rate(&self.keys);
+        self.stale = true;
+    }
+
+    pub(super) fn find_keys(&mut self) {
+        self.keys = self.clip().map_or_else(Vec::new, |clip| clip.key_times(None));
+        self.find_own_keys();
+    }
+
+    pub(super) fn find_own_keys(&mut self) {
+        let own = self.clip().zip(self.display.selected).map(|(clip, node)| clip.key_times(Some(node)));
+        self.own_keys = own.unwrap_or_default();
+    }
+
+    /// Changes the cursor and notices what came of it.
+    pub fn time(&mut self, change: impl FnOnce(&mut Playback)) {
+        let before = self.playback;
+        change(&mut self.playback);
+        let after = self.playback;
+        if after.time != before.time {
+            self.changed(Changes::TIME);
+        }
+        if (Playback { time: before.time, ..after }) != before {
+            self.changed(Changes::PLAYBACK);
+        }
+    }
+
+    /// Plays, or stops.
+    pub fn toggle_playing(&mut self) {
+        self.time(|time| if time.playing { time.pause() } else { time.play() });
+    }
+
+    /// Goes whole frames on or back, and stops.
+    pub fn step_frames(&mut self, frames: i32) {
+        let rate = self.frame_rate;
+        self.time(|time| {
+            time.pause();
+            time.step(frames, rate);
+        });
+    }
+
+    /// Goes to the next key (or the previous one) of the selection, or of everything where it has none, and stops.
+    pub fn step_key(&mut self, forward: bool) {
+        let keys = if self.own_keys.is_empty() { &self.keys } else { &self.own_keys };
+        let key = if forward { self.playback.next_key(keys) } else { self.playback.previous_key(keys) };
+        if let Some(key) = key {
+            self.time(|time| {
+                time.pause();
+                time.seek(key);
+            });
+        }
+    }
+
+    /// Loop, once, ping-pong, loop …
+    pub fn next_loop_mode(&mut self) {
+        self.time(|time| {
+            time.mode = match time.mode {
+                LoopMode::Loop => LoopMode::Once,
+                LoopMode::Once => LoopMode::PingPong,
+                LoopMode::PingPong => LoopMode::Loop,
+            };
+        });
+    }
+
+    /// Lets `seconds` of the display's clock go by.
+    pub fn advance(&mut self, seconds: f64) {
+        self.time(|time| {
+            time.advance(seconds);
+        });
+        if self.eye.advance(seconds) {
+            self.changed(Changes::CAMERA);
+        }
+    }
+
+    /// Whether something moves by itself, so that another frame is wanted.
+    pub fn is_moving(&self) -> bool {
+        self.playback.playing || self.eye.is_jumping()
+    }
+}

@@ -1,0 +1,94 @@
+//! Drives the real window on a display of its own: `tests/window/drive.py` through the accessibility tree, the mouse and the keyboard.
+//!
+//! Needs Xvfb, dbus-run-session, xdotool, ImageMagick's `import` and the system's Python with `gi` and Atspi (`make test` installs them); where
+//! one of them is missing it says so and passes.
+#![cfg(feature = "gui")]
+
+mod support;
+
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+
+/// A display that ends with the test.
+struct Display {
+    server: Child,
+    name: String,
+}
+
+impl Display {
+    /// Starts a server, which chooses a free number itself.
+    fn start() -> Option<Self> {
+        let mut server = Command::new("Xvfb")
+            .args(["-displayfd", "1", "-screen", "0", "1400x900x24", "-nolisten", "tcp"])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .ok()?;
+        let mut number = String::new();
+        let read = server.stdout.take().and_then(|out| BufReader::new(out).read_line(&mut number).ok());
+        let display = Self { server, name: format!(":{}", number.trim()) };
+        (read.is_some() && !number.trim().is_empty()).then_some(display)
+    }
+}
+
+impl Drop for Display {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+fn works(program: &str, arguments: &[&str]) -> bool {
+    Command::new(program).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
+}
+
+/// Whether a program is there at all; xdotool fails without a display even when asked for its version.
+fn is_there(program: &str) -> bool {
+    Command::new(program).arg("-version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok()
+}
+
+/// What the test needs and the machine lacks.
+fn missing() -> Option<&'static str> {
+    let atspi = "import gi; gi.require_version('Atspi', '2.0'); from gi.repository import Atspi";
+    [
+        ("dbus-run-session", works("dbus-run-session", &["--", "true"])),
+        ("xdotool", is_there("xdotool")),
+        ("ImageMagick", is_there("import")),
+        ("python3-gi with gir1.2-atspi-2.0", works("/usr/bin/python3", &["-c", atspi])),
+    ]
+    .into_iter()
+    .find(|(_, there)| !there)
+    .map(|(name, _)| name)
+}
+
+#[test]
+fn hands_on_the_window_do_what_they_should() {
+    if let Some(what) = missing() {
+        eprintln!("SKIPPED: the window is not tested, because {what} is missing");
+        return;
+    }
+    let Some(display) = Display::start() else {
+        eprintln!("SKIPPED: the window is not tested, because Xvfb is missing");
+        return;
+    };
+    let (home, files) = (support::folder(), support::folder());
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let ended = Command::new("dbus-run-session")
+        .args(["--", "/usr/bin/python3"])
+        .arg(root.join("tests/window/drive.py"))
+        .arg(env!("CARGO_BIN_EXE_sinew"))
+        .arg(files.path())
+        .arg(root.join("configs"))
+        .env("DISPLAY", &display.name)
+        .env_remove("WAYLAND_DISPLAY")
+        .env("G_DEBUG", "fatal-criticals")
+        .env("LANG", "C.UTF-8")
+        .env("LC_ALL", "C.UTF-8")
+        .env("XDG_CONFIG_HOME", home.path())
+        .env("XDG_DATA_HOME", home.path())
+        .output()
+        .expect("the driver starts");
+    let told = String::from_utf8_lossy(&ended.stdout);
+    assert!(ended.status.success() && told.contains("all is so"), "{told}\n{}", String::from_utf8_lossy(&ended.stderr));
+}

@@ -1,0 +1,271 @@
+"""Drives the window as a person would: through the accessibility tree, the mouse and the keyboard. Waits for states, never for times.
+
+usage: drive.py PROGRAM FOLDER CONFIGS    (inside a D-Bus session with a display; FOLDER is empty and writable)
+Prints what was proven, line by line; ends with 1 at the first thing that is not so.
+"""
+
+import os
+import subprocess
+import sys
+import time
+
+import gi
+
+gi.require_version("Atspi", "2.0")
+from gi.repository import Atspi  # noqa: E402
+
+PATIENCE = float(os.environ.get("SINEW_TEST_PATIENCE", "30"))
+program, folder, configs = sys.argv[1:4]
+
+
+def fail(text):
+    print("NOT SO:", text, flush=True)
+    sys.exit(1)
+
+
+def wait(what, state):
+    """Waits until `state()` is true (or a value that is) and returns it."""
+    end = time.monotonic() + PATIENCE
+    while time.monotonic() < end:
+        try:
+            value = state()
+        except Exception:  # the tree changes while it is walked
+            value = None
+        if value:
+            return value
+        time.sleep(0.03)
+    fail(what)
+
+
+def told(text):
+    print("ok:", text, flush=True)
+
+
+def run(*command):
+    return subprocess.run([str(part) for part in command], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+
+
+def walk(node, depth=0):
+    if node is None or depth > 40:
+        return
+    if depth == 0:
+        node.clear_cache()  # what was added since is seen only so: no main loop runs here
+    yield node
+    for index in range(node.get_child_count()):
+        yield from walk(node.get_child_at_index(index), depth + 1)
+
+
+class Window:
+    """A running program."""
+
+    def __init__(self, *files):
+        self.process = subprocess.Popen([program, *files], stderr=subprocess.PIPE, text=True)
+        self.root = wait("the program appears in the accessibility tree", self.find_root)
+        self.window = wait("the window is there", lambda: run("xdotool", "search", "--onlyvisible", "--pid", self.process.pid).split()[0].decode())
+        run("xdotool", "windowmove", self.window, 0, 0)
+        run("xdotool", "windowfocus", self.window)
+
+    def find_root(self):
+        if self.process.poll() is not None:
+            fail(f"the program ended at once: {self.process.stderr.read()}")
+        desktop = Atspi.get_desktop(0)
+        for index in range(desktop.get_child_count()):
+            child = desktop.get_child_at_index(index)
+            if child and child.get_process_id() == self.process.pid:
+                return child
+        return None
+
+    def find(self, role, name):
+        for node in walk(self.root):
+            # A toggle button is a "push button" to some versions of GTK and a "toggle button" to others.
+            if node.get_name() == name and node.get_role_name().endswith(role):
+                return node
+        return None
+
+    def get(self, role, name):
+        return wait(f"there is a {role} named {name}", lambda: self.find(role, name))
+
+    def shows(self, text):
+        """Whether a text is there, and neither it nor what it stands in is hidden."""
+
+        def within(node):
+            if not node.get_state_set().contains(Atspi.StateType.VISIBLE):
+                return False
+            if text in (node.get_name() or ""):
+                return True
+            return any(within(node.get_child_at_index(index)) for index in range(node.get_child_count()))
+
+        self.root.clear_cache()
+        return any(within(self.root.get_child_at_index(index)) for index in range(self.root.get_child_count()))
+
+    def picture(self):
+        """The middle of the viewport, without the labels over it."""
+        return run("import", "-window", self.window, "-crop", "200x260+400+150", "-depth", "8", "rgb:-")
+
+    def key(self, *keys):
+        run("xdotool", "key", *keys)
+
+    def quit(self):
+        self.key("ctrl+q")
+        wait("Ctrl+Q ends the program", lambda: self.process.poll() is not None)
+        if self.process.returncode != 0:
+            fail(f"the program ended with {self.process.returncode}: {self.process.stderr.read()}")
+
+
+def pressed(node):
+    states = node.get_state_set()
+    return states.contains(Atspi.StateType.PRESSED) or states.contains(Atspi.StateType.CHECKED)
+
+
+def value(node):
+    return node.get_current_value()
+
+
+def still(window):
+    """The picture once it no longer changes."""
+    before = [None]
+
+    def same():
+        now = window.picture()
+        unchanged = now == before[0]
+        before[0] = now
+        return unchanged
+
+    wait("the picture comes to rest", same)
+    return before[0]
+
+
+CLIP = """<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><unit name="meter" meter="1"/><up_axis>Y_UP</up_axis></asset>
+  <library_geometries><geometry id="plate" name="Plate"><mesh>
+    <source id="p"><float_array id="pa" count="12">-1 -1 0 1 -1 0 1 1 0 -1 1 0</float_array>
+      <technique_common><accessor source="#pa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+    <triangles count="2"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2 0 2 3</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_animations><animation id="turn">
+    <source id="t"><float_array id="ta" count="3">0 1 2</float_array>
+      <technique_common><accessor source="#ta" count="3"><param name="TIME" type="float"/></accessor></technique_common></source>
+    <source id="o"><float_array id="oa" count="3">0 60 180</float_array>
+      <technique_common><accessor source="#oa" count="3"><param name="ANGLE" type="float"/></accessor></technique_common></source>
+    <source id="i"><Name_array id="ia" count="3">LINEAR LINEAR LINEAR</Name_array>
+      <technique_common><accessor source="#ia" count="3"><param name="INTERPOLATION" type="name"/></accessor></technique_common></source>
+    <sampler id="s"><input semantic="INPUT" source="#t"/><input semantic="OUTPUT" source="#o"/><input semantic="INTERPOLATION" source="#i"/></sampler>
+    <channel source="#s" target="Node/spin.ANGLE"/>
+  </animation></library_animations>
+  <library_visual_scenes><visual_scene id="scene">
+    <node id="Node" name="Node"><rotate sid="spin">0 0 1 0</rotate><instance_geometry url="#plate"/></node>
+  </visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#scene"/></scene>
+</COLLADA>
+"""
+
+
+def test_clip():
+    path = os.path.join(folder, "turn.dae")
+    with open(path, "w") as file:
+        file.write(CLIP)
+    window = Window(path)
+    slider = window.get("slider", "Time")
+    wait("the clip runs from 0 to 2 s", lambda: abs(slider.get_maximum_value() - 2.0) < 1e-6)
+    told("a file from the command line opens")
+
+    rest = still(window)
+    slider.set_current_value(0.5)
+    wait("setting Time changes the picture", lambda: window.picture() != rest)
+    told("Time can be read and set, and the picture follows")
+
+    start = value(slider)
+    play = window.get("button", "Play")
+    play.do_action(0)
+    wait("Play lets time go on", lambda: value(slider) != start)
+    play.do_action(0)
+    wait("Play again stops", lambda: not pressed(play))
+    told("Play plays and stops")
+
+    box = slider.get_extents(Atspi.CoordType.WINDOW)
+    for part in (0.25, 0.75):
+        run("xdotool", "mousemove", box.x + round(box.width * part), box.y + box.height // 2, "click", 1)
+        wait(f"a click at {part} of the timeline goes there", lambda: abs(value(slider) - 2.0 * part) < 0.08)
+    told("a click on the timeline seeks")
+
+    run("xdotool", "mousemove", 500, 300, "click", 1)  # the keyboard goes to the picture
+    slider.set_current_value(0.5)
+    wait("Time is 0.5", lambda: abs(value(slider) - 0.5) < 1e-9)
+    window.key("shift+Right")
+    wait("Shift+Right goes to the end", lambda: abs(value(slider) - 2.0) < 1e-6)
+    window.key("Up")
+    wait("Up goes to the key before", lambda: abs(value(slider) - 1.0) < 1e-6)
+    window.key("Right")
+    wait("Right goes one frame on", lambda: 1.0 < value(slider) < 1.1)
+    window.key("space")
+    wait("Space plays", lambda: pressed(play))
+    window.key("space")
+    told("keys: Shift+Right, Up, Right, Space")
+
+    before = still(window)
+    window.key("5")
+    wait("5 makes the rays parallel", lambda: window.picture() != before)
+    window.key("5")
+    wait("5 again makes them meet", lambda: window.picture() == before)
+    told("key: 5")
+
+    run("xdotool", "mousemove", 500, 300, "mousedown", 1, "mousemove", 540, 320, "mousemove", 580, 340, "mouseup", 1)
+    wait("a drag turns the camera", lambda: window.picture() != before)
+    run("xdotool", "mousemove", 500, 300)
+    window.key("Return")
+    told("a drag orbits")
+
+    broken = "<COLLADA version='1.4.1'><asset></COLLADA>"
+    with open(path, "w") as file:
+        file.write(broken)
+    wait("a broken file is told", lambda: window.shows("cannot be opened"))
+    if abs(slider.get_maximum_value() - 2.0) > 1e-6:
+        fail("the old scene stays when the file breaks")
+    told("a broken file shows a message and the old scene stays")
+    with open(path, "w") as file:
+        file.write(CLIP.replace("0 1 2<", "0 1 3<"))
+    wait("the mended file is read again", lambda: abs(slider.get_maximum_value() - 3.0) < 1e-6)
+    wait("the message goes", lambda: not window.shows("cannot be opened"))
+    told("a mended file opens by itself")
+
+    run("xdotool", "windowsize", window.window, 800, 600)
+
+    def fits():
+        for role, name in (("slider", "Time"), ("button", "Play")):
+            box = window.get(role, name).get_extents(Atspi.CoordType.WINDOW)
+            if box.width < 20 or box.x < 0 or box.y < 0 or box.x + box.width > 800 or box.y + box.height > 600:
+                return False
+        return True
+
+    wait("everything fits into 800 × 600", fits)
+    size = run("xdotool", "getwindowgeometry", "--shell", window.window).decode()
+    if "WIDTH=800" not in size or "HEIGHT=600" not in size:
+        fail(f"the window can be made 800 × 600: {size}")
+    told("the window works at 800 × 600")
+    window.quit()
+    told("Ctrl+Q leaves with 0")
+
+
+def test_muscle():
+    window = Window(os.path.join(configs, "biceps-measured.yaml"))
+    contraction, elbow = window.get("slider", "Contraction"), window.get("slider", "Elbow angle")
+    wait("the elbow can be bent", lambda: elbow.get_maximum_value() > 80)
+    rest = still(window)
+    elbow.set_current_value(60.0)
+    wait("the elbow bends", lambda: abs(value(elbow) - 60.0) < 1e-6)
+    wait("the contraction follows the elbow", lambda: value(contraction) > 5.0)
+    wait("the picture follows the elbow", lambda: window.picture() != rest)
+    bent = still(window)
+    before = value(elbow)
+    contraction.set_current_value(90.0)
+    wait("the elbow follows the contraction", lambda: value(elbow) > before + 5.0)
+    wait("the picture follows the contraction", lambda: window.picture() != bent)
+    told("each slider moves and the other follows")
+    window.quit()
+
+
+test_clip()
+test_muscle()
+print("all is so")
