@@ -10,8 +10,10 @@ use super::{Solved, Tendon};
 
 /// Flexion that a muscle never stops short of, degrees, however thick it is.
 const FREE_FLEXION: f64 = 120.0;
-/// Slides of the ends towards the elbow that are tried, as shares of the length at rest.
+/// Slides of the ends towards the elbow that are tried, as shares of the length at rest, both ends together.
 const SLIDES: [f64; 9] = [0.0, 0.005, 0.01, 0.015, 0.02, 0.03, 0.04, 0.05, 0.07];
+/// How deep an end may lie in its own rod, as a share of its radius.
+const TOUCH: f64 = 0.08;
 
 /// What was found for one muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,9 +38,11 @@ pub fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], ran
     let lift = [end_radius(0, profile.radii().first()), end_radius(1, profile.radii().last())].map(|radius| radius + arm.thickness);
     let mut best: Option<(f64, Drawn)> = None;
     let mut solved = Solved::default();
-    for slide in SLIDES {
-        let ends = [(line.origin, lift[0]), (line.insertion, lift[1])].map(|(point, lift)| {
-            let slid = slid_towards_elbow(arm, point, slide * profile.rest_length());
+    // At the insertion, near the elbow, a slide brings the end to the other rod sooner, so it is tried second.
+    for (slide, share) in SLIDES.into_iter().flat_map(|slide| [(slide, [1.0, 0.0]), (slide, [0.5, 0.5])]) {
+        let slides = share.map(|share| share * slide * profile.rest_length());
+        let ends = [(line.origin, lift[0], slides[0]), (line.insertion, lift[1], slides[1])].map(|(point, lift, slide)| {
+            let slid = slid_towards_elbow(arm, point, slide);
             let out = DVec3::new(slid.local.x, 0.0, slid.local.z);
             if out.length() >= lift { point } else { Point { local: DVec3::new(side * lift, slid.local.y, 0.0), ..slid } }
         });
@@ -94,29 +98,39 @@ fn gap(arm: &Arm, frames: &impl Frames, line: &Line, profile: &Profile, tendons:
     let path = drawn.lay(frames, solved.length + fixed);
     let elbow = arm.elbow();
     let [shoulder, wrist] = [frames.frame(0).w_axis.truncate(), frames.frame(1).transform_point3(DVec3::NEG_Y * arm.lower)];
-    let spans = solved.radii.len() - 1;
-    let ends = [solved.radii.first(), solved.radii.last()].map(|radius| 2.5 * radius.copied().unwrap_or(0.0));
+    let rods = [(shoulder, elbow), (elbow, wrist)];
+    let steps = (2 * solved.radii.len()).clamp(48, 96);
     let mut cursor = path.cursor();
     let mut least = f64::INFINITY;
-    let steps = (2 * spans).clamp(24, 96);
-    for step in 1..steps {
-        let share = step as f64 / steps as f64;
-        let at = share * solved.length;
-        // The ends themselves touch the rods: they are attached there.
-        if (tendons[0].length == 0.0 && at < ends[0]) || (tendons[1].length == 0.0 && solved.length - at < ends[1]) {
-            continue;
+    for step in 0..=steps {
+        let at = path.length() * step as f64 / steps as f64;
+        let radius = radius_along(solved, tendons, at);
+        let centre = cursor.station(at).position;
+        for (bone, (from, to)) in rods.into_iter().enumerate() {
+            // An end touches the rod that it is attached to: there a little is let pass, or rounding would decide.
+            let attached = |end: usize, away: f64| drawn.ends[end].bone == bone && away < 2.5 * radius;
+            let allowed = if attached(0, at) || attached(1, path.length() - at) { TOUCH * radius } else { 0.0 };
+            least = least.min(distance(centre, from, to) - arm.thickness - radius + allowed);
         }
-        let radius = radius_at(&solved.radii, share);
-        let centre = cursor.station(tendons[0].length + at).position;
-        let rods = distance(centre, shoulder, elbow).min(distance(centre, elbow, wrist)) - arm.thickness;
-        let ball = centre.distance(elbow) - ELBOW * arm.thickness;
-        least = least.min(rods.min(ball) - radius);
+        least = least.min(centre.distance(elbow) - ELBOW * arm.thickness - radius);
     }
     least
 }
 
+/// Radius of the tendon or the belly at a length from the origin.
+fn radius_along(solved: &Solved, tendons: &[Tendon; 2], at: f64) -> f64 {
+    let inside = at - tendons[0].length;
+    if inside < 0.0 {
+        tendons[0].radius
+    } else if inside > solved.length && tendons[1].length > 0.0 {
+        tendons[1].radius
+    } else {
+        radius_at(&solved.radii, inside / solved.length)
+    }
+}
+
 /// Radius at a share of the length between the nodes.
-pub fn radius_at(radii: &[f64], share: f64) -> f64 {
+fn radius_at(radii: &[f64], share: f64) -> f64 {
     let place = share.clamp(0.0, 1.0) * radii.len().saturating_sub(1) as f64;
     let node = (place as usize).min(radii.len().saturating_sub(2));
     let (a, b) = (radii.get(node).copied().unwrap_or(0.0), radii.get(node + 1).copied().unwrap_or(0.0));
