@@ -21,6 +21,7 @@ muscle-yaml-too-large = The file is larger than { $limit } MiB, which is the mos
 muscle-yaml-empty = The file is empty; a muscle needs “muscle_config” with “radiuses”, “grow_mults” and “len”.
 muscle-yaml-several-documents = A second document begins here; a muscle file has one. Remove this “---” and what follows, or save it as a file of its own.
 muscle-yaml-too-many-values = The file has more than { $limit } values, aliases counted each time.
+muscle-yaml-too-deep = Values nest deeper than { $limit } levels here; a muscle file needs no more than five.
 muscle-yaml-syntax = This is not valid YAML: { $reason }.
 muscle-yaml-the-file = the file
 muscle-yaml-item = { $name } { $number }

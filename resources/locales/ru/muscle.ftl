@@ -21,6 +21,7 @@ muscle-yaml-too-large = Файл больше { $limit } МиБ, а это пр�
 muscle-yaml-empty = Файл пуст; мышце нужен раздел «muscle_config» с ключами «radiuses», «grow_mults» и «len».
 muscle-yaml-several-documents = Здесь начинается второй документ, а в файле мышцы он один. Удалите эту строку «---» и всё после неё или сохраните это отдельным файлом.
 muscle-yaml-too-many-values = В файле больше { $limit } значений (ссылки считаются каждый раз).
+muscle-yaml-too-deep = Вложенность здесь глубже { $limit } уровней; файлу мышцы хватает пяти.
 muscle-yaml-syntax = Это неправильный YAML: { $reason }.
 muscle-yaml-the-file = файл
 muscle-yaml-item = { $name } { $number }

@@ -14,6 +14,32 @@ use crate::tr;
 /// Most values of one file, aliases counted as often as they are used.
 const VALUES: usize = 1_000_000;
 
+/// Deepest nesting.
+const DEPTH: usize = 100;
+
+/// Where brackets, or list marks on one line, nest deeper than [`DEPTH`]: the parser's time grows with the square of the depth, so it must not see
+/// such a text. Brackets in quotes and comments count too; no real file has so many unclosed ones.
+fn too_deep(text: &str) -> Option<(usize, usize)> {
+    let mut open = 0_usize;
+    for (line, content) in text.lines().enumerate() {
+        let mut marks = 0_usize;
+        for (column, byte) in content.bytes().enumerate() {
+            match byte {
+                b'[' | b'{' => open += 1,
+                b']' | b'}' => open = open.saturating_sub(1),
+                b'-' | b'?' | b':' if open == 0 => {
+                    marks += usize::from(matches!(content.as_bytes().get(column + 1), None | Some(b' ' | b'\t')))
+                }
+                _ => {}
+            }
+            if open > DEPTH || marks > DEPTH {
+                return Some((line + 1, column + 1));
+            }
+        }
+    }
+    None
+}
+
 /// A value of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Yaml {
@@ -46,6 +72,9 @@ pub enum Step {
 
 /// Reads the one document of `text`.
 pub fn read(text: &str) -> Result<Yaml, ConfigError> {
+    if let Some(place) = too_deep(text) {
+        return Err(ConfigError::at(Some(place), tr!("muscle-yaml-too-deep", limit = DEPTH)));
+    }
     let budget = Cell::new(VALUES);
     let mut found = None;
     for (index, document) in serde_yaml::Deserializer::from_str(text).enumerate() {
@@ -103,6 +132,11 @@ impl<'de> Visitor<'de> for TreeSeed<'_> {
     }
 
     fn visit_unit<E>(self) -> Result<Yaml, E> {
+        Ok(Yaml::Null)
+    }
+
+    /// An empty document.
+    fn visit_none<E>(self) -> Result<Yaml, E> {
         Ok(Yaml::Null)
     }
 
@@ -186,6 +220,10 @@ impl<'de> Visitor<'de> for StopSeed<'_> {
     }
 
     fn visit_unit<E: Error>(self) -> Result<(), E> {
+        self.here()
+    }
+
+    fn visit_none<E: Error>(self) -> Result<(), E> {
         self.here()
     }
 
