@@ -12,6 +12,8 @@
 //! | `drive` | contraction and elbow angle, each the inverse of the other |
 //! | `hinge` | the joint that measurements turn |
 //! | `measure` | moment arms |
+//! | `experiment` | the report’s experiment: models beside measured radii |
+//! | `fit` | how near models that keep their volume come to those |
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
 //! | `rig` | muscles in a scene: solve, lay, measure |
 //! | `config` | YAML |
@@ -21,6 +23,8 @@ mod build;
 mod clearance;
 mod config;
 mod drive;
+pub mod experiment;
+pub mod fit;
 mod hinge;
 mod line;
 mod materials;

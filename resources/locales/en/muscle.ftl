@@ -66,3 +66,9 @@ muscle-bad-color = “{ $text }” is not a colour; write it as "#B8322E", with 
 muscle-bone-not-found = The bone “{ $bone }” is in none of the open clips, so the muscle lies on its own; check the name or open the clip too.
 muscle-joint-not-found = The joint “{ $bone }” is in none of the open clips, so nothing can be measured over its angle; check the name or open the clip too.
 muscle-bent-too-tight = The muscle is bent tighter than it is thick, so its surface folds into itself; make the radius of “wrap” larger or the tendon longer.
+
+muscle-table-heading = The first line should name the angles, rising, as in “node,deg0,deg30,deg60,deg90”.
+muscle-table-row = This row should have the node and { $count } radii of 0 or more, one an angle, separated by commas.
+muscle-table-empty = The table has no rows; after the heading it needs one a node.
+muscle-compare-nodes = The table has { $rows } rows, but the muscle has { $nodes } nodes; it needs one a node, or { $inner } without the two ends.
+muscle-compare-no-joint = The muscle is on no joint whose angle could be compared; the file needs an arm, or a clip with a joint.

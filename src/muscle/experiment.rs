@@ -1,0 +1,192 @@
+//! The report's experiment: radii of a model beside measured ones, and what the measured ones say about their own volume.
+//!
+//! The report compares the growth of each node from 0° to 90° and finds the model's far smaller than the measured. The reason is in the data: the
+//! measured radii, at the lengths that the arm has at those angles, imply volumes that differ by half. A model that keeps its volume cannot follow
+//! data that do not.
+//!
+//! [`super::fit`] asks how near a model that keeps its volume can come.
+
+use std::f64::consts::PI;
+
+use super::Rig;
+use super::profile::{ProfileError, cone_sum};
+use crate::tr;
+
+/// Radii of a muscle's nodes at several angles.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table {
+    /// Angles, degrees, rising.
+    pub angles: Vec<f64>,
+    /// One row a node, one radius an angle.
+    pub radii: Vec<Vec<f64>>,
+}
+
+/// Why text is no table of radii.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct TableError {
+    /// Line from 1.
+    pub line: u32,
+    /// What is wrong and what would be right.
+    pub message: String,
+}
+
+impl Table {
+    /// Reads comma-separated text: a heading `node,deg0,deg30,…`, a row a node, `#` before remarks.
+    ///
+    /// # Errors
+    /// [`TableError`] with the line.
+    pub fn parse(text: &str) -> Result<Self, TableError> {
+        let mut table = Self::default();
+        for (index, content) in text.lines().enumerate() {
+            let line = u32::try_from(index + 1).unwrap_or(u32::MAX);
+            let refuse = |message| Err(TableError { line, message });
+            let content = content.trim_start_matches('\u{feff}').trim();
+            if content.is_empty() || content.starts_with('#') {
+                continue;
+            }
+            let fields: Vec<&str> = content.split(',').map(str::trim).collect();
+            let rest = fields.get(1..).unwrap_or_default();
+            if table.angles.is_empty() {
+                let angles: Option<Vec<f64>> = rest
+                    .iter()
+                    .map(|name| name.strip_prefix("deg").and_then(|digits| digits.parse().ok()).filter(|n: &f64| n.is_finite()))
+                    .collect();
+                match angles.filter(|angles| !angles.is_empty() && angles.windows(2).all(|pair| pair[0] < pair[1])) {
+                    Some(angles) => table.angles = angles,
+                    None => return refuse(tr!("muscle-table-heading")),
+                }
+                continue;
+            }
+            let radii: Option<Vec<f64>> = rest.iter().map(|field| field.parse().ok().filter(|r| (0.0..=1e9).contains(r))).collect();
+            match radii.filter(|radii| radii.len() == table.angles.len()) {
+                Some(radii) => table.radii.push(radii),
+                None => return refuse(tr!("muscle-table-row", count = table.angles.len())),
+            }
+        }
+        if table.radii.is_empty() {
+            return Err(TableError { line: 1, message: tr!("muscle-table-empty") });
+        }
+        Ok(table)
+    }
+
+    fn column(&self, angle: usize) -> Vec<f64> {
+        self.radii.iter().filter_map(|row| row.get(angle).copied()).collect()
+    }
+}
+
+/// A model's radii beside a table's.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Comparison {
+    /// Angles of the table, degrees.
+    pub angles: Vec<f64>,
+    /// Lengths of the muscle there.
+    pub lengths: Vec<f64>,
+    /// The model's radii of the table's nodes: one row a node, one radius an angle.
+    pub model: Vec<Vec<f64>>,
+    /// The table's.
+    pub measured: Vec<Vec<f64>>,
+    /// Growth of each node from the first to the last angle: model, measured.
+    pub growth: Vec<[f64; 2]>,
+    /// Measured growth over the model's, both as the mean size over the nodes.
+    pub growth_ratio: f64,
+    /// Volume that the table's radii imply at each angle, with the model's own end radii where the table leaves them out.
+    pub implied_volumes: Vec<f64>,
+    /// Root mean square of model − measured over all nodes and angles.
+    pub rms: f64,
+}
+
+/// Why a table cannot be held against a muscle.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum CompareError {
+    /// The table has another number of rows than the muscle nodes, with or without its two ends.
+    #[error("{}", tr!("muscle-compare-nodes", rows = *.rows, nodes = *.nodes, inner = .nodes.saturating_sub(2)))]
+    Nodes {
+        /// Rows of the table.
+        rows: usize,
+        /// Nodes of the muscle.
+        nodes: usize,
+    },
+    /// The rig has no such muscle, or no joint to turn.
+    #[error("{}", tr!("muscle-compare-no-joint"))]
+    NoJoint,
+    /// Radii that make no muscle.
+    #[error(transparent)]
+    Profile(#[from] ProfileError),
+}
+
+/// A table with the lengths at its angles, its rows extended to all nodes of the muscle.
+pub(super) struct Data {
+    pub lengths: Vec<f64>,
+    /// One column an angle, a radius a node.
+    pub columns: Vec<Vec<f64>>,
+    /// The nodes that the table speaks of.
+    pub rows: std::ops::Range<usize>,
+}
+
+impl Data {
+    pub fn new(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
+        let profile =
+            rig.profile(index).filter(|_| rig.is_attached(index) && rig.measured_range().is_some()).ok_or(CompareError::NoJoint)?;
+        let (rows, nodes) = (table.radii.len(), profile.radii().len());
+        let ends = if rows == nodes { 0 } else { 1 };
+        if rows + 2 * ends != nodes {
+            return Err(CompareError::Nodes { rows, nodes });
+        }
+        let lengths = rig.measure(index, &table.angles).iter().map(|sample| sample.solved.length).collect();
+        // `nodes` is at least 2, so both ends are there.
+        let ends_of = |mut inner: Vec<f64>| {
+            if ends == 1 {
+                inner.insert(0, profile.radii().first().copied().unwrap_or(0.0));
+                inner.push(profile.radii().last().copied().unwrap_or(0.0));
+            }
+            inner
+        };
+        let columns = (0..table.angles.len()).map(|angle| ends_of(table.column(angle))).collect();
+        Ok(Self { lengths, columns, rows: ends..nodes - ends })
+    }
+
+    /// Root mean square of model − table over the table's nodes and all angles.
+    pub fn rms(&self, model: &[Vec<f64>]) -> f64 {
+        let squares: f64 = self
+            .columns
+            .iter()
+            .zip(model)
+            .flat_map(|(measured, model)| self.rows.clone().filter_map(|node| Some((measured.get(node)? - model.get(node)?).powi(2))))
+            .sum();
+        (squares / (self.rows.len() * self.columns.len()).max(1) as f64).sqrt()
+    }
+}
+
+/// Holds muscle `index` against a table of measured radii: all nodes, or all but the two ends.
+///
+/// # Errors
+/// [`CompareError`] where the table does not fit the muscle.
+pub fn compare(rig: &Rig, index: usize, table: &Table) -> Result<Comparison, CompareError> {
+    let data = Data::new(rig, index, table)?;
+    let model: Vec<Vec<f64>> = rig.measure(index, &table.angles).into_iter().map(|sample| sample.solved.radii).collect();
+    let grown = |columns: &[Vec<f64>], node: usize| {
+        let at = |column: Option<&Vec<f64>>| column.and_then(|column| column.get(node)).copied().unwrap_or(0.0);
+        at(columns.last()) - at(columns.first())
+    };
+    let growth: Vec<[f64; 2]> = data.rows.clone().map(|node| [grown(&model, node), grown(&data.columns, node)]).collect();
+    let size = |which: usize| growth.iter().filter_map(|pair| pair.get(which)).map(|value| value.abs()).sum::<f64>();
+    let by_node = |columns: &[Vec<f64>]| -> Vec<Vec<f64>> {
+        data.rows.clone().map(|node| columns.iter().filter_map(|column| column.get(node).copied()).collect()).collect()
+    };
+    Ok(Comparison {
+        angles: table.angles.clone(),
+        growth_ratio: if size(0) > 0.0 { size(1) / size(0) } else { f64::INFINITY },
+        implied_volumes: data.columns.iter().zip(&data.lengths).map(|(radii, length)| volume(radii, *length)).collect(),
+        rms: data.rms(&model),
+        model: by_node(&model),
+        measured: by_node(&data.columns),
+        growth,
+        lengths: data.lengths,
+    })
+}
+
+/// Volume of truncated cones over these radii: π L / (n − 1) · F(r).
+pub(super) fn volume(radii: &[f64], length: f64) -> f64 {
+    PI * length / radii.len().saturating_sub(1).max(1) as f64 * cone_sum(radii)
+}
