@@ -4,7 +4,7 @@ mod support;
 
 use support::{sinew, sinew_ru};
 
-const COMMANDS: [&str; 6] = ["info", "check", "render", "export", "measure", "help"];
+const COMMANDS: [&str; 7] = ["info", "check", "render", "export", "measure", "bench", "help"];
 
 #[test]
 fn every_page_is_there_in_both_languages() {
@@ -104,6 +104,7 @@ const WRONG: &[(&[&str], &str)] = &[
     (&["measure", "a.yaml", "--sweep", "0:90:0.0000001"], "100000"),
     (&["measure", "a.yaml", "--angles", "0", "--sweep", "0:1:1"], "--sweep"),
     (&["measure", "a.yaml", "--csv", "--json"], "--csv"),
+    (&["bench", "--seconds", "0"], "--seconds"),
     (&["help", "dance"], "dance"),
     (&["rendr", "a.dae"], "render"),
     (&["inof"], "info"),

@@ -31,7 +31,7 @@ pub fn command() -> Command {
             .help_heading(tr!("cli-heading-options")),
     )
     .arg(help_flag())
-    .subcommands([info(), check(), render(), export(), measure(), help()].map(|command| command.arg(help_flag())))
+    .subcommands([info(), check(), render(), export(), measure(), bench(), help()].map(|command| command.arg(help_flag())))
 }
 
 fn info() -> Command {
@@ -130,6 +130,19 @@ fn measure() -> Command {
             .value_hint(clap::ValueHint::FilePath),
     )
     .arg(flag("csv", "cli-arg-csv", heading).conflicts_with("json"))
+    .arg(flag("json", "cli-arg-json", heading))
+}
+
+fn bench() -> Command {
+    let heading = "cli-heading-options";
+    page(
+        "bench",
+        "cli-about-bench",
+        "sinew bench [OPTIONS]",
+        &[("sinew bench", "cli-example-bench"), ("sinew bench --threads 1", "cli-example-bench-threads")],
+    )
+    .arg(option("threads", "N", values::threads, "cli-arg-bench-threads", heading))
+    .arg(number("seconds", "S", values::number_within(0.01, 60.0), "cli-arg-seconds", heading))
     .arg(flag("json", "cli-arg-json", heading))
 }
 

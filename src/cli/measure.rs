@@ -1,14 +1,14 @@
 //! `sinew measure`: muscles in numbers.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use serde::Serialize;
 
 use super::compare::Comparison;
-use super::failure::{Failure, answer, answer_json, display_name};
-use super::values::Angles;
+use super::failure::{Failure, answer, answer_json, complain, display_name};
+use super::values::{Angles, plain};
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
@@ -74,6 +74,9 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         };
     }
     let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
+    if let Some(angles) = &angles {
+        say_what_no_joint_does(&document, angles, &file);
+    }
     let measurement = Measurement {
         file: display_name(&file),
         unit: unit(&document),
@@ -93,6 +96,16 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         answer(&measurement.csv())
     } else {
         answer(&measurement.text())
+    }
+}
+
+/// The formulas go on beyond the angles that a joint reaches, and so does the table; it says so.
+fn say_what_no_joint_does(document: &Document, angles: &[f64], file: &Path) {
+    for range in document.rigs().filter_map(|(rig, _)| rig.measured_range()) {
+        if angles.iter().any(|angle| !range.contains(angle)) {
+            let (low, high) = (plain(*range.start()), plain(*range.end()));
+            complain(&tr!("cli-measure-beyond", file = display_name(file), low = low, high = high));
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 //! Results go to standard output, problems to standard error, one line each. The exit code is 0 = done, 1 = a file could not be used,
 //! 2 = the call was wrong.
 
+mod bench;
 mod check;
 mod command;
 mod compare;
@@ -50,6 +51,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(("render", given)) => finish(render::run(given)),
         Some(("export", given)) => finish(export::run(given)),
         Some(("measure", given)) => finish(measure::run(given)),
+        Some(("bench", given)) => finish(bench::run(given)),
         Some(("help", given)) => finish(help(given)),
         _ => window::open(files(&matches)),
     }

@@ -144,21 +144,24 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// Finds the one `%d` or `%04d` in a name; `None` where there is none, and then `%` is an ordinary character.
+    /// Finds the first `%d` or `%04d` in a name, `%%` being a plain `%` beside it; `None` where there is none, and then `%` is an ordinary
+    /// character.
     pub fn of(name: &str) -> Option<Self> {
-        for (at, _) in name.match_indices('%') {
-            let rest = &name[at + 1..];
-            let digits = rest.chars().take_while(char::is_ascii_digit).count();
-            if rest[digits..].starts_with('d') && digits <= 2 {
-                let plain = |text: &str| text.replace("%%", "%");
-                return Some(Self {
-                    before: plain(&name[..at]),
-                    digits: rest[..digits].parse().unwrap_or(0),
-                    after: plain(&rest[digits + 1..]),
-                });
+        let mut before = String::new();
+        let mut rest = name;
+        loop {
+            let (plain, found) = rest.split_once('%')?;
+            before.push_str(plain);
+            let after = found.trim_start_matches(|c: char| c.is_ascii_digit());
+            let digits = found.strip_suffix(after).unwrap_or_default();
+            if let Some(after) = after.strip_prefix('d')
+                && digits.len() <= 2
+            {
+                return Some(Self { before, digits: digits.parse().unwrap_or(0), after: after.replace("%%", "%") });
             }
+            before.push('%');
+            rest = found.strip_prefix('%').unwrap_or(found);
         }
-        None
     }
 
     /// The name of file `number`.
@@ -178,8 +181,8 @@ mod tests {
         assert_eq!(file("%d.png", 12), Some(PathBuf::from("12.png")));
         assert_eq!(file("50%%-%02d.png", 3), Some(PathBuf::from("50%-03.png")));
         assert_eq!(file("%03d.png", 12345), Some(PathBuf::from("12345.png")));
-        for plain in ["picture.png", "50%.png", "%s.png", "100%d", "%999d.png"] {
-            let expected = (plain == "100%d").then(|| PathBuf::from("1000"));
+        for plain in ["picture.png", "50%.png", "%s.png", "%%04d.png", "%999d.png", "%", "%d%"] {
+            let expected = (plain == "%d%").then(|| PathBuf::from("0%"));
             assert_eq!(file(plain, 0), expected, "{plain}");
         }
     }

@@ -41,7 +41,7 @@ fn mistyped_command(files: &[PathBuf]) -> Option<String> {
     if first.exists() || word.contains(['.', '/', '\\']) {
         return None;
     }
-    ["info", "check", "render", "export", "measure", "help"]
+    ["info", "check", "render", "export", "measure", "bench", "help"]
         .into_iter()
         .find(|name| edits(word, name) <= 2)
         .map(|name| tr!("cli-command-mistyped", word = word, name = name))

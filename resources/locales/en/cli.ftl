@@ -7,6 +7,7 @@ cli-about-check = Reads files and reports what is odd about them, with the line 
 cli-about-render = Draws a picture (.png), an animation (.gif) or a numbered row of pictures, without a screen.
 cli-about-export = Writes the posed surface as .obj: world space, metres, Y up, triangles with normals.
 cli-about-measure = Measures muscles: length, moment arm, volume and radii at each elbow angle.
+cli-about-bench = Measures how fast the rasterizer is on this machine.
 cli-about-help = Shows this page, or the page of a command.
 
 cli-heading-usage = Usage:
@@ -57,6 +58,8 @@ cli-arg-no-normals = Light each triangle by its own plane instead of the smooth 
 cli-arg-angles = Elbow angles in degrees; 0,30,60,90 unless given
 cli-arg-sweep = Elbow angles from FROM to TO, both included, every STEP degrees
 cli-arg-compare = Set the model beside measured radii: a CSV with a column "node" and columns deg0, deg30 …
+cli-arg-bench-threads = Number of worker threads; one a core unless given
+cli-arg-seconds = Longest time for each scene, 0.01 to 60 seconds; 1 unless given
 cli-arg-csv = Answer as CSV
 
 cli-example-start = open the window on the built-in biceps
@@ -74,6 +77,8 @@ cli-example-export-muscle = arm and muscle at 90°
 cli-example-measure = a table at four angles
 cli-example-measure-csv = every five degrees, for a spreadsheet
 cli-example-measure-compare = the model beside measured radii
+cli-example-bench = every scene with all cores
+cli-example-bench-threads = the same with one thread
 cli-example-help = the page of render
 
 # The command line: what was wrong with a call. Each is printed after "sinew: ".
@@ -126,6 +131,7 @@ cli-angle-held = { $file }: the elbow goes from { $low }° to { $high }°, so { 
 cli-export-nothing = There is no surface to export: the file has no mesh and no muscle.
 cli-check-clean = nothing odd.
 cli-measure-no-muscle = There is no muscle in this file, so there is nothing to measure.
+cli-measure-beyond = { $file }: the joint goes from { $low }° to { $high }°; what lies beyond is computed all the same.
 cli-measure-angle = angle, °
 cli-measure-length = length, { $unit }
 cli-measure-moment-arm = moment arm, { $unit }
@@ -139,6 +145,13 @@ cli-unit-m = m
 cli-unit-in = in
 cli-unit-ml = ml
 cli-measure-held = the length is held at the limit of what the muscle can do.
+cli-bench-scene = scene
+cli-bench-median = median, ms
+cli-bench-min = fastest, ms
+cli-bench-made = Instruction set { $simd }, { NUMBER($threads, useGrouping: 0) } { $threads ->
+        [one] thread
+       *[other] threads
+    }.
 cli-info-file = File
 cli-info-format = Format
 cli-info-tool = Made with

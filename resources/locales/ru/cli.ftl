@@ -7,6 +7,7 @@ cli-about-check = Читает файлы и сообщает обо всём н
 cli-about-render = Рисует картинку (.png), анимацию (.gif) или пронумерованный ряд картинок; экран не нужен.
 cli-about-export = Записывает поверхность в заданной позе как .obj: мировые координаты, метры, ось Y вверх, треугольники с нормалями.
 cli-about-measure = Измеряет мышцы: длина, плечо силы, объём и радиусы при каждом угле в локте.
+cli-about-bench = Измеряет, как быстро рисует растеризатор на этой машине.
 cli-about-help = Показывает эту страницу или страницу команды.
 
 cli-heading-usage = Вызов:
@@ -57,6 +58,8 @@ cli-arg-no-normals = Освещать каждый треугольник по �
 cli-arg-angles = Углы в локте в градусах; по умолчанию 0,30,60,90
 cli-arg-sweep = Углы в локте от FROM до TO включительно с шагом STEP градусов
 cli-arg-compare = Сопоставить модель с измеренными радиусами: CSV со столбцом «node» и столбцами deg0, deg30 …
+cli-arg-bench-threads = Число рабочих потоков; по умолчанию по одному на ядро
+cli-arg-seconds = Наибольшее время на каждую сцену, от 0.01 до 60 секунд; по умолчанию 1
 cli-arg-csv = Ответить в формате CSV
 
 cli-example-start = открыть окно со встроенным бицепсом
@@ -74,6 +77,8 @@ cli-example-export-muscle = рука и мышца при 90°
 cli-example-measure = таблица для четырёх углов
 cli-example-measure-csv = через каждые пять градусов, для электронной таблицы
 cli-example-measure-compare = модель рядом с измеренными радиусами
+cli-example-bench = все сцены на всех ядрах
+cli-example-bench-threads = то же в одном потоке
 cli-example-help = страница команды render
 
 # Командная строка: что не так в вызове. Печатается после «sinew: ».
@@ -126,6 +131,7 @@ cli-angle-held = { $file }: локоть сгибается от { $low }° до
 cli-export-nothing = Выгружать нечего: в файле нет ни сетки, ни мышцы.
 cli-check-clean = ничего необычного.
 cli-measure-no-muscle = В этом файле нет мышцы, измерять нечего.
+cli-measure-beyond = { $file }: сустав сгибается от { $low }° до { $high }°; то, что за этими пределами, посчитано всё равно.
 cli-measure-angle = угол, °
 cli-measure-length = длина, { $unit }
 cli-measure-moment-arm = плечо силы, { $unit }
@@ -139,6 +145,10 @@ cli-unit-m = м
 cli-unit-in = дюйм
 cli-unit-ml = мл
 cli-measure-held = длина удержана на пределе возможного для мышцы.
+cli-bench-scene = сцена
+cli-bench-median = медиана, мс
+cli-bench-min = лучший, мс
+cli-bench-made = Набор команд { $simd }, потоков: { NUMBER($threads, useGrouping: 0) }.
 cli-info-file = Файл
 cli-info-format = Формат
 cli-info-tool = Создан в
