@@ -3,6 +3,8 @@
 
 pub mod golden;
 pub mod models;
+pub mod reference;
+pub mod rng;
 
 use glam::{Quat, Vec3};
 use sinew::render::{Background, Display, Renderer, Samples};

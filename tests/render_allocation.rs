@@ -1,0 +1,68 @@
+//! A frame allocates nothing after the first ones. Alone in its file: the allocator counts for the whole process.
+
+mod render_support;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::{Mat4, Vec3};
+use render_support::World;
+use render_support::models::{self, belly, profile, sphere};
+use sinew::render::{Display, Renderer, Samples, Shading};
+use sinew::scene::{Material, OrbitCamera};
+
+struct Counting;
+static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: everything is handed on to the system's allocator.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: the caller's promise is handed on.
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
+        // SAFETY: as above.
+        unsafe { System.dealloc(at, layout) }
+    }
+    unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: as above.
+        unsafe { System.realloc(at, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+#[test]
+fn frames_after_the_first_allocate_nothing() {
+    let mut world = World::default();
+    let glass = world.material(Material { opacity: 0.5, ..Material::default() });
+    world.place(sphere(60, 31), Mat4::IDENTITY, Some(glass));
+    world.place(sphere(100, 51), Mat4::from_translation(Vec3::X), None);
+    world.place_muscle(belly(21, 36, profile), Mat4::from_translation(Vec3::Y), None);
+    let joints = models::arm(&mut world, 30.0);
+    let mut orbit = OrbitCamera::default();
+    orbit.fit(&world.frame.bounds, 1.5);
+    let camera = orbit.camera();
+    let mut renderer = Renderer::new(Some(2));
+    for shading in [Shading::Flat, Shading::Gouraud, Shading::Phong] {
+        let base = Display { shading, bones: true, bone_axes: true, wireframe: true, ..Display::default() };
+        for display in [
+            base.clone(),
+            Display { samples: Samples::One, weights: Some(joints[1]), selected: Some(joints[1]), ..base.clone() },
+            Display { selected: Some(world.frame.surfaces[0].node), normal_glyphs: true, bounding_box: true, axes: true, ..base },
+        ] {
+            // Workers come and go, so each needs a few frames until it has met the largest band.
+            for _ in 0..12 {
+                renderer.draw(&world.scene, &world.frame, &camera, &display, 300, 200);
+            }
+            let before = ALLOCATIONS.load(Ordering::Relaxed);
+            for _ in 0..5 {
+                renderer.draw(&world.scene, &world.frame, &camera, &display, 300, 200);
+            }
+            assert_eq!(ALLOCATIONS.load(Ordering::Relaxed) - before, 0, "{shading:?}");
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! A rasterizer that is slow, plain and in `f64`, written from the rules alone: sub-pixel snapping, exact edge functions, the top-left rule, the nearest
+//! wins, perspective-correct colours. It sees only triangles whose corners are already on the picture.
+
+use super::rng::Rng;
+
+/// A corner on the picture: whole sub-pixels (1/256) from the top left, distance, colour from 0 to 255.
+#[derive(Debug, Clone, Copy)]
+pub struct Corner {
+    pub x: i64,
+    pub y: i64,
+    pub distance: f64,
+    pub color: [f64; 3],
+}
+
+/// The samples of a pixel, from its centre, in sub-pixels.
+pub const GRID: [[i64; 2]; 4] = [[-32, -96], [96, -32], [-96, 32], [32, 96]];
+
+/// Which side of the line p → q the point is on, doubled area in square sub-pixels.
+fn side(p: &Corner, q: &Corner, x: i64, y: i64) -> i128 {
+    i128::from(q.x - p.x) * i128::from(y - p.y) - i128::from(q.y - p.y) * i128::from(x - p.x)
+}
+
+/// Whether a point is in the triangle by the top-left rule, and the corners' shares of the area.
+pub fn inside(triangle: &[Corner; 3], x: i64, y: i64) -> Option<[f64; 3]> {
+    let [a, b, c] = triangle;
+    let area = side(a, b, c.x, c.y);
+    if area == 0 {
+        return None;
+    }
+    // Clockwise as seen (y runs downward) has a positive area; the others are turned round.
+    let (b, c) = if area > 0 { (b, c) } else { (c, b) };
+    let mut shares = [0.0; 3];
+    for (share, (p, q)) in shares.iter_mut().zip([(b, c), (c, a), (a, b)]) {
+        let value = side(p, q, x, y);
+        // Clockwise, a top edge runs to the right and a left edge runs upward.
+        let top_left = (p.y == q.y && q.x > p.x) || q.y < p.y;
+        if value < 0 || (value == 0 && !top_left) {
+            return None;
+        }
+        *share = value as f64 / area.abs() as f64;
+    }
+    if area < 0 {
+        shares.swap(1, 2);
+    }
+    Some(shares)
+}
+
+/// Colours 0 to 255 of a picture of these triangles before black, one sample a pixel; `None` where nothing is drawn.
+pub fn draw(triangles: &[[Corner; 3]], width: u32, height: u32) -> Vec<Option<[f64; 3]>> {
+    let mut picture = vec![None; (width * height) as usize];
+    let mut nearest = vec![0.0; picture.len()];
+    for triangle in triangles {
+        for y in 0..height {
+            for x in 0..width {
+                let at = (y * width + x) as usize;
+                let Some(shares) = inside(triangle, i64::from(x) * 256 + 128, i64::from(y) * 256 + 128) else { continue };
+                let nearness: f64 = (0..3).map(|k| shares[k] / triangle[k].distance).sum();
+                if nearness > nearest[at] {
+                    nearest[at] = nearness;
+                    let mix = |i: usize| (0..3).map(|k| shares[k] / triangle[k].distance * triangle[k].color[i]).sum::<f64>() / nearness;
+                    picture[at] = Some([mix(0), mix(1), mix(2)]);
+                }
+            }
+        }
+    }
+    picture
+}
+
+/// A triangle somewhere on and around a picture.
+pub fn random(rng: &mut Rng, width: u32, height: u32) -> [Corner; 3] {
+    std::array::from_fn(|_| Corner {
+        x: rng.between(-60.0, f64::from(width) + 60.0).floor() as i64 * 256 + rng.between(0.0, 256.0) as i64,
+        y: rng.between(-60.0, f64::from(height) + 60.0).floor() as i64 * 256 + rng.between(0.0, 256.0) as i64,
+        distance: rng.between(1.0, 9.0),
+        color: std::array::from_fn(|_| rng.between(0.0, 255.0).round()),
+    })
+}
