@@ -59,7 +59,7 @@ fn the_light_can_be_moved_and_seen() {
 #[test]
 fn inside_of_an_open_surface_is_lit() {
     let mut world = World::default();
-    world.place(belly(21, 24, |v| 0.7 - 0.3 * v), Mat4::IDENTITY, None);
+    world.place(belly(21, 24, |v| 0.35 + 0.35 * v), Mat4::IDENTITY, None);
     let camera = fitted(&world, View::Top);
     golden("two-sided", &world, &camera, &quiet());
     golden("back-faces-left-out", &world, &fitted(&world, View::Iso), &Display { cull_back_faces: true, ..quiet() });

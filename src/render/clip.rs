@@ -24,8 +24,18 @@ struct Corner {
     mixture: [f64; 3],
 }
 
-/// Three corners and one more for each of the five planes.
-const MOST: usize = 8;
+/// Three corners and one more for each plane.
+const MOST: usize = 3 + PLANES;
+
+/// The near plane and the four sides of the guard band.
+const PLANES: usize = 5;
+
+/// A function that tells on which side of each plane a point is; inside is ≥ 0.
+fn planes(view: &View) -> impl Fn(&[f64; 5]) -> [f64; PLANES] {
+    let [gx, gy] = view.guard().map(f64::from);
+    let near = f64::from(view.near);
+    move |c| [c[3] - near, gx * c[2] + c[0], gx * c[2] - c[0], gy * c[2] - c[1], gy * c[2] + c[1]]
+}
 
 /// Cuts the triangle with these corners in the world, and hands each piece to `emit`.
 pub(super) fn clip(view: &View, corners: [Vec3; 3], triangle: u32, mut emit: impl FnMut(Clipped)) {
@@ -36,17 +46,14 @@ pub(super) fn clip(view: &View, corners: [Vec3; 3], triangle: u32, mut emit: imp
             return;
         }
     }
-    let [gx, gy] = view.guard().map(f64::from);
-    let near = f64::from(view.near);
+    let distances = planes(view);
     let mut count = 3;
-    let inside: [&dyn Fn(&[f64; 5]) -> f64; 5] =
-        [&|c| c[3] - near, &|c| gx * c[2] + c[0], &|c| gx * c[2] - c[0], &|c| gy * c[2] - c[1], &|c| gy * c[2] + c[1]];
-    for plane in inside {
+    for plane in 0..PLANES {
         let mut kept = [Corner::default(); MOST];
         let mut n = 0;
         for k in 0..count {
             let (a, b) = (polygon[k], polygon[(k + 1) % count]);
-            let (da, db) = (plane(&a.clip), plane(&b.clip));
+            let (da, db) = (distances(&a.clip)[plane], distances(&b.clip)[plane]);
             if da >= 0.0 && n < MOST {
                 kept[n] = a;
                 n += 1;
@@ -83,9 +90,7 @@ pub(super) fn clip_line(view: &View, a: Vec3, b: Vec3) -> Option<([f64; 2], [[f6
     if !ca.iter().chain(&cb).all(|x| x.is_finite()) {
         return None;
     }
-    let [gx, gy] = view.guard().map(f64::from);
-    let near = f64::from(view.near);
-    let distances = |c: &[f64; 5]| [c[3] - near, gx * c[2] + c[0], gx * c[2] - c[0], gy * c[2] - c[1], gy * c[2] + c[1]];
+    let distances = planes(view);
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for (da, db) in distances(&ca).into_iter().zip(distances(&cb)) {
         if da < 0.0 && db < 0.0 {

@@ -224,7 +224,7 @@ fn style(
         mirrored: surface.mirrored,
         tinted: heated || (colored && !surface.mesh.colors.is_empty()),
         depth_test: display.depth_test,
-        both_sides: !(display.cull_back_faces && !material.double_sided),
+        both_sides: !display.cull_back_faces || material.double_sided,
         ..Style::default()
     };
     if colored {

@@ -1,5 +1,8 @@
 //! The kernels that fill triangles: which pixels, which of them are in front, what colour.
 
+// Several arrays are walked with one index; iterators would hide that and have to be trusted to dissolve.
+#![allow(clippy::needless_range_loop)]
+
 use super::drawing::{Drawing, Item, Unit};
 use super::lanes::{Lanes, Level, always, each, kernel, map};
 use super::plane::Plane;
@@ -54,9 +57,9 @@ pub(super) fn fill(level: Level, stretch: &Stretch<'_>, plane: &mut Plane) {
 }
 
 #[inline(always)]
-fn triangles<'a, L: Lanes, S: Shader<'a>, const K: usize, const M: usize>(l: L, stretch: &Stretch<'a>, plane: &mut Plane)
+fn triangles<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, stretch: &Stretch<'a>, plane: &mut Plane)
 where
-    S: Attributes<K>,
+    S: Shader<'a> + Attributes<K>,
 {
     let Stretch { drawing, item, unit, entries } = *stretch;
     let feed = drawing.feed(item);

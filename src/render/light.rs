@@ -144,7 +144,7 @@ pub(super) fn pow<L: Lanes>(l: L, x: L::F, exponent: f32) -> L::F {
     let shifted = bits - l.isplat(0x3F35_04F3);
     // An arithmetic shift by 23, made of a logical one: the exponent is never below −20 here.
     let exponent_bits = l.shr::<23>(shifted + l.isplat(64 << 23)) - l.isplat(64);
-    let mantissa = l.from_bits(bits - l.shl::<23>(exponent_bits));
+    let mantissa = l.float_bits(bits - l.shl::<23>(exponent_bits));
     let f = (mantissa - one) / (mantissa + one);
     let ff = f * f;
     let series = one + ff * (l.splat(1.0 / 3.0) + ff * (l.splat(1.0 / 5.0) + ff * l.splat(1.0 / 7.0)));
@@ -157,7 +157,7 @@ pub(super) fn pow<L: Lanes>(l: L, x: L::F, exponent: f32) -> L::F {
     for n in [7.0, 6.0, 5.0, 4.0, 3.0, 2.0, 1.0] {
         sum = one + sum * t * l.splat(1.0 / n);
     }
-    l.from_bits(l.bits(sum) + l.shl::<23>(l.trunc(whole)))
+    l.float_bits(l.bits(sum) + l.shl::<23>(l.trunc(whole)))
 }
 
 #[cfg(test)]

@@ -139,7 +139,11 @@ fn dots(drawing: &Drawing<'_>, scene: &Scene, display: &Display, at: [f32; 2], b
     for joint in &drawing.frame.joints {
         let point: Vec3 = drawing.frame.position(joint.node);
         let clip = drawing.view.clip(point);
-        if joint.node.index() >= scene.graph.len() || !scene.graph.is_shown(joint.node) || !(clip[3] >= f64::from(drawing.view.near)) {
+        if joint.node.index() >= scene.graph.len()
+            || !scene.graph.is_shown(joint.node)
+            || clip[3].is_nan()
+            || clip[3] < f64::from(drawing.view.near)
+        {
             continue;
         }
         let [x, y, q] = drawing.view.project(clip);

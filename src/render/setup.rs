@@ -8,6 +8,9 @@
 //! Attributes are planes through the snapped corners, so no pixel centre inside can get a value beyond its corners' range. They are set up
 //! in `f64` from the first pixel of the box that lies in the picture, which is the same whatever the bands are; a row starts from `f64` and steps in `f32`.
 
+// Several arrays are walked with one index.
+#![allow(clippy::needless_range_loop)]
+
 use super::view::{SUB, Screen};
 
 /// Width of the blocks that wide triangles are walked in.

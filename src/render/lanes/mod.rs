@@ -51,7 +51,7 @@ pub(crate) trait Lanes: Copy {
     fn trunc(self, x: Self::F) -> Self::I;
     fn float(self, x: Self::I) -> Self::F;
     fn bits(self, x: Self::F) -> Self::I;
-    fn from_bits(self, x: Self::I) -> Self::F;
+    fn float_bits(self, x: Self::I) -> Self::F;
     fn shl<const BY: i32>(self, x: Self::I) -> Self::I;
     /// Zeros come in.
     fn shr<const BY: i32>(self, x: Self::I) -> Self::I;
@@ -83,7 +83,7 @@ pub(crate) trait Lanes: Copy {
     }
     #[inline(always)]
     fn abs(self, x: Self::F) -> Self::F {
-        self.from_bits(self.bits(x) & self.isplat(i32::MAX))
+        self.float_bits(self.bits(x) & self.isplat(i32::MAX))
     }
 }
 

@@ -105,7 +105,7 @@ impl Lanes for Scalar {
         Int(x.to_bits() as i32)
     }
     #[inline(always)]
-    fn from_bits(self, x: Int) -> f32 {
+    fn float_bits(self, x: Int) -> f32 {
         f32::from_bits(x.0 as u32)
     }
     #[inline(always)]

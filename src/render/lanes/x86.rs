@@ -144,7 +144,7 @@ vectors! {
             trunc(x: F4) -> I = I4(_mm_cvttps_epi32(x.0));
             float(x: I4) -> F = F4(_mm_cvtepi32_ps(x.0));
             bits(x: F4) -> I = I4(_mm_castps_si128(x.0));
-            from_bits(x: I4) -> F = F4(_mm_castsi128_ps(x.0));
+            float_bits(x: I4) -> F = F4(_mm_castsi128_ps(x.0));
             // SSE2 multiplies two of four lanes; the odd ones are brought down, multiplied, and woven in again.
             imul(a: I4, b: I4) -> I = {
                 let even = _mm_mul_epu32(a.0, b.0);
@@ -154,7 +154,7 @@ vectors! {
         }
         #[inline(always)]
         fn select(self, which: M4, yes: F4, no: F4) -> F4 {
-            self.from_bits(self.iselect(which, self.bits(yes), self.bits(no)))
+            self.float_bits(self.iselect(which, self.bits(yes), self.bits(no)))
         }
         memory!(4, F4, I4, _mm_loadu_ps, _mm_storeu_ps, _mm_loadu_si128, _mm_storeu_si128, __m128i);
         shifts!(I4, _mm_sll_epi32, _mm_srl_epi32);
@@ -210,7 +210,7 @@ vectors! {
             trunc(x: F8) -> I = I8(_mm256_cvttps_epi32(x.0));
             float(x: I8) -> F = F8(_mm256_cvtepi32_ps(x.0));
             bits(x: F8) -> I = I8(_mm256_castps_si256(x.0));
-            from_bits(x: I8) -> F = F8(_mm256_castsi256_ps(x.0));
+            float_bits(x: I8) -> F = F8(_mm256_castsi256_ps(x.0));
             imul(a: I8, b: I8) -> I = I8(_mm256_mullo_epi32(a.0, b.0));
         }
         memory!(8, F8, I8, _mm256_loadu_ps, _mm256_storeu_ps, _mm256_loadu_si256, _mm256_storeu_si256, __m256i);
