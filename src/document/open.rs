@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::file::{self, Format};
 use super::{Document, OpenError, Source, SourceKind, images, merge};
 use crate::collada::{self, Progress};
+use crate::health::Finding;
 use crate::limits;
 use crate::muscle::{MuscleFile, Rig};
 use crate::scene::MuscleId;
@@ -45,8 +46,47 @@ impl Document {
         for path in files {
             document.add_file(path.as_ref(), options, progress)?;
         }
+        document.add_named_clips(options, progress);
+        document.attach_muscles();
         document.touch();
         Ok(document)
+    }
+
+    /// Opens the clips that muscle files name and that are not open yet. One that cannot be opened is a finding: the muscles are shown without it.
+    fn add_named_clips(&mut self, options: OpenOptions, progress: &Progress) {
+        for index in 0..self.sources.len() {
+            let source = &self.sources[index];
+            let SourceKind::Muscles(file, _) = &source.kind else { continue };
+            let Some(clip) = &file.clip else { continue };
+            // Relative to the muscle file; of an absolute path the name alone.
+            let clip = Path::new(clip);
+            let relative = if clip.is_relative() { Some(clip) } else { clip.file_name().map(Path::new) };
+            let folder = source.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
+            let Some(path) = relative.map(|relative| folder.join(relative)) else { continue };
+            let same = |other: &Path| match (other.canonicalize(), path.canonicalize()) {
+                (Ok(other), Ok(path)) => other == path,
+                _ => other == path,
+            };
+            if self.sources.iter().any(|source| source.path.as_deref().is_some_and(same)) {
+                continue;
+            }
+            let name = source.name.clone();
+            if let Err(error) = self.add_file(&path, options, progress) {
+                let message = tr!("document-clip-not-opened", error = error.to_string());
+                let mut finding = Finding::warning("clip-not-opened", None, path.display().to_string(), message);
+                finding.file = name;
+                self.health.push(finding);
+            }
+        }
+    }
+
+    /// Attaches muscles to the bones that they name, now that all files are open.
+    fn attach_muscles(&mut self) {
+        for source in &mut self.sources {
+            let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
+            rig.attach(&self.scene);
+            self.health.extend(rig.findings().iter().cloned().map(|finding| Finding { file: source.name.clone(), ..finding }));
+        }
     }
 
     fn add_file(&mut self, path: &Path, options: OpenOptions, progress: &Progress) -> Result<(), OpenError> {

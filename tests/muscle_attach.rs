@@ -1,0 +1,139 @@
+//! Muscles on the bones of a scene: the same code as on the arm, by name, wherever the bones go.
+
+use std::path::Path;
+
+use glam::{DMat4, DVec3};
+use sinew::animation::Pose;
+use sinew::collada::Progress;
+use sinew::document::{Document, PoseBuffers};
+use sinew::muscle::{MuscleFile, Rig};
+use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
+
+/// A hip and a knee in centimetres under a Z-up root, the shank turned by `angle` about X.
+fn leg(angle: f64) -> (Scene, [NodeId; 2]) {
+    let mut scene = Scene::default();
+    let mut asset = Node::new("leg.dae");
+    asset.kind = NodeKind::Asset;
+    asset.transform = Transform { ops: vec![TransformOp::Rotate { axis: DVec3::X, angle: -90.0 }, TransformOp::Scale(DVec3::splat(0.01))] };
+    let root = scene.graph.add(None, asset);
+    let mut bone = |parent, id: &str, ops| {
+        let mut node = Node::new(id.to_uppercase());
+        node.id = id.to_owned();
+        node.kind = NodeKind::Joint;
+        node.transform = Transform { ops };
+        scene.graph.add(Some(parent), node)
+    };
+    let thigh = bone(root, "thigh", vec![TransformOp::Translate(DVec3::new(7.0, 3.0, 90.0)), TransformOp::Scale(DVec3::splat(2.0))]);
+    let shank = bone(thigh, "shank", vec![TransformOp::Translate(DVec3::NEG_Z * 20.0), TransformOp::Rotate { axis: DVec3::X, angle }]);
+    (scene, [thigh, shank])
+}
+
+const MUSCLE: &str = "unit: mm\njoint: {bone: shank, axis: [2, 0, 0], range: [-30, 120]}\nmuscles:\n  - name: Hamstring\n    length: 350\n    \
+    radii: [5, 20, 5]\n    growth: [0, 1, 0]\n    origin: {bone: thigh, offset: [0, 0, -30]}\n    insertion: {bone: SHANK, offset: [0, 0, -60]}\n";
+
+fn world(scene: &Scene) -> Vec<DMat4> {
+    let mut world = Vec::new();
+    scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
+    world
+}
+
+#[test]
+fn length_is_the_distance_of_the_attachments_whatever_unit_and_scale() {
+    for angle in [0.0_f64, 40.0, 100.0] {
+        let (mut scene, _) = leg(angle);
+        let mut rig = Rig::build(&MuscleFile::parse(MUSCLE).unwrap(), "muscles", &mut scene, MuscleId(0));
+        assert!(!rig.is_attached(0));
+        assert!(rig.attach(&scene).is_empty() && rig.is_attached(0));
+        let world = world(&scene);
+        let solved = rig.solve(0, rig.at_flexion(0.0), &world);
+        // Knee 400 mm below the hip (20 cm, twice as large by the thigh's scale); attached 30 mm below the hip and 60 mm below the knee.
+        let (p, d, turn) = (370.0, 60.0, angle.to_radians());
+        let length = f64::sqrt(p * p + d * d + 2.0 * p * d * turn.cos());
+        assert!((solved.path_length - length).abs() < 1e-9, "{} is not {length} at {angle}°", solved.path_length);
+        // Measured from its rest pose, the joint adds to the angle it has there.
+        if angle == 0.0 {
+            for sample in rig.measure(0, &[0.0, 30.0, 90.0]) {
+                let (sin, cos) = sample.angle.to_radians().sin_cos();
+                let length = f64::sqrt(p * p + d * d + 2.0 * p * d * cos);
+                assert!((sample.solved.path_length - length).abs() < 1e-9);
+                assert!((sample.moment_arm - p * d * sin / length).abs() < 1e-9);
+            }
+        }
+        // The surface begins and ends at the attachments, give or take its own end radius.
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        rig.deform(0, &solved, &world, &mut positions, &mut normals);
+        let (_, nodes) = leg(angle);
+        for (node, depth, vertex) in [(nodes[0], -0.030, 0), (nodes[1], -0.060, positions.len() - 1)] {
+            let matrix = world[node.index()];
+            let place = matrix.w_axis.truncate() + matrix.z_axis.truncate().normalize() * depth;
+            assert!((positions[vertex].as_dvec3().distance(place) - 0.005).abs() < 1e-5);
+        }
+    }
+}
+
+#[test]
+fn a_bone_that_is_missing_is_a_finding_and_the_muscle_lies_on_its_own() {
+    let (mut scene, _) = leg(0.0);
+    let file = MuscleFile::parse(&MUSCLE.replace("SHANK", "calf").replace("bone: shank", "bone: ankle")).unwrap();
+    let mut rig = Rig::build(&file, "muscles", &mut scene, MuscleId(0));
+    let findings = rig.attach(&scene);
+    let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
+    assert_eq!(codes, ["muscle-bone-not-found", "muscle-joint-not-found"]);
+    assert!(findings[0].message.contains("calf") && findings[0].element == "Hamstring");
+    let solved = rig.solve(0, rig.at_flexion(0.0), &world(&scene));
+    assert!((solved.length - 350.0).abs() < 1e-9);
+    // Attached again to a scene that has it, all is well.
+    let mut rig = Rig::build(&MuscleFile::parse(MUSCLE).unwrap(), "muscles", &mut scene, MuscleId(0));
+    rig.attach(&scene);
+    assert!(rig.is_attached(0) && rig.findings().is_empty());
+    assert_eq!(rig.measured_range(), Some(-30.0..=120.0));
+    rig.apply(rig.at_flexion(90.0), &mut Pose::rest(&scene));
+}
+
+#[test]
+fn via_points_are_rounded_and_the_length_is_the_rounded_one() {
+    let (mut scene, _) = leg(0.0);
+    let yaml = MUSCLE
+        .replace("    insertion", "    via: [{bone: thigh, offset: [0, 100, -200]}]\n    insertion")
+        .replace("[5, 20, 5]", "[5, 8, 5]");
+    let mut rig = Rig::build(&MuscleFile::parse(&yaml).unwrap(), "muscles", &mut scene, MuscleId(0));
+    assert!(rig.attach(&scene).is_empty());
+    let before = world(&scene);
+    let solved = rig.solve(0, rig.at_flexion(0.0), &before);
+    // The corner of the broken line, cut by an arc of 1.25 times the thickest radius: 2 R tan(α / 2) of it become R α.
+    let (a, via, b) = (DVec3::new(0.0, 0.0, -30.0), DVec3::new(0.0, 100.0, -200.0), DVec3::new(0.0, 0.0, -460.0));
+    let (turn, radius) = ((via - a).angle_between(b - via), 10.0);
+    let length = a.distance(via) + via.distance(b) - 2.0 * radius * (turn / 2.0).tan() + radius * turn;
+    assert!((solved.path_length - length).abs() < 1e-9, "{} is not {length}", solved.path_length);
+    let path = rig.centre_line(0, &solved, &before).unwrap();
+    assert!((path.length() - length).abs() < 1e-9);
+    assert!(path.sharpest(0.0, length) * 8.0 < 1.0);
+    // A belly too thick for the corner pulls the line straight instead of folding.
+    let thick = yaml.replace("[5, 8, 5]", "[5, 300, 5]");
+    let mut rig = Rig::build(&MuscleFile::parse(&thick).unwrap(), "muscles", &mut scene, MuscleId(1));
+    rig.attach(&scene);
+    let world = world(&scene);
+    let solved = rig.solve(0, rig.at_flexion(0.0), &world);
+    assert!(solved.path_length < length && solved.path_length >= 430.0);
+    let path = rig.centre_line(0, &solved, &world).unwrap();
+    assert!(path.sharpest(0.0, path.length()) * 300.0 < 1.0);
+}
+
+#[test]
+fn biceps_and_triceps_follow_the_shipped_clip() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl-muscles.yaml");
+    let document = Document::open(&[&path], &Progress::default()).unwrap();
+    assert_eq!(document.sources.len(), 2, "the clip that the file names is opened too");
+    assert!(!document.health.iter().any(|finding| finding.code.starts_with("muscle-")), "{:?}", document.health);
+    let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+    let mut lengths = Vec::new();
+    for time in [0.05, 1.0, 2.0] {
+        let mut state = document.start_state();
+        state.time = time;
+        document.pose(&state, &mut buffers, &mut frame);
+        let solved = buffers.solved();
+        assert!(solved.iter().all(|solved| !solved.held && solved.volume_error.abs() < 1e-12));
+        lengths.push([solved[0].length, solved[1].length]);
+    }
+    assert!(lengths.windows(2).all(|pair| pair[1][0] < pair[0][0] && pair[1][1] > pair[0][1]), "co-contraction: {lengths:?}");
+}
