@@ -6,12 +6,12 @@ use sinew::collada::{Progress, read};
 
 use crate::build::*;
 
-/// Runs `work`, which must not take long.
+/// Runs `work`, which must not hang. The limit is far beyond what a loaded machine needs: this tells a hang from an answer, not fast from slow.
 #[track_caller]
 fn swift<R>(work: impl FnOnce() -> R) -> R {
     let start = Instant::now();
     let result = work();
-    assert!(start.elapsed() < Duration::from_secs(20), "took {:?}", start.elapsed());
+    assert!(start.elapsed() < Duration::from_secs(120), "took {:?}", start.elapsed());
     result
 }
 
