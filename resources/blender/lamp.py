@@ -155,7 +155,7 @@ def main():
     }
     looks = [
         material("brass", (0.80, 0.62, 0.32), specular=0.5, shininess=40.0),
-        material("cloth", (0.16, 0.17, 0.19)),
+        material("cloth", (0.45, 0.46, 0.50)),
         material("enamel", (0.13, 0.36, 0.38), specular=0.35, shininess=50.0),
         material("white", (0.95, 0.92, 0.84), emission=(0.38, 0.33, 0.22)),
         material("glow", (0.30, 0.28, 0.22), emission=(0.98, 0.88, 0.62)),

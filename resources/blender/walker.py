@@ -278,8 +278,8 @@ def main():
     materials = [
         common.material("paint", (1.0, 1.0, 1.0), image=image, specular=0.25, shininess=40.0),
         common.material("jumper", walker_paint.TEAL, specular=0.06, shininess=12.0),
-        common.material("trousers", (0.235, 0.275, 0.355), specular=0.06, shininess=12.0),
-        common.material("rubber", (0.300, 0.310, 0.345), specular=0.30, shininess=30.0),
+        common.material("trousers", (0.330, 0.395, 0.520), specular=0.06, shininess=12.0),
+        common.material("rubber", (0.430, 0.440, 0.480), specular=0.30, shininess=30.0),
         common.material("coral", (0.925, 0.430, 0.330), specular=0.30, shininess=40.0),
     ]
     made = parts.build("robot", materials, True)
