@@ -76,7 +76,7 @@ def bones():
 
 def main():
     common.empty_scene(curl.FPS, curl.LAST)
-    skin = curl.skin(common.material("glass", (0.800, 0.640, 0.560), specular=0.35, shininess=45.0, opacity=0.26))
+    skin = curl.skin(common.material("glass", (0.940, 0.800, 0.720), specular=0.30, shininess=45.0, opacity=0.18))
     skeleton = curl.skeleton()
     common.bind(bones(), skeleton)
     common.bind(skin, skeleton)
