@@ -12,11 +12,14 @@ ICONS = $(SHARE)/icons/hicolor
 
 .PHONY: run build test bench install uninstall clean refresh clips
 
+# The window starts with this biceps; without a display it is drawn instead.
+START := configs/biceps-measured.yaml
+
 run: build
 	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
 	    exec $(BINARY); \
 	else \
-	    mkdir -p out && $(BINARY) render configs/biceps.yaml -o out/start.png && \
+	    mkdir -p out && $(BINARY) render $(START) -o out/start.png && \
 	    echo "There is no display here, so the start scene was drawn to $(CURDIR)/out/start.png"; \
 	fi
 
