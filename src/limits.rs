@@ -16,16 +16,16 @@ pub const XML_ATTRIBUTES: usize = 64;
 pub const XML_PREFIXES: usize = 64;
 /// Most bytes that the entities of an XML document may expand to.
 pub const ENTITY_BYTES: usize = 16 << 20;
-/// What reading a document may take, on top of [`READ_BYTES_PER_BYTE`] times its size.
-pub const READ_BYTES: usize = 24 << 20;
-/// What reading a document may take for each of its bytes.
-pub const READ_BYTES_PER_BYTE: usize = 7;
+/// What the tree of a document and the scene made from its references may take together, on top of [`READ_BYTES_PER_BYTE`] times its size.
+pub const READ_BYTES: usize = 48 << 20;
+/// What the same may take for each byte of the document.
+pub const READ_BYTES_PER_BYTE: usize = 9;
 /// Most findings that are kept about one file.
 pub const FINDINGS: usize = 1_000;
 /// Most sets of texture coordinates of a mesh.
 pub const UV_SETS: usize = 8;
 /// Most steps that cutting the polygons of one file into triangles may take.
-pub const TRIANGULATION_STEPS: u64 = 2_000_000_000;
+pub const TRIANGULATION_STEPS: u64 = 1_000_000_000;
 /// Most files in an archive.
 pub const ARCHIVE_FILES: usize = 4_096;
 /// Most bytes that the files of an archive may unpack to, for each byte of the archive, on top of [`READ_BYTES`].

@@ -69,8 +69,8 @@ fn named_root(archive: &mut Archive<'_>, entries: &BTreeMap<String, usize>, room
     let Some(manifest) = entries.get("manifest.xml") else { return Ok(None) };
     let bytes = unpack(archive, *manifest, room)?;
     let text = super::text::decode(&bytes);
-    let document = super::xml::parse(&text.text)?;
-    let root = document.descendants().find(|element| element.tag_name().name() == "dae_root");
+    let parsed = super::xml::parse(&text.text)?;
+    let root = parsed.document.descendants().find(|element| element.tag_name().name() == "dae_root");
     let url = root.and_then(|root| root.text()).unwrap_or_default().trim();
     let path = url.split('#').next().unwrap_or_default();
     let found = [normal(path), normal(&percent_decoded(path))].into_iter().find_map(|path| Some((path.clone(), *entries.get(&path)?)));

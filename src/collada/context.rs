@@ -8,8 +8,9 @@ use glam::DVec3;
 use super::lookup::{Lookup, Url};
 use super::numbers::{Comma, Parsed, Real, integers, reals};
 use super::report::{Report, describe};
+use super::xml::Parsed as Tree;
 use super::{El, Progress, ReadError, codes};
-use crate::{limits, tr};
+use crate::tr;
 
 /// The result of a step that may end the reading.
 pub type Step<T> = Result<T, ReadError>;
@@ -29,15 +30,15 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// A context for `document`, which was parsed from `text`.
-    pub fn new(document: &'a roxmltree::Document<'a>, report: Report<'a>, file_name: &str, progress: &'a Progress) -> Self {
-        let size = document.input_text().len();
+    /// A context for a document that was parsed.
+    pub fn new(parsed: &'a Tree<'a>, report: Report<'a>, file_name: &str, progress: &'a Progress) -> Self {
+        let document = &parsed.document;
         Self {
             root: document.root_element(),
             lookup: Lookup::new(document, file_name),
             report,
             progress,
-            budget: limits::READ_BYTES.saturating_add(size.saturating_mul(3)),
+            budget: parsed.budget,
             said_budget: false,
         }
     }

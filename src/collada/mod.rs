@@ -147,7 +147,8 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress)
         error.line = error.line.map(|line| line + decoded.lines_before);
         error
     };
-    let document = xml::parse(text).map_err(shift)?;
+    let parsed = xml::parse(text).map_err(shift)?;
+    let document = &parsed.document;
     let root = document.root_element();
     if root.tag_name().name() != "COLLADA" {
         let message = tr!("collada-not-collada", element = context::shortened(root.tag_name().name()));
@@ -157,7 +158,7 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress)
     if let Some(named) = &decoded.misfit {
         report.warn_file(codes::ENCODING, tr!("collada-encoding", named = named.as_str()));
     }
-    let mut context = Context::new(&document, report, file_name, progress);
+    let mut context = Context::new(&parsed, report, file_name, progress);
     context.advance(0.2)?;
     assemble(&mut context, name)
 }

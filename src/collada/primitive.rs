@@ -132,14 +132,14 @@ impl Reading<'_> {
         let total = corners.len();
         match shape {
             Shape::Triangles => {
-                self.trouble.incomplete += usize::from(left_over || total % 3 != 0);
+                self.trouble.incomplete += usize::from(left_over || !total.is_multiple_of(3));
                 for face in indices.chunks_exact(self.layout.stride.saturating_mul(3)) {
                     self.triangle(face);
                 }
                 total / 3
             }
             Shape::Lines => {
-                self.trouble.incomplete += usize::from(left_over || total % 2 != 0);
+                self.trouble.incomplete += usize::from(left_over || !total.is_multiple_of(2));
                 for line in indices.chunks_exact(self.layout.stride.saturating_mul(2)) {
                     let (from, to) = line.split_at(self.layout.stride);
                     let (from, to) = (self.vertex(from), self.vertex(to));

@@ -11,6 +11,8 @@ pub struct Triangulator {
     flat: Vec<DVec2>,
     /// The outline with its holes joined in: indices into `flat`, each with its neighbours.
     ring: Vec<Corner>,
+    /// Positions of the corners that point inwards, close together because every ear is held against all of them, and which corners they are.
+    reflex: Vec<(DVec2, usize)>,
 }
 
 #[derive(Clone, Copy)]
@@ -18,8 +20,11 @@ struct Corner {
     point: usize,
     before: usize,
     after: usize,
-    reflex: bool,
+    /// Where it stands among the reflex corners; `CONVEX` where it is none.
+    reflex: usize,
 }
+
+const CONVEX: usize = usize::MAX;
 
 /// Twice the area of a triangle, positive when it runs counter-clockwise.
 fn doubled_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
@@ -38,6 +43,16 @@ impl Triangulator {
                 return true;
             }
             _ => {}
+        }
+        if let ([a, b, c, d], 1) = (points, rings.len())
+            && outline == 4
+        {
+            // The diagonal lies inside where both halves face the same way; most quads are done here.
+            let across = *c - *a;
+            if (*b - *a).cross(across).dot(across.cross(*d - *a)) > 0.0 {
+                triangles.extend([[0, 1, 2], [0, 2, 3]]);
+                return true;
+            }
         }
         let normal = newell(points.get(..outline).unwrap_or_default());
         self.flatten(points, normal);
@@ -120,14 +135,15 @@ impl Triangulator {
             for (i, point) in order.iter().enumerate() {
                 let before = if i == 0 { bridge } else { first + i - 1 };
                 let next = if i + 1 == order.len() { after } else { first + i + 1 };
-                self.ring.push(Corner { point: *point, before, after: next, reflex: false });
+                self.ring.push(Corner { point: *point, before, after: next, reflex: CONVEX });
             }
             let last = self.ring.len() - 1;
             self.ring[after].before = last;
             self.ring[bridge].after = first;
         }
+        self.reflex.clear();
         for i in 0..self.ring.len() {
-            self.ring[i].reflex = self.is_reflex(i);
+            self.mark(i);
         }
         true
     }
@@ -138,7 +154,7 @@ impl Triangulator {
             point: *point,
             before: (i + length - 1) % length,
             after: (i + 1) % length,
-            reflex: false,
+            reflex: CONVEX,
         }));
     }
 
@@ -209,36 +225,46 @@ impl Triangulator {
         doubled_area(self.at(self.ring[corner.before].point), self.at(corner.point), self.at(self.ring[corner.after].point)) <= 0.0
     }
 
+    /// Brings the list of reflex corners up to date with corner `i`.
+    fn mark(&mut self, i: usize) {
+        if !self.is_reflex(i) {
+            self.unmark(i);
+        } else if self.ring[i].reflex == CONVEX {
+            self.ring[i].reflex = self.reflex.len();
+            self.reflex.push((self.at(self.ring[i].point), i));
+        }
+    }
+
+    fn unmark(&mut self, i: usize) {
+        let slot = std::mem::replace(&mut self.ring[i].reflex, CONVEX);
+        if slot != CONVEX {
+            self.reflex.swap_remove(slot);
+            if let Some((_, moved)) = self.reflex.get(slot) {
+                self.ring[*moved].reflex = slot;
+            }
+        }
+    }
+
     /// Cuts ears until a triangle is left.
     fn clip(&mut self, steps: &mut u64, triangles: &mut Vec<[u32; 3]>) -> bool {
         let mut left = self.ring.len();
-        let mut reflex: Vec<usize> = (0..left).filter(|i| self.ring[*i].reflex).collect();
         let mut here = 0;
         let mut tried = 0;
         // 0: ears with an area; 1: also flat ones; 2: anything, since the outline crosses itself.
         let mut patience = 0;
         while left > 3 {
-            match steps.checked_sub(1 + reflex.len() as u64) {
+            match steps.checked_sub(1 + self.reflex.len() as u64) {
                 Some(left) => *steps = left,
                 None => return false,
             }
-            if patience == 2 || self.is_ear(here, &reflex, patience == 1) {
+            if patience == 2 || self.is_ear(here, patience == 1) {
                 let corner = self.ring[here];
                 triangles.push([self.ring[corner.before].point as u32, corner.point as u32, self.ring[corner.after].point as u32]);
+                self.unmark(here);
                 self.ring[corner.before].after = corner.after;
                 self.ring[corner.after].before = corner.before;
-                if corner.reflex {
-                    reflex.retain(|i| *i != here);
-                }
-                for neighbour in [corner.before, corner.after] {
-                    let now = self.is_reflex(neighbour);
-                    if self.ring[neighbour].reflex && !now {
-                        reflex.retain(|i| *i != neighbour);
-                    } else if !self.ring[neighbour].reflex && now {
-                        reflex.push(neighbour);
-                    }
-                    self.ring[neighbour].reflex = now;
-                }
+                self.mark(corner.before);
+                self.mark(corner.after);
                 left -= 1;
                 tried = 0;
                 patience = 0;
@@ -258,19 +284,17 @@ impl Triangulator {
         true
     }
 
-    fn is_ear(&self, i: usize, reflex: &[usize], flat_too: bool) -> bool {
+    fn is_ear(&self, i: usize, flat_too: bool) -> bool {
         let corner = self.ring[i];
         let (a, b, c) = (self.at(self.ring[corner.before].point), self.at(corner.point), self.at(self.ring[corner.after].point));
         let area = doubled_area(a, b, c);
         if flat_too && area == 0.0 {
             return true;
         }
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let apart = |p: DVec2| p.x < low.x || p.x > high.x || p.y < low.y || p.y > high.y;
         // Only a reflex corner can stand in an ear. Bridges put several corners on one spot; those do not stand in the way.
-        area > 0.0
-            && !reflex.iter().any(|other| {
-                let p = self.at(self.ring[*other].point);
-                p != a && p != b && p != c && in_triangle(p, a, b, c)
-            })
+        area > 0.0 && !self.reflex.iter().any(|(p, _)| !apart(*p) && *p != a && *p != b && *p != c && in_triangle(*p, a, b, c))
     }
 }
 

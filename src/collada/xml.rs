@@ -23,11 +23,19 @@ struct Survey {
     nested_entities: bool,
 }
 
+/// A document and what is left for the scene that is made from it.
+pub struct Parsed<'a> {
+    /// The tree.
+    pub document: roxmltree::Document<'a>,
+    /// Bytes that references may still make.
+    pub budget: usize,
+}
+
 /// Parses `text`.
 ///
 /// # Errors
 /// [`ReadError`] with the line where it is not well-formed XML or asks for more than the limits allow.
-pub fn parse(text: &str) -> Result<roxmltree::Document<'_>, ReadError> {
+pub fn parse(text: &str) -> Result<Parsed<'_>, ReadError> {
     let survey = survey(text)?;
     let budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
     let tree = survey.nodes * NODE_BYTES + survey.attributes * ATTRIBUTE_BYTES;
@@ -46,7 +54,8 @@ pub fn parse(text: &str) -> Result<roxmltree::Document<'_>, ReadError> {
     }
     let nodes_limit = u32::try_from(budget / NODE_BYTES).unwrap_or(u32::MAX);
     let options = roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
-    roxmltree::Document::parse_with_options(text, options).map_err(|error| refused(&error, text))
+    let document = roxmltree::Document::parse_with_options(text, options).map_err(|error| refused(&error, text))?;
+    Ok(Parsed { document, budget: budget - tree })
 }
 
 /// The parser's error in the user's language.
@@ -142,7 +151,7 @@ fn tag(rest: &[u8], survey: &mut Survey) -> Result<Option<(usize, bool)>, String
             return Err(tr!("collada-too-many-attributes", limit = limits::XML_ATTRIBUTES));
         }
         if let Some(name) = rest.get(start..at).and_then(declared_prefix)
-            && !survey.prefixes.iter().any(|known| *known == name)
+            && !survey.prefixes.contains(&name)
         {
             if survey.prefixes.len() >= limits::XML_PREFIXES {
                 return Err(tr!("collada-too-many-prefixes", limit = limits::XML_PREFIXES));
@@ -191,8 +200,8 @@ mod tests {
     fn the_survey_counts_what_the_parser_makes() {
         let text = "<?xml version='1.0'?><!DOCTYPE a><a x='1>' y=\"2\"> t <b/><!-- <c> --><![CDATA[<d>]]></a>";
         let survey = survey(text).unwrap_or_default();
-        let document = parse(text).unwrap_or_else(|error| unreachable!("{error}"));
-        assert!(survey.nodes >= document.descendants().count());
+        let parsed = parse(text).unwrap_or_else(|error| unreachable!("{error}"));
+        assert!(survey.nodes >= parsed.document.descendants().count());
         // The declaration's own attribute counts as none.
         assert_eq!(survey.attributes, 2);
     }
