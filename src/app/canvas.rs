@@ -12,11 +12,13 @@ mod imp {
 
     /// Paints a canvas of a width and height, logical pixels.
     pub type Painter = Box<dyn Fn(&super::Canvas, &gtk::Snapshot, f64, f64)>;
+    /// Hears of a new width and height.
+    pub type Resized = Box<dyn Fn(i32, i32)>;
 
     #[derive(Default)]
     pub struct Canvas {
         pub painter: RefCell<Option<Painter>>,
-        pub resized: RefCell<Option<Box<dyn Fn(i32, i32)>>>,
+        pub resized: RefCell<Option<Resized>>,
         pub natural: Cell<(i32, i32)>,
     }
 

@@ -44,6 +44,7 @@ mod ui;
 mod viewport;
 mod window;
 
+use std::cell::RefCell;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -67,22 +68,23 @@ pub fn run(files: Vec<PathBuf>) -> ExitCode {
     glib::set_prgname(Some("sinew"));
     let flags = gio::ApplicationFlags::HANDLES_OPEN | gio::ApplicationFlags::NON_UNIQUE;
     let application = gtk::Application::new(Some(APPLICATION_ID), flags);
-    application.connect_activate(|application| {
-        window::Window::open(application, Vec::new());
-    });
+    // The files of the command line keep the names that the user gave them; those that the desktop sends come by way of `open`.
+    let given = RefCell::new(files.into_iter().map(local).collect::<Vec<_>>());
+    application.connect_activate(move |application| window::Window::open(application, given.take()));
     application.connect_open(|application, files, _| {
-        window::Window::open(application, files.iter().filter_map(gio::prelude::FileExt::path).collect());
+        let path = |file: &gio::File| file.path().unwrap_or_else(|| file.uri().as_str().into());
+        window::Window::open(application, files.iter().map(path).collect());
     });
-    let arguments = std::iter::once("sinew".into()).chain(files.into_iter().map(argument)).collect::<Vec<_>>();
-    match application.run_with_args(&arguments).get() {
+    match application.run_with_args(&["sinew"]).get() {
         0 => ExitCode::SUCCESS,
         _ => ExitCode::FAILURE,
     }
 }
 
-/// A file as an argument that is not taken for an option.
-fn argument(file: PathBuf) -> String {
-    gio::File::for_commandline_arg(file).uri().into()
+/// A file that a desktop names by its URI as a path; anything else as it is.
+fn local(file: PathBuf) -> PathBuf {
+    let uri = file.to_str().filter(|text| text.starts_with("file://"));
+    uri.and_then(|uri| gio::File::for_uri(uri).path()).unwrap_or(file)
 }
 
 /// Without a GPU, GTK before 4.14 shows a frame through OpenGL in software: 41–51 ms of CPU where cairo needs 1.4–2.1.
@@ -91,5 +93,17 @@ fn choose_renderer() {
     if !chooses_well && std::env::var_os("GSK_RENDERER").is_none() {
         // SAFETY: nothing else runs yet: this is the first thing that the window's thread does, before GTK starts any other.
         unsafe { std::env::set_var("GSK_RENDERER", "cairo") };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_named_by_a_desktop_become_paths() {
+        assert_eq!(local("file:///tmp/a%20b.dae".into()), PathBuf::from("/tmp/a b.dae"));
+        assert_eq!(local("-".into()), PathBuf::from("-"));
+        assert_eq!(local("walks/file:x.dae".into()), PathBuf::from("walks/file:x.dae"));
     }
 }

@@ -47,7 +47,7 @@ impl Plot {
     pub fn x_at(&self, pixel: f64, width: f64) -> Option<f64> {
         let ((from, to), _) = self.bounds();
         let part = ((pixel - LEFT) / (width - LEFT - RIGHT).max(1.0)).clamp(0.0, 1.0);
-        (from < to).then(|| from + part * (to - from))
+        (from < to).then_some(from + part * (to - from))
     }
 
     /// The curve's value at x, straight between its points.

@@ -115,7 +115,7 @@ impl Shape {
             Some(index) => tr!(
                 "app-profile-node",
                 node = index + 1,
-                now = format::with_unit(self.now[index], 2, &self.unit),
+                now = format::with_unit(self.now.get(index).copied().unwrap_or(f64::NAN), 2, &self.unit),
                 rest = format::with_unit(self.rest.get(index).copied().unwrap_or(f64::NAN), 2, &self.unit)
             ),
             None => tr!("app-profile-legend"),

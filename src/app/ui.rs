@@ -55,13 +55,8 @@ fn translate(text: &str) -> String {
 }
 
 fn meaning(placeholder: &str) -> Option<String> {
-    if let Some(key) = placeholder.strip_prefix("tr:") {
-        Some(tr!(key))
-    } else if let Some(id) = placeholder.strip_prefix("tip:") {
-        Some(Command::from_id(id).map_or_else(|| id.to_owned(), Command::tooltip))
-    } else {
-        None
-    }
+    let label_of = |id: &str| Command::from_id(id).map_or_else(|| id.to_owned(), Command::tooltip);
+    placeholder.strip_prefix("tr:").map(|key| tr!(key)).or_else(|| placeholder.strip_prefix("tip:").map(label_of))
 }
 
 #[cfg(test)]

@@ -53,6 +53,8 @@ pub struct Window {
     refreshing: Cell<bool>,
     ticking: Cell<bool>,
     page_turned: Cell<bool>,
+    /// The tree was folded for want of room, not by a hand.
+    tree_gave_way: Cell<bool>,
     actions: HashMap<Command, gio::SimpleAction>,
     builder: gtk::Builder,
     timeline: Timeline,
@@ -102,6 +104,7 @@ impl Window {
             refreshing: Cell::new(false),
             ticking: Cell::new(false),
             page_turned: Cell::new(false),
+            tree_gave_way: Cell::new(false),
             actions: perform::make_actions(),
             timeline: Timeline::new(),
             tree: SceneTree::new(),
@@ -170,8 +173,13 @@ impl Window {
             #[weak(rename_to = window)]
             self,
             move |widget| {
-                if widget.default_width() < ROOM_FOR_TREE && widget.is_visible() && !widget.is_maximized() {
-                    window.show_side(false, window.sides().1);
+                let (tree, panel) = window.sides();
+                let narrow = widget.default_width() < ROOM_FOR_TREE && !widget.is_maximized();
+                if narrow && tree && widget.is_visible() {
+                    window.show_side(false, panel);
+                    window.tree_gave_way.set(true);
+                } else if !narrow && window.tree_gave_way.get() {
+                    window.show_side(true, panel);
                 }
             }
         ));
@@ -323,6 +331,7 @@ impl Window {
 
     /// Shows or folds away the tree and the right panel.
     pub fn show_side(self: &Rc<Self>, tree: bool, panel: bool) {
+        self.tree_gave_way.set(false);
         part::<gtk::Box>(&self.builder, "tree_slot").set_visible(tree);
         part::<gtk::Box>(&self.builder, "panel_slot").set_visible(panel);
         self.show_states();
@@ -358,6 +367,7 @@ impl Window {
         }
         settings.maximised = self.widget.is_maximized();
         (settings.tree_shown, settings.panel_shown) = self.sides();
+        settings.tree_shown |= self.tree_gave_way.get();
         if let Some(page) = part::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }
