@@ -16,10 +16,14 @@ from gi.repository import Atspi  # noqa: E402
 
 PATIENCE = float(os.environ.get("SINEW_TEST_PATIENCE", "30"))
 program, folder, configs = sys.argv[1:4]
+Atspi.init()
+Atspi.get_desktop(0).get_child_count()  # the accessibility bus is up before the program looks for it
 
 
 def fail(text):
     print("NOT SO:", text, flush=True)
+    if "SINEW_TEST_SHOT" in os.environ:
+        subprocess.run(["import", "-window", "root", os.environ["SINEW_TEST_SHOT"]], check=False)
     sys.exit(1)
 
 
@@ -97,6 +101,10 @@ class Window:
 
         self.root.clear_cache()
         return any(within(self.root.get_child_at_index(index)) for index in range(self.root.get_child_count()))
+
+    def count(self, name):
+        """How many labels say exactly this."""
+        return sum(node.get_name() == name and node.get_role_name() == "label" for node in walk(self.root))
 
     def picture(self):
         """The middle of the viewport, without the labels over it."""
@@ -204,12 +212,25 @@ def test_clip():
     window.key("space")
     told("keys: Shift+Right, Up, Right, Space")
 
+    slider.set_current_value(0.0)  # the plate faces the eye
     before = still(window)
     window.key("5")
     wait("5 makes the rays parallel", lambda: window.picture() != before)
     window.key("5")
     wait("5 again makes them meet", lambda: window.picture() == before)
-    told("key: 5")
+    window.key("e")
+    wait("E draws edges", lambda: window.picture() != before)
+    window.key("e")
+    wait("E again draws none", lambda: window.picture() == before)
+    told("keys: 5, E")
+
+    # The tree names the node once; the status line names it too while it is selected.
+    for x, y, count in ((350, 450, 1), (600, 330, 2), (350, 450, 1)):
+        run("xdotool", "mousemove", x, y, "click", 1)
+        wait(f"a click at {x}, {y} selects {count - 1} nodes", lambda: window.count("Node") == count)
+    told("a click selects")
+    run("xdotool", "mousemove", 500, 300)
+    before = still(window)
 
     run("xdotool", "mousemove", 500, 300, "mousedown", 1, "mousemove", 540, 320, "mousemove", 580, 340, "mouseup", 1)
     wait("a drag turns the camera", lambda: window.picture() != before)
