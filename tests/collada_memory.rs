@@ -63,6 +63,6 @@ fn memory_stays_within_ten_times_the_file() {
     let identity = "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 ".repeat(n / 16);
     let matrix = animation("a", "n/m", &keys[..n / 16].join(" "), &["M"; 16].join(" "), &identity, "LINEAR");
     check("matrix keys", &document(&(animations(&matrix) + &moving)));
-    let channels = format!("<animation><channel source=\"#a-s\" target=\"n/t.Y\"/></animation>").repeat(n / 8);
+    let channels = "<animation><channel source=\"#a-s\" target=\"n/t.Y\"/></animation>".repeat(n / 8);
     check("channels", &document(&(animations(&(animation("a", "n/t.X", "0 1", "X", "0 1", "LINEAR LINEAR") + &channels)) + &moving)));
 }

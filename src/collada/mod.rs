@@ -4,7 +4,7 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | `archive`, `text`, `xml` | from bytes to a tree of elements, within the [limits](crate::limits) |
+//! | `archive`, `text`, `xml` | from bytes to a tree of elements, within the [`limits`] |
 //! | `context`, `lookup`, `report` | what all others carry along: ids and urls, findings with their lines, the budget |
 //! | `numbers`, `source` | lists of numbers, sources and their accessors |
 //! | `asset`, `image`, `effect`, `material` | unit and axes, materials |
