@@ -53,9 +53,9 @@ impl Backdrop {
                         pixel | ((from + (to - from) * t + threshold) as u32) << shift
                     })
                 });
-                for eight in out.chunks_mut(8) {
-                    eight.copy_from_slice(&pattern[..eight.len()]);
-                }
+                let (whole, rest) = out.as_chunks_mut::<8>();
+                whole.fill(pattern);
+                rest.copy_from_slice(&pattern[..rest.len()]);
             }
         }
     }

@@ -14,7 +14,7 @@ use super::style::{Fill, Layer, Normals, Style, Varying};
 use super::texture::{Alpha, Cache, Sampler};
 use super::view::View;
 use super::{Display, Shading};
-use crate::scene::{AlphaSource, Bounds, Frame, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef, Wrap};
+use crate::scene::{AlphaSource, Bounds, Frame, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef};
 
 /// What was found out about meshes, kept from frame to frame.
 #[derive(Debug, Default)]
@@ -232,7 +232,8 @@ fn style(
             let set = binding.map_or(0, |binding| binding.uv_set(texture));
             let pixels = scene.images.get(texture.image.index())?.pixels.as_ref()?;
             surface.mesh.uv_sets.get(set as usize)?;
-            Some(Sampler { texture: cache.get(pixels, alpha), wrap: [texture.wrap_s, texture.wrap_t], uv_set: set })
+            let wrap = [texture.wrap_s, texture.wrap_t];
+            Some(Sampler { texture: cache.get(pixels, alpha, wrap), wrap, uv_set: set })
         };
         style.diffuse = material.diffuse.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
         let cutout = |(texture, source): &(TextureRef, AlphaSource)| sampler(texture, Alpha::From(*source));
@@ -288,7 +289,7 @@ fn flesh(style: &mut Style, cache: &mut Cache, display: &Display, surface: &Surf
     }
     let color = style.albedo.map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8);
     let texture = cache.muscle(color, !tendon);
-    style.diffuse = Some(Sampler { texture, wrap: [Wrap::Repeat, Wrap::Clamp], uv_set: 0 });
+    style.diffuse = Some(Sampler { texture, wrap: super::muscle::WRAP, uv_set: 0 });
     // The fibres bring their own colour.
     style.albedo = [1.0; 3];
     style.tinted = false;

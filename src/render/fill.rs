@@ -6,7 +6,7 @@
 use super::drawing::{Drawing, Item, Unit};
 use super::lanes::{Lanes, Level, always, each, kernel, map};
 use super::plane::Plane;
-use super::setup::{BLOCK, Edges, Planes, Rect, area};
+use super::setup::{BLOCK, Edges, Planes, Rect, Stepping, area};
 use super::shade::{Attributes, Gouraud, Phong, PhongTextured, Shader, Slopes, Textured};
 use super::style::Fill;
 use super::view::Screen;
@@ -31,12 +31,14 @@ macro_rules! kernels {
     )* };
 }
 kernels! {
-    gouraud = Gouraud, 5, 1;
-    gouraud_4 = Gouraud, 5, 4;
-    textured = Textured, 7, 1;
-    textured_4 = Textured, 7, 4;
-    phong = Phong, 11, 1;
-    phong_4 = Phong, 11, 4;
+    gouraud = Gouraud, 4, 1;
+    gouraud_4 = Gouraud, 4, 4;
+    glass = Gouraud, 8, 1;
+    glass_4 = Gouraud, 8, 4;
+    textured = Textured, 8, 1;
+    textured_4 = Textured, 8, 4;
+    phong = Phong, 12, 1;
+    phong_4 = Phong, 12, 4;
     phong_textured = PhongTextured, 12, 1;
     phong_textured_4 = PhongTextured, 12, 4;
 }
@@ -44,6 +46,8 @@ kernels! {
 /// Fills a stretch of triangles into the rows of `plane`.
 pub(super) fn fill(level: Level, stretch: &Stretch<'_>, plane: &mut Plane) {
     let kernel = match (stretch.item.style.fill, plane.samples) {
+        (Fill::Gouraud, 1) if stretch.item.blended() => glass,
+        (Fill::Gouraud, _) if stretch.item.blended() => glass_4,
         (Fill::Gouraud, 1) => gouraud,
         (Fill::Gouraud, _) => gouraud_4,
         (Fill::Textured, 1) => textured,
@@ -89,7 +93,7 @@ where
             screen.swap(1, 2);
             values.swap(1, 2);
         }
-        let curved = drawing.view.perspective && bends(&values);
+        let curved = drawing.view.perspective && bends(&values, item.style.fill == Fill::Gouraud);
         if curved {
             for value in &mut values {
                 let q = value[0];
@@ -106,14 +110,14 @@ where
 /// Whether straight interpolation on the picture would be off by more than a tenth of a 255th anywhere. Between corners whose nearness has the
 /// ratio k the two ways differ by at most (√k − 1)/(√k + 1) of the corners' difference, which is less than (k − 1)/4.
 #[inline(always)]
-fn bends<const K: usize>(values: &[[f32; K]; 3]) -> bool {
+fn bends<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> bool {
     let spread = |k: usize| {
         let (a, b, c) = (values[0][k], values[1][k], values[2][k]);
         (a.max(b).max(c), a.min(b).min(c))
     };
     let (near, far) = spread(0);
     // Only colours are known to be within 0 to 255; other attributes always take the exact way.
-    if K != 5 {
+    if !colors {
         return near != far;
     }
     let mut widest = 0.0f32;
@@ -142,19 +146,27 @@ where
 {
     let rect = Rect::of(&triangle.screen, M > 1, size);
     let (top, bottom) = (rect.y0.max(plane.top), rect.y1.min(plane.top + plane.rows as i32 - 1));
-    if rect.is_empty() || top > bottom {
+    if rect.is_empty() || top > bottom || plane.samples != M {
         return;
     }
     let edges = Edges::new(&triangle.screen, rect.x0, rect.y0);
     let planes = Planes::new(&triangle.screen, triangle.area, &triangle.values, rect.x0, rect.y0);
-    let slopes = Slopes { right: planes.right, below: planes.below, curved: triangle.curved };
+    let levels = [Slopes::<K>::MIXED; 3];
+    let mut slopes = Slopes { right: planes.right, below: planes.below, curved: triangle.curved, levels };
+    shader.prepare(&mut slopes, &triangle.values);
+    // Pixel centres inside cannot get values beyond the corners', but for the rounding of steep slopes; samples reach outside.
+    let tame = M == 1 && S::BOUNDED && !triangle.curved && planes.gentle(rect.x1 - rect.x0);
     let right = map(planes.right, always!(|slope: f32| l.splat(slope)));
     // How the nearness changes from the centre to each sample.
-    let lift: [L::F; M] = each(always!(|s: usize| {
-        let [x, y] = if M == 1 { [0, 0] } else { super::setup::SAMPLES[s] };
-        l.splat(planes.right[0] * (x as f32 / 256.0) + planes.below[0] * (y as f32 / 256.0))
-    }));
+    let mut lift = [l.splat(0.0); M];
+    if M > 1 {
+        for s in 0..M {
+            let [x, y] = super::setup::SAMPLES[s];
+            lift[s] = l.splat(planes.right[0] * (x as f32 / 256.0) + planes.below[0] * (y as f32 / 256.0));
+        }
+    }
     let ramp = l.float(l.iota());
+    let stride = l.splat(L::N as f32);
     let mut left = rect.x0;
     while left <= rect.x1 {
         let width = (rect.x1 - left + 1).min(BLOCK);
@@ -165,55 +177,70 @@ where
         let across = map(stepping.a, always!(|a: i32| l.imul(l.isplat(a), l.iota())));
         let jump = map(stepping.a, always!(|a: i32| l.isplat(a.wrapping_mul(L::N as i32))));
         let mut start = stepping.start;
+        let mut span = Span::new(&stepping, width, bottom - top + 1, width > L::N as i32);
         for y in top..=bottom {
-            let row = planes.row(y - rect.y0);
-            let row = map(row, always!(|value: f32| l.splat(value)));
-            let mut inside_of: [[L::I; 3]; M] = each(always!(|s: usize| each(always!(|i: usize| l.isplat(start[s][i]) + across[i]))));
-            let at = plane.index(y, left);
-            let mut x = 0;
-            while x < width {
-                let outside: [L::I; M] = each(always!(|s: usize| inside_of[s][0] | inside_of[s][1] | inside_of[s][2]));
-                for edge in &mut inside_of {
-                    for i in 0..3 {
-                        edge[i] = edge[i] + jump[i];
+            let (mut x, end) = span.next();
+            let first = plane.index(y, left);
+            assert!(plane.holds(first, width as usize), "a row reaches beyond its band");
+            if x < end {
+                let row = planes.row(y - rect.y0);
+                let row = map(row, always!(|value: f32| l.splat(value)));
+                let mut inside_of: [[L::I; 3]; M] = each(always!(|s: usize| each(always!(|i: usize| l
+                    .isplat(start[s][i].wrapping_add(stepping.a[i].wrapping_mul(x)))
+                    + across[i]))));
+                let mut offset = ramp + l.splat((left - rect.x0 + x) as f32);
+                while x < end {
+                    let outside: [L::I; M] = each(always!(|s: usize| inside_of[s][0] | inside_of[s][1] | inside_of[s][2]));
+                    for edge in &mut inside_of {
+                        for i in 0..3 {
+                            edge[i] = edge[i] + jump[i];
+                        }
                     }
-                }
-                let here = at + x as usize;
-                let offset = ramp + l.splat((left - rect.x0 + x) as f32);
-                x += L::N as i32;
-                let q = row[0] + right[0] * offset;
-                let mut any = 0;
-                let covered: [L::M; M] = each(always!(|s: usize| {
-                    let inside = l.ilt(l.isplat(-1), outside[s]);
-                    let front = l.lt(if triangle.depth_test { plane.depth(l, s, here) } else { l.splat(f32::NEG_INFINITY) }, q + lift[s]);
-                    any |= l.mask_bits(inside & front);
-                    inside & front
-                }));
-                if any == 0 {
-                    continue;
-                }
-                if !triangle.blended {
-                    for s in 0..M {
-                        plane.set_depth(l, s, here, covered[s], q + lift[s]);
+                    let here = first + x as usize;
+                    let distance = offset;
+                    offset = offset + stride;
+                    x += L::N as i32;
+                    let q = row[0] + right[0] * distance;
+                    let sample = always!(|s: usize| if M == 1 { q } else { q + lift[s] });
+                    let mut any = 0;
+                    let covered: [L::M; M] = each(always!(|s: usize| {
+                        let mut inside = l.ilt(l.isplat(-1), outside[s]);
+                        if triangle.depth_test {
+                            // SAFETY: `x` was below `width`, and the plane holds that many from `first` on.
+                            inside = inside & l.lt(unsafe { plane.depth(l, s, here) }, sample(s));
+                        }
+                        any |= l.mask_bits(inside);
+                        inside
+                    }));
+                    if any == 0 {
+                        continue;
                     }
-                }
-                let mut values: [L::F; K] = each(always!(|k: usize| row[k] + right[k] * offset));
-                if triangle.curved {
-                    let inverse = l.splat(1.0) / l.max(q, l.splat(1e-30));
-                    values[0] = inverse;
-                    for value in &mut values[1..] {
-                        *value = *value * inverse;
+                    if !triangle.blended {
+                        for s in 0..M {
+                            // SAFETY: as for reading.
+                            unsafe { plane.set_depth(l, s, here, covered[s], sample(s)) };
+                        }
                     }
-                }
-                let color = shader.shade(l, &values, &slopes);
-                if triangle.blended {
-                    for s in 0..M {
-                        plane.blend(l, s, here, covered[s], color);
+                    let mut values: [L::F; K] = each(always!(|k: usize| row[k] + right[k] * distance));
+                    if triangle.curved {
+                        let inverse = l.splat(1.0) / l.max(q, l.splat(1e-30));
+                        values[0] = inverse;
+                        for value in &mut values[1..] {
+                            *value = *value * inverse;
+                        }
                     }
-                } else {
-                    let packed = super::plane::pack(l, color);
-                    for s in 0..M {
-                        plane.set_color(l, s, here, covered[s], packed);
+                    let color = shader.shade(l, &values, &slopes);
+                    if triangle.blended {
+                        for s in 0..M {
+                            // SAFETY: as for reading.
+                            unsafe { plane.blend(l, s, here, covered[s], color) };
+                        }
+                    } else {
+                        let packed = super::plane::pack(l, color, tame);
+                        for s in 0..M {
+                            // SAFETY: as for reading.
+                            unsafe { plane.set_color(l, s, here, covered[s], packed) };
+                        }
                     }
                 }
             }
@@ -224,5 +251,67 @@ where
             }
         }
         left += BLOCK;
+    }
+}
+
+/// Finds, row by row, the stretch that can be inside all edges, so that the empty half of a wide triangle's box is not walked.
+struct Span {
+    /// Where the edges on the left cross the row, in columns from the block's first; at most two edges are on one side.
+    left: [f32; 2],
+    left_step: [f32; 2],
+    right: [f32; 2],
+    right_step: [f32; 2],
+    width: i32,
+    wide: bool,
+}
+
+impl Span {
+    #[inline(always)]
+    fn new<const M: usize>(stepping: &Stepping<M>, width: i32, rows: i32, wide: bool) -> Self {
+        let far = 1e6;
+        let mut span = Self { left: [-far; 2], left_step: [0.0; 2], right: [far; 2], right_step: [0.0; 2], width, wide };
+        if wide {
+            let (mut lefts, mut rights) = (0, 0);
+            for i in 0..3 {
+                let a = stepping.a[i];
+                // The sample for which the edge reaches furthest out.
+                let mut value = stepping.start[0][i];
+                for sample in &stepping.start[1..] {
+                    value = value.max(sample[i]);
+                }
+                if a != 0 {
+                    let inverse = -1.0 / a as f32;
+                    let (cross, step) = (value as f32 * inverse, stepping.b[i] as f32 * inverse);
+                    // Where an edge is nearly level, its crossings are too far apart for `f32`; such an edge is not used.
+                    if cross.abs().max((cross + step * rows as f32).abs()) > 65_536.0 {
+                        continue;
+                    }
+                    if a > 0 && lefts < 2 {
+                        (span.left[lefts], span.left_step[lefts]) = (cross, step);
+                        lefts += 1;
+                    } else if a < 0 && rights < 2 {
+                        (span.right[rights], span.right_step[rights]) = (cross, step);
+                        rights += 1;
+                    }
+                }
+            }
+        }
+        span
+    }
+
+    /// First column of the next row and one past its last. May be two pixels too much on either side, never too little: crossings are below 2¹⁶, so
+    /// that all the rounding over the rows of a band stays below half a pixel.
+    #[inline(always)]
+    fn next(&mut self) -> (i32, i32) {
+        if !self.wide {
+            return (0, self.width);
+        }
+        let from = self.left[0].max(self.left[1]).min(1e6) as i32 - 1;
+        let to = self.right[0].min(self.right[1]).max(-1e6) as i32 + 2;
+        for i in 0..2 {
+            self.left[i] += self.left_step[i];
+            self.right[i] += self.right_step[i];
+        }
+        (from.max(0), to.min(self.width))
     }
 }

@@ -146,6 +146,7 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
     let color = map(stroke.color, always!(|c: f32| l.splat(c)));
     for y in top..=bottom {
+        assert!(plane.holds(plane.index(y, 0), plane.width), "a row reaches beyond its band");
         let cy = y as f32 + 0.5 - ay;
         // Where along the stroke it is within reach of this row; a little too much does no harm, since coverage is worked out exactly.
         let (mut from, mut to) = (0.0f32, 1.0f32);
@@ -177,13 +178,16 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
             let full = l.min(alpha, one) * l.splat(255.0);
             for s in 0..plane.samples {
                 let mut shown = visible;
-                if stroke.depth_test {
-                    shown = shown & l.lt(plane.depth(l, s, at), q);
+                // SAFETY: `x` was from 0 to the last column, and the plane holds that row.
+                unsafe {
+                    if stroke.depth_test {
+                        shown = shown & l.lt(plane.depth(l, s, at), q);
+                    }
+                    if write_depth {
+                        plane.set_depth(l, s, at, shown, q);
+                    }
+                    plane.blend(l, s, at, shown, [color[0], color[1], color[2], full]);
                 }
-                if write_depth {
-                    plane.set_depth(l, s, at, shown, q);
-                }
-                plane.blend(l, s, at, shown, [color[0], color[1], color[2], full]);
             }
         }
     }

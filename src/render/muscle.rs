@@ -4,10 +4,14 @@
 //! is thin and spread where it bulges. A texture, not a formula at each pixel: its mip chain keeps distant fibres from glittering.
 
 use super::texture::Texture;
+use crate::scene::Wrap;
 
 /// Size of the pattern: fine across the fibres, coarse along them.
 const WIDTH: u32 = 2048;
 const HEIGHT: u32 = 128;
+
+/// Round and round, but not from one end to the other.
+pub(super) const WRAP: [Wrap; 2] = [Wrap::Repeat, Wrap::Clamp];
 
 /// Tendon, `#E8DFC8`.
 const TENDON: [f32; 3] = [232.0, 223.0, 200.0];
@@ -85,7 +89,7 @@ impl Pattern {
         };
         // Row 0 of a texture is the top, v = 1.
         let rows = self.texels.chunks(WIDTH as usize).rev();
-        Texture::from_texels(rows.flatten().map(paint).collect(), WIDTH, HEIGHT)
+        Texture::from_texels(rows.flatten().map(paint).collect(), WIDTH, HEIGHT, WRAP)
     }
 }
 

@@ -77,31 +77,57 @@ impl Plane {
         (y - self.top) as usize * self.pitch + x as usize
     }
 
+    /// Whether a vector that starts at any of `count` pixels from index `at` on stays inside all sample planes: asked once a row, so that the loops
+    /// need not ask for every vector.
     #[inline(always)]
-    pub(super) fn depth<L: Lanes>(&self, l: L, s: usize, at: usize) -> L::F {
-        l.load(&self.depth[s * self.area + at..])
+    pub(super) fn holds(&self, at: usize, count: usize) -> bool {
+        let end = at + count + MARGIN;
+        end <= self.area && self.area * self.samples <= self.color.len().min(self.depth.len())
     }
 
+    /// # Safety
+    /// [`Plane::holds`] said yes to a stretch that `at` is in, and `s` is below the number of samples.
     #[inline(always)]
-    pub(super) fn set_depth<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, depth: L::F) {
-        let slot = &mut self.depth[s * self.area + at..];
+    pub(super) unsafe fn depth<L: Lanes>(&self, l: L, s: usize, at: usize) -> L::F {
+        let from = s * self.area + at;
+        // SAFETY: the caller's promise: `N` ≤ `MARGIN` elements from here on are inside.
+        l.load(unsafe { self.depth.get_unchecked(from..from + L::N) })
+    }
+
+    /// # Safety
+    /// As for [`Plane::depth`].
+    #[inline(always)]
+    pub(super) unsafe fn set_depth<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, depth: L::F) {
+        let from = s * self.area + at;
+        // SAFETY: as above.
+        let slot = unsafe { self.depth.get_unchecked_mut(from..from + L::N) };
         let old = l.load(slot);
-        l.store(l.select(mask, depth, old), slot);
+        // As integers: the compiler turns a select of floats into a masked store, which the next triangle's load would have to wait for.
+        l.store(l.float_bits(l.iselect(mask, l.bits(depth), l.bits(old))), slot);
     }
 
+    /// # Safety
+    /// As for [`Plane::depth`].
     #[inline(always)]
-    pub(super) fn set_color<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I) {
-        let slot = &mut self.color[s * self.area + at..];
+    pub(super) unsafe fn set_color<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I) {
+        let from = s * self.area + at;
+        // SAFETY: as above.
+        let slot = unsafe { self.color.get_unchecked_mut(from..from + L::N) };
         let old = l.iload(slot);
         l.istore(l.iselect(mask, color, old), slot);
     }
 
     /// Lays a colour with opacity (0 to 255 each, not premultiplied) over what is there.
+    ///
+    /// # Safety
+    /// As for [`Plane::depth`].
     #[inline(always)]
-    pub(super) fn blend<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: [L::F; 4]) {
-        let slot = &mut self.color[s * self.area + at..];
+    pub(super) unsafe fn blend<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: [L::F; 4]) {
+        let from = s * self.area + at;
+        // SAFETY: as above.
+        let slot = unsafe { self.color.get_unchecked_mut(from..from + L::N) };
         let old = l.iload(slot);
-        let color = map(color, always!(|c| l.clamp(c, 0.0, 255.0)));
+        let color = map(color, always!(|c: L::F| l.clamp(c, 0.0, 255.0)));
         let share = color[3] * l.splat(1.0 / 255.0);
         let keep = l.splat(1.0) - share;
         let byte = l.isplat(255);
@@ -115,9 +141,11 @@ impl Plane {
     }
 }
 
-/// Opaque pixels from red, green and blue, 0 to 255.
+/// Opaque pixels from red, green and blue. `tame` promises that no channel is further than a quarter beyond 0 to 255, so none has to be held back.
 #[inline(always)]
-pub(super) fn pack<L: Lanes>(l: L, color: [L::F; 4]) -> L::I {
-    let byte = always!(|c: L::F| l.trunc(l.clamp(c, 0.0, 255.0) + l.splat(0.5)));
-    l.isplat(0xFF00_0000u32 as i32) | l.shl::<16>(byte(color[0])) | l.shl::<8>(byte(color[1])) | byte(color[2])
+pub(super) fn pack<L: Lanes>(l: L, color: [L::F; 4], tame: bool) -> L::I {
+    let half = l.splat(0.5);
+    let [r, g, b, _] = if tame { color } else { map(color, always!(|c: L::F| l.clamp(c, 0.0, 255.0))) };
+    let alpha = l.isplat(0xFF00_0000u32 as i32);
+    (alpha | l.trunc(b + half)) | (l.shl::<16>(l.trunc(r + half)) | l.shl::<8>(l.trunc(g + half)))
 }

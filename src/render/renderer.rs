@@ -368,8 +368,7 @@ fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local: &mut Local
     }
     let start = Instant::now();
     for y in 0..rows {
-        resolve(plane, y, row);
-        copy_row(row, target.row(y));
+        copy_row(resolve(plane, y, row), target.row(y));
     }
     *resolve_ms += milliseconds(start);
 }

@@ -24,20 +24,20 @@ pub(super) fn copy_row(pixels: &[u32], to: &mut [u8]) {
     to[..n].copy_from_slice(&bytes[..n]);
 }
 
-/// Averages the samples of row `y`.
-pub(super) fn resolve(plane: &Plane, y: usize, out: &mut [u32]) {
+/// The finished pixels of row `y`: the only sample, or the average of four in `out`.
+pub(super) fn resolve<'a>(plane: &'a Plane, y: usize, out: &'a mut [u32]) -> &'a [u32] {
     if plane.samples == 1 {
-        out.copy_from_slice(plane.row(0, y));
-        return;
+        return plane.row(0, y);
     }
     let [a, b, c, d] = [0, 1, 2, 3].map(|s| plane.row(s, y));
-    for ((((out, &a), &b), &c), &d) in out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
+    for ((((to, &a), &b), &c), &d) in out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
         // Two channels at a time, in the even bytes of a word.
         let even = |x: u32| x & 0x00FF_00FF;
         let low = even(a) + even(b) + even(c) + even(d) + 0x0002_0002;
         let high = even(a >> 8) + even(b >> 8) + even(c >> 8) + even(d >> 8) + 0x0002_0002;
-        *out = even(low >> 2) | even(high >> 2) << 8;
+        *to = even(low >> 2) | even(high >> 2) << 8;
     }
+    out
 }
 
 /// Lays the overlay over the picture: fully where it is in front of the surface, with the opacity `behind` where it is not.

@@ -178,6 +178,17 @@ impl<const K: usize> Planes<K> {
         planes
     }
 
+    /// Whether stepping over `width` pixels in `f32` keeps every attribute but the nearness within a quarter of what it should be.
+    #[inline(always)]
+    pub(super) fn gentle(&self, width: i32) -> bool {
+        let mut steepest = 0.0f32;
+        for slope in &self.right[1..] {
+            steepest = steepest.max(slope.abs());
+        }
+        // Half a unit in the last place of the product and of the sum, and the slope's own rounding.
+        steepest * (width + 16) as f32 * f32::EPSILON < 0.05
+    }
+
     /// Values in the first column, `row` rows below the first.
     #[inline(always)]
     pub(super) fn row(&self, row: i32) -> [f32; K] {

@@ -6,12 +6,20 @@ use super::drawing::{Drawing, Feed, Item};
 use super::lanes::{Lanes, Scalar, always, each, map};
 use super::light::{normalize, see, shine};
 use super::style::{Normals, Style};
+use super::texture::{Sampler, Texture};
 use super::vertex::finish;
 
-/// A way of shading with `K` attributes; attribute 0 is left to the caller.
+/// A way of shading with `K` attributes, a multiple of four so that planes are set up by whole vectors; attribute 0 is left to the caller.
 pub(super) trait Attributes<const K: usize> {
+    /// Whether the colour is a mixture of the corners' colours, and these are within 0 to 255.
+    const BOUNDED: bool = false;
     /// Values at the corners of triangle `t`.
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; K]; 3];
+    /// Prepares what is the same for a whole triangle, from the corners' attributes (times nearness where they are curved).
+    #[inline(always)]
+    fn prepare(&self, slopes: &mut Slopes<K>, corners: &[[f32; K]; 3]) {
+        let _ = (slopes, corners);
+    }
     /// Red, green, blue and opacity, 0 to 255 or a little beyond. `values[0]` is the distance where attributes are curved.
     fn shade<L: Lanes>(&self, l: L, values: &[L::F; K], slopes: &Slopes<K>) -> [L::F; 4];
 }
@@ -27,9 +35,35 @@ pub(super) struct Slopes<const K: usize> {
     pub below: [f32; K],
     /// Whether they are slopes of attributes times nearness.
     pub curved: bool,
+    /// Levels of the material's textures where all corners of the triangle agree; [`Slopes::MIXED`] where they don't.
+    pub levels: [i32; 3],
 }
 
 impl<const K: usize> Slopes<K> {
+    /// Each pixel has to choose its level.
+    pub(super) const MIXED: i32 = -1;
+
+    /// Looks whether the corners agree about the levels of the textures that attributes `first` and `first + 1` are the coordinates of.
+    #[inline(always)]
+    pub(super) fn agree(&mut self, textures: [Option<&Texture>; 3], corners: &[[f32; K]; 3], first: usize) {
+        for (slot, texture) in self.levels.iter_mut().zip(textures) {
+            let Some(texture) = texture else { continue };
+            let mut at = [0; 3];
+            for (level, corner) in at.iter_mut().zip(corners) {
+                let inverse = 1.0 / corner[0].max(1e-30);
+                let along = |slope: &[f32; K], k: usize| {
+                    if self.curved { (slope[k] - corner[k] * inverse * slope[0]) * inverse } else { slope[k] }
+                };
+                let across = [along(&self.right, first), along(&self.right, first + 1)];
+                let down = [along(&self.below, first), along(&self.below, first + 1)];
+                *level = texture.level(across, down);
+            }
+            if at[0] == at[1] && at[1] == at[2] {
+                *slot = at[0];
+            }
+        }
+    }
+
     /// Change of the attributes `first` and `first + 1` a pixel to the right and downward.
     #[inline(always)]
     fn of<L: Lanes>(&self, l: L, values: &[L::F; K], first: usize) -> [[L::F; 2]; 2] {
@@ -55,18 +89,40 @@ impl<'a> Shader<'a> for Gouraud<'a> {
     }
 }
 
-impl Attributes<5> for Gouraud<'_> {
+impl Gouraud<'_> {
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 5]; 3] {
-        let quads = match self.style.normals {
+    fn colors(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
+        match self.style.normals {
             Normals::Smooth => feed.lit(t, other_side),
             _ => face_colors(self.drawing, self.style, feed, t, other_side),
-        };
-        map(quads, always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a]))
+        }
+    }
+}
+
+/// Opaque.
+impl Attributes<4> for Gouraud<'_> {
+    const BOUNDED: bool = true;
+
+    #[inline(always)]
+    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
+        map(self.colors(feed, t, other_side), always!(|[r, g, b, _]: [f32; 4]| [0.0, r, g, b]))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, _: L, values: &[L::F; 5], _: &Slopes<5>) -> [L::F; 4] {
+    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 4], _: &Slopes<4>) -> [L::F; 4] {
+        [values[1], values[2], values[3], l.splat(255.0)]
+    }
+}
+
+/// With opacity.
+impl Attributes<8> for Gouraud<'_> {
+    #[inline(always)]
+    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
+        map(self.colors(feed, t, other_side), always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a, 0.0, 0.0, 0.0]))
+    }
+
+    #[inline(always)]
+    fn shade<L: Lanes>(&self, _: L, values: &[L::F; 8], _: &Slopes<8>) -> [L::F; 4] {
         [values[1], values[2], values[3], values[4]]
     }
 }
@@ -84,22 +140,26 @@ impl<'a> Shader<'a> for Textured<'a> {
     }
 }
 
-impl Attributes<7> for Textured<'_> {
+impl Attributes<8> for Textured<'_> {
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 7]; 3] {
+    fn prepare(&self, slopes: &mut Slopes<8>, corners: &[[f32; 8]; 3]) {
+        slopes.agree(textures(self.drawing, self.style), corners, 1);
+    }
+
+    #[inline(always)]
+    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
         let uv = feed.uvs(t);
         let quads = match self.style.normals {
             Normals::Smooth => feed.lit(t, other_side),
             _ => face_light(self.drawing, self.style, feed, t, other_side),
         };
-        each(always!(|k: usize| [0.0, uv[k].x, uv[k].y, quads[k][0], quads[k][1], quads[k][2], quads[k][3]]))
+        each(always!(|k: usize| [0.0, uv[k].x, uv[k].y, quads[k][0], quads[k][1], quads[k][2], quads[k][3], 0.0]))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 7], slopes: &Slopes<7>) -> [L::F; 4] {
+    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 8], slopes: &Slopes<8>) -> [L::F; 4] {
         let uv = [values[1], values[2]];
-        let [across, down] = slopes.of(l, values, 1);
-        let texel = Texels::read(l, self.drawing, self.style, uv, across, down);
+        let texel = Texels::read(l, self.drawing, self.style, uv, slopes, values, 1);
         let (one, full) = (l.splat(1.0), l.splat(255.0));
         let style = self.style;
         let channel = always!(|i: usize| {
@@ -125,18 +185,18 @@ impl<'a> Shader<'a> for Phong<'a> {
     }
 }
 
-impl Attributes<11> for Phong<'_> {
+impl Attributes<12> for Phong<'_> {
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 11]; 3] {
+    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
         let (places, normals) = geometry(self.style, feed, t, other_side);
         each(always!(|k: usize| {
             let (n, p, c) = (normals[k], places[k], feed.tint(t, k));
-            [0.0, n.x, n.y, n.z, p.x, p.y, p.z, c[0], c[1], c[2], c[3]]
+            [0.0, n.x, n.y, n.z, p.x, p.y, p.z, c[0], c[1], c[2], c[3], 0.0]
         }))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 11], _: &Slopes<11>) -> [L::F; 4] {
+    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], _: &Slopes<12>) -> [L::F; 4] {
         let normal = normalize(l, [v[1], v[2], v[3]]);
         let lights = &self.drawing.lights;
         let seen = see(l, lights, [v[4], v[5], v[6]], normal);
@@ -162,6 +222,11 @@ impl<'a> Shader<'a> for PhongTextured<'a> {
 
 impl Attributes<12> for PhongTextured<'_> {
     #[inline(always)]
+    fn prepare(&self, slopes: &mut Slopes<12>, corners: &[[f32; 12]; 3]) {
+        slopes.agree(textures(self.drawing, self.style), corners, 7);
+    }
+
+    #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
         let (places, normals) = geometry(self.style, feed, t, other_side);
         let uv = feed.uvs(t);
@@ -173,8 +238,7 @@ impl Attributes<12> for PhongTextured<'_> {
 
     #[inline(always)]
     fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], slopes: &Slopes<12>) -> [L::F; 4] {
-        let [across, down] = slopes.of(l, v, 7);
-        let texel = Texels::read(l, self.drawing, self.style, [v[7], v[8]], across, down);
+        let texel = Texels::read(l, self.drawing, self.style, [v[7], v[8]], slopes, v, 7);
         let normal = normalize(l, [v[1], v[2], v[3]]);
         let lights = &self.drawing.lights;
         let seen = see(l, lights, [v[4], v[5], v[6]], normal);
@@ -198,29 +262,55 @@ struct Texels<L: Lanes> {
 
 impl<L: Lanes> Texels<L> {
     #[inline(always)]
-    fn read(l: L, drawing: &Drawing<'_>, style: &Style, uv: [L::F; 2], across: [L::F; 2], down: [L::F; 2]) -> Self {
-        let byte = l.splat(1.0 / 255.0);
-        let mut texels = Self {
-            color: [l.splat(1.0); 3],
-            opacity: l.splat(style.opacity),
-            glow: map(style.emission, always!(|emission| l.splat(emission))),
-        };
-        // A loop, so that there is one copy of the sampling code.
+    #[allow(clippy::too_many_arguments)]
+    fn read<const K: usize>(
+        l: L,
+        drawing: &Drawing<'_>,
+        style: &Style,
+        uv: [L::F; 2],
+        slopes: &Slopes<K>,
+        values: &[L::F; K],
+        first: usize,
+    ) -> Self {
+        let sample = always!(|which: usize, sampler: &Sampler, texture: &Texture| {
+            let level = slopes.levels[which];
+            let mip = if level == Slopes::<K>::MIXED {
+                let [across, down] = slopes.of(l, values, first);
+                texture.levels(l, across, down)
+            } else {
+                texture.mip(l, level)
+            };
+            texture.sample(l, sampler.wrap, uv, mip)
+        });
+        let found = always!(|sampler: &Sampler| drawing.textures.get(sampler.texture as usize));
+        let glow = map(style.emission, always!(|emission| l.splat(emission)));
+        let mut texels = Self { color: [l.splat(1.0); 3], opacity: l.splat(style.opacity), glow };
+        // By far the most materials have a colour texture alone.
+        if let (Some(sampler), None, None) = (&style.diffuse, &style.cutout, &style.glow) {
+            if let Some(texture) = found(sampler) {
+                let [r, g, b, _] = sample(0, sampler, texture);
+                texels.color = [r, g, b];
+            }
+            return texels;
+        }
         for (which, sampler) in [&style.diffuse, &style.cutout, &style.glow].into_iter().enumerate() {
             let Some(sampler) = sampler else { continue };
-            let Some(texture) = drawing.textures.get(sampler.texture as usize) else { continue };
-            let [r, g, b, a] = map(texture.sample(l, sampler.wrap, uv, across, down), always!(|c| c * byte));
+            let Some(texture) = found(sampler) else { continue };
+            let [r, g, b, a] = sample(which, sampler, texture);
             match which {
-                0 => {
-                    texels.color = [r, g, b];
-                    texels.opacity = texels.opacity * a;
-                }
+                0 => texels.color = [r, g, b],
                 1 => texels.opacity = texels.opacity * a,
                 _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
             }
         }
         texels
     }
+}
+
+/// The textures of a material: colour, opacity, glow.
+#[inline(always)]
+fn textures<'a>(drawing: &'a Drawing<'a>, style: &Style) -> [Option<&'a Texture>; 3] {
+    map([style.diffuse, style.cutout, style.glow], always!(|sampler: Option<Sampler>| drawing.textures.get(sampler?.texture as usize)))
 }
 
 /// Places and normals of a triangle's corners, the normals on the side that is seen.
@@ -263,7 +353,8 @@ fn face_colors(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, 
     each(always!(|k: usize| {
         let [r, g, b, a] = feed.tint(t, k);
         let color = finish(Scalar, style, light[k], [r, g, b], style.emission);
-        [color[0] * 255.0, color[1] * 255.0, color[2] * 255.0, a * (style.opacity * 255.0)]
+        let all = [color[0] * 255.0, color[1] * 255.0, color[2] * 255.0, a * (style.opacity * 255.0)];
+        map(all, always!(|c: f32| Scalar.clamp(c, 0.0, 255.0)))
     }))
 }
 

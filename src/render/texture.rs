@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::lanes::{Lanes, always};
+use super::lanes::{Lanes, Scalar, always};
 use super::muscle::Pattern;
 use crate::scene::{AlphaSource, Pixels, Wrap};
 
@@ -29,21 +29,24 @@ pub(super) enum Alpha {
     From(AlphaSource),
 }
 
-/// A mip chain of `0xAARRGGBB` texels, rows from the top.
+/// Texels kept beyond the edges of a level, so that the four texels round a point never have to be wrapped one by one: one on the left and above, two on the
+/// right and below.
+const APRON: u32 = 3;
+
+/// A mip chain of `0xAARRGGBB` texels, rows from the top, each level with an apron that continues it as its wrapping says.
 #[derive(Debug, Default)]
 pub(super) struct Texture {
     texels: Vec<u32>,
-    offset: [u32; LEVELS],
+    /// Where texel (0, 0) of each level is.
+    origin: [u32; LEVELS],
     width: [u32; LEVELS],
     height: [u32; LEVELS],
     last: u32,
-    /// Average colour, 0 to 1.
-    pub average: [f32; 3],
 }
 
 impl Texture {
     /// The chain of an image.
-    pub(super) fn from_pixels(pixels: &Pixels, alpha: Alpha) -> Self {
+    pub(super) fn from_pixels(pixels: &Pixels, alpha: Alpha, wrap: [Wrap; 2]) -> Self {
         let texel = |p: &[u8]| {
             let [r, g, b, a] = [p[0], p[1], p[2], p[3]];
             let luminance = 0.212_671 * f32::from(r) + 0.715_160 * f32::from(g) + 0.072_169 * f32::from(b);
@@ -60,125 +63,151 @@ impl Texture {
         let mut texels: Vec<u32> = pixels.rgba.chunks_exact(4).take(full).map(texel).collect();
         // An image whose pixels are missing is white where they are.
         texels.resize(full, u32::MAX);
-        Self::from_texels(texels, pixels.width, pixels.height)
+        Self::from_texels(texels, pixels.width, pixels.height, wrap)
     }
 
     /// The chain over a first level of `width` × `height` texels.
-    pub(super) fn from_texels(mut texels: Vec<u32>, width: u32, height: u32) -> Self {
-        let (mut width, mut height) = (width, height);
-        if width == 0 || height == 0 || texels.len() < width as usize * height as usize {
-            (texels, width, height) = (vec![u32::MAX], 1, 1);
+    pub(super) fn from_texels(mut level: Vec<u32>, mut width: u32, mut height: u32, wrap: [Wrap; 2]) -> Self {
+        if width == 0 || height == 0 || level.len() < width as usize * height as usize {
+            (level, width, height) = (vec![u32::MAX], 1, 1);
         }
-        let mut chain = Self { texels, ..Self::default() };
-        (chain.width[0], chain.height[0]) = (width, height);
-        for level in 1..LEVELS {
-            let (w, h) = (chain.width[level - 1], chain.height[level - 1]);
-            if w == 1 && h == 1 {
+        let mut chain = Self::default();
+        for k in 0..LEVELS {
+            let pitch = width + APRON;
+            (chain.width[k], chain.height[k], chain.last) = (width, height, k as u32);
+            chain.origin[k] = chain.texels.len() as u32 + pitch + 1;
+            for y in -1..height as i32 + 2 {
+                let row = beyond(wrap[1], y, height).map(|y| &level[y as usize * width as usize..][..width as usize]);
+                let texel = |x: i32| beyond(wrap[0], x, width).and_then(|x| row.map(|row| row[x as usize])).unwrap_or(0);
+                chain.texels.extend((-1..width as i32 + 2).map(texel));
+            }
+            if width == 1 && height == 1 {
                 break;
             }
-            chain.offset[level] = chain.texels.len() as u32;
-            (chain.width[level], chain.height[level]) = ((w / 2).max(1), (h / 2).max(1));
-            chain.last = level as u32;
-            halve(&mut chain.texels, chain.offset[level - 1] as usize, [w, h], [chain.width[level], chain.height[level]]);
+            (level, width, height) = halve(&level, width, height);
         }
-        let end = chain.texels[chain.texels.len() - 1];
-        chain.average = [16, 8, 0].map(|shift| (end >> shift & 255) as f32 / 255.0);
         chain
     }
 
-    /// Bilinear texels, each channel 0 to 255 in the order red, green, blue, alpha. `across` and `down` are the changes of (u, v) a pixel to the
-    /// right and downward; (0, 0) is the bottom left of the image.
-    #[inline(always)]
-    pub(super) fn sample<L: Lanes>(&self, l: L, wrap: [Wrap; 2], uv: [L::F; 2], across: [L::F; 2], down: [L::F; 2]) -> [L::F; 4] {
-        let (w0, h0) = (l.splat(self.width[0] as f32), l.splat(self.height[0] as f32));
-        let size = always!(|d: [L::F; 2]| {
-            let (x, y) = (d[0] * w0, d[1] * h0);
-            x * x + y * y
-        });
-        // The nearest level: floor(log2 ρ + ½), read off the exponent of ρ².
-        let squared = l.clamp(l.max(size(across), size(down)), 1.0, 1e9);
-        let level = l.shr::<1>(l.shr::<23>(l.bits(squared)) - l.isplat(126));
-        let last = l.isplat(self.last as i32);
-        let level = l.iselect(l.ilt(last, level), last, level);
-        let mut first = [0u32; 16];
-        l.istore(level, &mut first);
-        let same = first[0] as usize & (LEVELS - 1);
-        let alike = l.isplat(same as i32);
-        let (offset, width, height) = if l.any(l.ilt(level, alike) | l.ilt(alike, level)) {
-            (l.gather(&self.offset, level), l.gather(&self.width, level), l.gather(&self.height, level))
-        } else {
-            (l.isplat(self.offset[same] as i32), l.isplat(self.width[same] as i32), l.isplat(self.height[same] as i32))
-        };
-        let x = Axis::new(l, wrap[0], uv[0], width);
-        let y = Axis::new(l, wrap[1], l.splat(1.0) - uv[1], height);
-        let rows = [offset + l.imul(y.texel[0], width), offset + l.imul(y.texel[1], width)];
-        let tap = always!(|row: usize, column: usize| l.gather(&self.texels, rows[row] + x.texel[column]));
-        let taps = [[tap(0, 0), tap(0, 1)], [tap(1, 0), tap(1, 1)]];
-        let byte = l.isplat(255);
-        let channel = always!(|which: usize| {
-            let pick = always!(|t: L::I| match which {
-                0 => l.shr::<16>(t),
-                1 => l.shr::<8>(t),
-                2 => t,
-                _ => l.shr::<24>(t),
-            });
-            let value = always!(|row: usize, column: usize| l.float(pick(taps[row][column]) & byte));
-            let upper = value(0, 0) * x.weight[0] + value(0, 1) * x.weight[1];
-            let lower = value(1, 0) * x.weight[0] + value(1, 1) * x.weight[1];
-            upper * y.weight[0] + lower * y.weight[1]
-        });
-        [channel(0), channel(1), channel(2), channel(3)]
+    /// The level for a change of (u, v) a pixel to the right and a pixel downward, at one point.
+    pub(super) fn level(&self, across: [f32; 2], down: [f32; 2]) -> i32 {
+        choose(Scalar, self, across, down).value()
     }
-}
 
-/// The two texels along one axis that a coordinate lies between, and their shares.
-struct Axis<L: Lanes> {
-    texel: [L::I; 2],
-    weight: [L::F; 2],
-}
-
-impl<L: Lanes> Axis<L> {
+    /// The levels for changes of (u, v) a pixel to the right and a pixel downward.
     #[inline(always)]
-    fn new(l: L, wrap: Wrap, coordinate: L::F, size: L::I) -> Self {
-        let (zero, one) = (l.splat(0.0), l.splat(1.0));
-        // The order of the comparison turns NaN into the bound.
-        let coordinate = l.clamp(coordinate, -1e6, 1e6);
-        let length = l.float(size);
-        let within = match wrap {
-            Wrap::Repeat => coordinate - l.floor(coordinate),
-            Wrap::Mirror => {
-                let two = coordinate - l.splat(2.0) * l.floor(coordinate * l.splat(0.5));
-                l.min(two, l.splat(2.0) - two)
-            }
-            Wrap::Clamp => l.clamp(coordinate, 0.0, 1.0),
-            Wrap::Border => l.clamp(coordinate, -1.0, 2.0),
-        };
-        let position = within * length - l.splat(0.5);
-        let below = l.floor(position);
-        let share = position - below;
-        let mut texel = [l.trunc(below), l.trunc(below) + l.isplat(1)];
-        let mut weight = [one - share, share];
-        let end = size - l.isplat(1);
-        for (texel, weight) in texel.iter_mut().zip(&mut weight) {
-            let (before, beyond) = (l.negative(*texel), l.ilt(end, *texel));
-            let (low, high) = if matches!(wrap, Wrap::Repeat) { (end, l.isplat(0)) } else { (l.isplat(0), end) };
-            if matches!(wrap, Wrap::Border) {
-                *weight = l.select(before | beyond, zero, *weight);
-            }
-            *texel = l.iselect(before, low, l.iselect(beyond, high, *texel));
+    pub(super) fn levels<L: Lanes>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> Mip<L> {
+        let level = choose(l, self, across, down);
+        Mip { origin: l.gather(&self.origin, level), width: l.gather(&self.width, level), height: l.gather(&self.height, level) }
+    }
+
+    /// The same level everywhere.
+    #[inline(always)]
+    pub(super) fn mip<L: Lanes>(&self, l: L, level: i32) -> Mip<L> {
+        let level = level as usize & (LEVELS - 1);
+        let splat = always!(|of: &[u32; LEVELS]| l.isplat(of[level] as i32));
+        Mip { origin: splat(&self.origin), width: splat(&self.width), height: splat(&self.height) }
+    }
+
+    /// Bilinear texels, each channel 0 to 1 in the order red, green, blue, alpha. (0, 0) is the bottom left of the image.
+    ///
+    /// Places between texels are told apart to a 256th, and the shares of the four texels add up to 256 exactly, so that an even colour stays what it is.
+    #[inline(always)]
+    pub(super) fn sample<L: Lanes>(&self, l: L, wrap: [Wrap; 2], uv: [L::F; 2], mip: Mip<L>) -> [L::F; 4] {
+        let (x, fx) = place(l, wrap[0], uv[0], mip.width);
+        let (y, fy) = place(l, wrap[1], l.splat(1.0) - uv[1], mip.height);
+        let pitch = mip.width + l.isplat(APRON as i32);
+        let at = mip.origin + l.imul(y, pitch) + x;
+        let one = l.isplat(1);
+        let taps = [
+            l.gather(&self.texels, at),
+            l.gather(&self.texels, at + one),
+            l.gather(&self.texels, at + pitch),
+            l.gather(&self.texels, at + pitch + one),
+        ];
+        let both = l.shr::<8>(l.imul(fx, fy) + l.isplat(128));
+        let shares = [l.isplat(256) - fx - fy + both, fx - both, fy - both, both];
+        let even = l.isplat(0x00FF_00FF);
+        // Red and blue in one word, alpha and green in another, 8 bits of fraction each.
+        let (mut red_blue, mut alpha_green) = (l.isplat(0), l.isplat(0));
+        for k in 0..4 {
+            let share = shares[k] | l.shl::<16>(shares[k]);
+            red_blue = red_blue + l.mul16(taps[k] & even, share);
+            alpha_green = alpha_green + l.mul16(l.shr::<8>(taps[k]) & even, share);
         }
-        Self { texel, weight }
+        let (low, scale) = (l.isplat(0xFFFF), l.splat(1.0 / (255.0 * 256.0)));
+        let float = always!(|x: L::I| l.float(x) * scale);
+        [float(l.shr::<16>(red_blue)), float(alpha_green & low), float(red_blue & low), float(l.shr::<16>(alpha_green))]
     }
 }
 
-/// Appends a level of size `to` made by averaging the level of size `from` that starts at `at`.
-fn halve(texels: &mut Vec<u32>, at: usize, from: [u32; 2], to: [u32; 2]) {
+/// Levels of a mip chain, lane by lane.
+#[derive(Clone, Copy)]
+pub(super) struct Mip<L: Lanes> {
+    origin: L::I,
+    width: L::I,
+    height: L::I,
+}
+
+/// The nearest level: floor(log2 ρ + ½), read off the exponent of ρ².
+#[inline(always)]
+fn choose<L: Lanes>(l: L, texture: &Texture, across: [L::F; 2], down: [L::F; 2]) -> L::I {
+    let (w, h) = (l.splat(texture.width[0] as f32), l.splat(texture.height[0] as f32));
+    let size = always!(|d: [L::F; 2]| {
+        let (x, y) = (d[0] * w, d[1] * h);
+        x * x + y * y
+    });
+    let squared = l.clamp(l.max(size(across), size(down)), 1.0, 1e9);
+    let level = l.shr::<1>(l.shr::<23>(l.bits(squared)) - l.isplat(126));
+    let last = l.isplat(texture.last as i32);
+    l.iselect(l.ilt(last, level), last, level)
+}
+
+/// The texel on the lower side of a coordinate, and how far (0 to 256) it is from there to the next.
+#[inline(always)]
+fn place<L: Lanes>(l: L, wrap: Wrap, coordinate: L::F, size: L::I) -> (L::I, L::I) {
+    // Also turns NaN into a number.
+    let coordinate = l.clamp(coordinate, -1e6, 1e6);
+    let length = l.float(size);
+    let half = l.splat(0.5);
+    let position = match wrap {
+        Wrap::Repeat => (coordinate - l.floor(coordinate)) * length - half,
+        Wrap::Mirror => {
+            let two = coordinate - l.splat(2.0) * l.floor(coordinate * half);
+            l.min(two, l.splat(2.0) - two) * length - half
+        }
+        Wrap::Clamp => l.clamp(coordinate, 0.0, 1.0) * length - half,
+        // From the last texel of the apron on the one side to that on the other.
+        Wrap::Border => l.min(l.max(coordinate * length - half, l.splat(-1.0)), length),
+    };
+    let below = l.floor(position);
+    (l.trunc(below), l.trunc((position - below) * l.splat(256.0) + half))
+}
+
+/// Which texel stands at place `at` of an edge with `size` texels; `None` for the border's nothing.
+fn beyond(wrap: Wrap, at: i32, size: u32) -> Option<i32> {
+    let size = size as i32;
+    match wrap {
+        Wrap::Repeat => Some(at.rem_euclid(size)),
+        Wrap::Mirror => {
+            let two = at.rem_euclid(2 * size);
+            Some(two.min(2 * size - 1 - two))
+        }
+        Wrap::Clamp => Some(at.clamp(0, size - 1)),
+        Wrap::Border => (0..size).contains(&at).then_some(at),
+    }
+}
+
+/// The next level: averages of two by two texels.
+fn halve(level: &[u32], width: u32, height: u32) -> (Vec<u32>, u32, u32) {
+    let to = [(width / 2).max(1), (height / 2).max(1)];
+    let mut texels = Vec::with_capacity(to[0] as usize * to[1] as usize);
     for y in 0..to[1] {
         for x in 0..to[0] {
             let mut sum = [0u32; 4];
             for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
-                let (sx, sy) = ((x * 2 + dx).min(from[0] - 1), (y * 2 + dy).min(from[1] - 1));
-                let texel = texels[at + sy as usize * from[0] as usize + sx as usize];
+                let (sx, sy) = ((x * 2 + dx).min(width - 1), (y * 2 + dy).min(height - 1));
+                let texel = level[sy as usize * width as usize + sx as usize];
                 for (sum, byte) in sum.iter_mut().zip(texel.to_be_bytes()) {
                     *sum += u32::from(byte);
                 }
@@ -186,6 +215,7 @@ fn halve(texels: &mut Vec<u32>, at: usize, from: [u32; 2], to: [u32; 2]) {
             texels.push(u32::from_be_bytes(sum.map(|s| ((s + 2) / 4) as u8)));
         }
     }
+    (texels, to[0], to[1])
 }
 
 /// The textures of a renderer: made when first used, kept while they are.
@@ -207,7 +237,7 @@ struct Entry {
 #[derive(Debug)]
 enum Key {
     /// The image is held, so that its address cannot be given to another one while the entry lives.
-    Image(Arc<Pixels>, Alpha),
+    Image(Arc<Pixels>, Alpha, [Wrap; 2]),
     /// Muscle fibres of a colour, with or without tendons.
     Muscle([u8; 3], bool),
 }
@@ -231,9 +261,10 @@ impl Cache {
     }
 
     /// The index of an image's texture.
-    pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha) -> u32 {
-        let same = |key: &Key| matches!(key, Key::Image(known, kind) if Arc::ptr_eq(known, pixels) && *kind == alpha);
-        self.find(same, |_| (Key::Image(Arc::clone(pixels), alpha), Texture::from_pixels(pixels, alpha)))
+    pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha, wrap: [Wrap; 2]) -> u32 {
+        let same =
+            |key: &Key| matches!(key, Key::Image(known, kind, edge) if Arc::ptr_eq(known, pixels) && *kind == alpha && *edge == wrap);
+        self.find(same, |_| (Key::Image(Arc::clone(pixels), alpha, wrap), Texture::from_pixels(pixels, alpha, wrap)))
     }
 
     /// The index of the fibres of a muscle.

@@ -211,7 +211,9 @@ fn paint<L: Lanes>(l: L, style: &Style, shine: Shine<L>, tint: [L::F; 4]) -> [L:
     match style.varying {
         Varying::Color => {
             let color = finish(l, style, shine, [tint[0], tint[1], tint[2]], map(style.emission, always!(|e| l.splat(e))));
-            [color[0] * full, color[1] * full, color[2] * full, tint[3] * l.splat(style.opacity * 255.0)]
+            // Held within 0 to 255, which the kernels count on.
+            let all = [color[0] * full, color[1] * full, color[2] * full, tint[3] * l.splat(style.opacity * 255.0)];
+            map(all, always!(|c: L::F| l.clamp(c, 0.0, 255.0)))
         }
         _ => {
             let light = if style.unlit { [l.splat(1.0); 3] } else { shine.light };

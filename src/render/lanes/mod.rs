@@ -57,6 +57,8 @@ pub(crate) trait Lanes: Copy {
     fn shr<const BY: i32>(self, x: Self::I) -> Self::I;
     /// The low 32 bits of the product.
     fn imul(self, a: Self::I, b: Self::I) -> Self::I;
+    /// The two 16-bit halves of each lane multiplied on their own, the low 16 bits of either product.
+    fn mul16(self, a: Self::I, b: Self::I) -> Self::I;
     /// `from[index]`; an index beyond the end reads the last, and `from` is not empty.
     fn gather(self, from: &[u32], index: Self::I) -> Self::I;
     /// Bit `i` says lane `i`.
@@ -65,11 +67,6 @@ pub(crate) trait Lanes: Copy {
     #[inline(always)]
     fn any(self, m: Self::M) -> bool {
         self.mask_bits(m) != 0
-    }
-    /// Lanes whose sign bit is set.
-    #[inline(always)]
-    fn negative(self, x: Self::I) -> Self::M {
-        self.ilt(x, self.isplat(0))
     }
     #[inline(always)]
     fn clamp(self, x: Self::F, low: f32, high: f32) -> Self::F {
@@ -229,9 +226,10 @@ mod tests {
                     l.trunc(a),
                     l.bits(l.float(i)),
                     l.iselect(l.lt(a, b), i, j),
-                    l.iselect(l.ilt(i, j) | l.negative(j), i + j, i - j),
+                    l.iselect(l.ilt(i, j) | l.ilt(j, l.isplat(0)), i + j, i - j),
                     l.shl::<3>(i) | (l.shr::<5>(j) & small),
                     l.imul(i, j),
+                    l.mul16(i, j),
                     l.gather(&table, small),
                     l.bits(l.floor(l.clamp(a, -1e6, 1e6))),
                 ];

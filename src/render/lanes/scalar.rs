@@ -10,6 +10,12 @@ pub(crate) struct Scalar;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Int(i32);
 
+impl Int {
+    pub(crate) fn value(self) -> i32 {
+        self.0
+    }
+}
+
 macro_rules! int_ops {
     ($($trait:ident $name:ident $with:expr;)*) => { $(
         impl std::ops::$trait for Int {
@@ -119,6 +125,12 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn imul(self, a: Int, b: Int) -> Int {
         Int(a.0.wrapping_mul(b.0))
+    }
+    #[inline(always)]
+    fn mul16(self, a: Int, b: Int) -> Int {
+        let (a, b) = (a.0 as u32, b.0 as u32);
+        let low = (a & 0xFFFF).wrapping_mul(b & 0xFFFF) & 0xFFFF;
+        Int((low | (a >> 16).wrapping_mul(b >> 16) << 16) as i32)
     }
     #[inline(always)]
     fn gather(self, from: &[u32], index: Int) -> Int {
