@@ -5,13 +5,9 @@
 
 use clap::ArgMatches;
 
-use super::moment::is_drivable;
 use super::value;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::scene::{Bounds, Camera, Frame, OrbitCamera, View};
-
-/// Moments at which the movement is looked at.
-const MOMENTS: usize = 17;
 
 /// Directions in which a turntable is looked at: every five degrees.
 const TURNS: u16 = 72;
@@ -77,26 +73,6 @@ impl Eye {
     pub fn camera(&self, turn: f32) -> Camera {
         OrbitCamera { yaw: self.orbit.yaw + turn, ..self.orbit }.camera()
     }
-}
-
-/// The box round everything that `state`'s clip covers, or, where no clip moves anything, the arm from straight to fully bent.
-pub fn reach(document: &Document, state: &PoseState) -> Bounds {
-    let (mut buffers, mut frame, mut reach) = (PoseBuffers::default(), Frame::default(), Bounds::EMPTY);
-    let mut see = |state: &PoseState| {
-        document.pose(state, &mut buffers, &mut frame);
-        reach.merge(&frame.bounds);
-    };
-    let parts = (0..MOMENTS).map(|i| i as f64 / (MOMENTS - 1) as f64);
-    match state.clip.and_then(|index| document.clips.get(index)) {
-        Some(clip) if clip.duration() > 0.0 => {
-            parts.for_each(|part| see(&PoseState { time: clip.start + clip.duration() * part, ..*state }))
-        }
-        _ => match document.driven_rig().filter(|rig| is_drivable(rig)) {
-            Some(rig) => parts.for_each(|part| see(&PoseState { drive: rig.at_contraction(100.0 * part), ..*state })),
-            None => see(state),
-        },
-    }
-    reach
 }
 
 /// The box round everything at one moment.

@@ -8,7 +8,6 @@ use super::failure::{Failure, complain, display_name};
 use super::value;
 use super::values::plain;
 use crate::document::{Document, PoseState};
-use crate::muscle::Rig;
 use crate::tr;
 
 /// What the options say.
@@ -66,7 +65,7 @@ impl Moment {
                 state.drive = rig.at_flexion(angle);
             }
             if let Some(contraction) = self.contraction {
-                if !is_drivable(rig) {
+                if !rig.is_drivable() {
                     return Err(Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))));
                 }
                 state.drive = rig.at_contraction(contraction);
@@ -74,11 +73,6 @@ impl Moment {
         }
         Ok(state)
     }
-}
-
-/// Whether elbow angle or contraction changes anything: there is an arm, or a muscle that no bone holds.
-pub fn is_drivable(rig: &Rig) -> bool {
-    rig.flexion_range().is_some() || (0..rig.len()).any(|index| !rig.is_attached(index))
 }
 
 fn unknown_clip(document: &Document, file: &Path, name: &str) -> Failure {

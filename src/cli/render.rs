@@ -7,8 +7,8 @@ use glam::Vec3;
 
 use super::export::{ending, refuse_overwriting};
 use super::failure::{Failure, complain, display_name};
-use super::framing::{Direction, Eye, posed_bounds, reach};
-use super::moment::{Moment, is_drivable};
+use super::framing::{Direction, Eye, posed_bounds};
+use super::moment::Moment;
 use super::sequence::{Pattern, Sequence, Shot};
 use super::values::Backdrop;
 use super::{files, value};
@@ -16,6 +16,7 @@ use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers};
 use crate::export::palette::Sampler;
 use crate::export::{gif, png};
+use crate::muscle::Rig;
 use crate::render::{Background, Display, Framebuffer, Renderer, Samples, Shading};
 use crate::scene::{Content, Frame};
 use crate::tr;
@@ -47,7 +48,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
     let size = value::<(u32, u32)>(given, "size").unwrap_or(SIZE);
     let aspect = size.0 as f32 / size.1 as f32;
-    let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { reach(&document, &state) };
+    let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
     let eye = Eye::fit(Direction::given(given), &bounds, aspect, sequence.turning());
     let (width, height) = size;
     let images = document.scene.images.iter().filter_map(|image| image.path.clone());
@@ -207,7 +208,7 @@ fn shot_note(document: &Document, shot: &Shot) -> String {
     if let Some(clip) = shot.state.clip.and_then(|index| document.clips.get(index)) {
         note.push_str(&format!(" --clip {} --time {}", quoted(&clip.name), shot.state.time));
     }
-    if document.driven_rig().is_some_and(is_drivable) {
+    if document.driven_rig().is_some_and(Rig::is_drivable) {
         // `+ 0.0` turns a negative zero into zero.
         note.push_str(&format!(" --contraction {}", shot.state.drive.contraction + 0.0));
     }

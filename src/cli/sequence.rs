@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 
 use super::failure::Failure;
-use super::moment::{Moment, is_drivable};
+use super::moment::Moment;
 use super::value;
 use super::values::plain;
 use crate::document::{Document, PoseState};
+use crate::muscle::Rig;
 use crate::tr;
 
 /// Frames a second where the call does not say.
@@ -84,7 +85,7 @@ impl Sequence {
         let (motion, start, end) = match clip {
             _ if moment.time.is_some() => (Motion::Still, 0.0, if turning { TURN_SECONDS } else { 0.0 }),
             Some(clip) => (Motion::Clip, clip.start, clip.end),
-            None if document.driven_rig().is_some_and(is_drivable) && !moment.fixes_muscles() && !turning => {
+            None if document.driven_rig().is_some_and(Rig::is_drivable) && !moment.fixes_muscles() && !turning => {
                 (Motion::Swing, 0.0, TURN_SECONDS)
             }
             None => (Motion::Still, 0.0, if turning { TURN_SECONDS } else { 0.0 }),

@@ -10,6 +10,7 @@ mod images;
 mod merge;
 mod open;
 mod pose;
+mod reach;
 mod skin_kernel;
 mod skinning;
 

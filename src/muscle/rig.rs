@@ -78,6 +78,11 @@ impl Rig {
         self.muscles.is_empty()
     }
 
+    /// Whether elbow angle or contraction changes anything: there is an arm, or a muscle that no bone holds.
+    pub fn is_drivable(&self) -> bool {
+        self.flexion_range().is_some() || (0..self.len()).any(|index| !self.is_attached(index))
+    }
+
     /// Name of muscle `index`.
     pub fn name(&self, index: usize) -> &str {
         self.spec(index).map_or("", |spec| &spec.name)

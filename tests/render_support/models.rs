@@ -148,7 +148,7 @@ impl World {
 
 /// A checkerboard with a gradient, so that every corner can be told from the others.
 pub fn checker(x: u32, y: u32, cells: u32, size: u32) -> [u8; 4] {
-    let dark = (x * cells / size + y * cells / size) % 2 == 0;
+    let dark = (x * cells / size + y * cells / size).is_multiple_of(2);
     let shade = if dark { 60 } else { 255 };
     [(shade * x / size.max(1)) as u8, (shade * y / size.max(1)) as u8, shade as u8, 255]
 }

@@ -198,6 +198,11 @@ impl Session {
         (&self.document.scene, &self.frame, camera, Display { light, ..self.display.clone() })
     }
 
+    /// The box round everything that the clip, or the arm's swing, covers.
+    pub fn reach(&self) -> Bounds {
+        self.document.reach(&self.state())
+    }
+
     /// The box round what is shown.
     pub fn bounds(&mut self) -> Bounds {
         self.frame().bounds
