@@ -1,4 +1,4 @@
-//! Whole frames: pose, skin, draw. Prints medians in milliseconds and the share of each stage, beside clearing the same picture.
+//! Whole frames: pose, skin, draw. Prints medians in milliseconds and the share of each stage, beside copying the same picture.
 
 mod support;
 
@@ -20,7 +20,7 @@ fn files() -> Vec<PathBuf> {
 }
 
 fn main() {
-    println!("file, size: ms a frame (pose + draw), 1 and 4 samples a pixel; × clearing the picture");
+    println!("file, size: ms a frame (pose + draw), 1 and 4 samples a pixel; × copying the picture");
     for path in files() {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let document = match Document::open(&[&path], &Progress::default()) {
@@ -39,8 +39,7 @@ fn main() {
             let camera = orbit.camera();
             let mut renderer = Renderer::new(None);
             let duration = document.clips.first().map_or(0.0, |clip| clip.duration());
-            let mut clear = vec![0u32; width * height];
-            let floor = support::median(|| black_box(&mut clear).fill(0xFF00_0000));
+            let floor = support::copy_time(width * height * 4);
             let mut step = 0u32;
             let mut medians = [Samples::One, Samples::Four].map(|samples| {
                 let display = Display { samples, ..Display::default() };
@@ -58,7 +57,7 @@ fn main() {
             let ratios = medians.map(|median| median / floor);
             medians.iter_mut().for_each(|median| *median *= 1e3);
             println!(
-                "{name}, {width}×{height}: {:.2} and {:.2} ms, of which the pose {:.2} ms; {:.0} × and {:.0} × the clear",
+                "{name}, {width}×{height}: {:.2} and {:.2} ms, of which the pose {:.2} ms; {:.0} × and {:.0} × the copy",
                 medians[0],
                 medians[1],
                 pose * 1e3,
