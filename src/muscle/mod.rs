@@ -21,7 +21,7 @@
 mod arm;
 mod build;
 mod clearance;
-mod config;
+pub mod config;
 mod drive;
 pub mod experiment;
 pub mod fit;

@@ -20,7 +20,7 @@ const RING: usize = SEGMENTS + 1;
 /// Rings of a hemisphere besides its rim.
 const CAP: usize = 6;
 /// About how many rings a belly has at least.
-const FINE: usize = 48;
+const FINE: usize = 40;
 /// Rings of a tendon's tube.
 const TENDON: usize = 12;
 
@@ -45,6 +45,8 @@ struct Ring {
 pub struct ToWorld {
     matrix: DMat4,
     normals: DMat3,
+    /// Whether `normals` only turns: then normals of a ring have one length, known before they are made.
+    turns: bool,
 }
 
 impl ToWorld {
@@ -55,7 +57,9 @@ impl ToWorld {
         let normals = if linear.determinant().abs() > f64::MIN_POSITIVE { linear.inverse().transpose() } else { linear };
         // Only directions matter: keep them away from the limits of f32.
         let size = normals.x_axis.length().max(normals.y_axis.length()).max(normals.z_axis.length());
-        Self { matrix, normals: if size > 0.0 && size.is_finite() { normals * (1.0 / size) } else { DMat3::IDENTITY } }
+        let normals = if size > 0.0 && size.is_finite() { normals * (1.0 / size) } else { DMat3::IDENTITY };
+        let turns = (normals.transpose() * normals).abs_diff_eq(DMat3::IDENTITY, 1e-6);
+        Self { matrix, normals, turns }
     }
 }
 
@@ -168,9 +172,9 @@ fn fibre(corner: usize, flesh: bool) -> Vec4 {
 }
 
 /// Cosine and sine of each corner of a ring.
-fn circle() -> [(f32, f32); RING] {
+fn circle() -> &'static [(f32, f32); RING] {
     static CIRCLE: std::sync::OnceLock<[(f32, f32); RING]> = std::sync::OnceLock::new();
-    *CIRCLE.get_or_init(|| {
+    CIRCLE.get_or_init(|| {
         std::array::from_fn(|corner| {
             let (sin, cos) = ((corner % SEGMENTS) as f32 / SEGMENTS as f32 * TAU).sin_cos();
             (cos, sin)
@@ -180,7 +184,7 @@ fn circle() -> [(f32, f32); RING] {
 
 struct Writer<'a> {
     to_world: &'a ToWorld,
-    circle: [(f32, f32); RING],
+    circle: &'static [(f32, f32); RING],
     positions: &'a mut Vec<Vec3>,
     normals: &'a mut Vec<Vec3>,
 }
@@ -191,13 +195,17 @@ impl Writer<'_> {
         let matrix = &self.to_world.matrix;
         let centre = matrix.transform_point3(position).as_vec3();
         let [across_u, across_v] = [u, v].map(|axis| (matrix.transform_vector3(axis) * ring.radius).as_vec3());
-        let normal = |axis: DVec3| (self.to_world.normals * axis).as_vec3();
+        // Of length 1 where the matrix only turns.
+        let scale = 1.0 / (1.0 + ring.slope * ring.slope).sqrt();
+        let normal = |axis: DVec3| (self.to_world.normals * (axis * scale)).as_vec3();
         let (normal_u, normal_v, back) = (normal(u), normal(v), normal(tangent * -ring.slope));
         self.positions.extend(self.circle.iter().map(|&(cos, sin)| centre + across_u * cos + across_v * sin));
-        self.normals.extend(self.circle.iter().map(|&(cos, sin)| {
-            let normal = normal_u * cos + normal_v * sin + back;
-            normal * normal.length_squared().max(f32::MIN_POSITIVE).sqrt().recip()
-        }));
+        let normals = self.circle.iter().map(|&(cos, sin)| normal_u * cos + normal_v * sin + back);
+        if self.to_world.turns {
+            self.normals.extend(normals);
+        } else {
+            self.normals.extend(normals.map(|normal| normal * normal.length_squared().max(f32::MIN_POSITIVE).sqrt().recip()));
+        }
     }
 
     /// A hemisphere without its rim, whose pole looks along `direction` times the tangent; its rings come in the order of the path.
