@@ -46,6 +46,7 @@ fn memory_stays_within_ten_times_the_file() {
     check("signs", &document(&format!("<!--{}-->", "<=".repeat(5 * n))));
     check("attributes", &document(&"<a b=\"\" c=\"\" d=\"\"/>".repeat(n / 2)));
     let used = scene("<node><instance_geometry url=\"#g\"/></node>");
+    check("instances", &document(&(triangle() + &scene(&format!("<node>{}</node>", "<instance_geometry url=\"#g\"/>".repeat(n / 4))))));
     let zeros = "0 ".repeat(6 * n);
     check("points", &document(&(geometries(&geometry("g", &zeros, &triangles("g", "0 1 2"))) + &used)));
     check("indices", &document(&(geometries(&geometry("g", "0 0 0 1 0 0 0 1 0", &triangles("g", &zeros))) + &used)));

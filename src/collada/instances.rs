@@ -16,6 +16,8 @@ use crate::tr;
 
 /// What a binding of one part or joint takes, roughly, for the budget.
 const BINDING_BYTES: usize = 64;
+/// What one thing on a node takes, roughly.
+const CONTENT_BYTES: usize = 256;
 
 /// Everything that instances refer to.
 pub struct Libraries<'s, 'a> {
@@ -42,6 +44,9 @@ impl<'a> Libraries<'_, 'a> {
         let total = self.tree.instances.len().max(1);
         for (done, instance) in self.tree.instances.iter().enumerate() {
             context.advance(0.4 + 0.4 * done as f32 / total as f32)?;
+            if !context.spend(instance.element, CONTENT_BYTES) {
+                break;
+            }
             if let Some(content) = self.content(context, scene, instance)? {
                 scene.graph.node_mut(instance.node).contents.push(content);
             }

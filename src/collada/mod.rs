@@ -203,7 +203,7 @@ fn skipped_libraries(context: &mut Context<'_>) {
         let has_content =
             |library: &El<'_>| library.children().any(|child| child.is_element() && !matches!(child.tag_name().name(), "asset" | "extra"));
         if has_content(&library) {
-            context.report.note(
+            context.report.warn(
                 library,
                 codes::UNSUPPORTED_ELEMENT,
                 tr!("collada-unsupported-element", element = library.tag_name().name()),

@@ -40,9 +40,12 @@ pub struct Tree<'a> {
     names: HashMap<&'a str, Vec<NodeId>>,
 }
 
-/// A piece of work while the tree is built.
+/// A piece of work while the tree is built: an element, and with `siblings` all that follow it. One entry stands for all children of a node, so that
+/// the list grows with the depth of the tree alone.
+#[derive(Clone, Copy)]
 struct Todo<'a> {
     element: El<'a>,
+    siblings: bool,
     parent: NodeId,
     depth: usize,
     /// From the unit and axes of the nearest `asset` above to those of the document.
@@ -68,23 +71,31 @@ impl<'a> Tree<'a> {
                 let library = element.parent().filter(El::is_element);
                 let space = asset::own_space(context, asset, element)
                     .or_else(|| library.and_then(|library| asset::own_space(context, asset, library)));
-                push_children(element, root, 1, space, &mut todo);
+                todo.extend(Todo::children(element, root, 1, space));
             }
             None => loose_parts(context, root, &mut todo),
         }
-        while let Some(work) = todo.pop() {
-            tree.add(context, scene, asset, work, &mut todo)?;
-        }
+        tree.work_off(context, scene, asset, &mut todo)?;
         tree.loose_skeletons(context, root, &mut todo);
-        while let Some(work) = todo.pop() {
-            tree.add(context, scene, asset, work, &mut todo)?;
-        }
+        tree.work_off(context, scene, asset, &mut todo)?;
         tree.finish(&scene.graph);
         Ok(tree)
     }
 
-    fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, work: Todo<'a>, todo: &mut Vec<Todo<'a>>) -> Step<()> {
-        let Todo { element, parent, depth, space } = work;
+    fn work_off(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, todo: &mut Vec<Todo<'a>>) -> Step<()> {
+        while let Some(work) = todo.pop() {
+            if work.siblings
+                && let Some(next) = work.element.next_siblings().skip(1).find(is_node)
+            {
+                todo.push(Todo { element: next, ..work });
+            }
+            self.add(context, scene, asset, &work, todo)?;
+        }
+        Ok(())
+    }
+
+    fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, work: &Todo<'a>, todo: &mut Vec<Todo<'a>>) -> Step<()> {
+        let Todo { element, parent, depth, space, .. } = *work;
         let (target, space) = match element.tag_name().name() {
             "instance_node" => {
                 let Some(target) = context.follow(element, "url", &["node"]) else { return Ok(()) };
@@ -97,8 +108,11 @@ impl<'a> Tree<'a> {
             }
             _ => (element, space),
         };
-        if depth > limits::DEPTH || scene.graph.len() >= limits::NODES || !context.spend(element, NODE_BYTES) {
+        let in_bounds = depth <= limits::DEPTH && scene.graph.len() < limits::NODES;
+        if !in_bounds {
             context.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-nodes", nodes = limits::NODES, depth = limits::DEPTH));
+        }
+        if !in_bounds || !context.spend(element, NODE_BYTES) {
             todo.clear();
             return Ok(());
         }
@@ -132,7 +146,7 @@ impl<'a> Tree<'a> {
                     self.instances.push(Instance { node: id, element: child });
                 }
             }
-            push_children(target, id, depth + 1, space, todo);
+            todo.extend(Todo::children(target, id, depth + 1, space));
         } else {
             self.instances.push(Instance { node: id, element: target });
         }
@@ -150,15 +164,15 @@ impl<'a> Tree<'a> {
                 if self.by_element.contains_key(&node.id()) {
                     continue;
                 }
-                let is_node = |element: &El<'a>| element.tag_name().name() == "node";
-                let top = node.ancestors().take_while(is_node).last().unwrap_or(node);
+                let in_library = |element: &El<'a>| element.tag_name().name() == "node";
+                let top = node.ancestors().take_while(in_library).last().unwrap_or(node);
                 if !tops.contains(&top) && context.spend(skeleton, 8 * tops.len()) {
                     context.report.warn(skeleton, codes::SKELETON_NOT_IN_SCENE, tr!("collada-skeleton-not-in-scene"));
                     tops.push(top);
                 }
             }
         }
-        todo.extend(tops.into_iter().rev().map(|element| Todo { element, parent: root, depth: 1, space: None }));
+        todo.extend(tops.into_iter().rev().map(|element| Todo { element, siblings: false, parent: root, depth: 1, space: None }));
     }
 
     /// Whether `node` or one above it was made from `element`.
@@ -258,17 +272,15 @@ pub enum Key {
     Name,
 }
 
-fn push_children<'a>(element: El<'a>, parent: NodeId, depth: usize, space: Option<DMat4>, todo: &mut Vec<Todo<'a>>) {
-    let start = todo.len();
-    todo.extend(element.children().filter(|child| matches!(child.tag_name().name(), "node" | "instance_node")).map(|element| Todo {
-        element,
-        parent,
-        depth,
-        space,
-    }));
-    // Taken from the end.
-    if let Some(new) = todo.get_mut(start..) {
-        new.reverse();
+/// Whether a child of a node or scene is a node in the tree.
+fn is_node(element: &El<'_>) -> bool {
+    matches!(element.tag_name().name(), "node" | "instance_node")
+}
+
+impl<'a> Todo<'a> {
+    /// All nodes right below `element`.
+    fn children(element: El<'a>, parent: NodeId, depth: usize, space: Option<DMat4>) -> Option<Self> {
+        element.children().find(is_node).map(|element| Self { element, siblings: true, parent, depth, space })
     }
 }
 
@@ -295,7 +307,7 @@ fn loose_parts<'a>(context: &mut Context<'a>, root: NodeId, todo: &mut Vec<Todo<
     }
     let Some(first) = parts.first() else { return };
     context.report.warn(*first, codes::NO_SCENE, tr!("collada-no-scene"));
-    todo.extend(parts.into_iter().rev().map(|element| Todo { element, parent: root, depth: 1, space: None }));
+    todo.extend(parts.into_iter().rev().map(|element| Todo { element, siblings: false, parent: root, depth: 1, space: None }));
 }
 
 /// Whether a child of a node is one of its transforms.

@@ -18,7 +18,7 @@ const NAME_ARRAYS: [&str; 4] = ["Name_array", "IDREF_array", "SIDREF_array", "bo
 /// A view on an array: rows of components.
 #[derive(Debug, Clone)]
 pub struct Accessor<T> {
-    data: Rc<[T]>,
+    data: Rc<Vec<T>>,
     offset: usize,
     stride: usize,
     /// Rows that the file says there are, as far as the data reach.
@@ -61,7 +61,7 @@ impl<T: Copy> Accessor<T> {
 
 /// The arrays that were read, so that each is read once.
 pub struct Arrays<T> {
-    read: FxHashMap<NodeId, Rc<[T]>>,
+    read: FxHashMap<NodeId, Rc<Vec<T>>>,
     /// Accessors whose count was found wrong, so that it is said once.
     said: FxHashSet<NodeId>,
 }
@@ -99,7 +99,7 @@ impl<T: Real> Arrays<T> {
         Ok(Some(Accessor { data, offset: layout.offset, stride: layout.stride, count, available, components: layout.components }))
     }
 
-    fn array<'a>(&mut self, context: &mut Context<'a>, array: El<'a>) -> Step<Rc<[T]>> {
+    fn array<'a>(&mut self, context: &mut Context<'a>, array: El<'a>) -> Step<Rc<Vec<T>>> {
         if let Some(known) = self.read.get(&array.id()) {
             return Ok(known.clone());
         }
@@ -111,7 +111,7 @@ impl<T: Real> Arrays<T> {
             let message = tr!("collada-count-mismatch", said = said, found = values.len());
             context.report.warn(array, codes::COUNT_MISMATCH, message);
         }
-        let values: Rc<[T]> = values.into();
+        let values = Rc::new(values);
         self.read.insert(array.id(), values.clone());
         Ok(values)
     }

@@ -17,6 +17,8 @@ const ATTRIBUTE_BYTES: usize = 80;
 struct Survey {
     nodes: usize,
     attributes: usize,
+    /// `<` in comments and the like, which open nothing.
+    idle_tags: usize,
     prefixes: Vec<String>,
     /// Length of the document type definition, where it declares entities.
     entities: usize,
@@ -31,6 +33,14 @@ pub struct Parsed<'a> {
     pub budget: usize,
 }
 
+impl Survey {
+    /// Counts what a comment or the like holds, up to its end.
+    fn idle(&mut self, end: Option<usize>, body: &[u8]) -> Option<usize> {
+        self.idle_tags += memchr_iter(b'<', body.get(..end?).unwrap_or_default()).count();
+        end
+    }
+}
+
 /// Parses `text`.
 ///
 /// # Errors
@@ -39,9 +49,10 @@ pub fn parse(text: &str) -> Result<Parsed<'_>, ReadError> {
     let survey = survey(text)?;
     let budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
     let tree = survey.nodes * NODE_BYTES + survey.attributes * ATTRIBUTE_BYTES;
-    // The parser reserves by counting `<` and `=`, wherever they stand.
-    let reserved = memchr_iter(b'<', text.as_bytes()).count() * NODE_BYTES + memchr_iter(b'=', text.as_bytes()).count() * ATTRIBUTE_BYTES;
-    if tree > budget || reserved > 4 * budget {
+    // The parser reserves by counting `<` and `=`, wherever they stand. In a small document that is little, whatever it holds.
+    let signs = if text.len() < 16 << 20 { 0 } else { memchr_iter(b'=', text.as_bytes()).count().saturating_sub(survey.attributes) };
+    let reserved = survey.idle_tags * NODE_BYTES + signs * ATTRIBUTE_BYTES;
+    if tree > budget || reserved > 3 * budget {
         return Err(ReadError { line: None, message: tr!("collada-too-many-elements", count = survey.nodes) });
     }
     if survey.entities > 0 {
@@ -95,16 +106,16 @@ fn survey(text: &str) -> Result<Survey, ReadError> {
         let skipped = match rest {
             [b'<', b'!', b'-', b'-', body @ ..] => {
                 survey.nodes += 1;
-                memmem::find(body, b"-->").map(|end| end + 7)
+                survey.idle(memmem::find(body, b"-->"), body).map(|end| end + 7)
             }
             [b'<', b'!', b'[', body @ ..] => {
                 survey.nodes += 1;
-                memmem::find(body, b"]]>").map(|end| end + 6)
+                survey.idle(memmem::find(body, b"]]>"), body).map(|end| end + 6)
             }
             [b'<', b'!', ..] => doctype(rest, &mut survey),
             [b'<', b'?', body @ ..] => {
                 survey.nodes += 1;
-                memmem::find(body, b"?>").map(|end| end + 4)
+                survey.idle(memmem::find(body, b"?>"), body).map(|end| end + 4)
             }
             [b'<', b'/', body @ ..] => {
                 depth = depth.saturating_sub(1);

@@ -59,8 +59,8 @@ collada-no-scene-named = The file does not say which scene to show; the first on
 collada-no-scene = The file has no scene; its parts are shown as they stand.
 collada-bad-transform = Needs { $wanted } numbers and has { $found }; left out.
 collada-unsupported-element = <{ $element }> is not shown.
-collada-limit-nodes = The scene has more than { $nodes } nodes, is more than { $depth } levels deep, or grows too much by references; the rest is left out.
-collada-limit-reached = References make the scene grow too much for the file’s size; the rest is left out.
+collada-limit-nodes = The scene has more than { $nodes } nodes or is more than { $depth } levels deep; the rest is left out.
+collada-limit-reached = The scene grows too large for the file’s size; the rest is left out.
 collada-joint-not-found = { $count ->
     [one] The joint “{ $first }” is not in the scene; it stays in its bind pose.
    *[other] { $count } joints are not in the scene, the first is “{ $first }”; they stay in their bind pose.
