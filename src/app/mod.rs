@@ -3,7 +3,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`session`] | what is open and how it is looked at; no widgets |
-//! | [`actions`], [`keys`], `perform` | the one table of commands, their keys, and what they do |
+//! | [`actions`], `keys`, `perform` | the one table of commands, their keys, and what they do |
 //! | `window` | puts the parts together and hands changes round |
 //! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
 //! | `files`, `recent`, `picture` | opening off the interface thread, watching, recent files, pictures |
