@@ -15,6 +15,7 @@ test=(
   xvfb                 # a screen without a screen
   xauth
   xdotool              # mouse and keys
+  imagemagick          # pictures of the screen
   dbus                 # session bus of the window test
   at-spi2-core         # reads and sets what the window shows
   python3-gi
