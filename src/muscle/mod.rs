@@ -12,6 +12,10 @@
 //! | `drive` | contraction and elbow angle, each the inverse of the other |
 //! | `hinge` | the joint that measurements turn |
 //! | `measure` | moment arms |
+//! | `ledger` | the numbers behind a solution, and why they are so |
+//! | `edit` | changes of a file by hand, each checked |
+//! | `presets` | ready muscles by name |
+//! | `published` | published figures, with their sources |
 //! | `experiment` | the report’s experiment: models beside measured radii |
 //! | `fit` | how near models that keep their volume come to those |
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
@@ -23,22 +27,28 @@ mod build;
 mod clearance;
 pub mod config;
 mod drive;
+pub mod edit;
 pub mod experiment;
 pub mod fit;
 mod hinge;
+pub mod ledger;
 mod line;
 mod materials;
 mod measure;
 mod path;
+pub mod presets;
 mod profile;
+pub mod published;
 mod rig;
 mod rods;
 mod surface;
 
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
-pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
+pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, Saved, Tendon, Wrap};
+pub use edit::{Edit, EditError};
+pub use ledger::{Ledger, Root};
 pub use path::{Path, Station};
-pub use profile::{Profile, ProfileError};
+pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use rig::Rig;
 pub use surface::SEGMENTS;
 

@@ -64,6 +64,26 @@ pub enum ProfileError {
     NoGrowth,
 }
 
+/// What sets a limit of the length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LimitCause {
+    /// The discriminant reaches 0: beyond it no radii have the volume.
+    Discriminant,
+    /// The radius of this node, counted from 0, reaches 0.
+    Radius(usize),
+    /// Neither, up to a hundred times shorter or longer than at rest, where this program stops.
+    Reach,
+}
+
+/// A limit of the length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    /// The length.
+    pub length: f64,
+    /// What sets it.
+    pub cause: LimitCause,
+}
+
 /// Largest magnitude of a radius, growth or length: beyond it squares would leave the range of `f64`.
 pub const LARGEST: f64 = 1e12;
 
@@ -77,8 +97,8 @@ pub struct Profile {
     a: f64,
     b: f64,
     f: f64,
-    /// δ at the shortest and at the longest valid length.
-    range: RangeInclusive<f64>,
+    /// The shortest and the longest valid length.
+    limits: [Limit; 2],
 }
 
 impl Profile {
@@ -112,8 +132,8 @@ impl Profile {
         if a < f64::MIN_POSITIVE {
             return Err(ProfileError::NoGrowth);
         }
-        let mut profile = Self { radii, growth, length, a, b, f, range: length..=length };
-        profile.range = profile.find_range();
+        let mut profile = Self { radii, growth, length, a, b, f, limits: [Limit { length, cause: LimitCause::Reach }; 2] };
+        profile.limits = profile.find_limits();
         Ok(profile)
     }
 
@@ -140,7 +160,12 @@ impl Profile {
     /// The lengths at which the discriminant is not negative and every radius stays above zero; the rest length lies within. A node whose radius
     /// is zero at rest may stay at zero.
     pub fn length_range(&self) -> RangeInclusive<f64> {
-        self.range.clone()
+        self.limits[0].length..=self.limits[1].length
+    }
+
+    /// The ends of [`Profile::length_range`], the shortest length first, and what sets each.
+    pub fn limits(&self) -> [Limit; 2] {
+        self.limits
     }
 
     /// Solves for `length`, held within [`Profile::length_range`]; a length that is no number counts as the rest length, held.
@@ -152,7 +177,7 @@ impl Profile {
 
     /// [`Profile::solve`] into a value whose buffer is kept.
     pub fn solve_into(&self, asked: f64, solved: &mut Solved) {
-        let length = if asked.is_nan() { self.length } else { asked.clamp(*self.range.start(), *self.range.end()) };
+        let length = if asked.is_nan() { self.length } else { asked.clamp(self.limits[0].length, self.limits[1].length) };
         let (a, b) = (self.a, self.b);
         let c = self.f * ((length - self.length) / length);
         // The limit of the range is where it vanishes; rounding must not push it below.
@@ -190,28 +215,33 @@ impl Profile {
 
     /// Along the branch of the root through δ = 0 the length is monotone in δ, so the limits on δ (the double root at −B / 2A, and each radius's
     /// zero at −rᵢ / mᵢ) give the limits on the length.
-    fn find_range(&self) -> RangeInclusive<f64> {
-        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        for (&r, &m) in self.radii.iter().zip(&self.growth) {
+    fn find_limits(&self) -> [Limit; 2] {
+        let none = LimitCause::Reach;
+        let (mut low, mut high) = ((f64::NEG_INFINITY, none), (f64::INFINITY, none));
+        for (node, (&r, &m)) in self.radii.iter().zip(&self.growth).enumerate() {
             let zero = -r * (1.0 - SLIVER) / m;
-            if m > 0.0 {
-                low = low.max(zero);
-            } else if m < 0.0 {
-                high = high.min(zero);
+            if m > 0.0 && zero > low.0 {
+                low = (zero, LimitCause::Radius(node));
+            } else if m < 0.0 && zero < high.0 {
+                high = (zero, LimitCause::Radius(node));
             }
         }
         let double = -self.b / (2.0 * self.a);
-        if self.b >= 0.0 {
-            low = low.max(double)
-        } else {
-            high = high.min(double)
+        if self.b >= 0.0 && double > low.0 {
+            low = (double, LimitCause::Discriminant);
+        } else if self.b < 0.0 && double < high.0 {
+            high = (double, LimitCause::Discriminant);
         }
         // Zero lies between the two, so the rest length lies between their lengths.
-        let ends = [low, high].map(|delta| if delta.is_finite() { self.length_at(delta) } else { 0.0 });
+        let ends = [low, high].map(|(delta, cause)| (if delta.is_finite() { self.length_at(delta) } else { 0.0 }, cause));
         let (short, long) = if self.b >= 0.0 { (ends[1], ends[0]) } else { (ends[0], ends[1]) };
-        let short = if short.is_finite() { short } else { 0.0 }.clamp(self.length / REACH, self.length);
-        let long = if long.is_nan() { self.length } else { long }.clamp(self.length, self.length * REACH);
-        short..=long
+        let limit = |length: f64, cause, least: f64, most: f64| {
+            let held = length.clamp(least, most);
+            Limit { length: held, cause: if held == length { cause } else { LimitCause::Reach } }
+        };
+        let short_length = if short.0.is_finite() { short.0 } else { 0.0 };
+        let long_length = if long.0.is_nan() { self.length } else { long.0 };
+        [limit(short_length, short.1, self.length / REACH, self.length), limit(long_length, long.1, self.length, self.length * REACH)]
     }
 }
 

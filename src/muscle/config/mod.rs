@@ -17,15 +17,19 @@
 //! ```
 //!
 //! `resources/muscle.schema.json` is the same as a JSON schema, for editors. Reading refuses what it does not know or cannot use, with line,
-//! column and remedy; writing ([`MuscleFile::to_yaml`]) keeps every value but not the comments.
+//! column and remedy. [`MuscleFile::to_yaml`] writes every value; [`MuscleFile::to_yaml_keeping`] changes only what differs in a text that is there
+//! already, so that its comments stay.
 
 mod decode;
+mod keep;
+mod places;
 mod report;
 mod rich;
 mod spec;
 mod write;
 mod yaml;
 
+pub use keep::Saved;
 pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
 
 use crate::{limits, tr};

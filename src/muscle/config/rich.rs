@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::decode::{At, Complaint, nearest};
 use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
+use crate::muscle::edit::VIA;
 use crate::muscle::profile::{Profile, ProfileError};
 use crate::{limits, tr};
 
@@ -12,8 +13,6 @@ use crate::{limits, tr};
 pub const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "muscles"];
 /// Units by name, in metres.
 pub const UNITS: [(&str, f64); 4] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("in", 0.0254)];
-/// Most via points of one muscle.
-const VIA: usize = 8;
 
 pub fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
     let map = root.map(KEYS)?;

@@ -1,4 +1,4 @@
-//! Muscle files as YAML: the same values, read back bit for bit; comments are not kept.
+//! Muscle files as YAML: the same values, read back bit for bit. [`super::keep`] keeps the comments of a text that is there already.
 
 use std::fmt::Write;
 
@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::rich::UNITS;
 use super::spec::{Anchor, Form, MuscleFile, MuscleSpec};
+use super::yaml::Yaml;
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
 
 impl MuscleFile {
@@ -80,49 +81,73 @@ fn rich(file: &MuscleFile) -> String {
     }
     text.push_str("muscles:\n");
     for muscle in &file.muscles {
-        text.push_str("  -\n");
-        write_muscle(&mut text, muscle);
+        let lines = muscle_lines(muscle, 4);
+        text.push_str("  - ");
+        text.push_str(lines.trim_start());
     }
     text
 }
 
-fn write_muscle(text: &mut String, muscle: &MuscleSpec) {
+/// The keys of one muscle, a line each, all with this indent.
+pub(super) fn muscle_lines(muscle: &MuscleSpec, indent: usize) -> String {
+    let mut text = String::new();
+    write_muscle(&mut text, muscle, indent);
+    text
+}
+
+/// A value on one line.
+pub(super) fn flow(value: &Yaml) -> String {
+    match value {
+        Yaml::Number(value) => number(*value),
+        Yaml::Text(text) => quoted(text),
+        Yaml::List(items) => format!("[{}]", items.iter().map(flow).collect::<Vec<_>>().join(", ")),
+        Yaml::Map(entries) => {
+            let entry = |(key, value): &(Option<String>, Yaml)| format!("{}: {}", key.as_deref().unwrap_or_default(), flow(value));
+            format!("{{{}}}", entries.iter().map(entry).collect::<Vec<_>>().join(", "))
+        }
+        // The canonical form has none of these.
+        Yaml::Null | Yaml::Bool | Yaml::Tagged => "null".to_owned(),
+    }
+}
+
+fn write_muscle(text: &mut String, muscle: &MuscleSpec, indent: usize) {
+    let inner = indent + 2;
     if !muscle.name.is_empty() {
-        line(text, 4, "name", &quoted(&muscle.name));
+        line(text, indent, "name", &quoted(&muscle.name));
     }
     if let Some([red, green, blue]) = muscle.color {
-        line(text, 4, "color", &format!("\"#{red:02X}{green:02X}{blue:02X}\""));
+        line(text, indent, "color", &format!("\"#{red:02X}{green:02X}{blue:02X}\""));
     }
     if !muscle.source.is_empty() {
-        line(text, 4, "source", &quoted(&muscle.source));
+        line(text, indent, "source", &quoted(&muscle.source));
     }
-    line(text, 4, "length", &number(muscle.profile.rest_length()));
-    line(text, 4, "radii", &numbers(muscle.profile.radii()));
-    line(text, 4, "growth", &numbers(muscle.profile.growth()));
+    line(text, indent, "length", &number(muscle.profile.rest_length()));
+    line(text, indent, "radii", &numbers(muscle.profile.radii()));
+    line(text, indent, "growth", &numbers(muscle.profile.growth()));
     if let Some(origin) = &muscle.origin {
-        line(text, 4, "origin", &anchor(origin));
+        line(text, indent, "origin", &anchor(origin));
     }
     if !muscle.via.is_empty() {
-        text.push_str("    via:\n");
+        let _ = writeln!(text, "{:indent$}via:", "");
         for point in &muscle.via {
-            let _ = writeln!(text, "      - {}", anchor(point));
+            let _ = writeln!(text, "{:inner$}- {}", "", anchor(point));
         }
     }
     if let Some(wrap) = &muscle.wrap {
-        text.push_str("    wrap:\n");
-        line(text, 6, "bone", &quoted(&wrap.center.bone));
-        line(text, 6, "offset", &numbers(&wrap.center.offset.to_array()));
-        line(text, 6, "radius", &number(wrap.radius));
-        line(text, 6, "side", &numbers(&wrap.side.to_array()));
+        let _ = writeln!(text, "{:indent$}wrap:", "");
+        line(text, inner, "bone", &quoted(&wrap.center.bone));
+        line(text, inner, "offset", &numbers(&wrap.center.offset.to_array()));
+        line(text, inner, "radius", &number(wrap.radius));
+        line(text, inner, "side", &numbers(&wrap.side.to_array()));
     }
     if let Some(insertion) = &muscle.insertion {
-        line(text, 4, "insertion", &anchor(insertion));
+        line(text, indent, "insertion", &anchor(insertion));
     }
     if muscle.tendons.iter().any(|tendon| tendon.length != 0.0 || tendon.radius != 0.0) {
-        text.push_str("    tendons:\n");
+        let _ = writeln!(text, "{:indent$}tendons:", "");
         for (tendon, key) in muscle.tendons.iter().zip(["origin", "insertion"]) {
             if tendon.length != 0.0 || tendon.radius != 0.0 {
-                line(text, 6, key, &format!("{{length: {}, radius: {}}}", number(tendon.length), number(tendon.radius)));
+                line(text, inner, key, &format!("{{length: {}, radius: {}}}", number(tendon.length), number(tendon.radius)));
             }
         }
     }

@@ -1,0 +1,238 @@
+//! Changes of a muscle file by hand. Each makes a new file or says in one sentence why it can't; the old one stays as it is.
+
+use glam::DVec3;
+
+use super::arm::{FOREARM, UPPER_ARM};
+use super::config::{Anchor, MuscleFile, MuscleSpec, Tendon, Wrap};
+use super::profile::{LARGEST, Profile, ProfileError};
+use crate::{limits, tr};
+
+/// Most via points of one muscle.
+pub const VIA: usize = 8;
+
+/// A change of one muscle. Nodes and ends count from 0; lengths are in the file's unit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Edit {
+    /// What a person calls it.
+    Name(String),
+    /// Where the numbers come from.
+    Source(String),
+    /// Colour, sRGB; `None` = the palette's.
+    Color(Option<[u8; 3]>),
+    /// Length at rest.
+    RestLength(f64),
+    /// Radius of a node.
+    Radius(usize, f64),
+    /// Growth multiplier of a node.
+    Growth(usize, f64),
+    /// All radii and growth multipliers at once: presets, fits, pasted tables.
+    Nodes(Vec<f64>, Vec<f64>),
+    /// A new node behind this one, half-way to the next in radius and growth; behind the last, a copy of it. The length stays, the nodes stand closer.
+    AddNode(usize),
+    /// One node less. The length stays, the nodes stand wider.
+    DeleteNode(usize),
+    /// The tendon at the origin (0) or the insertion (1).
+    Tendon(usize, Tendon),
+    /// Origin and insertion; `None` = the muscle lies on its own, without via points and wrap.
+    Ends(Option<[Anchor; 2]>),
+    /// One end: origin (0) or insertion (1).
+    End(usize, Anchor),
+    /// The points that it passes.
+    Via(Vec<Anchor>),
+    /// What it goes round.
+    Wrap(Option<Wrap>),
+}
+
+/// Why a change cannot be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EditError {
+    /// The shape would be no muscle.
+    #[error(transparent)]
+    Profile(#[from] ProfileError),
+    /// There is no such muscle.
+    #[error("{}", tr!("muscle-edit-no-muscle", number = .0 + 1))]
+    NoMuscle(usize),
+    /// The muscle has no such node.
+    #[error("{}", tr!("muscle-edit-no-node", number = .0 + 1))]
+    NoNode(usize),
+    /// The file would have more muscles than [`limits::MUSCLES`], or none.
+    #[error("{}", tr!("muscle-edit-count", limit = limits::MUSCLES))]
+    Count,
+    /// A tendon with a negative length, or a length without a radius.
+    #[error("{}", tr!("muscle-edit-tendon"))]
+    Tendon,
+    /// Origin and insertion are the same point of one bone.
+    #[error("{}", tr!("muscle-edit-ends-coincide"))]
+    EndsCoincide,
+    /// The muscle has no ends for via points or a wrap to lie between.
+    #[error("{}", tr!("muscle-edit-no-ends"))]
+    NoEnds,
+    /// An offset that is no number or too large.
+    #[error("{}", tr!("muscle-edit-offset"))]
+    Offset,
+    /// The arm has no bone of this name.
+    #[error("{}", tr!("muscle-edit-arm-bone", bone = .0.clone()))]
+    ArmBone(String),
+    /// More than [`VIA`] via points.
+    #[error("{}", tr!("muscle-too-many-via", limit = VIA, count = *.0))]
+    TooManyVia(usize),
+    /// A wrap without a radius or a side.
+    #[error("{}", tr!("muscle-edit-wrap"))]
+    Wrap,
+}
+
+impl Edit {
+    /// What undo calls it, in the user's language.
+    pub fn label(&self) -> String {
+        match self {
+            Self::Name(_) => tr!("muscle-edit-name"),
+            Self::Source(_) => tr!("muscle-edit-source"),
+            Self::Color(_) => tr!("muscle-edit-color"),
+            Self::RestLength(_) => tr!("muscle-edit-rest-length"),
+            Self::Radius(node, _) => tr!("muscle-edit-radius", node = node + 1),
+            Self::Growth(node, _) => tr!("muscle-edit-growth", node = node + 1),
+            Self::Nodes(..) => tr!("muscle-edit-nodes"),
+            Self::AddNode(_) => tr!("muscle-edit-add-node"),
+            Self::DeleteNode(node) => tr!("muscle-edit-delete-node", node = node + 1),
+            Self::Tendon(0, _) => tr!("muscle-edit-tendon-origin"),
+            Self::Tendon(..) => tr!("muscle-edit-tendon-insertion"),
+            Self::Ends(_) => tr!("muscle-edit-attach"),
+            Self::End(0, _) => tr!("muscle-edit-origin"),
+            Self::End(..) => tr!("muscle-edit-insertion"),
+            Self::Via(_) => tr!("muscle-edit-via"),
+            Self::Wrap(_) => tr!("muscle-edit-wrapping"),
+        }
+    }
+}
+
+impl MuscleFile {
+    /// The file with muscle `index` changed.
+    ///
+    /// # Errors
+    /// [`EditError`] where the change would make no muscle.
+    pub fn edited(&self, index: usize, edit: &Edit) -> Result<Self, EditError> {
+        let mut file = self.clone();
+        let on_arm = self.arm.is_some();
+        let muscle = file.muscles.get_mut(index).ok_or(EditError::NoMuscle(index))?;
+        muscle.apply(edit)?;
+        muscle.check_places(on_arm)?;
+        Ok(file)
+    }
+
+    /// The file with one muscle more, at the end.
+    ///
+    /// # Errors
+    /// [`EditError`] where there are too many, or the muscle names bones that the arm has not.
+    pub fn with_muscle(&self, muscle: MuscleSpec) -> Result<Self, EditError> {
+        muscle.check_places(self.arm.is_some())?;
+        let mut file = self.clone();
+        file.muscles.push(muscle);
+        if file.muscles.len() > limits::MUSCLES { Err(EditError::Count) } else { Ok(file) }
+    }
+
+    /// The file without muscle `index`, which must not be its last one.
+    ///
+    /// # Errors
+    /// [`EditError`] where there is no such muscle, or no other.
+    pub fn without_muscle(&self, index: usize) -> Result<Self, EditError> {
+        if index >= self.muscles.len() {
+            return Err(EditError::NoMuscle(index));
+        }
+        let mut file = self.clone();
+        file.muscles.remove(index);
+        if file.muscles.is_empty() { Err(EditError::Count) } else { Ok(file) }
+    }
+}
+
+impl MuscleSpec {
+    fn apply(&mut self, edit: &Edit) -> Result<(), EditError> {
+        let (radii, growth) = (|| self.profile.radii().to_vec(), || self.profile.growth().to_vec());
+        let length = self.profile.rest_length();
+        let set = |mut list: Vec<f64>, node: usize, value: f64| {
+            *list.get_mut(node).ok_or(EditError::NoNode(node))? = value;
+            Ok::<_, EditError>(list)
+        };
+        match edit {
+            Edit::Name(name) => self.name.clone_from(name),
+            Edit::Source(source) => self.source.clone_from(source),
+            Edit::Color(color) => self.color = *color,
+            Edit::RestLength(length) => self.profile = Profile::new(radii(), growth(), *length)?,
+            Edit::Radius(node, value) => self.profile = Profile::new(set(radii(), *node, *value)?, growth(), length)?,
+            Edit::Growth(node, value) => self.profile = Profile::new(radii(), set(growth(), *node, *value)?, length)?,
+            Edit::Nodes(radii, growth) => self.profile = Profile::new(radii.clone(), growth.clone(), length)?,
+            Edit::AddNode(node) => {
+                let add = |mut list: Vec<f64>| {
+                    let here = *list.get(*node).ok_or(EditError::NoNode(*node))?;
+                    let next = list.get(node + 1).copied().unwrap_or(here);
+                    list.insert(node + 1, 0.5 * (here + next));
+                    Ok::<_, EditError>(list)
+                };
+                self.profile = Profile::new(add(radii())?, add(growth())?, length)?;
+            }
+            Edit::DeleteNode(node) => {
+                let delete = |mut list: Vec<f64>| {
+                    if *node >= list.len() {
+                        return Err(EditError::NoNode(*node));
+                    }
+                    list.remove(*node);
+                    Ok(list)
+                };
+                self.profile = Profile::new(delete(radii())?, delete(growth())?, length)?;
+            }
+            Edit::Tendon(end, tendon) => {
+                let fits = (0.0..=LARGEST).contains(&tendon.length) && (0.0..=LARGEST).contains(&tendon.radius);
+                if !fits || (tendon.length > 0.0 && tendon.radius == 0.0) {
+                    return Err(EditError::Tendon);
+                }
+                if let Some(slot) = self.tendons.get_mut(*end) {
+                    *slot = *tendon;
+                }
+            }
+            Edit::Ends(Some([origin, insertion])) => {
+                (self.origin, self.insertion) = (Some(origin.clone()), Some(insertion.clone()));
+            }
+            Edit::Ends(None) => (self.origin, self.insertion, self.via, self.wrap) = (None, None, Vec::new(), None),
+            Edit::End(end, anchor) => {
+                if self.origin.is_none() {
+                    return Err(EditError::NoEnds);
+                }
+                let slot = if *end == 0 { &mut self.origin } else { &mut self.insertion };
+                *slot = Some(anchor.clone());
+            }
+            Edit::Via(points) => self.via.clone_from(points),
+            Edit::Wrap(wrap) => self.wrap.clone_from(wrap),
+        }
+        Ok(())
+    }
+
+    /// Whether ends, via points and wrap are what a file may say.
+    fn check_places(&self, on_arm: bool) -> Result<(), EditError> {
+        if self.origin.is_none() && (!self.via.is_empty() || self.wrap.is_some()) {
+            return Err(EditError::NoEnds);
+        }
+        if let (Some(origin), Some(insertion)) = (&self.origin, &self.insertion)
+            && origin == insertion
+        {
+            return Err(EditError::EndsCoincide);
+        }
+        if self.via.len() > VIA {
+            return Err(EditError::TooManyVia(self.via.len()));
+        }
+        let usable = |vector: DVec3| vector.is_finite() && vector.abs().max_element() <= LARGEST;
+        if let Some(wrap) = &self.wrap
+            && !(wrap.radius > 0.0 && wrap.radius <= LARGEST && usable(wrap.side) && wrap.side.try_normalize().is_some())
+        {
+            return Err(EditError::Wrap);
+        }
+        let places = self.origin.iter().chain(&self.insertion).chain(&self.via).chain(self.wrap.iter().map(|wrap| &wrap.center));
+        for place in places {
+            if !usable(place.offset) {
+                return Err(EditError::Offset);
+            }
+            if on_arm && place.bone != UPPER_ARM && place.bone != FOREARM {
+                return Err(EditError::ArmBone(place.bone.clone()));
+            }
+        }
+        Ok(())
+    }
+}
