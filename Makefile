@@ -10,7 +10,7 @@ BINARY := target/release/sinew
 SHARE = $(DESTDIR)$(PREFIX)/share
 ICONS = $(SHARE)/icons/hicolor
 
-.PHONY: run build test bench install uninstall clean refresh clips
+.PHONY: run build test bench fuzz install uninstall clean refresh clips
 
 # The window starts with this biceps; without a display it is drawn instead.
 START := configs/biceps-measured.yaml
@@ -47,6 +47,21 @@ test:
 bench:
 	@resources/setup.sh build
 	$(CARGO) bench --locked
+
+# Throws altered files at the readers, each target for so many minutes; the corpus grows from run to run. What is found lies in tests/fuzz/artifacts.
+FUZZ_TARGETS ?= collada muscles
+FUZZ_MINUTES ?= 30
+FUZZ_OPTIONS ?= -timeout=25 -rss_limit_mb=1024 -max_len=24576
+CORPUS := tests/fuzz/target/corpus
+fuzz:
+	@$(CARGO) fuzz --version >/dev/null 2>&1 || { echo "Fuzzing needs cargo-fuzz: cargo install cargo-fuzz --locked"; exit 1; }
+	@mkdir -p $(CORPUS)/collada && cp configs/*.dae tests/fuzz/seeds/collada/* $(CORPUS)/collada
+	@mkdir -p $(CORPUS)/muscles && cp configs/*.yaml tests/fuzz/seeds/muscles/* $(CORPUS)/muscles
+	@for target in $(FUZZ_TARGETS); do \
+	    mkdir -p $(CORPUS)/$$target && \
+	    $(CARGO) fuzz run -s none --fuzz-dir tests/fuzz $$target $(CORPUS)/$$target -- \
+	        -dict=tests/fuzz/collada.dict -max_total_time=$$(( $(FUZZ_MINUTES) * 60 )) $(FUZZ_OPTIONS) || exit 1; \
+	done
 
 # Built beforehand as oneself, installed as root: `make build && sudo make install`.
 install:

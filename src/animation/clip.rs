@@ -31,6 +31,8 @@ pub enum MaterialSlot {
     Shininess,
     /// Opacity, after the file's opaque mode.
     Opacity,
+    /// How much of the opacity's texture counts.
+    OpacityTextureShare,
 }
 
 /// What a channel moves.
@@ -156,6 +158,9 @@ impl Channel {
                     MaterialSlot::Specular => set_color(&mut material.specular.color, lane, &self.curve, time),
                     MaterialSlot::Shininess => material.shininess = self.curve.value(time, 0).clamp(0.0, 1000.0) as f32,
                     MaterialSlot::Opacity => material.opacity = self.curve.value(time, 0).clamp(0.0, 1.0) as f32,
+                    MaterialSlot::OpacityTextureShare => {
+                        material.opacity_texture_share = self.curve.value(time, 0).clamp(0.0, 1.0) as f32;
+                    }
                 }
             }
             Target::LightColor { light, lane } => {

@@ -9,7 +9,7 @@ use super::context::{Context, Step, children, name_of, shortened};
 use super::source::{Arrays, inputs, name_list};
 use super::target::{Aim, Aims, Miss};
 use super::{El, codes};
-use crate::animation::{Channel, Clip, Curve, Interpolation, Keys, Tangents};
+use crate::animation::{Channel, Clip, Curve, Interpolation, Keys, Tangents, Target};
 use crate::tr;
 
 /// What a channel takes, roughly, for the budget.
@@ -149,14 +149,19 @@ impl Reader {
             None => None,
         };
         let values = match output {
-            Some(source) => self.arrays.accessor(context, source, 1)?,
+            Some(source) => self.arrays.accessor(context, source, if matrix { 16 } else { 1 })?,
             None => None,
         };
         let (Some(times), Some(values)) = (times, values) else {
             context.report.warn(sampler, codes::BAD_CURVE, tr!("collada-bad-sampler"));
             return Ok(None);
         };
-        let count = times.count.min(values.count);
+        // Where the two disagree, one of the counts is wrong: all that both have data for are keys.
+        let count = if times.count == values.count {
+            times.count
+        } else {
+            times.available.min(values.available).min(times.count.max(values.count))
+        };
         if times.count != values.count {
             let message = tr!("collada-key-counts", times = times.count, values = values.count);
             context.report.warn(sampler, codes::COUNT_MISMATCH, message);
@@ -231,15 +236,20 @@ fn interpolation<'a>(context: &mut Context<'a>, source: El<'a>, count: usize) ->
     let modes = list
         .entries()
         .take(count)
-        .map(|name| match name {
-            "LINEAR" => Interpolation::Linear,
-            "STEP" => Interpolation::Step,
-            "BEZIER" => Interpolation::Bezier,
-            "HERMITE" => Interpolation::Hermite,
-            other => {
-                unsupported.get_or_insert_with(|| other.to_owned());
-                Interpolation::Linear
-            }
+        .map(|name| {
+            let known = [
+                ("LINEAR", Interpolation::Linear),
+                ("STEP", Interpolation::Step),
+                ("BEZIER", Interpolation::Bezier),
+                ("HERMITE", Interpolation::Hermite),
+            ];
+            known.iter().find(|(known, _)| name.eq_ignore_ascii_case(known)).map_or_else(
+                || {
+                    unsupported.get_or_insert_with(|| name.to_owned());
+                    Interpolation::Linear
+                },
+                |(_, mode)| *mode,
+            )
         })
         .collect();
     if let Some(name) = unsupported {
@@ -250,12 +260,11 @@ fn interpolation<'a>(context: &mut Context<'a>, source: El<'a>, count: usize) ->
 
 /// Puts a curve onto all that it moves.
 fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curve>, placed: &mut Vec<Placed>) {
-    let weights = aim.wanted > 1
-        && aim.targets.len() == aim.wanted
-        && matches!(aim.targets.first(), Some(crate::animation::Target::MorphWeight { .. }));
+    let weights = aim.wanted > 1 && aim.targets.len() == aim.wanted && matches!(aim.targets.first(), Some(Target::MorphWeight { .. }));
     // A colour may be animated without its alpha.
     let color = aim.wanted == 4 && curve.dimension == 3;
-    if curve.dimension < aim.wanted && !color && !weights {
+    let lone = aim.lone.filter(|_| curve.dimension == 1);
+    if curve.dimension < aim.wanted && !color && !weights && lone.is_none() {
         let message = tr!("collada-key-size", found = curve.dimension, wanted = aim.wanted);
         context.report.warn(element, codes::BAD_CURVE, message);
         return;
@@ -278,6 +287,10 @@ fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curv
         } else {
             Arc::clone(&curve)
         };
-        placed.push(Placed { at, channel: Channel { target: *target, curve } });
+        let target = match (*target, lone) {
+            (Target::Transform { node, op, .. }, Some(lane)) => Target::Transform { node, op, lane },
+            (target, _) => target,
+        };
+        placed.push(Placed { at, channel: Channel { target, curve } });
     }
 }

@@ -1,7 +1,7 @@
 //! `.zae` archives: a zip file with a manifest, documents and images (COLLADA 1.5.0, "The .zae archive").
 
 use std::collections::BTreeMap;
-use std::io::{Cursor, Read};
+use std::io::{Cursor, Read, Write};
 use std::path::PathBuf;
 
 use zip::ZipArchive;
@@ -88,11 +88,16 @@ fn first_document(entries: &BTreeMap<String, usize>) -> Option<(String, usize)> 
 
 fn unpack(archive: &mut Archive<'_>, index: usize, room: &mut u64) -> Result<Vec<u8>, ReadError> {
     let broken = |_| refused(tr!("collada-archive-broken"));
-    let file = archive.by_index(index).map_err(|_| refused(tr!("collada-archive-broken")))?;
-    let mut bytes = Vec::new();
-    // What the archive says about sizes may be a lie: only what comes out counts.
-    file.take(*room + 1).read_to_end(&mut bytes).map_err(broken)?;
-    *room = room.checked_sub(bytes.len() as u64).ok_or_else(|| refused(tr!("collada-archive-large", limit = limits::ARCHIVE_RATIO)))?;
+    let open = |archive: &mut Archive<'_>, sink: &mut dyn Write| {
+        let file = archive.by_index(index).map_err(|_| refused(tr!("collada-archive-broken")))?;
+        std::io::copy(&mut file.take(*room + 1), sink).map_err(broken)
+    };
+    // What the archive says about sizes may be a lie: only what comes out counts, and it is counted before anything is kept.
+    let length = open(archive, &mut std::io::sink())?;
+    let left = room.checked_sub(length).ok_or_else(|| refused(tr!("collada-archive-large", limit = limits::ARCHIVE_RATIO)))?;
+    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+    open(archive, &mut bytes)?;
+    *room = left;
     Ok(bytes)
 }
 

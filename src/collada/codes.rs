@@ -60,6 +60,8 @@ codes! {
     SKELETON_NOT_IN_SCENE = "skeleton-not-in-scene";
     /// A skin lacks something that it needs.
     BAD_SKIN = "bad-skin";
+    /// A skin over a skin; only the one nearer to the mesh is used.
+    SECOND_SKIN = "second-skin";
     /// The weights of a skin speak of more or fewer points than the mesh has.
     SKIN_POINTS_MISMATCH = "skin-points-mismatch";
     /// The weights of a point do not add up to 1; they are scaled.

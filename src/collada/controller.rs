@@ -75,10 +75,15 @@ impl<'a> Controllers<'a> {
     fn read_chain(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, controller: El<'a>) -> Step<Option<Chain>> {
         let Some((geometry, layers)) = layers(context, controller) else { return Ok(None) };
         let Some(placed) = sources.geometries.place(context, sources.scene, sources.asset, geometry)? else { return Ok(None) };
-        let mut links = Vec::new();
+        let mut links: Vec<Link> = Vec::new();
         // From the mesh outwards.
         for layer in layers.into_iter().rev() {
             if layer.tag_name().name() == "skin" {
+                if links.iter().any(|link| matches!(link, Link::Skin(_))) {
+                    // Joints place a mesh in the world; a second set of them has nothing left to place.
+                    context.report.warn(layer, codes::SECOND_SKIN, tr!("collada-second-skin"));
+                    continue;
+                }
                 let skin = match self.skins.get(&layer.id()) {
                     Some(known) => *known,
                     None => {

@@ -6,7 +6,8 @@ use glam::{DMat3, DMat4, DVec3, Vec3};
 use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, child, id_of, name_of};
+use super::context::{Context, Step, child, children, id_of, name_of};
+use super::material::is_double_sided;
 use super::primitive::{self, Shape};
 use super::source::{Accessor, Arrays, Input, inputs};
 use super::triangulate::Triangulator;
@@ -127,7 +128,9 @@ impl Geometries {
             context.report.warn(mesh, codes::NO_POSITIONS, tr!("collada-no-positions"));
             return Ok(None);
         };
-        let own = Mesh { name: name_of(element, || tr!("collada-unnamed-mesh")), id: id_of(element), ..Mesh::default() };
+        // Maya puts the hint here, others into the effect.
+        let double_sided = children(element, "extra").chain(children(mesh, "extra")).any(is_double_sided);
+        let own = Mesh { double_sided, name: name_of(element, || tr!("collada-unnamed-mesh")), id: id_of(element), ..Mesh::default() };
         let mut builder = Builder::new(own, sets.len(), raws.iter().any(|raw| raw.color.is_some()), self.keep);
         for raw in &raws {
             let part = Part {

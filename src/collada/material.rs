@@ -7,6 +7,7 @@ use super::context::{Context, Step, child, children, id_of, name_of, text_of};
 use super::effect::Effect;
 use super::image::Images;
 use super::{El, codes};
+use crate::animation::MaterialSlot;
 use crate::scene::{AlphaSource, Material, MaterialId, Paint, Scene, ShadingModel};
 use crate::tr;
 
@@ -19,8 +20,23 @@ pub struct Made<'a> {
     pub material: MaterialId,
     /// Its effect's common profile.
     pub effect: Effect<'a>,
-    /// Opacity as a line over the file's transparency: at 0, and what 1 adds.
-    pub opacity: (f64, f64),
+    /// What the file's transparency sets.
+    pub opacity: Opacity,
+}
+
+/// What the file's transparency sets in a material.
+#[derive(Debug, Clone, Copy)]
+pub struct Opacity {
+    /// Opacity, or the share of its texture.
+    pub slot: MaterialSlot,
+    /// The value as a line over transparency: at 0, and what 1 adds.
+    pub line: (f64, f64),
+}
+
+impl Opacity {
+    fn line(start: f64, slope: f64) -> Self {
+        Self { slot: MaterialSlot::Opacity, line: (start, slope) }
+    }
 }
 
 /// The materials that were read.
@@ -81,14 +97,14 @@ impl<'a> Materials<'a> {
     }
 }
 
-/// Fills a material from an effect; returns opacity as a line over transparency.
+/// Fills a material from an effect; returns what its transparency sets.
 fn shade<'a>(
     context: &mut Context<'a>,
     scene: &mut Scene,
     images: &mut Images,
     effect: &Effect<'a>,
     material: &mut Material,
-) -> Step<(f64, f64)> {
+) -> Step<Opacity> {
     material.model = effect.model;
     let mut paint = |tag| -> Step<Option<Paint>> { Ok(effect.paint(context, scene, images, tag)?.map(|(paint, _)| paint)) };
     let emission = paint("emission")?;
@@ -118,11 +134,11 @@ fn opacity<'a>(
     images: &mut Images,
     effect: &Effect<'a>,
     material: &mut Material,
-) -> Step<(f64, f64)> {
+) -> Step<Opacity> {
     let element = child(effect.shader, "transparent");
     let transparency = effect.number(context, "transparency")?;
     if element.is_none() && transparency.is_none() {
-        return Ok((1.0, 0.0));
+        return Ok(Opacity::line(1.0, 0.0));
     }
     let amount = transparency.unwrap_or(1.0).clamp(0.0, 1.0);
     let mode = element.and_then(|element| element.attribute("opaque")).unwrap_or("A_ONE");
@@ -136,12 +152,19 @@ fn opacity<'a>(
             (false, false) => AlphaSource::Luminance,
             (false, true) => AlphaSource::InverseLuminance,
         };
-        // With an inverse mode and no transparency at all the texture takes nothing away.
-        if !(inverse && amount == 0.0) {
-            material.opacity_texture = Some((texture, source));
+        material.opacity_texture = Some((texture, source));
+        // A_ZERO is 1 − a·t, which is 1 − t + t·(1 − a): transparency weighs the texture. The other modes multiply the two.
+        if inverse {
+            material.opacity_texture_share = amount;
+            return Ok(Opacity { slot: MaterialSlot::OpacityTextureShare, line: (0.0, 1.0) });
         }
-        material.opacity = if inverse || amount == 0.0 { 1.0 } else { amount };
-        return Ok(if inverse { (1.0, 0.0) } else { (0.0, 1.0) });
+        if amount == 0.0 {
+            material.opacity = 1.0;
+            context.report.note(element.unwrap_or(effect.shader), codes::TRANSPARENCY_INVERTED, tr!("collada-transparency-inverted"));
+            return Ok(Opacity::line(1.0, -1.0));
+        }
+        material.opacity = amount;
+        return Ok(Opacity::line(0.0, 1.0));
     }
     let color = paint.color;
     let luminance = 0.212_671 * color.x + 0.715_160 * color.y + 0.072_169 * color.z;
@@ -152,14 +175,14 @@ fn opacity<'a>(
         context.report.note(element.unwrap_or(effect.shader), codes::TRANSPARENCY_INVERTED, tr!("collada-transparency-inverted"));
         material.opacity = 1.0;
         // An animation of it is read the other way round as well.
-        return Ok(if inverse { (0.0, 1.0) } else { (1.0, -1.0) });
+        return Ok(if inverse { Opacity::line(0.0, 1.0) } else { Opacity::line(1.0, -1.0) });
     }
     material.opacity = opacity;
-    Ok(line)
+    Ok(Opacity::line(line.0, line.1))
 }
 
 /// The hint that several exporters put into `extra`.
-fn is_double_sided(element: El<'_>) -> bool {
+pub fn is_double_sided(element: El<'_>) -> bool {
     element
         .descendants()
         .filter(|hint| hint.tag_name().name() == "double_sided")

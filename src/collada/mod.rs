@@ -165,9 +165,6 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress)
 
 /// Reads the libraries in the order in which they need each other.
 fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> {
-    for repeated in context.lookup.repeated() {
-        context.report.note(repeated, codes::REPEATED_ID, tr!("collada-repeated-id"));
-    }
     let asset = asset::read(context)?;
     skipped_libraries(context);
     let mut scene = Scene::default();
@@ -190,6 +187,10 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
     drop(geometries);
     context.advance(0.8)?;
     let clips = animation::read(context, &Aims::new(&tree, &materials, &lights, &controllers))?;
+    // Last, so that a flood of them keeps nothing else from being told.
+    for repeated in context.lookup.repeated() {
+        context.report.note(repeated, codes::REPEATED_ID, tr!("collada-repeated-id"));
+    }
     context.advance(1.0)?;
     let report = std::mem::replace(&mut context.report, Report::new("", 0));
     Ok(Loaded { asset, scene, clips, findings: report.finish(), archived: images.embedded })

@@ -61,7 +61,13 @@ pub fn read<'a>(
         method,
         ..Morph::default()
     };
-    for name in names.entries() {
+    let values = match weights {
+        Some(weights) => arrays.accessor(context, weights, 1)?,
+        None => None,
+    };
+    // An array may hold the targets of several morphs; a count is believed where the weights agree with it.
+    let all = names.said.filter(|said| values.as_ref().is_some_and(|values| values.count == *said)).unwrap_or(usize::MAX);
+    for name in names.entries().take(all) {
         context.check_cancelled()?;
         let id = if names.kind == NameKind::Name { name.trim_start_matches('#') } else { name };
         let target = match context.lookup.by_id(id, &["geometry", "controller"]) {
@@ -88,10 +94,6 @@ pub fn read<'a>(
     for target in &mut morph.targets {
         target.position_deltas.resize(base.mesh.positions.len(), Vec3::ZERO);
     }
-    let values = match weights {
-        Some(weights) => arrays.accessor(context, weights, 1)?,
-        None => None,
-    };
     if values.as_ref().is_none_or(|values| values.available < morph.targets.len()) {
         context.report.warn(element, codes::BAD_MORPH, tr!("collada-morph-weights"));
     }

@@ -73,13 +73,31 @@ impl<'a> Tree<'a> {
                     .or_else(|| library.and_then(|library| asset::own_space(context, asset, library)));
                 todo.extend(Todo::children(element, root, 1, space));
             }
-            None => loose_parts(context, root, &mut todo),
+            None => {
+                let parts = loose_parts(context);
+                tree.loose(context, scene, asset, root, parts)?;
+            }
         }
         tree.work_off(context, scene, asset, &mut todo)?;
-        tree.loose_skeletons(context, root, &mut todo);
-        tree.work_off(context, scene, asset, &mut todo)?;
+        let skeletons = tree.loose_skeletons(context);
+        tree.loose(context, scene, asset, root, skeletons)?;
         tree.finish(&scene.graph);
         Ok(tree)
+    }
+
+    /// Puts elements that no scene holds right below the root, one after the other, so that the list of things to do stays short.
+    fn loose(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, root: NodeId, elements: Vec<El<'a>>) -> Step<()> {
+        let mut todo = Vec::new();
+        for element in elements {
+            let before = scene.graph.len();
+            todo.push(Todo { element, siblings: false, parent: root, depth: 1, space: None });
+            self.work_off(context, scene, asset, &mut todo)?;
+            if scene.graph.len() == before {
+                // A limit was reached.
+                break;
+            }
+        }
+        Ok(())
     }
 
     fn work_off(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, todo: &mut Vec<Todo<'a>>) -> Step<()> {
@@ -154,7 +172,7 @@ impl<'a> Tree<'a> {
     }
 
     /// Skeletons that skins name but no scene shows: without their joints the skins could not be posed.
-    fn loose_skeletons(&self, context: &mut Context<'a>, root: NodeId, todo: &mut Vec<Todo<'a>>) {
+    fn loose_skeletons(&self, context: &mut Context<'a>) -> Vec<El<'a>> {
         let mut tops: Vec<El<'a>> = Vec::new();
         for instance in &self.instances {
             for skeleton in children(instance.element, "skeleton") {
@@ -172,7 +190,7 @@ impl<'a> Tree<'a> {
                 }
             }
         }
-        todo.extend(tops.into_iter().rev().map(|element| Todo { element, siblings: false, parent: root, depth: 1, space: None }));
+        tops
     }
 
     /// Whether `node` or one above it was made from `element`.
@@ -299,15 +317,17 @@ fn scene_element<'a>(context: &mut Context<'a>) -> Option<El<'a>> {
 }
 
 /// What a file without a scene has to show: the nodes of its libraries, else its geometry.
-fn loose_parts<'a>(context: &mut Context<'a>, root: NodeId, todo: &mut Vec<Todo<'a>>) {
+fn loose_parts<'a>(context: &mut Context<'a>) -> Vec<El<'a>> {
     let all = |library, tag| children(context.root, library).flat_map(move |library| children(library, tag));
     let mut parts: Vec<El<'a>> = all("library_nodes", "node").collect();
     if parts.is_empty() {
         parts = all("library_geometries", "geometry").collect();
     }
-    let Some(first) = parts.first() else { return };
-    context.report.warn(*first, codes::NO_SCENE, tr!("collada-no-scene"));
-    todo.extend(parts.into_iter().rev().map(|element| Todo { element, siblings: false, parent: root, depth: 1, space: None }));
+    match parts.first() {
+        Some(first) => context.report.warn(*first, codes::NO_SCENE, tr!("collada-no-scene")),
+        None => context.report.warn(context.root, codes::NO_SCENE, tr!("collada-nothing-to-show")),
+    }
+    parts
 }
 
 /// Whether a child of a node is one of its transforms.

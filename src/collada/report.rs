@@ -3,6 +3,8 @@
 use std::cell::OnceCell;
 
 use memchr::memchr_iter;
+use roxmltree::NodeId as ElementId;
+use rustc_hash::FxHashSet;
 
 use super::{El, codes};
 use crate::health::{Finding, Severity};
@@ -15,13 +17,15 @@ pub struct Report<'a> {
     /// Where each line ends; made when the first line is asked for.
     line_ends: OnceCell<Vec<u32>>,
     findings: Vec<Finding>,
+    /// What was said of which element, so that nothing is said twice of what is read twice.
+    said: FxHashSet<(ElementId, &'static str, String)>,
     dropped: usize,
 }
 
 impl<'a> Report<'a> {
     /// An empty report about `text`, which `lines_before` blank lines precede in the file.
     pub fn new(text: &'a str, lines_before: u32) -> Self {
-        Self { text, lines_before, line_ends: OnceCell::new(), findings: Vec::new(), dropped: 0 }
+        Self { text, lines_before, line_ends: OnceCell::new(), findings: Vec::new(), said: FxHashSet::default(), dropped: 0 }
     }
 
     /// The line of an element, from 1.
@@ -53,6 +57,11 @@ impl<'a> Report<'a> {
     fn add(&mut self, element: Option<El<'_>>, code: &'static str, severity: Severity, message: String) {
         if self.findings.len() >= limits::FINDINGS {
             self.dropped += 1;
+            return;
+        }
+        if let Some(element) = element
+            && !self.said.insert((element.id(), code, message.clone()))
+        {
             return;
         }
         let line = element.map(|element| self.line(element));

@@ -81,9 +81,11 @@ fn joints<'a>(
         None => None,
     };
     let mut names: Vec<String> = list.entries().map(ToOwned::to_owned).collect();
-    let count = matrices.as_ref().map_or(names.len(), |matrices| matrices.available);
+    // Without matrices the accessor tells where names have blanks in them.
+    let said = list.said.filter(|said| *said < names.len());
+    let count = matrices.as_ref().map_or(said.unwrap_or(names.len()), |matrices| matrices.available);
     if matrices.is_none() {
-        context.report.warn(element, codes::BAD_SKIN, tr!("collada-bad-skin", what = "INV_BIND_MATRIX"));
+        context.report.warn(element, codes::BAD_SKIN, tr!("collada-no-inverse-bind"));
     }
     if names.len() > count
         && let Some(joined) = rejoin(&names, count, |name| tree.knows(name))
@@ -186,7 +188,7 @@ fn influences<'a>(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: 
         None => None,
     };
     let (Some(joint_at), Some(weight_at), Some(weights)) = (joint_at, weight_at, weights) else {
-        context.report.warn(element, codes::BAD_SKIN, tr!("collada-bad-skin", what = "WEIGHT"));
+        context.report.warn(element, codes::BAD_SKIN, tr!("collada-no-weights"));
         skin.offsets = vec![0; points + 1];
         return Ok(());
     };
@@ -266,6 +268,11 @@ pub struct JointFinder<'f, 'a> {
 }
 
 impl JointFinder<'_, '_> {
+    /// Where a search of the whole scene starts: at the skeleton, else at the instance.
+    fn near(&self) -> NodeId {
+        self.roots.first().copied().unwrap_or(self.instance)
+    }
+
     /// The node of each joint.
     pub fn find_all(&self, skin: &Skin, kind: NameKind) -> Vec<Option<NodeId>> {
         let mut found: HashMap<&str, Option<NodeId>> = HashMap::new();
@@ -275,7 +282,7 @@ impl JointFinder<'_, '_> {
     fn find(&self, name: &str, kind: NameKind) -> Option<NodeId> {
         let by_sid = || self.roots.iter().find_map(|root| self.tree.sid_below(*root, name));
         let by_id = || self.roots.iter().find_map(|root| self.tree.id_below(*root, name));
-        let anywhere = |key| self.tree.anywhere(self.graph, self.instance, key, name);
+        let anywhere = |key| self.tree.anywhere(self.graph, self.near(), key, name);
         match kind {
             _ if name.is_empty() => None,
             NameKind::Name => by_sid().or_else(|| anywhere(Key::Sid)).or_else(by_id).or_else(|| anywhere(Key::Id)),
@@ -289,7 +296,7 @@ impl JointFinder<'_, '_> {
     fn path(&self, path: &str) -> Option<NodeId> {
         let mut segments = path.split('/');
         let first = segments.next().unwrap_or_default();
-        let start = self.tree.anywhere(self.graph, self.instance, Key::Id, first).or_else(|| self.find(first, NameKind::Name));
+        let start = self.tree.anywhere(self.graph, self.near(), Key::Id, first).or_else(|| self.find(first, NameKind::Name));
         segments.try_fold(start?, |node, sid| self.tree.sid_below(node, sid))
     }
 }

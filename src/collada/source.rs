@@ -64,11 +64,13 @@ pub struct Arrays<T> {
     read: FxHashMap<NodeId, Rc<Vec<T>>>,
     /// Accessors whose count was found wrong, so that it is said once.
     said: FxHashSet<NodeId>,
+    /// The same for their strides.
+    said_stride: FxHashSet<NodeId>,
 }
 
 impl<T> Default for Arrays<T> {
     fn default() -> Self {
-        Self { read: FxHashMap::default(), said: FxHashSet::default() }
+        Self { read: FxHashMap::default(), said: FxHashSet::default(), said_stride: FxHashSet::default() }
     }
 }
 
@@ -83,19 +85,31 @@ impl<T: Real> Arrays<T> {
         let data = self.array(context, array)?;
         let (layout, given) = match accessor {
             Some(accessor) => (Layout::of(accessor, width), number_attribute(accessor, "count")),
-            None => (Layout { offset: 0, stride: width.max(1), components: (0..width.max(1)).collect() }, None),
+            None => (Layout { offset: 0, stride: width.max(1), components: (0..width.max(1)).collect(), small: None }, None),
         };
         let reach = layout.components.iter().max().map_or(1, |last| last + 1);
         let room = data.len().checked_sub(layout.offset.saturating_add(reach));
         let available = room.map_or(0, |room| room / layout.stride + 1);
+        // Fewer rows than there are is how accessors share an array. None at all, or as few as the array itself wrongly says, is a wrong count.
+        let array_said = number_attribute(array, "count").filter(|said| *said != data.len());
+        let follows_array =
+            |given: usize| array_said.is_some_and(|said| given.saturating_mul(layout.stride).saturating_add(layout.offset) == said);
+        let count = match given {
+            Some(given) if given <= available && given > 0 && !follows_array(given) => given,
+            _ => available,
+        };
         if let (Some(given), Some(accessor)) = (given, accessor)
-            && given > available
+            && given != count
             && self.said.insert(accessor.id())
         {
             let message = tr!("collada-count-mismatch", said = given, found = available);
             context.report.warn(accessor, codes::COUNT_MISMATCH, message);
         }
-        let count = given.unwrap_or(available).min(available);
+        if let (Some(small), Some(accessor)) = (layout.small, accessor)
+            && self.said_stride.insert(accessor.id())
+        {
+            context.report.warn(accessor, codes::COUNT_MISMATCH, tr!("collada-stride-mismatch", said = small, found = layout.stride));
+        }
         Ok(Some(Accessor { data, offset: layout.offset, stride: layout.stride, count, available, components: layout.components }))
     }
 
@@ -122,6 +136,8 @@ struct Layout {
     offset: usize,
     stride: usize,
     components: Vec<usize>,
+    /// The stride that the file gives, where its params take more.
+    small: Option<usize>,
 }
 
 impl Layout {
@@ -133,6 +149,7 @@ impl Layout {
             })
             .collect();
         let size: usize = params.iter().map(|(_, size)| size).sum();
+        let params_count = params.len();
         // Many exporters name no param at all; then all are meant.
         let any_named = params.iter().any(|(named, _)| *named);
         let mut components = Vec::new();
@@ -143,13 +160,15 @@ impl Layout {
             }
             at += size;
         }
-        let stride =
-            number_attribute(accessor, "stride").filter(|stride| *stride > 0).unwrap_or(if size > 0 { size } else { width.max(1) });
-        if components.is_empty() || (components.len() == 1 && size == 1 && stride > 1 && !any_named) {
-            // No param, or one plain one for the whole row: the stride tells.
+        let given = number_attribute(accessor, "stride").filter(|stride| *stride > 0);
+        let small = given.filter(|stride| *stride < size);
+        let stride = given.map_or(if size > 0 { size } else { width.max(1) }, |stride| stride.max(size));
+        // No param, or one plain one for the whole row: the stride tells. One that has a name stands for all where they are as many as expected.
+        let one_for_all = components.len() == 1 && size == 1 && stride > 1 && (!any_named || (params_count == 1 && stride == width));
+        if components.is_empty() || one_for_all {
             components = (0..stride.min(256)).collect();
         }
-        Self { offset: number_attribute(accessor, "offset").unwrap_or(0), stride, components }
+        Self { offset: number_attribute(accessor, "offset").unwrap_or(0), stride, components, small }
     }
 }
 
@@ -197,6 +216,8 @@ pub struct NameList<'a> {
     text: Cow<'a, str>,
     offset: usize,
     stride: usize,
+    /// How many the accessor says there are.
+    pub said: Option<usize>,
     /// What the names are.
     pub kind: NameKind,
 }
@@ -218,7 +239,13 @@ pub fn name_list<'a>(context: &mut Context<'a>, source: El<'a>) -> Option<NameLi
         _ => NameKind::Name,
     };
     let attribute = |key| accessor.and_then(|accessor| number_attribute(accessor, key));
-    Some(NameList { text: text_of(array), offset: attribute("offset").unwrap_or(0), stride: attribute("stride").unwrap_or(1).max(1), kind })
+    Some(NameList {
+        text: text_of(array),
+        offset: attribute("offset").unwrap_or(0),
+        stride: attribute("stride").unwrap_or(1).max(1),
+        said: attribute("count").filter(|count| *count > 0),
+        kind,
+    })
 }
 
 /// An `input` of a mesh, skin, morph or sampler.

@@ -23,6 +23,8 @@ pub struct Aim {
     pub matrix: bool,
     /// The value as a line over that of the file: at 0, and what 1 adds.
     pub line: Option<(f64, f64)>,
+    /// What keys of one number mean where more are asked for: the angle of a rotation.
+    pub lone: Option<Lane>,
 }
 
 /// Why a channel moves nothing.
@@ -69,7 +71,7 @@ impl<'s, 'a> Aims<'s, 'a> {
 
     /// What `address` names.
     pub fn find(&self, context: &mut Context<'a>, address: &str) -> Result<Aim, Miss> {
-        let (element, member, rest_is_weights) = self.element(context, address.trim()).ok_or(Miss::Unknown)?;
+        let (element, member, rest_is_weights) = self.element(context, address.trim().trim_start_matches('#')).ok_or(Miss::Unknown)?;
         if let Some(morph) = self.morphs.get(&element.id()) {
             return self.weights(*morph, &member);
         }
@@ -91,7 +93,7 @@ impl<'s, 'a> Aims<'s, 'a> {
         {
             let light = self.lights.light_of(light).ok_or(Miss::Unsupported)?;
             let (lane, wanted) = lane(&member, 3).ok_or(Miss::Unknown)?;
-            return Ok(Aim { targets: vec![Target::LightColor { light, lane }], wanted, matrix: false, line: None });
+            return Ok(Aim { targets: vec![Target::LightColor { light, lane }], wanted, matrix: false, line: None, lone: None });
         }
         Err(Miss::Unsupported)
     }
@@ -152,7 +154,7 @@ impl<'s, 'a> Aims<'s, 'a> {
             Member::All if count > 0 => ((0..count as u32).map(|target| Target::MorphWeight { morph, target }).collect(), count),
             _ => return Err(Miss::Unknown),
         };
-        Ok(Aim { targets, wanted, matrix: false, line: None })
+        Ok(Aim { targets, wanted, matrix: false, line: None, lone: None })
     }
 
     fn transform(&self, node: El<'a>, element: El<'a>, member: &Member) -> Result<Aim, Miss> {
@@ -179,8 +181,9 @@ impl<'s, 'a> Aims<'s, 'a> {
         if nodes.is_empty() {
             return Err(Miss::Unknown);
         }
+        let lone = (tag == "rotate" && wanted == 4).then_some(Lane::Component(3));
         let target = |node: &crate::scene::NodeId| Target::Transform { node: *node, op: place + self.tree.lead(*node), lane };
-        Ok(Aim { targets: nodes.iter().map(target).collect(), wanted, matrix: wanted == 16, line: None })
+        Ok(Aim { targets: nodes.iter().map(target).collect(), wanted, matrix: wanted == 16, line: None, lone })
     }
 
     fn material(&self, effect: El<'a>, element: El<'a>, member: &Member) -> Result<Aim, Miss> {
@@ -192,17 +195,18 @@ impl<'s, 'a> Aims<'s, 'a> {
                 Some(param) => param.attribute("sid").and_then(|sid| made.effect.slot_of_param(sid)),
                 None => element.ancestors().map(|above| above.tag_name().name()).find(|tag| slot_of(tag).is_some()),
             };
-            let Some(slot) = slot.and_then(slot_of) else { continue };
+            let Some(mut slot) = slot.and_then(slot_of) else { continue };
             let size = if matches!(slot, MaterialSlot::Shininess | MaterialSlot::Opacity) { 1 } else { 4 };
             // The alpha of a colour is read and dropped.
             let (lane, numbers) = lane(member, size).ok_or(Miss::Unknown)?;
             wanted = numbers;
             if slot == MaterialSlot::Opacity {
-                line = Some(made.opacity);
+                slot = made.opacity.slot;
+                line = Some(made.opacity.line);
             }
             targets.push(Target::Material { material: made.material, slot, lane });
         }
-        if targets.is_empty() { Err(Miss::Unsupported) } else { Ok(Aim { targets, wanted, matrix: false, line }) }
+        if targets.is_empty() { Err(Miss::Unsupported) } else { Ok(Aim { targets, wanted, matrix: false, line, lone: None }) }
     }
 }
 

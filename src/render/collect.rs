@@ -177,7 +177,7 @@ impl Buffers {
             let expanded = (end.saturating_sub(first)) as usize > triangles.len() * 3;
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
             pending.push(Item {
-                cull: display.cull_back_faces && !material.is_some_and(|material| material.double_sided),
+                cull: display.cull_back_faces && !mesh.double_sided && !material.is_some_and(|material| material.double_sided),
                 vertices: 0..count,
                 first_vertex: first,
                 expanded,
@@ -224,7 +224,7 @@ fn style(
         mirrored: surface.mirrored,
         tinted: heated || (colored && !surface.mesh.colors.is_empty()),
         depth_test: display.depth_test,
-        both_sides: !display.cull_back_faces || material.double_sided,
+        both_sides: !display.cull_back_faces || material.double_sided || surface.mesh.double_sided,
         ..Style::default()
     };
     if colored {
@@ -238,6 +238,7 @@ fn style(
         style.diffuse = material.diffuse.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
         let cutout = |(texture, source): &(TextureRef, AlphaSource)| sampler(texture, Alpha::From(*source));
         style.cutout = material.opacity_texture.as_ref().and_then(cutout);
+        style.cutout_share = if material.opacity_texture_share.is_finite() { material.opacity_texture_share.clamp(0.0, 1.0) } else { 1.0 };
         style.glow = material.emission.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
         let shiny = matches!(material.model, ShadingModel::Phong | ShadingModel::Blinn) && material.specular.color.max_element() > 0.0;
         if shiny {

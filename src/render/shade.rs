@@ -299,7 +299,7 @@ impl<L: Lanes> Texels<L> {
             let [r, g, b, a] = sample(which, sampler, texture);
             match which {
                 0 => texels.color = [r, g, b],
-                1 => texels.opacity = texels.opacity * a,
+                1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
                 _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
             }
         }

@@ -76,6 +76,8 @@ pub(super) struct Style {
     pub depth_test: bool,
     pub diffuse: Option<Sampler>,
     pub cutout: Option<Sampler>,
+    /// How much of the cutout counts: opacity is multiplied by `1 − share + share · texture`.
+    pub cutout_share: f32,
     pub glow: Option<Sampler>,
 }
 
@@ -100,6 +102,7 @@ impl Default for Style {
             depth_test: true,
             diffuse: None,
             cutout: None,
+            cutout_share: 1.0,
             glow: None,
         }
     }

@@ -100,6 +100,8 @@ pub struct Material {
     pub opacity: f32,
     /// A texture that multiplies the opacity.
     pub opacity_texture: Option<(TextureRef, AlphaSource)>,
+    /// How much of that texture counts, 0 to 1: opacity is multiplied by `1 − share + share · texture`.
+    pub opacity_texture_share: f32,
     /// Whether the file says that both sides show.
     pub double_sided: bool,
 }
@@ -118,6 +120,7 @@ impl Default for Material {
             shininess: 20.0,
             opacity: 1.0,
             opacity_texture: None,
+            opacity_texture_share: 1.0,
             double_sided: false,
         }
     }
@@ -132,6 +135,7 @@ impl Material {
         self.specular.color = other.specular.color;
         self.shininess = other.shininess;
         self.opacity = other.opacity;
+        self.opacity_texture_share = other.opacity_texture_share;
     }
 }
 

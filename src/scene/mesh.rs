@@ -45,6 +45,8 @@ pub struct Mesh {
     pub lines: Vec<[u32; 2]>,
     /// Which material covers what, in order.
     pub parts: Vec<Part>,
+    /// Whether the file says that both sides show.
+    pub double_sided: bool,
 }
 
 impl Mesh {

@@ -293,3 +293,17 @@ fn a_pose_depends_on_the_time_alone() {
         assert_eq!(wandering.ops, pose(&loaded, 0, i).ops);
     }
 }
+
+#[test]
+fn keys_of_one_number_on_a_whole_rotation_are_its_angle() {
+    let loaded = load_clean(&linear("n/r", "ANGLE", "0 90"));
+    assert_eq!(op(&loaded, 1, 0.5), TransformOp::Rotate { axis: DVec3::Z, angle: 45.0 });
+    // For a vector one number is too few.
+    assert_eq!(codes(&load(&linear("n/t", "X", "0 90"))), ["bad-curve"]);
+}
+
+#[test]
+fn modes_in_any_case_and_addresses_with_a_hash_are_understood() {
+    let loaded = load_clean(&moved(&animation("a", "#n/t.X", "0 1", "X", "0 10", "Step linear")));
+    assert_eq!(op(&loaded, 0, 0.9), TransformOp::Translate(DVec3::new(0.0, 2.0, 3.0)));
+}

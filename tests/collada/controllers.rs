@@ -125,3 +125,21 @@ fn a_morph_without_targets_or_weights_is_told() {
     let loaded = load(&with(&morph("m", "g", "", "high", "1"), "m", "").replace("MORPH_WEIGHT\" source", "X\" source"));
     assert_eq!((codes(&loaded), loaded.scene.morphs[0].weights.as_slice()), (vec!["bad-morph"], &[0.0][..]));
 }
+
+#[test]
+fn a_skin_over_a_skin_is_told_and_the_one_nearer_to_the_mesh_is_used() {
+    let loaded = load(&with(&(skin("inner", "g") + &skin("outer", "inner")), "outer", ""));
+    assert_eq!(codes(&loaded), ["second-skin"]);
+    let deformers = &instances(&loaded)[0].1.deformers;
+    assert!(matches!(deformers.as_slice(), [Deformer::Skin { skin: SkinId(0), .. }]));
+    assert_eq!(loaded.scene.skins[0].id, "inner");
+}
+
+#[test]
+fn morphs_that_share_an_array_of_targets_keep_to_their_own() {
+    let text = with(&morph("m", "g", "", "high wide", "0.25 0.5"), "m", "");
+    let text = text.replace("count=\"2\" stride=\"1\"", "count=\"1\" stride=\"1\"");
+    let loaded = load_clean(&text);
+    assert_eq!(loaded.scene.morphs[0].targets.len(), 1);
+    assert_eq!(loaded.scene.morphs[0].weights, [0.25]);
+}

@@ -210,3 +210,82 @@ fn reading_stops_when_asked_and_says_how_far_it_is() {
     progress.cancelled.store(true, std::sync::atomic::Ordering::Relaxed);
     assert!(read(document(&shown()).as_bytes(), "test.dae", &progress).is_err());
 }
+
+/// A document in which node `n` moves to x = 8 in two keys, with these counts on the arrays and accessors of the times and values.
+fn counted(arrays: [usize; 2], accessors: [usize; 2]) -> String {
+    let source = |id: &str, values: &str, array: usize, accessor: usize| {
+        format!(
+            "<source id=\"{id}\"><float_array id=\"{id}-a\" count=\"{array}\">{values}</float_array><technique_common><accessor source=\"#{id}-a\" \
+             count=\"{accessor}\" stride=\"1\"><param name=\"X\" type=\"float\"/></accessor></technique_common></source>"
+        )
+    };
+    let sources = source("t", "0 1", arrays[0], accessors[0]) + &source("v", "0 8", arrays[1], accessors[1]);
+    let moves = format!(
+        "<animation>{sources}<sampler id=\"s1\"><input semantic=\"INPUT\" source=\"#t\"/><input semantic=\"OUTPUT\" source=\"#v\"/></sampler>\
+         <channel source=\"#s1\" target=\"n/t.X\"/></animation>"
+    );
+    document(&(animations(&moves) + &scene("<node id=\"n\" name=\"n\"><translate sid=\"t\">0 0 0</translate></node>")))
+}
+
+#[test]
+fn keys_are_all_there_whatever_the_counts_say() {
+    for (arrays, accessors, findings) in [
+        ([2, 2], [2, 2], 0),
+        ([2, 2], [0, 0], 2),
+        ([2, 2], [9, 9], 2),
+        ([0, 0], [0, 0], 4),
+        ([1, 1], [1, 1], 4),
+        ([9, 9], [9, 9], 4),
+        ([2, 2], [1, 2], 1),
+        ([2, 2], [2, 1], 1),
+    ] {
+        let loaded = load(&counted(arrays, accessors));
+        near(posed_world(&loaded, 0, 1.0)[node(&loaded, "n").index()].w_axis.truncate(), DVec3::X * 8.0);
+        assert_eq!(codes(&loaded), vec!["count-mismatch"; findings], "{arrays:?} {accessors:?}");
+    }
+}
+
+#[test]
+fn accessors_that_share_an_array_keep_to_their_own_part_of_it() {
+    let moves = "<animation><source id=\"t\"><float_array id=\"all\" count=\"5\">0 1 0 8 99</float_array><technique_common><accessor source=\"#all\" count=\"2\" stride=\"1\">\
+                 <param name=\"TIME\" type=\"float\"/></accessor></technique_common></source><source id=\"v\"><technique_common><accessor source=\"#all\" offset=\"2\" count=\"2\" stride=\"1\">\
+                 <param name=\"X\" type=\"float\"/></accessor></technique_common></source><sampler id=\"s1\"><input semantic=\"INPUT\" source=\"#t\"/><input semantic=\"OUTPUT\" source=\"#v\"/></sampler>\
+                 <channel source=\"#s1\" target=\"n/t.X\"/></animation>";
+    let loaded =
+        load_clean(&document(&(animations(moves) + &scene("<node id=\"n\" name=\"n\"><translate sid=\"t\">0 0 0</translate></node>"))));
+    assert_eq!((loaded.clips[0].start, loaded.clips[0].end, loaded.clips[0].keyframes()), (0.0, 1.0, 2));
+    near(posed_world(&loaded, 0, 0.5)[node(&loaded, "n").index()].w_axis.truncate(), DVec3::X * 4.0);
+}
+
+#[test]
+fn a_stride_smaller_than_its_params_is_told_and_the_params_win() {
+    let matrix = "<node id=\"n\" name=\"n\"><matrix sid=\"m\">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix></node>";
+    let keys = [glam::DMat4::IDENTITY, glam::DMat4::from_translation(DVec3::Y)];
+    let moves = format!(
+        "<animation>{}{}<sampler id=\"s1\"><input semantic=\"INPUT\" source=\"#t\"/><input semantic=\"OUTPUT\" source=\"#v\"/></sampler><channel source=\"#s1\" target=\"n/m\"/></animation>",
+        floats("t", "TIME", "0 1"),
+        matrices("v", &keys)
+    );
+    let text = document(&(animations(&moves) + &scene(matrix)));
+    for (from, to, told) in [
+        ("count=\"2\"><param name=\"TRANSFORM\"", "count=\"2\" stride=\"1\"><param name=\"TRANSFORM\"", 1),
+        (
+            "count=\"2\"><param name=\"TRANSFORM\" type=\"float4x4\"",
+            "count=\"2\" stride=\"16\"><param name=\"TRANSFORM\" type=\"float\"",
+            0,
+        ),
+        ("count=\"2\"><param name=\"TRANSFORM\" type=\"float4x4\"/>", "count=\"2\" stride=\"16\">", 0),
+    ] {
+        assert!(text.contains(from));
+        let loaded = load(&text.replace(from, to));
+        near(posed_world(&loaded, 0, 1.0)[node(&loaded, "n").index()].w_axis.truncate(), DVec3::Y);
+        assert_eq!(codes(&loaded), vec!["count-mismatch"; told], "{to}");
+    }
+}
+
+#[test]
+fn a_document_with_nothing_in_it_says_so() {
+    let loaded = load("<COLLADA version=\"1.4.1\"><library_lights/></COLLADA>");
+    assert_eq!(codes(&loaded), ["no-scene"]);
+    assert_eq!(loaded.findings[0].line, Some(1));
+}

@@ -15,44 +15,17 @@ fn swift<R>(work: impl FnOnce() -> R) -> R {
     result
 }
 
-/// A document with a bit of everything.
+/// A document with a bit of everything; fuzzing starts from it too.
 fn rich() -> String {
-    let mesh = geometry(
-        "g",
-        "0 0 0 1 0 0 1 1 0 0 1 0",
-        "<polylist count=\"1\" material=\"s\"><input semantic=\"VERTEX\" source=\"#g-v\" offset=\"0\"/><vcount>4</vcount><p>0 1 2 3</p></polylist>",
-    );
-    let target = geometry("h", "0 0 1 1 0 1 1 1 1 0 1 1", &triangles("h", "0 1 2"));
-    let controllers = format!(
-        "<library_controllers><controller id=\"m\"><morph source=\"#g\">{}{}<targets><input semantic=\"MORPH_TARGET\" source=\"#mt\"/><input semantic=\"MORPH_WEIGHT\" source=\"#mw\"/></targets></morph></controller>\
-         <controller id=\"c\"><skin source=\"#m\"><bind_shape_matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</bind_shape_matrix>{}{}{}<joints><input semantic=\"JOINT\" source=\"#j\"/>\
-         <input semantic=\"INV_BIND_MATRIX\" source=\"#b\"/></joints><vertex_weights count=\"4\"><input semantic=\"JOINT\" source=\"#j\" offset=\"0\"/><input semantic=\"WEIGHT\" source=\"#w\" offset=\"1\"/>\
-         <vcount>1 1 2 1</vcount><v>0 0 1 0 0 1 1 1 -1 0</v></vertex_weights></skin></controller></library_controllers>",
-        names("mt", "IDREF_array", "MORPH_TARGET", "h"),
-        floats("mw", "MORPH_WEIGHT", "0.5"),
-        names("j", "Name_array", "JOINT", "Bone 1 Bone2"),
-        matrices("b", &[glam::DMat4::IDENTITY; 2]),
-        floats("w", "WEIGHT", "1 0.5"),
-    );
-    let effects = "<library_images><image id=\"i\"><init_from>a%20b.png</init_from></image></library_images><library_materials><material id=\"mat\"><instance_effect url=\"#fx\"/></material></library_materials>\
-                   <library_effects><effect id=\"fx\"><profile_COMMON><newparam sid=\"u\"><surface><init_from>i</init_from></surface></newparam><newparam sid=\"x\"><sampler2D><source>u</source></sampler2D></newparam>\
-                   <technique sid=\"t\"><phong><diffuse><texture texture=\"x\" texcoord=\"UV\"/></diffuse><transparency><float>0.5</float></transparency></phong></technique></profile_COMMON></effect></library_effects>";
-    let moves = animations(
-        &(animation("a", "n/r.ANGLE", "0 1 2", "X", "0 90 10", "LINEAR BEZIER STEP")
-            + &animation("k", "mw(0)", "0 1", "X", "0 1", "STEP LINEAR")),
-    );
-    let clips = "<library_animation_clips><animation_clip id=\"clip\" start=\"0\" end=\"1\"><instance_animation url=\"#a\"/></animation_clip></library_animation_clips>";
-    let nodes = "<node id=\"n\" sid=\"Bone 1\" type=\"JOINT\"><translate>1 2 3</translate><rotate sid=\"r\">0 0 1 90</rotate><node sid=\"Bone2\" type=\"JOINT\"><matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix></node></node>\
-                 <node><instance_controller url=\"#c\"><skeleton>#n</skeleton><bind_material><technique_common><instance_material symbol=\"s\" target=\"#mat\"/></technique_common></bind_material></instance_controller></node>\
-                 <instance_node url=\"#n\"/>";
-    document(&(geometries(&(mesh + &target)) + &controllers + effects + &moves + clips + &scene(nodes)))
+    include_str!("../fuzz/seeds/collada/everything.dae").to_owned()
 }
 
 #[test]
 fn the_rich_document_itself_is_good() {
     let loaded = load(&rich());
-    assert_eq!(codes(&loaded), ["joint-names-rejoined", "missing-tangents"]);
+    assert_eq!(codes(&loaded), ["joint-names-rejoined"]);
     assert_eq!((loaded.scene.skins.len(), loaded.scene.morphs.len(), loaded.clips.len()), (1, 1, 1));
+    assert_eq!(loaded.clips[0].channels.len(), 5);
 }
 
 #[test]
@@ -183,4 +156,75 @@ fn polygons_of_absurd_size_are_cut_or_left_out_in_time() {
     let text = document(&(geometries(&geometry("g", &points, &polygon)) + &scene("<node><instance_geometry url=\"#g\"/></node>")));
     let loaded = swift(|| load(&text));
     assert!(codes(&loaded).is_empty() || codes(&loaded) == ["polygon-too-complex"]);
+}
+
+/// The clips that the program ships, as bytes.
+fn shipped() -> Vec<(String, Vec<u8>)> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("configs");
+    let mut clips: Vec<_> = std::fs::read_dir(folder)
+        .expect("configs is there")
+        .flatten()
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "dae"))
+        .map(|path| (path.display().to_string(), std::fs::read(&path).expect("it can be read")))
+        .collect();
+    clips.sort();
+    assert!(clips.len() >= 4, "the clips are gone");
+    clips
+}
+
+/// Reads what may be broken. What is read can be posed; what is refused is refused in one line.
+fn try_to_show(name: &str, bytes: &[u8]) -> bool {
+    match read(bytes, name, &Progress::default()) {
+        Ok(loaded) => {
+            for (index, clip) in loaded.clips.iter().enumerate() {
+                assert!(posed_world(&loaded, index, (clip.start + clip.end) / 2.0).len() == loaded.scene.graph.len());
+            }
+            true
+        }
+        Err(error) => {
+            assert!(!error.message.is_empty() && !error.message.contains('\n'), "{name}: {error}");
+            false
+        }
+    }
+}
+
+#[test]
+fn the_shipped_clips_cut_off_anywhere_are_refused_in_one_line() {
+    let mut dice = Dice(0xC07);
+    for (name, bytes) in shipped() {
+        assert!(try_to_show(&name, &bytes));
+        // Early, late, and anywhere: the last bytes are white space after the root, without which the document is whole.
+        let whole = bytes.iter().rposition(|byte| *byte == b'>').expect("it has tags") + 1;
+        for cut in (0..12).map(|_| dice.roll(whole)).chain([0, 1, 3, whole - 1]).collect::<Vec<_>>() {
+            assert!(!try_to_show(&name, &bytes[..cut]), "{name} cut at {cut} was read");
+        }
+        assert!(try_to_show(&name, &bytes[..whole]));
+    }
+}
+
+#[test]
+fn the_shipped_clips_with_flipped_bits_are_read_or_refused() {
+    let mut dice = Dice(0xF11B);
+    for (name, bytes) in shipped() {
+        let mut read = 0;
+        for round in 0..16 {
+            let mut hit = bytes.clone();
+            for _ in 0..1 << (round % 5) {
+                let at = dice.roll(hit.len());
+                hit[at] ^= 1 << dice.roll(8);
+            }
+            read += usize::from(try_to_show(&name, &hit));
+        }
+        // Most of a clip is numbers, where a flipped bit breaks no tag.
+        assert!(read > 0, "{name}: nothing was read");
+    }
+}
+
+#[test]
+fn a_flood_of_loose_parts_costs_no_more_than_the_scene_that_it_makes() {
+    let nodes = "<node id=\"a\"/>".repeat(60_000);
+    let loaded = swift(|| load(&format!("<COLLADA version=\"1.4.1\"><library_nodes>{nodes}</library_nodes></COLLADA>")));
+    assert!(codes(&loaded).contains(&"no-scene"));
+    assert!(loaded.scene.graph.len() > 1000);
 }

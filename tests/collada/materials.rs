@@ -174,6 +174,37 @@ fn a_texture_may_hold_the_opacity() {
 }
 
 #[test]
+fn transparency_weighs_a_texture_that_takes_opacity_away_and_multiplies_one_that_gives_it() {
+    for (mode, opacity, share) in [("A_ONE", 0.25, 1.0), ("RGB_ONE", 0.25, 1.0), ("A_ZERO", 1.0, 0.25), ("RGB_ZERO", 1.0, 0.25)] {
+        let shader = format!(
+            "<lambert><transparent opaque=\"{mode}\"><texture texture=\"x\" texcoord=\"UV\"/></transparent><transparency><float sid=\"o\">0.25</float></transparency></lambert>"
+        );
+        let moves = animations(&animation("b", "e/o", "0 1", "X", "0 1", "LINEAR LINEAR"));
+        let loaded = load_clean(&textured(SAMPLER_14, &shader, IMAGE).replace("<scene>", &format!("{moves}<scene>")));
+        assert_eq!((material(&loaded).opacity, material(&loaded).opacity_texture_share), (opacity, share), "{mode}");
+        let moved = &pose(&loaded, 0, 0.75).materials[0];
+        let wanted = if share == 1.0 { (0.75, 1.0) } else { (1.0, 0.75) };
+        assert_eq!((moved.opacity, moved.opacity_texture_share), wanted, "{mode}");
+    }
+}
+
+#[test]
+fn an_effect_without_a_common_profile_is_told_once_however_many_materials_use_it() {
+    let text = painted("", "<lambert/>")
+        .replace("profile_COMMON", "profile_GLSL")
+        .replace("</library_materials>", "<material id=\"m2\"><instance_effect url=\"#e\"/></material></library_materials>");
+    assert_eq!(codes(&load(&text)), ["no-common-profile"]);
+}
+
+#[test]
+fn both_sides_of_a_mesh_show_where_its_geometry_says_so() {
+    for (hint, wanted) in [("1", true), ("0", false)] {
+        let extra = format!("<extra><technique profile=\"MAYA\"><double_sided>{hint}</double_sided></technique></extra></geometry>");
+        assert_eq!(mesh(&load_clean(&painted("", "<lambert/>").replace("</geometry>", &extra))).double_sided, wanted);
+    }
+}
+
+#[test]
 fn materials_are_bound_by_symbol_and_two_on_one_mesh_stay_apart() {
     let text = painted("", "<lambert/>")
         .replace("</library_materials>", "<material id=\"m2\" name=\"other\"><instance_effect url=\"#e\"/></material></library_materials>")

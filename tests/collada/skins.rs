@@ -228,3 +228,33 @@ fn a_circle_of_controllers_is_cut() {
     let loaded = load(&PLAIN.text(&(BONES.to_owned() + USE)).replace("<skin source=\"#g\">", "<skin source=\"#c\">"));
     assert_eq!(codes(&loaded), ["reference-cycle"]);
 }
+
+#[test]
+fn what_is_not_below_the_skeleton_is_looked_for_around_it_first() {
+    // Two figures alike; the second one's skeleton is named by a joint in the middle, so that its root lies above.
+    let figure = |n: usize| {
+        format!(
+            "<node id=\"F{n}\" name=\"figure {n}\"><node id=\"A{n}\" name=\"a{n}\" sid=\"a\" type=\"JOINT\"><node id=\"B{n}\" name=\"b{n}\" sid=\"b\" type=\"JOINT\"/></node></node>"
+        )
+    };
+    let used = "<node><instance_controller url=\"#c\"><skeleton>#B2</skeleton></instance_controller></node>";
+    let loaded = load_clean(&PLAIN.text(&(figure(1) + &figure(2) + used)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["a2", "b2"]));
+}
+
+#[test]
+fn names_with_blanks_are_counted_by_the_accessor_where_there_are_no_matrices() {
+    let skin = Skin { joints: "a Bip01 Head", ..PLAIN };
+    let text = skin
+        .text(
+            &("<node name=\"a\" sid=\"a\"><node name=\"Bip01 Head\"/></node>".to_owned()
+                + "<node><instance_controller url=\"#c\"/></node>"),
+        )
+        .replace("source=\"#j-a\" count=\"3\"", "source=\"#j-a\" count=\"2\"")
+        .replace("<input semantic=\"INV_BIND_MATRIX\" source=\"#m\"/>", "");
+    let loaded = load(&text);
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["a", "Bip01 Head"]));
+    let mut found = codes(&loaded);
+    found.sort_unstable();
+    assert_eq!(found, ["bad-skin", "joint-names-rejoined"]);
+}

@@ -58,7 +58,7 @@ collada-too-many-uv-sets = More than { $limit } sets of texture coordinates; the
 collada-no-scene-named = The file does not say which scene to show; the first one is shown.
 collada-no-scene = The file has no scene; its parts are shown as they stand.
 collada-bad-transform = Needs { $wanted } numbers and has { $found }; left out.
-collada-unsupported-element = <{ $element }> is not shown.
+collada-unsupported-element = <{ $element }> is not shown: kinematics and formulas move nothing here.
 collada-limit-nodes = The scene has more than { $nodes } nodes or is more than { $depth } levels deep; the rest is left out.
 collada-limit-reached = The scene grows too large for the file’s size; the rest is left out.
 collada-joint-not-found = { $count ->
@@ -68,8 +68,13 @@ collada-joint-not-found = { $count ->
 collada-skeleton-not-in-scene = The skeleton is not part of the scene; it was added to it.
 collada-joint-names-rejoined = Joint names have blanks in them; they were put together again.
 collada-joint-count = There are { $names } joint names and { $matrices } inverse bind matrices; the number of matrices is used.
-collada-bad-skin = The skin has no usable { $what }.
-collada-skin-points = The weights speak of { $found } points, the mesh has { $wanted }.
+collada-bad-skin = The skin has no usable { $what }; the mesh is shown without it.
+collada-no-weights = The skin has no usable WEIGHT; the mesh stands where its node stands.
+collada-no-inverse-bind = The skin has no usable INV_BIND_MATRIX; its joints are taken to be bound at the origin.
+collada-second-skin = The mesh has a skin over a skin; only the one nearer to the mesh is used.
+collada-nothing-to-show = The file has no scene and no geometry: there is nothing to show.
+collada-stride-mismatch = The stride says { $said }, the params take { $found }; { $found } is used.
+collada-skin-points = The weights speak of { $found } points, the mesh has { $wanted }; points without weights stand where the node stands.
 collada-influences-out-of-range = { $count ->
     [one] One weight names a joint or value that is not there; it is left out.
    *[other] { $count } weights name joints or values that are not there; they are left out.
@@ -82,14 +87,14 @@ collada-weights-not-normalised = { $count ->
     [one] The weights of one point do not add up to 1; they are scaled.
    *[other] The weights of { $count } points do not add up to 1; they are scaled.
 }
-collada-empty-controller = The controller has neither a skin nor a morph.
-collada-bad-morph = The morph has no list of targets.
+collada-empty-controller = The controller has neither a skin nor a morph; left out.
+collada-bad-morph = The morph has no list of targets; left out.
 collada-morph-weights = The morph has fewer weights than targets; 0 is used.
 collada-morph-target = The target “{ $target }” has { $found } points, the base { $wanted }; it is not used.
 collada-unknown-target = Moves “{ $target }”, which is not in the scene; left out.
-collada-unsupported-target = Moves “{ $target }”, which is not shown moving.
+collada-unsupported-target = Moves “{ $target }”, which is not shown moving; left out.
 collada-bad-sampler = The sampler has no usable times or values; left out.
-collada-key-counts = There are { $times } times and { $values } values; the smaller number is used.
+collada-key-counts = There are { $times } times and { $values } values; the keys that have both are used.
 collada-key-size = Each key has { $found } numbers, { $wanted } are needed; left out.
 collada-unsupported-interpolation = Interpolation { $name } is read as LINEAR.
 collada-missing-tangents = Curved keys have no usable tangents; read as LINEAR.

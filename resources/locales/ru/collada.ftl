@@ -61,7 +61,7 @@ collada-too-many-uv-sets = Наборов текстурных координа�
 collada-no-scene-named = Файл не указывает, какую сцену показать; показана первая.
 collada-no-scene = В файле нет сцены; его части показаны как есть.
 collada-bad-transform = Нужно чисел: { $wanted }, а есть { $found }; пропущено.
-collada-unsupported-element = <{ $element }> не показывается.
+collada-unsupported-element = <{ $element }> не показывается: кинематика и формулы здесь ничего не двигают.
 collada-limit-nodes = В сцене больше { $nodes } узлов или больше { $depth } уровней; остальное пропущено.
 collada-limit-reached = Сцена слишком разрастается для размера файла; остальное пропущено.
 collada-joint-not-found = { $count ->
@@ -71,8 +71,13 @@ collada-joint-not-found = { $count ->
 collada-skeleton-not-in-scene = Скелет не входит в сцену; он добавлен в неё.
 collada-joint-names-rejoined = В именах суставов есть пробелы; имена собраны заново.
 collada-joint-count = Имён суставов { $names }, а обратных матриц привязки { $matrices }; взято число матриц.
-collada-bad-skin = У скина нет пригодного { $what }.
-collada-skin-points = Веса заданы для { $found } точек, а в сетке их { $wanted }.
+collada-bad-skin = У скина нет пригодного { $what }; сетка показана без него.
+collada-no-weights = У скина нет пригодного WEIGHT; сетка стоит там же, где её узел.
+collada-no-inverse-bind = У скина нет пригодного INV_BIND_MATRIX; считается, что его суставы привязаны в начале координат.
+collada-second-skin = На сетке скин поверх скина; используется только ближний к сетке.
+collada-nothing-to-show = В файле нет ни сцены, ни геометрии: показывать нечего.
+collada-stride-mismatch = В stride указано { $said }, а param занимают { $found }; взято { $found }.
+collada-skin-points = Веса заданы для { $found } точек, а в сетке их { $wanted }; точки без весов стоят там же, где узел.
 collada-influences-out-of-range = { $count ->
     [one] { $count } вес указывает на несуществующий сустав или значение; он пропущен.
     [few] { $count } веса указывают на несуществующие суставы или значения; они пропущены.
@@ -86,14 +91,14 @@ collada-weights-not-normalised = { $count ->
     [one] Сумма весов { $count } точки не равна 1; веса приведены к единице.
    *[other] Сумма весов { $count } точек не равна 1; веса приведены к единице.
 }
-collada-empty-controller = В контроллере нет ни скина, ни морфа.
-collada-bad-morph = У морфа нет списка форм.
+collada-empty-controller = В контроллере нет ни скина, ни морфа; пропущен.
+collada-bad-morph = У морфа нет списка целей; пропущен.
 collada-morph-weights = Весов у морфа меньше, чем форм; вместо недостающих взят 0.
 collada-morph-target = В форме «{ $target }» точек { $found }, а в основе { $wanted }; форма не используется.
 collada-unknown-target = Анимирует «{ $target }», которого нет в сцене; пропущено.
-collada-unsupported-target = Анимирует «{ $target }»; движение этого значения не показывается.
+collada-unsupported-target = Движет «{ $target }», а это движение не показывается; пропущено.
 collada-bad-sampler = У сэмплера нет пригодных моментов времени или значений; пропущено.
-collada-key-counts = Моментов времени { $times }, а значений { $values }; взято меньшее число.
+collada-key-counts = Моментов { $times }, а значений { $values }; взяты ключи, у которых есть и то и другое.
 collada-key-size = В ключе чисел { $found }, а нужно { $wanted }; пропущено.
 collada-unsupported-interpolation = Интерполяция { $name } прочитана как LINEAR.
 collada-missing-tangents = У кривых ключей нет пригодных касательных; прочитано как LINEAR.
