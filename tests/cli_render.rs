@@ -203,7 +203,7 @@ fn wrong_calls_about_the_file_are_refused() {
         assert!(!out.exists());
     };
     refused(&["--clip", "Jump"], 2, "Jump");
-    refused(&["--angle", "30"], 2, "no muscle");
+    refused(&["--angle", "30"], 2, "No elbow");
     refused(&["--from", "1"], 2, "frame-%04d.png");
     refused(&["--fps", "10"], 2, "frame-%04d.png");
     refused(&["--turntable"], 2, ".gif");

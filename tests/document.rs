@@ -79,6 +79,7 @@ const DUAL: PoseState = PoseState {
     clip: None,
     time: 0.0,
     drive: sinew::muscle::Drive { flexion: 0.0, contraction: 0.0 },
+    turn: None,
     model: DMat4::IDENTITY,
 };
 

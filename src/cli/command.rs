@@ -175,12 +175,13 @@ fn help_flag() -> Arg {
 }
 
 /// The options that choose a moment, shared by `render` and `export`.
-fn moment() -> [Arg; 4] {
+fn moment() -> [Arg; 5] {
     let heading = "cli-heading-moment";
     [
         number("time", "S", values::number, "cli-arg-time", heading),
         option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading),
         number("angle", "DEG", values::number, "cli-arg-angle", heading).conflicts_with("contraction"),
+        flag("on-top", "cli-arg-on-top", heading).requires("angle"),
         number("contraction", "PCT", values::number_within(0.0, 100.0), "cli-arg-contraction", heading),
     ]
 }

@@ -8,6 +8,8 @@ use super::failure::{Failure, complain, display_name};
 use super::value;
 use super::values::plain;
 use crate::document::{Document, PoseState};
+use crate::muscle::Rig;
+use crate::scene::NodeKind;
 use crate::tr;
 
 /// What the options say.
@@ -18,6 +20,7 @@ pub struct Moment {
     clip: Option<String>,
     angle: Option<f64>,
     contraction: Option<f64>,
+    on_top: bool,
 }
 
 impl Moment {
@@ -28,6 +31,7 @@ impl Moment {
             clip: value(given, "clip"),
             angle: value(given, "angle"),
             contraction: value(given, "contraction"),
+            on_top: given.get_flag("on-top"),
         }
     }
 
@@ -49,30 +53,43 @@ impl Moment {
         if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
             state.time = self.time.unwrap_or(clip.start).max(clip.start).min(clip.end.max(clip.start));
         }
-        if self.fixes_muscles() {
+        if let Some(angle) = self.angle {
+            match document.driven_rig().filter(|rig| rig.flexion_range().is_some()) {
+                Some(rig) => state.drive = rig.at_flexion(angle),
+                None => {
+                    let joint = document.joint().ok_or_else(|| nothing_to_bend(document, file))?;
+                    state.turn = Some(if self.on_top { joint.by(angle) } else { joint.at(angle) });
+                }
+            }
+            let range = document.driven_rig().and_then(Rig::flexion_range).or_else(|| document.joint().map(|j| j.range[0]..=j.range[1]));
+            if let Some(range) = range.filter(|range| !self.on_top && !range.contains(&angle)) {
+                complain(&tr!(
+                    "cli-angle-held",
+                    file = display_name(file),
+                    angle = plain(angle),
+                    low = plain(*range.start()),
+                    high = plain(*range.end())
+                ));
+            }
+        }
+        if let Some(contraction) = self.contraction {
             let rig = document.driven_rig().ok_or_else(|| Failure::usage(tr!("cli-no-muscle-to-drive", file = display_name(file))))?;
-            if let Some(angle) = self.angle {
-                let range = rig.flexion_range().ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-bend", file = display_name(file))))?;
-                if !range.contains(&angle) {
-                    complain(&tr!(
-                        "cli-angle-held",
-                        file = display_name(file),
-                        angle = plain(angle),
-                        low = plain(*range.start()),
-                        high = plain(*range.end())
-                    ));
-                }
-                state.drive = rig.at_flexion(angle);
+            if !rig.is_drivable() {
+                return Err(Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))));
             }
-            if let Some(contraction) = self.contraction {
-                if !rig.is_drivable() {
-                    return Err(Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))));
-                }
-                state.drive = rig.at_contraction(contraction);
-            }
+            state.drive = rig.at_contraction(contraction);
         }
         Ok(state)
     }
+}
+
+fn nothing_to_bend(document: &Document, file: &Path) -> Failure {
+    let file = display_name(file);
+    Failure::usage(if document.muscle_count() > 0 && document.scene.graph.iter().all(|(_, node)| node.kind != NodeKind::Joint) {
+        tr!("cli-no-arm-to-bend", file = file)
+    } else {
+        tr!("cli-no-elbow-to-bend", file = file)
+    })
 }
 
 fn unknown_clip(document: &Document, file: &Path, name: &str) -> Failure {

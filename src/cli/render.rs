@@ -212,6 +212,10 @@ fn shot_note(document: &Document, shot: &Shot) -> String {
         // `+ 0.0` turns a negative zero into zero.
         note.push_str(&format!(" --contraction {}", shot.state.drive.contraction + 0.0));
     }
+    if let (Some(turn), Some(joint)) = (shot.state.turn, document.joint()) {
+        let (angle, option) = if turn.on_top { (turn.degrees, " --on-top") } else { (turn.degrees + joint.at_rest, "") };
+        note.push_str(&format!(" --angle {}{option}", angle + 0.0));
+    }
     if shot.turn != 0.0 {
         note.push_str(&format!(" (turned by {}°)", shot.turn));
     }

@@ -26,7 +26,7 @@ use glam::DMat4;
 use crate::animation::Clip;
 use crate::collada::Asset;
 use crate::health::Finding;
-use crate::muscle::{Drive, MuscleFile, Rig};
+use crate::muscle::{Drive, Joint, MuscleFile, Rig, Turn};
 use crate::scene::{Content, MuscleId, NodeId, NodeKind, Scene};
 
 /// Where a document's parts came from.
@@ -96,6 +96,8 @@ pub struct PoseState {
     pub time: f64,
     /// Elbow angle and contraction.
     pub drive: Drive,
+    /// A joint turned by hand, on top of the clip or instead of it: see [`Document::joint`].
+    pub turn: Option<Turn>,
     /// Moves the whole model in the world, after everything else.
     pub model: DMat4,
     /// How joints bend a skin.
@@ -153,6 +155,16 @@ impl Document {
     /// The rig that the sliders drive: the first one.
     pub fn driven_rig(&self) -> Option<&Rig> {
         self.rigs().next().map(|(rig, _)| rig)
+    }
+
+    /// The joint of a clip's skeleton that can be turned by hand: the one that a muscle file names or its muscles cross, else the elbow that is found
+    /// in the skeleton. `None` where there is none. Looks at the whole scene and its clips: ask once, when a document has been opened.
+    ///
+    /// The elbow of a muscle file's own arm is none of these; [`PoseState::drive`] bends it.
+    pub fn joint(&self) -> Option<Joint> {
+        let named = self.rigs().filter(|(rig, _)| rig.flexion_range().is_none()).find_map(|(rig, _)| rig.joint());
+        let own: Vec<NodeId> = self.rig_roots().collect();
+        named.or_else(|| Joint::elbow(&self.scene, &self.clips, &own))
     }
 
     /// The rig of muscle `id` and the muscle's index in it.

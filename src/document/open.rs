@@ -84,7 +84,7 @@ impl Document {
     fn attach_muscles(&mut self) {
         for source in &mut self.sources {
             let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
-            rig.attach(&self.scene);
+            rig.attach_moving(&self.scene, &self.clips);
             self.health.extend(rig.findings().iter().cloned().map(|finding| Finding { file: source.name.clone(), ..finding }));
         }
     }

@@ -78,6 +78,11 @@ impl Document {
             rig.apply(state.drive, pose);
         }
         pose.locals(&mut buffers.local);
+        if let Some(turn) = state.turn
+            && let Some(local) = buffers.local.get_mut(turn.node.index())
+        {
+            *local = turn.apply(*local, self.scene.graph.node(turn.node).transform.matrix());
+        }
         for root in self.scene.graph.roots() {
             if let Some(local) = buffers.local.get_mut(root.index()) {
                 *local = state.model * *local;

@@ -1,15 +1,17 @@
 //! Puts a muscle file into a scene: its nodes, the arm if it has one, and its muscles; attaches muscles to the bones of a clip.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
-use super::arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
+use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 use super::config::{Anchor, MuscleFile, MuscleSpec};
 use super::drive::Span;
 use super::hinge::Hinge;
+use super::joint::{FoundBy, Joint};
 use super::line::{Drawn, Frames, Line, Point, Pulley};
 use super::rig::{Muscle, Rig};
 use super::surface::Layout;
 use super::{Solved, clearance, materials, rods};
+use crate::animation::Clip;
 use crate::health::Finding;
 use crate::scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::tr;
@@ -30,7 +32,9 @@ impl Rig {
         if let Some(arm) = file.arm {
             let nodes = arm.build(scene, root);
             rig.bones = vec![nodes.upper, nodes.elbow];
-            rig.hinge = Some(Hinge::elbow(&arm, arm.flexion.unwrap_or([0.0, FULL_FLEXION])));
+            let range = arm.flexion.unwrap_or([0.0, FULL_FLEXION]);
+            rig.hinge = Some(Hinge::elbow(&arm, range));
+            rig.turning = Some(Joint { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File });
             rig.arm = Some((arm, nodes));
         }
         let tendon = materials::tendon(scene);
@@ -71,6 +75,11 @@ impl Rig {
     ///
     /// The scene's rest pose is where the joint's angle is 0.
     pub fn attach(&mut self, scene: &Scene) -> Vec<Finding> {
+        self.attach_moving(scene, &[])
+    }
+
+    /// [`Rig::attach`] to a scene that these clips move. Where the file names no joint, what they bend tells more about it than the rest pose does.
+    pub fn attach_moving(&mut self, scene: &Scene, clips: &[Clip]) -> Vec<Finding> {
         if self.arm.is_some() {
             return Vec::new();
         }
@@ -96,26 +105,55 @@ impl Rig {
                 }
             }
         }
-        self.hinge = self.joint_in(scene);
+        self.turning = self.joint_in(scene, clips);
+        self.hinge = self.turning.as_ref().map(|joint| self.hinge_in(scene, joint));
         self.look_for_tight_bends();
         self.findings.clone()
     }
 
-    fn joint_in(&mut self, scene: &Scene) -> Option<Hinge> {
-        let joint = self.joint.as_ref()?;
-        let Some(turning) = find_bone(&scene.graph, self.root, &joint.bone) else {
-            let message = tr!("muscle-joint-not-found", bone = joint.bone.clone());
-            self.findings.push(Finding::warning("muscle-joint-not-found", None, joint.bone.clone(), message));
-            return None;
-        };
+    /// The joint that measurements turn: the one that the file names, else the elbow that moves one end of a muscle, else the joint at an insertion.
+    fn joint_in(&mut self, scene: &Scene, clips: &[Clip]) -> Option<Joint> {
+        let graph = &scene.graph;
+        if let Some(joint) = &self.joint {
+            let Some(node) = find_bone(graph, self.root, &joint.bone) else {
+                let message = tr!("muscle-joint-not-found", bone = joint.bone.clone());
+                self.findings.push(Finding::warning("muscle-joint-not-found", None, joint.bone.clone(), message));
+                return None;
+            };
+            return Some(Joint::of_file(scene, node, joint));
+        }
+        let lines = || self.muscles.iter().filter_map(|muscle| muscle.line.as_ref());
+        let ends = |line: &Line| Some([*self.bones.get(line.origin.bone)?, *self.bones.get(line.insertion.bone)?]);
+        lines().next()?;
+        let skip: Vec<NodeId> = self.root.into_iter().collect();
+        if let Some(elbow) = Joint::elbow(scene, clips, &skip) {
+            let below = graph.subtree(elbow.node);
+            let crosses = |[origin, insertion]: [NodeId; 2]| below.contains(&origin) != below.contains(&insertion);
+            if lines().filter_map(ends).any(crosses) {
+                return Some(elbow);
+            }
+        }
+        let crossing = lines().filter_map(ends).find(|[origin, insertion]| !graph.subtree(*insertion).contains(origin))?;
+        Joint::at_node(scene, clips, crossing[1])
+    }
+
+    /// That joint as measurements turn it: from the rest pose.
+    fn hinge_in(&self, scene: &Scene, joint: &Joint) -> Hinge {
         let mut world = Vec::new();
         scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
-        let below = scene.graph.subtree(turning);
-        let frames = self.frames(&world);
+        self.hinge_of(joint, scene, &world)
+    }
+
+    /// The joint in a pose, with the bones that it moves.
+    pub(super) fn hinge_of(&self, joint: &Joint, scene: &Scene, world: &[DMat4]) -> Hinge {
+        let below = scene.graph.subtree(joint.node);
+        let frames = self.frames(world);
         let bones = self.bones.iter().enumerate().map(|(index, node)| (frames.frame(index), below.contains(node))).collect();
-        let place = super::rig::WorldFrames { from_world: frames.from_world, world: &world, bones: &[turning] }.frame(0);
-        let axis = place.transform_vector3(joint.axis).normalize_or(DVec3::Z);
-        Some(Hinge { pivot: place.w_axis.truncate(), axis, bones, range: joint.range })
+        let parent = scene.graph.node(joint.node).parent();
+        let of = |node: NodeId| super::rig::WorldFrames { from_world: frames.from_world, world, bones: &[node] }.frame(0);
+        let above = parent.map_or(frames.from_world, of);
+        let axis = above.transform_vector3(joint.axis).normalize_or(DVec3::Z);
+        Hinge { pivot: of(joint.node).w_axis.truncate(), axis, bones, at_rest: joint.at_rest, range: joint.range }
     }
 
     /// On the arm: finds drawn ends and the range of the elbow, once all muscles are there, and roots the ends in the rods.

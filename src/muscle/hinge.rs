@@ -12,8 +12,10 @@ pub struct Hinge {
     pub pivot: DVec3,
     /// Direction of the axis, of length 1; the angle turns right-handed about it.
     pub axis: DVec3,
-    /// Each bone's frame at angle 0, and whether the joint moves it.
+    /// Each bone's frame at rest, and whether the joint moves it.
     pub bones: Vec<(DMat4, bool)>,
+    /// The angle at rest, degrees.
+    pub at_rest: f64,
     /// Least and greatest angle, degrees.
     pub range: [f64; 2],
 }
@@ -22,12 +24,12 @@ impl Hinge {
     /// The elbow of an arm; bone 0 is the upper rod, bone 1 the forearm.
     pub fn elbow(arm: &Arm, range: [f64; 2]) -> Self {
         let [upper, forearm] = arm.frames(0.0);
-        Self { pivot: arm.elbow(), axis: AXIS, bones: vec![(upper, false), (forearm, true)], range }
+        Self { pivot: arm.elbow(), axis: AXIS, bones: vec![(upper, false), (forearm, true)], at_rest: 0.0, range }
     }
 
     /// The bones with the joint at this angle.
     pub fn at(&self, degrees: f64) -> Turned<'_> {
-        let turn = DAffine3::from_quat(DQuat::from_axis_angle(self.axis, degrees.to_radians()));
+        let turn = DAffine3::from_quat(DQuat::from_axis_angle(self.axis, (degrees - self.at_rest).to_radians()));
         let turn = DAffine3::from_translation(self.pivot) * turn * DAffine3::from_translation(-self.pivot);
         Turned { hinge: self, turn: DMat4::from(turn) }
     }

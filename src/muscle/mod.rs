@@ -11,6 +11,7 @@
 //! | `surface` | rings, hemispheres and tendons as triangles |
 //! | `drive` | contraction and elbow angle, each the inverse of the other |
 //! | `hinge` | the joint that measurements turn |
+//! | `joint`, `bone_words` | the elbow of any skeleton, or the joint that a file names |
 //! | `measure` | moment arms |
 //! | `ledger` | the numbers behind a solution, and why they are so |
 //! | `edit` | changes of a file by hand, each checked |
@@ -23,6 +24,7 @@
 //! | `config` | YAML |
 
 mod arm;
+mod bone_words;
 mod build;
 mod clearance;
 pub mod config;
@@ -31,6 +33,7 @@ pub mod edit;
 pub mod experiment;
 pub mod fit;
 mod hinge;
+mod joint;
 pub mod ledger;
 mod line;
 mod materials;
@@ -46,6 +49,7 @@ mod surface;
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, Saved, Tendon, Wrap};
 pub use edit::{Edit, EditError};
+pub use joint::{FoundBy, Joint, Turn};
 pub use ledger::{Ledger, Root};
 pub use path::{Path, Station};
 pub use profile::{Limit, LimitCause, Profile, ProfileError};

@@ -9,6 +9,8 @@ use super::arm::{Arm, ArmNodes};
 use super::config::{JointSpec, MuscleSpec};
 use super::drive::{FREE, Span};
 use super::hinge::Hinge;
+use super::joint::Joint;
+use super::ledger::Ledger;
 use super::line::{Frames, Line};
 use super::path::Path;
 use super::profile::Profile;
@@ -16,7 +18,7 @@ use super::surface::{Layout, ToWorld};
 use super::{Drive, Sample, Solved, measure};
 use crate::animation::Pose;
 use crate::health::Finding;
-use crate::scene::{MaterialBinding, Mesh, NodeId};
+use crate::scene::{MaterialBinding, Mesh, NodeId, Scene};
 
 /// A muscle file placed in a scene.
 #[derive(Debug, Clone, Default)]
@@ -30,6 +32,8 @@ pub struct Rig {
     pub(super) joint: Option<JointSpec>,
     /// What measurements turn; `None` where nothing is known to turn.
     pub(super) hinge: Option<Hinge>,
+    /// The node of that joint.
+    pub(super) turning: Option<Joint>,
     pub(super) span: Option<Span>,
     pub(super) findings: Vec<Finding>,
 }
@@ -116,6 +120,25 @@ impl Rig {
     /// The angles that [`Rig::measure`] turns the joint through, degrees: the arm's elbow or the file's `joint`; `None` where there is none.
     pub fn measured_range(&self) -> Option<RangeInclusive<f64>> {
         self.hinge.as_ref().map(|hinge| hinge.range[0]..=hinge.range[1])
+    }
+
+    /// The joint that [`Rig::measure`] turns: the arm's elbow, the one that the file names, or the one that was found in the clip's skeleton.
+    pub fn joint(&self) -> Option<Joint> {
+        self.turning
+    }
+
+    /// −dL/dφ of muscle `index` about that joint in a pose of `scene`, φ in radians; `None` where nothing holds the muscle or nothing turns.
+    pub fn moment_arm(&self, index: usize, scene: &Scene, world: &[DMat4]) -> Option<f64> {
+        let line = self.muscles.get(index)?.line.as_ref()?;
+        let joint = self.turning.as_ref()?;
+        let hinge = self.hinge_of(joint, scene, world);
+        // The bones stand where the pose has them: not turned any further.
+        Some(measure::moment_arm(&hinge, line, hinge.at_rest))
+    }
+
+    /// The numbers behind a solution of muscle `index` in a pose of `scene`.
+    pub fn ledger(&self, index: usize, solved: &Solved, scene: &Scene, world: &[DMat4]) -> Option<Ledger> {
+        Some(Ledger::new(self.profile(index)?, solved, self.moment_arm(index, scene, world)))
     }
 
     /// The state with this elbow angle, held within the range. Without an arm: the muscle at rest.

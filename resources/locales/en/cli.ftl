@@ -39,7 +39,8 @@ cli-arg-threads = Number of worker threads; one a core unless given. The picture
 cli-arg-stats = Print to standard error how many milliseconds each stage took (median over the frames)
 cli-arg-time = The moment, in seconds on the file's own time axis; held at the ends of the clip. The clip's start unless given
 cli-arg-clip = The clip to play; the first unless given
-cli-arg-angle = Elbow angle in degrees, 0 = straight arm
+cli-arg-angle = Elbow angle in degrees, 0 = straight arm; of a clip: the elbow that is found in its skeleton, or the joint that a muscle file names
+cli-arg-on-top = Add --angle to what the clip does with the joint, instead of replacing it
 cli-arg-contraction = Contraction of the muscle, 0 to 100 per cent
 cli-arg-from = First moment of an animation, seconds; the clip's start unless given
 cli-arg-to = Last moment of an animation, seconds, included; the clip's end unless given
@@ -110,9 +111,10 @@ cli-no-such-command = There is no command "{ $name }"; see sinew --help.
 cli-command-mistyped = There is neither a file nor a command "{ $word }"; did you mean "{ $name }"?
 cli-no-such-clip = { $file } has no clip "{ $name }"; it has: { $names }.
 cli-no-clips = { $file } has no clip "{ $name }"; it has none at all.
-cli-no-muscle-to-drive = { $file } has no muscle, so --angle and --contraction move nothing.
+cli-no-muscle-to-drive = { $file } has no muscle, so --contraction moves nothing.
 cli-nothing-to-contract = { $file }: its muscles hang on the bones of a clip, so --contraction changes nothing.
 cli-no-arm-to-bend = { $file } has no arm, so --angle bends nothing; use --contraction.
+cli-no-elbow-to-bend = No elbow was found in { $file }, so --angle bends nothing; a muscle file can name the joint, as in joint: {"{"}bone: forearm, axis: [1, 0, 0]{"}"}.
 cli-no-arm-to-measure = { $file } has a muscle on no arm, so there is no angle to measure at; leave --angles and --sweep out.
 cli-no-arm-to-compare = { $file } has a muscle on no arm, so there is no angle to compare at; leave --compare out.
 cli-needs-sequence = { $option } needs several pictures: let OUT end in .gif, or name it as in frame-%04d.png.
