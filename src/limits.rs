@@ -34,6 +34,8 @@ pub const ARCHIVE_RATIO: u64 = 50;
 pub const NODES: usize = 1_000_000;
 /// Most nodes of one muscle.
 pub const MUSCLE_NODES: usize = 10_000;
+/// Most measured poses of one muscle.
+pub const MUSCLE_POSES: usize = 1_000;
 /// Most muscles in one file.
 pub const MUSCLES: usize = 1_000;
 /// Largest side of a picture, pixels.

@@ -4,7 +4,7 @@ mod support;
 
 use support::{sinew, sinew_ru};
 
-const COMMANDS: [&str; 7] = ["info", "check", "render", "export", "measure", "bench", "help"];
+const COMMANDS: [&str; 8] = ["info", "check", "render", "export", "measure", "fit", "bench", "help"];
 
 #[test]
 fn every_page_is_there_in_both_languages() {

@@ -194,3 +194,52 @@ fn a_clip_has_no_muscle_to_measure() {
     let said = sinew(["measure", arg(&file)]).refused(1);
     assert!(said.contains("no muscle"), "{said}");
 }
+
+const RADII: &str = include_str!("../configs/biceps-radii.csv");
+
+#[test]
+fn the_comparison_has_the_reports_tables_and_the_row_that_explains_them() {
+    let folder = folder();
+    let csv = models::write(folder.path(), "radii.csv", RADII);
+    let text = sinew(["measure", arg(&config("biceps-measured.yaml")), "--compare", arg(&csv)]).well();
+    let volumes = text.lines().find(|line| line.contains("volume, ml")).expect("the volumes");
+    let numbers: Vec<&str> = volumes.split_whitespace().skip(2).collect();
+    assert_eq!(numbers, ["280", "280", "280", "422", "280", "413", "280", "439"], "{text}");
+    assert!(text.contains("Growth from 0° to 90°") && text.contains("measured / model") && text.contains("5.2 times"), "{text}");
+    let growth = text.lines().find(|line| line.trim_start().starts_with("5 ") && line.contains("13.50")).expect("node 5's growth");
+    assert!(growth.contains("2.65") && growth.contains("5.1"), "{growth}");
+    assert!(text.contains("measured poses") && text.contains("fitted growth multipliers"), "{text}");
+    let report = sinew(["measure", arg(&config("biceps-measured.yaml")), "--compare", arg(&csv), "--json"]).json();
+    let rms = &report["muscles"][0]["rms"];
+    assert!(number(&rms["measured_poses"]) < number(&rms["fitted_growth"]) && number(&rms["fitted_growth"]) < number(&rms["own_growth"]));
+}
+
+#[test]
+fn a_fit_is_written_whole_and_measures_as_it_says() {
+    let folder = folder();
+    let csv = models::write(folder.path(), "radii.csv", RADII);
+    for model in ["growth", "poses"] {
+        let out = folder.path().join(format!("{model}.yaml"));
+        let report = sinew(["fit", arg(&csv), "-o", arg(&out), "--model", model, "--json"]).json();
+        let compared = sinew(["measure", arg(&out), "--compare", arg(&csv), "--json"]).json();
+        let key = if model == "growth" { "fitted_growth" } else { "measured_poses" };
+        near(number(&compared["muscles"][0]["rms"]["own_growth"]), number(&report["rms"][key]), 1e-6);
+        for sample in compared["muscles"][0]["samples"].as_array().expect("a list") {
+            near(number(&sample["volume_error"]), 0.0, 1e-12);
+        }
+        assert!(std::fs::read_to_string(&out).expect("written").contains("radii.csv"));
+    }
+    // The same on another arm; the table has its own number of nodes.
+    let like = models::write(folder.path(), "arm.yaml", models::BICEPS);
+    let out = folder.path().join("like.yaml");
+    let said = sinew(["fit", arg(&csv), "-o", arg(&out), "--like", arg(&like)]).well();
+    assert!(said.contains("RMS") && !said.contains("the file’s"), "{said}");
+    // Wrong calls: an ending, an input as output, a folder that is not there, a table that is none.
+    sinew(["fit", arg(&csv), "-o", "x.txt"]).refused(2);
+    sinew(["fit", arg(&csv), "-o", arg(&like), "--like", arg(&like)]).refused(2);
+    let nowhere = folder.path().join("none/x.yaml");
+    let said = sinew(["fit", arg(&csv), "-o", arg(&nowhere)]).refused(1);
+    assert_eq!(said.lines().count(), 1, "{said}");
+    let wrong = models::write(folder.path(), "wrong.csv", "node,deg0\n1,x\n");
+    assert!(sinew(["fit", arg(&wrong), "-o", arg(&out)]).refused(1).contains(":2:3: "));
+}

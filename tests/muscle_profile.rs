@@ -204,3 +204,38 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn poses_that_fit_no_muscle_are_refused() {
+    use sinew::muscle::Pose;
+    let poses =
+        |list: &[(f64, &[f64])]| list.iter().map(|(length, radii)| Pose { length: *length, radii: radii.to_vec() }).collect::<Vec<_>>();
+    let refused = |list: &[(f64, &[f64])], length| Profile::of_poses(poses(list), length).unwrap_err();
+    assert_eq!(refused(&[], 5.0), ProfileError::TooFewNodes(0));
+    assert_eq!(refused(&[(5.0, &[1.0])], 5.0), ProfileError::NoRadius);
+    assert_eq!(refused(&[(5.0, &[1.0, 2.0]), (6.0, &[1.0])], 5.0), ProfileError::PoseNodes { pose: 1, nodes: 1, wanted: 2 });
+    assert_eq!(refused(&[(5.0, &[1.0, 2.0]), (5.0, &[1.0, 3.0])], 5.0), ProfileError::PosesCoincide(0));
+    assert_eq!(refused(&[(5.0, &[1.0, 2.0]), (-1.0, &[1.0, 3.0])], 5.0), ProfileError::PoseLength(1));
+    assert_eq!(refused(&[(5.0, &[1.0, f64::NAN])], 5.0), ProfileError::BadRadius(1));
+    assert_eq!(refused(&[(5.0, &[1.0, 2.0])], 0.0), ProfileError::BadLength);
+}
+
+proptest! {
+    #[test]
+    fn posed_muscles_keep_their_volume_too(
+        shapes in prop::collection::vec((1.0..500.0_f64, prop::collection::vec(0.01..50.0_f64, 7)), 1..6),
+        rest in 1.0..500.0_f64,
+        at in prop::collection::vec(0.02..50.0_f64, 12),
+    ) {
+        let poses: Vec<_> = shapes.into_iter().map(|(length, radii)| sinew::muscle::Pose { length, radii }).collect();
+        let Ok(profile) = Profile::of_poses(poses, rest) else { return Ok(()) };
+        let volume = cones(profile.radii(), rest);
+        prop_assert!(profile.is_posed() && profile.solve(rest).delta.abs() < 1e-12);
+        for share in at {
+            let solved = profile.solve(share * rest);
+            prop_assert!(!solved.held);
+            prop_assert!((cones(&solved.radii, share * rest) / volume - 1.0).abs() < 1e-12);
+            prop_assert!(solved.volume_error.abs() < 1e-12 && solved.radii.iter().all(|radius| *radius > 0.0));
+        }
+    }
+}

@@ -39,8 +39,17 @@ fn every_example_call_works() {
 
 #[test]
 fn every_finding_is_explained() {
-    let others =
-        ["image-missing", "image-broken", "clip-not-opened", "muscle-bone-not-found", "muscle-joint-not-found", "muscle-bent-too-tight"];
+    let others = [
+        "image-missing",
+        "image-broken",
+        "clip-not-opened",
+        "muscle-bone-not-found",
+        "muscle-joint-not-found",
+        "muscle-bent-too-tight",
+        "muscle-ends-coincide",
+        "muscle-shorter-than-tendons",
+        "muscle-poses-not-placed",
+    ];
     let codes = sinew::collada::codes::ALL.iter().map(|(code, _)| *code).chain(others);
     let codes: Vec<&str> = codes.collect();
     for page in PAGES {

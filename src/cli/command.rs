@@ -31,7 +31,7 @@ pub fn command() -> Command {
             .help_heading(tr!("cli-heading-options")),
     )
     .arg(help_flag())
-    .subcommands([info(), check(), render(), export(), measure(), bench(), help()].map(|command| command.arg(help_flag())))
+    .subcommands([info(), check(), render(), export(), measure(), fit(), bench(), help()].map(|command| command.arg(help_flag())))
 }
 
 fn info() -> Command {
@@ -130,6 +130,24 @@ fn measure() -> Command {
             .value_hint(clap::ValueHint::FilePath),
     )
     .arg(flag("csv", "cli-arg-csv", heading).conflicts_with("json"))
+    .arg(flag("json", "cli-arg-json", heading))
+}
+
+fn fit() -> Command {
+    let heading = "cli-heading-options";
+    page(
+        "fit",
+        "cli-about-fit",
+        "sinew fit CSV -o OUT.yaml [OPTIONS]",
+        &[
+            ("sinew fit radii.csv -o muscle.yaml", "cli-example-fit"),
+            ("sinew fit radii.csv -o muscle.yaml --like arm.yaml --model poses", "cli-example-fit-poses"),
+        ],
+    )
+    .arg(files("cli-arg-fit-table").value_name("CSV").required(true))
+    .arg(output("cli-arg-fit-output"))
+    .arg(option("like", "FILE", clap::value_parser!(PathBuf), "cli-arg-like", heading).value_hint(clap::ValueHint::FilePath))
+    .arg(choice("model", &["growth", "poses"], "cli-arg-model", heading))
     .arg(flag("json", "cli-arg-json", heading))
 }
 

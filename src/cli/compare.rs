@@ -1,9 +1,8 @@
-//! `sinew measure --compare`: the model beside measured radii.
+//! `sinew measure --compare`: the model beside measured radii, in the tables of the report's experiment.
 //!
 //! The measured radii imply a volume of their own: that of the truncated cones through them, over the length that the muscle has at the same
 //! angle. Where those volumes differ from angle to angle, no model that keeps its volume can meet the measurement.
 
-use std::f64::consts::PI;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -11,10 +10,12 @@ use serde::Serialize;
 
 use super::failure::{Failure, display_name};
 use super::measure::{Row, columns, csv_cell, unit, unit_for_people};
-use super::measured::{self, Table};
+use super::measured;
 use crate::document::Document;
 use crate::i18n::decimal;
 use crate::muscle::Rig;
+use crate::muscle::experiment::{self, CompareError, Table};
+use crate::muscle::fit::{Fits, fit};
 use crate::tr;
 
 /// All muscles of a file that the table fits.
@@ -32,6 +33,8 @@ struct Compared {
     name: String,
     samples: Vec<Pair>,
     growth: Growth,
+    /// Root of the mean squared difference over all nodes and angles, of three models that keep the volume of the first angle.
+    rms: Rms,
 }
 
 /// Model and measurement at one angle.
@@ -54,8 +57,15 @@ struct Growth {
     to: f64,
     model: Vec<f64>,
     measured: Vec<f64>,
-    /// Sum of what was measured over sum of the model's; none where the model does not grow.
+    /// Mean size of what was measured over that of the model's; none where the model does not grow.
     ratio: Option<f64>,
+}
+
+#[derive(Debug, Serialize)]
+struct Rms {
+    own_growth: f64,
+    fitted_growth: f64,
+    measured_poses: f64,
 }
 
 impl Comparison {
@@ -66,16 +76,20 @@ impl Comparison {
     pub fn of(document: &Document, file: &Path, csv: &Path) -> Result<Self, Failure> {
         let table = measured::read(csv)?;
         let muscles = || document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(move |index| (rig, index)));
-        if muscles().all(|(rig, _)| rig.measured_range().is_none()) {
+        if muscles().all(|(rig, index)| rig.measured_range().is_none() || !rig.is_attached(index)) {
             return Err(Failure::usage(tr!("cli-no-arm-to-compare", file = display_name(file))));
         }
-        let compared: Vec<_> = muscles().filter_map(|(rig, index)| Compared::of(rig, index, &table)).collect();
-        if compared.is_empty() {
-            let nodes = muscles().find_map(|(rig, index)| rig.profile(index)).map_or(0, |profile| profile.radii().len());
-            let message = tr!("cli-table-fits-none", rows = table.radii.len(), nodes = nodes, inner = nodes.saturating_sub(2));
-            return Err(Failure::file(csv, message));
+        let (mut compared, mut refused) = (Vec::new(), None);
+        for (rig, index) in muscles() {
+            match Compared::of(rig, index, &table) {
+                Ok(muscle) => compared.push(muscle),
+                Err(error) => refused = refused.or(Some(error)),
+            }
         }
-        Ok(Self { file: display_name(file), compared_with: display_name(csv), unit: unit(document), muscles: compared })
+        match refused.filter(|_| compared.is_empty()) {
+            Some(error) => Err(Failure::file(csv, error)),
+            None => Ok(Self { file: display_name(file), compared_with: display_name(csv), unit: unit(document), muscles: compared }),
+        }
     }
 
     /// A line for each muscle, node and angle. Numbers have a point and every digit.
@@ -100,11 +114,14 @@ impl Comparison {
             if !text.is_empty() {
                 text.push('\n');
             }
-            let _ = writeln!(text, "{}", tr!("cli-compare-title", name = muscle.name.clone(), unit = unit_for_people(&self.unit)));
+            let unit = unit_for_people(&self.unit);
+            let _ = writeln!(text, "{}", tr!("cli-compare-title", name = muscle.name.clone(), unit = unit.clone()));
             text.push_str(&columns(&muscle.rows(&self.unit)));
             let growth = &muscle.growth;
+            let (from, to) = (decimal(growth.from, 0), decimal(growth.to, 0));
+            let _ = writeln!(text, "\n{}", tr!("cli-compare-growth", from = from.clone(), to = to.clone(), unit = unit.clone()));
+            text.push_str(&columns(&growth.rows()));
             if let Some(ratio) = growth.ratio {
-                let (from, to) = (decimal(growth.from, 0), decimal(growth.to, 0));
                 let _ = writeln!(text, "{}", tr!("cli-compare-ratio", from = from, to = to, ratio = decimal(ratio, 1)));
             }
             let volumes = || muscle.samples.iter().map(|pair| pair.measured_volume);
@@ -112,33 +129,52 @@ impl Comparison {
             if least > 0.0 && most > least * 1.01 {
                 let _ = writeln!(text, "{}", tr!("cli-compare-explained", spread = decimal((most / least - 1.0) * 100.0, 0)));
             }
+            text.push_str(&rms_lines(Some(muscle.rms.own_growth), muscle.rms.fitted_growth, muscle.rms.measured_poses, &unit));
         }
         text
     }
 }
 
+/// How far each model is from a table, a line each.
+pub fn rms_lines(own: Option<f64>, fitted: f64, poses: f64, unit: &str) -> String {
+    let mut rows = vec![];
+    for (name, rms) in [(tr!("cli-rms-own"), own), (tr!("cli-rms-fitted"), Some(fitted)), (tr!("cli-rms-poses"), Some(poses))] {
+        rows.extend(rms.map(|rms| (name, decimal(rms, 2))));
+    }
+    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    let mut text = format!("\n{}\n", tr!("cli-rms-title", unit = unit.to_owned()));
+    for (name, rms) in rows {
+        let _ = writeln!(text, "  {name:<width$}  {rms:>6}");
+    }
+    text
+}
+
 impl Compared {
-    /// `None` where the table does not fit the muscle or nothing bends it.
-    fn of(rig: &Rig, index: usize, table: &Table) -> Option<Self> {
-        let nodes = rig.profile(index)?.radii().len();
-        rig.measured_range()?;
-        let offset = match nodes.checked_sub(table.radii.len())? {
-            0 => 0,
-            // The ends are tendons; tables leave them out.
-            2 => 1,
-            _ => return None,
+    fn of(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
+        let found = experiment::compare(rig, index, table)?;
+        let Fits { own, fitted, poses, .. } = fit(rig, index, table)?;
+        let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
+        let volumes = found.implied_volumes.iter().zip(&found.rms_at);
+        let pair = |(column, (sample, (volume, rms))): (usize, (_, (&f64, &f64)))| {
+            let model = Row::at_angle(sample);
+            let mut measured_radii = vec![None; model.radii.len()];
+            for (slot, row) in measured_radii.iter_mut().skip(found.nodes.start).zip(&found.measured) {
+                *slot = row.get(column).copied();
+            }
+            Pair { model, measured_radii, measured_volume: *volume, rms: *rms }
         };
-        let samples: Vec<Pair> = rig
-            .measure(index, &table.angles)
-            .iter()
-            .enumerate()
-            .map(|(column, sample)| {
-                let radii = table.radii.iter().filter_map(|row| row.get(column).copied()).collect();
-                Pair::of(Row::at_angle(sample), radii, offset)
-            })
-            .collect();
-        let growth = Growth::of(samples.first()?, samples.last()?);
-        Some(Self { name: rig.name(index).to_owned(), samples, growth })
+        Ok(Self {
+            name: rig.name(index).to_owned(),
+            samples: found.samples.iter().zip(volumes).enumerate().map(pair).collect(),
+            growth: Growth {
+                from,
+                to,
+                model: found.growth.iter().map(|pair| pair[0]).collect(),
+                measured: found.growth.iter().map(|pair| pair[1]).collect(),
+                ratio: Some(found.growth_ratio).filter(|ratio| ratio.is_finite()),
+            },
+            rms: Rms { own_growth: own, fitted_growth: fitted, measured_poses: poses },
+        })
     }
 
     /// A row a node, model and measurement of each angle side by side, then differences and volumes.
@@ -169,20 +205,6 @@ impl Compared {
 }
 
 impl Pair {
-    fn of(model: Row, table: Vec<f64>, offset: usize) -> Self {
-        let nodes = model.radii.len();
-        let mut measured_radii = vec![None; nodes];
-        for (slot, radius) in measured_radii.iter_mut().skip(offset).zip(&table) {
-            *slot = Some(*radius);
-        }
-        let filled: Vec<f64> = measured_radii.iter().zip(&model.radii).map(|(measured, model)| measured.unwrap_or(*model)).collect();
-        let measured_volume = cones(&filled, model.length);
-        let mut pair = Self { model, measured_radii, measured_volume, rms: 0.0 };
-        let squares: Vec<f64> = pair.radii().map(|(model, measured)| (model - measured).powi(2)).collect();
-        pair.rms = (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt();
-        pair
-    }
-
     /// Model and measurement of each node that was measured.
     fn radii(&self) -> impl Iterator<Item = (f64, f64)> {
         self.model.radii.iter().zip(&self.measured_radii).filter_map(|(model, measured)| Some((*model, (*measured)?)))
@@ -190,19 +212,14 @@ impl Pair {
 }
 
 impl Growth {
-    fn of(first: &Pair, last: &Pair) -> Self {
-        let grown = first.radii().zip(last.radii());
-        let (model, measured): (Vec<f64>, Vec<f64>) = grown.map(|((a, b), (c, d))| (c - a, d - b)).unzip();
-        let (of_model, of_measured) = (model.iter().sum::<f64>(), measured.iter().sum::<f64>());
-        let angle = |pair: &Pair| pair.model.angle.unwrap_or_default();
-        let ratio = (of_model != 0.0).then(|| of_measured / of_model);
-        Self { from: angle(first), to: angle(last), model, measured, ratio }
+    /// A row a node: model, measurement, and how often the one goes into the other.
+    fn rows(&self) -> Vec<Vec<String>> {
+        let mut rows =
+            vec![vec![tr!("cli-compare-node"), tr!("cli-compare-grown-model"), tr!("cli-compare-measured"), tr!("cli-compare-times")]];
+        for (node, (model, measured)) in self.model.iter().zip(&self.measured).enumerate() {
+            let times = if model.abs() < 0.005 { "–".to_owned() } else { decimal(measured / model, 1) };
+            rows.push(vec![(node + 1).to_string(), decimal(*model, 2), decimal(*measured, 2), times]);
+        }
+        rows
     }
-}
-
-/// Volume of the truncated cones through `radii`, at equal spacing over `length`.
-fn cones(radii: &[f64], length: f64) -> f64 {
-    let spans = radii.len().saturating_sub(1).max(1) as f64;
-    let sum: f64 = radii.windows(2).map(|pair| if let [a, b] = pair { (a * a + a * b + b * b) / 3.0 } else { 0.0 }).sum();
-    PI * length / spans * sum
 }

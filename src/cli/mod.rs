@@ -9,6 +9,7 @@ mod command;
 mod compare;
 mod export;
 mod failure;
+mod fit;
 mod framing;
 mod info;
 mod measure;
@@ -51,6 +52,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(("render", given)) => finish(render::run(given)),
         Some(("export", given)) => finish(export::run(given)),
         Some(("measure", given)) => finish(measure::run(given)),
+        Some(("fit", given)) => finish(fit::run(given)),
         Some(("bench", given)) => finish(bench::run(given)),
         Some(("help", given)) => finish(help(given)),
         _ => window::open(files(&matches)),

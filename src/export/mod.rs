@@ -3,7 +3,7 @@
 //! Every file is written beside its final place under a temporary name and renamed when it is complete, so a failed save leaves what was
 //! there.
 
-mod atomic;
+pub mod atomic;
 pub mod gif;
 pub mod obj;
 pub mod palette;

@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec3};
 
 use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
-use super::config::{Anchor, MuscleFile, MuscleSpec};
+use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
 use super::drive::Span;
 use super::hinge::Hinge;
 use super::joint::{FoundBy, Joint};
@@ -18,6 +18,8 @@ use crate::tr;
 
 /// Radius of the arcs at via points over the muscle's thickest radius.
 const ROUNDING: f64 = 1.25;
+/// Steps over a joint's range at which muscles are looked at for trouble.
+const ANGLES: u32 = 12;
 
 impl Rig {
     /// Adds the file's nodes, rods and muscles to `scene`; its muscles get the ids from `first` on. Muscles on bones of a clip lie on their own until
@@ -65,8 +67,9 @@ impl Rig {
             }
             rig.muscles.push(muscle);
         }
+        rig.place_poses();
         rig.settle_on_arm(scene, tendon);
-        rig.look_for_tight_bends();
+        rig.look_for_trouble();
         rig
     }
 
@@ -107,7 +110,8 @@ impl Rig {
         }
         self.turning = self.joint_in(scene, clips);
         self.hinge = self.turning.as_ref().map(|joint| self.hinge_in(scene, joint));
-        self.look_for_tight_bends();
+        self.place_poses();
+        self.look_for_trouble();
         self.findings.clone()
     }
 
@@ -181,9 +185,52 @@ impl Rig {
         self.span = Some(Span::new(range, |angle| self.driving_length(angle)));
     }
 
+    /// Finds out how long muscles are at the angles of their measured poses, now that they are on their joint.
+    fn place_poses(&mut self) {
+        let hinge = &self.hinge;
+        for muscle in self.muscles.iter_mut().filter(|muscle| muscle.spec.poses.iter().any(|pose| matches!(pose.at, PoseAt::Angle(_)))) {
+            let found = hinge.as_ref().zip(muscle.line.as_ref());
+            let length_at = |angle: f64| found.map(|(hinge, line)| line.length(&hinge.at(angle)) - muscle.fixed());
+            let message = match MuscleSpec::posed(&muscle.spec.poses, muscle.spec.profile.rest_length(), length_at) {
+                Ok(profile) => {
+                    let whole = profile.is_posed();
+                    muscle.spec.profile = profile;
+                    if whole {
+                        continue;
+                    }
+                    tr!("muscle-poses-no-joint")
+                }
+                Err(error) => tr!("muscle-poses-do-not-fit", error = error.to_string()),
+            };
+            self.findings.push(Finding::warning("muscle-poses-not-placed", None, muscle.spec.name.clone(), message));
+        }
+    }
+
+    fn look_for_trouble(&mut self) {
+        self.look_for_short_paths();
+        self.look_for_tight_bends();
+    }
+
+    /// Reports muscles whose ends coincide, and such whose tendons leave no room for a belly where the joint bends them shortest.
+    fn look_for_short_paths(&mut self) {
+        let Some(hinge) = &self.hinge else { return };
+        for muscle in &self.muscles {
+            let Some(line) = &muscle.line else { continue };
+            let angles = (0..=ANGLES).map(|step| hinge.range[0] + (hinge.range[1] - hinge.range[0]) * f64::from(step) / f64::from(ANGLES));
+            let shortest = angles.map(|angle| line.length(&hinge.at(angle))).fold(f64::INFINITY, f64::min);
+            let (code, message) = if shortest <= 1e-9 * muscle.spec.profile.rest_length() {
+                ("muscle-ends-coincide", tr!("muscle-ends-coincide"))
+            } else if shortest <= muscle.fixed() {
+                ("muscle-shorter-than-tendons", tr!("muscle-shorter-than-tendons"))
+            } else {
+                continue;
+            };
+            self.findings.push(Finding::warning(code, None, muscle.spec.name.clone(), message));
+        }
+    }
+
     /// Reports muscles whose belly is bent tighter than it is thick at some angle: there the surface would fold into itself.
     fn look_for_tight_bends(&mut self) {
-        const ANGLES: u32 = 12;
         let Some(hinge) = &self.hinge else { return };
         let mut solved = Solved::default();
         for muscle in &self.muscles {

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::arm::{FOREARM, UPPER_ARM};
-use super::config::{Anchor, MuscleFile, MuscleSpec, Tendon, Wrap};
+use super::config::{Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, Wrap};
 use super::profile::{LARGEST, Profile, ProfileError};
 use crate::{limits, tr};
 
@@ -27,6 +27,8 @@ pub enum Edit {
     Growth(usize, f64),
     /// All radii and growth multipliers at once: presets, fits, pasted tables.
     Nodes(Vec<f64>, Vec<f64>),
+    /// Measured poses instead of radii and growth multipliers.
+    Poses(Vec<PoseSpec>),
     /// A new node behind this one, half-way to the next in radius and growth; behind the last, a copy of it. The length stays, the nodes stand closer.
     AddNode(usize),
     /// One node less. The length stays, the nodes stand wider.
@@ -76,6 +78,9 @@ pub enum EditError {
     /// More than [`VIA`] via points.
     #[error("{}", tr!("muscle-too-many-via", limit = VIA, count = *.0))]
     TooManyVia(usize),
+    /// The radii come from measured poses, so that one cannot be set.
+    #[error("{}", tr!("muscle-edit-posed"))]
+    Posed,
     /// A wrap without a radius or a side.
     #[error("{}", tr!("muscle-edit-wrap"))]
     Wrap,
@@ -92,6 +97,7 @@ impl Edit {
             Self::Radius(node, _) => tr!("muscle-edit-radius", node = node + 1),
             Self::Growth(node, _) => tr!("muscle-edit-growth", node = node + 1),
             Self::Nodes(..) => tr!("muscle-edit-nodes"),
+            Self::Poses(_) => tr!("muscle-edit-poses"),
             Self::AddNode(_) => tr!("muscle-edit-add-node"),
             Self::DeleteNode(node) => tr!("muscle-edit-delete-node", node = node + 1),
             Self::Tendon(0, _) => tr!("muscle-edit-tendon-origin"),
@@ -146,6 +152,9 @@ impl MuscleFile {
 
 impl MuscleSpec {
     fn apply(&mut self, edit: &Edit) -> Result<(), EditError> {
+        if !self.poses.is_empty() && self.apply_to_poses(edit)? {
+            return Ok(());
+        }
         let (radii, growth) = (|| self.profile.radii().to_vec(), || self.profile.growth().to_vec());
         let length = self.profile.rest_length();
         let set = |mut list: Vec<f64>, node: usize, value: f64| {
@@ -159,26 +168,16 @@ impl MuscleSpec {
             Edit::RestLength(length) => self.profile = Profile::new(radii(), growth(), *length)?,
             Edit::Radius(node, value) => self.profile = Profile::new(set(radii(), *node, *value)?, growth(), length)?,
             Edit::Growth(node, value) => self.profile = Profile::new(radii(), set(growth(), *node, *value)?, length)?,
-            Edit::Nodes(radii, growth) => self.profile = Profile::new(radii.clone(), growth.clone(), length)?,
-            Edit::AddNode(node) => {
-                let add = |mut list: Vec<f64>| {
-                    let here = *list.get(*node).ok_or(EditError::NoNode(*node))?;
-                    let next = list.get(node + 1).copied().unwrap_or(here);
-                    list.insert(node + 1, 0.5 * (here + next));
-                    Ok::<_, EditError>(list)
-                };
-                self.profile = Profile::new(add(radii())?, add(growth())?, length)?;
+            Edit::Nodes(radii, growth) => {
+                self.profile = Profile::new(radii.clone(), growth.clone(), length)?;
+                self.poses.clear();
             }
-            Edit::DeleteNode(node) => {
-                let delete = |mut list: Vec<f64>| {
-                    if *node >= list.len() {
-                        return Err(EditError::NoNode(*node));
-                    }
-                    list.remove(*node);
-                    Ok(list)
-                };
-                self.profile = Profile::new(delete(radii())?, delete(growth())?, length)?;
+            Edit::Poses(poses) => {
+                self.profile = Self::posed(poses, length, |_| None)?;
+                self.poses.clone_from(poses);
             }
+            Edit::AddNode(node) => self.profile = Profile::new(with_node(&radii(), *node)?, with_node(&growth(), *node)?, length)?,
+            Edit::DeleteNode(node) => self.profile = Profile::new(without_node(&radii(), *node)?, without_node(&growth(), *node)?, length)?,
             Edit::Tendon(end, tendon) => {
                 let fits = (0.0..=LARGEST).contains(&tendon.length) && (0.0..=LARGEST).contains(&tendon.radius);
                 if !fits || (tendon.length > 0.0 && tendon.radius == 0.0) {
@@ -203,6 +202,23 @@ impl MuscleSpec {
             Edit::Wrap(wrap) => self.wrap.clone_from(wrap),
         }
         Ok(())
+    }
+
+    /// Of a muscle made of poses: makes the change where it concerns them, and says whether it did.
+    fn apply_to_poses(&mut self, edit: &Edit) -> Result<bool, EditError> {
+        let (mut poses, mut length) = (self.poses.clone(), self.profile.rest_length());
+        match edit {
+            Edit::Radius(..) | Edit::Growth(..) => return Err(EditError::Posed),
+            Edit::RestLength(asked) => length = *asked,
+            Edit::AddNode(node) => poses.iter_mut().try_for_each(|pose| with_node(&pose.radii, *node).map(|radii| pose.radii = radii))?,
+            Edit::DeleteNode(node) => {
+                poses.iter_mut().try_for_each(|pose| without_node(&pose.radii, *node).map(|radii| pose.radii = radii))?
+            }
+            _ => return Ok(false),
+        }
+        self.profile = Self::posed(&poses, length, |_| None)?;
+        self.poses = poses;
+        Ok(true)
     }
 
     /// Whether ends, via points and wrap are what a file may say.
@@ -235,4 +251,22 @@ impl MuscleSpec {
         }
         Ok(())
     }
+}
+
+/// The list with one value more behind `node`, half-way to the next.
+fn with_node(list: &[f64], node: usize) -> Result<Vec<f64>, EditError> {
+    let here = *list.get(node).ok_or(EditError::NoNode(node))?;
+    let next = list.get(node + 1).copied().unwrap_or(here);
+    let mut list = list.to_vec();
+    list.insert(node + 1, 0.5 * (here + next));
+    Ok(list)
+}
+
+fn without_node(list: &[f64], node: usize) -> Result<Vec<f64>, EditError> {
+    let mut list = list.to_vec();
+    if node >= list.len() {
+        return Err(EditError::NoNode(node));
+    }
+    list.remove(node);
+    Ok(list)
 }

@@ -7,73 +7,13 @@
 //! [`super::fit`] asks how near a model that keeps its volume can come.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
-use super::Rig;
 use super::profile::{ProfileError, cone_sum};
+use super::{Rig, Sample};
 use crate::tr;
 
-/// Radii of a muscle's nodes at several angles.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Table {
-    /// Angles, degrees, rising.
-    pub angles: Vec<f64>,
-    /// One row a node, one radius an angle.
-    pub radii: Vec<Vec<f64>>,
-}
-
-/// Why text is no table of radii.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
-pub struct TableError {
-    /// Line from 1.
-    pub line: u32,
-    /// What is wrong and what would be right.
-    pub message: String,
-}
-
-impl Table {
-    /// Reads comma-separated text: a heading `node,deg0,deg30,…`, a row a node, `#` before remarks.
-    ///
-    /// # Errors
-    /// [`TableError`] with the line.
-    pub fn parse(text: &str) -> Result<Self, TableError> {
-        let mut table = Self::default();
-        for (index, content) in text.lines().enumerate() {
-            let line = u32::try_from(index + 1).unwrap_or(u32::MAX);
-            let refuse = |message| Err(TableError { line, message });
-            let content = content.trim_start_matches('\u{feff}').trim();
-            if content.is_empty() || content.starts_with('#') {
-                continue;
-            }
-            let fields: Vec<&str> = content.split(',').map(str::trim).collect();
-            let rest = fields.get(1..).unwrap_or_default();
-            if table.angles.is_empty() {
-                let angles: Option<Vec<f64>> = rest
-                    .iter()
-                    .map(|name| name.strip_prefix("deg").and_then(|digits| digits.parse().ok()).filter(|n: &f64| n.is_finite()))
-                    .collect();
-                match angles.filter(|angles| !angles.is_empty() && angles.windows(2).all(|pair| pair[0] < pair[1])) {
-                    Some(angles) => table.angles = angles,
-                    None => return refuse(tr!("muscle-table-heading")),
-                }
-                continue;
-            }
-            let radii: Option<Vec<f64>> = rest.iter().map(|field| field.parse().ok().filter(|r| (0.0..=1e9).contains(r))).collect();
-            match radii.filter(|radii| radii.len() == table.angles.len()) {
-                Some(radii) => table.radii.push(radii),
-                None => return refuse(tr!("muscle-table-row", count = table.angles.len())),
-            }
-        }
-        if table.radii.is_empty() {
-            return Err(TableError { line: 1, message: tr!("muscle-table-empty") });
-        }
-        Ok(table)
-    }
-
-    fn column(&self, angle: usize) -> Vec<f64> {
-        self.radii.iter().filter_map(|row| row.get(angle).copied()).collect()
-    }
-}
+pub use super::table::{Table, TableError};
 
 /// A model's radii beside a table's.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -82,6 +22,10 @@ pub struct Comparison {
     pub angles: Vec<f64>,
     /// Lengths of the muscle there.
     pub lengths: Vec<f64>,
+    /// The model there, all nodes.
+    pub samples: Vec<Sample>,
+    /// The nodes that the table speaks of, counted from 0.
+    pub nodes: Range<usize>,
     /// The model's radii of the table's nodes: one row a node, one radius an angle.
     pub model: Vec<Vec<f64>>,
     /// The table's.
@@ -92,7 +36,9 @@ pub struct Comparison {
     pub growth_ratio: f64,
     /// Volume that the table's radii imply at each angle, with the model's own end radii where the table leaves them out.
     pub implied_volumes: Vec<f64>,
-    /// Root mean square of model − measured over all nodes and angles.
+    /// Root mean square of model − measured over the nodes at each angle.
+    pub rms_at: Vec<f64>,
+    /// The same over all nodes and angles.
     pub rms: f64,
 }
 
@@ -121,18 +67,23 @@ pub(super) struct Data {
     /// One column an angle, a radius a node.
     pub columns: Vec<Vec<f64>>,
     /// The nodes that the table speaks of.
-    pub rows: std::ops::Range<usize>,
+    pub rows: Range<usize>,
 }
 
 impl Data {
     pub fn new(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
+        let data = Self::resized(rig, index, table)?;
+        let (rows, nodes) = (table.radii.len(), rig.profile(index).map_or(0, |profile| profile.radii().len()));
+        if data.columns.iter().any(|column| column.len() != nodes) { Err(CompareError::Nodes { rows, nodes }) } else { Ok(data) }
+    }
+
+    /// The same for a table of any number of rows: with as many as the muscle has nodes they are all nodes, else all but the two ends.
+    pub fn resized(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
         let profile =
             rig.profile(index).filter(|_| rig.is_attached(index) && rig.measured_range().is_some()).ok_or(CompareError::NoJoint)?;
-        let (rows, nodes) = (table.radii.len(), profile.radii().len());
-        let ends = if rows == nodes { 0 } else { 1 };
-        if rows + 2 * ends != nodes {
-            return Err(CompareError::Nodes { rows, nodes });
-        }
+        let rows = table.radii.len();
+        let ends = usize::from(rows != profile.radii().len());
+        let nodes = rows + 2 * ends;
         let lengths = rig.measure(index, &table.angles).iter().map(|sample| sample.solved.length).collect();
         // `nodes` is at least 2, so both ends are there.
         let ends_of = |mut inner: Vec<f64>| {
@@ -148,14 +99,15 @@ impl Data {
 
     /// Root mean square of model − table over the table's nodes and all angles.
     pub fn rms(&self, model: &[Vec<f64>]) -> f64 {
-        let squares: f64 = self
-            .columns
-            .iter()
-            .zip(model)
-            .flat_map(|(measured, model)| self.rows.clone().filter_map(|node| Some((measured.get(node)? - model.get(node)?).powi(2))))
-            .sum();
-        (squares / (self.rows.len() * self.columns.len()).max(1) as f64).sqrt()
+        rms(self.rows.clone(), self.columns.iter().zip(model))
     }
+}
+
+/// Root mean square of the differences of these pairs of columns over `nodes`.
+fn rms<'a>(nodes: Range<usize>, pairs: impl IntoIterator<Item = (&'a Vec<f64>, &'a Vec<f64>)>) -> f64 {
+    let differences = pairs.into_iter().flat_map(|(a, b)| nodes.clone().filter_map(|node| Some(a.get(node)? - b.get(node)?)));
+    let (count, squares) = differences.fold((0_u32, 0.0), |(count, sum), difference| (count + 1, sum + difference * difference));
+    (squares / f64::from(count.max(1))).sqrt()
 }
 
 /// Holds muscle `index` against a table of measured radii: all nodes, or all but the two ends.
@@ -164,7 +116,8 @@ impl Data {
 /// [`CompareError`] where the table does not fit the muscle.
 pub fn compare(rig: &Rig, index: usize, table: &Table) -> Result<Comparison, CompareError> {
     let data = Data::new(rig, index, table)?;
-    let model: Vec<Vec<f64>> = rig.measure(index, &table.angles).into_iter().map(|sample| sample.solved.radii).collect();
+    let samples = rig.measure(index, &table.angles);
+    let model: Vec<Vec<f64>> = samples.iter().map(|sample| sample.solved.radii.clone()).collect();
     let grown = |columns: &[Vec<f64>], node: usize| {
         let at = |column: Option<&Vec<f64>>| column.and_then(|column| column.get(node)).copied().unwrap_or(0.0);
         at(columns.last()) - at(columns.first())
@@ -178,10 +131,13 @@ pub fn compare(rig: &Rig, index: usize, table: &Table) -> Result<Comparison, Com
         angles: table.angles.clone(),
         growth_ratio: if size(0) > 0.0 { size(1) / size(0) } else { f64::INFINITY },
         implied_volumes: data.columns.iter().zip(&data.lengths).map(|(radii, length)| volume(radii, *length)).collect(),
+        rms_at: data.columns.iter().zip(&model).map(|(measured, model)| rms(data.rows.clone(), [(measured, model)])).collect(),
         rms: data.rms(&model),
         model: by_node(&model),
         measured: by_node(&data.columns),
         growth,
+        samples,
+        nodes: data.rows,
         lengths: data.lengths,
     })
 }

@@ -2,56 +2,13 @@
 //!
 //! Three are held against a table, all at the volume that it implies at its first angle, so that what remains is the misfit of shape: the file's own
 //! growth multipliers, multipliers fitted by least squares, and the measured shapes themselves, each scaled to the conserved volume and blended over
-//! the length ([`ScaledPoses`]).
+//! the length ([`super::poses`]).
 
 use super::Rig;
-use super::experiment::{CompareError, Data, Table, volume};
+use super::config::{Form, MuscleFile, MuscleSpec, PoseAt, PoseSpec};
+use super::experiment::{CompareError, Data, Table};
+use super::poses::Pose;
 use super::profile::{Profile, ProfileError};
-
-/// The measured shapes as a model: at each angle of a table the measured radii, scaled to the volume of the first, between them blended linearly and
-/// scaled again, so that the volume is kept at every length.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ScaledPoses {
-    lengths: Vec<f64>,
-    shapes: Vec<Vec<f64>>,
-    volume: f64,
-}
-
-impl ScaledPoses {
-    /// From a table, for muscle `index` of a rig.
-    ///
-    /// # Errors
-    /// [`CompareError`] where the table does not fit the muscle or has no volume.
-    pub fn new(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
-        let data = Data::new(rig, index, table)?;
-        Self::from_data(&data)
-    }
-
-    fn from_data(data: &Data) -> Result<Self, CompareError> {
-        let volumes: Vec<f64> = data.columns.iter().zip(&data.lengths).map(|(radii, length)| volume(radii, *length)).collect();
-        if volumes.iter().any(|volume| *volume < f64::MIN_POSITIVE) {
-            return Err(ProfileError::NoRadius.into());
-        }
-        Ok(Self { lengths: data.lengths.clone(), shapes: data.columns.clone(), volume: volumes.first().copied().unwrap_or(0.0) })
-    }
-
-    /// Radii at a length; beyond the table's lengths the shape of the nearest one.
-    pub fn radii(&self, length: f64) -> Vec<f64> {
-        let blend = |a: &[f64], b: &[f64], share: f64| a.iter().zip(b).map(|(a, b)| a + (b - a) * share).collect::<Vec<f64>>();
-        let between = self.lengths.windows(2).zip(self.shapes.windows(2)).find_map(|(at, shape)| {
-            let share = (length - at[0]) / (at[1] - at[0]);
-            (0.0..=1.0).contains(&share).then(|| blend(&shape[0], &shape[1], share))
-        });
-        let nearest = || {
-            let far = |at: &f64| (at - length).abs();
-            let best = self.lengths.iter().zip(&self.shapes).min_by(|a, b| far(a.0).total_cmp(&far(b.0)));
-            best.map(|(_, shape)| shape.clone()).unwrap_or_default()
-        };
-        let shape = between.unwrap_or_else(nearest);
-        let scale = (self.volume / volume(&shape, length)).sqrt();
-        shape.into_iter().map(|radius| radius * scale).collect()
-    }
-}
 
 /// How well each model follows a table, all at the volume of its first angle; root mean squares over all nodes and angles.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,13 +30,80 @@ pub struct Fits {
 pub fn fit(rig: &Rig, index: usize, table: &Table) -> Result<Fits, CompareError> {
     let data = Data::new(rig, index, table)?;
     let profile = rig.profile(index).ok_or(CompareError::NoJoint)?;
-    let solve = |profile: &Profile| -> Vec<Vec<f64>> { data.lengths.iter().map(|length| profile.solve(*length).radii).collect() };
-    let growth = fit_growth(&data)?;
+    let fitted = fitted_profile(&data)?;
+    let poses = posed_profile(&data)?;
+    Ok(Fits { own: misfit(&data, profile), fitted: misfit(&data, &fitted), growth: fitted.growth().to_vec(), poses: misfit(&data, &poses) })
+}
+
+/// Which model [`fitted_file`] makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Model {
+    /// Growth multipliers.
+    #[default]
+    Growth,
+    /// Measured poses.
+    Poses,
+}
+
+/// A muscle file fitted to a table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fitted {
+    /// The file: arm, ends and all else as they were, muscle `index` fitted.
+    pub file: MuscleFile,
+    /// Root mean square of the file's own model − table; `None` where the table has another number of nodes.
+    pub own: Option<f64>,
+    /// Of the fitted multipliers.
+    pub growth: f64,
+    /// Of the measured poses.
+    pub poses: f64,
+}
+
+/// Fits muscle `index` of `file`, which stands in the scene as `rig`, to a table. Its volume becomes the one that the table implies at its first
+/// angle. A table with another number of nodes than the muscle gives all but the two ends, which keep their radius.
+///
+/// # Errors
+/// [`CompareError`] where nothing turns the muscle, or the table makes no muscle.
+pub fn fitted_file(file: &MuscleFile, rig: &Rig, index: usize, table: &Table, model: Model) -> Result<Fitted, CompareError> {
+    let data = Data::resized(rig, index, table)?;
+    let profile = rig.profile(index).ok_or(CompareError::NoJoint)?;
+    let (growth, poses) = (fitted_profile(&data)?, posed_profile(&data)?);
+    let fits_own = data.columns.iter().all(|column| column.len() == profile.radii().len());
+    let mut file = MuscleFile { form: Form::Rich, ..file.clone() };
+    let muscle = file.muscles.get_mut(index).ok_or(CompareError::NoJoint)?;
+    let own = fits_own.then(|| misfit(&data, profile));
+    let misfits = (misfit(&data, &growth), misfit(&data, &poses));
+    muscle.poses.clear();
+    match model {
+        Model::Growth => muscle.profile = growth,
+        Model::Poses => {
+            muscle.poses = table
+                .angles
+                .iter()
+                .zip(&data.columns)
+                .map(|(angle, radii)| PoseSpec { at: PoseAt::Angle(*angle), radii: radii.clone() })
+                .collect();
+            muscle.profile = MuscleSpec::posed(&muscle.poses, poses.rest_length(), |_| None)?;
+        }
+    }
+    Ok(Fitted { file, own, growth: misfits.0, poses: misfits.1 })
+}
+
+/// Root mean square of a profile − data over all nodes of the table and all angles.
+fn misfit(data: &Data, profile: &Profile) -> f64 {
+    let radii: Vec<Vec<f64>> = data.lengths.iter().map(|length| profile.solve(*length).radii).collect();
+    data.rms(&radii)
+}
+
+fn fitted_profile(data: &Data) -> Result<Profile, CompareError> {
+    let growth = fit_growth(data)?;
     let (Some(first), Some(length)) = (data.columns.first(), data.lengths.first()) else { return Err(CompareError::NoJoint) };
-    let fitted = Profile::new(first.clone(), growth.clone(), *length)?;
-    let poses = ScaledPoses::from_data(&data)?;
-    let scaled: Vec<Vec<f64>> = data.lengths.iter().map(|length| poses.radii(*length)).collect();
-    Ok(Fits { own: data.rms(&solve(profile)), fitted: data.rms(&solve(&fitted)), growth, poses: data.rms(&scaled) })
+    Ok(Profile::new(first.clone(), growth, *length)?)
+}
+
+fn posed_profile(data: &Data) -> Result<Profile, CompareError> {
+    let poses = data.lengths.iter().zip(&data.columns).map(|(length, radii)| Pose { length: *length, radii: radii.clone() });
+    let length = data.lengths.first().copied().unwrap_or(0.0);
+    Ok(Profile::of_poses(poses.collect(), length)?)
 }
 
 /// Growth multipliers that follow the data best under conserved volume: the sum `E` of the squared misfits over nodes and angles is least.

@@ -3,6 +3,7 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `profile` | radii and growth, the quadratic, the valid lengths |
+//! | `poses` | a profile given by radii at several lengths |
 //! | `arm` | the two rods and the elbow as nodes of the scene |
 //! | `rods`, `materials` | the arm's solid shapes, and the colours of all |
 //! | `line` | the line of action: length, and the centre line that is drawn for it |
@@ -17,6 +18,7 @@
 //! | `edit` | changes of a file by hand, each checked |
 //! | `presets` | ready muscles by name |
 //! | `published` | published figures, with their sources |
+//! | `table` | measured radii as comma-separated text |
 //! | `experiment` | the report’s experiment: models beside measured radii |
 //! | `fit` | how near models that keep their volume come to those |
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
@@ -39,19 +41,22 @@ mod line;
 mod materials;
 mod measure;
 mod path;
+mod poses;
 pub mod presets;
 mod profile;
 pub mod published;
 mod rig;
 mod rods;
 mod surface;
+mod table;
 
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
-pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, Saved, Tendon, Wrap};
+pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
 pub use edit::{Edit, EditError};
 pub use joint::{FoundBy, Joint, Turn};
 pub use ledger::{Ledger, Root};
 pub use path::{Path, Station};
+pub use poses::Pose;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use rig::Rig;
 pub use surface::SEGMENTS;

@@ -23,6 +23,7 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 use super::Solved;
+use super::poses::{Pose, Poses};
 use crate::{limits, tr};
 
 /// How far from rest a length may go at all, as a factor either way; profiles that could go on for ever stop here.
@@ -62,6 +63,25 @@ pub enum ProfileError {
     /// All growth multipliers zero: the volume cannot be kept.
     #[error("{}", tr!("muscle-no-growth"))]
     NoGrowth,
+    /// More poses than [`limits::MUSCLE_POSES`].
+    #[error("{}", tr!("muscle-too-many-poses", count = *.0, limit = limits::MUSCLE_POSES))]
+    TooManyPoses(usize),
+    /// A pose (index from 0) with another number of radii than the first.
+    #[error("{}", tr!("muscle-pose-nodes", pose = *.pose + 1, nodes = *.nodes, wanted = *.wanted))]
+    PoseNodes {
+        /// The pose, from 0.
+        pose: usize,
+        /// Number of its radii.
+        nodes: usize,
+        /// Number of the first one's.
+        wanted: usize,
+    },
+    /// A pose (index from 0) at a length that is not above zero.
+    #[error("{}", tr!("muscle-pose-length", pose = *.0 + 1))]
+    PoseLength(usize),
+    /// Two poses, this and the next in the order of the lengths, at one length.
+    #[error("{}", tr!("muscle-poses-coincide"))]
+    PosesCoincide(usize),
 }
 
 /// What sets a limit of the length.
@@ -99,6 +119,8 @@ pub struct Profile {
     f: f64,
     /// The shortest and the longest valid length.
     limits: [Limit; 2],
+    /// Radii at several lengths, which take the place of growth multipliers.
+    poses: Option<Box<Poses>>,
 }
 
 impl Profile {
@@ -132,9 +154,30 @@ impl Profile {
         if a < f64::MIN_POSITIVE {
             return Err(ProfileError::NoGrowth);
         }
-        let mut profile = Self { radii, growth, length, a, b, f, limits: [Limit { length, cause: LimitCause::Reach }; 2] };
+        let mut profile = Self { radii, growth, length, a, b, f, limits: [Limit { length, cause: LimitCause::Reach }; 2], poses: None };
         profile.limits = profile.find_limits();
         Ok(profile)
+    }
+
+    /// A profile of measured poses (see [`super::poses`]) with this rest length; its volume is that of the blended radii there.
+    ///
+    /// # Errors
+    /// [`ProfileError`] where the numbers make no muscle.
+    pub fn of_poses(poses: Vec<Pose>, length: f64) -> Result<Self, ProfileError> {
+        let poses = Poses::new(poses)?;
+        let mut radii = Vec::new();
+        poses.shape_into(length, &mut radii);
+        // Blended radii scale as a whole: each is its own multiplier.
+        let mut profile = Self::new(radii.clone(), radii, length)?;
+        let limit = |length| Limit { length, cause: LimitCause::Reach };
+        profile.limits = [limit(length / REACH), limit(length * REACH)];
+        profile.poses = Some(Box::new(poses));
+        Ok(profile)
+    }
+
+    /// Whether the radii come from measured poses, not from growth multipliers.
+    pub fn is_posed(&self) -> bool {
+        self.poses.is_some()
     }
 
     /// Radii at rest.
@@ -142,7 +185,7 @@ impl Profile {
         &self.radii
     }
 
-    /// Growth multipliers.
+    /// Growth multipliers; of a profile of poses, the radii at rest.
     pub fn growth(&self) -> &[f64] {
         &self.growth
     }
@@ -178,8 +221,14 @@ impl Profile {
     /// [`Profile::solve`] into a value whose buffer is kept.
     pub fn solve_into(&self, asked: f64, solved: &mut Solved) {
         let length = if asked.is_nan() { self.length } else { asked.clamp(self.limits[0].length, self.limits[1].length) };
-        let (a, b) = (self.a, self.b);
-        let c = self.f * ((length - self.length) / length);
+        let (a, b, c) = match &self.poses {
+            None => (self.a, self.b, self.f * ((length - self.length) / length)),
+            Some(poses) => {
+                poses.shape_into(length, &mut solved.radii);
+                let f = cone_sum(&solved.radii);
+                (f, 2.0 * f, f - self.f * (self.length / length))
+            }
+        };
         // The limit of the range is where it vanishes; rounding must not push it below.
         let discriminant = (b * b - 4.0 * a * c).max(0.0);
         let root = discriminant.sqrt();
@@ -190,9 +239,13 @@ impl Profile {
         if slope.abs() > 1e-6 * b.abs().max(root) {
             delta -= ((a * delta + b) * delta + c) / slope;
         }
-        solved.radii.clear();
-        // A radius that a limit of the range brings to zero must not round to below it.
-        solved.radii.extend(self.radii.iter().zip(&self.growth).map(|(r, m)| (r + m * delta).max(SLIVER * 0.5 * r)));
+        if self.poses.is_some() {
+            solved.radii.iter_mut().for_each(|r| *r += *r * delta);
+        } else {
+            solved.radii.clear();
+            // A radius that a limit of the range brings to zero must not round to below it.
+            solved.radii.extend(self.radii.iter().zip(&self.growth).map(|(r, m)| (r + m * delta).max(SLIVER * 0.5 * r)));
+        }
         solved.length = length;
         solved.path_length = length;
         solved.held = length != asked;

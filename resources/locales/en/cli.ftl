@@ -183,13 +183,6 @@ cli-info-warnings = Findings
 
 # Measured radii.
 cli-table-not-text = This is not UTF-8 text; measured radii are given as a CSV file.
-cli-table-empty = The table is empty; write a row "node,deg0,deg30 …" and a row for each node.
-cli-table-header = The first row must be "node" and then an angle a column, as in node,deg0,deg30.
-cli-table-node = This row must begin with node number { NUMBER($number, useGrouping: 0) }: rows go from 1 on.
-cli-table-radius = "{ $text }" is no radius; write a number above 0, as in 18.2.
-cli-table-width = This row has { NUMBER($found, useGrouping: 0) } radii, but the first row names { NUMBER($wanted, useGrouping: 0) } angles.
-cli-table-too-long = The table has more than { NUMBER($limit, useGrouping: 0) } nodes.
-cli-table-fits-none = The table has { NUMBER($rows, useGrouping: 0) } nodes; the muscle has { NUMBER($nodes, useGrouping: 0) }, or { NUMBER($inner, useGrouping: 0) } without its ends.
 cli-compare-title = { $name }: radii in { $unit }, model beside measurement
 cli-compare-node = node
 cli-compare-model = { $angle }° model
@@ -209,3 +202,20 @@ export-io-read-only = the file system is read-only.
 export-io-full = the disk is full.
 export-io-not-a-folder = a part of the path is not a folder.
 export-io-name = the file system does not allow this name.
+
+cli-about-fit = Makes a muscle file from measured radii: growth multipliers by least squares under conserved volume, or the measured poses themselves.
+cli-arg-fit-table = Measured radii: a row "node,deg0,deg30 …" and a row for each node
+cli-arg-fit-output = The muscle file to write
+cli-arg-like = A muscle file whose arm, ends and unit to take; the report’s measured biceps unless given
+cli-arg-model = What to write: growth multipliers (unless given otherwise) or measured poses
+cli-example-fit = growth multipliers on the report’s arm
+cli-example-fit-poses = the measured poses, on another arm
+cli-fit-ending = { $out }: a muscle file’s name ends in .yaml.
+cli-fit-source = Fitted to { $table } under conserved volume; RMS difference { $rms }.
+cli-rms-title = RMS difference from the measured radii, in { $unit }, all at the volume of the first angle:
+cli-rms-own = the file’s growth multipliers
+cli-rms-fitted = fitted growth multipliers
+cli-rms-poses = measured poses
+cli-compare-growth = Growth from { $from }° to { $to }° in { $unit }
+cli-compare-grown-model = model
+cli-compare-times = measured / model

@@ -68,7 +68,6 @@ muscle-joint-not-found = The joint “{ $bone }” is in none of the open clips,
 muscle-bent-too-tight = The muscle is bent tighter than it is thick, so its surface folds into itself; make the radius of “wrap” larger or the tendon longer.
 
 muscle-table-heading = The first line should name the angles, rising, as in “node,deg0,deg30,deg60,deg90”.
-muscle-table-row = This row should have the node and { $count } radii of 0 or more, one an angle, separated by commas.
 muscle-table-empty = The table has no rows; after the heading it needs one a node.
 muscle-compare-nodes = The table has { $rows } rows, but the muscle has { $nodes } nodes; it needs one a node, or { $inner } without the two ends.
 muscle-compare-no-joint = The muscle is on no joint whose angle could be compared; the file needs an arm, or a clip with a joint.
@@ -104,3 +103,22 @@ muscle-edit-no-ends = The muscle lies on its own; give it an origin and an inser
 muscle-edit-offset = An offset must be three numbers between −10¹² and 10¹².
 muscle-edit-arm-bone = The arm has no bone “{ $bone }”; its bones are “upper arm” and “forearm”.
 muscle-edit-wrap = What a muscle goes round needs a radius above 0 and a side that points somewhere.
+
+muscle-table-node = This row must begin with node number { NUMBER($number, useGrouping: 0) }: rows are numbered one after the other.
+muscle-table-radius = "{ $text }" is no radius; write a number above 0, as in 18.2.
+muscle-table-width = This row has { NUMBER($found, useGrouping: 0) } radii, but the first row names { NUMBER($wanted, useGrouping: 0) } angles.
+muscle-table-too-long = The table has more than { NUMBER($limit, useGrouping: 0) } nodes.
+
+muscle-too-many-poses = A muscle can have at most { $limit } poses, this one has { $count }.
+muscle-pose-nodes = Pose { $pose } has { $nodes } radii, but the first one has { $wanted }; all need the same number.
+muscle-pose-length = The length of pose { $pose } is not a number above 0 and up to 10¹².
+muscle-poses-coincide = Two poses are at one length; remove one of them, or give it another angle or length.
+muscle-no-poses = “poses” is empty; give at least one pose, such as {"{"}angle: 0, radii: [5, 20, 5]{"}"}.
+muscle-poses-and-radii = A muscle has either “poses” or “radii” and “growth”; remove one of the two.
+muscle-pose-place = A pose needs either “angle” or “length”, and not both.
+muscle-poses-no-joint = The poses are at angles, but no joint turns this muscle, so their radii at the first angle stand for all; give the muscle an arm or bones, or the poses lengths.
+muscle-poses-do-not-fit = The poses do not fit on this joint, so their radii at the first angle stand for all: { $error }
+muscle-ends-coincide = Origin and insertion come to lie on one point, so the muscle has no length there; move one of them.
+muscle-shorter-than-tendons = The tendons are longer than the whole way from origin to insertion, so the belly is held at its shortest; shorten the tendons or move an end.
+muscle-edit-poses = Change the measured poses
+muscle-edit-posed = The radii of this muscle come from measured poses; give it radii and growth multipliers first.

@@ -177,13 +177,6 @@ cli-info-warnings = Замечания
 
 # Измеренные радиусы.
 cli-table-not-text = Это не текст в UTF-8; измеренные радиусы задаются файлом CSV.
-cli-table-empty = Таблица пуста; нужна строка «node,deg0,deg30 …» и по строке на каждый узел.
-cli-table-header = Первая строка должна состоять из «node» и углов по столбцам, например node,deg0,deg30.
-cli-table-node = Эта строка должна начинаться с номера узла { NUMBER($number, useGrouping: 0) }: узлы идут подряд с 1.
-cli-table-radius = «{ $text }» – не радиус; нужно число больше 0, например 18.2.
-cli-table-width = Радиусов в строке: { NUMBER($found, useGrouping: 0) }, а углов в первой строке: { NUMBER($wanted, useGrouping: 0) }.
-cli-table-too-long = В таблице больше { NUMBER($limit, useGrouping: 0) } узлов.
-cli-table-fits-none = В таблице узлов: { NUMBER($rows, useGrouping: 0) }; у мышцы их { NUMBER($nodes, useGrouping: 0) } или, без концов, { NUMBER($inner, useGrouping: 0) }.
 cli-compare-title = { $name }: радиусы в { $unit }, модель рядом с измерением
 cli-compare-node = узел
 cli-compare-model = { $angle }° модель
@@ -203,3 +196,20 @@ export-io-read-only = файловая система только для чте
 export-io-full = на диске нет места.
 export-io-not-a-folder = часть пути – не папка.
 export-io-name = файловая система не допускает такого имени.
+
+cli-about-fit = Создаёт файл мышцы по измеренным радиусам: множители роста методом наименьших квадратов при постоянном объёме или сами измеренные позы.
+cli-arg-fit-table = Измеренные радиусы: строка «node,deg0,deg30 …» и по строке на каждый узел
+cli-arg-fit-output = Файл мышцы, который нужно записать
+cli-arg-like = Файл мышцы, из которого взять руку, крепления и единицу; по умолчанию измеренный бицепс из отчёта
+cli-arg-model = Что записать: множители роста (по умолчанию) или измеренные позы
+cli-example-fit = множители роста на руке из отчёта
+cli-example-fit-poses = измеренные позы на другой руке
+cli-fit-ending = { $out }: имя файла мышцы оканчивается на .yaml.
+cli-fit-source = Подобрано по { $table } при постоянном объёме; среднеквадратичная разность { $rms }.
+cli-rms-title = Среднеквадратичная разность с измеренными радиусами, { $unit }, при объёме первого угла:
+cli-rms-own = множители роста из файла
+cli-rms-fitted = подобранные множители роста
+cli-rms-poses = измеренные позы
+cli-compare-growth = Рост от { $from }° до { $to }°, { $unit }
+cli-compare-grown-model = модель
+cli-compare-times = измерено / модель

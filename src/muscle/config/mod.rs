@@ -30,7 +30,7 @@ mod write;
 mod yaml;
 
 pub use keep::Saved;
-pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
+pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 
 use crate::{limits, tr};
 use decode::{At, Complaint};

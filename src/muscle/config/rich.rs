@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::decode::{At, Complaint, nearest};
-use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, Tendon, Wrap};
+use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
 use crate::muscle::edit::VIA;
 use crate::muscle::profile::{Profile, ProfileError};
@@ -97,20 +97,18 @@ fn direction(at: &At<'_>) -> Result<DVec3, Complaint> {
 }
 
 fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, Complaint> {
-    let map = at.map(&["name", "color", "source", "length", "radii", "growth", "origin", "via", "wrap", "insertion", "tendons"])?;
-    let radii = map.need("radii")?;
-    let growth = map.need("growth")?;
+    let map =
+        at.map(&["name", "color", "source", "length", "radii", "growth", "poses", "origin", "via", "wrap", "insertion", "tendons"])?;
     let length = map.need("length")?;
-    let numbers = radii.items()?.iter().map(|item| item.positive(true)).collect::<Result<Vec<f64>, _>>()?;
-    let profile = Profile::new(numbers, growth.numbers()?, length.positive(false)?).map_err(|error| {
-        let at = match error {
-            ProfileError::LengthsDiffer { .. } | ProfileError::NoGrowth | ProfileError::BadGrowth(_) => &growth,
-            ProfileError::BadLength => &length,
-            _ => &radii,
-        };
-        at.complain(error.to_string())
-    })?;
-    let mut spec = MuscleSpec::new(profile);
+    let mut spec = match map.get("poses") {
+        Some(poses) => {
+            if let Some(at) = map.get("radii").or_else(|| map.get("growth")) {
+                return Err(at.complain(tr!("muscle-poses-and-radii")));
+            }
+            posed(&poses, &length)?
+        }
+        None => MuscleSpec::new(grown(&map.need("radii")?, &map.need("growth")?, &length)?),
+    };
     if let Some(at) = map.get("name") {
         spec.name = at.text()?.to_owned();
     }
@@ -155,6 +153,47 @@ fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, Complaint> {
         }
     }
     Ok(spec)
+}
+
+fn radii(at: &At<'_>) -> Result<Vec<f64>, Complaint> {
+    at.items()?.iter().map(|item| item.positive(true)).collect()
+}
+
+fn grown(radii_at: &At<'_>, growth: &At<'_>, length: &At<'_>) -> Result<Profile, Complaint> {
+    Profile::new(radii(radii_at)?, growth.numbers()?, length.positive(false)?).map_err(|error| {
+        let at = match error {
+            ProfileError::LengthsDiffer { .. } | ProfileError::NoGrowth | ProfileError::BadGrowth(_) => growth,
+            ProfileError::BadLength => length,
+            _ => radii_at,
+        };
+        at.complain(error.to_string())
+    })
+}
+
+fn posed(at: &At<'_>, length: &At<'_>) -> Result<MuscleSpec, Complaint> {
+    let items = at.items()?;
+    if items.is_empty() {
+        return Err(at.complain(tr!("muscle-no-poses")));
+    }
+    let pose = |at: &At<'_>| {
+        let map = at.map(&["angle", "length", "radii"])?;
+        let place = match (map.get("angle"), map.get("length")) {
+            (Some(angle), None) => PoseAt::Angle(angle.number()?),
+            (None, Some(length)) => PoseAt::Length(length.positive(false)?),
+            _ => return Err(at.complain(tr!("muscle-pose-place"))),
+        };
+        Ok(PoseSpec { at: place, radii: radii(&map.need("radii")?)? })
+    };
+    let poses = items.iter().map(pose).collect::<Result<Vec<_>, _>>()?;
+    let profile = MuscleSpec::posed(&poses, length.positive(false)?, |_| None).map_err(|error| {
+        let at = match error {
+            ProfileError::BadLength => length,
+            ProfileError::PoseNodes { pose, .. } | ProfileError::PoseLength(pose) => items.get(pose).unwrap_or(at),
+            _ => at,
+        };
+        at.complain(error.to_string())
+    })?;
+    Ok(MuscleSpec { poses, ..MuscleSpec::new(profile) })
 }
 
 fn anchor(at: &At<'_>, on_arm: bool) -> Result<Anchor, Complaint> {

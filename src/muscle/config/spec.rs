@@ -3,7 +3,8 @@
 use glam::DVec3;
 
 use crate::muscle::arm::Arm;
-use crate::muscle::profile::Profile;
+use crate::muscle::poses::Pose;
+use crate::muscle::profile::{Profile, ProfileError};
 
 /// Which of the two forms a file is written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -58,8 +59,10 @@ pub struct MuscleSpec {
     pub color: Option<[u8; 3]>,
     /// Where the numbers come from, for a person to read.
     pub source: String,
-    /// Shape at rest.
+    /// Shape at rest. Of poses at angles it is only complete once the muscle is on its joint, which says how long it is there.
     pub profile: Profile,
+    /// Measured radii that the profile is made of, instead of growth multipliers; empty for most muscles.
+    pub poses: Vec<PoseSpec>,
     /// Where it begins.
     pub origin: Option<Anchor>,
     /// Points that it passes, in order.
@@ -80,11 +83,57 @@ impl MuscleSpec {
             color: None,
             source: String::new(),
             profile,
+            poses: Vec::new(),
             origin: None,
             via: Vec::new(),
             wrap: None,
             insertion: None,
             tendons: [Tendon::default(); 2],
+        }
+    }
+}
+
+/// Where a measured pose was taken.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PoseAt {
+    /// At an angle of the joint, degrees.
+    Angle(f64),
+    /// At a length of the belly.
+    Length(f64),
+}
+
+/// Measured radii of all nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PoseSpec {
+    /// Where they were measured.
+    pub at: PoseAt,
+    /// One a node.
+    pub radii: Vec<f64>,
+}
+
+impl MuscleSpec {
+    /// The profile that poses make at this rest length: whole where all are at lengths or `length_at` knows that of an angle, else the first pose's
+    /// shape, which swells evenly.
+    ///
+    /// # Errors
+    /// [`ProfileError`] where they make no muscle.
+    pub fn posed(poses: &[PoseSpec], length: f64, length_at: impl Fn(f64) -> Option<f64>) -> Result<Profile, ProfileError> {
+        let place = |pose: &PoseSpec| {
+            let length = match pose.at {
+                PoseAt::Length(length) => Some(length),
+                PoseAt::Angle(angle) => length_at(angle),
+            };
+            length.map(|length| Pose { length, radii: pose.radii.clone() })
+        };
+        match poses.iter().map(place).collect::<Option<Vec<_>>>() {
+            Some(poses) => Profile::of_poses(poses, length),
+            None => {
+                // Checks all, at lengths that are as good as any.
+                let stand_in = poses.iter().enumerate().map(|(index, pose)| Pose { length: 1.0 + index as f64, radii: pose.radii.clone() });
+                Profile::of_poses(stand_in.collect(), length)?;
+                let first: Vec<f64> = poses.first().map(|pose| pose.radii.clone()).unwrap_or_default();
+                Profile::new(first.clone(), first, length)
+            }
         }
     }
 }

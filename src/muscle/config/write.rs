@@ -5,7 +5,7 @@ use std::fmt::Write;
 use glam::DVec3;
 
 use super::rich::UNITS;
-use super::spec::{Anchor, Form, MuscleFile, MuscleSpec};
+use super::spec::{Anchor, Form, MuscleFile, MuscleSpec, PoseAt};
 use super::yaml::Yaml;
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
 
@@ -122,8 +122,19 @@ fn write_muscle(text: &mut String, muscle: &MuscleSpec, indent: usize) {
         line(text, indent, "source", &quoted(&muscle.source));
     }
     line(text, indent, "length", &number(muscle.profile.rest_length()));
-    line(text, indent, "radii", &numbers(muscle.profile.radii()));
-    line(text, indent, "growth", &numbers(muscle.profile.growth()));
+    if muscle.poses.is_empty() {
+        line(text, indent, "radii", &numbers(muscle.profile.radii()));
+        line(text, indent, "growth", &numbers(muscle.profile.growth()));
+    } else {
+        let _ = writeln!(text, "{:indent$}poses:", "");
+    }
+    for pose in &muscle.poses {
+        let (key, value) = match pose.at {
+            PoseAt::Angle(angle) => ("angle", angle),
+            PoseAt::Length(length) => ("length", length),
+        };
+        let _ = writeln!(text, "{:inner$}- {{{key}: {}, radii: {}}}", "", number(value), numbers(&pose.radii));
+    }
     if let Some(origin) = &muscle.origin {
         line(text, indent, "origin", &anchor(origin));
     }

@@ -1,0 +1,103 @@
+//! `sinew fit`: a muscle file from measured radii.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use clap::ArgMatches;
+use serde::Serialize;
+
+use super::compare::rms_lines;
+use super::export::{ending, refuse_overwriting};
+use super::failure::{Failure, answer, answer_json, display_name};
+use super::measure::{unit_for_people, unit_name};
+use super::{files, measured, value};
+use crate::collada::Progress;
+use crate::document::{Document, SourceKind};
+use crate::export::atomic::write_whole;
+use crate::i18n::decimal;
+use crate::muscle::experiment::Table;
+use crate::muscle::fit::{Fitted, Model, fitted_file};
+use crate::muscle::{MuscleFile, Rig};
+use crate::tr;
+
+/// What was fitted; the names are a contract.
+#[derive(Debug, Serialize)]
+struct Report {
+    file: String,
+    fitted_to: String,
+    unit: String,
+    model: &'static str,
+    growth: Vec<f64>,
+    rms: Rms,
+}
+
+/// Root of the mean squared difference over all nodes and angles.
+#[derive(Debug, Serialize)]
+struct Rms {
+    own_growth: Option<f64>,
+    fitted_growth: f64,
+    measured_poses: f64,
+}
+
+/// Runs the subcommand.
+pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+    let files = files(given);
+    // Both are required by the parser.
+    let (Some(csv), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
+        return Err(Failure::usage(tr!("cli-call-wrong")));
+    };
+    if !matches!(ending(&out).as_str(), "yaml" | "yml") {
+        return Err(Failure::usage(tr!("cli-fit-ending", out = display_name(&out))));
+    }
+    let like = value::<PathBuf>(given, "like");
+    let inputs: Vec<PathBuf> = files.iter().chain(&like).cloned().collect();
+    refuse_overwriting(&inputs, &out)?;
+    let table = measured::read(csv)?;
+    let document = match &like {
+        Some(file) => Document::open(std::slice::from_ref(file), &Progress::default())?,
+        None => Document::built_in(),
+    };
+    let model = if value::<String>(given, "model").as_deref() == Some("poses") { Model::Poses } else { Model::Growth };
+    let (file, rig) = muscles(&document, like.as_deref().unwrap_or(csv))?;
+    let mut fitted = fit_first(file, rig, &table, model).map_err(|error| Failure::file(csv, error))?;
+    let misfit = if model == Model::Poses { fitted.poses } else { fitted.growth };
+    let unit = unit_name(file.unit_metres);
+    let growth = match fitted.file.muscles.first_mut() {
+        Some(muscle) => {
+            let rms = format!("{} {}", decimal(misfit, 2), unit_for_people(&unit));
+            muscle.source = tr!("cli-fit-source", table = file_name(csv), rms = rms);
+            muscle.profile.growth().to_vec()
+        }
+        None => Vec::new(),
+    };
+    write_whole(&out, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
+    let rms = Rms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
+    if given.get_flag("json") {
+        let model = if model == Model::Poses { "poses" } else { "growth" };
+        answer_json(&Report { file: display_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
+    } else {
+        answer(rms_lines(rms.own_growth, rms.fitted_growth, rms.measured_poses, &unit_for_people(&unit)).trim_start())
+    }
+}
+
+fn muscles<'a>(document: &'a Document, file: &Path) -> Result<(&'a MuscleFile, &'a Rig), Failure> {
+    let found = document.sources.iter().find_map(|source| match &source.kind {
+        SourceKind::Muscles(muscles, rig) => Some((&**muscles, &**rig)),
+        SourceKind::Collada(_) => None,
+    });
+    found.ok_or_else(|| Failure::file(file, tr!("cli-measure-no-muscle")))
+}
+
+/// Fits the first muscle that hangs on a joint, and leaves the others out: the table speaks of one.
+fn fit_first(file: &MuscleFile, rig: &Rig, table: &Table, model: Model) -> Result<Fitted, crate::muscle::experiment::CompareError> {
+    let index = (0..rig.len()).find(|index| rig.is_attached(*index)).unwrap_or(0);
+    let mut fitted = fitted_file(file, rig, index, table, model)?;
+    if index < fitted.file.muscles.len() {
+        fitted.file.muscles = vec![fitted.file.muscles.swap_remove(index)];
+    }
+    Ok(fitted)
+}
+
+fn file_name(file: &Path) -> String {
+    file.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
