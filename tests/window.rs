@@ -1,4 +1,4 @@
-//! Drives the real window on a display of its own: `tests/window/drive.py` through the accessibility tree, the mouse and the keyboard.
+//! Drives the real window on a display of its own: the drivers in `tests/window` through the accessibility tree, the mouse and the keyboard.
 //!
 //! Needs Xvfb, dbus-run-session, xdotool, ImageMagick's `import` and the system's Python with `gi` and Atspi (`make test` installs them); where
 //! one of them is missing it says so and passes.
@@ -64,6 +64,16 @@ fn missing() -> Option<&'static str> {
 
 #[test]
 fn hands_on_the_window_do_what_they_should() {
+    drive("drive.py");
+}
+
+#[test]
+fn hands_on_timeline_camera_and_model_do_what_they_should() {
+    drive("views.py");
+}
+
+/// Runs a driver of `tests/window` on a display, a bus and a home of its own.
+fn drive(script: &str) {
     if let Some(what) = missing() {
         eprintln!("SKIPPED: the window is not tested, because {what} is missing");
         return;
@@ -76,11 +86,12 @@ fn hands_on_the_window_do_what_they_should() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let ended = Command::new("dbus-run-session")
         .args(["--", "/usr/bin/python3"])
-        .arg(root.join("tests/window/drive.py"))
+        .arg(root.join("tests/window").join(script))
         .arg(env!("CARGO_BIN_EXE_sinew"))
         .arg(files.path())
         .arg(root.join("configs"))
         .env("DISPLAY", &display.name)
+        .env("PYTHONDONTWRITEBYTECODE", "1")
         .env_remove("WAYLAND_DISPLAY")
         .env("G_DEBUG", "fatal-criticals")
         .env("LANG", "C.UTF-8")

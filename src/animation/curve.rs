@@ -246,6 +246,13 @@ impl Curve {
         if start == NO_CUBIC { None } else { self.cubics.get(start as usize + component) }
     }
 
+    /// The two inner control points, as (time, value), of one number between key `segment` and the next; `None` where it goes straight or by steps.
+    pub fn control_points(&self, segment: usize, component: usize) -> Option<[(f64, f64); 2]> {
+        let (t0, t1) = (*self.times.get(segment)?, *self.times.get(segment + 1)?);
+        let cubic = self.cubic_at(segment, component)?;
+        Some([0, 1].map(|end| (t0 + (t1 - t0) * cubic.x[end], cubic.y[end])))
+    }
+
     /// The whole matrix at `time`, with a bottom row of 0 0 0 1; the identity where the curve holds no matrices.
     pub fn matrix(&self, time: f64) -> DMat4 {
         let (segment, part) = self.place(time);

@@ -128,6 +128,10 @@ commands! {
         MarkB = "mark-b" ["o"],
         /// No marks.
         ClearMarks = "clear-marks" [],
+        /// The dope sheet.
+        Sheet = "sheet" ["k"],
+        /// The curve view.
+        Curves = "curves" ["<Shift>k"],
         /// Previous clip.
         PreviousClip = "previous-clip" ["Page_Up"],
         /// Next clip.
@@ -160,6 +164,8 @@ commands! {
         Orthographic = "orthographic" ["5"],
         /// Fly.
         Fly = "fly" ["f", "<Shift>grave"],
+        /// Eased jumps of the camera.
+        SmoothCamera = "smooth-camera" [],
         /// The light back to its place.
         ResetLight = "reset-light" [],
     }
@@ -222,6 +228,14 @@ commands! {
         CullBackFaces = "cull-back-faces" [],
         /// Anti-aliasing.
         SmoothEdges = "smooth-edges" [],
+        /// The look "clean".
+        PresetClean = "preset-clean" [],
+        /// The look "skeleton".
+        PresetSkeleton = "preset-skeleton" [],
+        /// The look "inspection".
+        PresetInspection = "preset-inspection" [],
+        /// The look "print".
+        PresetPrint = "preset-print" [],
         /// Flat shading.
         Flat = "flat" [],
         /// Gouraud shading.

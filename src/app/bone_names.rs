@@ -3,8 +3,9 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use super::canvas::{Align, Canvas, rgb, write};
+use super::canvas::{Canvas, rgb, write_on};
 use super::session::Session;
+use crate::render::Background;
 
 /// Most names that are written; more would be a grey cloud.
 const MOST: usize = 400;
@@ -17,9 +18,12 @@ pub fn write_all(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapsho
         .joints
         .iter()
         .filter_map(|joint| camera.project(frame.position(joint.node), size).map(|place| (place, joint.node)))
+        .filter(|(_, node)| scene.graph.is_shown(*node))
         .filter(|(place, _)| place.z <= 1.0 && place.x > 0.0 && place.y > 0.0 && place.x < size.x && place.y < size.y)
         .collect();
-    names.sort_by(|(a, _), (b, _)| a.z.total_cmp(&b.z));
+    // The selected one is never left out, and the one under the pointer neither.
+    let rank = |node| u8::from(display.selected != Some(node)) + u8::from(display.selected != Some(node) && display.hovered != Some(node));
+    names.sort_by(|(a, one), (b, other)| rank(*one).cmp(&rank(*other)).then(a.z.total_cmp(&b.z)));
     let mut taken: Vec<(f64, f64, f64)> = Vec::new();
     for (place, node) in names.into_iter().take(MOST) {
         let (x, y) = (f64::from(place.x) + 6.0, f64::from(place.y) - 7.0);
@@ -28,8 +32,13 @@ pub fn write_all(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapsho
         if taken.iter().any(|(left, right, top)| x < *right && x + length > *left && (y - top).abs() < 12.0) {
             continue;
         }
+        let ground = rgb(match display.background {
+            Background::Gradient(above, _) => above,
+            Background::Solid(color) => color,
+            Background::Transparent => display.palette.background.0,
+        });
         let color = if display.selected == Some(node) { display.palette.selected } else { display.palette.bone };
-        let (written, _) = write(canvas, snapshot, name, x, y, Align::Left, 0.8, &rgb(color));
+        let written = write_on(canvas, snapshot, name, (x, y), 0.8, &rgb(color), &ground.with_alpha(0.8));
         taken.push((x, x + written, y));
     }
 }

@@ -127,6 +127,30 @@ pub enum Align {
     Centre,
 }
 
+/// Writes text as [`write`] does, on a ground that keeps it legible over anything; returns its width.
+pub fn write_on(
+    canvas: &Canvas,
+    snapshot: &gtk::Snapshot,
+    text: &str,
+    (x, y): (f64, f64),
+    size: f64,
+    color: &gdk::RGBA,
+    ground: &gdk::RGBA,
+) -> f64 {
+    let layout = canvas.create_pango_layout(Some(text));
+    let attributes = gtk::pango::AttrList::new();
+    attributes.insert(gtk::pango::AttrFloat::new_scale(size));
+    layout.set_attributes(Some(&attributes));
+    let (width, height) = layout.pixel_size();
+    let left = x.clamp(0.0, (f64::from(canvas.width()) - f64::from(width)).max(0.0));
+    snapshot.save();
+    snapshot.translate(&graphene::Point::new(left.round() as f32, y.round() as f32));
+    snapshot.append_color(ground, &graphene::Rect::new(-3.0, 0.0, width as f32 + 6.0, height as f32));
+    snapshot.append_layout(&layout, color);
+    snapshot.restore();
+    f64::from(width)
+}
+
 /// Writes text in the widget's own font, `size` times as large, held within the canvas' width; returns its width and height.
 #[allow(clippy::too_many_arguments)]
 pub fn write(

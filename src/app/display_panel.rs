@@ -6,12 +6,24 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::{Changes, Session};
+use super::session::{Backdrop, Changes, LightAim, Session};
 use super::settings::SHADINGS;
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::document::Skinning;
 use crate::tr;
+
+/// Sides of a cell of the grid to choose from, metres; none = after the size of the scene.
+const CELLS: [Option<f32>; 6] = [None, Some(0.001), Some(0.01), Some(0.1), Some(1.0), Some(10.0)];
+
+fn cell_name(cell: Option<f32>) -> String {
+    match cell {
+        None => tr!("app-grid-auto"),
+        Some(metres) if metres < 0.01 => format::with_unit(f64::from(metres) * 1000.0, 0, &tr!("app-unit-mm")),
+        Some(metres) if metres < 1.0 => format::with_unit(f64::from(metres) * 100.0, 0, &tr!("app-unit-cm")),
+        Some(metres) => format::with_unit(f64::from(metres), 0, &tr!("app-unit-m")),
+    }
+}
 
 /// The panel.
 pub struct DisplayPanel {
@@ -22,6 +34,12 @@ pub struct DisplayPanel {
     ambient: gtk::Scale,
     ambient_value: gtk::Label,
     light: gtk::Label,
+    light_yaw: gtk::SpinButton,
+    light_pitch: gtk::SpinButton,
+    grid_cell: gtk::DropDown,
+    backdrop: gtk::DropDown,
+    line_width: gtk::Scale,
+    line_width_value: gtk::Label,
 }
 
 impl DisplayPanel {
@@ -41,6 +59,17 @@ impl DisplayPanel {
             ambient: part(&builder, "ambient"),
             ambient_value: part(&builder, "ambient_value"),
             light: part(&builder, "light_position"),
+            light_yaw: part(&builder, "light_yaw"),
+            light_pitch: part(&builder, "light_pitch"),
+            grid_cell: {
+                let list: gtk::DropDown = part(&builder, "grid_cell");
+                let words: Vec<String> = CELLS.iter().map(|cell| cell_name(*cell)).collect();
+                list.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+                list
+            },
+            backdrop: list("backdrop", &["app-backdrop-theme", "app-backdrop-white", "app-backdrop-grey", "app-backdrop-black"]),
+            line_width: part(&builder, "line_width"),
+            line_width_value: part(&builder, "line_width_value"),
         }
     }
 
@@ -68,6 +97,43 @@ impl DisplayPanel {
             window,
             move |slider| window.act(|session| session.change_display(|display| display.ambient = slider.value() as f32))
         ));
+        self.line_width.connect_value_changed(glib::clone!(
+            #[weak]
+            window,
+            move |slider| window.act(|session| session.change_display(|display| display.line_width = slider.value() as f32))
+        ));
+        self.grid_cell.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |list| {
+                if let Some(cell) = CELLS.get(list.selected() as usize) {
+                    window.act(|session| session.change_display(|display| display.grid_cell = *cell));
+                }
+            }
+        ));
+        self.backdrop.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |list| {
+                if let Some(backdrop) = Backdrop::ALL.get(list.selected() as usize) {
+                    window.act(|session| session.set_backdrop(*backdrop));
+                }
+            }
+        ));
+        for number in [&self.light_yaw, &self.light_pitch] {
+            let (yaw, pitch) = (self.light_yaw.clone(), self.light_pitch.clone());
+            number.connect_value_changed(glib::clone!(
+                #[weak]
+                window,
+                move |_| {
+                    let aim = LightAim { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
+                    window.act(|session| {
+                        session.remember_as("app-edit-light");
+                        session.set_light(aim);
+                    });
+                }
+            ));
+        }
     }
 
     /// Shows what changed.
@@ -79,6 +145,20 @@ impl DisplayPanel {
             self.skinning.set_selected(u32::from(session.state().skinning == Skinning::DualQuaternion));
             self.ambient.set_value(f64::from(display.ambient));
             self.ambient_value.set_text(&format::with_unit(f64::from(display.ambient) * 100.0, 0, "%"));
+        }
+        if changes.any(Changes::DISPLAY) {
+            let display = session.display();
+            let cell = CELLS.iter().position(|cell| *cell == display.grid_cell).unwrap_or(0);
+            self.grid_cell.set_selected(cell as u32);
+            let backdrop = Backdrop::ALL.iter().position(|backdrop| *backdrop == session.backdrop()).unwrap_or(0);
+            self.backdrop.set_selected(backdrop as u32);
+            self.line_width.set_value(f64::from(display.line_width));
+            self.line_width_value.set_text(&format!("{}\u{2009}×", format::number(f64::from(display.line_width), 1)));
+        }
+        if changes.any(Changes::LIGHT | Changes::DOCUMENT | Changes::CAMERA) {
+            let aim = session.light_aim();
+            self.light_yaw.set_value(f64::from(aim.yaw.rem_euclid(360.0)));
+            self.light_pitch.set_value(f64::from(aim.pitch));
         }
         if changes.any(Changes::LIGHT | Changes::DOCUMENT) {
             let text = match session.light() {

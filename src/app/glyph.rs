@@ -35,6 +35,12 @@ pub enum Glyph {
     PreviousKey,
     /// To the next key.
     NextKey,
+    /// One frame back.
+    FrameBack,
+    /// One frame on.
+    FrameForward,
+    /// The dope sheet.
+    Sheet,
 }
 
 /// A canvas of 16 × 16 that shows a glyph.
@@ -134,6 +140,27 @@ fn draw(context: &Context, glyph: Glyph) -> Result<(), gtk::cairo::Error> {
             context.rectangle(1.8, 8.2, 6.0, 6.0);
             path(context, &[(8.5, 7.5), (14.0, 2.0)], false);
             path(context, &[(9.8, 2.0), (14.0, 2.0), (14.0, 6.2)], false);
+        }
+        Glyph::FrameBack | Glyph::FrameForward => {
+            if glyph == Glyph::FrameForward {
+                context.translate(16.0, 0.0);
+                context.scale(-1.0, 1.0);
+            }
+            path(context, &[(8.5, 3.5), (8.5, 12.5), (2.5, 8.0)], true);
+            context.fill()?;
+            context.rectangle(10.5, 3.5, 2.0, 9.0);
+            context.fill()?;
+        }
+        Glyph::Sheet => {
+            for (y, keys) in [(3.5, [4.0, 11.0]), (8.0, [7.0, 13.0]), (12.5, [3.0, 9.0])] {
+                path(context, &[(0.8, y), (15.2, y)], false);
+                context.set_line_width(0.7);
+                context.stroke()?;
+                for x in keys {
+                    path(context, &[(x, y - 2.2), (x + 2.2, y), (x, y + 2.2), (x - 2.2, y)], true);
+                    context.fill()?;
+                }
+            }
         }
         Glyph::PreviousKey | Glyph::NextKey => {
             if glyph == Glyph::NextKey {

@@ -80,6 +80,11 @@ fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierTyp
         return plain && !function;
     }
     if is_typing(window) {
+        // No number has a space in it, so in a number box Space plays too.
+        let in_number = widget.ancestor(gtk::SpinButton::static_type()).is_some();
+        if in_number && key == K::space {
+            return false;
+        }
         let text_keys = [K::c, K::z, K::Z, K::y, K::Left, K::Right, K::o].contains(&key) && key != K::o;
         return !function && (plain || text_keys && modifiers.contains(gdk::ModifierType::CONTROL_MASK));
     }

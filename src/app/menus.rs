@@ -61,6 +61,7 @@ fn main_menu() -> gio::Menu {
     section(&time, &[C::Reverse, C::MarkA, C::MarkB, C::ClearMarks]);
     section(&time, &[C::Slower, C::Faster, C::NormalSpeed]);
     section(&time, &[C::PreviousClip, C::NextClip]);
+    section(&time, &[C::Sheet, C::Curves]);
     let colours = gio::Menu::new();
     section(&colours, &[C::ColoursSystem, C::ColoursLight, C::ColoursDark]);
     let more = gio::Menu::new();
@@ -75,6 +76,7 @@ fn main_menu() -> gio::Menu {
 fn display_menu() -> gio::Menu {
     use Command as C;
     let menu = gio::Menu::new();
+    section(&menu, &[C::PresetClean, C::PresetSkeleton, C::PresetInspection, C::PresetPrint]);
     section(&menu, &[C::Bones, C::BoneNames, C::Materials, C::SmoothNormals, C::NormalGlyphs, C::Wireframe, C::Muscle, C::Weights]);
     section(&menu, &[C::Grid, C::Axes, C::BoundingBox]);
     section(&menu, &[C::Flat, C::Gouraud, C::Phong]);
@@ -89,7 +91,7 @@ pub fn list_cameras(button: &gtk::MenuButton, session: &Session) {
     section(&menu, &[C::Fit, C::ResetCamera, C::Centre]);
     section(&menu, &[C::Front, C::Right, C::Top, C::Iso]);
     section(&menu, &[C::Back, C::Left, C::Bottom, C::IsoOpposite]);
-    section(&menu, &[C::Orthographic, C::Fly]);
+    section(&menu, &[C::Orthographic, C::Fly, C::SmoothCamera]);
     let scene = &session.document().scene;
     let of_file = gio::Menu::new();
     for (place, (node, _)) in file_cameras(scene).iter().enumerate().take(20) {

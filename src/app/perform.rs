@@ -8,8 +8,8 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::actions::Command;
-use super::session::{Session, Tool};
-use super::settings::Colours;
+use super::session::{Preset, Session, Tool};
+use super::settings::{Colours, SheetPage};
 use super::window::Window;
 use super::{about, files, picture, theme};
 use crate::render::{Samples, Shading};
@@ -98,7 +98,9 @@ fn switch_state(command: Command, session: &Session) -> Option<bool> {
 }
 
 fn has_window_state(command: Command) -> bool {
-    matches!(command, Command::Tree | Command::Panel | Command::Fullscreen | Command::FrameTimes) || colours_of(command).is_some()
+    use Command as C;
+    matches!(command, C::Tree | C::Panel | C::Fullscreen | C::FrameTimes | C::Sheet | C::Curves | C::SmoothCamera)
+        || colours_of(command).is_some()
 }
 
 fn window_state(window: &Rc<Window>, command: Command) -> Option<bool> {
@@ -107,6 +109,9 @@ fn window_state(window: &Rc<Window>, command: Command) -> Option<bool> {
         Command::Panel => Some(window.sides().1),
         Command::Fullscreen => Some(window.widget.is_fullscreen()),
         Command::FrameTimes => Some(window.settings.borrow().frame_times),
+        Command::Sheet => Some(window.settings.borrow().sheet == SheetPage::Keys),
+        Command::Curves => Some(window.settings.borrow().sheet == SheetPage::Curves),
+        Command::SmoothCamera => Some(window.settings.borrow().smooth_camera),
         _ => colours_of(command).map(|colours| window.settings.borrow().colours == colours),
     }
 }
@@ -192,12 +197,28 @@ pub fn perform(window: &Rc<Window>, command: Command) {
             window.viewport.show_times(shown);
             window.show_states();
         }
+        C::Sheet => unfold(window, SheetPage::Keys),
+        C::Curves => unfold(window, SheetPage::Curves),
+        C::SmoothCamera => {
+            let smooth = !window.settings.borrow().smooth_camera;
+            window.settings.borrow_mut().smooth_camera = smooth;
+            window.act(|session| session.set_eased(smooth && theme::animates()));
+            window.show_states();
+        }
         C::Menu => window.menu.popup(),
         C::Shortcuts => about::shortcuts(window),
         C::About => about::about(window),
         C::Fly => window.viewport.toggle_flight(window),
         in_session => window.act(|session| change_session(in_session, session)),
     }
+}
+
+/// Unfolds a page below the track, or folds it away where it is shown.
+fn unfold(window: &Rc<Window>, page: SheetPage) {
+    let shown = window.settings.borrow().sheet == page;
+    window.settings.borrow_mut().sheet = if shown { SheetPage::None } else { page };
+    window.show_sheet();
+    window.show_states();
 }
 
 /// The commands that change the session and nothing else.
@@ -245,13 +266,17 @@ fn change_session(command: Command, session: &mut Session) {
         C::Orthographic => session.change_eye(|eye| eye.jump(|orbit| orbit.orthographic = !orbit.orthographic)),
         C::ResetLight => session.reset_light(),
         C::ResetModel => {
-            session.remember();
+            session.remember_as("app-edit-reset-model");
             session.change_model(|model| model.reset());
         }
         C::ContractMore => session.set_contraction(drive.contraction + 5.0),
         C::ContractLess => session.set_contraction(drive.contraction - 5.0),
         C::ElbowMore => session.set_flexion(drive.flexion + 5.0),
         C::ElbowLess => session.set_flexion(drive.flexion - 5.0),
+        C::PresetClean => session.take_preset(Preset::Clean),
+        C::PresetSkeleton => session.take_preset(Preset::Skeleton),
+        C::PresetInspection => session.take_preset(Preset::Inspection),
+        C::PresetPrint => session.take_preset(Preset::Print),
         C::Undo => session.undo(),
         C::Redo => session.redo(),
         C::BoneNames => session.set_bone_names(!session.bone_names()),

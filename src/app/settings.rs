@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::app::session::{Session, Tool};
-use crate::render::{Samples, Shading};
+use crate::app::session::{Backdrop, Session, Tool};
+use crate::render::{Display, Samples, Shading};
 use crate::tr;
 
 /// Light or dark, or what the desktop says.
@@ -36,6 +36,19 @@ impl Colours {
     }
 }
 
+/// What is unfolded below the track.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SheetPage {
+    /// Nothing.
+    #[default]
+    None,
+    /// The dope sheet.
+    Keys,
+    /// The curve view.
+    Curves,
+}
+
 /// Everything that is remembered. A key that is missing has its default; one that is unknown (from a newer version) is passed over.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
@@ -56,6 +69,22 @@ pub struct Settings {
     pub folder: Option<PathBuf>,
     /// Light or dark.
     pub colours: Colours,
+    /// What is unfolded below the track.
+    pub sheet: SheetPage,
+    /// Frames a second of the frame numbers; none = what the keys tell.
+    pub frame_rate: Option<f64>,
+    /// Whether jumps of the camera are eased, where the desktop wants animation.
+    pub smooth_camera: bool,
+    /// Whether the names of bones are written.
+    pub bone_names: bool,
+    /// What stands behind the scene.
+    pub backdrop: Backdrop,
+    /// Side of a cell of the ground grid, metres; none = after the size of the scene.
+    pub grid_cell: Option<f32>,
+    /// How many times as wide as usual lines are.
+    pub line_width: f32,
+    /// Ambient light, 0 to 1.
+    pub ambient: f32,
     /// Whether frame times are shown over the picture.
     pub frame_times: bool,
     /// `flat`, `gouraud` or `phong`.
@@ -77,6 +106,14 @@ impl Default for Settings {
             page: "muscle".into(),
             folder: None,
             colours: Colours::System,
+            sheet: SheetPage::None,
+            frame_rate: None,
+            smooth_camera: true,
+            bone_names: false,
+            backdrop: Backdrop::Theme,
+            grid_cell: None,
+            line_width: 1.0,
+            ambient: Display::default().ambient,
             frame_times: false,
             shading: "gouraud".into(),
             smooth_edges: true,
@@ -145,6 +182,11 @@ impl Settings {
     fn sane(mut self) -> Self {
         self.width = self.width.clamp(640, 16_384);
         self.height = self.height.clamp(480, 16_384);
+        let default = Self::default();
+        self.line_width = if self.line_width.is_finite() { self.line_width.clamp(0.5, 4.0) } else { default.line_width };
+        self.ambient = if self.ambient.is_finite() { self.ambient.clamp(0.0, 1.0) } else { default.ambient };
+        self.grid_cell = self.grid_cell.filter(|cell| cell.is_finite() && *cell > 0.0);
+        self.frame_rate = self.frame_rate.filter(|rate| rate.is_finite() && (1.0..=1000.0).contains(rate));
         self
     }
 
@@ -154,10 +196,14 @@ impl Settings {
         let samples = if self.smooth_edges { Samples::Four } else { Samples::One };
         session.change_display(|display| {
             (display.shading, display.samples) = (shading, samples);
+            (display.grid_cell, display.line_width, display.ambient) = (self.grid_cell, self.line_width, self.ambient);
             for (name, switch) in SWITCHES {
                 *switch(display) = self.shown.iter().any(|shown| shown == name);
             }
         });
+        session.set_bone_names(self.bone_names);
+        session.set_backdrop(self.backdrop);
+        session.choose_rate(self.frame_rate);
         session.set_tool(Tool::Navigate);
     }
 
@@ -166,6 +212,8 @@ impl Settings {
         let mut display = session.display().clone();
         self.shading = SHADINGS.iter().find(|(_, shading)| *shading == display.shading).map_or("gouraud", |(name, _)| name).into();
         self.smooth_edges = display.samples == Samples::Four;
+        (self.grid_cell, self.line_width, self.ambient) = (display.grid_cell, display.line_width, display.ambient);
+        (self.bone_names, self.backdrop, self.frame_rate) = (session.bone_names(), session.backdrop(), session.chosen_rate());
         self.shown = SWITCHES.iter().filter(|(_, switch)| *switch(&mut display)).map(|(name, _)| (*name).to_owned()).collect();
     }
 }

@@ -50,7 +50,8 @@ pub fn follow(window: &Rc<Window>) {
     let weak = Rc::downgrade(window);
     settings.connect_gtk_enable_animations_notify(move |_| {
         if let Some(window) = weak.upgrade() {
-            window.act(|session| session.set_eased(animates()));
+            let smooth = window.settings.borrow().smooth_camera;
+            window.act(|session| session.set_eased(smooth && animates()));
         }
     });
     follow_portal(window);

@@ -3,7 +3,7 @@
 //! The track is drawn by [`Track`]; under it lies a scale without looks, so that the keyboard and assistive tools find an ordinary slider
 //! named *Time*.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use gtk::prelude::*;
@@ -13,17 +13,34 @@ use gtk4 as gtk;
 use super::actions::Command;
 use super::canvas::Canvas;
 use super::glyph::{self, Glyph};
-use super::session::{Changes, Session};
+use super::session::{Changes, Mark, Session};
+use super::sheet::Sheet;
 use super::track::{Track, frame_of};
-use super::ui;
 use super::window::{Window, part};
+use super::{format, ui};
 use crate::animation::LoopMode;
 use crate::tr;
+
+/// The frame rates to choose from, beside the one that the keys tell.
+const RATES: [f64; 9] = [12.0, 15.0, 24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 120.0];
+
+/// What a drag on the track moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Grip {
+    /// The present moment.
+    Seek,
+    /// A mark.
+    Mark(Mark),
+    /// Both marks: what lies between the ends of the drag.
+    Range,
+}
 
 /// The timeline.
 pub struct Timeline {
     /// The whole.
     pub root: gtk::Box,
+    /// What is unfolded below the track.
+    pub sheet: Sheet,
     canvas: Canvas,
     track: Rc<RefCell<Track>>,
     time: gtk::Scale,
@@ -31,6 +48,7 @@ pub struct Timeline {
     frame: gtk::SpinButton,
     speed: gtk::SpinButton,
     clip: gtk::DropDown,
+    rate: gtk::DropDown,
     play_image: gtk::Image,
     loop_mode: gtk::Button,
 }
@@ -41,14 +59,24 @@ impl Timeline {
         let builder = ui::builder(ui::TIMELINE);
         let canvas = Canvas::new(160, 72);
         part::<gtk::Overlay>(&builder, "track").set_child(Some(&canvas));
-        for (id, glyph) in [("previous_key", Glyph::PreviousKey), ("next_key", Glyph::NextKey)] {
+        for (id, glyph) in [
+            ("previous_key", Glyph::PreviousKey),
+            ("next_key", Glyph::NextKey),
+            ("frame_back", Glyph::FrameBack),
+            ("frame_forward", Glyph::FrameForward),
+            ("unfold", Glyph::Sheet),
+        ] {
             part::<gtk::Button>(&builder, id).set_child(Some(&glyph::image(glyph)));
         }
         let track = Rc::new(RefCell::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() }));
         let painted = track.clone();
         canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
+        let root: gtk::Box = part(&builder, "root");
+        let sheet = Sheet::new(track.clone(), &canvas);
+        root.append(&sheet.root);
         Self {
-            root: part(&builder, "root"),
+            root,
+            sheet,
             canvas,
             track,
             time: part(&builder, "time"),
@@ -56,6 +84,7 @@ impl Timeline {
             frame: part(&builder, "frame"),
             speed: part(&builder, "speed"),
             clip: part(&builder, "clip"),
+            rate: part(&builder, "rate"),
             play_image: part(&builder, "play_image"),
             loop_mode: part(&builder, "loop_mode"),
         }
@@ -64,6 +93,15 @@ impl Timeline {
     /// Lets hands seek and choose.
     pub fn connect(&self, window: &Rc<Window>) {
         self.connect_track(window);
+        self.sheet.connect(window);
+        self.rate.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |list| {
+                let chosen = (list.selected() as usize).checked_sub(1).and_then(|place| RATES.get(place));
+                window.act(|session| session.choose_rate(chosen.copied()));
+            }
+        ));
         for (widget, of_frame) in [(&self.seconds, false), (&self.frame, true)] {
             widget.connect_value_changed(glib::clone!(
                 #[weak]
@@ -108,6 +146,7 @@ impl Timeline {
     fn connect_track(&self, window: &Rc<Window>) {
         let drag = gtk::GestureDrag::new();
         let track = self.track.clone();
+        let grip = Rc::new(Cell::new(Grip::Seek));
         drag.connect_drag_begin(glib::clone!(
             #[weak]
             window,
@@ -115,9 +154,21 @@ impl Timeline {
             track,
             #[weak(rename_to = time)]
             self.time,
-            move |gesture, x, _| {
+            #[strong]
+            grip,
+            move |gesture, x, y| {
                 time.grab_focus();
-                seek(&window, &track, gesture, x);
+                let width = gesture.widget().map_or(0.0, |canvas| f64::from(canvas.width()));
+                let mark = track.borrow().mark_at(x, y, width);
+                let shift = gesture.current_event_state().contains(gdk::ModifierType::SHIFT_MASK);
+                grip.set(match mark {
+                    Some(mark) => Grip::Mark(mark),
+                    None if shift => Grip::Range,
+                    None => Grip::Seek,
+                });
+                if grip.get() == Grip::Seek {
+                    seek(&window, &track, gesture, x);
+                }
             }
         ));
         drag.connect_drag_update(glib::clone!(
@@ -125,9 +176,17 @@ impl Timeline {
             window,
             #[strong]
             track,
+            #[strong]
+            grip,
             move |gesture, dx, _| {
-                if let Some((x, _)) = gesture.start_point() {
-                    seek(&window, &track, gesture, x + dx);
+                let (Some((x, _)), Some(canvas)) = (gesture.start_point(), gesture.widget()) else { return };
+                let moment = |x: f64| track.borrow().time_at(x, f64::from(canvas.width()));
+                let (from, to) = (moment(x), moment(x + dx));
+                match grip.get() {
+                    Grip::Seek => seek(&window, &track, gesture, x + dx),
+                    Grip::Mark(mark) => window.act(|session| session.set_mark(mark, to)),
+                    Grip::Range if dx.abs() > 3.0 => window.act(|session| session.set_marks(from, to)),
+                    Grip::Range => {}
                 }
             }
         ));
@@ -177,8 +236,26 @@ impl Timeline {
         ));
     }
 
+    /// The rates, with the one that the keys tell first; listed anew only where that one changed, for a list that is open would close.
+    fn list_rates(&self, session: &Session) {
+        let own = tr!("app-rate-own", rate = format::number(session.own_rate(), 0));
+        let listed = self.rate.model().and_downcast::<gtk::StringList>().and_then(|list| list.string(0));
+        if listed.as_deref() != Some(own.as_str()) {
+            let rates = RATES.map(|rate| tr!("app-rate", rate = format::number(rate, 0)));
+            let words: Vec<&str> = std::iter::once(own.as_str()).chain(rates.iter().map(String::as_str)).collect();
+            self.rate.set_model(Some(&gtk::StringList::new(&words)));
+        }
+        let chosen = session.chosen_rate().and_then(|rate| RATES.iter().position(|known| *known == rate));
+        self.rate.set_selected(chosen.map_or(0, |place| place as u32 + 1));
+    }
+
     /// Shows what changed.
     pub fn refresh(&self, session: &Session, changes: Changes) {
+        self.show(session, changes);
+        self.sheet.refresh(session, changes);
+    }
+
+    fn show(&self, session: &Session, changes: Changes) {
         let playback = *session.playback();
         let rate = session.frame_rate();
         if changes.any(Changes::DOCUMENT) {
@@ -187,6 +264,9 @@ impl Timeline {
                 names.push("–");
             }
             self.clip.set_model(Some(&gtk::StringList::new(&names)));
+        }
+        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+            self.list_rates(session);
         }
         if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
             self.clip.set_sensitive(!session.document().clips.is_empty());

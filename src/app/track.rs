@@ -5,15 +5,21 @@ use gtk4 as gtk;
 
 use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
 use super::format;
+use super::session::Mark;
 
 /// Room left of the first and right of the last moment, logical pixels.
 const INSET: f64 = 16.0;
+/// Room above the track for the frame numbers.
+const TOP: f64 = 18.0;
 /// Steps of the ruler, seconds.
 const SECONDS: [f64; 16] = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0, 3600.0];
 /// Steps of the frame ruler.
 const FRAMES: [f64; 13] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 5000.0, 20_000.0, 100_000.0];
 /// Keys nearer than this are drawn as ticks, not as diamonds.
 const DENSE: f64 = 9.0;
+
+/// Side of the tab of a mark, logical pixels.
+const TAB: f64 = 14.0;
 
 /// What the track shows.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -64,11 +70,36 @@ impl Track {
         steps.iter().find(fits).or(steps.last()).copied().unwrap_or(1.0)
     }
 
+    /// The mark whose tab lies at a place.
+    pub fn mark_at(&self, x: f64, y: f64, width: f64) -> Option<Mark> {
+        let within = |mark: Option<f64>, from: f64, to: f64| mark.is_some_and(|mark| (from..=to).contains(&(x - self.x(mark, width))));
+        if !(TOP - 2.0..=TOP + TAB + 2.0).contains(&y) || self.range.1 <= self.range.0 {
+            None
+        } else if within(self.marks.0, -4.0, TAB + 1.0) {
+            Some(Mark::A)
+        } else {
+            within(self.marks.1, -TAB - 1.0, 4.0).then_some(Mark::B)
+        }
+    }
+
+    /// The tabs by which the marks are dragged.
+    fn tabs(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+        let tabs = [(self.marks.0, 0.0, "A"), (self.marks.1, -TAB, "B")].into_iter();
+        for (x, letter) in tabs.filter_map(|(mark, shift, letter)| mark.map(|mark| (self.x(mark, width).round() + shift, letter))) {
+            let context = cairo(snapshot, width, height);
+            set_color(&context, &rgb(self.accent), 0.95);
+            context.rectangle(x, TOP, TAB, TAB);
+            fill(&context);
+            drop(context);
+            write(canvas, snapshot, letter, x + TAB / 2.0, TOP - 1.0, Align::Centre, 0.75, &rgb(0xFF_FFFF));
+        }
+    }
+
     /// Paints it.
     pub fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
         let text = canvas.text_color();
         let context = cairo(snapshot, width, height);
-        let (top, bottom) = (18.0, height - 18.0);
+        let (top, bottom) = (TOP, height - 18.0);
         set_color(&context, &text, 0.05);
         rounded(&context, 0.5, top, width - 1.0, bottom - top, 4.0);
         fill(&context);
@@ -126,6 +157,7 @@ impl Track {
             let _ = context.stroke();
         }
         drop(context);
+        self.tabs(canvas, snapshot, width, height);
         self.labels(canvas, snapshot, width, height, second_step, frame_step);
     }
 
@@ -237,6 +269,17 @@ mod tests {
         }
         assert_eq!((track.time_at(-50.0, 800.0), track.time_at(9000.0, 800.0)), (0.5, 4.5));
         assert!(Track::default().time_at(30.0, 0.0).is_finite());
+    }
+
+    #[test]
+    fn marks_are_held_by_their_tabs() {
+        let track = Track { marks: (Some(1.0), Some(3.0)), ..track() };
+        let (a, b) = (track.x(1.0, 800.0), track.x(3.0, 800.0));
+        assert_eq!(track.mark_at(a + 5.0, TOP + 5.0, 800.0), Some(Mark::A));
+        assert_eq!(track.mark_at(b - 5.0, TOP + 5.0, 800.0), Some(Mark::B));
+        assert_eq!(track.mark_at(b + 9.0, TOP + 5.0, 800.0), None);
+        assert_eq!(track.mark_at(a + 5.0, TOP + 30.0, 800.0), None);
+        assert_eq!(Track::default().mark_at(20.0, 20.0, 800.0), None);
     }
 
     #[test]

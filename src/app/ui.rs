@@ -21,6 +21,7 @@ files! {
     WINDOW = "window",
     VIEWPORT = "viewport",
     TIMELINE = "timeline",
+    SHEET = "sheet",
     SCENE_TREE = "scene_tree",
     MUSCLE_PANEL = "muscle_panel",
     DISPLAY_PANEL = "display_panel",

@@ -20,11 +20,12 @@ use super::muscle_panel::MusclePanel;
 use super::scene_tree::SceneTree;
 use super::session::{Arrival, Changes, Session};
 use super::settings::Settings;
+use super::sheet::Sheet;
 use super::start::StartPage;
 use super::timeline::Timeline;
 use super::tree_rows::Row;
 use super::viewport::Viewport;
-use super::{files, format, keyboard, menus, perform, theme, ui};
+use super::{files, format, keyboard, memory, menus, perform, theme, ui};
 use crate::document::{Document, Missing};
 use crate::muscle::Sample;
 use crate::scene::NodeId;
@@ -90,7 +91,7 @@ impl Window {
         let document = if files.is_empty() { Document::built_in() } else { Document::default() };
         let mut session = Session::new(document);
         settings.apply(&mut session);
-        session.set_eased(theme::animates());
+        session.set_eased(settings.smooth_camera && theme::animates());
 
         let window = Rc::new(Self {
             widget,
@@ -160,6 +161,7 @@ impl Window {
         menus::connect(self, &self.builder);
         files::accept_drops(self);
         self.show_side(self.settings.borrow().tree_shown, self.settings.borrow().panel_shown);
+        self.show_sheet();
         self.widget.connect_close_request(glib::clone!(
             #[strong(rename_to = window)]
             self,
@@ -227,6 +229,9 @@ impl Window {
             if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
                 self.name(session);
             }
+            if changes.any(Changes::HISTORY | Changes::DOCUMENT) {
+                self.name_steps(session);
+            }
             if changes.any(Changes::SELECTION | Changes::DOCUMENT) {
                 let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
                 part::<gtk::Label>(&self.builder, "status_selection").set_text(&name.unwrap_or_default());
@@ -259,6 +264,20 @@ impl Window {
                 glib::ControlFlow::Break
             }
         });
+    }
+
+    /// Shows or folds away what lies below the track.
+    pub fn show_sheet(&self) {
+        let page = self.settings.borrow().sheet;
+        self.sheet(|sheet, session| sheet.show(session, page));
+    }
+
+    /// Lets what lies below the track show something else of the session. Signals of its widgets are no hand's meanwhile.
+    pub fn sheet(&self, work: impl FnOnce(&Sheet, &Session)) {
+        if !self.refreshing.replace(true) {
+            work(&self.timeline.sheet, &self.session.borrow());
+            self.refreshing.set(false);
+        }
     }
 
     /// Starts the clock for something that the session does not know of, such as a key held in flight.
@@ -312,10 +331,25 @@ impl Window {
         label.set_visible(!subtitle.is_empty());
     }
 
+    /// Says at the buttons what undo and redo would do.
+    fn name_steps(&self, session: &Session) {
+        let (back, forward) = session.step_names();
+        for (id, command, step) in [("undo", Command::Undo, back), ("redo", Command::Redo, forward)] {
+            let text = match step {
+                Some(step) => tr!("app-step", what = command.label(), step = tr!(step), key = command.key_label()),
+                None => command.tooltip(),
+            };
+            part::<gtk::Button>(&self.builder, id).set_tooltip_text(Some(&text));
+        }
+    }
+
     /// Says what is drawn: triangles in the status line, times over the picture.
     pub fn show_stats(&self, triangles: u64) {
         let text = tr!("app-status-triangles", count = triangles, shown = format::count(triangles));
         part::<gtk::Label>(&self.builder, "status_triangles").set_text(&text);
+        if let Some(megabytes) = memory::resident() {
+            part::<gtk::Label>(&self.builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));
+        }
     }
 
     /// Says where the pointer is in the world.

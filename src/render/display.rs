@@ -142,6 +142,10 @@ pub struct Display {
     pub palette: Palette,
     /// Pixels of the device a logical pixel: widths of lines follow it.
     pub scale: f32,
+    /// Side of a cell of the ground grid, metres; `None` = a power of ten after the size of the scene.
+    pub grid_cell: Option<f32>,
+    /// How many times as wide as usual lines are, 0.5 to 4.
+    pub line_width: f32,
 }
 
 impl Default for Display {
@@ -173,6 +177,8 @@ impl Default for Display {
             hovered: None,
             palette,
             scale: 1.0,
+            grid_cell: None,
+            line_width: 1.0,
         }
     }
 }

@@ -25,12 +25,17 @@ impl Pen<'_> {
     /// A line over the surfaces, brought a little forward.
     pub(super) fn ink(&self, color: [f32; 3], alpha: f32, width: f32) -> Ink {
         let (stage, depth_test) = (Stage::Over, self.display.depth_test);
-        Ink { color, alpha: [alpha; 2], width: width * self.scale(), stage, depth_test, lift: 1.0 }
+        Ink { color, alpha: [alpha; 2], width: width * self.scale() * self.thickness(), stage, depth_test, lift: 1.0 }
     }
 
     /// Device pixels a logical pixel.
     pub(super) fn scale(&self) -> f32 {
         if self.display.scale.is_finite() { self.display.scale.clamp(0.25, 8.0) } else { 1.0 }
+    }
+
+    /// How many times as wide as usual lines are.
+    fn thickness(&self) -> f32 {
+        if self.display.line_width.is_finite() { self.display.line_width.clamp(0.5, 4.0) } else { 1.0 }
     }
 
     /// The helpers that the display asks for.
@@ -116,7 +121,12 @@ impl Pen<'_> {
         let zero = bounds.min.y..=bounds.min.y + 0.2 * bounds.size().y;
         let through_zero = bounds.is_empty() || zero.contains(&0.0);
         let level = if through_zero { 0.0 } else { bounds.min.y };
-        let spacing = 10f32.powf((size / 4.0).log10().floor());
+        let spacing = match self.display.grid_cell {
+            // A cell far too small for the scene would be a grey cloud of millions of lines.
+            Some(cell) if cell >= size / 500.0 => cell,
+            Some(_) => return,
+            None => 10f32.powf((size / 4.0).log10().floor()),
+        };
         if !(spacing > 0.0 && spacing.is_finite() && center.is_finite() && size < 1e15) {
             return;
         }

@@ -16,6 +16,11 @@ pub(super) fn ramp(weight: f32) -> Vec4 {
     Vec4::new(color(0), color(1), color(2), 255.0) / 255.0
 }
 
+/// The colour of a weight from 0 to 1: red, green, blue, each from 0 to 1.
+pub fn weight_color(weight: f32) -> [f32; 3] {
+    ramp(weight).truncate().to_array()
+}
+
 /// Adds one colour for each vertex of the surface's mesh.
 pub(super) fn paint(scene: &Scene, surface: &Surface, joint: NodeId, out: &mut Vec<Vec4>) {
     let mesh = &surface.mesh;

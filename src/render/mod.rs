@@ -30,6 +30,7 @@ mod vertex;
 mod view;
 
 pub use display::{Background, Display, Palette, Samples, Shading, Theme};
+pub use heat::weight_color;
 
 use glam::Vec3;
 

@@ -287,6 +287,7 @@ def test_muscle():
     window.quit()
 
 
-test_clip()
-test_muscle()
-print("all is so")
+if __name__ == "__main__":
+    test_clip()
+    test_muscle()
+    print("all is so")

@@ -1,7 +1,9 @@
 //! What a hand changes in a session: elbow and contraction, the model's place, and undo.
 
+use glam::DVec2;
+
 use super::history::Snapshot;
-use super::{Changes, ModelTransform, Session, Tool};
+use super::{Changes, Handles, ModelDrag, ModelTransform, Session, Tool};
 use crate::muscle::Drive;
 use crate::scene::NodeId;
 
@@ -57,18 +59,40 @@ impl Session {
         }
     }
 
-    /// Drags the model with the tool in hand by a part of the picture's height (right, down).
-    pub fn drag_model(&mut self, dx: f64, dy: f64) {
+    /// Works with the handles of the tool in hand, in a picture of this size (logical pixels); `None` where it has none.
+    pub fn with_handles<T>(&mut self, size: DVec2, work: impl FnOnce(&Handles) -> T) -> Option<T> {
+        if self.tool == Tool::Navigate || self.is_empty() {
+            return None;
+        }
         self.frame();
         let camera = self.eye.camera(&self.document.scene, &self.frame);
-        let tool = self.tool;
-        self.change_model(|model| tool.drag(model, &camera, dx, dy));
+        let middle = self.model.pivot + self.model.translation;
+        Some(work(&Handles { tool: self.tool, camera: &camera, size, middle }))
+    }
+
+    /// The model follows a drag of a handle that came to `to`, in a picture of this size (logical pixels); with `snap` by whole steps.
+    pub fn drag_model(&mut self, drag: &ModelDrag, to: DVec2, size: DVec2, snap: bool) {
+        let middle = drag.start.pivot + drag.start.translation;
+        let dragged = self.with_handles(size, |handles| Handles { middle, ..*handles }.dragged(drag, to, snap));
+        if let Some(dragged) = dragged {
+            self.change_model(|model| *model = dragged);
+        }
     }
 
     /// Makes the present state a step that can be gone back to.
     pub fn remember(&mut self) {
-        self.history.remember(self.snapshot());
+        self.remember_as("app-edit-change");
+    }
+
+    /// Makes the present state a step that can be gone back to, with the catalogue's key for what is done now.
+    pub fn remember_as(&mut self, what: &'static str) {
+        self.history.remember(self.snapshot(), what);
         self.changed(Changes::HISTORY);
+    }
+
+    /// What undo and redo would take back and do again: keys of the catalogue.
+    pub fn step_names(&self) -> (Option<&'static str>, Option<&'static str>) {
+        self.history.names()
     }
 
     /// Whether there is a step back, and one forward.

@@ -15,21 +15,29 @@ pub struct Snapshot {
     pub hidden: Vec<NodeId>,
 }
 
+/// A step: the catalogue's key for what it did, and how things were on its other side.
+#[derive(Debug)]
+struct Step {
+    what: &'static str,
+    other_side: Snapshot,
+}
+
 /// The steps taken and taken back.
 #[derive(Debug, Default)]
 pub struct History {
-    done: Vec<Snapshot>,
-    undone: Vec<Snapshot>,
+    done: Vec<Step>,
+    undone: Vec<Step>,
 }
 
 impl History {
     /// Most steps that are kept.
     const DEPTH: usize = 200;
 
-    /// Remembers how things were before a change.
-    pub fn remember(&mut self, before: Snapshot) {
-        if self.done.last() != Some(&before) {
-            self.done.push(before);
+    /// Remembers how things were before a change, and what is changed: a key of the catalogue.
+    pub fn remember(&mut self, before: Snapshot, what: &'static str) {
+        match self.done.last_mut().filter(|step| step.other_side == before) {
+            Some(step) => step.what = what,
+            None => self.done.push(Step { what, other_side: before }),
         }
         if self.done.len() > Self::DEPTH {
             self.done.remove(0);
@@ -39,16 +47,21 @@ impl History {
 
     /// Goes back one step from `now`. A step in which nothing changed is passed over.
     pub fn undo(&mut self, now: Snapshot) -> Option<Snapshot> {
-        let back = std::iter::from_fn(|| self.done.pop()).find(|step| *step != now)?;
-        self.undone.push(now);
-        Some(back)
+        let back = std::iter::from_fn(|| self.done.pop()).find(|step| step.other_side != now)?;
+        self.undone.push(Step { what: back.what, other_side: now });
+        Some(back.other_side)
     }
 
     /// Goes forward one step from `now`.
     pub fn redo(&mut self, now: Snapshot) -> Option<Snapshot> {
-        let next = std::iter::from_fn(|| self.undone.pop()).find(|step| *step != now)?;
-        self.done.push(now);
-        Some(next)
+        let next = std::iter::from_fn(|| self.undone.pop()).find(|step| step.other_side != now)?;
+        self.done.push(Step { what: next.what, other_side: now });
+        Some(next.other_side)
+    }
+
+    /// What the step back and the step forward did: keys of the catalogue.
+    pub fn names(&self) -> (Option<&'static str>, Option<&'static str>) {
+        (self.done.last().map(|step| step.what), self.undone.last().map(|step| step.what))
     }
 
     /// Whether there is a step back.
@@ -73,21 +86,23 @@ mod tests {
     #[test]
     fn steps_go_back_and_forth() {
         let mut history = History::default();
-        history.remember(scaled(1.0));
-        history.remember(scaled(2.0));
+        history.remember(scaled(1.0), "app-edit-scale");
+        history.remember(scaled(2.0), "app-edit-scale");
         assert_eq!(history.undo(scaled(3.0)), Some(scaled(2.0)));
         assert_eq!(history.undo(scaled(2.0)), Some(scaled(1.0)));
         assert_eq!(history.undo(scaled(1.0)), None);
         assert_eq!(history.redo(scaled(1.0)), Some(scaled(2.0)));
-        history.remember(scaled(2.0));
+        assert_eq!(history.names(), (Some("app-edit-scale"), Some("app-edit-scale")));
+        history.remember(scaled(2.0), "app-edit-move");
+        assert_eq!(history.names(), (Some("app-edit-move"), None));
         assert!(!history.can_redo() && history.can_undo());
     }
 
     #[test]
     fn a_step_that_changed_nothing_is_passed_over() {
         let mut history = History::default();
-        history.remember(scaled(1.0));
-        history.remember(scaled(2.0));
+        history.remember(scaled(1.0), "app-edit-scale");
+        history.remember(scaled(2.0), "app-edit-scale");
         assert_eq!(history.undo(scaled(2.0)), Some(scaled(1.0)));
     }
 
@@ -95,7 +110,7 @@ mod tests {
     fn the_depth_is_bounded() {
         let mut history = History::default();
         for step in 0..1000 {
-            history.remember(scaled(f64::from(step) + 1.0));
+            history.remember(scaled(f64::from(step) + 1.0), "app-edit-scale");
         }
         assert_eq!(history.done.len(), History::DEPTH);
     }

@@ -1,11 +1,32 @@
 //! How a session is looked at: selection, switches, camera and light.
 
 use glam::Vec3;
+use serde::{Deserialize, Serialize};
 
 use super::{Changes, Eye, LightAim, Session};
 use crate::document::Skinning;
 use crate::render::{Background, Display, Palette, Theme};
 use crate::scene::{Bounds, NodeId, View};
+
+/// What stands behind the scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Backdrop {
+    /// The gradient of the window's light or dark.
+    #[default]
+    Theme,
+    /// White, for paper.
+    White,
+    /// A middle grey, which flatters no colour.
+    Grey,
+    /// Black.
+    Black,
+}
+
+impl Backdrop {
+    /// All, in the order of the list.
+    pub const ALL: [Self; 4] = [Self::Theme, Self::White, Self::Grey, Self::Black];
+}
 
 impl Session {
     /// The selected node.
@@ -47,7 +68,7 @@ impl Session {
     /// Shows or hides a node with everything below it.
     pub fn set_visible(&mut self, node: NodeId, visible: bool) {
         if node.index() < self.document.scene.graph.len() && self.document.scene.graph.node(node).visible != visible {
-            self.remember();
+            self.remember_as("app-edit-visible");
             self.document.scene.graph.node_mut(node).visible = visible;
             self.stale = true;
             self.changed(Changes::DISPLAY);
@@ -76,11 +97,35 @@ impl Session {
     /// Follows the desktop's light or dark.
     pub fn set_theme(&mut self, theme: Theme) {
         self.theme = theme;
+        self.colour();
+    }
+
+    /// What stands behind the scene.
+    pub fn backdrop(&self) -> Backdrop {
+        self.backdrop
+    }
+
+    /// Puts something else behind the scene.
+    pub fn set_backdrop(&mut self, backdrop: Backdrop) {
+        self.backdrop = backdrop;
+        self.colour();
+    }
+
+    /// Background and what is drawn over the model: on white, what is meant for light surroundings, whatever the window wears.
+    fn colour(&mut self) {
+        let theme = match self.backdrop {
+            Backdrop::Theme => self.theme,
+            Backdrop::White => Theme::Light,
+            Backdrop::Grey | Backdrop::Black => Theme::Dark,
+        };
         let palette = Palette::of(theme);
-        self.change_display(|display| {
-            display.palette = palette;
-            display.background = Background::Gradient(palette.background.0, palette.background.1);
-        });
+        let background = match self.backdrop {
+            Backdrop::Theme => Background::Gradient(palette.background.0, palette.background.1),
+            Backdrop::White => Background::Solid(0xFF_FFFF),
+            Backdrop::Grey => Background::Solid(0x55_5555),
+            Backdrop::Black => Background::Solid(0),
+        };
+        self.change_display(|display| (display.palette, display.background) = (palette, background));
     }
 
     /// Whether the names of bones are written beside them.
@@ -90,8 +135,10 @@ impl Session {
 
     /// Writes the names of bones, or no longer.
     pub fn set_bone_names(&mut self, shown: bool) {
-        self.bone_names = shown;
-        self.changed(Changes::DISPLAY);
+        if shown != self.bone_names {
+            self.bone_names = shown;
+            self.changed(Changes::DISPLAY);
+        }
     }
 
     /// How joints bend skins.
@@ -189,16 +236,29 @@ impl Session {
 
     /// Moves the light by degrees.
     pub fn turn_light(&mut self, yaw: f32, pitch: f32) {
-        let mut aim = self.light.unwrap_or_else(|| LightAim::beside_camera(self.eye.orbit().yaw));
+        let mut aim = self.light_aim();
         aim.turn(yaw, pitch);
         self.light = Some(aim);
         self.changed(Changes::LIGHT);
     }
 
+    /// Puts the light where these angles say.
+    pub fn set_light(&mut self, aim: LightAim) {
+        if self.light != Some(aim) && aim.yaw.is_finite() && aim.pitch.is_finite() {
+            self.light = Some(aim);
+            self.changed(Changes::LIGHT);
+        }
+    }
+
+    /// Where the light comes from, as angles: where a hand put it, else beside the camera.
+    pub fn light_aim(&self) -> LightAim {
+        self.light.unwrap_or_else(|| LightAim::beside_camera(self.eye.orbit().yaw))
+    }
+
     /// The light goes back to its place beside the camera.
     pub fn reset_light(&mut self) {
         if self.light.is_some() {
-            self.remember();
+            self.remember_as("app-edit-light");
             self.light = None;
             self.changed(Changes::LIGHT);
         }

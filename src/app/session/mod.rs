@@ -5,21 +5,31 @@ mod changes;
 mod edits;
 mod eye;
 mod frames;
+mod handles;
 mod history;
 mod light;
 mod looks;
 mod model;
+mod presets;
+mod sheet;
 mod time;
 mod tool;
 
 pub use changes::Changes;
 pub use eye::{Eye, FlyCamera, Viewpoint, file_cameras};
 pub use frames::DEFAULT_RATE;
+pub use handles::{Handle, Handles, ModelDrag};
 pub use light::LightAim;
+pub use looks::Backdrop;
 pub use model::ModelTransform;
+pub use presets::Preset;
+pub use sheet::{Graph, GraphKind, Line, Moved, SheetRow};
+pub use time::Mark;
 pub use tool::Tool;
 
+use std::cell::OnceCell;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use history::History;
 
@@ -44,10 +54,14 @@ pub struct Session {
     state: PoseState,
     playback: Playback,
     frame_rate: f64,
+    /// The frame rate that a person chose; `None` = the one that the keys tell.
+    chosen_rate: Option<f64>,
+    sheet: OnceCell<Arc<Vec<SheetRow>>>,
     keys: Vec<f64>,
     own_keys: Vec<f64>,
     display: Display,
     theme: Theme,
+    backdrop: Backdrop,
     bone_names: bool,
     eye: Eye,
     light: Option<LightAim>,
@@ -76,10 +90,13 @@ impl Session {
             state: PoseState::default(),
             playback: Playback::default(),
             frame_rate: DEFAULT_RATE,
+            chosen_rate: None,
+            sheet: OnceCell::new(),
             keys: Vec::new(),
             own_keys: Vec::new(),
             display: Display::default(),
             theme: Theme::Dark,
+            backdrop: Backdrop::default(),
             bone_names: false,
             eye: Eye::default(),
             light: None,

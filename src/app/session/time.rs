@@ -1,7 +1,18 @@
 //! A session in time: clip, cursor, keys, and the clock that drives what moves by itself.
 
-use super::{Changes, Session, frames};
+use std::sync::Arc;
+
+use super::{Changes, Graph, Moved, Session, SheetRow, frames, sheet};
 use crate::animation::{Clip, LoopMode, Playback};
+
+/// One of the marks that bound what plays.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mark {
+    /// Where playing starts.
+    A,
+    /// Where it ends.
+    B,
+}
 
 impl Session {
     /// The clip that plays.
@@ -22,6 +33,58 @@ impl Session {
     /// Frames a second of the frame numbers.
     pub fn frame_rate(&self) -> f64 {
         self.frame_rate
+    }
+
+    /// The frame rate that was chosen; `None` = the one that the keys tell.
+    pub fn chosen_rate(&self) -> Option<f64> {
+        self.chosen_rate
+    }
+
+    /// The frame rate that the keys of the clip tell.
+    pub fn own_rate(&self) -> f64 {
+        frames::guess_rate(&self.keys)
+    }
+
+    /// Chooses the frame rate, above 0; `None` = the one that the keys tell.
+    pub fn choose_rate(&mut self, rate: Option<f64>) {
+        self.chosen_rate = rate.filter(|rate| rate.is_finite() && *rate > 0.0);
+        self.frame_rate = self.chosen_rate.unwrap_or_else(|| self.own_rate());
+        self.changed(Changes::PLAYBACK);
+    }
+
+    /// The rows of the dope sheet: one for each thing that the clip moves.
+    pub fn sheet_rows(&self) -> Arc<Vec<SheetRow>> {
+        let make = || self.clip().map_or_else(Vec::new, |clip| sheet::rows(&self.document.scene, clip));
+        self.sheet.get_or_init(|| Arc::new(make())).clone()
+    }
+
+    /// The curves of a row, by kind.
+    pub fn sheet_graphs(&self, moved: Moved) -> Vec<Graph> {
+        self.clip().map_or_else(Vec::new, |clip| sheet::graphs(&self.document.scene, clip, moved))
+    }
+
+    /// Puts a mark at the frame nearest to a moment, at least one frame from the other.
+    pub fn set_mark(&mut self, mark: Mark, time: f64) {
+        if !time.is_finite() {
+            return;
+        }
+        let rate = self.frame_rate;
+        self.time(|cursor| {
+            let frame = 1.0 / rate;
+            let (start, end) = (cursor.start, cursor.end);
+            let time = ((time * rate).round() / rate).clamp(start, end);
+            match mark {
+                Mark::A => cursor.mark_a = Some(time.min(cursor.mark_b.unwrap_or(end) - frame).max(start)),
+                Mark::B => cursor.mark_b = Some(time.max(cursor.mark_a.unwrap_or(start) + frame).min(end)),
+            }
+        });
+    }
+
+    /// Bounds what plays by two moments, in any order.
+    pub fn set_marks(&mut self, one: f64, other: f64) {
+        self.time(|cursor| (cursor.mark_a, cursor.mark_b) = (None, None));
+        self.set_mark(Mark::A, one.min(other));
+        self.set_mark(Mark::B, one.max(other));
     }
 
     /// Key times of everything that the clip moves; seconds, ascending.
@@ -61,12 +124,13 @@ impl Session {
         let Playback { speed, mode, .. } = self.playback;
         self.playback = Playback { speed: speed.abs(), mode, ..Playback::new(start, end) };
         self.find_keys();
-        self.frame_rate = frames::guess_rate(&self.keys);
+        self.frame_rate = self.chosen_rate.unwrap_or_else(|| self.own_rate());
         self.stale = true;
     }
 
     pub(super) fn find_keys(&mut self) {
         self.keys = self.clip().map_or_else(Vec::new, |clip| clip.key_times(None));
+        self.sheet.take();
         self.find_own_keys();
     }
 

@@ -33,6 +33,16 @@ impl Tool {
         }
     }
 
+    /// The catalogue's key for what it does to the model.
+    pub fn edit(self) -> &'static str {
+        match self {
+            Self::Navigate => "app-edit-change",
+            Self::Move => "app-edit-move",
+            Self::Rotate => "app-edit-rotate",
+            Self::Scale => "app-edit-scale",
+        }
+    }
+
     /// What a drag by parts of the picture's height (right, down) does to the model: moving keeps it under the pointer, a drag over the
     /// whole height turns it by 180° or makes it e² times as large.
     pub fn drag(self, model: &mut ModelTransform, camera: &Camera, dx: f64, dy: f64) {

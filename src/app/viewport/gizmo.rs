@@ -1,4 +1,4 @@
-//! The small axes in the corner: how the world lies in the picture.
+//! The small axes in the corner: how the world lies in the picture; a click on an end looks from there.
 
 use gtk::cairo::LineCap;
 use gtk4 as gtk;
@@ -6,39 +6,95 @@ use gtk4 as gtk;
 use super::ignore;
 use crate::app::canvas::{Align, Canvas, cairo, rgb, set_color, write};
 use crate::app::session::Session;
-use glam::Vec3;
+use crate::scene::{Camera, View};
+use glam::{DVec2, Vec3};
 
 /// Length of an arm, logical pixels.
-const ARM: f64 = 24.0;
+const ARM: f64 = 27.0;
+/// Radius of a named end, and of one that points the other way.
+const BALL: f64 = 8.0;
+const BUTTON: f64 = 4.5;
 /// Distance of the origin from the picture's left and lower edge.
-const INSET: f64 = 42.0;
+const INSET: f64 = 44.0;
 
-/// Draws the axes into the lower left corner.
-pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, height: f64) {
+/// The ends: direction, axis, its name where it is the positive one, and the view from there.
+const ENDS: [(Vec3, usize, Option<&str>, View); 6] = [
+    (Vec3::X, 0, Some("X"), View::Right),
+    (Vec3::Y, 1, Some("Y"), View::Top),
+    (Vec3::Z, 2, Some("Z"), View::Front),
+    (Vec3::NEG_X, 0, None, View::Left),
+    (Vec3::NEG_Y, 1, None, View::Bottom),
+    (Vec3::NEG_Z, 2, None, View::Back),
+];
+
+/// Where an end stands, from the origin of the axes.
+fn place(camera: &Camera, direction: Vec3) -> DVec2 {
+    DVec2::new(f64::from(direction.dot(camera.right())), -f64::from(direction.dot(camera.up()))) * ARM
+}
+
+/// How near an end is to the eye.
+fn nearness(camera: &Camera, direction: Vec3) -> f32 {
+    -direction.dot(camera.forward())
+}
+
+/// The view that a click at a place of a picture of this height asks for, logical pixels.
+pub fn hit(camera: &Camera, x: f64, y: f64, height: f64) -> Option<View> {
+    let from = DVec2::new(x - INSET, y - (height - INSET));
+    let under = ENDS.iter().filter(|(direction, ..)| (place(camera, *direction) - from).length() <= BALL + 2.0);
+    under.max_by(|a, b| nearness(camera, a.0).total_cmp(&nearness(camera, b.0))).map(|end| end.3)
+}
+
+/// Draws the axes into the lower left corner, the end under the pointer larger.
+pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, height: f64, pointer: Option<(f64, f64)>) {
     let (_, _, camera, display) = session.picture();
-    let (right, up, back) = (camera.right(), camera.up(), -camera.forward());
-    let mut arms: Vec<(f32, Vec3, u32, &str)> = [(Vec3::X, "X"), (Vec3::Y, "Y"), (Vec3::Z, "Z")]
-        .into_iter()
-        .zip(display.palette.axes)
-        .map(|((axis, name), color)| (axis.dot(back), axis, color, name))
-        .collect();
+    let lit = pointer.and_then(|(x, y)| hit(&camera, x, y, height));
+    let mut ends = ENDS;
     // The one that points away is drawn first.
-    arms.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (x, y) = (INSET, height - INSET);
-    let tip = |axis: Vec3| (x + f64::from(axis.dot(right)) * ARM, y - f64::from(axis.dot(up)) * ARM);
-    let context = cairo(snapshot, 2.0 * INSET, height);
-    context.set_line_width(2.0);
-    context.set_line_cap(LineCap::Round);
-    for (_, axis, color, _) in &arms {
-        set_color(&context, &rgb(*color), 1.0);
-        context.move_to(x, y);
-        let (to_x, to_y) = tip(*axis);
-        context.line_to(to_x, to_y);
-        ignore(context.stroke());
+    ends.sort_by(|a, b| nearness(&camera, a.0).total_cmp(&nearness(&camera, b.0)));
+    let origin = DVec2::new(INSET, height - INSET);
+    for (direction, axis, name, view) in ends {
+        let context = cairo(snapshot, 2.0 * INSET, height);
+        context.set_line_cap(LineCap::Round);
+        let color = rgb(display.palette.axes[axis]);
+        let tip = origin + place(&camera, direction);
+        let larger = if lit == Some(view) { 2.0 } else { 0.0 };
+        set_color(&context, &color, 1.0);
+        if name.is_some() {
+            context.set_line_width(2.0);
+            context.move_to(origin.x, origin.y);
+            context.line_to(tip.x, tip.y);
+            ignore(context.stroke());
+        }
+        let radius = if name.is_some() { BALL } else { BUTTON } + larger;
+        set_color(&context, &color, if name.is_some() || larger > 0.0 { 1.0 } else { 0.45 });
+        context.arc(tip.x, tip.y, radius, 0.0, std::f64::consts::TAU);
+        ignore(context.fill());
+        drop(context);
+        if let Some(name) = name {
+            write(canvas, snapshot, name, tip.x, tip.y - 8.0, Align::Centre, 0.75, &rgb(0x10_1010));
+        }
     }
-    drop(context);
-    for (_, axis, color, name) in &arms {
-        let (to_x, to_y) = tip(*axis * 1.38);
-        write(canvas, snapshot, name, to_x, to_y - 8.0, Align::Centre, 0.8, &rgb(*color));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::OrbitCamera;
+
+    #[test]
+    fn each_end_is_hit_where_it_is_drawn() {
+        let camera = OrbitCamera::default().camera();
+        for (direction, _, _, view) in ENDS {
+            let at = DVec2::new(INSET, 500.0 - INSET) + place(&camera, direction);
+            assert_eq!(hit(&camera, at.x, at.y, 500.0), Some(view));
+        }
+        assert_eq!(hit(&camera, 200.0, 100.0, 500.0), None);
+    }
+
+    #[test]
+    fn of_two_ends_in_one_place_the_nearer_is_hit() {
+        let mut orbit = OrbitCamera::default();
+        orbit.look_from(View::Front);
+        assert_eq!(hit(&orbit.camera(), INSET, 500.0 - INSET, 500.0), Some(View::Front));
     }
 }

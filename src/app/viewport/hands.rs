@@ -4,14 +4,15 @@ use std::cell::{Cell, RefCell};
 use std::collections::HashSet;
 use std::rc::Rc;
 
-use glam::Vec3;
+use glam::{DVec2, Vec3};
 use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
+use super::gizmo;
 use crate::app::canvas::Canvas;
 use crate::app::format;
-use crate::app::session::{Session, Tool, Viewpoint};
+use crate::app::session::{Handle, ModelDrag, Session, Tool, Viewpoint};
 use crate::app::window::Window;
 use crate::tr;
 
@@ -38,6 +39,9 @@ pub struct Hands {
     last: Cell<(f64, f64)>,
     moved: Cell<bool>,
     pointer: Cell<Option<(f64, f64)>>,
+    /// The handle of the tool that is under the pointer or held.
+    handle: Cell<Option<Handle>>,
+    model: Cell<Option<ModelDrag>>,
     held: RefCell<HashSet<char>>,
     pace: Cell<(bool, bool)>,
 }
@@ -46,6 +50,16 @@ impl Hands {
     /// Whether a drag is under way.
     pub fn is_dragging(&self) -> bool {
         self.grip.get().is_some()
+    }
+
+    /// Where the pointer is, logical pixels.
+    pub fn pointer(&self) -> Option<(f64, f64)> {
+        self.pointer.get()
+    }
+
+    /// The handle of the tool that is under the pointer or held.
+    pub fn handle(&self) -> Option<Handle> {
+        self.handle.get()
     }
 
     /// Flies, or lands.
@@ -114,14 +128,21 @@ fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
     drag.connect_drag_begin(glib::clone!(
         #[weak]
         window,
-        move |gesture, _, _| {
+        move |gesture, x, y| {
             let hands = &window.viewport.hands;
             window.viewport.take_focus();
             let state = gesture.current_event_state();
             let shift = state.contains(gdk::ModifierType::SHIFT_MASK);
             let control = state.contains(gdk::ModifierType::CONTROL_MASK);
             let (tool, flying) = window.look(|session| (session.tool(), matches!(session.eye().viewpoint(), Viewpoint::Fly(_))));
+            let (point, size) = (DVec2::new(x, y), picture_size(&window));
+            let handle = if gesture.current_button() == gdk::BUTTON_PRIMARY && !shift && !flying {
+                window.look(|session| session.with_handles(size, |handles| handles.at(point))).flatten()
+            } else {
+                None
+            };
             let grip = match gesture.current_button() {
+                _ if handle.is_some() => Grip::Model,
                 gdk::BUTTON_SECONDARY if shift => {
                     window.act(Session::reset_light);
                     return;
@@ -134,6 +155,11 @@ fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
                 gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE => Grip::Orbit,
                 _ => return,
             };
+            if grip == Grip::Model {
+                let start = window.look(|session| *session.model());
+                hands.handle.set(handle);
+                hands.model.set(Some(ModelDrag { handle: handle.unwrap_or(Handle::Free), start, from: point }));
+            }
             hands.grip.set(Some(grip));
             hands.last.set((0.0, 0.0));
             hands.moved.set(false);
@@ -142,7 +168,7 @@ fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
     drag.connect_drag_update(glib::clone!(
         #[weak]
         window,
-        move |_, x, y| drag_on(&window, x, y)
+        move |gesture, x, y| drag_on(&window, x, y, gesture.current_event_state().contains(gdk::ModifierType::CONTROL_MASK))
     ));
     drag.connect_drag_end(glib::clone!(
         #[weak]
@@ -158,7 +184,13 @@ fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
     canvas.add_controller(drag);
 }
 
-fn drag_on(window: &Rc<Window>, x: f64, y: f64) {
+/// Logical width and height of the picture.
+fn picture_size(window: &Rc<Window>) -> DVec2 {
+    let (width, height) = window.viewport.size();
+    DVec2::new(f64::from(width.max(1)), f64::from(height.max(1)))
+}
+
+fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
     let hands = &window.viewport.hands;
     let Some(grip) = hands.grip.get() else { return };
     // A click that trembles is no drag.
@@ -167,8 +199,10 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64) {
             return;
         }
         hands.moved.set(true);
-        if matches!(grip, Grip::Light | Grip::Model) {
-            window.act(Session::remember);
+        match grip {
+            Grip::Light => window.act(|session| session.remember_as("app-edit-light")),
+            Grip::Model => window.act(|session| session.remember_as(session.tool().edit())),
+            _ => {}
         }
     }
     let (last_x, last_y) = hands.last.replace((x, y));
@@ -188,7 +222,11 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64) {
             session.turn_light(degrees_x, -degrees_y);
             session.change_display(|display| display.light_marker = true);
         }
-        Grip::Model => session.drag_model(dx / height, dy / height),
+        Grip::Model => {
+            if let Some(drag) = hands.model.get() {
+                session.drag_model(&drag, drag.from + DVec2::new(x, y), picture_size(window), snap);
+            }
+        }
     });
 }
 
@@ -202,6 +240,12 @@ fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
             let plain = !gesture.current_event_state().intersects(gdk::ModifierType::SHIFT_MASK | gdk::ModifierType::CONTROL_MASK);
             if window.viewport.hands.moved.get() || !plain {
                 return;
+            }
+            let height = f64::from(window.viewport.size().1);
+            if let Some(view) =
+                window.look(|session| gizmo::hit(&session.picture().2, x, y, height)).filter(|_| !window.look(|s| s.is_empty()))
+            {
+                return window.act(|session| session.change_eye(|eye| eye.look_from(view)));
             }
             window.act(|session| {
                 let found = window.viewport.pick(session, x, y).map(|pick| pick.node);
@@ -280,6 +324,12 @@ fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
             // GTK repeats the last place when something under a still pointer changes.
             if hands.pointer.replace(Some((x, y))) == Some((x, y)) || hands.is_dragging() {
                 return;
+            }
+            let (size, before) = (picture_size(&window), hands.handle.get());
+            hands.handle.set(window.look(|session| session.with_handles(size, |handles| handles.at(DVec2::new(x, y)))).flatten());
+            // Over the axes in the corner, and when it leaves them, what stands over the picture looks different.
+            if hands.handle.get() != before || x < 100.0 && y > size.y - 100.0 {
+                window.viewport.draw_over();
             }
             let mut text = String::new();
             window.act(|session| {

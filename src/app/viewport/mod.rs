@@ -1,7 +1,9 @@
 //! The picture: draws the session into a kept surface and shows what stands over it. The hands on it are in [`hands`].
 
 mod gizmo;
+mod handles;
 mod hands;
+mod legend;
 mod numbers;
 mod screen;
 
@@ -10,6 +12,7 @@ use std::path::PathBuf;
 use std::rc::{Rc, Weak};
 use std::time::{Duration, Instant};
 
+use glam::DVec2;
 use gtk::prelude::*;
 use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
@@ -104,6 +107,9 @@ impl Viewport {
         if changes.any(Changes::TOOL | Changes::MODEL) {
             self.numbers.refresh(session.tool(), session.model());
         }
+        if changes.any(Changes::TOOL) {
+            self.draw_over();
+        }
         if changes.any(Changes::TOOL | Changes::DOCUMENT) {
             self.hint(&match session.tool() {
                 _ if session.is_empty() => String::new(),
@@ -119,6 +125,11 @@ impl Viewport {
     /// The picture is no longer true.
     pub fn invalidate(&self) {
         self.screen.borrow_mut().fresh = false;
+        self.canvas.queue_draw();
+    }
+
+    /// What stands over the picture is no longer true.
+    pub fn draw_over(&self) {
         self.canvas.queue_draw();
     }
 
@@ -264,7 +275,11 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
             bone_names::write_all(session, canvas, snapshot, width, height);
         }
         if !session.is_empty() {
-            gizmo::draw(session, canvas, snapshot, height);
+            let hands = &window.viewport.hands;
+            gizmo::draw(session, canvas, snapshot, height, hands.pointer());
+            legend::draw(session, canvas, snapshot, width, height);
+            let colors = session.display().palette.axes;
+            session.with_handles(DVec2::new(width, height), |shown| handles::draw(shown, colors, hands.handle(), canvas, snapshot));
         }
     });
 }

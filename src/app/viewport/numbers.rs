@@ -41,7 +41,7 @@ impl Numbers {
                 move |_| {
                     let [x, y, z] = boxes.each_ref().map(gtk::SpinButton::value);
                     window.act(|session| {
-                        session.remember();
+                        session.remember_as(tool.get().edit());
                         session.change_model(|model| match tool.get() {
                             Tool::Navigate => {}
                             Tool::Move => model.translation = DVec3::new(x, y, z),

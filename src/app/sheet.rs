@@ -1,0 +1,430 @@
+//! Below the track, unfolded on demand: the dope sheet with a row for each thing that the clip moves, and the curve view of one of them. Both share the
+//! track's time axis, so that everything at one moment stands on one line.
+
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+use std::sync::Arc;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::canvas::{Canvas, cairo, rgb, set_color};
+use super::curve_plot::{CurvePlot, diamond};
+use super::session::{Changes, Graph, GraphKind, Moved, Session, SheetRow};
+use super::settings::SheetPage;
+use super::track::Track;
+use super::window::{Window, part};
+use super::{format, ui};
+use crate::scene::NodeId;
+use crate::tr;
+
+/// Width of the names before the keys, logical pixels.
+const NAMES: i32 = 180;
+/// Height of a row.
+const ROW: i32 = 22;
+/// A click as near as this to a key goes to the key, logical pixels.
+const NEAR: f64 = 6.0;
+
+/// What the rows and both pages paint from.
+struct Shown {
+    track: Rc<RefCell<Track>>,
+    track_canvas: Canvas,
+    rows: RefCell<Arc<Vec<SheetRow>>>,
+    plot: RefCell<CurvePlot>,
+    pointer: Cell<Option<f64>>,
+}
+
+impl Shown {
+    /// Where the track starts in a canvas below it, and how wide it is.
+    fn axis(&self, canvas: &Canvas) -> (f64, f64) {
+        let left = self.track_canvas.translate_coordinates(canvas, 0.0, 0.0).map_or(0.0, |(x, _)| x);
+        (left, f64::from(self.track_canvas.width()))
+    }
+
+    fn time_at(&self, canvas: &Canvas, x: f64) -> f64 {
+        let (left, width) = self.axis(canvas);
+        self.track.borrow().time_at(x - left, width)
+    }
+}
+
+/// The dope sheet and the curve view.
+pub struct Sheet {
+    /// The whole.
+    pub root: gtk::Box,
+    stack: gtk::Stack,
+    list: gtk::ListView,
+    selection: gtk::SingleSelection,
+    row: gtk::DropDown,
+    graph: gtk::DropDown,
+    values: gtk::Label,
+    curves: Canvas,
+    cursors: [Canvas; 2],
+    shown: Rc<Shown>,
+    graphs: RefCell<Vec<Graph>>,
+    /// The row whose curves are shown.
+    moved: Cell<Option<Moved>>,
+    kind: Cell<Option<GraphKind>>,
+    page: Cell<SheetPage>,
+}
+
+impl Sheet {
+    /// An empty one, below this track.
+    pub fn new(track: Rc<RefCell<Track>>, track_canvas: &Canvas) -> Self {
+        let builder = ui::builder(ui::SHEET);
+        let shown = Rc::new(Shown {
+            track,
+            track_canvas: track_canvas.clone(),
+            rows: RefCell::default(),
+            plot: RefCell::new(CurvePlot::new(tr!("app-sheet-none"))),
+            pointer: Cell::default(),
+        });
+        let cursor = |overlay: &str| {
+            let canvas = Canvas::new(0, 0);
+            canvas.set_can_target(false);
+            part::<gtk::Overlay>(&builder, overlay).add_overlay(&canvas);
+            let shown = shown.clone();
+            canvas.set_painter(move |canvas, snapshot, width, height| paint_cursor(&shown, canvas, snapshot, width, height));
+            canvas
+        };
+        let curves = Canvas::new(100, 100);
+        part::<gtk::Overlay>(&builder, "curves_overlay").set_child(Some(&curves));
+        let painted = shown.clone();
+        curves.set_painter(move |canvas, snapshot, width, height| {
+            painted.plot.borrow().paint(canvas, snapshot, (width, height), &painted.track.borrow(), painted.axis(canvas));
+        });
+        let selection = gtk::SingleSelection::new(None::<gio::ListModel>);
+        selection.set_autoselect(false);
+        selection.set_can_unselect(true);
+        let list: gtk::ListView = part(&builder, "list");
+        list.set_model(Some(&selection));
+        Self {
+            root: part(&builder, "root"),
+            stack: part(&builder, "stack"),
+            list,
+            selection,
+            row: part(&builder, "row"),
+            graph: part(&builder, "graph"),
+            values: part(&builder, "values"),
+            cursors: [cursor("keys_overlay"), cursor("curves_overlay")],
+            curves,
+            shown,
+            graphs: RefCell::default(),
+            moved: Cell::default(),
+            kind: Cell::default(),
+            page: Cell::default(),
+        }
+    }
+
+    /// Lets hands choose rows and graphs, and seek.
+    pub fn connect(&self, window: &Rc<Window>) {
+        self.list.set_factory(Some(&factory(window, &self.shown)));
+        self.selection.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |selection| choose(&window, selection.selected())
+        ));
+        self.row.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |list| choose(&window, list.selected())
+        ));
+        self.graph.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |list| {
+                let place = list.selected() as usize;
+                window.sheet(|sheet, session| sheet.show_graph(session, place));
+            }
+        ));
+        seek_by_hand(window, &self.curves, &self.shown, None);
+        let motion = gtk::EventControllerMotion::new();
+        let (shown, weak) = (self.shown.clone(), Rc::downgrade(window));
+        let point = move |x: Option<f64>| {
+            shown.pointer.set(x);
+            if let Some(window) = weak.upgrade() {
+                window.sheet(|sheet, session| sheet.show_values(session));
+            }
+        };
+        let moved = point.clone();
+        motion.connect_motion(move |_, x, _| moved(Some(x)));
+        motion.connect_leave(move |_| point(None));
+        self.curves.add_controller(motion);
+    }
+
+    /// Folds it away or shows one of its pages.
+    pub fn show(&self, session: &Session, page: SheetPage) {
+        self.page.set(page);
+        self.root.set_visible(page != SheetPage::None);
+        for list in [&self.row, &self.graph] {
+            list.set_visible(page == SheetPage::Curves);
+        }
+        self.stack.set_visible_child_name(if page == SheetPage::Curves { "curves" } else { "keys" });
+        self.list_rows(session);
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &Session, changes: Changes) {
+        if self.page.get() == SheetPage::None {
+            return;
+        }
+        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+            self.list_rows(session);
+        } else if changes.any(Changes::SELECTION) {
+            self.follow_selection(session);
+        }
+        if changes.any(Changes::DISPLAY) {
+            self.shown.plot.borrow_mut().colors = session.display().palette.axes;
+            self.curves.queue_draw();
+        }
+        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::TIME) {
+            self.show_values(session);
+        }
+    }
+
+    fn list_rows(&self, session: &Session) {
+        let rows = session.sheet_rows();
+        if self.page.get() == SheetPage::None {
+            return;
+        }
+        if !Arc::ptr_eq(&self.shown.rows.borrow(), &rows) {
+            let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
+            let model = gtk::StringList::new(&names);
+            self.shown.rows.replace(rows.clone());
+            self.selection.set_model(Some(&model));
+            self.row.set_model(Some(&model));
+            self.row.set_sensitive(!rows.is_empty());
+            self.moved.set(None);
+        }
+        self.shown.plot.borrow_mut().colors = session.display().palette.axes;
+        self.follow_selection(session);
+        self.show_values(session);
+    }
+
+    /// The row of the selected node; without one the curves stay where they are, or show the first row.
+    fn follow_selection(&self, session: &Session) {
+        let rows = self.shown.rows.borrow();
+        let selected = session.selected().and_then(|node| rows.iter().position(|row| row.moved == Moved::Node(node)));
+        self.selection.set_selected(selected.map_or(gtk::INVALID_LIST_POSITION, |place| place as u32));
+        if let Some(place) = selected {
+            // An action of the list itself: scrolling by code has a function from GTK 4.12 on only.
+            let _ = self.list.activate_action("list.scroll-to-item", Some(&(place as u32).to_variant()));
+        }
+        let kept = self.moved.get().and_then(|moved| rows.iter().position(|row| row.moved == moved));
+        let place = selected.or(kept).or(if rows.is_empty() { None } else { Some(0) });
+        drop(rows);
+        self.show_row(session, place);
+    }
+
+    /// Shows the curves of a row.
+    fn show_row(&self, session: &Session, place: Option<usize>) {
+        let row = place.and_then(|place| self.shown.rows.borrow().get(place).map(|row| row.moved));
+        if let Some(place) = place {
+            self.row.set_selected(place as u32);
+        }
+        self.moved.set(row);
+        let graphs = row.map_or_else(Vec::new, |moved| session.sheet_graphs(moved));
+        let names: Vec<String> = graphs.iter().map(|graph| kind_name(graph.kind)).collect();
+        self.graph.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
+        self.graph.set_sensitive(!names.is_empty());
+        let kept = graphs.iter().position(|graph| Some(graph.kind) == self.kind.get()).unwrap_or(0);
+        self.graphs.replace(graphs);
+        if !names.is_empty() {
+            self.graph.set_selected(kept as u32);
+        }
+        self.show_graph(session, kept);
+    }
+
+    fn show_graph(&self, session: &Session, place: usize) {
+        let graph = self.graphs.borrow().get(place).cloned();
+        if let Some(graph) = &graph {
+            self.kind.set(Some(graph.kind));
+        }
+        let playback = session.playback();
+        self.shown.plot.borrow_mut().set(graph, (playback.start, playback.end));
+        self.curves.queue_draw();
+        self.show_values(session);
+    }
+
+    /// The values under the pointer, else at the present moment.
+    fn show_values(&self, session: &Session) {
+        self.cursors.iter().for_each(Canvas::queue_draw);
+        let time = match self.shown.pointer.get() {
+            Some(x) => self.shown.time_at(&self.curves, x),
+            None => session.playback().time,
+        };
+        let plot = self.shown.plot.borrow();
+        let text = match &plot.graph {
+            Some(graph) if self.page.get() == SheetPage::Curves => {
+                let unit = if graph.kind == GraphKind::Rotation { "°" } else { "" };
+                let value = |line: &super::session::Line| format!("{} {}{unit}", line.name, format::number(line.value(time), 3));
+                let values: Vec<String> = graph.lines.iter().take(12).map(value).collect();
+                tr!(
+                    "app-sheet-values",
+                    time = format::with_unit(time, 3, &tr!("app-unit-s")),
+                    values = values.join("   ").trim().to_owned()
+                )
+            }
+            _ => String::new(),
+        };
+        self.values.set_text(&text);
+    }
+
+    /// The row at a place was chosen.
+    fn choose(&self, session: &Session, place: usize) {
+        if session.selected().is_none_or(|node| self.moved_at(place) != Some(Moved::Node(node))) {
+            self.show_row(session, Some(place));
+        }
+    }
+
+    fn moved_at(&self, place: usize) -> Option<Moved> {
+        self.shown.rows.borrow().get(place).map(|row| row.moved)
+    }
+}
+
+/// A row was chosen by hand: its node is selected everywhere, and its curves are shown.
+fn choose(window: &Rc<Window>, place: u32) {
+    if place == gtk::INVALID_LIST_POSITION {
+        return;
+    }
+    let mut node: Option<NodeId> = None;
+    window.sheet(|sheet, _| {
+        if let Some(Moved::Node(found)) = sheet.moved_at(place as usize) {
+            node = Some(found);
+        }
+    });
+    match node {
+        Some(node) => window.act(|session| session.select(Some(node))),
+        None => window.sheet(|sheet, session| sheet.choose(session, place as usize)),
+    }
+}
+
+fn kind_name(kind: GraphKind) -> String {
+    tr!(match kind {
+        GraphKind::Translation => "app-graph-translation",
+        GraphKind::Rotation => "app-graph-rotation",
+        GraphKind::Scale => "app-graph-scale",
+        GraphKind::Other => "app-graph-other",
+        GraphKind::Weights => "app-graph-weights",
+        GraphKind::Colour => "app-graph-colour",
+        GraphKind::Shininess => "app-graph-shininess",
+        GraphKind::Opacity => "app-graph-opacity",
+    })
+}
+
+fn factory(window: &Rc<Window>, shown: &Rc<Shown>) -> gtk::SignalListItemFactory {
+    let factory = gtk::SignalListItemFactory::new();
+    let weak = Rc::downgrade(window);
+    let shown = shown.clone();
+    factory.connect_setup(move |_, item| {
+        let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
+        let content = gtk::Box::new(gtk::Orientation::Horizontal, 6);
+        let label = gtk::Label::builder().xalign(0.0).ellipsize(gtk::pango::EllipsizeMode::Middle).width_request(NAMES);
+        content.append(&label.max_width_chars(1).hexpand(false).build());
+        let keys = Canvas::new(20, ROW);
+        keys.set_hexpand(true);
+        let (painted, place) = (shown.clone(), item.downgrade());
+        keys.set_painter(move |canvas, snapshot, width, height| {
+            if let Some(item) = place.upgrade() {
+                paint_row(&painted, item.position() as usize, canvas, snapshot, width, height);
+            }
+        });
+        content.append(&keys);
+        item.set_child(Some(&content));
+        if let Some(window) = weak.upgrade() {
+            seek_by_hand(&window, &keys, &shown, Some(item.downgrade()));
+        }
+    });
+    factory.connect_bind(|_, item| {
+        let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
+        let name = item.item().and_downcast::<gtk::StringObject>().map(|name| name.string());
+        let content = item.child();
+        if let (Some(label), Some(name)) = (content.as_ref().and_then(WidgetExt::first_child).and_downcast::<gtk::Label>(), name) {
+            label.set_text(&name);
+            label.set_tooltip_text(Some(&name));
+        }
+        if let Some(keys) = content.and_then(|content| content.last_child()) {
+            keys.queue_draw();
+        }
+    });
+    factory
+}
+
+/// A drag over a canvas goes to the moment under it; near a key of its row, to the key.
+fn seek_by_hand(window: &Rc<Window>, canvas: &Canvas, shown: &Rc<Shown>, item: Option<glib::WeakRef<gtk::ListItem>>) {
+    let drag = gtk::GestureDrag::new();
+    let (shown, weak) = (shown.clone(), Rc::downgrade(window));
+    let seek = move |gesture: &gtk::GestureDrag, x: f64| {
+        let (Some(window), Some(canvas)) = (weak.upgrade(), gesture.widget().and_downcast::<Canvas>()) else { return };
+        let mut time = shown.time_at(&canvas, x);
+        if let Some(item) = item.as_ref().and_then(glib::WeakRef::upgrade) {
+            let (left, width) = shown.axis(&canvas);
+            let (rows, track) = (shown.rows.borrow(), shown.track.borrow());
+            let keys = rows.get(item.position() as usize).map_or(&[][..], |row| row.keys.as_slice());
+            let off = |key: &&f64| (left + track.x(**key, width) - x).abs();
+            if let Some(key) = keys.iter().min_by(|a, b| off(a).total_cmp(&off(b))).filter(|key| off(key) <= NEAR) {
+                time = *key;
+            }
+        }
+        window.act(|session| session.time(|cursor| cursor.seek(time)));
+    };
+    let begin = seek.clone();
+    drag.connect_drag_begin(move |gesture, x, _| begin(gesture, x));
+    drag.connect_drag_update(move |gesture, dx, _| {
+        if let Some((x, _)) = gesture.start_point() {
+            seek(gesture, x + dx);
+        }
+    });
+    canvas.add_controller(drag);
+}
+
+fn paint_row(shown: &Shown, place: usize, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    let (rows, track) = (shown.rows.borrow(), shown.track.borrow());
+    let Some(row) = rows.get(place) else { return };
+    let (left, track_width) = shown.axis(canvas);
+    let context = cairo(snapshot, width, height);
+    let text = canvas.text_color();
+    set_color(&context, &text, 0.12);
+    context.rectangle(
+        left + track.x(track.range.0, track_width),
+        (height / 2.0).round(),
+        track.x(track.range.1, track_width) - track.x(track.range.0, track_width),
+        1.0,
+    );
+    // Cairo fails only where memory is gone, and the next change draws again.
+    let _ = context.fill();
+    set_color(&context, &text, 0.85);
+    let spread = track_width / row.keys.len().max(1) as f64;
+    let mut last = f64::NEG_INFINITY;
+    for key in &row.keys {
+        let x = (left + track.x(*key, track_width)).round() + 0.5;
+        if x < last + 1.5 {
+            continue;
+        }
+        last = x;
+        if spread < 9.0 {
+            context.rectangle(x - 0.5, height / 2.0 - 5.0, 1.0, 10.0);
+        } else {
+            diamond(&context, (x, (height / 2.0).round() + 0.5), 3.5);
+        }
+    }
+    let _ = context.fill();
+}
+
+/// The present moment and the pointer, over both pages.
+fn paint_cursor(shown: &Shown, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    let track = shown.track.borrow();
+    if track.range.1 <= track.range.0 {
+        return;
+    }
+    let (left, track_width) = shown.axis(canvas);
+    let context = cairo(snapshot, width, height);
+    if let Some(x) = shown.pointer.get() {
+        set_color(&context, &canvas.text_color(), 0.35);
+        context.rectangle(left + track.x(track.time_at(x - left, track_width), track_width).round(), 0.0, 1.0, height);
+        let _ = context.fill();
+    }
+    set_color(&context, &rgb(track.accent), 0.9);
+    context.rectangle((left + track.x(track.time, track_width)).round() - 1.0, 0.0, 2.0, height);
+    let _ = context.fill();
+}
