@@ -235,17 +235,17 @@ mod tests {
             let camera = camera(View::Iso, orthographic);
             let start = model();
             let handles = handles(Tool::Move, &camera, &start);
-            for axis in 0..3 {
+            for (axis, direction) in AXES.into_iter().enumerate() {
                 let tip = handles.tip(axis).expect("before the eye");
                 assert_eq!(handles.at(tip), Some(Handle::Axis(axis)));
                 let middle = handles.place(handles.middle).expect("before the eye");
                 let to = tip + (tip - middle).normalize() * 40.0;
                 let drag = ModelDrag { handle: Handle::Axis(axis), start, from: tip };
                 let moved = handles.dragged(&drag, to, false).translation;
-                let across = moved - AXES[axis] * moved.dot(AXES[axis]);
-                assert!(across.length() < 1e-9 && moved.dot(AXES[axis]) > 0.0, "{moved}");
+                let across = moved - direction * moved.dot(direction);
+                assert!(across.length() < 1e-9 && moved.dot(direction) > 0.0, "{moved}");
                 // What was under the pointer still is.
-                let place = handles.place(handles.middle + AXES[axis] * handles.reach() + moved).expect("before the eye");
+                let place = handles.place(handles.middle + direction * handles.reach() + moved).expect("before the eye");
                 assert!((place - to).length() < 1.0, "{place} {to}");
             }
         }
