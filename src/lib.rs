@@ -14,7 +14,7 @@
 //! | [`collada`] | the reader of `.dae` and `.zae` | `scene`, `animation` |
 //! | [`render`] | the rasterizer | `scene` |
 //! | [`document`] | any file to a [`document::Document`]; `Document::pose` makes a frame | all of the above but `render` |
-//! | [`export`] | PNG, OBJ | `scene`, `render` |
+//! | [`export`] | PNG, GIF, OBJ of frames; glTF of whole documents | `scene`, `render`, `document` |
 //! | [`cli`] | one file a subcommand | `document`, `render`, `export` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
 //!

@@ -284,6 +284,23 @@ impl Curve {
         self.values.get(key * 16 + 12..).and_then(|values| values.first_chunk::<3>()).map_or(DVec3::ZERO, |v| DVec3::from_array(*v))
     }
 
+    /// The slopes with which one number leaves a segment's first key and arrives at the next, per length of the segment; `None` where the way is no cubic of
+    /// time: a step, or Bézier control points that do not stand at thirds.
+    pub fn tangents_at_thirds(&self, segment: usize, component: usize) -> Option<[f64; 2]> {
+        let (from, to) = (self.key(segment, component), self.key(segment + 1, component));
+        match self.modes.get(segment)? {
+            Interpolation::Step => None,
+            Interpolation::Linear => Some([to - from; 2]),
+            Interpolation::Bezier | Interpolation::Hermite => match self.cubic_at(segment, component) {
+                None => Some([to - from; 2]),
+                Some(Cubic { x, y }) => {
+                    let at_thirds = (x[0] - 1.0 / 3.0).abs() < 1e-6 && (x[1] - 2.0 / 3.0).abs() < 1e-6;
+                    at_thirds.then_some([3.0 * (y[0] - from), 3.0 * (to - y[1])])
+                }
+            },
+        }
+    }
+
     /// The same curve with every value `v` as `start + slope · v`.
     #[must_use]
     pub fn mapped(&self, start: f64, slope: f64) -> Self {

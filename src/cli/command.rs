@@ -31,7 +31,9 @@ pub fn command() -> Command {
             .help_heading(tr!("cli-heading-options")),
     )
     .arg(help_flag())
-    .subcommands([info(), check(), render(), export(), measure(), fit(), bench(), help()].map(|command| command.arg(help_flag())))
+    .subcommands(
+        [info(), check(), render(), export(), convert(), measure(), fit(), bench(), help()].map(|command| command.arg(help_flag())),
+    )
 }
 
 fn info() -> Command {
@@ -107,6 +109,28 @@ fn export() -> Command {
     .arg(file())
     .arg(output("cli-arg-export-output"))
     .args(moment())
+}
+
+fn convert() -> Command {
+    page(
+        "convert",
+        "cli-about-convert",
+        "sinew convert FILE OUT",
+        &[
+            ("sinew convert walk.dae walk.glb", "cli-example-convert"),
+            ("sinew convert biceps.yaml biceps.gltf", "cli-example-convert-muscle"),
+        ],
+    )
+    .arg(file())
+    .arg(
+        Arg::new("out")
+            .value_name("OUT")
+            .value_parser(clap::value_parser!(PathBuf))
+            .value_hint(clap::ValueHint::FilePath)
+            .required(true)
+            .help(tr!("cli-arg-convert-output"))
+            .help_heading(tr!("cli-heading-arguments")),
+    )
 }
 
 fn measure() -> Command {

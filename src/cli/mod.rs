@@ -7,6 +7,7 @@ mod bench;
 mod check;
 mod command;
 mod compare;
+mod convert;
 mod export;
 mod failure;
 mod fit;
@@ -51,6 +52,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(("check", given)) => finish(check::run(given)),
         Some(("render", given)) => finish(render::run(given)),
         Some(("export", given)) => finish(export::run(given)),
+        Some(("convert", given)) => finish(convert::run(given)),
         Some(("measure", given)) => finish(measure::run(given)),
         Some(("fit", given)) => finish(fit::run(given)),
         Some(("bench", given)) => finish(bench::run(given)),

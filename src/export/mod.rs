@@ -5,6 +5,7 @@
 
 pub mod atomic;
 pub mod gif;
+pub mod gltf;
 pub mod obj;
 pub mod palette;
 pub mod png;

@@ -212,6 +212,11 @@ impl Rig {
         WorldFrames { from_world, world, bones: &self.bones }
     }
 
+    /// The node of the bone that muscle `index` originates from; `None` where it lies on its own.
+    pub fn origin_bone(&self, index: usize) -> Option<NodeId> {
+        self.bones.get(self.muscles.get(index)?.line.as_ref()?.origin.bone).copied()
+    }
+
     /// Topology of muscle `index`'s surface: fixed while the number of its nodes is.
     pub fn mesh(&self, index: usize) -> Arc<Mesh> {
         self.muscles.get(index).map(|muscle| Arc::clone(&muscle.mesh)).unwrap_or_default()

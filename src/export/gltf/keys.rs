@@ -1,0 +1,151 @@
+//! Keys of one moving thing: taken where the file has them, and as many more as its way needs.
+
+use super::placing::Placing;
+
+/// Largest turn that a key's way may be off, radians; see also [`Tolerance`].
+const TURN: f64 = 2e-5;
+/// How often a stretch between two keys may be halved.
+const HALVINGS: u32 = 10;
+/// Most keys of one track.
+const KEYS: usize = 200_000;
+
+/// How far the written way may be off.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tolerance {
+    /// Length in the node's own unit.
+    pub length: f64,
+}
+
+impl Tolerance {
+    fn holds(&self, a: &Placing, b: &Placing) -> bool {
+        // The half angle's sine is the length of the difference of the quaternions, to first order.
+        let turn = 2.0 * (2.0 * (1.0 - a.rotation.dot(b.rotation).abs().min(1.0))).sqrt();
+        turn <= TURN
+            && (a.translation - b.translation).length() <= self.length
+            && (a.scale - b.scale).abs().max_element() <= TURN * (1.0 + a.scale.abs().max_element())
+    }
+}
+
+/// A moment to take a key at: where it is taken and the time that is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Moment {
+    /// Seconds on the file's axis.
+    pub at: f64,
+    /// Seconds in the written file.
+    pub written: f32,
+}
+
+/// The moments of `times` (ascending), with one just before each of `jumps`, where the value leaps. `shift` is added to what is written.
+pub(super) fn moments(times: &[f64], jumps: &[f64], shift: f64) -> Vec<Moment> {
+    let mut found: Vec<Moment> = Vec::new();
+    for &at in times {
+        let written = (at + shift) as f32;
+        if jumps.contains(&at) && !found.is_empty() {
+            let before = Moment { at: at.next_down(), written: written.next_down() };
+            if found.last().is_some_and(|last| last.written < before.written) {
+                found.push(before);
+            }
+        }
+        match found.last_mut() {
+            // Keys closer than the format's times can tell: the later one stays.
+            Some(last) if last.written >= written => last.at = at,
+            _ => found.push(Moment { at, written }),
+        }
+    }
+    found
+}
+
+/// Takes keys at `moments` and wherever the way between them is off by more than the tolerance.
+pub(super) fn track(moments: &[Moment], tolerance: Tolerance, take: &mut dyn FnMut(f64) -> Placing) -> Vec<(f32, Placing)> {
+    let mut keys: Vec<(f32, Placing)> = Vec::new();
+    let mut last: Option<(Moment, Placing)> = None;
+    for moment in moments {
+        let here = take(moment.at);
+        if let Some((before, start)) = last {
+            // A leap is over before there is room for a key.
+            if moment.written > before.written.next_up() {
+                refine((before, start), (*moment, here), tolerance, HALVINGS, take, &mut keys);
+            }
+        }
+        keys.push((moment.written, here));
+        last = Some((*moment, here));
+    }
+    smooth(&mut keys);
+    keys
+}
+
+fn refine(
+    from: (Moment, Placing),
+    to: (Moment, Placing),
+    tolerance: Tolerance,
+    halvings: u32,
+    take: &mut dyn FnMut(f64) -> Placing,
+    keys: &mut Vec<(f32, Placing)>,
+) {
+    let at = |part: f64| from.0.at + (to.0.at - from.0.at) * part;
+    // The quarters too: an S-shaped way crosses the straight one in the middle.
+    let fits = |part: f64, found: &Placing| tolerance.holds(&from.1.between(&to.1, part), found);
+    let middle = take(at(0.5));
+    if fits(0.5, &middle) && fits(0.25, &take(at(0.25))) && fits(0.75, &take(at(0.75))) {
+        return;
+    }
+    let written = from.0.written + (to.0.written - from.0.written) * 0.5;
+    if halvings == 0 || keys.len() >= KEYS || written <= from.0.written || written >= to.0.written {
+        return;
+    }
+    let middle = (Moment { at: at(0.5), written }, middle);
+    refine(from, middle, tolerance, halvings - 1, take, keys);
+    keys.push((written, middle.1));
+    refine(middle, to, tolerance, halvings - 1, take, keys);
+}
+
+/// Chooses of the two quaternions of each rotation the one nearer to the last, so that players that only mix numbers go the same way.
+fn smooth(keys: &mut [(f32, Placing)]) {
+    for at in 1..keys.len() {
+        if keys[at - 1].1.rotation.dot(keys[at].1.rotation) < 0.0 {
+            keys[at].1.rotation = -keys[at].1.rotation;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::{DQuat, DVec3};
+
+    fn turned(angle: f64) -> Placing {
+        Placing { translation: DVec3::ZERO, rotation: DQuat::from_rotation_y(angle), scale: DVec3::ONE }
+    }
+
+    #[test]
+    fn a_steady_turn_over_less_than_half_a_circle_needs_no_more_keys() {
+        let keys = track(&moments(&[0.0, 1.0], &[], 0.0), Tolerance { length: 1e-5 }, &mut |t| turned(3.0 * t));
+        assert_eq!(keys.len(), 2);
+    }
+
+    #[test]
+    fn full_turns_get_keys_enough_that_the_shorter_arc_is_the_right_one() {
+        let keys = track(&moments(&[0.0, 1.0], &[], 0.0), Tolerance { length: 1e-5 }, &mut |t| turned(4.0 * std::f64::consts::PI * t));
+        assert!(keys.len() >= 5, "{}", keys.len());
+        for pair in keys.windows(2) {
+            let middle = f64::from(pair[0].0 + pair[1].0) / 2.0;
+            let way = pair[0].1.between(&pair[1].1, 0.5);
+            assert!(way.rotation.dot(turned(4.0 * std::f64::consts::PI * middle).rotation).abs() > 1.0 - 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_leap_is_two_keys_side_by_side() {
+        let found = moments(&[0.0, 1.0, 2.0], &[1.0], 0.0);
+        assert_eq!(found.len(), 4);
+        assert_eq!(found[1].written, 1.0_f32.next_down());
+        assert!(found[1].at < 1.0 && found[2].at == 1.0);
+    }
+
+    #[test]
+    fn written_times_rise_also_where_keys_are_too_close_to_tell_apart() {
+        let found = moments(&[1000.0, 1000.000_000_1, 1000.000_000_2, 1001.0], &[], 0.0);
+        assert!(found.windows(2).all(|pair| pair[0].written < pair[1].written));
+        assert_eq!(found[0].at, 1000.000_000_2);
+    }
+}

@@ -1,0 +1,47 @@
+//! What a file cannot hold of a document.
+
+use crate::tr;
+
+/// Something that was left out or only comes close.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Loss {
+    /// A node shears while it moves, which no key of the format can say.
+    Shear {
+        /// The node's name.
+        node: String,
+    },
+    /// Colours, highlights or lights change over time; the format animates transforms and morph weights.
+    Colours {
+        /// The clip's name.
+        clip: String,
+    },
+    /// An image that is not there or could not be read.
+    Image {
+        /// Its reference in the file.
+        name: String,
+    },
+    /// A light from everywhere, which the format has not.
+    AmbientLight {
+        /// The light's name.
+        name: String,
+    },
+    /// A clip that starts before zero; its times are moved.
+    Moved {
+        /// The clip's name.
+        clip: String,
+        /// By how much, thousandths of a second.
+        milliseconds: i64,
+    },
+}
+
+impl std::fmt::Display for Loss {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&match self {
+            Self::Shear { node } => tr!("gltf-shear", node = node.as_str()),
+            Self::Colours { clip } => tr!("gltf-colours", clip = clip.as_str()),
+            Self::Image { name } => tr!("gltf-image", name = name.as_str()),
+            Self::AmbientLight { name } => tr!("gltf-ambient", name = name.as_str()),
+            Self::Moved { clip, milliseconds } => tr!("gltf-moved", clip = clip.as_str(), milliseconds = *milliseconds),
+        })
+    }
+}

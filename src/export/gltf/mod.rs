@@ -1,0 +1,386 @@
+//! glTF 2.0, the way out of COLLADA: node tree, meshes, skins, morphs, materials, images, cameras, lights and animations; muscles as morph targets.
+//!
+//! What the format says the way the document does is written as it is: values of nodes, LINEAR and STEP keys, Bézier translations at thirds as cubic splines.
+//! Everything else is taken from the same sampler that draws, with keys wherever the way between two is off by more than [`ERROR`] of the scene's diagonal
+//! or 2·10⁻⁵ radians. What cannot be written is told as a [`Loss`].
+
+mod buffer;
+mod container;
+mod keys;
+mod loss;
+mod materials;
+mod muscles;
+mod placing;
+mod surfaces;
+mod takes;
+
+pub use loss::Loss;
+
+use std::path::Path;
+
+use glam::DMat4;
+use serde_json::{Value, json};
+
+use self::buffer::Buffer;
+use self::materials::Materials;
+use self::muscles::Muscles;
+use self::placing::Placing;
+use self::surfaces::{Bone, Surfaces, bones};
+use self::takes::{Animation, Stage, Take, Weights};
+use super::{ExportError, atomic::write_whole};
+use crate::document::{Document, PoseBuffers};
+use crate::scene::{Content, Deformer, Frame, LightKind, MeshInstance, MorphId, NodeId, Projection};
+
+/// Largest distance, in diagonals of the scene, that sampled movement is off.
+pub const ERROR: f64 = 2e-5;
+
+/// The two forms of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// `.glb`: one binary file.
+    Binary,
+    /// `.gltf`: JSON, with the binary part inside as base64.
+    Text,
+}
+
+impl Form {
+    /// The form that a file name's ending asks for.
+    pub fn of(file: &Path) -> Option<Self> {
+        let ending = file.extension()?.to_string_lossy().to_lowercase();
+        match ending.as_str() {
+            "glb" => Some(Self::Binary),
+            "gltf" => Some(Self::Text),
+            _ => None,
+        }
+    }
+}
+
+/// Writes the document to `file`, whole or not at all, and tells what the format could not hold.
+///
+/// # Errors
+/// [`ExportError`] where the file cannot be written, or would be larger than the 4 GiB that the binary form can be.
+pub fn save(file: &Path, form: Form, document: &Document) -> Result<Vec<Loss>, ExportError> {
+    let (mut root, bytes, losses) = Writer::new(document).write();
+    write_whole(file, |out| match form {
+        Form::Binary => container::binary(out, &root, &bytes),
+        Form::Text => container::text(out, &mut root, &bytes),
+    })?;
+    Ok(losses)
+}
+
+/// What a file is put together from.
+struct Writer<'a> {
+    document: &'a Document,
+    buffer: Buffer,
+    materials: Materials,
+    surfaces: Surfaces,
+    nodes: Vec<Value>,
+    /// For each node of the scene: the written node that its parent holds, and the one that holds what hangs on it (another only where it shears).
+    places: Vec<(usize, usize)>,
+    /// How each node rests.
+    rest: Vec<Placing>,
+    roots: Vec<usize>,
+    lights: Vec<Value>,
+    cameras: Vec<Value>,
+    /// Written nodes with morphs.
+    morphed: Vec<(usize, Vec<MorphId>)>,
+    losses: Vec<Loss>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(document: &'a Document) -> Self {
+        Self {
+            document,
+            buffer: Buffer::default(),
+            materials: Materials::default(),
+            surfaces: Surfaces::default(),
+            nodes: Vec::new(),
+            places: Vec::new(),
+            rest: Vec::new(),
+            roots: Vec::new(),
+            lights: Vec::new(),
+            cameras: Vec::new(),
+            morphed: Vec::new(),
+            losses: Vec::new(),
+        }
+    }
+
+    fn write(mut self) -> (Value, Vec<u8>, Vec<Loss>) {
+        let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+        self.document.pose(&self.document.start_state(), &mut buffers, &mut frame);
+        let length = f64::from(frame.bounds.diagonal()) * ERROR;
+        self.write_nodes();
+        self.write_contents();
+        let takes = Take::all(self.document);
+        let mut animations: Vec<Animation> = takes.iter().map(|_| Animation::default()).collect();
+        let scales = self.scales(&frame.world);
+        let nodes: Vec<(usize, Placing)> = self.places.iter().map(|place| place.0).zip(self.rest.iter().copied()).collect();
+        let stage = Stage { document: self.document, nodes: &nodes, length, scales: &scales };
+        for (take, animation) in takes.iter().zip(&mut animations) {
+            stage.write(take, animation, &mut self.buffer, &mut self.losses);
+            for (node, morphs) in &self.morphed {
+                Weights { node: *node, morphs }.write(self.document, take, animation, &mut self.buffer);
+            }
+        }
+        let muscles = Muscles::new(self.document).write(
+            &takes,
+            frame.bounds.diagonal(),
+            &mut animations,
+            &mut self.nodes,
+            &mut self.surfaces.meshes,
+            &mut self.materials,
+            &mut self.buffer,
+            &mut self.losses,
+        );
+        for (node, bone) in muscles {
+            match bone.and_then(|bone| self.places.get(bone.index())) {
+                Some(&(_, place)) => self.adopt(place, node),
+                None => self.roots.push(node),
+            }
+        }
+        self.losses.dedup();
+        let animations = takes.iter().zip(animations).filter_map(|(take, animation)| animation.value(take)).collect();
+        self.put_together(animations)
+    }
+
+    /// World scale above each node, the cube root of the volume that its parent's matrix makes of a unit cube.
+    fn scales(&self, world: &[DMat4]) -> Vec<f64> {
+        let graph = &self.document.scene.graph;
+        let above = |(_, node): (NodeId, &crate::scene::Node)| node.parent().and_then(|parent| world.get(parent.index()));
+        graph.iter().map(|node| above(node).map_or(1.0, |matrix| matrix.determinant().abs().cbrt())).collect()
+    }
+
+    /// The tree with its transforms at rest.
+    fn write_nodes(&mut self) {
+        let graph = &self.document.scene.graph;
+        let mut moving = vec![false; graph.len()];
+        for channel in self.document.clips.iter().flat_map(|clip| &clip.channels) {
+            if let crate::animation::Target::Transform { node, .. } = channel.target
+                && let Some(moving) = moving.get_mut(node.index())
+            {
+                *moving = true;
+            }
+        }
+        for ((id, node), moves) in graph.iter().zip(moving) {
+            let matrix = tame(&node.transform.matrix());
+            let (placing, sheared) = Placing::of(&matrix);
+            let outer = self.nodes.len();
+            let mut value = json!({"name": node.name});
+            let inner = if sheared && !moves {
+                let (first, second) = placing::split(&matrix);
+                first.write(&mut value);
+                self.nodes.push(value);
+                let mut below = json!({"name": format!("{} ·", node.name)});
+                second.write(&mut below);
+                self.nodes.push(below);
+                self.nodes[outer]["children"] = json!([outer + 1]);
+                self.rest.push(first);
+                outer + 1
+            } else {
+                placing.write(&mut value);
+                self.nodes.push(value);
+                self.rest.push(placing);
+                outer
+            };
+            self.places.push((outer, inner));
+            match node.parent().and_then(|parent| self.places.get(parent.index())) {
+                Some(&(_, above)) => self.adopt(above, outer),
+                None => self.roots.push(outer),
+            }
+            debug_assert_eq!(self.places.len(), id.index() + 1);
+        }
+    }
+
+    fn adopt(&mut self, parent: usize, child: usize) {
+        match self.nodes[parent]["children"].as_array_mut() {
+            Some(children) => children.push(child.into()),
+            None => self.nodes[parent]["children"] = json!([child]),
+        }
+    }
+
+    /// The written node that holds one more thing of a kind that a node can hold once: the node itself, or a new one below it.
+    fn holder(&mut self, node: NodeId, kind: &str) -> usize {
+        let Some(&(_, place)) = self.places.get(node.index()) else { return 0 };
+        if self.nodes[place].get(kind).is_none() {
+            return place;
+        }
+        let name = self.nodes[place]["name"].clone();
+        self.nodes.push(json!({"name": name}));
+        let new = self.nodes.len() - 1;
+        self.adopt(place, new);
+        new
+    }
+
+    fn write_contents(&mut self) {
+        let document = self.document;
+        for (id, node) in document.scene.graph.iter() {
+            for content in &node.contents {
+                match content {
+                    Content::Mesh(instance) => self.write_mesh(id, instance),
+                    Content::Light(light) => self.write_light(id, light.index()),
+                    Content::Camera(camera) => self.write_camera(id, camera.index()),
+                    Content::Muscle(_) => {}
+                }
+            }
+        }
+    }
+
+    fn write_mesh(&mut self, node: NodeId, instance: &MeshInstance) {
+        let scene = &self.document.scene;
+        let made = self.surfaces.mesh(scene, instance, &mut self.materials, &mut self.buffer, &mut self.losses);
+        let (Some(number), Some(mesh)) = (made, scene.meshes.get(instance.mesh.index())) else { return };
+        let skin = instance.deformers.iter().find_map(|deformer| match deformer {
+            Deformer::Skin { skin, joints } => Some((scene.skins.get(skin.index())?, joints)),
+            Deformer::Morph(_) => None,
+        });
+        let holder = match skin {
+            // The place of a skinned mesh means nothing, so it stands at the root, as the format advises.
+            Some((skin, joints)) => {
+                let mut root = node;
+                while let Some(parent) = scene.graph.node(root).parent() {
+                    root = parent;
+                }
+                let bones = bones(skin, mesh, joints, root, node);
+                let joints = self.joint_nodes(&bones);
+                let skin = self.surfaces.skin(&skin.name, &joints, &bones, &mut self.buffer);
+                self.nodes.push(json!({"name": scene.graph.node(node).name, "skin": skin}));
+                self.roots.push(self.nodes.len() - 1);
+                self.nodes.len() - 1
+            }
+            None => self.holder(node, "mesh"),
+        };
+        self.nodes[holder]["mesh"] = number.into();
+        let morphs: Vec<MorphId> = instance
+            .deformers
+            .iter()
+            .filter_map(|deformer| match deformer {
+                Deformer::Morph(id) => Some(*id),
+                Deformer::Skin { .. } => None,
+            })
+            .collect();
+        if !morphs.is_empty() {
+            self.morphed.push((holder, morphs));
+        }
+    }
+
+    /// The written nodes of a skin's joints. The format wants each once in a skin, so a second use gets a node of its own below the first.
+    fn joint_nodes(&mut self, bones: &[Bone]) -> Vec<usize> {
+        let mut taken = rustc_hash::FxHashSet::default();
+        bones
+            .iter()
+            .map(|bone| {
+                let place = self.places.get(bone.node.index()).map_or(0, |place| place.1);
+                if taken.insert(place) {
+                    return place;
+                }
+                let name = self.nodes[place]["name"].clone();
+                self.nodes.push(json!({"name": name}));
+                let new = self.nodes.len() - 1;
+                self.adopt(place, new);
+                new
+            })
+            .collect()
+    }
+
+    fn write_light(&mut self, node: NodeId, light: usize) {
+        let Some(light) = self.document.scene.lights.get(light) else { return };
+        let kind = match light.kind {
+            LightKind::Ambient => {
+                self.losses.push(Loss::AmbientLight { name: light.name.clone() });
+                return;
+            }
+            LightKind::Directional => json!({"type": "directional"}),
+            LightKind::Point => json!({"type": "point"}),
+            LightKind::Spot { falloff_angle, .. } => {
+                let half = (falloff_angle.to_radians() / 2.0).clamp(0.01, std::f32::consts::FRAC_PI_2);
+                json!({"type": "spot", "spot": {"innerConeAngle": 0.0, "outerConeAngle": half}})
+            }
+        };
+        let mut value = kind;
+        value["name"] = light.name.clone().into();
+        // Colours of lights are linear in both formats; what is brighter than 1 goes into the intensity.
+        let brightest = light.color.max_element().max(1.0);
+        let color = (light.color / brightest).clamp(glam::Vec3::ZERO, glam::Vec3::ONE);
+        value["color"] = json!(if color.is_finite() { color.to_array() } else { [1.0; 3] });
+        value["intensity"] = json!(if brightest.is_finite() { brightest } else { 1.0 });
+        self.lights.push(value);
+        let number = self.lights.len() - 1;
+        let holder = self.holder(node, "extensions");
+        self.nodes[holder]["extensions"] = json!({"KHR_lights_punctual": {"light": number}});
+    }
+
+    fn write_camera(&mut self, node: NodeId, camera: usize) {
+        let Some(camera) = self.document.scene.cameras.get(camera) else { return };
+        let near = if camera.near.is_finite() && camera.near > 0.0 { camera.near } else { 0.01 };
+        let far = if camera.far.is_finite() && camera.far > near { camera.far } else { near * 1e4 };
+        let aspect = camera.aspect.filter(|aspect| aspect.is_finite() && *aspect > 0.0);
+        let mut value = match camera.projection {
+            Projection::Perspective { fov_y } => {
+                let fov_y = if fov_y.is_finite() { fov_y.clamp(0.01, 3.1) } else { 0.7 };
+                let mut lens = json!({"yfov": fov_y, "znear": near, "zfar": far});
+                if let Some(aspect) = aspect {
+                    lens["aspectRatio"] = aspect.into();
+                }
+                json!({"type": "perspective", "perspective": lens})
+            }
+            Projection::Orthographic { height } => {
+                let half = if height.is_finite() && height > 0.0 { height / 2.0 } else { 1.0 };
+                json!({"type": "orthographic", "orthographic": {"ymag": half, "xmag": half * aspect.unwrap_or(1.0), "znear": near, "zfar": far}})
+            }
+        };
+        value["name"] = camera.name.clone().into();
+        self.cameras.push(value);
+        let number = self.cameras.len() - 1;
+        let holder = self.holder(node, "camera");
+        self.nodes[holder]["camera"] = number.into();
+    }
+
+    fn put_together(self, animations: Vec<Value>) -> (Value, Vec<u8>, Vec<Loss>) {
+        let mut root = json!({
+            "asset": {"version": "2.0", "generator": format!("Sinew {}", env!("CARGO_PKG_VERSION"))},
+            "scene": 0,
+            "scenes": [{"nodes": self.roots}],
+        });
+        if self.roots.is_empty() {
+            root["scenes"] = json!([{}]);
+        }
+        let lists = [
+            ("nodes", self.nodes),
+            ("meshes", self.surfaces.meshes),
+            ("skins", self.surfaces.skins),
+            ("materials", self.materials.materials.clone()),
+            ("textures", self.materials.textures.clone()),
+            ("samplers", self.materials.samplers.clone()),
+            ("images", self.materials.images.clone()),
+            ("cameras", self.cameras),
+            ("animations", animations),
+            ("accessors", self.buffer.accessors),
+            ("bufferViews", self.buffer.views),
+        ];
+        for (name, list) in lists {
+            if !list.is_empty() {
+                root[name] = list.into();
+            }
+        }
+        if !self.buffer.bytes.is_empty() {
+            root["buffers"] = json!([{"byteLength": self.buffer.bytes.len()}]);
+        }
+        let mut extensions = Vec::new();
+        if self.materials.uses_unlit() {
+            extensions.push("KHR_materials_unlit");
+        }
+        if !self.lights.is_empty() {
+            extensions.push("KHR_lights_punctual");
+            root["extensions"] = json!({"KHR_lights_punctual": {"lights": self.lights}});
+        }
+        if !extensions.is_empty() {
+            root["extensionsUsed"] = extensions.into();
+        }
+        (root, self.buffer.bytes, self.losses)
+    }
+}
+
+/// A matrix without infinities, which the format does not allow.
+fn tame(matrix: &DMat4) -> DMat4 {
+    if matrix.as_mat4().is_finite() { *matrix } else { DMat4::IDENTITY }
+}

@@ -1,0 +1,242 @@
+//! Meshes with their skins and morphs.
+
+use glam::{DMat4, Vec3};
+use rustc_hash::FxHashMap;
+use serde_json::{Value, json};
+
+use super::buffer::{Buffer, Usage};
+use super::loss::Loss;
+use super::materials::Materials;
+use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, NodeId, Scene, Skin, SkinId};
+
+/// Vertex attributes by name.
+type Attributes = serde_json::Map<String, Value>;
+
+/// What is written of meshes and skins.
+#[derive(Debug, Default)]
+pub(super) struct Surfaces {
+    pub meshes: Vec<Value>,
+    pub skins: Vec<Value>,
+    shapes: FxHashMap<MeshId, Attributes>,
+    bindings: FxHashMap<(MeshId, SkinId), Attributes>,
+}
+
+/// A joint of a skin as it is written: a node, and the matrix that takes the mesh into its space.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bone {
+    /// The node, or the one that an extra node without a transform is to hang under, where a node is needed twice.
+    pub node: NodeId,
+    pub inverse_bind: DMat4,
+}
+
+/// Which joints a skin needs beside its own: the file's root for what the bind shape holds, the node itself for points without weights.
+fn extras(skin: &Skin, mesh: &Mesh) -> (bool, bool) {
+    let own = skin.joints.len();
+    let root = skin.influences.iter().any(|influence| usize::try_from(influence.joint).map_or(true, |joint| joint >= own));
+    let loose = |point: usize| !skin.influences_of(point).iter().any(|influence| influence.weight > 0.0);
+    (root, (0..mesh.source_count as usize).any(loose))
+}
+
+/// The joints that a skin is written with: its own, then those of [`extras`].
+pub(super) fn bones(skin: &Skin, mesh: &Mesh, joints: &[Option<NodeId>], root: NodeId, node: NodeId) -> Vec<Bone> {
+    let own = skin.joints.iter().zip(joints).map(|(joint, at)| match at {
+        Some(at) => Bone { node: *at, inverse_bind: joint.inverse_bind * skin.bind_shape },
+        None => Bone { node: root, inverse_bind: skin.bind_shape },
+    });
+    let mut bones: Vec<Bone> = own.collect();
+    let (needs_root, needs_node) = extras(skin, mesh);
+    bones.extend(needs_root.then_some(Bone { node: root, inverse_bind: skin.bind_shape }));
+    bones.extend(needs_node.then_some(Bone { node, inverse_bind: skin.bind_shape }));
+    bones
+}
+
+impl Surfaces {
+    /// Writes a mesh with these deformers and materials; returns its number, or `None` where nothing of it can be drawn.
+    pub fn mesh(
+        &mut self,
+        scene: &Scene,
+        instance: &MeshInstance,
+        materials: &mut Materials,
+        buffer: &mut Buffer,
+        losses: &mut Vec<Loss>,
+    ) -> Option<usize> {
+        let mesh = scene.meshes.get(instance.mesh.index())?;
+        let mut attributes = self.shapes.entry(instance.mesh).or_insert_with(|| shape(mesh, buffer)).clone();
+        let mut targets = Vec::new();
+        let (mut weights, mut names) = (Vec::new(), Vec::new());
+        for deformer in &instance.deformers {
+            match deformer {
+                Deformer::Skin { skin: id, .. } => {
+                    let Some(skin) = scene.skins.get(id.index()) else { continue };
+                    let binding = self.bindings.entry((instance.mesh, *id)).or_insert_with(|| influences(skin, mesh, buffer));
+                    attributes.extend(binding.clone());
+                }
+                Deformer::Morph(id) => {
+                    let Some(morph) = scene.morphs.get(id.index()) else { continue };
+                    targets.extend(morph_targets(morph, mesh, buffer));
+                    weights.extend(morph.weights.iter().copied().chain(std::iter::repeat(0.0)).take(morph.targets.len()));
+                    names.extend(morph.targets.iter().map(|target| target.name.clone()));
+                }
+            }
+        }
+        let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, materials, buffer, losses);
+        if primitives.is_empty() {
+            return None;
+        }
+        let mut value = json!({"name": mesh.name, "primitives": primitives});
+        if !targets.is_empty() {
+            value["weights"] = json!(weights);
+            value["extras"] = json!({"targetNames": names});
+        }
+        self.meshes.push(value);
+        Some(self.meshes.len() - 1)
+    }
+
+    /// Writes a skin of these nodes and matrices.
+    pub fn skin(&mut self, name: &str, joints: &[usize], bones: &[Bone], buffer: &mut Buffer) -> usize {
+        let rows: Vec<[f32; 16]> = bones.iter().map(|bone| upright(&bone.inverse_bind)).collect();
+        let matrices = buffer.floats(Usage::Other, &rows, false);
+        self.skins.push(json!({"name": name, "joints": joints, "inverseBindMatrices": matrices}));
+        self.skins.len() - 1
+    }
+}
+
+fn upright(matrix: &DMat4) -> [f32; 16] {
+    let mut numbers = matrix.as_mat4().to_cols_array().map(|number| if number.is_finite() { number } else { 0.0 });
+    for (at, number) in [(3, 0.0), (7, 0.0), (11, 0.0), (15, 1.0)] {
+        numbers[at] = number;
+    }
+    numbers
+}
+
+/// A vector without infinities, which the format does not allow.
+fn tame(vector: Vec3) -> [f32; 3] {
+    if vector.is_finite() { (vector + 0.0).to_array() } else { [0.0; 3] }
+}
+
+/// Positions, normals, texture coordinates, colours.
+fn shape(mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
+    let mut attributes = Attributes::new();
+    let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|position| tame(*position)).collect();
+    if positions.is_empty() {
+        return attributes;
+    }
+    attributes.insert("POSITION".into(), buffer.floats(Usage::Vertices, &positions, true).into());
+    if mesh.normals.len() == positions.len() {
+        let normals: Vec<[f32; 3]> = mesh.normals.iter().map(|normal| normal.normalize_or(Vec3::Y).to_array()).collect();
+        attributes.insert("NORMAL".into(), buffer.floats(Usage::Vertices, &normals, false).into());
+    }
+    for (set, uvs) in mesh.uv_sets.iter().enumerate().filter(|(_, uvs)| uvs.len() == positions.len()) {
+        // COLLADA counts from the lower edge of a picture, glTF from the upper one.
+        let rows: Vec<[f32; 2]> = uvs.iter().map(|uv| if uv.is_finite() { [uv.x, 1.0 - uv.y] } else { [0.0; 2] }).collect();
+        attributes.insert(format!("TEXCOORD_{set}"), buffer.floats(Usage::Vertices, &rows, false).into());
+    }
+    if mesh.colors.len() == positions.len() {
+        let rows: Vec<[f32; 4]> = mesh.colors.iter().map(|color| if color.is_finite() { color.to_array() } else { [1.0; 4] }).collect();
+        attributes.insert("COLOR_0".into(), buffer.floats(Usage::Vertices, &rows, false).into());
+    }
+    attributes
+}
+
+/// Joints and weights, four to a set, the heaviest first, as many sets as the fullest point needs.
+fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
+    let root = skin.joints.len() as u16;
+    let own = root + u16::from(extras(skin, mesh).0);
+    let of_point = |point: usize| -> Vec<(u16, f32)> {
+        let mut found: Vec<(u16, f32)> = Vec::new();
+        for influence in skin.influences_of(point) {
+            let joint = u16::try_from(influence.joint).ok().filter(|joint| *joint < root).unwrap_or(root);
+            let weight = influence.weight;
+            if weight.is_finite() && weight > 0.0 {
+                match found.iter_mut().find(|(known, _)| *known == joint) {
+                    Some((_, sum)) => *sum += weight,
+                    None => found.push((joint, weight)),
+                }
+            }
+        }
+        if found.is_empty() {
+            return vec![(own, 1.0)];
+        }
+        found.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let sum: f64 = found.iter().map(|(_, weight)| f64::from(*weight)).sum();
+        found.iter_mut().for_each(|(_, weight)| *weight = (f64::from(*weight) / sum) as f32);
+        // Rounding must not leave a sum beside 1: the heaviest takes it up.
+        let rest: f64 = found.iter().skip(1).map(|(_, weight)| f64::from(*weight)).sum();
+        found[0].1 = (1.0 - rest) as f32;
+        found
+    };
+    let points: Vec<Vec<(u16, f32)>> = (0..mesh.source_count as usize).map(of_point).collect();
+    let sets = points.iter().map(Vec::len).max().unwrap_or(1).div_ceil(4).max(1);
+    let mut attributes = Attributes::new();
+    for set in 0..sets {
+        let pick = |vertex: &u32| {
+            let mut row = ([0_u16; 4], [0.0_f32; 4]);
+            let found = points.get(*vertex as usize).map_or(&[][..], Vec::as_slice);
+            for (slot, (joint, weight)) in found.iter().skip(set * 4).take(4).enumerate() {
+                (row.0[slot], row.1[slot]) = (*joint, *weight);
+            }
+            row
+        };
+        let (joints, weights): (Vec<[u16; 4]>, Vec<[f32; 4]>) = mesh.source_vertex.iter().map(pick).unzip();
+        attributes.insert(format!("JOINTS_{set}"), buffer.joints(&joints).into());
+        attributes.insert(format!("WEIGHTS_{set}"), buffer.floats(Usage::Vertices, &weights, false).into());
+    }
+    attributes
+}
+
+fn morph_targets(morph: &Morph, mesh: &Mesh, buffer: &mut Buffer) -> Vec<Value> {
+    let count = mesh.positions.len();
+    let rows =
+        |deltas: &[Vec3]| -> Vec<[f32; 3]> { deltas.iter().copied().chain(std::iter::repeat(Vec3::ZERO)).take(count).map(tame).collect() };
+    let target = |target: &crate::scene::MorphTarget| {
+        let mut value = json!({"POSITION": buffer.floats(Usage::Vertices, &rows(&target.position_deltas), true)});
+        if target.normal_deltas.len() == count && mesh.normals.len() == count {
+            value["NORMAL"] = buffer.floats(Usage::Vertices, &rows(&target.normal_deltas), false).into();
+        }
+        value
+    };
+    morph.targets.iter().map(target).collect()
+}
+
+/// One primitive a part of the mesh for its triangles, one for its lines.
+#[allow(clippy::too_many_arguments)]
+pub(super) fn primitives(
+    scene: &Scene,
+    mesh: &Mesh,
+    bindings: &[Option<MaterialBinding>],
+    attributes: &Attributes,
+    targets: &[Value],
+    materials: &mut Materials,
+    buffer: &mut Buffer,
+    losses: &mut Vec<Loss>,
+) -> Vec<Value> {
+    let count = mesh.positions.len();
+    let good = |vertex: &u32| mesh.positions.get(*vertex as usize).is_some_and(|position| position.is_finite());
+    let mut written = Vec::new();
+    for (number, part) in mesh.parts.iter().enumerate() {
+        let material = bindings.get(number).and_then(Option::as_ref).and_then(|binding| materials.number(scene, binding, buffer, losses));
+        let triangles = mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]);
+        let lines = mesh.lines.get(part.lines.start as usize..part.lines.end as usize).unwrap_or(&[]);
+        let corners: Vec<u32> = triangles.iter().filter(|corners| corners.iter().all(good)).flatten().copied().collect();
+        let ends: Vec<u32> = lines.iter().filter(|ends| ends.iter().all(good)).flatten().copied().collect();
+        for (indices, mode) in [(corners, 4), (ends, 1)] {
+            if indices.is_empty() || attributes.is_empty() {
+                continue;
+            }
+            let mut primitive = json!({"attributes": attributes, "indices": buffer.indices(&indices, count), "mode": mode});
+            if let Some(material) = material {
+                primitive["material"] = material.into();
+            }
+            if !targets.is_empty() {
+                primitive["targets"] = targets.into();
+            }
+            written.push(primitive);
+        }
+    }
+    written
+}
+
+/// The attributes of a mesh whose shape is given rather than its own.
+pub(super) fn given_shape(positions: &[Vec3], normals: &[Vec3], buffer: &mut Buffer) -> Attributes {
+    shape(&Mesh { positions: positions.to_vec(), normals: normals.to_vec(), ..Mesh::default() }, buffer)
+}

@@ -1,0 +1,407 @@
+//! Animations: the document's clips, or the arm bent from straight to full where there is no clip.
+
+use glam::{DMat4, DVec3};
+use serde_json::{Value, json};
+
+use super::buffer::{Buffer, Usage};
+use super::keys::{Moment, Tolerance, moments, track};
+use super::loss::Loss;
+use super::placing::Placing;
+use crate::animation::{Channel, Clip, Curve, Interpolation, Lane, Pose, Target};
+use crate::document::{Document, PoseState};
+use crate::scene::{MorphId, NodeId, TransformOp, compose};
+
+/// Seconds that the arm takes to bend.
+const BEND_SECONDS: f64 = 2.0;
+/// Keys that a bend is looked at first.
+const BEND_KEYS: usize = 9;
+
+/// A stretch of time to write.
+#[derive(Debug, Clone)]
+pub(super) struct Take {
+    pub name: String,
+    /// First and last moment, seconds on its own axis.
+    pub span: (f64, f64),
+    /// What is added to times where they are written: the format knows none below zero.
+    pub shift: f64,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    /// A clip of the document.
+    Clip(usize),
+    /// The elbow from one angle to another, degrees.
+    Bend([f64; 2]),
+    /// The contraction from 0 to 100 %, for a muscle on its own.
+    Contract,
+}
+
+impl Take {
+    /// All that a document can play.
+    pub fn all(document: &Document) -> Vec<Self> {
+        if document.clips.is_empty() {
+            let Some(rig) = document.driven_rig() else { return Vec::new() };
+            let (name, kind) = match rig.flexion_range() {
+                Some(range) => (crate::tr!("gltf-bend"), Kind::Bend([*range.start(), *range.end()])),
+                None => (crate::tr!("gltf-contract"), Kind::Contract),
+            };
+            return vec![Self { name, span: (0.0, BEND_SECONDS), shift: 0.0, kind }];
+        }
+        let take = |(number, clip): (usize, &Clip)| Self {
+            name: clip.name.clone(),
+            span: (clip.start, clip.end.max(clip.start)),
+            shift: if clip.start < 0.0 { -clip.start } else { 0.0 },
+            kind: Kind::Clip(number),
+        };
+        document.clips.iter().enumerate().map(take).collect()
+    }
+
+    /// The state of the document at a moment of it.
+    pub fn state(&self, document: &Document, at: f64) -> PoseState {
+        let start = document.start_state();
+        let part = ((at - self.span.0) / (self.span.1 - self.span.0)).clamp(0.0, 1.0);
+        let drive = |make: fn(&crate::muscle::Rig, f64) -> crate::muscle::Drive, value: f64| {
+            document.driven_rig().map_or(start.drive, |rig| make(rig, value))
+        };
+        match self.kind {
+            Kind::Clip(clip) => PoseState { clip: Some(clip), time: at, ..start },
+            Kind::Bend([from, to]) => PoseState { drive: drive(crate::muscle::Rig::at_flexion, from + (to - from) * part), ..start },
+            Kind::Contract => PoseState { drive: drive(crate::muscle::Rig::at_contraction, 100.0 * part), ..start },
+        }
+    }
+
+    /// Moments that any key of it stands at.
+    pub fn moments(&self, document: &Document) -> Vec<Moment> {
+        let times = match self.kind {
+            Kind::Clip(clip) => document.clips.get(clip).map(|clip| within(clip.key_times(None), self.span)).unwrap_or_default(),
+            Kind::Bend(_) | Kind::Contract => self.even(),
+        };
+        moments(&times, &[], self.shift)
+    }
+
+    fn even(&self) -> Vec<f64> {
+        let step = (self.span.1 - self.span.0) / (BEND_KEYS - 1) as f64;
+        (0..BEND_KEYS).map(|key| self.span.0 + step * key as f64).collect()
+    }
+}
+
+/// The times, with the ends of the span.
+fn within(mut times: Vec<f64>, (from, to): (f64, f64)) -> Vec<f64> {
+    times.retain(|time| *time > from && *time < to);
+    times.insert(0, from);
+    if to > from {
+        times.push(to);
+    }
+    times
+}
+
+/// An animation as it is written.
+#[derive(Debug, Default)]
+pub(super) struct Animation {
+    samplers: Vec<Value>,
+    channels: Vec<Value>,
+}
+
+impl Animation {
+    /// Adds a sampler with its channel.
+    pub fn add(&mut self, node: usize, path: &str, input: usize, output: usize, interpolation: &str) {
+        self.samplers.push(json!({"input": input, "output": output, "interpolation": interpolation}));
+        self.channels.push(json!({"sampler": self.samplers.len() - 1, "target": {"node": node, "path": path}}));
+    }
+
+    /// The whole; `None` where nothing moves.
+    pub fn value(self, take: &Take) -> Option<Value> {
+        if self.channels.is_empty() {
+            return None;
+        }
+        let mut value = json!({"name": take.name, "samplers": self.samplers, "channels": self.channels});
+        if take.shift != 0.0 {
+            value["extras"] = json!({"timeShift": take.shift});
+        }
+        Some(value)
+    }
+
+    fn write_track(&mut self, node: usize, keys: &[(f32, Placing)], rest: &Placing, stepped: bool, buffer: &mut Buffer) {
+        let mode = if stepped { "STEP" } else { "LINEAR" };
+        let times: Vec<f32> = keys.iter().map(|(time, _)| *time).collect();
+        let mut input = None;
+        let mut add = |path: &str, differs: bool, output: &mut dyn FnMut(&mut Buffer) -> usize, buffer: &mut Buffer| {
+            if differs {
+                let input = *input.get_or_insert_with(|| buffer.scalars(&times, true));
+                let output = output(buffer);
+                self.add(node, path, input, output, mode);
+            }
+        };
+        let moved = |pick: fn(&Placing) -> DVec3| keys.iter().any(|(_, key)| (pick(key) - pick(rest)).abs().max_element() > 0.0);
+        let vectors =
+            |pick: fn(&Placing) -> DVec3| -> Vec<[f32; 3]> { keys.iter().map(|(_, key)| pick(key).as_vec3().to_array()).collect() };
+        let (translations, scales) = (vectors(|key| key.translation), vectors(|key| key.scale));
+        let rotations: Vec<[f32; 4]> = keys.iter().map(|(_, key)| key.rotation.normalize().as_quat().normalize().to_array()).collect();
+        let turned = keys.iter().any(|(_, key)| key.rotation.dot(rest.rotation).abs() < 1.0 - 1e-14);
+        add("translation", moved(|key| key.translation), &mut |buffer| buffer.floats(Usage::Other, &translations, false), buffer);
+        add("rotation", turned, &mut |buffer| buffer.floats(Usage::Other, &rotations, false), buffer);
+        // The last digits of a scale come from taking a matrix apart and mean nothing.
+        let scaled = keys.iter().any(|(_, key)| (key.scale - rest.scale).abs().max_element() > 1e-7 * rest.scale.abs().max_element());
+        add("scale", scaled, &mut |buffer| buffer.floats(Usage::Other, &scales, false), buffer);
+    }
+}
+
+/// What moving nodes are written with.
+pub(super) struct Stage<'a> {
+    pub document: &'a Document,
+    /// The node in the file for each node of the scene, and how it rests; `None` where it rests as two nodes or a matrix.
+    pub nodes: &'a [(usize, Placing)],
+    /// Largest way off, metres.
+    pub length: f64,
+    /// World scale of each node's parent at rest, so that the tolerance means the same everywhere.
+    pub scales: &'a [f64],
+}
+
+impl Stage<'_> {
+    fn tolerance(&self, node: NodeId) -> Tolerance {
+        let scale = self.scales.get(node.index()).copied().unwrap_or(1.0);
+        Tolerance { length: if scale > 0.0 { self.length / scale } else { f64::INFINITY } }
+    }
+
+    /// Writes the moving nodes of a take.
+    pub fn write(&self, take: &Take, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
+        match take.kind {
+            Kind::Clip(number) => {
+                if let Some(clip) = self.document.clips.get(number) {
+                    self.write_clip(take, clip, animation, buffer, losses);
+                }
+            }
+            Kind::Bend(_) | Kind::Contract => self.write_bend(take, animation, buffer),
+        }
+    }
+
+    fn write_bend(&self, take: &Take, animation: &mut Animation, buffer: &mut Buffer) {
+        let Some(rig) = self.document.driven_rig() else { return };
+        let mut pose = Pose::rest(&self.document.scene);
+        let mut at = |time: f64, node: NodeId| {
+            rig.apply(take.state(self.document, time).drive, &mut pose);
+            local(&pose, node)
+        };
+        for (id, _) in self.document.scene.graph.iter() {
+            let Some((written, rest)) = self.nodes.get(id.index()) else { continue };
+            let keys = track(&moments(&take.even(), &[], take.shift), self.tolerance(id), &mut |time| Placing::of(&at(time, id)).0);
+            animation.write_track(*written, &keys, rest, false, buffer);
+        }
+    }
+
+    fn write_clip(&self, take: &Take, clip: &Clip, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
+        let mut by_node: Vec<(NodeId, Vec<&Channel>)> = Vec::new();
+        let mut at_node = rustc_hash::FxHashMap::default();
+        let mut colours = false;
+        for channel in &clip.channels {
+            match channel.target {
+                Target::Transform { node, .. } => {
+                    let place = *at_node.entry(node).or_insert_with(|| {
+                        by_node.push((node, Vec::new()));
+                        by_node.len() - 1
+                    });
+                    by_node[place].1.push(channel);
+                }
+                Target::MorphWeight { .. } => {}
+                Target::Material { .. } | Target::LightColor { .. } => colours = true,
+            }
+        }
+        if colours {
+            losses.push(Loss::Colours { clip: clip.name.clone() });
+        }
+        if take.shift != 0.0 {
+            losses.push(Loss::Moved { clip: clip.name.clone(), milliseconds: (take.shift * 1000.0).round() as i64 });
+        }
+        let mut pose = Pose::rest(&self.document.scene);
+        for (node, channels) in by_node {
+            self.write_node(take, node, &channels, &mut pose, animation, buffer, losses);
+        }
+    }
+
+    #[allow(clippy::too_many_arguments)]
+    fn write_node(
+        &self,
+        take: &Take,
+        node: NodeId,
+        channels: &[&Channel],
+        pose: &mut Pose,
+        animation: &mut Animation,
+        buffer: &mut Buffer,
+        losses: &mut Vec<Loss>,
+    ) {
+        let Some((written, rest)) = self.nodes.get(node.index()) else { return };
+        if let Some(spline) = spline(take, node, channels, pose) {
+            let input = buffer.scalars(&spline.times, true);
+            let output = buffer.floats(Usage::Other, &spline.rows, false);
+            animation.add(*written, "translation", input, output, "CUBICSPLINE");
+            return;
+        }
+        let clip = Clip {
+            start: take.span.0,
+            end: take.span.1,
+            channels: channels.iter().map(|channel| (*channel).clone()).collect(),
+            ..Clip::default()
+        };
+        let stepped = channels.iter().all(|channel| all_steps(&channel.curve));
+        let (times, jumps) = (within(clip.key_times(None), take.span), if stepped { Vec::new() } else { jumps(channels) });
+        let mut sheared = false;
+        let mut at = |time: f64| {
+            clip.sample(time, pose);
+            let (placing, shear) = Placing::of(&local(pose, node));
+            sheared |= shear;
+            placing
+        };
+        let when = moments(&times, &jumps, take.shift);
+        let keys = if stepped {
+            when.iter().map(|moment| (moment.written, at(moment.at))).collect()
+        } else {
+            track(&when, self.tolerance(node), &mut at)
+        };
+        if sheared {
+            losses.push(Loss::Shear { node: self.document.scene.graph.node(node).name.clone() });
+        }
+        animation.write_track(*written, &keys, rest, stepped, buffer);
+    }
+}
+
+fn ops(pose: &Pose, node: NodeId) -> &[TransformOp] {
+    pose.ranges.get(node.index()).and_then(|range| pose.ops.get(range.start as usize..range.end as usize)).unwrap_or(&[])
+}
+
+fn local(pose: &Pose, node: NodeId) -> DMat4 {
+    compose(ops(pose, node))
+}
+
+fn all_steps(curve: &Curve) -> bool {
+    let last = curve.modes.len().saturating_sub(1);
+    last > 0 && curve.modes.iter().take(last).all(|mode| *mode == Interpolation::Step)
+}
+
+/// Where a value leaps: at the end of a step, and where two keys have one time.
+fn jumps(channels: &[&Channel]) -> Vec<f64> {
+    let of = |curve: &Curve| -> Vec<f64> {
+        let pairs = curve.times.iter().zip(curve.times.iter().skip(1)).zip(&curve.modes);
+        pairs.filter(|((from, to), mode)| **mode == Interpolation::Step || from == to).map(|((_, to), _)| *to).collect()
+    };
+    let mut found: Vec<f64> = channels.iter().flat_map(|channel| of(&channel.curve)).collect();
+    found.sort_unstable_by(f64::total_cmp);
+    found.dedup();
+    found
+}
+
+/// A cubic track: for each key the tangent that arrives, the value, the tangent that leaves.
+struct Spline {
+    times: Vec<f32>,
+    rows: Vec<[f32; 3]>,
+}
+
+/// The translation of a node as a cubic spline, where that is exact: one `translate` alone moves, along Bézier or Hermite segments whose inner control points
+/// stand at thirds of the time, all its curves with the same keys.
+fn spline(take: &Take, node: NodeId, channels: &[&Channel], pose: &mut Pose) -> Option<Spline> {
+    let first = channels.first()?;
+    let mut lanes: [Option<(&Curve, usize)>; 3] = [None; 3];
+    let mut moving = None;
+    for channel in channels {
+        let Target::Transform { op, lane, .. } = channel.target else { return None };
+        if *moving.get_or_insert(op) != op || channel.curve.times != first.curve.times {
+            return None;
+        }
+        match lane {
+            Lane::Whole if channel.curve.dimension == 3 => lanes = [0, 1, 2].map(|component| Some((&*channel.curve, component))),
+            Lane::Component(component) => *lanes.get_mut(usize::from(component))? = Some((&channel.curve, 0)),
+            Lane::Whole => return None,
+        }
+    }
+    let times = &first.curve.times;
+    let cubic = |mode: &Interpolation| matches!(mode, Interpolation::Bezier | Interpolation::Hermite);
+    let is_curved = channels.iter().any(|channel| channel.curve.modes.iter().take(times.len().saturating_sub(1)).any(cubic));
+    let rising = times.windows(2).all(|pair| ((pair[0] + take.shift) as f32) < (pair[1] + take.shift) as f32);
+    if !is_curved || !rising || take.span != (*times.first()?, *times.last()?) {
+        return None;
+    }
+    // The translation of the node is an affine function of the animated vector.
+    let at = pose.ranges.get(node.index())?.clone().nth(moving? as usize)? as usize;
+    let TransformOp::Translate(rest) = *pose.ops.get(at)? else { return None };
+    let mut place = |vector: DVec3| {
+        pose.ops[at] = TransformOp::Translate(vector);
+        local(pose, node).w_axis.truncate()
+    };
+    let origin = place(DVec3::ZERO);
+    let axes = DVec3::AXES.map(|axis| place(axis) - origin);
+    place(rest);
+    let turn = |v: DVec3| axes[0] * v.x + axes[1] * v.y + axes[2] * v.z;
+    let mut rows = vec![[0.0_f32; 3]; times.len() * 3];
+    for key in 0..times.len() {
+        let value = |component: usize| lanes[component].map_or(rest[component], |(curve, lane)| curve.value(times[key], lane));
+        rows[key * 3 + 1] = (origin + turn(DVec3::new(value(0), value(1), value(2)))).as_vec3().to_array();
+    }
+    for segment in 0..times.len().saturating_sub(1) {
+        let length = times[segment + 1] - times[segment];
+        let mut tangents = [DVec3::ZERO; 2];
+        for (component, lane) in lanes.iter().enumerate() {
+            if let Some((curve, lane)) = lane {
+                let [leaving, arriving] = curve.tangents_at_thirds(segment, *lane)?;
+                (tangents[0][component], tangents[1][component]) = (leaving / length, arriving / length);
+            }
+        }
+        rows[segment * 3 + 2] = turn(tangents[0]).as_vec3().to_array();
+        rows[segment * 3 + 3] = turn(tangents[1]).as_vec3().to_array();
+    }
+    Some(Spline { times: times.iter().map(|time| (time + take.shift) as f32).collect(), rows })
+}
+
+/// Weights of morphs over a take: how many targets of each morph go before it on the mesh, and where.
+pub(super) struct Weights<'a> {
+    pub node: usize,
+    /// The morphs of the mesh, in order.
+    pub morphs: &'a [MorphId],
+}
+
+impl Weights<'_> {
+    /// Writes the weights where the take moves any of them.
+    pub fn write(&self, document: &Document, take: &Take, animation: &mut Animation, buffer: &mut Buffer) {
+        let Kind::Clip(number) = take.kind else { return };
+        let Some(clip) = document.clips.get(number) else { return };
+        let moves = |channel: &&Channel| matches!(channel.target, Target::MorphWeight { morph, .. } if self.morphs.contains(&morph));
+        let channels: Vec<&Channel> = clip.channels.iter().filter(moves).collect();
+        if channels.is_empty() {
+            return;
+        }
+        let own = Clip {
+            start: take.span.0,
+            end: take.span.1,
+            channels: channels.iter().map(|channel| (*channel).clone()).collect(),
+            ..Clip::default()
+        };
+        let stepped = channels.iter().all(|channel| all_steps(&channel.curve));
+        let curved = |curve: &Curve| curve.modes.iter().any(|mode| matches!(mode, Interpolation::Bezier | Interpolation::Hermite));
+        let mut times = within(own.key_times(None), take.span);
+        if channels.iter().any(|channel| curved(&channel.curve)) {
+            times = dense(&times);
+        }
+        let when = moments(&times, &if stepped { Vec::new() } else { jumps(&channels) }, take.shift);
+        let mut pose = Pose::rest(&document.scene);
+        let mut values = Vec::new();
+        for moment in &when {
+            own.sample(moment.at, &mut pose);
+            for morph in self.morphs {
+                let count = document.scene.morphs.get(morph.index()).map_or(0, |morph| morph.targets.len());
+                let weights = pose.morph_weights.get(morph.index()).map_or(&[][..], Vec::as_slice);
+                values.extend(weights.iter().copied().chain(std::iter::repeat(0.0)).take(count));
+            }
+        }
+        let input = buffer.scalars(&when.iter().map(|moment| moment.written).collect::<Vec<_>>(), true);
+        let output = buffer.scalars(&values, false);
+        animation.add(self.node, "weights", input, output, if stepped { "STEP" } else { "LINEAR" });
+    }
+}
+
+/// Parts that a curved stretch between two keys is cut into: straight pieces are then off by at most a 1/2048 of the stretch's bend.
+const PARTS: u32 = 32;
+
+fn dense(times: &[f64]) -> Vec<f64> {
+    let inner =
+        times.windows(2).flat_map(|pair| (0..PARTS).map(move |part| pair[0] + (pair[1] - pair[0]) * f64::from(part) / f64::from(PARTS)));
+    inner.chain(times.last().copied()).collect()
+}

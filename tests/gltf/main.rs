@@ -1,0 +1,283 @@
+//! glTF files against the surface that Sinew itself poses: read back by an independent reader here, and by three.js and Khronos' validator where Node is
+//! installed.
+
+mod node;
+mod reader;
+#[path = "../support/mod.rs"]
+mod support;
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use glam::DVec3;
+use sinew::collada::Progress;
+use sinew::document::{Document, PoseBuffers, PoseState};
+use sinew::export::gltf::{Form, save};
+use sinew::scene::Frame;
+
+use reader::Glb;
+
+/// Moments of a clip, parts of its length; none of them a key of most clips.
+const MOMENTS: [f64; 5] = [0.0, 0.213, 0.5, 0.837, 1.0];
+/// Largest distance between the surfaces, in diagonals of the scene.
+const APART: f64 = 1e-4;
+
+/// One moment of a document with its name and time in the glTF file.
+struct Moment {
+    animation: Option<String>,
+    written: f64,
+    state: PoseState,
+}
+
+fn moments(document: &Document) -> Vec<Moment> {
+    let start = document.start_state();
+    if document.clips.is_empty() {
+        let Some(range) = document.driven_rig().and_then(|rig| rig.flexion_range()) else {
+            return vec![Moment { animation: None, written: 0.0, state: start }];
+        };
+        let rig = document.driven_rig().expect("just seen");
+        let bent = |part: f64| PoseState { drive: rig.at_flexion(range.start() + (range.end() - range.start()) * part), ..start };
+        // The file bends the arm over two seconds.
+        return MOMENTS.map(|part| Moment { animation: Some("Elbow angle".into()), written: 2.0 * part, state: bent(part) }).into();
+    }
+    let clips = document.clips.iter().enumerate().take(4);
+    let of = |(number, clip): (usize, &sinew::animation::Clip)| {
+        MOMENTS.map(|part| {
+            let time = clip.start + clip.duration() * part;
+            let state = PoseState { clip: Some(number), time, ..start };
+            Moment { animation: Some(clip.name.clone()), written: time - clip.start.min(0.0), state }
+        })
+    };
+    clips.flat_map(of).collect()
+}
+
+/// The vertices that triangles use, as Sinew poses them.
+fn posed(document: &Document, state: &PoseState) -> (Vec<DVec3>, f64) {
+    let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+    document.pose(state, &mut buffers, &mut frame);
+    let mut points = Vec::new();
+    for surface in &frame.surfaces {
+        let finite = |vertex: &u32| surface.position(*vertex).is_finite();
+        let mut used: Vec<u32> = surface.mesh.triangles.iter().filter(|corners| corners.iter().all(finite)).flatten().copied().collect();
+        used.sort_unstable();
+        used.dedup();
+        points.extend(used.into_iter().map(|vertex| surface.position(vertex).as_dvec3()));
+    }
+    (points, f64::from(frame.bounds.diagonal()))
+}
+
+/// Largest distance from a point of `from` to the nearest of `to`; `cell` where it is more.
+fn apart(from: &[DVec3], to: &[DVec3], cell: f64) -> f64 {
+    let key = |point: DVec3| (point / cell).floor().to_array().map(|part| part as i64);
+    let mut cells: HashMap<[i64; 3], Vec<DVec3>> = HashMap::new();
+    for point in to {
+        cells.entry(key(*point)).or_default().push(*point);
+    }
+    let nearest = |point: &DVec3| {
+        let [x, y, z] = key(*point);
+        let around = (-1..=1).flat_map(move |i| (-1..=1).flat_map(move |j| (-1..=1).map(move |k| [x + i, y + j, z + k])));
+        around.filter_map(|cell| cells.get(&cell)).flatten().map(|other| other.distance(*point)).fold(cell, f64::min)
+    };
+    from.iter().map(nearest).fold(0.0, f64::max)
+}
+
+/// Converts a file and holds every moment of it against the document.
+fn agrees(file: &Path, folder: &Path) {
+    let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+    let out = folder.join("out.glb");
+    save(&out, Form::Binary, &document).expect("written");
+    let glb = Glb::read(&std::fs::read(&out).expect("there"));
+    for Moment { animation, written, state } in moments(&document) {
+        // A clip that moves nothing is no animation.
+        let found = animation.as_deref().and_then(|name| glb.animation(name));
+        let (ours, diagonal) = posed(&document, &state);
+        let theirs = glb.surface(found, written);
+        let cell = (diagonal * 4.0 * APART).max(1e-9);
+        let distance = apart(&ours, &theirs, cell).max(apart(&theirs, &ours, cell));
+        assert_eq!(ours.is_empty(), theirs.is_empty(), "{}", file.display());
+        assert!(distance <= diagonal * APART, "{} {animation:?} at {written}: {distance} of {diagonal}", file.display());
+    }
+}
+
+fn with_ending<'a>(folder: &Path, endings: &'a [&str]) -> impl Iterator<Item = PathBuf> + use<'a> {
+    let mut files: Vec<PathBuf> = std::fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.path()).collect();
+    files.sort();
+    files.into_iter().filter(|file| file.extension().is_some_and(|ending| endings.iter().any(|wanted| ending == *wanted)))
+}
+
+fn configs() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("configs")
+}
+
+#[test]
+fn demo_clips_and_muscles_come_back_as_they_were() {
+    let folder = support::folder();
+    for file in with_ending(&configs(), &["dae", "yaml"]) {
+        agrees(&file, folder.path());
+    }
+}
+
+#[test]
+fn clips_by_other_exporters_come_back_as_they_were() {
+    let Some(shared) = support::shared() else {
+        eprintln!("left out: the folder of real-world models is not there");
+        return;
+    };
+    let folder = support::folder();
+    for file in with_ending(&shared.join("models"), &["dae"]) {
+        agrees(&file, folder.path());
+    }
+}
+
+/// A document with two boxes' worth of trouble: a shear at rest, a mirrored child, Bézier keys at thirds and elsewhere, steps, a turn of two full circles,
+/// and a clip that begins before zero.
+const TROUBLE: &str = r##"<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+<asset><unit meter="0.01"/><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="pa" count="12">0 0 0 10 0 0 0 20 0 0 0 30</float_array><technique_common><accessor source="#pa" count="4" stride="3">
+<param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s">
+<node id="still"><matrix>1 0.7 0 5 0.2 2 0.4 0 0 0.1 1.5 0 0 0 0 1</matrix><instance_geometry url="#g"/><instance_geometry url="#g"/>
+  <node id="mirrored"><scale>-1 2 1</scale><instance_geometry url="#g"/></node></node>
+<node id="moving"><rotate sid="before">0 0 1 30</rotate><translate sid="t">0 0 0</translate><instance_geometry url="#g"/>
+  <node id="turning"><rotate sid="r">1 2 3 0</rotate><translate sid="hop">0 0 5</translate><instance_geometry url="#g"/></node></node>
+</visual_scene></library_visual_scenes>
+<library_animations>
+ANIMATIONS
+</library_animations>
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>
+"##;
+
+fn channel(id: &str, target: &str, times: &str, values: &str, modes: &str, tangents: Option<(&str, &str)>) -> String {
+    let source = |name: &str, tag: &str, text: &str, stride: usize| {
+        let count = text.split_whitespace().count();
+        format!(
+            "<source id=\"{id}-{name}\"><{tag} id=\"{id}-{name}-a\" count=\"{count}\">{text}</{tag}><technique_common>\
+             <accessor source=\"#{id}-{name}-a\" count=\"{}\" stride=\"{stride}\">{}</accessor></technique_common></source>",
+            count / stride,
+            "<param name=\"V\" type=\"float\"/>".repeat(stride)
+        )
+    };
+    let (mut sources, mut inputs) = (String::new(), String::new());
+    let parts =
+        [("INPUT", "in", "float_array", times), ("OUTPUT", "out", "float_array", values), ("INTERPOLATION", "mode", "Name_array", modes)];
+    for (semantic, name, tag, text) in parts {
+        sources += &source(name, tag, text, 1);
+        inputs += &format!("<input semantic=\"{semantic}\" source=\"#{id}-{name}\"/>");
+    }
+    if let Some((arriving, leaving)) = tangents {
+        sources += &source("it", "float_array", arriving, 2);
+        sources += &source("ot", "float_array", leaving, 2);
+        inputs += &format!("<input semantic=\"IN_TANGENT\" source=\"#{id}-it\"/><input semantic=\"OUT_TANGENT\" source=\"#{id}-ot\"/>");
+    }
+    format!(
+        "<animation id=\"{id}\">{sources}<sampler id=\"{id}-s\">{inputs}</sampler><channel source=\"#{id}-s\" target=\"{target}\"/></animation>\n"
+    )
+}
+
+fn write(folder: &Path, name: &str, animations: &str) -> PathBuf {
+    let file = folder.join(name);
+    std::fs::write(&file, TROUBLE.replace("ANIMATIONS", animations)).expect("written");
+    file
+}
+
+#[test]
+fn shear_mirrors_steps_full_turns_and_times_below_zero_come_back_as_they_were() {
+    let folder = support::folder();
+    let animations =
+        channel("a", "moving/t.X", "-1 0.5 2", "0 40 -10", "BEZIER BEZIER BEZIER", Some(("-1.2 0 0.4 40 1.2 -10", "-0.2 30 0.6 40 2.2 0")))
+            + &channel("b", "turning/r.ANGLE", "-1 2", "0 720", "LINEAR LINEAR", None)
+            + &channel("c", "turning/hop.Z", "-1 0 1 2", "5 25 -5 5", "STEP LINEAR STEP STEP", None);
+    agrees(&write(folder.path(), "trouble.dae", &animations), folder.path());
+}
+
+#[test]
+fn keys_stay_as_they_are_where_the_format_can_say_them() {
+    let folder = support::folder();
+    let thirds = Some(("-0.333333333 0 0.666666667 40 1.666666667 -10", "0.333333333 30 1.333333333 50 2.333333333 0"));
+    let animations = channel("a", "moving/t.X", "0 1 2", "0 40 -10", "BEZIER BEZIER BEZIER", thirds)
+        + &channel("b", "turning/r.ANGLE", "0 1 2", "0 90 30", "LINEAR LINEAR LINEAR", None)
+        + &channel("c", "turning/hop.Z", "0 1 2", "5 25 5", "LINEAR LINEAR LINEAR", None);
+    let file = write(folder.path(), "plain.dae", &animations);
+    agrees(&file, folder.path());
+    let glb = Glb::read(&std::fs::read(folder.path().join("out.glb")).expect("there"));
+    let animation = glb.root()["animations"][0].clone();
+    let mut seen = Vec::new();
+    for channel in animation["channels"].as_array().expect("channels") {
+        let sampler = &animation["samplers"][channel["sampler"].as_u64().expect("a number") as usize];
+        let keys = glb.rows(sampler["input"].as_u64().expect("a number") as usize).len();
+        let node = &glb.root()["nodes"][channel["target"]["node"].as_u64().expect("a number") as usize]["name"];
+        seen.push(format!(
+            "{} {} {} {keys}",
+            node.as_str().expect("a name"),
+            channel["target"]["path"].as_str().expect("a path"),
+            sampler["interpolation"]
+        ));
+    }
+    seen.sort();
+    // The turn takes the hop's offset round with it, so that its translation is no straight line and gets more keys.
+    assert_eq!(seen[0], "moving translation \"CUBICSPLINE\" 3");
+    assert!(seen.iter().any(|line| line.starts_with("turning rotation \"LINEAR\"")), "{seen:?}");
+}
+
+#[test]
+fn steps_are_steps() {
+    let folder = support::folder();
+    let file = write(folder.path(), "steps.dae", &channel("c", "moving/t.Y", "0 1 2", "5 25 5", "STEP STEP STEP", None));
+    agrees(&file, folder.path());
+    let glb = Glb::read(&std::fs::read(folder.path().join("out.glb")).expect("there"));
+    let sampler = &glb.root()["animations"][0]["samplers"][0];
+    assert_eq!(sampler["interpolation"], "STEP");
+    assert_eq!(glb.rows(sampler["input"].as_u64().expect("a number") as usize).len(), 3);
+}
+
+#[test]
+fn the_command_line_writes_both_forms_and_refuses_the_rest() {
+    let folder = support::folder();
+    let (clip, glb, text) = (support::config("curl.dae"), folder.path().join("a.glb"), folder.path().join("a.gltf"));
+    support::sinew(["convert", support::arg(&clip), support::arg(&glb)]).well();
+    support::sinew(["convert", support::arg(&clip), support::arg(&text)]).well();
+    let root: serde_json::Value = serde_json::from_slice(&std::fs::read(&text).expect("there")).expect("JSON");
+    assert_eq!(root["accessors"], *Glb::read(&std::fs::read(&glb).expect("there")).root().get("accessors").expect("some"));
+    assert!(root["buffers"][0]["uri"].as_str().expect("inside").starts_with("data:application/octet-stream;base64,"));
+    let line = support::sinew(["convert", support::arg(&clip), "a.fbx"]).refused(2);
+    assert!(line.contains("a.fbx") && line.contains(".glb"), "{line}");
+    let line = support::sinew(["convert", support::arg(&clip), "/nowhere/at/all.glb"]).refused(1);
+    assert!(line.contains("/nowhere/at/all.glb"), "{line}");
+    let copy = folder.path().join("input.glb");
+    std::fs::copy(&clip, &copy).expect("copied");
+    support::sinew(["convert", support::arg(&copy), support::arg(&copy)]).refused(2);
+    assert_eq!(std::fs::read(&copy).expect("there"), std::fs::read(&clip).expect("there"));
+}
+
+#[test]
+fn the_validator_and_three_js_agree_where_node_is_installed() {
+    let folder = support::folder();
+    let Some(node) = node::Node::install() else { return };
+    let mut files: Vec<PathBuf> = with_ending(&configs(), &["dae", "yaml"]).collect();
+    if let Some(shared) = support::shared() {
+        files.extend(with_ending(&shared.join("models"), &["dae"]));
+    }
+    let (mut written, mut cases) = (Vec::new(), Vec::new());
+    for (number, file) in files.iter().enumerate() {
+        let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+        let out = folder.path().join(format!("{number}.glb"));
+        save(&out, Form::Binary, &document).expect("written");
+        let mut poses = Vec::new();
+        for (count, moment) in moments(&document).iter().enumerate() {
+            let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+            document.pose(&moment.state, &mut buffers, &mut frame);
+            let obj = folder.path().join(format!("{number}-{count}.obj"));
+            sinew::export::obj::save(&obj, &document.scene, &frame).expect("written");
+            poses.push(serde_json::json!({"clip": moment.animation, "time": moment.written, "obj": obj}));
+        }
+        cases.push(serde_json::json!({"file": out, "poses": poses}));
+        written.push(out);
+    }
+    node.validate(&written);
+    node.read_back(&folder.path().join("cases.json"), &cases, APART);
+}

@@ -1,0 +1,207 @@
+//! A reader of `.glb` files, written from the specification and knowing nothing of the writer: what the surface is at a moment.
+
+use std::collections::HashMap;
+
+use glam::{DMat4, DQuat, DVec3};
+use serde_json::Value;
+
+/// An open file.
+pub struct Glb {
+    root: Value,
+    bytes: Vec<u8>,
+}
+
+fn list<'a>(value: &'a Value, name: &str) -> &'a [Value] {
+    value[name].as_array().map_or(&[], Vec::as_slice)
+}
+
+fn index(value: &Value) -> Option<usize> {
+    value.as_u64().map(|number| number as usize)
+}
+
+impl Glb {
+    /// Reads the chunks.
+    pub fn read(file: &[u8]) -> Self {
+        let number = |at: usize| u32::from_le_bytes(file[at..at + 4].try_into().expect("four bytes")) as usize;
+        assert_eq!((&file[..4], number(4), number(8)), (b"glTF".as_slice(), 2, file.len()));
+        let text = number(12);
+        assert_eq!(&file[16..20], b"JSON");
+        let root: Value = serde_json::from_slice(&file[20..20 + text]).expect("JSON");
+        let rest = &file[20 + text..];
+        let bytes = if rest.is_empty() { Vec::new() } else { rest[8..].to_vec() };
+        if let Some(length) = index(&root["buffers"][0]["byteLength"]) {
+            assert!(bytes.len() >= length && bytes.len() < length + 4);
+        }
+        Self { root, bytes }
+    }
+
+    /// The JSON part.
+    pub fn root(&self) -> &Value {
+        &self.root
+    }
+
+    /// The rows of an accessor.
+    pub fn rows(&self, accessor: usize) -> Vec<Vec<f64>> {
+        let accessor = &self.root["accessors"][accessor];
+        let view = &self.root["bufferViews"][index(&accessor["bufferView"]).expect("a view")];
+        let columns = match accessor["type"].as_str().expect("a type") {
+            "SCALAR" => 1,
+            "VEC2" => 2,
+            "VEC3" => 3,
+            "VEC4" => 4,
+            "MAT4" => 16,
+            other => panic!("type {other}"),
+        };
+        let (kind, start, count) =
+            (index(&accessor["componentType"]), index(&view["byteOffset"]).unwrap_or(0), index(&accessor["count"]).expect("a count"));
+        let length = index(&view["byteLength"]).expect("a length");
+        let size = match kind {
+            Some(5121) => 1,
+            Some(5123) => 2,
+            Some(5125 | 5126) => 4,
+            other => panic!("component type {other:?}"),
+        };
+        assert!(count * columns * size <= length && start + length <= self.bytes.len());
+        let at = |row: usize, column: usize| {
+            let bytes = &self.bytes[start + (row * columns + column) * size..][..size];
+            match kind {
+                Some(5121) => f64::from(bytes[0]),
+                Some(5123) => f64::from(u16::from_le_bytes(bytes.try_into().expect("two"))),
+                Some(5125) => f64::from(u32::from_le_bytes(bytes.try_into().expect("four"))),
+                _ => f64::from(f32::from_le_bytes(bytes.try_into().expect("four"))),
+            }
+        };
+        (0..count).map(|row| (0..columns).map(|column| at(row, column)).collect()).collect()
+    }
+
+    /// The animation of that name.
+    pub fn animation(&self, name: &str) -> Option<&Value> {
+        list(&self.root, "animations").iter().find(|animation| animation["name"] == name)
+    }
+
+    /// Values of a sampler at `time` (section 3.11 and appendix C of the specification), `width` numbers a key.
+    fn sample(&self, sampler: &Value, time: f64, is_rotation: bool) -> Vec<f64> {
+        let times: Vec<f64> = self.rows(index(&sampler["input"]).expect("an input")).into_iter().flatten().collect();
+        let values: Vec<f64> = self.rows(index(&sampler["output"]).expect("an output")).into_iter().flatten().collect();
+        assert!(times[0] >= 0.0 && times.windows(2).all(|pair| pair[0] < pair[1]), "times rise from 0 or later");
+        let mode = sampler["interpolation"].as_str().unwrap_or("LINEAR");
+        let cubic = mode == "CUBICSPLINE";
+        let width = values.len() / times.len() / if cubic { 3 } else { 1 };
+        let row = |key: usize, part: usize| {
+            let start = if cubic { (key * 3 + part) * width } else { key * width };
+            &values[start..start + width]
+        };
+        let after = times.partition_point(|key| *key <= time);
+        if after == 0 || after == times.len() {
+            return row(after.saturating_sub(1), 1).to_vec();
+        }
+        let (before, length) = (after - 1, times[after] - times[after - 1]);
+        let s = (time - times[before]) / length;
+        let (from, to) = (row(before, 1), row(after, 1));
+        match mode {
+            "STEP" => from.to_vec(),
+            "CUBICSPLINE" => {
+                let (leaving, arriving) = (row(before, 2), row(after, 0));
+                let (s2, s3) = (s * s, s * s * s);
+                let spline = |i: usize| {
+                    (2.0 * s3 - 3.0 * s2 + 1.0) * from[i]
+                        + length * (s3 - 2.0 * s2 + s) * leaving[i]
+                        + (3.0 * s2 - 2.0 * s3) * to[i]
+                        + length * (s3 - s2) * arriving[i]
+                };
+                (0..width).map(spline).collect()
+            }
+            _ if is_rotation => {
+                let quaternion = |row: &[f64]| DQuat::from_slice(row);
+                quaternion(from).slerp(quaternion(to), s).to_array().to_vec()
+            }
+            _ => from.iter().zip(to).map(|(a, b)| a + (b - a) * s).collect(),
+        }
+    }
+
+    /// The positions of all vertices that a triangle uses, in the world, with this animation at this time.
+    pub fn surface(&self, animation: Option<&Value>, time: f64) -> Vec<DVec3> {
+        let mut moved: HashMap<(usize, String), Vec<f64>> = HashMap::new();
+        for channel in animation.map_or(&[][..], |animation| list(animation, "channels")) {
+            let (node, path) = (index(&channel["target"]["node"]).expect("a node"), channel["target"]["path"].as_str().expect("a path"));
+            let sampler = &animation.expect("there")["samplers"][index(&channel["sampler"]).expect("a sampler")];
+            moved.insert((node, path.to_owned()), self.sample(sampler, time, path == "rotation"));
+        }
+        let nodes = list(&self.root, "nodes");
+        let mut world = vec![None; nodes.len()];
+        let mut open: Vec<(usize, DMat4)> =
+            list(&self.root["scenes"][0], "nodes").iter().filter_map(index).map(|node| (node, DMat4::IDENTITY)).collect();
+        while let Some((node, above)) = open.pop() {
+            let numbers = |path: &str, rest: &[f64]| {
+                let still = || nodes[node][path].as_array().map(|row| row.iter().filter_map(Value::as_f64).collect());
+                moved.get(&(node, path.to_owned())).cloned().or_else(still).unwrap_or_else(|| rest.to_vec())
+            };
+            let local = DMat4::from_scale_rotation_translation(
+                DVec3::from_slice(&numbers("scale", &[1.0; 3])),
+                DQuat::from_slice(&numbers("rotation", &[0.0, 0.0, 0.0, 1.0])).normalize(),
+                DVec3::from_slice(&numbers("translation", &[0.0; 3])),
+            );
+            assert!(world[node].replace(above * local).is_none(), "node {node} has two parents");
+            open.extend(list(&nodes[node], "children").iter().filter_map(index).map(|child| (child, above * local)));
+        }
+        let at = |node: usize| world[node].expect("a node of the scene");
+        let mut points = Vec::new();
+        for (number, node) in nodes.iter().enumerate() {
+            let Some(mesh) = index(&node["mesh"]) else { continue };
+            let mesh = &self.root["meshes"][mesh];
+            let weights = moved.get(&(number, "weights".to_owned())).cloned();
+            let weights = weights.unwrap_or_else(|| list(mesh, "weights").iter().filter_map(Value::as_f64).collect());
+            let skin = index(&node["skin"]).map(|skin| &self.root["skins"][skin]);
+            for primitive in list(mesh, "primitives").iter().filter(|primitive| primitive["mode"] == 4) {
+                let shape = self.shape(primitive, &weights);
+                let placed: Vec<DVec3> = match skin {
+                    None => shape.iter().map(|point| at(number).transform_point3(*point)).collect(),
+                    Some(skin) => {
+                        let joints: Vec<usize> = list(skin, "joints").iter().filter_map(index).collect();
+                        let inverse = self.rows(index(&skin["inverseBindMatrices"]).expect("matrices"));
+                        let palette: Vec<DMat4> =
+                            joints.iter().zip(&inverse).map(|(joint, rows)| at(*joint) * DMat4::from_cols_slice(rows)).collect();
+                        self.skinned(primitive, &shape, &palette)
+                    }
+                };
+                let used = self.rows(index(&primitive["indices"]).expect("indices")).into_iter().flatten();
+                let mut used: Vec<usize> = used.map(|vertex| vertex as usize).collect();
+                used.sort_unstable();
+                used.dedup();
+                points.extend(used.into_iter().map(|vertex| placed[vertex]));
+            }
+        }
+        points
+    }
+
+    fn shape(&self, primitive: &Value, weights: &[f64]) -> Vec<DVec3> {
+        let read = |accessor: &Value| {
+            self.rows(index(accessor).expect("positions")).into_iter().map(|row| DVec3::from_slice(&row)).collect::<Vec<_>>()
+        };
+        let mut shape = read(&primitive["attributes"]["POSITION"]);
+        assert_eq!(weights.len(), list(primitive, "targets").len());
+        for (target, weight) in list(primitive, "targets").iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
+            for (point, delta) in shape.iter_mut().zip(read(&target["POSITION"])) {
+                *point += delta * *weight;
+            }
+        }
+        shape
+    }
+
+    fn skinned(&self, primitive: &Value, shape: &[DVec3], palette: &[DMat4]) -> Vec<DVec3> {
+        let mut placed = vec![DVec3::ZERO; shape.len()];
+        let mut sums = vec![0.0; shape.len()];
+        for set in 0.. {
+            let attribute = |name: &str| index(&primitive["attributes"][format!("{name}_{set}")]).map(|accessor| self.rows(accessor));
+            let (Some(joints), Some(weights)) = (attribute("JOINTS"), attribute("WEIGHTS")) else { break };
+            for vertex in 0..shape.len() {
+                for (joint, weight) in joints[vertex].iter().zip(&weights[vertex]) {
+                    placed[vertex] += palette[*joint as usize].transform_point3(shape[vertex]) * *weight;
+                    sums[vertex] += weight;
+                }
+            }
+        }
+        assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 1e-6), "weights add up to 1");
+        placed
+    }
+}
