@@ -144,8 +144,8 @@ mod tests {
 
     #[test]
     fn written_times_rise_also_where_keys_are_too_close_to_tell_apart() {
-        let found = moments(&[1000.0, 1000.000_000_1, 1000.000_000_2, 1001.0], &[], 0.0);
+        let found = moments(&[1_000.0, 1_000.000_000_1, 1_000.000_000_2, 1_001.0], &[], 0.0);
         assert!(found.windows(2).all(|pair| pair[0].written < pair[1].written));
-        assert_eq!(found[0].at, 1000.000_000_2);
+        assert_eq!(found[0].at, 1_000.000_000_2);
     }
 }
