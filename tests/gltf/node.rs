@@ -30,7 +30,8 @@ impl Node {
         }
         let fetch =
             ["install", "--no-package-lock", "--no-audit", "--no-fund", "--ignore-scripts", "--fetch-retries=1", "--fetch-timeout=20000"];
-        if !(there("three") && there("gltf-validator")) && !works("npm", &fetch) {
+        let installed = ["three", "gltf-validator"].into_iter().all(there);
+        if !installed && !works("npm", &fetch) {
             eprintln!("left out: npm could not fetch the readers");
             return None;
         }
