@@ -10,7 +10,7 @@ use super::failure::{Failure, answer, answer_json, display_name};
 use super::files;
 use super::measure::{unit_for_people, unit_name};
 use crate::collada::Progress;
-use crate::document::{Document, PoseBuffers, SourceKind};
+use crate::document::{Document, Images, OpenOptions, PoseBuffers, SourceKind};
 use crate::i18n::decimal;
 use crate::scene::{Content, Deformer, Frame, MeshId, MeshInstance, NodeKind};
 use crate::tr;
@@ -81,7 +81,8 @@ struct BoundsInfo {
 /// Runs the subcommand.
 pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
-    let document = Document::open(&files, &Progress::default())?;
+    // What images show says nothing about the file; that they are there and are images does.
+    let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
     let name = files.first().map(|file| display_name(file)).unwrap_or_default();
     let info = Info::of(&document, name);
     if given.get_flag("json") { answer_json(&info) } else { answer(&info.text()) }

@@ -34,17 +34,19 @@ pub(super) fn load(loaded: &mut Loaded, folder: &Path, what: Images, progress: &
             findings.push(Finding::warning(MISSING, image.line, element, tr!("document-image-missing", uri = image.uri.as_str())));
             continue;
         };
-        if what == Images::Decode {
-            let decoded = match archived_bytes {
-                Some(bytes) => decode(bytes, &path),
-                None => read(&path).and_then(|bytes| decode(&bytes, &path)),
-            };
-            match decoded {
-                Ok(pixels) => image.pixels = Some(Arc::new(pixels)),
-                Err(reason) => {
-                    let message = tr!("document-image-broken", uri = image.uri.as_str(), reason = reason);
-                    findings.push(Finding::warning(BROKEN, image.line, element, message));
-                }
+        let looked_at = |bytes: &[u8]| match what {
+            Images::Decode => decode(bytes, &path).map(Some),
+            Images::Locate => look_at(bytes, &path).map(|()| None),
+        };
+        let seen = match archived_bytes {
+            Some(bytes) => looked_at(bytes),
+            None => read(&path).and_then(|bytes| looked_at(&bytes)),
+        };
+        match seen {
+            Ok(pixels) => image.pixels = pixels.map(Arc::new),
+            Err(reason) => {
+                let message = tr!("document-image-broken", uri = image.uri.as_str(), reason = reason);
+                findings.push(Finding::warning(BROKEN, image.line, element, message));
             }
         }
         image.path = Some(path);
@@ -84,8 +86,8 @@ fn read(path: &Path) -> Result<Vec<u8>, String> {
     fs::read(path).map_err(|error| error.to_string())
 }
 
-/// Decodes by content first, by the file's ending where the content has no mark (TGA).
-fn decode(bytes: &[u8], path: &Path) -> Result<Pixels, String> {
+/// A reader of the format that the content shows, else that the file's ending names (TGA has no mark), within the limits.
+fn reader<'a>(bytes: &'a [u8], path: &Path) -> Result<ImageReader<Cursor<&'a [u8]>>, String> {
     let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|error| error.to_string())?;
     if reader.format().is_none() {
         let format = ImageFormat::from_path(path).map_err(|error| error.to_string())?;
@@ -96,7 +98,16 @@ fn decode(bytes: &[u8], path: &Path) -> Result<Pixels, String> {
     bounds.max_image_height = Some(limits::IMAGE_SIDE);
     bounds.max_alloc = Some(limits::IMAGE_BYTES * 2);
     reader.limits(bounds);
-    let rgba = reader.decode().map_err(|error| error.to_string())?.into_rgba8();
+    Ok(reader)
+}
+
+/// Reads the head of an image alone: whether it is one.
+fn look_at(bytes: &[u8], path: &Path) -> Result<(), String> {
+    reader(bytes, path)?.into_dimensions().map(|_| ()).map_err(|error| error.to_string())
+}
+
+fn decode(bytes: &[u8], path: &Path) -> Result<Pixels, String> {
+    let rgba = reader(bytes, path)?.decode().map_err(|error| error.to_string())?.into_rgba8();
     Ok(Pixels { width: rgba.width(), height: rgba.height(), rgba: rgba.into_raw() })
 }
 

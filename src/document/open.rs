@@ -17,7 +17,7 @@ pub enum Images {
     /// Find and decode them.
     #[default]
     Decode,
-    /// Find them only: enough for a report, and quicker.
+    /// Find them and look at their heads only: enough to tell what is in a file, and quicker.
     Locate,
 }
 
