@@ -69,7 +69,8 @@ fn named_root(archive: &mut Archive<'_>, entries: &BTreeMap<String, usize>, room
     let Some(manifest) = entries.get("manifest.xml") else { return Ok(None) };
     let bytes = unpack(archive, *manifest, room)?;
     let text = super::text::decode(&bytes);
-    let parsed = super::xml::parse(&text.text)?;
+    let surveyed = super::xml::look_at(&text.text)?;
+    let parsed = super::xml::parse(&surveyed)?;
     let root = parsed.document.descendants().find(|element| element.tag_name().name() == "dae_root");
     let url = root.and_then(|root| root.text()).unwrap_or_default().trim();
     let path = url.split('#').next().unwrap_or_default();

@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering;
 
 use glam::DVec3;
 
+use super::lists::Shortened;
 use super::lookup::{Lookup, Url};
 use super::numbers::{Comma, Parsed, Real, integers, reals};
 use super::report::{Report, describe};
@@ -23,6 +24,7 @@ pub struct Context<'a> {
     pub lookup: Lookup<'a>,
     /// The findings.
     pub report: Report<'a>,
+    lists: &'a Shortened<'a>,
     progress: &'a Progress,
     /// Bytes that may still be made out of references, which cost the file little.
     budget: usize,
@@ -37,6 +39,7 @@ impl<'a> Context<'a> {
             root: document.root_element(),
             lookup: Lookup::new(document, file_name),
             report,
+            lists: parsed.lists,
             progress,
             budget: parsed.budget,
             said_budget: false,
@@ -101,12 +104,20 @@ impl<'a> Context<'a> {
         self.resolve(from, url, tags)
     }
 
+    /// [`text_of`] an element that may hold a long list.
+    pub fn list_of(&self, element: El<'a>) -> Cow<'a, str> {
+        match element.first_child().and_then(|text| self.lists.list_at(text.range().start)) {
+            Some(list) => Cow::Borrowed(list),
+            None => text_of(element),
+        }
+    }
+
     /// The numbers in an element's text; `expected` of them, if that is true.
     ///
     /// # Errors
     /// Where decimal commas stand in the list.
     pub fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> Step<Vec<T>> {
-        let text = text_of(element);
+        let text = self.list_of(element);
         let parsed = reals(&text, expected);
         self.checked(element, parsed)
     }
@@ -116,7 +127,7 @@ impl<'a> Context<'a> {
     /// # Errors
     /// Where commas stand in the list.
     pub fn integers(&mut self, element: El<'a>) -> Step<Vec<i32>> {
-        let text = text_of(element);
+        let text = self.list_of(element);
         let parsed = integers(&text, text.len() / 4);
         self.checked(element, parsed)
     }
@@ -131,7 +142,7 @@ impl<'a> Context<'a> {
             }
             Err(comma) => {
                 let start = element.first_child().map_or(element.range().start, |text| text.range().start);
-                let line = Some(self.report.line_of(start + comma.at));
+                let line = Some(self.report.line_of(self.lists.place(start) + comma.at));
                 Err(ReadError { line, message: tr!("collada-comma", element = describe(element), entry = comma.entry) })
             }
         }

@@ -4,7 +4,7 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | `archive`, `text`, `xml` | from bytes to a tree of elements, within the [`limits`] |
+//! | `archive`, `text`, `lists`, `xml` | from bytes to a tree of elements, within the [`limits`] |
 //! | `context`, `lookup`, `report` | what all others carry along: ids and urls, findings with their lines, the budget |
 //! | `numbers`, `source` | lists of numbers, sources and their accessors |
 //! | `asset`, `image`, `effect`, `material` | unit and axes, materials |
@@ -27,6 +27,7 @@ mod geometry;
 mod image;
 mod instances;
 mod light_camera;
+mod lists;
 mod lookup;
 mod material;
 mod morph;
@@ -147,14 +148,14 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress)
         error.line = error.line.map(|line| line + decoded.lines_before);
         error
     };
-    let parsed = xml::parse(text).map_err(shift)?;
-    let document = &parsed.document;
-    let root = document.root_element();
+    let surveyed = xml::look_at(text).map_err(shift)?;
+    let parsed = xml::parse(&surveyed).map_err(shift)?;
+    let mut report = Report::new(parsed.lists, decoded.lines_before);
+    let root = parsed.document.root_element();
     if root.tag_name().name() != "COLLADA" {
         let message = tr!("collada-not-collada", element = context::shortened(root.tag_name().name()));
-        return Err(shift(ReadError { line: Some(document.text_pos_at(root.range().start).row), message }));
+        return Err(ReadError { line: Some(report.line(root)), message });
     }
-    let mut report = Report::new(text, decoded.lines_before);
     if let Some(named) = &decoded.misfit {
         report.warn_file(codes::ENCODING, tr!("collada-encoding", named = named.as_str()));
     }
@@ -192,8 +193,7 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
         context.report.note(repeated, codes::REPEATED_ID, tr!("collada-repeated-id"));
     }
     context.advance(1.0)?;
-    let report = std::mem::replace(&mut context.report, Report::new("", 0));
-    Ok(Loaded { asset, scene, clips, findings: report.finish(), archived: images.embedded })
+    Ok(Loaded { asset, scene, clips, findings: context.report.finish(), archived: images.embedded })
 }
 
 /// Names the parts of the format that are not shown, where a file has any.

@@ -57,10 +57,42 @@ fn next_entry(bytes: &[u8], at: &mut usize) -> Option<std::ops::Range<usize>> {
     Some(start..end)
 }
 
+/// `10^n` for what fits into eight digits.
+const TENS: [u64; 9] = [1, 10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000, 100_000_000];
+
+/// How many of eight bytes, the first in the lowest place, are digits before one is not, and the number that they write.
+///
+/// All eight are looked at in one word: a digit has the value 0 to 9 once `0` is taken off, and pairs, fours and eights of them are then added up
+/// with a multiplication each (D. Lemire, "Quickly parsing eight digits", 2018).
+#[inline(always)]
+fn eight_digits(bytes: [u8; 8]) -> (usize, u64) {
+    let values = u64::from_le_bytes(bytes) ^ 0x3030_3030_3030_3030;
+    // The high bit of a byte is set where its value is 10 or more. What runs over goes to later bytes, after the first that is none.
+    let others = (values.wrapping_add(0x7676_7676_7676_7676) | values) & 0x8080_8080_8080_8080;
+    let count = (others.trailing_zeros() / 8) as usize;
+    if count == 0 {
+        return (0, 0);
+    }
+    // Zeros in front make it eight.
+    let padded = values << (64 - 8 * count);
+    let pairs = padded.wrapping_mul(10).wrapping_add(padded >> 8);
+    let low = (pairs & 0x0000_00FF_0000_00FF).wrapping_mul(100 + (1_000_000 << 32));
+    let high = ((pairs >> 16) & 0x0000_00FF_0000_00FF).wrapping_mul(1 + (10_000 << 32));
+    (count, low.wrapping_add(high) >> 32)
+}
+
 /// Reads digits into `mantissa`; wraps, so the caller counts them.
 #[inline(always)]
 fn digits(rest: &mut &[u8], mantissa: &mut u64) -> usize {
     let before = rest.len();
+    while let Some(bytes) = rest.first_chunk::<8>() {
+        let (count, value) = eight_digits(*bytes);
+        *mantissa = mantissa.wrapping_mul(TENS.get(count).copied().unwrap_or(1)).wrapping_add(value);
+        *rest = rest.get(count..).unwrap_or_default();
+        if count < 8 {
+            return before - rest.len();
+        }
+    }
     while let [byte, tail @ ..] = rest {
         let digit = byte.wrapping_sub(b'0');
         if digit > 9 {
@@ -285,6 +317,23 @@ mod tests {
         let parsed = integers("0 -1 +7 4000000000 99999999999999999999 1.0 -", 9).unwrap_or_else(|_| unreachable!("there is no comma"));
         assert_eq!(parsed.values, [0, -1, 7, i32::MAX, i32::MAX, i32::MIN, i32::MIN]);
         assert_eq!(parsed.bad, 2);
+    }
+
+    #[test]
+    fn digits_are_counted_and_added_up_whatever_follows() {
+        for (text, wanted) in [
+            ("12345678", (8, 12_345_678)),
+            ("00000001", (8, 1)),
+            ("1 345678", (1, 1)),
+            ("99999/:9", (5, 99_999)),
+            ("7\u{7f}234567", (1, 7)),
+            ("42\u{ff}\u{ff}00", (2, 42)),
+            (" 2345678", (0, 0)),
+            ("98765e-3", (5, 98_765)),
+        ] {
+            let bytes = text.as_bytes().first_chunk::<8>().copied().unwrap_or_default();
+            assert_eq!(eight_digits(bytes), wanted, "{text}");
+        }
     }
 
     #[test]

@@ -6,13 +6,14 @@ use memchr::memchr_iter;
 use roxmltree::NodeId as ElementId;
 use rustc_hash::FxHashSet;
 
+use super::lists::Shortened;
 use super::{El, codes};
 use crate::health::{Finding, Severity};
 use crate::{limits, tr};
 
 /// Findings about one document, with their lines.
 pub struct Report<'a> {
-    text: &'a str,
+    document: &'a Shortened<'a>,
     lines_before: u32,
     /// Where each line ends; made when the first line is asked for.
     line_ends: OnceCell<Vec<u32>>,
@@ -23,19 +24,19 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// An empty report about `text`, which `lines_before` blank lines precede in the file.
-    pub fn new(text: &'a str, lines_before: u32) -> Self {
-        Self { text, lines_before, line_ends: OnceCell::new(), findings: Vec::new(), said: FxHashSet::default(), dropped: 0 }
+    /// An empty report about `document`, which `lines_before` blank lines precede in the file.
+    pub fn new(document: &'a Shortened<'a>, lines_before: u32) -> Self {
+        Self { document, lines_before, line_ends: OnceCell::new(), findings: Vec::new(), said: FxHashSet::default(), dropped: 0 }
     }
 
     /// The line of an element, from 1.
     pub fn line(&self, element: El<'_>) -> u32 {
-        self.line_of(element.range().start)
+        self.line_of(self.document.place(element.range().start))
     }
 
-    /// The line of a byte, from 1.
+    /// The line of a byte of the whole document, from 1.
     pub fn line_of(&self, at: usize) -> u32 {
-        let ends = self.line_ends.get_or_init(|| memchr_iter(b'\n', self.text.as_bytes()).map(|at| at as u32).collect());
+        let ends = self.line_ends.get_or_init(|| memchr_iter(b'\n', self.document.whole().as_bytes()).map(|at| at as u32).collect());
         ends.partition_point(|end| (*end as usize) < at) as u32 + 1 + self.lines_before
     }
 
@@ -70,13 +71,14 @@ impl<'a> Report<'a> {
     }
 
     /// All findings, in file order.
-    pub fn finish(mut self) -> Vec<Finding> {
+    pub fn finish(&mut self) -> Vec<Finding> {
         if self.dropped > 0 {
             let message = tr!("collada-more-findings", count = self.dropped, limit = limits::FINDINGS);
+            self.dropped = 0;
             self.findings.push(Finding::note(codes::MORE_FINDINGS, None, "", message));
         }
         self.findings.sort_by_key(|finding| finding.line.unwrap_or(u32::MAX));
-        self.findings
+        std::mem::take(&mut self.findings)
     }
 }
 

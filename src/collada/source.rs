@@ -6,7 +6,7 @@ use std::rc::Rc;
 use roxmltree::NodeId;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::context::{Context, Step, child, children, text_of};
+use super::context::{Context, Step, child, children};
 use super::numbers::{Real, names};
 use super::{El, codes};
 use crate::tr;
@@ -240,7 +240,7 @@ pub fn name_list<'a>(context: &mut Context<'a>, source: El<'a>) -> Option<NameLi
     };
     let attribute = |key| accessor.and_then(|accessor| number_attribute(accessor, key));
     Some(NameList {
-        text: text_of(array),
+        text: context.list_of(array),
         offset: attribute("offset").unwrap_or(0),
         stride: attribute("stride").unwrap_or(1).max(1),
         said: attribute("count").filter(|count| *count > 0),

@@ -3,9 +3,12 @@
 //! The parser builds its whole tree at once. One pass over the tags, which skips text at memory speed, tells how much that tree will take,
 //! so that a document of nothing but tags is refused before it fills the memory.
 
+use std::ops::Range;
+
 use memchr::{memchr, memchr_iter, memchr3, memmem};
 
 use super::ReadError;
+use super::lists::{LONG, Shortened, holds_list, is_plain};
 use crate::{limits, tr};
 
 /// What the tree takes per node and per attribute, bytes: sizes in roxmltree 0.21, rounded up.
@@ -23,12 +26,25 @@ struct Survey {
     /// Length of the document type definition, where it declares entities.
     entities: usize,
     nested_entities: bool,
+    /// Where long lists stand.
+    lists: Vec<Range<usize>>,
+}
+
+/// A document that was looked at and may be parsed.
+pub struct Surveyed<'a> {
+    /// The document without its long lists.
+    pub shortened: Shortened<'a>,
+    /// What tree and scene may take together, bytes, and what of it the tree takes.
+    budget: usize,
+    tree: usize,
 }
 
 /// A document and what is left for the scene that is made from it.
 pub struct Parsed<'a> {
     /// The tree.
     pub document: roxmltree::Document<'a>,
+    /// The lists that were set aside.
+    pub lists: &'a Shortened<'a>,
     /// Bytes that references may still make.
     pub budget: usize,
 }
@@ -41,12 +57,12 @@ impl Survey {
     }
 }
 
-/// Parses `text`.
+/// Looks at what `text` asks of the parser, and sets its long lists aside.
 ///
 /// # Errors
-/// [`ReadError`] with the line where it is not well-formed XML or asks for more than the limits allow.
-pub fn parse(text: &str) -> Result<Parsed<'_>, ReadError> {
-    let survey = survey(text)?;
+/// [`ReadError`] where it asks for more than the limits allow.
+pub fn look_at(text: &str) -> Result<Surveyed<'_>, ReadError> {
+    let mut survey = survey(text)?;
     let budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
     let tree = survey.nodes * NODE_BYTES + survey.attributes * ATTRIBUTE_BYTES;
     // The parser reserves by counting `<` and `=`, wherever they stand. In a small document that is little, whatever it holds.
@@ -63,10 +79,24 @@ pub fn parse(text: &str) -> Result<Parsed<'_>, ReadError> {
             return Err(ReadError { line: None, message: tr!("collada-entities", limit = limits::ENTITY_BYTES >> 20) });
         }
     }
-    let nodes_limit = u32::try_from(budget / NODE_BYTES).unwrap_or(u32::MAX);
-    let options = roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
-    let document = roxmltree::Document::parse_with_options(text, options).map_err(|error| refused(&error, text))?;
-    Ok(Parsed { document, budget: budget - tree })
+    // An entity could stand for the end of a list.
+    let lists = if survey.entities > 0 { Vec::new() } else { std::mem::take(&mut survey.lists) };
+    Ok(Surveyed { shortened: Shortened::new(text, lists), budget, tree })
+}
+
+/// Parses a document that was looked at.
+///
+/// # Errors
+/// [`ReadError`] with the line where it is not well-formed XML.
+pub fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<Parsed<'a>, ReadError> {
+    let nodes_limit = u32::try_from(surveyed.budget / NODE_BYTES).unwrap_or(u32::MAX);
+    let options = || roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
+    let (short, whole) = (surveyed.shortened.text(), surveyed.shortened.whole());
+    let document = roxmltree::Document::parse_with_options(short, options()).map_err(|error| {
+        // The whole document has the same fault, at the place where the user will find it.
+        refused(&roxmltree::Document::parse_with_options(whole, options()).err().unwrap_or(error), whole)
+    })?;
+    Ok(Parsed { document, lists: &surveyed.shortened, budget: surveyed.budget - surveyed.tree })
 }
 
 /// The parser's error in the user's language.
@@ -99,10 +129,16 @@ fn survey(text: &str) -> Result<Survey, ReadError> {
     let bytes = text.as_bytes();
     let mut survey = Survey { nodes: 2, ..Survey::default() };
     let (mut at, mut depth) = (0, 0usize);
+    // Whether the last tag opened an element that holds a list.
+    let mut in_list = false;
     while let Some(found) = bytes.get(at..).and_then(|rest| memchr(b'<', rest)) {
         survey.nodes += usize::from(found > 0);
+        let text = at..at + found;
         at += found;
         let Some(rest) = bytes.get(at..) else { break };
+        if std::mem::take(&mut in_list) && found >= LONG && rest.starts_with(b"</") && bytes.get(text.clone()).is_some_and(is_plain) {
+            survey.lists.push(text);
+        }
         let skipped = match rest {
             [b'<', b'!', b'-', b'-', body @ ..] => {
                 survey.nodes += 1;
@@ -126,6 +162,7 @@ fn survey(text: &str) -> Result<Survey, ReadError> {
                 match tag(rest, &mut survey) {
                     Ok(Some((length, empty))) => {
                         depth += usize::from(!empty);
+                        in_list = !empty && opens_list(rest);
                         Some(length)
                     }
                     Ok(None) => None,
@@ -174,6 +211,13 @@ fn tag(rest: &[u8], survey: &mut Survey) -> Result<Option<(usize, bool)>, String
     }
 }
 
+/// Whether a start tag is that of a list.
+fn opens_list(rest: &[u8]) -> bool {
+    let name = rest.get(1..).unwrap_or_default();
+    let end = name.iter().position(|byte| *byte == b'>' || *byte == b'/' || byte.is_ascii_whitespace()).unwrap_or(name.len());
+    name.get(..end).is_some_and(holds_list)
+}
+
 /// The prefix that an attribute declares, given what stands before its value.
 fn declared_prefix(before: &[u8]) -> Option<String> {
     let at = memmem::find(before, b"xmlns:")?;
@@ -207,12 +251,16 @@ fn line_at(bytes: &[u8], at: usize) -> u32 {
 mod tests {
     use super::*;
 
+    /// Number of nodes, or why it was refused.
+    fn parse(text: &str) -> Result<usize, ReadError> {
+        super::parse(&look_at(text)?).map(|parsed| parsed.document.descendants().count())
+    }
+
     #[test]
     fn the_survey_counts_what_the_parser_makes() {
         let text = "<?xml version='1.0'?><!DOCTYPE a><a x='1>' y=\"2\"> t <b/><!-- <c> --><![CDATA[<d>]]></a>";
         let survey = survey(text).unwrap_or_default();
-        let parsed = parse(text).unwrap_or_else(|error| unreachable!("{error}"));
-        assert!(survey.nodes >= parsed.document.descendants().count());
+        assert!(parse(text).is_ok_and(|nodes| survey.nodes >= nodes));
         // The declaration's own attribute counts as none.
         assert_eq!(survey.attributes, 2);
     }
@@ -249,5 +297,13 @@ mod tests {
         for (text, line) in [("<a>\n<b>\n</a>", Some(3)), ("<a>\n<b", Some(2)), ("<a>\n<b c=1/></a>", Some(2)), ("hello", Some(1))] {
             assert_eq!(parse(text).err().map(|error| error.line), Some(line), "{text}");
         }
+    }
+
+    #[test]
+    fn faults_behind_long_lists_are_named_by_the_line_of_the_file() {
+        let list = "1 2\n".repeat(1000);
+        let text = format!("<a>\n<p>{list}</p>\n<b c=1/></a>");
+        assert_eq!(look_at(&text).map(|surveyed| surveyed.shortened.text().len()).ok(), Some("<a>\n<p>0</p>\n<b c=1/></a>".len()));
+        assert_eq!(parse(&text).err().and_then(|error| error.line), Some(1003));
     }
 }
