@@ -67,6 +67,7 @@ fuzz:
 install:
 	@[ -x $(BINARY) ] || $(MAKE) --no-print-directory build
 	install -Dm755 $(BINARY) "$(DESTDIR)$(PREFIX)/bin/sinew"
+	install -Dm755 $(BINARY)-window "$(DESTDIR)$(PREFIX)/bin/sinew-window"
 	install -Dm644 resources/icons/$(ID).svg "$(ICONS)/scalable/apps/$(ID).svg"
 	install -Dm644 resources/icons/$(ID)-symbolic.svg "$(ICONS)/symbolic/apps/$(ID)-symbolic.svg"
 	install -Dm644 resources/$(ID).desktop "$(SHARE)/applications/$(ID).desktop"
@@ -77,7 +78,7 @@ install:
 	@$(MAKE) --no-print-directory refresh
 
 uninstall:
-	rm -f "$(DESTDIR)$(PREFIX)/bin/sinew" \
+	rm -f "$(DESTDIR)$(PREFIX)/bin/sinew" "$(DESTDIR)$(PREFIX)/bin/sinew-window" \
 	    "$(ICONS)/scalable/apps/$(ID).svg" "$(ICONS)/symbolic/apps/$(ID)-symbolic.svg" \
 	    "$(SHARE)/applications/$(ID).desktop" "$(SHARE)/metainfo/$(ID).metainfo.xml" \
 	    "$(SHARE)/mime/packages/$(ID).xml" "$(SHARE)/thumbnailers/sinew.thumbnailer" "$(SHARE)/man/man1/sinew.1"

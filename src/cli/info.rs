@@ -85,6 +85,8 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
     let name = files.first().map(|file| display_name(file)).unwrap_or_default();
     let info = Info::of(&document, name);
+    // The program ends here: giving back what was read piece by piece would only take time.
+    std::mem::forget(document);
     if given.get_flag("json") { answer_json(&info) } else { answer(&info.text()) }
 }
 

@@ -32,14 +32,16 @@ use clap::error::ErrorKind;
 use failure::{Failure, answer};
 
 pub use command::command;
+pub use window::{Opener, hand_over};
 
-/// Runs the program and returns its exit code: 0 = done, 1 = a file could not be used, 2 = the call was wrong.
-pub fn main() -> ExitCode {
-    run(std::env::args_os())
+/// Runs the program and returns its exit code: 0 = done, 1 = a file could not be used, 2 = the call was wrong. `opener` opens the window:
+/// [`hand_over`] in a program that has none itself.
+pub fn main(opener: Opener) -> ExitCode {
+    run(std::env::args_os(), opener)
 }
 
 /// Runs the program with these arguments, the first of which is its own name.
-pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> ExitCode {
     let matches = match command().try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
@@ -57,7 +59,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(("fit", given)) => finish(fit::run(given)),
         Some(("bench", given)) => finish(bench::run(given)),
         Some(("help", given)) => finish(help(given)),
-        _ => window::open(files(&matches)),
+        _ => window::open(files(&matches), opener),
     }
 }
 

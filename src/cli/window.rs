@@ -1,34 +1,63 @@
 //! `sinew [FILE…]`: the window, or a sentence that says what to do without one.
+//!
+//! The window is a program of its own, `sinew-window`, which this one becomes. Loading GTK with the sixty libraries that it brings takes longer
+//! than reading most files, and `info`, `check`, `render` and the rest never need it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::failure::Failure;
 use crate::tr;
 
+/// What opens the window with these files.
+pub type Opener = fn(Vec<PathBuf>) -> ExitCode;
+
 /// Opens the window with these files.
-pub fn open(files: Vec<PathBuf>) -> ExitCode {
+pub fn open(files: Vec<PathBuf>, opener: Opener) -> ExitCode {
     if let Some(meant) = mistyped_command(&files) {
         return Failure::usage(meant).report();
     }
-    start(files)
-}
-
-#[cfg(feature = "gui")]
-fn start(files: Vec<PathBuf>) -> ExitCode {
-    if has_display() {
-        return crate::app::run(files);
+    if cfg!(not(feature = "gui")) {
+        return Failure::Files(vec![tr!("cli-no-window")]).report();
     }
-    Failure::Files(vec![tr!("cli-no-display")]).report()
+    if !has_display() {
+        return Failure::Files(vec![tr!("cli-no-display")]).report();
+    }
+    opener(files)
 }
 
-#[cfg(not(feature = "gui"))]
-fn start(_files: Vec<PathBuf>) -> ExitCode {
-    Failure::Files(vec![tr!("cli-no-window")]).report()
+/// Becomes the program of the window, which lies beside this one; without `exec` it is started and waited for.
+pub fn hand_over(files: Vec<PathBuf>) -> ExitCode {
+    let name = format!("sinew-window{}", std::env::consts::EXE_SUFFIX);
+    let program = std::env::current_exe().ok().and_then(|own| own.parent().map(|folder| folder.join(&name))).unwrap_or_else(|| name.into());
+    let mut command = std::process::Command::new(&program);
+    if !files.is_empty() {
+        // A file may be called like a command.
+        command.arg("--").args(files);
+    }
+    become_it(command, &program)
+}
+
+#[cfg(unix)]
+fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
+    use std::os::unix::process::CommandExt;
+    // Returns only where it fails.
+    let error = command.exec();
+    Failure::Files(vec![tr!("cli-window-not-started", program = program.display().to_string(), reason = error.to_string())]).report()
+}
+
+#[cfg(not(unix))]
+fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
+    match command.status() {
+        Ok(status) => u8::try_from(status.code().unwrap_or(1)).map_or(ExitCode::FAILURE, ExitCode::from),
+        Err(error) => {
+            Failure::Files(vec![tr!("cli-window-not-started", program = program.display().to_string(), reason = error.to_string())])
+                .report()
+        }
+    }
 }
 
 /// Whether there is a screen to open a window on. GTK would say so too, but in words that help nobody.
-#[cfg(feature = "gui")]
 fn has_display() -> bool {
     !cfg!(all(unix, not(target_os = "macos")))
         || ["WAYLAND_DISPLAY", "DISPLAY"].iter().any(|name| std::env::var_os(name).is_some_and(|value| !value.is_empty()))

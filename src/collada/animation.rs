@@ -175,14 +175,12 @@ impl Reader {
             return Ok(None);
         }
         let mut keys = Keys { dimension, matrix, ..Keys::default() };
-        for key in 0..count {
-            keys.times.extend(times.get(key, 0));
-            let start = keys.values.len();
-            values.extend_row(key, &mut keys.values);
-            if matrix {
-                transpose(&mut keys.values, start);
-            }
+        keys.times = (0..count).filter_map(|key| times.get(key, 0)).collect();
+        keys.values = values.first_rows(count);
+        if matrix {
+            keys.values.as_chunks_mut::<16>().0.iter_mut().for_each(transpose);
         }
+        self.arrays.release(values);
         keys.modes = match modes {
             Some(modes) => interpolation(context, modes, count),
             None => Vec::new(),
@@ -212,22 +210,16 @@ impl Reader {
 }
 
 fn read_tangents(accessor: &super::source::Accessor<f64>, count: usize, dimension: usize, matrix: bool) -> Tangents {
-    let mut tangents = Tangents { stride: accessor.width(), values: Vec::new() };
-    for key in 0..count.min(accessor.available) {
-        let start = tangents.values.len();
-        accessor.extend_row(key, &mut tangents.values);
-        if matrix && tangents.stride == dimension {
-            transpose(&mut tangents.values, start);
-        }
+    let mut tangents = Tangents { stride: accessor.width(), values: accessor.first_rows(count) };
+    if matrix && tangents.stride == dimension {
+        tangents.values.as_chunks_mut::<16>().0.iter_mut().for_each(transpose);
     }
     tangents
 }
 
 /// The file's matrices go row by row, ours column by column.
-fn transpose(values: &mut [f64], start: usize) {
-    if let Some(matrix) = values.get_mut(start..).and_then(|tail| tail.first_chunk_mut::<16>()) {
-        *matrix = glam::DMat4::from_cols_array(matrix).transpose().to_cols_array();
-    }
+fn transpose(matrix: &mut [f64; 16]) {
+    *matrix = glam::DMat4::from_cols_array(matrix).transpose().to_cols_array();
 }
 
 fn interpolation<'a>(context: &mut Context<'a>, source: El<'a>, count: usize) -> Vec<Interpolation> {

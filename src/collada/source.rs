@@ -19,6 +19,7 @@ const NAME_ARRAYS: [&str; 4] = ["Name_array", "IDREF_array", "SIDREF_array", "bo
 #[derive(Debug, Clone)]
 pub struct Accessor<T> {
     data: Rc<Vec<T>>,
+    array: NodeId,
     offset: usize,
     stride: usize,
     /// Rows that the file says there are, as far as the data reach.
@@ -53,9 +54,19 @@ impl<T: Copy> Accessor<T> {
         values
     }
 
-    /// Appends all numbers of a row.
-    pub fn extend_row(&self, row: usize, values: &mut Vec<T>) {
-        values.extend((0..self.width()).filter_map(|component| self.get(row, component)));
+    /// All numbers of the first `count` rows, as far as the data reach.
+    pub fn first_rows(&self, count: usize) -> Vec<T> {
+        let count = count.min(self.available);
+        let dense = self.components.len() == self.stride && self.components.iter().enumerate().all(|(place, column)| place == *column);
+        if dense {
+            let rows = self.data.get(self.offset..).and_then(|data| data.get(..count.checked_mul(self.stride)?));
+            return rows.map(<[T]>::to_vec).unwrap_or_default();
+        }
+        let mut values = Vec::with_capacity(count * self.width());
+        for row in 0..count {
+            values.extend((0..self.width()).filter_map(|component| self.get(row, component)));
+        }
+        values
     }
 }
 
@@ -66,11 +77,13 @@ pub struct Arrays<T> {
     said: FxHashSet<NodeId>,
     /// The same for their strides.
     said_stride: FxHashSet<NodeId>,
+    /// Arrays that were let go once; when they are asked for again, they are kept.
+    released: FxHashSet<NodeId>,
 }
 
 impl<T> Default for Arrays<T> {
     fn default() -> Self {
-        Self { read: FxHashMap::default(), said: FxHashSet::default(), said_stride: FxHashSet::default() }
+        Self { read: FxHashMap::default(), said: FxHashSet::default(), said_stride: FxHashSet::default(), released: FxHashSet::default() }
     }
 }
 
@@ -110,7 +123,23 @@ impl<T: Real> Arrays<T> {
         {
             context.report.warn(accessor, codes::COUNT_MISMATCH, tr!("collada-stride-mismatch", said = small, found = layout.stride));
         }
-        Ok(Some(Accessor { data, offset: layout.offset, stride: layout.stride, count, available, components: layout.components }))
+        Ok(Some(Accessor {
+            data,
+            array: array.id(),
+            offset: layout.offset,
+            stride: layout.stride,
+            count,
+            available,
+            components: layout.components,
+        }))
+    }
+
+    /// Lets go of the numbers that `accessor` walks, most of which are used once. What is used twice stays from then on.
+    pub fn release(&mut self, accessor: Accessor<T>) {
+        let (id, data) = (accessor.array, accessor.data);
+        if Rc::strong_count(&data) == 2 && self.released.insert(id) {
+            self.read.remove(&id);
+        }
     }
 
     fn array<'a>(&mut self, context: &mut Context<'a>, array: El<'a>) -> Step<Rc<Vec<T>>> {

@@ -127,6 +127,7 @@ cli-out-is-input = { $out } is one of the files that are read; choose another na
 
 # The command line: files that could not be used, notices, results.
 cli-no-window = This build has no window; draw without one: sinew render FILE -o picture.png
+cli-window-not-started = The window cannot be opened: { $program } does not start ({ $reason }). It is built and installed together with sinew.
 cli-no-display = There is no display to open a window on; draw without one: sinew render FILE -o picture.png
 cli-stdout-failed = Standard output: { $reason }
 cli-angle-held = { $file }: the elbow goes from { $low }° to { $high }°, so { $angle }° is held at the limit.

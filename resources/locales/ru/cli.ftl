@@ -127,6 +127,7 @@ cli-out-is-input = { $out } – один из читаемых файлов; в�
 
 # Командная строка: файлы, которые не удалось использовать, замечания, результаты.
 cli-no-window = Эта сборка без окна; рисуйте без него: sinew render FILE -o picture.png
+cli-window-not-started = Окно не открыть: { $program } не запускается ({ $reason }). Эта программа собирается и устанавливается вместе с sinew.
 cli-no-display = Нет экрана, на котором можно открыть окно; рисуйте без него: sinew render FILE -o picture.png
 cli-stdout-failed = Стандартный вывод: { $reason }
 cli-angle-held = { $file }: локоть сгибается от { $low }° до { $high }°, поэтому { $angle }° удержано на пределе.
