@@ -11,7 +11,7 @@ use super::window::{Window, part};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
 use crate::health::{Finding, Severity};
-use crate::scene::NodeId;
+use crate::scene::{Content, Deformer, Node, NodeId, Scene};
 use crate::tr;
 
 /// The panel.
@@ -120,11 +120,40 @@ fn facts(document: &Document) -> String {
     lines.join("\n")
 }
 
-/// The node whose id or name stands in quotes in a finding's element: `<skin> "Body-skin"`.
+/// The node that a finding's element leads to: the node itself, or the first that carries what the element names (`<skin> "Body-skin"`).
 fn node_named(document: &Document, element: &str) -> Option<NodeId> {
-    let name = element.split('"').nth(1)?;
+    let name = element.split('"').nth(1).filter(|name| !name.is_empty())?;
     let graph = &document.scene.graph;
-    graph.iter().find(|(_, node)| node.id == name).or_else(|| graph.iter().find(|(_, node)| node.name == name)).map(|(id, _)| id)
+    let own = |wanted: &dyn Fn(&Node) -> bool| graph.iter().find(|(_, node)| wanted(node)).map(|(id, _)| id);
+    own(&|node| node.id == name)
+        .or_else(|| own(&|node| node.name == name))
+        .or_else(|| own(&|node| node.contents.iter().any(|content| carries(&document.scene, content, name))))
+        .or_else(|| own(&|node| node.sid == name))
+}
+
+/// Whether a thing on a node, or a part of it, has this id or name.
+fn carries(scene: &Scene, content: &Content, wanted: &str) -> bool {
+    let is = |id: &str, name: &str| id == wanted || name == wanted;
+    match content {
+        Content::Mesh(instance) => {
+            scene.meshes.get(instance.mesh.index()).is_some_and(|mesh| is(&mesh.id, &mesh.name))
+                || instance.deformers.iter().any(|deformer| match deformer {
+                    Deformer::Skin { skin, .. } => scene.skins.get(skin.index()).is_some_and(|skin| is(&skin.id, &skin.name)),
+                    Deformer::Morph(morph) => scene.morphs.get(morph.index()).is_some_and(|morph| is(&morph.id, &morph.name)),
+                })
+                || instance.materials.iter().flatten().filter_map(|bound| scene.materials.get(bound.material.index())).any(|material| {
+                    let paints = [&material.diffuse, &material.emission, &material.ambient, &material.specular];
+                    let textures = paints.into_iter().filter_map(|paint| paint.texture.as_ref());
+                    is(&material.id, &material.name)
+                        || textures
+                            .chain(material.opacity_texture.iter().map(|(texture, _)| texture))
+                            .any(|texture| scene.images.get(texture.image.index()).is_some_and(|image| is(&image.id, &image.name)))
+                })
+        }
+        Content::Light(light) => scene.lights.get(light.index()).is_some_and(|light| is(&light.id, &light.name)),
+        Content::Camera(camera) => scene.cameras.get(camera.index()).is_some_and(|camera| is(&camera.id, &camera.name)),
+        Content::Muscle(_) => false,
+    }
 }
 
 fn factory() -> gtk::SignalListItemFactory {
@@ -175,7 +204,6 @@ fn factory() -> gtk::SignalListItemFactory {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Node;
 
     #[test]
     fn a_finding_leads_to_the_node_it_names() {
@@ -185,5 +213,23 @@ mod tests {
         assert_eq!(node_named(&document, "<node> \"Hip_01\""), Some(NodeId(0)));
         assert_eq!(node_named(&document, "<node> \"Hip\""), Some(NodeId(0)));
         assert_eq!(node_named(&document, "<source>"), None);
+        assert_eq!(node_named(&document, "<node> \"\""), None);
+    }
+
+    #[test]
+    fn a_finding_about_what_hangs_on_a_node_leads_there() {
+        let text = include_str!("../../tests/fuzz/seeds/collada/everything.dae");
+        let loaded = crate::collada::read(text.as_bytes(), "everything.dae", &crate::collada::Progress::default()).expect("it is read");
+        let mut document = Document::default();
+        document.scene = loaded.scene;
+        let named = |element: &str| node_named(&document, element).map(|id| document.scene.graph.node(id).contents.len());
+        for element in ["<skin> in <controller> \"c\"", "<morph> in <controller> \"m\"", "<polylist> in <geometry> \"g\"", "<image> \"i\""]
+        {
+            assert_eq!(named(element), Some(1), "{element}");
+        }
+        // The node with both.
+        assert_eq!(named("<light> \"lamp\""), Some(2));
+        assert_eq!(named("<camera> \"eye\""), Some(2));
+        assert_eq!(named("<effect> \"nobody\""), None);
     }
 }

@@ -18,7 +18,7 @@ use crate::export::palette::Sampler;
 use crate::export::{gif, png};
 use crate::muscle::Rig;
 use crate::render::{Background, Display, Framebuffer, Renderer, Samples, Shading};
-use crate::scene::{Content, Frame};
+use crate::scene::Frame;
 use crate::tr;
 
 /// Columns and rows where the call does not say.
@@ -56,7 +56,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         document: &document,
         sequence,
         eye,
-        display: display(given, !shows_surface(&document)),
+        display: display(given, !document.shows_surface()),
         renderer: Renderer::new(value(given, "threads")),
         buffers: PoseBuffers::default(),
         frame: Frame::default(),
@@ -94,12 +94,6 @@ impl Target {
             _ => Err(Failure::usage(tr!("cli-render-ending", out = display_name(out)))),
         }
     }
-}
-
-/// Whether anything but bones is there to be drawn.
-fn shows_surface(document: &Document) -> bool {
-    let drawn = |content: &Content| matches!(content, Content::Mesh(_) | Content::Muscle(_));
-    document.scene.graph.iter().any(|(_, node)| node.contents.iter().any(drawn))
 }
 
 /// How things look, from the options. What is only a help on the screen, such as the ground grid, stays away; the bones of a file that has

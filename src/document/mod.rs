@@ -105,6 +105,12 @@ pub struct PoseState {
 }
 
 impl Document {
+    /// Whether anything but bones is there to be drawn.
+    pub fn shows_surface(&self) -> bool {
+        let drawn = |content: &Content| matches!(content, Content::Mesh(_) | Content::Muscle(_));
+        self.scene.graph.iter().any(|(_, node)| node.contents.iter().any(drawn))
+    }
+
     /// The scene that is shown when no file is given: the report's measured biceps on its arm.
     pub fn built_in() -> Self {
         built_in::document()

@@ -134,6 +134,8 @@ impl Session {
         match arrival {
             Arrival::New => {
                 self.light = None;
+                // A file of bones alone is shown as far as it goes.
+                self.display.bones |= !self.is_empty() && !self.document.shows_surface();
                 self.model.pivot = self.bounds().center().as_dvec3();
                 let eased = std::mem::take(&mut self.eye.eased);
                 self.eye.jump(|orbit| orbit.look_from(View::Start));
