@@ -10,7 +10,7 @@ BINARY := target/release/sinew
 SHARE = $(DESTDIR)$(PREFIX)/share
 ICONS = $(SHARE)/icons/hicolor
 
-.PHONY: run build test bench fuzz install uninstall clean refresh clips
+.PHONY: run build test monkey bench fuzz install uninstall clean refresh clips
 
 # The window starts with this biceps; without a display it is drawn instead.
 START := configs/biceps-measured.yaml
@@ -43,6 +43,11 @@ test:
 	@echo "== Tests"
 	$(CARGO) test --locked
 	@echo "== All checks passed"
+
+# Ten thousand random keys, clicks and drags on the window; takes minutes.
+monkey:
+	@resources/setup.sh test
+	$(CARGO) test --locked --test window -- --ignored --nocapture
 
 bench:
 	@resources/setup.sh build

@@ -72,6 +72,12 @@ fn hands_on_timeline_camera_and_model_do_what_they_should() {
     drive("views.py");
 }
 
+#[test]
+#[ignore = "takes minutes; `make monkey` runs it"]
+fn ten_thousand_random_events_do_no_harm() {
+    drive("monkey.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {
@@ -101,5 +107,6 @@ fn drive(script: &str) {
         .output()
         .expect("the driver starts");
     let told = String::from_utf8_lossy(&ended.stdout);
+    println!("{told}");
     assert!(ended.status.success() && told.contains("all is so"), "{told}\n{}", String::from_utf8_lossy(&ended.stderr));
 }

@@ -85,6 +85,7 @@ impl Viewport {
             if let Some(window) = weak.upgrade() {
                 window.act(|session| session.set_aspect(width as f32 / height.max(1) as f32));
                 window.viewport.invalidate();
+                window.viewport.fit_later(width);
             }
         });
         self.numbers.connect(window);
@@ -126,6 +127,12 @@ impl Viewport {
     pub fn invalidate(&self) {
         self.screen.borrow_mut().fresh = false;
         self.canvas.queue_draw();
+    }
+
+    /// Lets what stands over the picture follow its width, once widgets have their places.
+    fn fit_later(&self, width: i32) {
+        let numbers = self.numbers.clone();
+        glib::idle_add_local_once(move || numbers.fit(width));
     }
 
     /// What stands over the picture is no longer true.

@@ -13,6 +13,7 @@ use crate::app::window::{Window, part};
 use crate::tr;
 
 /// Three boxes, of which Scale uses one.
+#[derive(Clone)]
 pub struct Numbers {
     root: gtk::Box,
     label: gtk::Label,
@@ -52,6 +53,14 @@ impl Numbers {
                 }
             ));
         }
+    }
+
+    /// Takes less room where the picture is this narrow, logical pixels.
+    pub fn fit(&self, width: i32) {
+        let narrow = width < 540;
+        self.label.set_visible(!narrow);
+        self.boxes.iter().for_each(|number| number.set_width_chars(if narrow { 4 } else { 6 }));
+        if narrow { self.root.add_css_class("narrow") } else { self.root.remove_css_class("narrow") }
     }
 
     /// Shows the numbers of a tool.

@@ -1,0 +1,109 @@
+"""Ten thousand random events: keys, clicks, drags and wheel turns all over the window. Nothing may be critical, nothing may panic or hang, and memory may
+not grow by a fifth.
+
+usage: monkey.py PROGRAM FOLDER CONFIGS    (SINEW_MONKEY_SEED and SINEW_MONKEY_EVENTS choose another run)
+"""
+
+import os
+import random
+import subprocess
+import sys
+import time
+
+from drive import Window, configs, fail, folder, told, wait
+
+SEED = int(os.environ.get("SINEW_MONKEY_SEED", "1"))
+EVENTS = int(os.environ.get("SINEW_MONKEY_EVENTS", "10000"))
+SECONDS = float(os.environ.get("SINEW_MONKEY_SECONDS", "400"))
+BATCH = 40
+WIDTH, HEIGHT = 1280, 840
+
+# All keys of the table but the ones that leave or close; dialogs are left by Escape.
+KEYS = (
+    "space ctrl+shift+space Left Right ctrl+Left ctrl+Right shift+Left shift+Right Up Down bracketleft bracketright backslash l i o k shift+k Prior Next "
+    "Home Return period 1 3 7 9 5 ctrl+1 ctrl+3 ctrl+7 ctrl+9 f w a s d q e v g r b j n shift+n t c x m "
+    "alt+Up alt+Down alt+Left alt+Right ctrl+z ctrl+shift+z ctrl+c F5 F9 F11 F10 F1 Tab shift+Tab Escape Escape Escape ctrl+Next ctrl+Prior Delete minus 0 comma"
+).split()
+
+
+def event(dice):
+    """One event as words of xdotool."""
+    # The buttons that close and fold away the window are left alone.
+    x, y = dice.randrange(WIDTH), dice.randrange(HEIGHT)
+    if y < 50 and x > WIDTH - 150:
+        x -= 400
+    at = ["mousemove", x, y]
+    kind = dice.random()
+    if kind < 0.35:
+        return ["key", dice.choice(KEYS)]
+    if kind < 0.55:
+        return at
+    if kind < 0.75:
+        return at + ["click", dice.choice((1, 1, 1, 1, 2, 3))]
+    if kind < 0.85:
+        return at + ["click", "--repeat", dice.randrange(1, 6), dice.choice((4, 5))]
+    way = ["mousemove_relative", "--", dice.randrange(-200, 200), dice.randrange(-150, 150)]
+    button = dice.choice((1, 1, 1, 2, 3))
+    held = dice.choice((None, None, "shift", "ctrl"))
+    drag = at + ["mousedown", button] + way + way + ["mouseup", button]
+    return drag if held is None else ["keydown", held] + drag + ["keyup", held]
+
+
+def resident(window):
+    with open(f"/proc/{window.process.pid}/status") as file:
+        return next(int(line.split()[1]) for line in file if line.startswith("VmRSS"))
+
+
+def at_rest(window):
+    """Kibibytes once everything that was opened is closed again."""
+    for _ in range(6):
+        window.key("Escape")
+    time.sleep(0.5)
+    return min(resident(window) for _ in range(3) if not time.sleep(0.2))
+
+
+def start():
+    window = Window(os.path.join(configs, "walker.dae"))
+    subprocess.run(["xdotool", "windowsize", window.window, str(WIDTH), str(HEIGHT)], check=False)
+    window.get("slider", "Time")
+    return window
+
+
+def main():
+    os.chdir(folder)
+    dice, window = random.Random(SEED), start()
+    begun, done, warm, starts = time.monotonic(), 0, None, 1
+    since = 0
+    while done < EVENTS and time.monotonic() - begun < SECONDS:
+        words = [str(word) for _ in range(BATCH) for word in event(dice)]
+        try:
+            subprocess.run(["xdotool", *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=60)
+        except subprocess.TimeoutExpired:
+            fail(f"the window hangs after {done} events")
+        done, since = done + BATCH, since + BATCH
+        if window.process.poll() is not None:
+            error = window.process.stderr.read()
+            if window.process.returncode != 0 or "panicked" in error or "CRITICAL" in error:
+                fail(f"seed {SEED}: ended with {window.process.returncode} after {done} events: {error}\nthe last were {' '.join(words)}")
+            # The menu was found, and in it a way to leave.
+            window, warm, since, starts = start(), None, 0, starts + 1
+        elif warm is None and since >= 2000:
+            warm = at_rest(window)
+    wait("the window still answers", lambda: window.find_root() is not None)
+    now = at_rest(window)
+    print(f"{done} events in {time.monotonic() - begun:.0f} s, {starts} starts, memory {warm or now} -> {now} KiB", flush=True)
+    if warm and now > warm * 1.2:
+        fail(f"memory grew from {warm} to {now} KiB")
+    for _ in range(6):
+        window.key("Escape")
+    window.process.terminate()
+    window.process.wait(20)
+    error = window.process.stderr.read()
+    if "panicked" in error or "CRITICAL" in error:
+        fail(error)
+    told(f"{done} random events")
+    print("all is so")
+
+
+sys.setrecursionlimit(5000)
+main()
