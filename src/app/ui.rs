@@ -1,7 +1,8 @@
 //! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, and `tip:command` for the label of a command with its shortcut.
 
-use gtk4::Builder;
-use gtk4::glib::markup_escape_text;
+use gtk4::glib::{Object, markup_escape_text};
+use gtk4::prelude::*;
+use gtk4::{Builder, DropDown, MenuButton, Popover};
 
 use super::actions::Command;
 use crate::tr;
@@ -34,7 +35,27 @@ files! {
 
 /// A builder of one of the files, in the user's language.
 pub fn builder(text: &str) -> Builder {
-    Builder::from_string(&translate(text))
+    let builder = Builder::from_string(&translate(text));
+    builder.objects().iter().for_each(hush);
+    builder
+}
+
+/// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed
+/// before its half second was over.
+fn hush(object: &Object) {
+    if let Some(button) = object.downcast_ref::<MenuButton>() {
+        button.connect_active_notify(|button| button.set_has_tooltip(!button.is_active()));
+    } else if let Some(list) = object.downcast_ref::<DropDown>() {
+        let parts = std::iter::successors(list.first_child(), WidgetExt::next_sibling);
+        if let Some(popover) = parts.filter_map(|part| part.downcast::<Popover>().ok()).next() {
+            let list = list.downgrade();
+            popover.connect_visible_notify(move |popover| {
+                if let Some(list) = list.upgrade() {
+                    list.set_has_tooltip(!popover.is_visible());
+                }
+            });
+        }
+    }
 }
 
 /// Puts the catalogue's text in place of each `>tr:key<` and `>tip:command<`.

@@ -8,6 +8,7 @@ import os
 import random
 import subprocess
 import sys
+import threading
 import time
 
 from drive import Window, configs, fail, folder, told, wait
@@ -24,6 +25,24 @@ KEYS = (
     "Home Return period 1 3 7 9 5 ctrl+1 ctrl+3 ctrl+7 ctrl+9 f w a s d q e v g r b j n shift+n t c x m "
     "alt+Up alt+Down alt+Left alt+Right ctrl+z ctrl+shift+z ctrl+c F5 F9 F11 F10 F1 Tab shift+Tab Escape Escape Escape ctrl+Next ctrl+Prior Delete minus 0 comma"
 ).split()
+
+
+# GTK 4.8's own timer for tooltips asks the surface of a popover that has closed meanwhile, whoever made the popover. Nothing of ours is on that stack.
+KNOWN = "gdk_surface_get_device_position: assertion 'GDK_IS_SURFACE (surface)' failed"
+
+
+class Ear(threading.Thread):
+    """Hears what a program complains of, so that its pipe never fills."""
+
+    def __init__(self, window):
+        super().__init__(daemon=True)
+        self.stream, self.bad = window.process.stderr, []
+        self.start()
+
+    def run(self):
+        for line in self.stream:
+            if ("CRITICAL" in line or "panicked" in line or "ERROR" in line) and KNOWN not in line:
+                self.bad.append(line)
 
 
 def event(dice):
@@ -66,12 +85,14 @@ def start():
     window = Window(os.path.join(configs, "walker.dae"))
     subprocess.run(["xdotool", "windowsize", window.window, str(WIDTH), str(HEIGHT)], check=False)
     window.get("slider", "Time")
-    return window
+    return window, Ear(window)
 
 
 def main():
+    os.environ.pop("G_DEBUG", None)  # the ear judges what is critical
     os.chdir(folder)
-    dice, window = random.Random(SEED), start()
+    dice = random.Random(SEED)
+    window, ear = start()
     begun, done, warm, starts = time.monotonic(), 0, None, 1
     since = 0
     while done < EVENTS and time.monotonic() - begun < SECONDS:
@@ -81,12 +102,12 @@ def main():
         except subprocess.TimeoutExpired:
             fail(f"the window hangs after {done} events")
         done, since = done + BATCH, since + BATCH
-        if window.process.poll() is not None:
-            error = window.process.stderr.read()
-            if window.process.returncode != 0 or "panicked" in error or "CRITICAL" in error:
-                fail(f"seed {SEED}: ended with {window.process.returncode} after {done} events: {error}\nthe last were {' '.join(words)}")
+        code = window.process.poll()
+        if ear.bad or code:
+            fail(f"seed {SEED}: {code} after {done} events: {''.join(ear.bad)}\nthe last were {' '.join(words)}")
+        if code is not None:
             # The menu was found, and in it a way to leave.
-            window, warm, since, starts = start(), None, 0, starts + 1
+            (window, ear), warm, since, starts = start(), None, 0, starts + 1
         elif warm is None and since >= 2000:
             warm = at_rest(window)
     wait("the window still answers", lambda: window.find_root() is not None)
@@ -98,9 +119,9 @@ def main():
         window.key("Escape")
     window.process.terminate()
     window.process.wait(20)
-    error = window.process.stderr.read()
-    if "panicked" in error or "CRITICAL" in error:
-        fail(error)
+    ear.join(5)
+    if ear.bad:
+        fail("".join(ear.bad))
     told(f"{done} random events")
     print("all is so")
 
