@@ -2,7 +2,7 @@
 
 use gtk4::glib::{Object, markup_escape_text};
 use gtk4::prelude::*;
-use gtk4::{Builder, DropDown, MenuButton, Popover};
+use gtk4::{Builder, DropDown, MenuButton, Popover, ToggleButton};
 
 use super::actions::Command;
 use crate::tr;
@@ -44,7 +44,14 @@ pub fn builder(text: &str) -> Builder {
 /// before its half second was over.
 fn hush(object: &Object) {
     if let Some(button) = object.downcast_ref::<MenuButton>() {
-        button.connect_active_notify(|button| button.set_has_tooltip(!button.is_active()));
+        if let Some(toggle) = button.first_child().and_downcast::<ToggleButton>() {
+            let button = button.downgrade();
+            toggle.connect_active_notify(move |toggle| {
+                if let Some(button) = button.upgrade() {
+                    button.set_has_tooltip(!toggle.is_active());
+                }
+            });
+        }
     } else if let Some(list) = object.downcast_ref::<DropDown>() {
         let parts = std::iter::successors(list.first_child(), WidgetExt::next_sibling);
         if let Some(popover) = parts.filter_map(|part| part.downcast::<Popover>().ok()).next() {
