@@ -82,6 +82,8 @@ struct Writer<'a> {
     roots: Vec<usize>,
     lights: Vec<Value>,
     cameras: Vec<Value>,
+    /// Nodes with a skin that mirrors at the start.
+    mirrored: Vec<NodeId>,
     /// Written nodes with morphs.
     morphed: Vec<(usize, Vec<MorphId>)>,
     losses: Vec<Loss>,
@@ -100,6 +102,7 @@ impl<'a> Writer<'a> {
             roots: Vec::new(),
             lights: Vec::new(),
             cameras: Vec::new(),
+            mirrored: Vec::new(),
             morphed: Vec::new(),
             losses: Vec::new(),
         }
@@ -109,6 +112,7 @@ impl<'a> Writer<'a> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose(&self.document.start_state(), &mut buffers, &mut frame);
         let length = f64::from(frame.bounds.diagonal()) * ERROR;
+        self.mirrored = frame.surfaces.iter().filter(|surface| surface.mirrored).map(|surface| surface.node).collect();
         self.write_nodes();
         self.write_contents();
         let takes = Take::all(self.document);
@@ -227,7 +231,8 @@ impl<'a> Writer<'a> {
 
     fn write_mesh(&mut self, node: NodeId, instance: &MeshInstance) {
         let scene = &self.document.scene;
-        let made = self.surfaces.mesh(scene, instance, &mut self.materials, &mut self.buffer, &mut self.losses);
+        let mirrored = instance.is_skinned() && self.mirrored.contains(&node);
+        let made = self.surfaces.mesh(scene, instance, mirrored, &mut self.materials, &mut self.buffer, &mut self.losses);
         let (Some(number), Some(mesh)) = (made, scene.meshes.get(instance.mesh.index())) else { return };
         let skin = instance.deformers.iter().find_map(|deformer| match deformer {
             Deformer::Skin { skin, joints } => Some((scene.skins.get(skin.index())?, joints)),

@@ -7,7 +7,7 @@ use super::buffer::{Buffer, Usage};
 use super::keys::Moment;
 use super::loss::Loss;
 use super::materials::Materials;
-use super::surfaces::{given_shape, primitives};
+use super::surfaces::{Sides, given_shape, primitives};
 use super::takes::{Animation, Take};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::scene::{Frame, MuscleId, NodeId, Placement, Surface};
@@ -111,7 +111,8 @@ impl<'a> Muscles<'a> {
             let attributes = given_shape(&base.positions, &base.normals, buffer);
             let scene = &self.document.scene;
             let shaped = crate::scene::Mesh { positions: base.positions.clone(), ..(*surface.mesh).clone() };
-            let primitives = primitives(scene, &shaped, &surface.materials, &attributes, &targets, materials, buffer, losses);
+            let primitives =
+                primitives(scene, &shaped, &surface.materials, &attributes, &targets, Sides::default(), materials, buffer, losses);
             if primitives.is_empty() {
                 continue;
             }

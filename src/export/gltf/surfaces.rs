@@ -56,6 +56,7 @@ impl Surfaces {
         &mut self,
         scene: &Scene,
         instance: &MeshInstance,
+        mirrored: bool,
         materials: &mut Materials,
         buffer: &mut Buffer,
         losses: &mut Vec<Loss>,
@@ -79,7 +80,8 @@ impl Surfaces {
                 }
             }
         }
-        let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, materials, buffer, losses);
+        let sides = Sides { mirrored };
+        let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, sides, materials, buffer, losses);
         if primitives.is_empty() {
             return None;
         }
@@ -198,6 +200,13 @@ fn morph_targets(morph: &Morph, mesh: &Mesh, buffer: &mut Buffer) -> Vec<Value> 
     morph.targets.iter().map(target).collect()
 }
 
+/// Which side of a surface is outside.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sides {
+    /// A skin turns the surface inside out. A player sees that of nodes, whose matrices it knows, but a skinned mesh stands at the root.
+    pub mirrored: bool,
+}
+
 /// One primitive a part of the mesh for its triangles, one for its lines.
 #[allow(clippy::too_many_arguments)]
 pub(super) fn primitives(
@@ -206,6 +215,7 @@ pub(super) fn primitives(
     bindings: &[Option<MaterialBinding>],
     attributes: &Attributes,
     targets: &[Value],
+    sides: Sides,
     materials: &mut Materials,
     buffer: &mut Buffer,
     losses: &mut Vec<Loss>,
@@ -217,7 +227,8 @@ pub(super) fn primitives(
         let material = bindings.get(number).and_then(Option::as_ref).and_then(|binding| materials.number(scene, binding, buffer, losses));
         let triangles = mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]);
         let lines = mesh.lines.get(part.lines.start as usize..part.lines.end as usize).unwrap_or(&[]);
-        let corners: Vec<u32> = triangles.iter().filter(|corners| corners.iter().all(good)).flatten().copied().collect();
+        let turn = |&[a, b, c]: &[u32; 3]| if sides.mirrored { [a, c, b] } else { [a, b, c] };
+        let corners: Vec<u32> = triangles.iter().filter(|corners| corners.iter().all(good)).flat_map(turn).collect();
         let ends: Vec<u32> = lines.iter().filter(|ends| ends.iter().all(good)).flatten().copied().collect();
         for (indices, mode) in [(corners, 4), (ends, 1)] {
             if indices.is_empty() || attributes.is_empty() {
