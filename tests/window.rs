@@ -78,6 +78,11 @@ fn ten_thousand_random_events_do_no_harm() {
     drive("monkey.py");
 }
 
+#[test]
+fn a_muscle_is_edited_saved_and_read_again() {
+    drive("drive_muscle.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {

@@ -78,6 +78,12 @@ commands! {
         Open = "open" ["<Control>o"],
         /// Read the open files again.
         Reload = "reload" ["F5"],
+        /// Save the muscles.
+        Save = "save" ["<Control>s"],
+        /// Save the muscles under another name.
+        SaveAs = "save-as" ["<Control><Shift>s"],
+        /// Back to what is saved.
+        Revert = "revert" [],
         /// The file before this one in its folder.
         PreviousFile = "previous-file" ["<Control>Page_Up"],
         /// The file after this one in its folder.

@@ -12,7 +12,7 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::error_bar::Trouble;
-use super::recent;
+use super::{recent, saving};
 use super::session::Arrival;
 use super::window::Window;
 use crate::collada::Progress;
@@ -32,6 +32,8 @@ pub struct Files {
     reading: RefCell<Option<Arc<Progress>>>,
     monitors: RefCell<Vec<gio::FileMonitor>>,
     changes: Rc<Cell<u32>>,
+    /// What this program wrote last, and where: no news.
+    written: RefCell<Option<(PathBuf, String)>>,
     failed: Cell<bool>,
 }
 
@@ -48,6 +50,17 @@ impl Files {
         }
     }
 
+    /// Says what was written to a file that may be watched.
+    pub fn wrote(&self, path: PathBuf, text: String) {
+        self.written.replace(Some((path, text)));
+    }
+
+    /// Whether a file holds what this program wrote there.
+    fn is_ours_still(&self, path: &Path) -> bool {
+        let written = self.written.borrow();
+        written.as_ref().is_some_and(|(ours, text)| ours == path && std::fs::read_to_string(path).is_ok_and(|now| now == *text))
+    }
+
     /// Whether there is a file that could not be opened.
     pub fn can_retry(&self) -> bool {
         self.failed.get()
@@ -59,6 +72,10 @@ pub fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     if paths.is_empty() {
         return;
     }
+    saving::ask_first(window, move |window| open_now(window, paths, arrival));
+}
+
+fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     window.files.stop();
     let progress = Arc::new(Progress::default());
     window.files.reading.replace(Some(progress.clone()));
@@ -172,10 +189,10 @@ fn what_changed(before: &Document, after: &Document) -> String {
 }
 
 /// Watches the files: when one is written again, all are read again.
-fn watch(window: &Rc<Window>, paths: &[PathBuf]) {
+pub fn watch(window: &Rc<Window>, paths: &[PathBuf]) {
     let make = |path: &PathBuf| {
         let monitor = gio::File::for_path(path).monitor_file(gio::FileMonitorFlags::WATCH_MOVES, gio::Cancellable::NONE).ok()?;
-        let weak = Rc::downgrade(window);
+        let (weak, path) = (Rc::downgrade(window), path.clone());
         monitor.connect_changed(move |_, _, _, event| {
             use gio::FileMonitorEvent as E;
             if !matches!(event, E::Changed | E::ChangesDoneHint | E::Created | E::Renamed | E::MovedIn) {
@@ -184,10 +201,11 @@ fn watch(window: &Rc<Window>, paths: &[PathBuf]) {
             let Some(window) = weak.upgrade() else { return };
             let number = window.files.changes.get().wrapping_add(1);
             window.files.changes.set(number);
-            let weak = weak.clone();
+            let (weak, path) = (weak.clone(), path.clone());
             glib::timeout_add_local_once(SETTLED, move || {
                 if let Some(window) = weak.upgrade()
                     && window.files.changes.get() == number
+                    && !window.files.is_ours_still(&path)
                 {
                     reload(&window);
                 }
@@ -205,6 +223,10 @@ pub fn reload(window: &Rc<Window>) {
 
 /// Closes the files; the start page comes up. With nothing open the window closes.
 pub fn close(window: &Rc<Window>) {
+    saving::ask_first(window, close_now);
+}
+
+fn close_now(window: &Rc<Window>) {
     if window.look(|session| session.is_empty()) && !window.files.is_loading() {
         window.widget.close();
         return;

@@ -17,6 +17,12 @@ pub fn number(value: f64, digits: usize) -> String {
     if value < 0.0 && !zero { format!("{MINUS}{text}") } else { text }
 }
 
+/// The number that a person typed, with a decimal point or comma and any minus; `None` where it is none.
+pub fn typed(text: &str) -> Option<f64> {
+    let plain: String = text.chars().filter(|c| !c.is_whitespace()).map(|c| if c == ',' { '.' } else if c == MINUS { '-' } else { c }).collect();
+    plain.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
 /// A number with a unit after a thin space.
 pub fn with_unit(value: f64, digits: usize, unit: &str) -> String {
     format!("{}{THIN}{unit}", number(value, digits))
@@ -68,6 +74,12 @@ fn superscript(power: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn typed_numbers_are_read() {
+        assert_eq!((typed("1,5"), typed(" −2.25 "), typed("1e3")), (Some(1.5), Some(-2.25), Some(1000.0)));
+        assert_eq!((typed("x"), typed(""), typed("inf"), typed("1.2.3")), (None, None, None, None));
+    }
 
     #[test]
     fn numbers_read_well() {

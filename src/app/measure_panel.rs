@@ -1,7 +1,8 @@
 //! The measure panel: length, moment arm and thickness against the elbow angle; a click on a plot sets the angle.
 
 use std::cell::{Cell, RefCell};
-use std::fmt::Write;
+use std::fmt::Write as _;
+use std::io::Write as _;
 use std::rc::Rc;
 
 use gtk::glib;
@@ -9,12 +10,15 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::canvas::Canvas;
+use super::error_bar::Trouble;
 use super::muscle_panel::Unit;
-use super::plot::Plot;
+use super::plot::{Plot, Series};
 use super::session::{Changes, Session};
 use super::ui;
 use super::window::{Window, part};
-use crate::muscle::Sample;
+use crate::export::atomic::write_whole;
+use crate::muscle::{Sample, published};
+use crate::render::Theme;
 use crate::scene::{Content, MuscleId};
 use crate::tr;
 
@@ -24,18 +28,22 @@ const SAMPLES: u32 = 90;
 /// A quantity: the key of its name, and how it is read from a sample.
 type Quantity = (&'static str, fn(&Sample) -> f64);
 
-const QUANTITIES: [Quantity; 3] = [
+const QUANTITIES: [Quantity; 5] = [
     ("app-measure-length", |sample| sample.solved.length),
     ("app-measure-arm", |sample| sample.moment_arm),
     ("app-measure-radius", |sample| sample.solved.radii.iter().copied().fold(0.0, f64::max)),
+    ("app-measure-section", |sample| std::f64::consts::PI * sample.solved.radii.iter().copied().fold(0.0, f64::max).powi(2)),
+    ("app-measure-error", |sample| sample.solved.volume_error),
 ];
+/// The quantity that there are published figures of.
+const PUBLISHED: usize = 1;
 
 /// The panel.
 pub struct MeasurePanel {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
-    plots: [(Canvas, Rc<RefCell<Plot>>); 3],
+    plots: [(Canvas, Rc<RefCell<Plot>>); 5],
     samples: RefCell<Vec<Sample>>,
     muscle: Cell<MuscleId>,
     stale: Cell<bool>,
@@ -108,6 +116,17 @@ impl MeasurePanel {
                 window.viewport.toast(&tr!("app-copied"), None);
             }
         ));
+        part::<gtk::Button>(&self.builder, "save").connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| save(&window)
+        ));
+        part::<gtk::CheckButton>(&self.builder, "published").connect_toggled(glib::clone!(
+            #[weak]
+            window,
+            move |_| window.act(Session::show_other_muscle)
+        ));
+        part::<gtk::Label>(&self.builder, "sources").set_text(&format!("{}\n{}", published::MURRAY_2000.source, published::ARM26.source));
         // Measuring waits until somebody looks.
         self.root.connect_map(glib::clone!(
             #[weak]
@@ -132,16 +151,20 @@ impl MeasurePanel {
                 self.stale.set(true);
             }
         }
+        if changes.any(Changes::EDIT | Changes::MUSCLE) {
+            self.stale.set(true);
+        }
         if !self.root.is_mapped() {
             return;
         }
         if self.stale.replace(false) {
             self.measure(session);
         }
-        if changes.any(Changes::DRIVE | Changes::DOCUMENT | Changes::MUSCLE | Changes::DISPLAY) {
+        if changes.any(Changes::DRIVE | Changes::DOCUMENT | Changes::MUSCLE | Changes::DISPLAY | Changes::EDIT) {
             for (canvas, plot) in &self.plots {
                 let mut plot = plot.borrow_mut();
                 (plot.cursor, plot.color) = (session.drive().flexion, session.display().palette.selected);
+                plot.published_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
                 canvas.queue_draw();
             }
         }
@@ -162,7 +185,20 @@ impl MeasurePanel {
             let mut plot = plot.borrow_mut();
             plot.across = tr!("app-measure-angle");
             plot.up = tr!(key, unit = unit.length.as_str());
+            plot.published.clear();
             plot.points = samples.iter().map(|sample| (sample.angle, read(sample))).collect();
+        }
+        if part::<gtk::CheckButton>(&self.builder, "published").is_active()
+            && let Some((_, plot)) = self.plots.get(PUBLISHED)
+        {
+            // Centimetres to the file's unit.
+            let scale = 0.01 / unit.metres;
+            plot.borrow_mut().published = [published::ARM26, published::MURRAY_2000]
+                .map(|series| Series {
+                    name: series.name.to_owned(),
+                    points: series.points.iter().map(|[angle, arm]| (*angle, arm * scale)).collect(),
+                })
+                .to_vec();
         }
         self.samples.replace(samples);
     }
@@ -171,6 +207,39 @@ impl MeasurePanel {
     pub fn samples(&self) -> Vec<Sample> {
         self.samples.borrow().clone()
     }
+}
+
+/// Asks where to and saves the table.
+fn save(window: &Rc<Window>) {
+    let text = csv(&window.measured());
+    let dialog = gtk::FileChooserNative::new(
+        Some(&tr!("app-measure-save")),
+        Some(&window.widget),
+        gtk::FileChooserAction::Save,
+        Some(&tr!("app-save")),
+        Some(&tr!("app-cancel")),
+    );
+    dialog.set_current_name("measure.csv");
+    let keep = RefCell::new(Some(dialog.clone()));
+    dialog.connect_response(glib::clone!(
+        #[weak]
+        window,
+        move |dialog, response| {
+            keep.take();
+            let Some(path) = dialog.file().and_then(|file| file.path()).filter(|_| response == gtk::ResponseType::Accept) else { return };
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            match write_whole(&path, |out| out.write_all(text.as_bytes())) {
+                Ok(()) => window.viewport.toast(&tr!("app-saved", file = name), Some(path)),
+                Err(error) => window.error_bar.show(Trouble {
+                    headline: tr!("app-unsaved", file = name),
+                    message: error.to_string(),
+                    details: path.display().to_string(),
+                    again: None,
+                }),
+            }
+        }
+    ));
+    dialog.show();
 }
 
 /// One row an angle, with decimal points; lengths in the file's unit.

@@ -55,6 +55,7 @@ fn item(command: Command) -> gio::MenuItem {
 fn main_menu() -> gio::Menu {
     use Command as C;
     let menu = gio::Menu::new();
+    section(&menu, &[C::Save, C::SaveAs, C::Revert]);
     section(&menu, &[C::Reload, C::PreviousFile, C::NextFile, C::Close]);
     section(&menu, &[C::Picture, C::PictureTransparent, C::CopyPicture]);
     let time = gio::Menu::new();

@@ -34,6 +34,7 @@ mod picture;
 mod plot;
 mod profile_view;
 mod recent;
+mod saving;
 mod scene_tree;
 pub mod session;
 pub mod settings;

@@ -5,15 +5,19 @@ use std::rc::Rc;
 
 use gtk::glib;
 use gtk::prelude::*;
+use gtk::{gdk, gio};
 use gtk4 as gtk;
 
 use super::node_table::NodeTable;
 use super::profile_view::{ProfileView, Shape};
 use super::session::{Changes, Session};
 use super::window::{Window, part};
+use super::session::Step;
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
-use crate::muscle::{Rig, Solved};
+use crate::muscle::ledger::{Ledger, Root};
+use crate::muscle::presets::{PRESETS, Preset};
+use crate::muscle::{Edit, EditError, LimitCause, MuscleSpec, Rig, Solved, Tendon};
 use crate::scene::{Content, MuscleId};
 use crate::tr;
 
@@ -28,15 +32,108 @@ pub struct MusclePanel {
     shown: Rc<Cell<u32>>,
     profile: ProfileView,
     nodes: NodeTable,
-    ledger: [gtk::Label; 7],
+    /// Rest length; length and radius of both tendons.
+    fields: [gtk::Entry; 5],
+    refused: gtk::Label,
+    ledger: [gtk::Label; 9],
     quadratic: [gtk::Label; 6],
     solved: RefCell<Solved>,
+}
+
+/// The entries of the shape, rest length first.
+const FIELDS: [&str; 5] = ["rest_length", "tendon_0_length", "tendon_0_radius", "tendon_1_length", "tendon_1_radius"];
+
+/// Changes muscles for the widgets, and shows in place why a change is not made.
+#[derive(Clone)]
+struct Editor {
+    window: std::rc::Weak<Window>,
+    shown: Rc<Cell<u32>>,
+    refused: gtk::Label,
+}
+
+impl Editor {
+    /// Makes a change; whether it was made.
+    fn edit(&self, edit: &Edit, step: Step) -> bool {
+        let id = MuscleId(self.shown.get());
+        self.tell(|session| session.edit_muscle(id, edit, step))
+    }
+
+    fn preset(&self, preset: Preset) {
+        let id = MuscleId(self.shown.get());
+        self.tell(|session| session.take_ready(id, preset));
+    }
+
+    fn tell(&self, change: impl FnOnce(&mut Session) -> Result<(), EditError>) -> bool {
+        let Some(window) = self.window.upgrade() else { return false };
+        let mut result = Ok(());
+        window.act(|session| result = change(session));
+        self.refused.set_visible(result.is_err());
+        if let Err(error) = &result {
+            self.refused.set_text(&error.to_string());
+        }
+        result.is_ok()
+    }
+
+    /// What muscle is shown says.
+    fn spec(&self) -> Option<MuscleSpec> {
+        let id = MuscleId(self.shown.get());
+        self.window.upgrade()?.look(|session| {
+            let (rig, index) = session.document().muscle(id)?;
+            rig.spec(index).cloned()
+        })
+    }
+
+    /// Takes what was typed into a field of the shape.
+    fn typed(&self, field: usize, entry: &gtk::Entry) {
+        let Some(spec) = self.spec() else { return };
+        if entry.text() == field_text(&spec, field) {
+            return entry.remove_css_class("error");
+        }
+        let value = format::typed(&entry.text()).unwrap_or(f64::NAN);
+        let tendon = |end: usize, change: &dyn Fn(&mut Tendon)| {
+            let mut tendon = spec.tendons[end];
+            change(&mut tendon);
+            // A tendon that gets its length first is as thick as the muscle's end.
+            if tendon.length > 0.0 && tendon.radius == 0.0 {
+                let radii = spec.profile.radii();
+                tendon.radius = 0.5 * if end == 0 { radii.first() } else { radii.last() }.copied().unwrap_or(0.0);
+            }
+            Edit::Tendon(end, tendon)
+        };
+        let edit = match field {
+            0 => Edit::RestLength(value),
+            1 => tendon(0, &|tendon| tendon.length = value),
+            2 => tendon(0, &|tendon| tendon.radius = value),
+            3 => tendon(1, &|tendon| tendon.length = value),
+            _ => tendon(1, &|tendon| tendon.radius = value),
+        };
+        if !self.edit(&edit, Step::New) {
+            return entry.add_css_class("error");
+        }
+        entry.remove_css_class("error");
+        if let Some(spec) = self.spec() {
+            entry.set_text(&field_text(&spec, field));
+        }
+    }
+}
+
+fn field_text(spec: &MuscleSpec, field: usize) -> String {
+    let value = match field {
+        0 => spec.profile.rest_length(),
+        1 => spec.tendons[0].length,
+        2 => spec.tendons[0].radius,
+        3 => spec.tendons[1].length,
+        _ => spec.tendons[1].radius,
+    };
+    format::number(value, 2)
 }
 
 /// A muscle's file unit, for numbers.
 pub struct Unit {
     /// The sign of a length.
     pub length: String,
+    /// Metres a unit.
+    pub metres: f64,
     volume: String,
     /// What a volume in cubed file units is multiplied by.
     volume_factor: f64,
@@ -55,13 +152,13 @@ impl Unit {
     fn of(metres: f64) -> Self {
         let near = |value: f64| (metres / value - 1.0).abs() < 1e-9;
         if near(0.001) {
-            Self { length: tr!("app-unit-mm"), volume: tr!("app-unit-cm3"), volume_factor: 1e-3 }
+            Self { metres, length: tr!("app-unit-mm"), volume: tr!("app-unit-cm3"), volume_factor: 1e-3 }
         } else if near(0.01) {
-            Self { length: tr!("app-unit-cm"), volume: tr!("app-unit-cm3"), volume_factor: 1.0 }
+            Self { metres, length: tr!("app-unit-cm"), volume: tr!("app-unit-cm3"), volume_factor: 1.0 }
         } else if near(1.0) {
-            Self { length: tr!("app-unit-m"), volume: tr!("app-unit-m3"), volume_factor: 1.0 }
+            Self { metres, length: tr!("app-unit-m"), volume: tr!("app-unit-m3"), volume_factor: 1.0 }
         } else {
-            Self { length: String::new(), volume: String::new(), volume_factor: 1.0 }
+            Self { metres, length: String::new(), volume: String::new(), volume_factor: 1.0 }
         }
     }
 }
@@ -74,7 +171,7 @@ impl MusclePanel {
         part::<gtk::Box>(&builder, "profile_slot").append(&profile.canvas);
         let ledger = rows(
             &part(&builder, "ledger"),
-            &["app-length", "app-rest-length", "app-shortening", "app-volume", "app-rest-volume", "app-volume-error", "app-delta"],
+            &["app-length", "app-rest-length", "app-shortening", "app-volume", "app-rest-volume", "app-volume-error", "app-delta", "app-ledger-arm", "app-ledger-thickest"],
         );
         let quadratic =
             rows(&part(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
@@ -89,6 +186,8 @@ impl MusclePanel {
             ledger,
             quadratic,
             solved: RefCell::default(),
+            fields: FIELDS.map(|id| part(&builder, id)),
+            refused: part(&builder, "refused"),
             builder,
         }
     }
@@ -105,6 +204,7 @@ impl MusclePanel {
             window,
             move |slider| window.act(|session| session.set_flexion(slider.value()))
         ));
+        self.connect_edits(&Editor { window: Rc::downgrade(window), shown: self.shown.clone(), refused: self.refused.clone() });
         let shown = self.shown.clone();
         self.which.connect_selected_notify(glib::clone!(
             #[weak]
@@ -115,6 +215,49 @@ impl MusclePanel {
                 }
             }
         ));
+    }
+
+    fn connect_edits(&self, editor: &Editor) {
+        let (delete, own) = (part::<gtk::Button>(&self.builder, "delete_node"), editor.clone());
+        let name_node = move |node: usize| delete.set_label(&tr!("app-node-delete-number", node = node + 1));
+        self.nodes.connect(move |edit| own.edit(&edit, Step::New), name_node);
+        let own = editor.clone();
+        self.profile.connect(move |edit, first| {
+            own.edit(&edit, if first { Step::New } else { Step::Same });
+        });
+        for (id, edit) in [("add_node", Edit::AddNode as fn(usize) -> Edit), ("delete_node", Edit::DeleteNode)] {
+            let (own, current) = (editor.clone(), self.nodes.at_hand());
+            part::<gtk::Button>(&self.builder, id).connect_clicked(move |_| {
+                own.edit(&edit(current()), Step::New);
+            });
+        }
+        for (field, entry) in self.fields.iter().enumerate() {
+            let own = editor.clone();
+            entry.connect_activate(move |entry| own.typed(field, entry));
+            let (own, focus, left) = (editor.clone(), gtk::EventControllerFocus::new(), entry.downgrade());
+            focus.connect_leave(move |_| {
+                if let Some(entry) = left.upgrade() {
+                    own.typed(field, &entry);
+                }
+            });
+            entry.add_controller(focus);
+        }
+        let own = editor.clone();
+        part::<gtk::ColorButton>(&self.builder, "colour").connect_color_set(move |button| {
+            let color = button.rgba();
+            let byte = |part: f32| (part * 255.0).round().clamp(0.0, 255.0) as u8;
+            own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), Step::New);
+        });
+        let (group, menu) = (gio::SimpleActionGroup::new(), gio::Menu::new());
+        for preset in PRESETS {
+            let (own, action) = (editor.clone(), gio::SimpleAction::new(preset.id, None));
+            action.connect_activate(move |_, _| own.preset(preset));
+            group.add_action(&action);
+            menu.append(Some(&preset.name()), Some(&format!("preset.{}", preset.id)));
+        }
+        let button: gtk::MenuButton = part(&self.builder, "presets");
+        button.insert_action_group("preset", Some(&group));
+        button.set_menu_model(Some(&menu));
     }
 
     /// Shows what changed.
@@ -134,7 +277,17 @@ impl MusclePanel {
         if changes.any(Changes::SELECTION) {
             self.show_selected(session);
         }
-        let moves = Changes::DOCUMENT | Changes::DRIVE | Changes::TIME | Changes::SELECTION | Changes::MUSCLE;
+        if changes.any(Changes::EDIT) && !changes.any(Changes::DOCUMENT) {
+            let range = session.document().driven_rig().and_then(|rig| rig.flexion_range());
+            if let Some(range) = range {
+                self.flexion.set_range(*range.start(), range.end().max(*range.start() + 1e-9));
+                self.flexion.set_value(session.drive().flexion);
+            }
+        }
+        if changes.any(Changes::HISTORY) {
+            self.refused.set_visible(false);
+        }
+        let moves = Changes::DOCUMENT | Changes::DRIVE | Changes::TIME | Changes::SELECTION | Changes::MUSCLE | Changes::EDIT;
         if changes.any(moves) && self.root.is_mapped() || changes.any(Changes::DOCUMENT | Changes::MUSCLE) {
             self.refresh_ledger(session, changes.any(Changes::DOCUMENT | Changes::SELECTION | Changes::MUSCLE));
         }
@@ -147,10 +300,13 @@ impl MusclePanel {
         let there = !names.is_empty();
         self.which.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
         self.which.set_visible(names.len() > 1);
-        self.shown.set(0);
+        let kept = if (self.shown.get() as usize) < names.len() { self.shown.get() } else { 0 };
+        self.shown.set(kept);
+        self.which.set_selected(if there { kept } else { gtk::INVALID_LIST_POSITION });
         part::<gtk::Label>(&self.builder, "none").set_visible(!there);
         part::<gtk::Widget>(&self.builder, "details").set_visible(there);
         part::<gtk::Widget>(&self.builder, "sliders").set_visible(there);
+        part::<gtk::Widget>(&self.builder, "choices").set_visible(there);
         let range = document.driven_rig().and_then(|rig| rig.flexion_range());
         self.flexion.set_sensitive(range.is_some());
         if let Some(range) = range {
@@ -175,7 +331,8 @@ impl MusclePanel {
         let Some((rig, index)) = document.muscle(id) else { return };
         let mut solved = self.solved.borrow_mut();
         rig.solve_into(index, drive, &frame.world, &mut solved);
-        let Some(profile) = rig.profile(index) else { return };
+        let (Some(spec), Some(ledger)) = (rig.spec(index), rig.ledger(index, &solved, &document.scene, &frame.world)) else { return };
+        let profile = &spec.profile;
         let unit = Unit::of_rig(document, rig);
         let length = |value: f64, digits| format::with_unit(value, digits, &unit.length);
         let volume = |value: f64| format::with_unit(value * unit.volume_factor, 3, &unit.volume);
@@ -187,6 +344,8 @@ impl MusclePanel {
             volume(profile.volume()),
             format::significant(solved.volume_error, 2),
             length(solved.delta, 4),
+            ledger.moment_arm.map_or_else(|| "–".into(), |arm| length(arm, 2)),
+            tr!("app-ledger-thickest-value", radius = length(ledger.largest_radius, 2), node = ledger.largest_node + 1),
         ];
         set_all(&self.ledger, &values);
         let [a, b, c] = solved.quadratic;
@@ -208,9 +367,38 @@ impl MusclePanel {
             now: solved.radii.clone(),
             length: solved.length,
             unit: unit.length.clone(),
+            growth: profile.growth().to_vec(),
         });
+        part::<gtk::Label>(&self.builder, "limits").set_text(&limits(&ledger, &unit.length));
+        part::<gtk::Label>(&self.builder, "root_why").set_text(&tr!(match ledger.taken {
+            Root::Larger => "app-root-larger",
+            Root::Smaller => "app-root-smaller",
+            Root::Double => "app-root-double",
+        }));
+        for (field, entry) in self.fields.iter().enumerate() {
+            let text = field_text(spec, field);
+            // What somebody is typing stays while something else changes.
+            if entry.text() != text && (anew || !entry.has_css_class("error")) && !entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN) {
+                entry.set_text(&text);
+                entry.remove_css_class("error");
+            }
+            part::<gtk::Label>(&self.builder, &format!("{}_unit", FIELDS[field])).set_text(&unit.length);
+        }
+        let [red, green, blue] = spec.color.unwrap_or([0xB8, 0x32, 0x2E]).map(|part| f32::from(part) / 255.0);
+        part::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
+}
+
+/// How short and how long the muscle can get, and what sets that.
+fn limits(ledger: &Ledger, unit: &str) -> String {
+    let cause = |cause: LimitCause| match cause {
+        LimitCause::Discriminant => tr!("app-limit-discriminant"),
+        LimitCause::Radius(node) => tr!("app-limit-radius", node = node + 1),
+        LimitCause::Reach => tr!("app-limit-reach"),
+    };
+    let [short, long] = ledger.limits.map(|limit| (format::with_unit(limit.length, 1, unit), cause(limit.cause)));
+    tr!("app-limits", short = short.0, short_cause = short.1, long = long.0, long_cause = long.1)
 }
 
 /// Labels on the left, values on the right, one row a key of the catalogue.

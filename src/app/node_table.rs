@@ -1,28 +1,45 @@
-//! The table of a muscle's nodes: radius at rest, growth, radius now.
+//! The table of a muscle's nodes: radius at rest and growth, which can be typed over, and the radius now.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::format;
-use crate::muscle::Profile;
+use super::window::part;
+use super::{format, ui};
+use crate::muscle::{Edit, Profile};
 use crate::tr;
 
-/// What the cells show.
+/// Hears of a change that was typed; answers whether it was taken.
+type Typed = Box<dyn Fn(Edit) -> bool>;
+/// Hears of the node that is at hand.
+type Chosen = Box<dyn Fn(usize)>;
+
+/// A cell on screen.
+struct Shown {
+    widget: gtk::Widget,
+    row: u32,
+    column: usize,
+    /// What it was given to show last.
+    shown: String,
+}
+
+/// What the cells show, and whom they tell.
 #[derive(Default)]
 struct Values {
-    columns: [Vec<f64>; 3],
-    /// Labels on screen with their row and column.
-    shown: Vec<(gtk::Label, u32, usize)>,
+    columns: RefCell<[Vec<f64>; 3]>,
+    cells: RefCell<Vec<Shown>>,
+    typed: RefCell<Option<Typed>>,
+    chosen: RefCell<Option<Chosen>>,
+    current: Cell<usize>,
 }
 
 /// The table.
 pub struct NodeTable {
     view: gtk::ColumnView,
-    values: Rc<RefCell<Values>>,
+    values: Rc<Values>,
     store: gio::ListStore,
 }
 
@@ -40,44 +57,62 @@ impl NodeTable {
         table
     }
 
+    /// Sets who hears of what is typed, and of the node at hand.
+    pub fn connect(&self, typed: impl Fn(Edit) -> bool + 'static, chosen: impl Fn(usize) + 'static) {
+        self.values.typed.replace(Some(Box::new(typed)));
+        self.values.chosen.replace(Some(Box::new(chosen)));
+    }
+
+    /// Tells the node at hand: the one whose cell was entered last.
+    pub fn at_hand(&self) -> impl Fn() -> usize + 'static {
+        let values = self.values.clone();
+        move || values.current.get()
+    }
+
     fn factory(&self, column: usize) -> gtk::SignalListItemFactory {
         let factory = gtk::SignalListItemFactory::new();
-        factory.connect_setup(|_, item| {
-            if let Some(item) = item.downcast_ref::<gtk::ListItem>() {
-                let label = gtk::Label::builder().xalign(1.0).hexpand(true).css_classes(["numeric"]).build();
-                item.set_child(Some(&label));
-            }
+        let values = Rc::downgrade(&self.values);
+        factory.connect_setup(move |_, item| {
+            let Some((item, values)) = item.downcast_ref::<gtk::ListItem>().zip(values.upgrade()) else { return };
+            item.set_child(Some(&values.cell(column)));
         });
-        let values = self.values.clone();
+        let values = Rc::downgrade(&self.values);
         factory.connect_bind(move |_, item| {
-            let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
-            if let Some(label) = item.child().and_downcast::<gtk::Label>() {
-                let row = item.position();
-                let mut values = values.borrow_mut();
-                label.set_text(&values.text(row, column));
-                values.shown.push((label, row, column));
+            let Some((item, values)) = item.downcast_ref::<gtk::ListItem>().zip(values.upgrade()) else { return };
+            if let Some(widget) = item.child() {
+                let (row, shown) = (item.position(), values.text(item.position(), column));
+                show(&widget, &shown);
+                values.cells.borrow_mut().push(Shown { widget, row, column, shown });
             }
         });
-        let values = self.values.clone();
+        let values = Rc::downgrade(&self.values);
         factory.connect_unbind(move |_, item| {
-            let label = item.downcast_ref::<gtk::ListItem>().and_then(gtk::ListItem::child).and_downcast::<gtk::Label>();
-            values.borrow_mut().shown.retain(|(shown, _, _)| Some(shown) != label.as_ref());
+            let Some((item, values)) = item.downcast_ref::<gtk::ListItem>().zip(values.upgrade()) else { return };
+            let widget = item.child();
+            values.cells.borrow_mut().retain(|cell| Some(&cell.widget) != widget.as_ref());
         });
         factory
     }
 
     /// Shows a muscle; `anew` where it is another one.
     pub fn show(&self, profile: &Profile, radii: &[f64], unit: &str, anew: bool) {
-        {
-            let mut values = self.values.borrow_mut();
-            values.columns = [profile.radii().to_vec(), profile.growth().to_vec(), radii.to_vec()];
-            for (label, row, column) in &values.shown {
-                label.set_text(&values.text(*row, *column));
+        self.values.columns.replace([profile.radii().to_vec(), profile.growth().to_vec(), radii.to_vec()]);
+        let mut cells = std::mem::take(&mut *self.values.cells.borrow_mut());
+        for cell in &mut cells {
+            let text = self.values.text(cell.row, cell.column);
+            // What somebody is typing stays, unless the value changed meanwhile.
+            if text != cell.shown {
+                show(&cell.widget, &text);
+                cell.shown = text;
             }
         }
+        self.values.cells.borrow_mut().extend(cells);
         if anew || self.store.n_items() as usize != radii.len() {
-            let items: Vec<_> = (0..radii.len() as u32).map(glib::BoxedAnyObject::new).collect();
-            self.store.splice(0, self.store.n_items(), &items);
+            if self.store.n_items() as usize != radii.len() {
+                let items: Vec<_> = (0..radii.len() as u32).map(glib::BoxedAnyObject::new).collect();
+                self.store.splice(0, self.store.n_items(), &items);
+            }
+            self.values.current.set(self.values.current.get().min(radii.len().saturating_sub(1)));
             let titles =
                 [tr!("app-node-number"), tr!("app-node-rest", unit = unit), tr!("app-node-growth"), tr!("app-node-now", unit = unit)];
             for (column, title) in self.view.columns().iter::<gtk::ColumnViewColumn>().flatten().zip(titles) {
@@ -87,13 +122,79 @@ impl NodeTable {
     }
 }
 
+fn show(widget: &gtk::Widget, text: &str) {
+    if let Some(entry) = widget.downcast_ref::<gtk::Entry>() {
+        entry.set_text(text);
+        entry.remove_css_class("error");
+    } else if let Some(label) = widget.downcast_ref::<gtk::Label>() {
+        label.set_text(text);
+    }
+}
+
 impl Values {
     fn text(&self, row: u32, column: usize) -> String {
-        match column.checked_sub(1).and_then(|column| self.columns.get(column)) {
+        match column.checked_sub(1).and_then(|column| self.columns.borrow().get(column).cloned()) {
             None => (row + 1).to_string(),
             Some(values) => {
                 values.get(row as usize).map_or_else(String::new, |value| format::number(*value, if column == 2 { 3 } else { 2 }))
             }
+        }
+    }
+
+    fn cell(self: &Rc<Self>, column: usize) -> gtk::Widget {
+        if column != 1 && column != 2 {
+            let label = gtk::Label::builder().xalign(1.0).hexpand(true).css_classes(["numeric"]).build();
+            return label.upcast();
+        }
+        let entry: gtk::Entry = part(&ui::builder(ui::NODE_CELL), if column == 1 { "radius" } else { "growth" });
+        let values = Rc::downgrade(self);
+        entry.connect_activate(move |entry| {
+            if let Some(values) = values.upgrade() {
+                values.commit(entry);
+            }
+        });
+        let focus = gtk::EventControllerFocus::new();
+        let (values, own) = (Rc::downgrade(self), entry.downgrade());
+        focus.connect_enter(move |_| {
+            let Some((values, entry)) = values.upgrade().zip(own.upgrade()) else { return };
+            let row = values.cells.borrow().iter().find(|cell| cell.widget == entry).map(|cell| cell.row as usize);
+            if let Some(row) = row {
+                values.current.set(row);
+                if let Some(chosen) = &*values.chosen.borrow() {
+                    chosen(row);
+                }
+            }
+        });
+        let (values, own) = (Rc::downgrade(self), entry.downgrade());
+        focus.connect_leave(move |_| {
+            if let Some((values, entry)) = values.upgrade().zip(own.upgrade()) {
+                values.commit(&entry);
+            }
+        });
+        entry.add_controller(focus);
+        entry.upcast()
+    }
+
+    /// Takes what was typed into a cell, if it is something else than what was shown.
+    fn commit(&self, entry: &gtk::Entry) {
+        let found = self.cells.borrow().iter().find(|cell| cell.widget == *entry).map(|cell| (cell.row, cell.column, cell.shown.clone()));
+        let Some((row, column, shown)) = found else { return };
+        let text = entry.text();
+        if text == shown {
+            return entry.remove_css_class("error");
+        }
+        let value = format::typed(&text).unwrap_or(f64::NAN);
+        let edit = if column == 1 { Edit::Radius(row as usize, value) } else { Edit::Growth(row as usize, value) };
+        let taken = self.typed.borrow().as_ref().is_some_and(|typed| typed(edit));
+        if taken {
+            // Where the value was rounded away, or is what it was, the cell shows it again as it is.
+            let text = self.text(row, column);
+            if entry.text() != text {
+                entry.set_text(&text);
+            }
+            entry.remove_css_class("error");
+        } else {
+            entry.add_css_class("error");
         }
     }
 }

@@ -11,7 +11,7 @@ use super::actions::Command;
 use super::session::{Preset, Session, Tool};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
-use super::{about, files, picture, theme};
+use super::{about, files, picture, saving, theme};
 use crate::render::{Samples, Shading};
 use crate::scene::View;
 
@@ -131,6 +131,8 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::Weights => session.selected().is_some() || session.display().weights.is_some(),
         C::ResetLight => session.light().is_some(),
         C::ResetModel => !session.model().is_identity(),
+        C::Save | C::SaveAs => session.document().muscle_count() > 0,
+        C::Revert => session.is_unsaved(),
         C::Reload | C::PreviousFile | C::NextFile => !session.files().is_empty() || window.files.can_retry(),
         C::Picture | C::PictureTransparent | C::CopyPicture => !session.is_empty(),
         _ => true,
@@ -163,6 +165,8 @@ pub fn perform(window: &Rc<Window>, command: Command) {
     match command {
         C::Open => files::choose(window),
         C::Reload => files::reload(window),
+        C::Save => saving::save(window, || ()),
+        C::SaveAs => saving::save_as(window),
         C::PreviousFile => files::neighbour(window, -1),
         C::NextFile => files::neighbour(window, 1),
         C::Close => files::close(window),
@@ -277,6 +281,7 @@ fn change_session(command: Command, session: &mut Session) {
         C::PresetSkeleton => session.take_preset(Preset::Skeleton),
         C::PresetInspection => session.take_preset(Preset::Inspection),
         C::PresetPrint => session.take_preset(Preset::Print),
+        C::Revert => session.revert(),
         C::Undo => session.undo(),
         C::Redo => session.redo(),
         C::BoneNames => session.set_bone_names(!session.bone_names()),

@@ -27,6 +27,19 @@ pub struct Plot {
     pub color: u32,
     /// Where the pointer is, logical pixels.
     pub pointer: Option<f64>,
+    /// What others published, drawn behind, in the units of the plot.
+    pub published: Vec<Series>,
+    /// Colour of that.
+    pub published_color: u32,
+}
+
+/// Published points: a dashed line through several, a dot for one.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Series {
+    /// What the legend calls it.
+    pub name: String,
+    /// The points, ascending in x.
+    pub points: Vec<(f64, f64)>,
 }
 
 impl Plot {
@@ -37,7 +50,8 @@ impl Plot {
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
         };
         let across = range(&mut self.points.iter().map(|point| point.0));
-        let (low, high) = range(&mut self.points.iter().map(|point| point.1));
+        let all = self.points.iter().chain(self.published.iter().flat_map(|series| &series.points));
+        let (low, high) = range(&mut all.map(|point| point.1));
         // A level line gets room above and below; any other one a little air.
         let air = if high - low > 1e-9 * high.abs().max(1e-9) { (high - low) * 0.08 } else { high.abs().max(1e-6) * 0.5 };
         (across, (low - air, high + air))
@@ -82,6 +96,7 @@ impl Plot {
             context.rectangle(x(*tick).round(), bottom.round(), 1.0, 4.0);
         }
         fill(&context);
+        self.paint_published(&context, &x, &y, right);
         set_color(&context, &text, 0.8);
         context.rectangle(x(self.cursor.clamp(from, to)).round(), TOP, 1.0, bottom - TOP);
         fill(&context);
@@ -107,6 +122,11 @@ impl Plot {
             fill(&context);
         }
         drop(context);
+        let names = self.published.iter().map(|series| format!("{} {}", if series.points.len() > 1 { "- -" } else { "○" }, series.name));
+        let grey = rgb(self.published_color);
+        for (row, name) in names.enumerate() {
+            write(canvas, snapshot, &name, LEFT + 8.0, TOP + 2.0 + 15.0 * row as f64, Align::Left, 0.8, &grey);
+        }
         let digits = digits_of(&up);
         for tick in &up {
             let label = format::number(*tick, digits);
@@ -120,6 +140,33 @@ impl Plot {
         if let Some(value) = value {
             let told = format!("{}°: {}", format::number(shown, 1), format::number(value, digits + 1));
             write(canvas, snapshot, &told, width - RIGHT - told.chars().count() as f64 * 6.2, 1.0, Align::Left, 0.8, &text);
+        }
+    }
+}
+
+impl Plot {
+    /// Published series: dashed where there are several points, with a dot each; the last one is larger and hollow, to be told from the others.
+    fn paint_published(&self, context: &Context, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64, right: f64) {
+        set_color(context, &rgb(self.published_color), 1.0);
+        context.set_line_width(1.5);
+        let inside = |px: f64| (LEFT - 0.5..=right + 0.5).contains(&px);
+        for series in &self.published {
+            let points: Vec<(f64, f64)> = series.points.iter().map(|(px, py)| (x(*px), y(*py))).filter(|point| inside(point.0)).collect();
+            context.set_dash(&[5.0, 4.0], 0.0);
+            for (px, py) in &points {
+                context.line_to(*px, *py);
+            }
+            let _ = context.stroke();
+            context.set_dash(&[], 0.0);
+            for (px, py) in &points {
+                context.new_sub_path();
+                context.arc(*px, *py, if points.len() > 1 { 2.5 } else { 4.5 }, 0.0, std::f64::consts::TAU);
+                if points.len() > 1 {
+                    fill(context);
+                } else {
+                    let _ = context.stroke();
+                }
+            }
         }
     }
 }

@@ -9,10 +9,13 @@ use gtk4 as gtk;
 
 use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
 use super::format;
+use crate::muscle::Edit;
 use crate::tr;
 
 /// Room round the shape, logical pixels.
 const INSET: f64 = 10.0;
+/// Growth that one pixel of a drag with Shift changes.
+const GROWTH_A_PIXEL: f64 = 0.01;
 /// Muscle red, in light and dark.
 const MUSCLE: u32 = 0xB8322E;
 
@@ -29,6 +32,20 @@ pub struct Shape {
     pub length: f64,
     /// The unit's sign.
     pub unit: String,
+    /// Growth multipliers.
+    pub growth: Vec<f64>,
+}
+
+/// A handle in the hand.
+#[derive(Debug, Clone, Copy)]
+struct Grip {
+    node: usize,
+    radius: f64,
+    growth: f64,
+    /// Pixels a unit, kept while dragging, so that the shape does not flee from the pointer.
+    scale: f64,
+    /// 1 above the axis, −1 below.
+    side: f64,
 }
 
 /// The drawing.
@@ -36,6 +53,7 @@ pub struct ProfileView {
     /// Where it is drawn.
     pub canvas: Canvas,
     shape: Rc<RefCell<Shape>>,
+    grip: Rc<Cell<Option<Grip>>>,
 }
 
 impl ProfileView {
@@ -45,8 +63,9 @@ impl ProfileView {
         canvas.set_hexpand(true);
         let shape = Rc::new(RefCell::new(Shape::default()));
         let pointer = Rc::new(Cell::new(None::<f64>));
-        let (painted, at) = (shape.clone(), pointer.clone());
-        canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height, at.get()));
+        let grip = Rc::new(Cell::new(None::<Grip>));
+        let (painted, at, held) = (shape.clone(), pointer.clone(), grip.clone());
+        canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height, at.get(), held.get()));
         let motion = gtk::EventControllerMotion::new();
         let (at, drawn) = (pointer.clone(), canvas.downgrade());
         motion.connect_motion(move |_, x, _| {
@@ -63,7 +82,39 @@ impl ProfileView {
             }
         });
         canvas.add_controller(motion);
-        Self { canvas, shape }
+        Self { canvas, shape, grip }
+    }
+
+    /// Lets handles be dragged: up and down for the radius, with Shift for the growth. The first change of a drag comes with `true`.
+    pub fn connect(&self, change: impl Fn(Edit, bool) + 'static) {
+        let drag = gtk::GestureDrag::new();
+        let (shape, grip, canvas) = (self.shape.clone(), self.grip.clone(), self.canvas.downgrade());
+        drag.connect_drag_begin(move |_, x, y| {
+            if let Some(canvas) = canvas.upgrade() {
+                grip.set(shape.borrow().grip(x, y, f64::from(canvas.width()), f64::from(canvas.height())));
+            }
+        });
+        let (grip, begun) = (self.grip.clone(), Rc::new(Cell::new(false)));
+        let first = begun.clone();
+        drag.connect_drag_update(move |gesture, _, dy| {
+            let Some(held) = grip.get() else { return };
+            let up = -dy * held.side;
+            let edit = if gesture.current_event_state().contains(gtk::gdk::ModifierType::SHIFT_MASK) {
+                Edit::Growth(held.node, held.growth + up * GROWTH_A_PIXEL)
+            } else {
+                Edit::Radius(held.node, held.radius + up / held.scale)
+            };
+            change(edit, !first.replace(true));
+        });
+        let (grip, canvas) = (self.grip.clone(), self.canvas.downgrade());
+        drag.connect_drag_end(move |_, _, _| {
+            begun.set(false);
+            grip.set(None);
+            if let Some(canvas) = canvas.upgrade() {
+                canvas.queue_draw();
+            }
+        });
+        self.canvas.add_controller(drag);
     }
 
     /// Shows a shape.
@@ -86,11 +137,24 @@ impl Shape {
         if scale.is_finite() && scale > 0.0 { scale } else { 1.0 }
     }
 
-    fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64, pointer: Option<f64>) {
+    /// The handle nearest to a place.
+    fn grip(&self, x: f64, y: f64, width: f64, height: f64) -> Option<Grip> {
+        let scale = self.scale(width, height);
+        let node = self.near(x, scale, width)?;
+        let side = if y > (height - 18.0) / 2.0 { -1.0 } else { 1.0 };
+        Some(Grip { node, radius: *self.rest.get(node)?, growth: *self.growth.get(node)?, scale, side })
+    }
+
+    fn near(&self, x: f64, scale: f64, width: f64) -> Option<usize> {
+        let places = places(self.now.len(), self.length, scale, width);
+        (0..self.now.len()).min_by(|a, b| (places(*a) - x).abs().total_cmp(&(places(*b) - x).abs()))
+    }
+
+    fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64, pointer: Option<f64>, grip: Option<Grip>) {
         if self.now.len() < 2 {
             return;
         }
-        let scale = self.scale(width, height);
+        let scale = grip.map_or_else(|| self.scale(width, height), |grip| grip.scale);
         let middle = (height - 18.0) / 2.0;
         let text = canvas.text_color();
         let context = cairo(snapshot, width, height);
@@ -104,11 +168,18 @@ impl Shape {
         let _ = context.stroke();
         context.set_dash(&[], 0.0);
         let places = places(self.now.len(), self.length, scale, width);
-        let near = pointer.and_then(|x| (0..self.now.len()).min_by(|a, b| (places(*a) - x).abs().total_cmp(&(places(*b) - x).abs())));
+        let near = grip.map(|grip| grip.node).or_else(|| pointer.and_then(|x| self.near(x, scale, width)));
         for (index, radius) in self.now.iter().enumerate() {
             set_color(&context, &rgb(0xFFFFFF), if near == Some(index) { 1.0 } else { 0.35 });
             context.rectangle(places(index).round(), middle - radius * scale, 1.0, 2.0 * radius * scale);
             let _ = context.fill();
+            for side in [-1.0, 1.0] {
+                set_color(&context, &rgb(if near == Some(index) { 0xFF7A59 } else { 0xFFFFFF }), 1.0);
+                context.arc(places(index), middle + side * radius * scale, if near == Some(index) { 4.5 } else { 3.0 }, 0.0, std::f64::consts::TAU);
+                let _ = context.fill_preserve();
+                set_color(&context, &rgb(0x5A1210), 1.0);
+                let _ = context.stroke();
+            }
         }
         drop(context);
         let caption = match near {
@@ -154,7 +225,7 @@ mod tests {
 
     #[test]
     fn both_shapes_fit_to_one_scale() {
-        let shape = Shape { rest: vec![5.0, 20.0, 5.0], rest_length: 200.0, now: vec![6.0, 30.0, 6.0], length: 120.0, unit: "mm".into() };
+        let shape = Shape { rest: vec![5.0, 20.0, 5.0], rest_length: 200.0, now: vec![6.0, 30.0, 6.0], length: 120.0, ..Shape::default() };
         let scale = shape.scale(300.0, 130.0);
         assert!((200.0 + 10.0) * scale <= 300.0 - 2.0 * INSET + 1e-9 && 60.0 * scale <= 96.0 + 1e-9);
         assert_eq!(Shape::default().scale(0.0, 0.0), 1.0);

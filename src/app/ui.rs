@@ -28,6 +28,7 @@ files! {
     DISPLAY_PANEL = "display_panel",
     MEASURE_PANEL = "measure_panel",
     HEALTH_PANEL = "health_panel",
+    NODE_CELL = "node_cell",
     TREE_EYE = "tree_eye",
     ERROR_BAR = "error_bar",
     START = "start",

@@ -25,7 +25,7 @@ use super::start::StartPage;
 use super::timeline::Timeline;
 use super::tree_rows::Row;
 use super::viewport::Viewport;
-use super::{files, format, keyboard, memory, menus, perform, theme, ui};
+use super::{files, format, keyboard, memory, menus, perform, saving, theme, ui};
 use crate::document::{Document, Missing};
 use crate::muscle::Sample;
 use crate::scene::NodeId;
@@ -166,6 +166,14 @@ impl Window {
             #[strong(rename_to = window)]
             self,
             move |_| {
+                if window.look(|session| session.is_unsaved()) {
+                    saving::ask_first(&window, |window| {
+                        window.remember();
+                        window.files.stop();
+                        window.widget.destroy();
+                    });
+                    return glib::Propagation::Stop;
+                }
                 window.remember();
                 window.files.stop();
                 glib::Propagation::Proceed
@@ -226,7 +234,7 @@ impl Window {
             if changes.any(Changes::DOCUMENT | Changes::SURROUNDINGS) {
                 self.start.root.set_visible(session.is_empty() && !self.files.is_loading());
             }
-            if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+            if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::EDIT) {
                 self.name(session);
             }
             if changes.any(Changes::HISTORY | Changes::DOCUMENT) {
@@ -310,6 +318,9 @@ impl Window {
         if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
             title = format!("{title} / {}", clip.name);
         }
+        if session.is_unsaved() {
+            title = format!("• {title}");
+        }
         let missing = session.document().missing();
         let lacks = |what| missing.contains(&what);
         let subtitle = if session.is_empty() || missing.is_empty() {
@@ -336,7 +347,7 @@ impl Window {
         let (back, forward) = session.step_names();
         for (id, command, step) in [("undo", Command::Undo, back), ("redo", Command::Redo, forward)] {
             let text = match step {
-                Some(step) => tr!("app-step", what = command.label(), step = tr!(step), key = command.key_label()),
+                Some(step) => tr!("app-step", what = command.label(), step = step, key = command.key_label()),
                 None => command.tooltip(),
             };
             part::<gtk::Button>(&self.builder, id).set_tooltip_text(Some(&text));

@@ -15,6 +15,6 @@ pub(super) fn document() -> Document {
     if add_muscles(&mut document, BICEPS.as_bytes(), &tr!("document-built-in"), Path::new("")).is_err() {
         document = Document::default();
     }
-    document.touch();
+    document.place_muscles();
     document
 }

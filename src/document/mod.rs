@@ -13,6 +13,7 @@ mod pose;
 mod reach;
 mod skin_kernel;
 mod skinning;
+mod workshop;
 
 pub use error::OpenError;
 pub use open::{Images, OpenOptions};
@@ -73,6 +74,8 @@ pub struct Document {
     pub clips: Vec<Clip>,
     /// All findings, by file and line.
     pub health: Vec<Finding>,
+    /// How much of the scene is not muscles'.
+    bare: workshop::Bare,
     /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
     revision: u64,
 }

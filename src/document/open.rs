@@ -7,8 +7,7 @@ use super::{Document, OpenError, Source, SourceKind, images, merge};
 use crate::collada::{self, Progress};
 use crate::health::Finding;
 use crate::limits;
-use crate::muscle::{MuscleFile, Rig};
-use crate::scene::MuscleId;
+use crate::muscle::MuscleFile;
 use crate::tr;
 
 /// What to do about the images that a file names.
@@ -47,8 +46,7 @@ impl Document {
             document.add_file(path.as_ref(), options, progress)?;
         }
         document.add_named_clips(options, progress);
-        document.attach_muscles();
-        document.touch();
+        document.place_muscles();
         Ok(document)
     }
 
@@ -77,15 +75,6 @@ impl Document {
                 finding.file = name;
                 self.health.push(finding);
             }
-        }
-    }
-
-    /// Attaches muscles to the bones that they name, now that all files are open.
-    fn attach_muscles(&mut self) {
-        for source in &mut self.sources {
-            let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
-            rig.attach_moving(&self.scene, &self.clips);
-            self.health.extend(rig.findings().iter().cloned().map(|finding| Finding { file: source.name.clone(), ..finding }));
         }
     }
 
@@ -121,7 +110,7 @@ impl Document {
     }
 }
 
-/// Adds a muscle file's nodes and muscles to the document.
+/// Adds a muscle file to the document; [`Document::place_muscles`] puts it into the scene.
 pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, path: &Path) -> Result<(), OpenError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let line = bytes.get(..error.valid_up_to()).map(|before| before.iter().filter(|byte| **byte == b'\n').count() as u32 + 1);
@@ -133,15 +122,11 @@ pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, pat
         column: error.column,
         message: error.message,
     })?;
-    let title = path.file_stem().map_or_else(|| name.to_owned(), |stem| stem.to_string_lossy().into_owned());
-    let first = MuscleId(document.muscle_count() as u32);
-    let rig = Rig::build(&file, &title, &mut document.scene, first);
-    let root = rig.root;
     document.sources.push(Source {
         name: name.to_owned(),
         path: real_path(path),
-        root,
-        kind: SourceKind::Muscles(Box::new(file), Box::new(rig)),
+        root: None,
+        kind: SourceKind::Muscles(Box::new(file), Box::default()),
     });
     Ok(())
 }

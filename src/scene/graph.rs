@@ -118,6 +118,14 @@ impl Graph {
         id
     }
 
+    /// Takes away the nodes from the one with number `count` on.
+    pub fn truncate(&mut self, count: usize) {
+        let stays = |id: &NodeId| id.index() < count;
+        self.nodes.truncate(count);
+        self.roots.retain(stays);
+        self.nodes.iter_mut().for_each(|node| node.children.retain(stays));
+    }
+
     /// Number of nodes.
     pub fn len(&self) -> usize {
         self.nodes.len()

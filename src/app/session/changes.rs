@@ -37,8 +37,10 @@ impl Changes {
     pub const MUSCLE: Self = Self(1 << 13);
     /// What surrounds the document: whether one is being read.
     pub const SURROUNDINGS: Self = Self(1 << 14);
+    /// The shape or the ends of a muscle, or whether that is saved.
+    pub const EDIT: Self = Self(1 << 15);
     /// Everything.
-    pub const ALL: Self = Self(0x7FFF);
+    pub const ALL: Self = Self(0xFFFF);
 
     /// What changes the picture.
     pub const PICTURE: Self = Self(
@@ -50,7 +52,8 @@ impl Changes {
             | Self::CAMERA.0
             | Self::LIGHT.0
             | Self::MODEL.0
-            | Self::HOVER.0,
+            | Self::HOVER.0
+            | Self::EDIT.0,
     );
 
     /// Whether any of `kinds` is among them.

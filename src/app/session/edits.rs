@@ -6,6 +6,7 @@ use super::history::Snapshot;
 use super::{Changes, Handles, ModelDrag, ModelTransform, Session, Tool};
 use crate::muscle::Drive;
 use crate::scene::NodeId;
+use crate::tr;
 
 impl Session {
     /// Elbow angle and contraction.
@@ -86,12 +87,17 @@ impl Session {
 
     /// Makes the present state a step that can be gone back to, with the catalogue's key for what is done now.
     pub fn remember_as(&mut self, what: &'static str) {
+        self.remember_named(tr!(what));
+    }
+
+    /// [`Session::remember_as`] with the words themselves.
+    pub fn remember_named(&mut self, what: String) {
         self.history.remember(self.snapshot(), what);
         self.changed(Changes::HISTORY);
     }
 
-    /// What undo and redo would take back and do again: keys of the catalogue.
-    pub fn step_names(&self) -> (Option<&'static str>, Option<&'static str>) {
+    /// What undo and redo would take back and do again, in the user's language.
+    pub fn step_names(&self) -> (Option<&str>, Option<&str>) {
         self.history.names()
     }
 
@@ -114,7 +120,7 @@ impl Session {
 
     fn snapshot(&self) -> Snapshot {
         let hidden = self.document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| id).collect();
-        Snapshot { model: self.model, light: self.light, hidden }
+        Snapshot { model: self.model, light: self.light, hidden, files: self.document.muscle_files().cloned().collect() }
     }
 
     fn restore(&mut self, step: Option<Snapshot>) {
@@ -123,6 +129,7 @@ impl Session {
                 self.changed(Changes::LIST);
             }
             (self.model, self.light) = (step.model, step.light);
+            self.put_muscle_files(&step.files);
             for index in 0..self.document.scene.graph.len() as u32 {
                 let id = NodeId(index);
                 self.document.scene.graph.node_mut(id).visible = step.hidden.binary_search(&id).is_err();

@@ -2,6 +2,7 @@
 
 use super::light::LightAim;
 use super::model::ModelTransform;
+use crate::muscle::MuscleFile;
 use crate::scene::NodeId;
 
 /// What an undo brings back.
@@ -13,12 +14,14 @@ pub struct Snapshot {
     pub light: Option<LightAim>,
     /// The nodes that are hidden, ascending.
     pub hidden: Vec<NodeId>,
+    /// What the muscle files say.
+    pub files: Vec<MuscleFile>,
 }
 
-/// A step: the catalogue's key for what it did, and how things were on its other side.
+/// A step: what it did, and how things were on its other side.
 #[derive(Debug)]
 struct Step {
-    what: &'static str,
+    what: String,
     other_side: Snapshot,
 }
 
@@ -33,8 +36,9 @@ impl History {
     /// Most steps that are kept.
     const DEPTH: usize = 200;
 
-    /// Remembers how things were before a change, and what is changed: a key of the catalogue.
-    pub fn remember(&mut self, before: Snapshot, what: &'static str) {
+    /// Remembers how things were before a change, and what is changed.
+    pub fn remember(&mut self, before: Snapshot, what: impl Into<String>) {
+        let what = what.into();
         match self.done.last_mut().filter(|step| step.other_side == before) {
             Some(step) => step.what = what,
             None => self.done.push(Step { what, other_side: before }),
@@ -59,9 +63,9 @@ impl History {
         Some(next.other_side)
     }
 
-    /// What the step back and the step forward did: keys of the catalogue.
-    pub fn names(&self) -> (Option<&'static str>, Option<&'static str>) {
-        (self.done.last().map(|step| step.what), self.undone.last().map(|step| step.what))
+    /// What the step back and the step forward did.
+    pub fn names(&self) -> (Option<&str>, Option<&str>) {
+        (self.done.last().map(|step| step.what.as_str()), self.undone.last().map(|step| step.what.as_str()))
     }
 
     /// Whether there is a step back.
@@ -80,7 +84,7 @@ mod tests {
     use super::*;
 
     fn scaled(scale: f64) -> Snapshot {
-        Snapshot { model: ModelTransform { scale, ..ModelTransform::default() }, light: None, hidden: Vec::new() }
+        Snapshot { model: ModelTransform { scale, ..ModelTransform::default() }, light: None, hidden: Vec::new(), files: Vec::new() }
     }
 
     #[test]

@@ -14,6 +14,7 @@ mod presets;
 mod sheet;
 mod time;
 mod tool;
+mod workshop;
 
 pub use changes::Changes;
 pub use eye::{Eye, FlyCamera, Viewpoint, file_cameras};
@@ -26,6 +27,7 @@ pub use presets::Preset;
 pub use sheet::{Graph, GraphKind, Line, Moved, SheetRow};
 pub use time::Mark;
 pub use tool::Tool;
+pub use workshop::Step;
 
 use std::cell::OnceCell;
 use std::path::PathBuf;
@@ -35,6 +37,7 @@ use history::History;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState};
+use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, NodeId, Scene, View};
 
@@ -68,6 +71,8 @@ pub struct Session {
     model: ModelTransform,
     tool: Tool,
     history: History,
+    /// What the muscle files said when they were read or saved last.
+    saved: Vec<MuscleFile>,
     aspect: f32,
     fit_on_resize: bool,
     frame: Frame,
@@ -103,6 +108,7 @@ impl Session {
             model: ModelTransform::default(),
             tool: Tool::default(),
             history: History::default(),
+            saved: Vec::new(),
             aspect: 1.5,
             fit_on_resize: true,
             frame: Frame::default(),
@@ -128,6 +134,7 @@ impl Session {
         (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
         self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
         self.history = History::default();
+        self.saved = self.document.muscle_files().cloned().collect();
         self.model = ModelTransform::default();
         self.stale = true;
         self.take_clip(self.state.clip);
@@ -172,7 +179,7 @@ impl Session {
 
     fn changed(&mut self, what: Changes) {
         self.changes |= what;
-        let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL;
+        let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT;
         self.stale |= what.any(moves);
     }
 

@@ -1,0 +1,147 @@
+//! Saving muscles, and asking before changes that are not saved would be lost.
+
+use std::cell::RefCell;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::error_bar::Trouble;
+use super::files;
+use super::window::Window;
+use crate::export::atomic::write_whole;
+use crate::tr;
+
+/// Saves the muscle files that changed, each over the file it came from; one that has none asks for a name. `then` runs once all are saved.
+pub fn save(window: &Rc<Window>, then: impl FnOnce() + 'static) {
+    let (unsaved, first) = window.look(|session| (session.unsaved_files(), session.document().muscle_file_path(0).map(Path::to_path_buf)));
+    // With nothing changed there is still something to save where no file has it yet.
+    let wanted = if unsaved.is_empty() && first.is_none() { vec![0] } else { unsaved };
+    save_each(window, wanted, Box::new(then));
+}
+
+fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()>) {
+    let Some(index) = wanted.pop() else { return then() };
+    let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
+    match path {
+        Some(path) => {
+            if write(window, index, path) {
+                save_each(window, wanted, then);
+            }
+        }
+        None => {
+            let again = window.clone();
+            choose(window, index, move || save_each(&again, wanted, then));
+        }
+    }
+}
+
+/// Asks where to and saves the first file that changed, else the first.
+pub fn save_as(window: &Rc<Window>) {
+    let index = window.look(|session| session.unsaved_files().first().copied().unwrap_or(0));
+    choose(window, index, || ());
+}
+
+fn choose(window: &Rc<Window>, index: usize, then: impl FnOnce() + 'static) {
+    let dialog = gtk::FileChooserNative::new(
+        Some(&tr!("app-save-title")),
+        Some(&window.widget),
+        gtk::FileChooserAction::Save,
+        Some(&tr!("app-save")),
+        Some(&tr!("app-cancel")),
+    );
+    let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
+    let name = path.as_deref().and_then(Path::file_name).map_or_else(|| "muscle.yaml".into(), |name| name.to_string_lossy().into_owned());
+    dialog.set_current_name(&name);
+    let folder = path.as_deref().and_then(Path::parent).map(Path::to_path_buf).or_else(|| window.settings.borrow().folder.clone());
+    if let Some(folder) = folder.filter(|folder| folder.is_dir()) {
+        // Where the folder cannot be shown, the dialog starts where it likes.
+        let _ = dialog.set_current_folder(Some(&gtk::gio::File::for_path(folder)));
+    }
+    let (keep, then) = (RefCell::new(Some(dialog.clone())), RefCell::new(Some(then)));
+    dialog.connect_response(glib::clone!(
+        #[weak]
+        window,
+        move |dialog, response| {
+            keep.take();
+            if let (gtk::ResponseType::Accept, Some(path)) = (response, dialog.file().and_then(|file| file.path()))
+                && write(&window, index, path)
+                && let Some(then) = then.take()
+            {
+                then();
+            }
+        }
+    ));
+    dialog.show();
+}
+
+/// Writes muscle file `index` whole or not at all, keeping the comments of the text that is there; says what came of it.
+fn write(window: &Rc<Window>, index: usize, path: PathBuf) -> bool {
+    let Some((file, source)) =
+        window.look(|session| Some((session.file_for(index, &path)?, session.document().muscle_file_path(index).map(Path::to_path_buf))))
+    else {
+        return false;
+    };
+    let original = source.and_then(|source| std::fs::read_to_string(source).ok()).unwrap_or_default();
+    let saved = file.to_yaml_keeping(&original);
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    window.files.wrote(path.clone(), saved.text.clone());
+    match write_whole(&path, |out| out.write_all(saved.text.as_bytes())) {
+        Ok(()) => {
+            window.error_bar.hide();
+            window.act(|session| session.was_saved(index, path.clone(), file));
+            files::watch(window, &window.look(|session| session.files()));
+            let key = if saved.comments_lost { "app-saved-without-comments" } else { "app-saved" };
+            window.viewport.toast(&tr!(key, file = name), Some(path));
+            true
+        }
+        Err(error) => {
+            window.error_bar.show(Trouble {
+                headline: tr!("app-unsaved", file = name),
+                message: error.to_string(),
+                details: path.display().to_string(),
+                again: None,
+            });
+            false
+        }
+    }
+}
+
+/// Does `then`; where something is not saved, asks first whether to save it, to let it go, or to stay.
+pub fn ask_first(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>) + 'static) {
+    if !window.look(|session| session.is_unsaved()) {
+        return then(window);
+    }
+    let dialog = gtk::MessageDialog::builder()
+        .transient_for(&window.widget)
+        .modal(true)
+        .message_type(gtk::MessageType::Question)
+        .text(tr!("app-ask-save"))
+        .secondary_text(tr!("app-ask-save-why"))
+        .build();
+    dialog.add_button(&tr!("app-ask-discard"), gtk::ResponseType::Reject);
+    dialog.add_button(&tr!("app-cancel"), gtk::ResponseType::Cancel);
+    dialog.add_button(&tr!("app-save"), gtk::ResponseType::Accept);
+    dialog.set_default_response(gtk::ResponseType::Accept);
+    let then = RefCell::new(Some(then));
+    dialog.connect_response(glib::clone!(
+        #[weak]
+        window,
+        move |dialog, response| {
+            dialog.destroy();
+            let Some(then) = then.take() else { return };
+            match response {
+                gtk::ResponseType::Accept => {
+                    let after = window.clone();
+                    save(&window, move || then(&after));
+                }
+                gtk::ResponseType::Reject => then(&window),
+                _ => {}
+            }
+        }
+    ));
+    dialog.present();
+}

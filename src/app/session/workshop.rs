@@ -1,0 +1,193 @@
+//! Muscles edited by hand: every change is checked, can be undone, and is known to be unsaved until it is written.
+
+use std::path::{Path, PathBuf};
+
+use super::{Changes, Session};
+use crate::document::SourceKind;
+use crate::muscle::presets::Preset;
+use crate::muscle::{Edit, EditError, MuscleFile};
+use crate::scene::MuscleId;
+use crate::tr;
+
+/// Whether a change begins a step of its own or goes on with the one that a drag began.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// A step that undo takes back alone.
+    New,
+    /// Goes on with the last one.
+    Same,
+}
+
+impl Session {
+    /// Changes muscle `id`.
+    ///
+    /// # Errors
+    /// [`EditError`] where the change would make no muscle; nothing is changed then.
+    pub fn edit_muscle(&mut self, id: MuscleId, edit: &Edit, step: Step) -> Result<(), EditError> {
+        let Some((place, index)) = self.document.file_of_muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
+        let Some(file) = files.get_mut(place) else { return Ok(()) };
+        let edited = file.edited(index, edit)?;
+        if edited != *file {
+            *file = edited;
+            self.change_files(&files, edit.label(), step);
+        }
+        Ok(())
+    }
+
+    /// Puts a ready muscle in place of muscle `id`: with its arm where the muscle lies on one or on nothing, else its shape alone.
+    ///
+    /// # Errors
+    /// [`EditError`] where it cannot be; nothing is changed then.
+    pub fn take_ready(&mut self, id: MuscleId, preset: Preset) -> Result<(), EditError> {
+        let Some((place, index)) = self.document.file_of_muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
+        let Some(file) = files.get_mut(place) else { return Ok(()) };
+        let ready = preset.file();
+        let whole = file.muscles.len() == 1 && (file.arm.is_some() || file.muscles.iter().all(|muscle| muscle.origin.is_none()));
+        if whole {
+            *file = ready;
+        } else if let Some(muscle) = ready.muscles.first() {
+            let scale = ready.unit_metres / file.unit_metres;
+            let radii: Vec<f64> = muscle.profile.radii().iter().map(|radius| radius * scale).collect();
+            // The length of the bones stays: it is they that the muscle must fit.
+            *file = file.edited(index, &Edit::Nodes(radii, muscle.profile.growth().to_vec()))?;
+        }
+        self.change_files(&files, preset.name(), Step::New);
+        Ok(())
+    }
+
+    /// Goes back to what was read or saved last; undo takes that back.
+    pub fn revert(&mut self) {
+        if self.is_unsaved() {
+            let files = self.saved.clone();
+            self.change_files(&files, tr!("app-do-revert"), Step::New);
+        }
+    }
+
+    fn change_files(&mut self, files: &[MuscleFile], label: String, step: Step) {
+        if step == Step::New {
+            self.remember_named(label);
+        }
+        self.put_muscle_files(files);
+    }
+
+    /// Puts other muscle files in place, keeping the pose.
+    pub(super) fn put_muscle_files(&mut self, files: &[MuscleFile]) {
+        if self.document.muscle_files().eq(files) {
+            return;
+        }
+        let before = (self.document.scene.graph.len(), self.document.muscle_count());
+        self.document.set_muscle_files(files);
+        if let Some(rig) = self.document.driven_rig() {
+            let drive = self.state.drive;
+            self.state.drive = if rig.flexion_range().is_some() { rig.at_flexion(drive.flexion) } else { rig.at_contraction(drive.contraction) };
+        }
+        let count = self.document.scene.graph.len();
+        for marked in [&mut self.display.selected, &mut self.display.hovered] {
+            *marked = marked.filter(|node| node.index() < count);
+        }
+        self.changed(Changes::EDIT | Changes::DRIVE | Changes::MUSCLE | Changes::HISTORY);
+        if before != (count, self.document.muscle_count()) {
+            self.changed(Changes::DOCUMENT | Changes::LIST);
+        }
+    }
+
+    /// Whether something of the muscles is not saved.
+    pub fn is_unsaved(&self) -> bool {
+        !self.document.muscle_files().eq(&self.saved)
+    }
+
+    /// The numbers of the muscle files that are not saved.
+    pub fn unsaved_files(&self) -> Vec<usize> {
+        let pairs = self.document.muscle_files().zip(&self.saved).enumerate();
+        pairs.filter(|(_, (now, saved))| now != saved).map(|(index, _)| index).collect()
+    }
+
+    /// Muscle file `index` as it is to be written to `target`: a clip that it names is named from there.
+    pub fn file_for(&self, index: usize, target: &Path) -> Option<MuscleFile> {
+        let mut file = self.document.muscle_files().nth(index)?.clone();
+        let on_clip = file.arm.is_none() && file.muscles.iter().any(|muscle| muscle.origin.is_some());
+        let mut clips = self.document.sources.iter().filter(|source| matches!(source.kind, SourceKind::Collada(_)));
+        let clip = clips.find_map(|source| source.path.as_deref()).filter(|_| file.clip.is_some() || on_clip);
+        if let Some(named) = clip.and_then(|clip| from_folder(target.parent()?, clip)) {
+            file.clip = Some(named);
+        }
+        Some(file)
+    }
+
+    /// Says that muscle file `index` was written to `path` as `file`.
+    pub fn was_saved(&mut self, index: usize, path: PathBuf, file: MuscleFile) {
+        let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
+        let before = files.clone();
+        if let (Some(now), Some(saved)) = (files.get_mut(index), self.saved.get_mut(index)) {
+            saved.clone_from(&file);
+            *now = file;
+        }
+        self.document.set_muscle_file_path(index, path);
+        if files != before {
+            self.put_muscle_files(&files);
+        }
+        self.changed(Changes::EDIT | Changes::HISTORY | Changes::PLAYBACK);
+    }
+}
+
+/// The way from a folder to a file, with slashes; `None` where one of them cannot be found.
+fn from_folder(folder: &Path, file: &Path) -> Option<String> {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let (folder, file) = (folder.canonicalize().ok()?, file.canonicalize().ok()?);
+    let common = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();
+    let up = folder.components().skip(common).map(|_| "..".to_owned());
+    let down = file.components().skip(common).map(|part| part.as_os_str().to_string_lossy().into_owned());
+    Some(up.chain(down).collect::<Vec<_>>().join("/"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Document;
+
+    #[test]
+    fn an_edit_is_unsaved_until_it_is_undone() {
+        let mut session = Session::new(Document::built_in());
+        let radius = |session: &Session| session.document().muscle_files().next().map(|file| file.muscles[0].profile.radii()[2]);
+        let before = radius(&session);
+        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.0), Step::New).unwrap();
+        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 34.0), Step::Same).unwrap();
+        assert!(session.is_unsaved() && radius(&session) == Some(34.0));
+        assert_eq!(session.step_names().0, Some(Edit::Radius(2, 0.0).label().as_str()));
+        let refused = session.edit_muscle(MuscleId(0), &Edit::Radius(2, -1.0), Step::New);
+        assert!(refused.is_err() && radius(&session) == Some(34.0));
+        session.undo();
+        assert!(!session.is_unsaved() && radius(&session) == before);
+        session.redo();
+        assert_eq!(radius(&session), Some(34.0));
+        session.revert();
+        assert_eq!((session.is_unsaved(), radius(&session)), (false, before));
+    }
+
+    #[test]
+    fn nodes_come_and_go_while_the_scene_stays() {
+        let mut session = Session::new(Document::built_in());
+        let nodes = session.document().scene.graph.len();
+        session.set_flexion(60.0);
+        session.edit_muscle(MuscleId(0), &Edit::AddNode(1), Step::New).unwrap();
+        assert_eq!((session.document().scene.graph.len(), session.drive().flexion), (nodes, 60.0));
+        assert!(!session.frame().bounds.is_empty());
+        for preset in crate::muscle::presets::PRESETS {
+            session.take_ready(MuscleId(0), preset).unwrap();
+            assert!(!session.frame().bounds.is_empty(), "{}", preset.id);
+        }
+    }
+
+    #[test]
+    fn a_clip_is_named_from_the_folder_of_the_muscle_file() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir_all(folder.path().join("a/b")).unwrap();
+        std::fs::create_dir_all(folder.path().join("c")).unwrap();
+        std::fs::write(folder.path().join("c/clip.dae"), "").unwrap();
+        let named = from_folder(&folder.path().join("a/b"), &folder.path().join("c/clip.dae"));
+        assert_eq!(named.as_deref(), Some("../../c/clip.dae"));
+        assert_eq!(from_folder(&folder.path().join("none"), Path::new("x")), None);
+    }
+}

@@ -1,0 +1,97 @@
+//! Muscle files in the scene, and their exchange while the scene is open.
+//!
+//! What belongs to muscles stands behind everything else in the scene's lists, so that an edit takes off the tail and builds it anew: ids of bones
+//! and meshes of a clip stay as they are.
+
+use std::path::{Path, PathBuf};
+
+use super::{Document, Source, SourceKind};
+use crate::health::Finding;
+use crate::muscle::{MuscleFile, Rig};
+use crate::scene::MuscleId;
+
+/// Lengths of the scene's lists without muscles.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Bare {
+    nodes: usize,
+    meshes: usize,
+    materials: usize,
+}
+
+impl Document {
+    /// Puts the muscles of all files into the scene, once everything else is there, and attaches them to the bones that they name.
+    pub(super) fn place_muscles(&mut self) {
+        let scene = &self.scene;
+        self.bare = Bare { nodes: scene.graph.len(), meshes: scene.meshes.len(), materials: scene.materials.len() };
+        self.build_muscles();
+    }
+
+    fn build_muscles(&mut self) {
+        let mut first = MuscleId(0);
+        for source in &mut self.sources {
+            let SourceKind::Muscles(file, rig) = &mut source.kind else { continue };
+            let title = match &source.path {
+                Some(path) => path.file_stem().map_or_else(|| source.name.clone(), |stem| stem.to_string_lossy().into_owned()),
+                None => source.name.clone(),
+            };
+            **rig = Rig::build(file, &title, &mut self.scene, first);
+            first.0 += rig.len() as u32;
+            source.root = rig.root;
+        }
+        for source in &mut self.sources {
+            let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
+            rig.attach_moving(&self.scene, &self.clips);
+            self.health.retain(|finding| finding.file != source.name || !finding.code.starts_with("muscle-"));
+            self.health.extend(rig.findings().iter().cloned().map(|finding| Finding { file: source.name.clone(), ..finding }));
+        }
+        self.touch();
+    }
+
+    /// The muscle files, in the order of their sources.
+    pub fn muscle_files(&self) -> impl Iterator<Item = &MuscleFile> {
+        self.sources.iter().filter_map(|source| match &source.kind {
+            SourceKind::Muscles(file, _) => Some(&**file),
+            SourceKind::Collada(_) => None,
+        })
+    }
+
+    /// The number of the file among [`Document::muscle_files`] that muscle `id` is in, and its place there.
+    pub fn file_of_muscle(&self, id: MuscleId) -> Option<(usize, usize)> {
+        self.rigs().enumerate().find_map(|(file, (rig, first))| {
+            let index = id.0.checked_sub(first.0)? as usize;
+            (index < rig.len()).then_some((file, index))
+        })
+    }
+
+    /// Puts other muscle files in place of those that are there, in the same order, and builds their muscles anew. Nodes of other files keep their ids.
+    pub fn set_muscle_files(&mut self, files: &[MuscleFile]) {
+        for (source, new) in self.muscle_sources_mut().zip(files) {
+            if let SourceKind::Muscles(file, _) = &mut source.kind {
+                file.as_mut().clone_from(new);
+            }
+        }
+        self.scene.graph.truncate(self.bare.nodes);
+        self.scene.meshes.truncate(self.bare.meshes);
+        self.scene.materials.truncate(self.bare.materials);
+        self.build_muscles();
+    }
+
+    /// Where muscle file `index` is kept; `None` for one that was never saved.
+    pub fn muscle_file_path(&self, index: usize) -> Option<&Path> {
+        let mut sources = self.sources.iter().filter(|source| matches!(source.kind, SourceKind::Muscles(..)));
+        sources.nth(index)?.path.as_deref()
+    }
+
+    /// Says that muscle file `index` is kept at `path` from now on.
+    pub fn set_muscle_file_path(&mut self, index: usize, path: PathBuf) {
+        let name = path.display().to_string();
+        let Some(source) = self.muscle_sources_mut().nth(index) else { return };
+        let before = std::mem::replace(&mut source.name, name.clone());
+        source.path = Some(path);
+        self.health.iter_mut().filter(|finding| finding.file == before).for_each(|finding| finding.file.clone_from(&name));
+    }
+
+    fn muscle_sources_mut(&mut self) -> impl Iterator<Item = &mut Source> {
+        self.sources.iter_mut().filter(|source| matches!(source.kind, SourceKind::Muscles(..)))
+    }
+}
