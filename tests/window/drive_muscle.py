@@ -12,14 +12,14 @@ def named(window, name):
 
 
 def text(node):
-    return Atspi.Text.get_text(node, 0, -1)
+    return Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node))
 
 
 def enter(node, what):
     box = node.get_extents(Atspi.CoordType.WINDOW)
     run("xdotool", "mousemove", box.x + box.width // 2, box.y + box.height // 2, "click", 1)
     run("xdotool", "key", "ctrl+a")
-    run("xdotool", "type", what)
+    run("xdotool", "type", "--", what)
     run("xdotool", "key", "Return")
 
 
