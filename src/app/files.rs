@@ -12,9 +12,9 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::error_bar::Trouble;
-use super::{recent, saving};
 use super::session::Arrival;
 use super::window::Window;
+use super::{recent, saving};
 use crate::collada::Progress;
 use crate::document::{Document, OpenError};
 use crate::tr;

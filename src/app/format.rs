@@ -19,7 +19,19 @@ pub fn number(value: f64, digits: usize) -> String {
 
 /// The number that a person typed, with a decimal point or comma and any minus; `None` where it is none.
 pub fn typed(text: &str) -> Option<f64> {
-    let plain: String = text.chars().filter(|c| !c.is_whitespace()).map(|c| if c == ',' { '.' } else if c == MINUS { '-' } else { c }).collect();
+    let plain: String = text
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .map(|c| {
+            if c == ',' {
+                '.'
+            } else if c == MINUS {
+                '-'
+            } else {
+                c
+            }
+        })
+        .collect();
     plain.parse().ok().filter(|value: &f64| value.is_finite())
 }
 

@@ -10,9 +10,9 @@ use gtk4 as gtk;
 
 use super::node_table::NodeTable;
 use super::profile_view::{ProfileView, Shape};
+use super::session::Step;
 use super::session::{Changes, Session};
 use super::window::{Window, part};
-use super::session::Step;
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
 use crate::muscle::ledger::{Ledger, Root};
@@ -171,7 +171,17 @@ impl MusclePanel {
         part::<gtk::Box>(&builder, "profile_slot").append(&profile.canvas);
         let ledger = rows(
             &part(&builder, "ledger"),
-            &["app-length", "app-rest-length", "app-shortening", "app-volume", "app-rest-volume", "app-volume-error", "app-delta", "app-ledger-arm", "app-ledger-thickest"],
+            &[
+                "app-length",
+                "app-rest-length",
+                "app-shortening",
+                "app-volume",
+                "app-rest-volume",
+                "app-volume-error",
+                "app-delta",
+                "app-ledger-arm",
+                "app-ledger-thickest",
+            ],
         );
         let quadratic =
             rows(&part(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
@@ -378,7 +388,10 @@ impl MusclePanel {
         for (field, entry) in self.fields.iter().enumerate() {
             let text = field_text(spec, field);
             // What somebody is typing stays while something else changes.
-            if entry.text() != text && (anew || !entry.has_css_class("error")) && !entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN) {
+            if entry.text() != text
+                && (anew || !entry.has_css_class("error"))
+                && !entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN)
+            {
                 entry.set_text(&text);
                 entry.remove_css_class("error");
             }

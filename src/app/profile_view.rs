@@ -65,7 +65,9 @@ impl ProfileView {
         let pointer = Rc::new(Cell::new(None::<f64>));
         let grip = Rc::new(Cell::new(None::<Grip>));
         let (painted, at, held) = (shape.clone(), pointer.clone(), grip.clone());
-        canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height, at.get(), held.get()));
+        canvas.set_painter(move |canvas, snapshot, width, height| {
+            painted.borrow().paint(canvas, snapshot, width, height, at.get(), held.get())
+        });
         let motion = gtk::EventControllerMotion::new();
         let (at, drawn) = (pointer.clone(), canvas.downgrade());
         motion.connect_motion(move |_, x, _| {
@@ -175,7 +177,13 @@ impl Shape {
             let _ = context.fill();
             for side in [-1.0, 1.0] {
                 set_color(&context, &rgb(if near == Some(index) { 0xFF7A59 } else { 0xFFFFFF }), 1.0);
-                context.arc(places(index), middle + side * radius * scale, if near == Some(index) { 4.5 } else { 3.0 }, 0.0, std::f64::consts::TAU);
+                context.arc(
+                    places(index),
+                    middle + side * radius * scale,
+                    if near == Some(index) { 4.5 } else { 3.0 },
+                    0.0,
+                    std::f64::consts::TAU,
+                );
                 let _ = context.fill_preserve();
                 set_color(&context, &rgb(0x5A1210), 1.0);
                 let _ = context.stroke();

@@ -81,7 +81,8 @@ impl Session {
         self.document.set_muscle_files(files);
         if let Some(rig) = self.document.driven_rig() {
             let drive = self.state.drive;
-            self.state.drive = if rig.flexion_range().is_some() { rig.at_flexion(drive.flexion) } else { rig.at_contraction(drive.contraction) };
+            self.state.drive =
+                if rig.flexion_range().is_some() { rig.at_flexion(drive.flexion) } else { rig.at_contraction(drive.contraction) };
         }
         let count = self.document.scene.graph.len();
         for marked in [&mut self.display.selected, &mut self.display.hovered] {
