@@ -9,8 +9,9 @@ ID := io.github.sinew.Sinew
 BINARY := target/release/sinew
 SHARE = $(DESTDIR)$(PREFIX)/share
 ICONS = $(SHARE)/icons/hicolor
+COMPLETIONS = "$(SHARE)/bash-completion/completions/sinew" "$(SHARE)/zsh/site-functions/_sinew" "$(SHARE)/fish/vendor_completions.d/sinew.fish"
 
-.PHONY: run build test monkey bench fuzz install uninstall clean refresh clips
+.PHONY: run build test monkey bench fuzz install uninstall deb clean refresh clips
 
 # The window starts with this biceps; without a display it is drawn instead.
 START := configs/biceps-measured.yaml
@@ -80,14 +81,25 @@ install:
 	install -Dm644 resources/$(ID)-mime.xml "$(SHARE)/mime/packages/$(ID).xml"
 	install -Dm644 resources/sinew.thumbnailer "$(SHARE)/thumbnailers/sinew.thumbnailer"
 	install -Dm644 resources/sinew.1 "$(SHARE)/man/man1/sinew.1"
+	@# An interface of the user's own language would be no use to others: completions are installed in English.
+	install -d "$(SHARE)/bash-completion/completions" "$(SHARE)/zsh/site-functions" "$(SHARE)/fish/vendor_completions.d"
+	LC_ALL=C.UTF-8 $(BINARY) completions bash > $(word 1,$(COMPLETIONS))
+	LC_ALL=C.UTF-8 $(BINARY) completions zsh > $(word 2,$(COMPLETIONS))
+	LC_ALL=C.UTF-8 $(BINARY) completions fish > $(word 3,$(COMPLETIONS))
 	@$(MAKE) --no-print-directory refresh
 
 uninstall:
 	rm -f "$(DESTDIR)$(PREFIX)/bin/sinew" "$(DESTDIR)$(PREFIX)/bin/sinew-window" \
 	    "$(ICONS)/scalable/apps/$(ID).svg" "$(ICONS)/symbolic/apps/$(ID)-symbolic.svg" \
 	    "$(SHARE)/applications/$(ID).desktop" "$(SHARE)/metainfo/$(ID).metainfo.xml" \
-	    "$(SHARE)/mime/packages/$(ID).xml" "$(SHARE)/thumbnailers/sinew.thumbnailer" "$(SHARE)/man/man1/sinew.1"
+	    "$(SHARE)/mime/packages/$(ID).xml" "$(SHARE)/thumbnailers/sinew.thumbnailer" "$(SHARE)/man/man1/sinew.1" $(COMPLETIONS)
 	@$(MAKE) --no-print-directory refresh
+
+# A Debian package in out/, from what is built.
+deb: build
+	rm -rf out/deb
+	$(MAKE) --no-print-directory install DESTDIR="$(CURDIR)/out/deb/root" PREFIX=/usr
+	resources/deb.sh out/deb
 
 # The desktop's caches; a package (DESTDIR) leaves them to its own installer.
 refresh:

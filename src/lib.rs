@@ -14,8 +14,9 @@
 //! | [`collada`] | the reader of `.dae` and `.zae` | `scene`, `animation` |
 //! | [`render`] | the rasterizer | `scene` |
 //! | [`document`] | any file to a [`document::Document`]; `Document::pose` makes a frame | all of the above but `render` |
-//! | [`export`] | PNG, GIF, OBJ of frames; glTF of whole documents | `scene`, `render`, `document` |
-//! | [`cli`] | one file a subcommand | `document`, `render`, `export` |
+//! | [`export`] | pictures, films and surfaces as files; glTF of whole documents | `scene`, `render`, `document` |
+//! | [`film`] | pictures in a row: what moves, and how it becomes files | `document`, `render`, `export` |
+//! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `film` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
 //!
 //! There is one way to make a picture: [`document::Document::pose`] fills a [`scene::Frame`], and
@@ -28,6 +29,7 @@ pub mod cli;
 pub mod collada;
 pub mod document;
 pub mod export;
+pub mod film;
 pub mod health;
 pub mod i18n;
 pub mod limits;

@@ -4,7 +4,7 @@ mod support;
 
 use support::{sinew, sinew_ru};
 
-const COMMANDS: [&str; 8] = ["info", "check", "render", "export", "measure", "fit", "bench", "help"];
+const COMMANDS: [&str; 10] = ["info", "check", "render", "export", "convert", "measure", "fit", "bench", "completions", "help"];
 
 #[test]
 fn every_page_is_there_in_both_languages() {
@@ -55,6 +55,10 @@ fn help_names_every_option_of_the_contract() {
     );
     options("render", &["--wireframe", "--no-materials", "--no-normals", "--background", "--turntable", "--threads", "--stats"]);
     options("export", &moment);
+    options("render", &["--scale", "--duration", "--sweep-angle", "--sweep-contraction", "--grid", "--axes", "--bounding-box"]);
+    for command in ["render", "export"] {
+        options(command, &["--force", "-q", "--quiet", "-v", "--verbose"]);
+    }
     options("measure", &["--angles", "--sweep", "--compare", "--csv", "--json"]);
 }
 
@@ -74,7 +78,7 @@ const WRONG: &[(&[&str], &str)] = &[
     (&["info", "a.dae", "--json", "--json"], "--json"),
     (&["render", "a.dae", "-o", "a.bmp"], "a.bmp"),
     (&["render", "a.dae", "-o", "a"], ".png"),
-    (&["export", "a.dae", "-o", "a.stl"], ".obj"),
+    (&["export", "a.dae", "-o", "a.fbx"], ".obj"),
     (&["render", "a.dae", "-o", "a.png", "--size", "0x0"], "0x0"),
     (&["render", "a.dae", "-o", "a.png", "--size", "1000000x1000000"], "16384"),
     (&["render", "a.dae", "-o", "a.png", "--size", "640"], "640"),

@@ -32,7 +32,8 @@ pub fn command() -> Command {
     )
     .arg(help_flag())
     .subcommands(
-        [info(), check(), render(), export(), convert(), measure(), fit(), bench(), help()].map(|command| command.arg(help_flag())),
+        [info(), check(), render(), export(), convert(), measure(), fit(), bench(), completions(), help()]
+            .map(|command| command.args([quiet(), verbose(), help_flag()])),
     )
 }
 
@@ -70,18 +71,31 @@ fn render() -> Command {
             ("sinew render walk.dae -o walk.gif --size 480x480 --fps 20", "cli-example-render-gif"),
             ("sinew render walk.dae -o frame-%04d.png --from 0 --to 2 --fps 30", "cli-example-render-sequence"),
             ("sinew render biceps.yaml -o turn.gif --angle 90 --turntable", "cli-example-render-turntable"),
+            ("sinew render biceps.yaml -o bend.mp4 --sweep-angle 0:130 --duration 3", "cli-example-render-sweep"),
         ],
     )
     .arg(files("cli-arg-render-files").num_args(1..).required(true))
     .arg(output("cli-arg-render-output"))
     .arg(option("size", "WxH", values::size, "cli-arg-size", "cli-heading-output"))
+    .arg(number("scale", "K", values::number_within(0.1, 16.0), "cli-arg-scale", "cli-heading-output"))
     .arg(choice("samples", &["1", "4"], "cli-arg-samples", "cli-heading-output"))
     .arg(option("background", "COLOUR", values::backdrop, "cli-arg-background", "cli-heading-output"))
     .arg(option("threads", "N", values::threads, "cli-arg-threads", "cli-heading-output"))
     .arg(flag("stats", "cli-arg-stats", "cli-heading-output"))
+    .arg(flag("force", "cli-arg-force", "cli-heading-output"))
     .args(moment())
     .arg(number("from", "S", values::number, "cli-arg-from", "cli-heading-moment").conflicts_with("time"))
     .arg(number("to", "S", values::number, "cli-arg-to", "cli-heading-moment").conflicts_with("time"))
+    .arg(number("duration", "S", values::number_within(0.0, 1e6), "cli-arg-duration", "cli-heading-moment").conflicts_with("to"))
+    .arg(
+        option("sweep-angle", "FROM:TO", values::span(-360.0, 360.0), "cli-arg-sweep-angle", "cli-heading-moment")
+            .allow_hyphen_values(true)
+            .conflicts_with_all(["angle", "contraction", "sweep-contraction", "from", "to"]),
+    )
+    .arg(
+        option("sweep-contraction", "FROM:TO", values::span(0.0, 100.0), "cli-arg-sweep-contraction", "cli-heading-moment")
+            .conflicts_with_all(["angle", "contraction", "from", "to"]),
+    )
     .arg(number("fps", "N", values::number_within(0.01, 1000.0), "cli-arg-fps", "cli-heading-moment"))
     .arg(choice("camera", &["orbit", "front", "right", "top", "iso"], "cli-arg-camera", view))
     .arg(number("yaw", "DEG", values::number, "cli-arg-yaw", view))
@@ -92,6 +106,9 @@ fn render() -> Command {
     .arg(choice("shading", &["flat", "gouraud", "phong"], "cli-arg-shading", look))
     .arg(flag("bones", "cli-arg-bones", look))
     .arg(flag("wireframe", "cli-arg-wireframe", look))
+    .arg(flag("grid", "cli-arg-grid", look))
+    .arg(flag("axes", "cli-arg-axes", look))
+    .arg(flag("bounding-box", "cli-arg-bounding-box", look))
     .arg(flag("no-materials", "cli-arg-no-materials", look))
     .arg(flag("no-normals", "cli-arg-no-normals", look))
 }
@@ -103,11 +120,12 @@ fn export() -> Command {
         "sinew export FILE -o OUT.obj [OPTIONS]",
         &[
             ("sinew export walk.dae -o walk.obj --time 1.5", "cli-example-export"),
-            ("sinew export biceps.yaml -o biceps.obj --angle 90", "cli-example-export-muscle"),
+            ("sinew export biceps.yaml -o biceps.stl --angle 90", "cli-example-export-muscle"),
         ],
     )
     .arg(file())
     .arg(output("cli-arg-export-output"))
+    .arg(flag("force", "cli-arg-force", "cli-heading-output"))
     .args(moment())
 }
 
@@ -131,6 +149,7 @@ fn convert() -> Command {
             .help(tr!("cli-arg-convert-output"))
             .help_heading(tr!("cli-heading-arguments")),
     )
+    .arg(flag("force", "cli-arg-force", "cli-heading-options"))
 }
 
 fn measure() -> Command {
@@ -172,6 +191,7 @@ fn fit() -> Command {
     .arg(output("cli-arg-fit-output"))
     .arg(option("like", "FILE", clap::value_parser!(PathBuf), "cli-arg-like", heading).value_hint(clap::ValueHint::FilePath))
     .arg(choice("model", &["growth", "poses"], "cli-arg-model", heading))
+    .arg(flag("force", "cli-arg-force", heading))
     .arg(flag("json", "cli-arg-json", heading))
 }
 
@@ -186,6 +206,24 @@ fn bench() -> Command {
     .arg(option("threads", "N", values::threads, "cli-arg-bench-threads", heading))
     .arg(number("seconds", "S", values::number_within(0.01, 60.0), "cli-arg-seconds", heading))
     .arg(flag("json", "cli-arg-json", heading))
+}
+
+fn completions() -> Command {
+    page(
+        "completions",
+        "cli-about-completions",
+        "sinew completions SHELL",
+        &[("sinew completions bash > ~/.local/share/bash-completion/completions/sinew", "cli-example-completions")],
+    )
+    .arg(
+        Arg::new("shell")
+            .value_name("bash|zsh|fish")
+            .required(true)
+            .value_parser(PossibleValuesParser::new(["bash", "zsh", "fish"]))
+            .hide_possible_values(true)
+            .help(tr!("cli-arg-shell"))
+            .help_heading(tr!("cli-heading-arguments")),
+    )
 }
 
 fn help() -> Command {
@@ -214,6 +252,16 @@ fn page(name: &'static str, about: &str, usage: &'static str, examples: &[(&str,
 /// `--help`, the last of the options on a page.
 fn help_flag() -> Arg {
     Arg::new("help").short('h').long("help").action(ArgAction::Help).help(tr!("cli-arg-help")).help_heading(tr!("cli-heading-options"))
+}
+
+/// `--quiet`, on every page.
+fn quiet() -> Arg {
+    flag("quiet", "cli-arg-quiet", "cli-heading-options").short('q').conflicts_with("verbose")
+}
+
+/// `--verbose`, on every page.
+fn verbose() -> Arg {
+    flag("verbose", "cli-arg-verbose", "cli-heading-options").short('v')
 }
 
 /// The options that choose a moment, shared by `render` and `export`.

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::ArgMatches;
 
-use super::export::refuse_overwriting;
-use super::failure::{Failure, complain, display_name};
+use super::export::{allow_overwriting, refuse_overwriting};
+use super::failure::{Failure, display_name, notice, remark};
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions};
@@ -20,8 +20,10 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let form = Form::of(&out).ok_or_else(|| Failure::usage(tr!("cli-convert-ending", out = display_name(&out))))?;
     refuse_overwriting(&files, &out)?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
+    remark(document.health.iter());
+    allow_overwriting(given, std::iter::once(out.clone()))?;
     for loss in save(&out, form, &document)? {
-        complain(&format!("{}: {loss}", display_name(&out)));
+        notice(&format!("{}: {loss}", display_name(&out)));
     }
     Ok(())
 }

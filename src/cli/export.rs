@@ -1,15 +1,17 @@
 //! `sinew export`: the posed surface as a file.
 
+use std::io::{self, BufRead, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 
-use super::failure::{Failure, display_name};
+use super::failure::{Failure, complain_part, display_name, is_quiet, remark};
 use super::moment::Moment;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseBuffers};
-use crate::export::obj;
+use crate::export::mtl;
+use crate::export::surface::{self, SurfaceFormat};
 use crate::scene::Frame;
 use crate::tr;
 
@@ -20,18 +22,23 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(file), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    if ending(&out) != "obj" {
-        return Err(Failure::usage(tr!("cli-export-ending", out = display_name(&out))));
-    }
-    refuse_overwriting(&files, &out)?;
+    let format = SurfaceFormat::of(&out).ok_or_else(|| Failure::usage(tr!("cli-export-ending", out = display_name(&out))))?;
+    let library = (format == SurfaceFormat::Obj).then(|| mtl::library(&out));
+    let outs = || std::iter::once(out.clone()).chain(library.clone());
+    outs().try_for_each(|out| refuse_overwriting(&files, &out))?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
+    remark(document.health.iter());
+    let images: Vec<PathBuf> = document.scene.images.iter().filter_map(|image| image.path.clone()).collect();
+    outs().try_for_each(|out| refuse_overwriting(&images, &out))?;
+    allow_overwriting(given, outs())?;
     let state = Moment::given(given).state(&document, file)?;
     let mut frame = Frame::default();
     document.pose(&state, &mut PoseBuffers::default(), &mut frame);
-    if !obj::has_surface(&frame) {
+    if !surface::is_any(&frame) {
         return Err(Failure::file(file, tr!("cli-export-nothing")));
     }
-    obj::save(&out, &document.scene, &frame)?;
+    format.save(&out, &document.scene, &frame)?;
+    remark([tr!("cli-export-written", out = display_name(&out))]);
     Ok(())
 }
 
@@ -50,4 +57,26 @@ pub fn refuse_overwriting(inputs: &[PathBuf], out: &Path) -> Result<(), Failure>
         _ => false,
     };
     if inputs.iter().any(same) { Err(Failure::usage(tr!("cli-out-is-input", out = display_name(out)))) } else { Ok(()) }
+}
+
+/// What is there already is asked about where somebody sits at a terminal; scripts and desktops, which cannot be asked, replace it as they mean to,
+/// and so does `--force`.
+///
+/// # Errors
+/// [`Failure::Files`] where the answer is no.
+pub fn allow_overwriting(given: &ArgMatches, outs: impl Iterator<Item = PathBuf>) -> Result<(), Failure> {
+    if given.get_flag("force") || is_quiet() || !io::stdin().is_terminal() || !io::stderr().is_terminal() {
+        return Ok(());
+    }
+    let there: Vec<PathBuf> = outs.filter(|out| out.is_file()).collect();
+    let Some(first) = there.first() else { return Ok(()) };
+    complain_part(&tr!("cli-ask-overwrite", out = display_name(first), more = there.len() - 1));
+    let mut answer = String::new();
+    // No answer is a no.
+    let _ = io::stdin().lock().read_line(&mut answer);
+    if ["y", "yes", "д", "да"].contains(&answer.trim().to_lowercase().as_str()) {
+        Ok(())
+    } else {
+        Err(Failure::file(first, tr!("cli-left-alone")))
+    }
 }

@@ -3,6 +3,9 @@
 use std::io::{self, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicU8, Ordering};
+
+use clap::ArgMatches;
 
 use crate::document::OpenError;
 use crate::export::ExportError;
@@ -14,6 +17,8 @@ pub enum Failure {
     Usage(String),
     /// Files could not be used, one line each: exit code 1.
     Files(Vec<String>),
+    /// Stopped by the user's hand: exit code 130, as shells have it.
+    Stopped,
     /// Whoever read the output has gone: nothing more to say, exit code 0.
     ReaderGone,
 }
@@ -40,6 +45,10 @@ impl Failure {
                 lines.iter().for_each(|line| complain(line));
                 ExitCode::from(1)
             }
+            Self::Stopped => {
+                complain(&crate::tr!("export-cancelled"));
+                ExitCode::from(130)
+            }
             Self::ReaderGone => ExitCode::SUCCESS,
         }
     }
@@ -53,6 +62,9 @@ impl From<OpenError> for Failure {
 
 impl From<ExportError> for Failure {
     fn from(error: ExportError) -> Self {
+        if matches!(error, ExportError::Cancelled) {
+            return Self::Stopped;
+        }
         Self::Files(vec![one_line(&error.to_string())])
     }
 }
@@ -68,6 +80,40 @@ pub fn display_name(file: &Path) -> String {
 /// Writes one line to standard error; a closed one is nothing to stop for.
 pub fn complain(line: &str) {
     let _ = writeln!(io::stderr(), "{}", one_line(line));
+}
+
+/// Writes a question to standard error; the answer stands behind it.
+pub fn complain_part(question: &str) {
+    let _ = write!(io::stderr(), "{} ", one_line(question));
+    let _ = io::stderr().flush();
+}
+
+/// How much is said: 0 = results and problems, 1 = notices too, 2 = everything.
+static LOUDNESS: AtomicU8 = AtomicU8::new(1);
+
+/// Takes `--quiet` and `--verbose`.
+pub fn set_loudness(given: &ArgMatches) {
+    let flag = |id| given.try_get_one::<bool>(id).ok().flatten().copied().unwrap_or(false);
+    LOUDNESS.store(if flag("quiet") { 0 } else { 1 + u8::from(flag("verbose")) }, Ordering::Relaxed);
+}
+
+/// Whether nothing but problems is to be said.
+pub fn is_quiet() -> bool {
+    LOUDNESS.load(Ordering::Relaxed) == 0
+}
+
+/// Writes a notice to standard error, unless the call is quiet.
+pub fn notice(line: &str) {
+    if !is_quiet() {
+        complain(line);
+    }
+}
+
+/// Writes to standard error what only `--verbose` wants to know.
+pub fn remark(lines: impl IntoIterator<Item = impl std::fmt::Display>) {
+    if LOUDNESS.load(Ordering::Relaxed) > 1 {
+        lines.into_iter().for_each(|line| complain(&line.to_string()));
+    }
 }
 
 /// One problem, one line: line breaks and other control characters of file names or documents become blanks.

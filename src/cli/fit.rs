@@ -7,7 +7,7 @@ use clap::ArgMatches;
 use serde::Serialize;
 
 use super::compare::rms_lines;
-use super::export::{ending, refuse_overwriting};
+use super::export::{allow_overwriting, ending, refuse_overwriting};
 use super::failure::{Failure, answer, answer_json, display_name};
 use super::measure::{unit_for_people, unit_name};
 use super::{files, measured, value};
@@ -70,6 +70,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         }
         None => Vec::new(),
     };
+    allow_overwriting(given, std::iter::once(out.clone()))?;
     write_whole(&out, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
     let rms = Rms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
     if given.get_flag("json") {

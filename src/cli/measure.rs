@@ -7,7 +7,7 @@ use clap::ArgMatches;
 use serde::Serialize;
 
 use super::compare::Comparison;
-use super::failure::{Failure, answer, answer_json, complain, display_name};
+use super::failure::{Failure, answer, answer_json, display_name, notice};
 use super::values::{Angles, plain};
 use super::{files, value};
 use crate::collada::Progress;
@@ -104,7 +104,7 @@ fn say_what_no_joint_does(document: &Document, angles: &[f64], file: &Path) {
     for range in document.rigs().filter_map(|(rig, _)| rig.measured_range()) {
         if angles.iter().any(|angle| !range.contains(angle)) {
             let (low, high) = (plain(*range.start()), plain(*range.end()));
-            complain(&tr!("cli-measure-beyond", file = display_name(file), low = low, high = high));
+            notice(&tr!("cli-measure-beyond", file = display_name(file), low = low, high = high));
         }
     }
 }

@@ -7,17 +7,17 @@ mod bench;
 mod check;
 mod command;
 mod compare;
+mod completions;
 mod convert;
 mod export;
 mod failure;
 mod fit;
-mod framing;
 mod info;
 mod measure;
 mod measured;
 mod moment;
+mod progress;
 mod render;
-mod sequence;
 mod usage;
 mod values;
 mod window;
@@ -49,6 +49,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> Exi
         }
         Err(error) => return Failure::Usage(usage::sentence(&error)).report(),
     };
+    if let Some((_, given)) = matches.subcommand() {
+        failure::set_loudness(given);
+    }
     match matches.subcommand() {
         Some(("info", given)) => finish(info::run(given)),
         Some(("check", given)) => finish(check::run(given)),
@@ -58,6 +61,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> Exi
         Some(("measure", given)) => finish(measure::run(given)),
         Some(("fit", given)) => finish(fit::run(given)),
         Some(("bench", given)) => finish(bench::run(given)),
+        Some(("completions", given)) => finish(completions::run(given)),
         Some(("help", given)) => finish(help(given)),
         _ => window::open(files(&matches), opener),
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::ArgMatches;
 
-use super::failure::{Failure, complain, display_name};
+use super::failure::{Failure, display_name, notice};
 use super::value;
 use super::values::plain;
 use crate::document::{Document, PoseState};
@@ -63,7 +63,7 @@ impl Moment {
             }
             let range = document.driven_rig().and_then(Rig::flexion_range).or_else(|| document.joint().map(|j| j.range[0]..=j.range[1]));
             if let Some(range) = range.filter(|range| !self.on_top && !range.contains(&angle)) {
-                complain(&tr!(
+                notice(&tr!(
                     "cli-angle-held",
                     file = display_name(file),
                     angle = plain(angle),

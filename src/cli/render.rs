@@ -1,31 +1,27 @@
 //! `sinew render`: pictures without a window.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ArgMatches;
 use glam::Vec3;
 
-use super::export::{ending, refuse_overwriting};
-use super::failure::{Failure, complain, display_name};
-use super::framing::{Direction, Eye, posed_bounds};
+use super::export::{allow_overwriting, refuse_overwriting};
+use super::failure::{Failure, complain, display_name, remark};
 use super::moment::Moment;
-use super::sequence::{Pattern, Sequence, Shot};
-use super::values::Backdrop;
-use super::{files, value};
+use super::values::{Backdrop, Span, plain};
+use super::{files, progress, value};
 use crate::collada::Progress;
-use crate::document::{Document, PoseBuffers};
-use crate::export::palette::Sampler;
-use crate::export::{gif, png};
+use crate::document::{Document, PoseState};
+use crate::export::gif;
+use crate::film::{self, Direction, Eye, Motion, Refusal, Sequence, Shot, Studio, Target, Times, Wish, posed_bounds};
+use crate::limits;
 use crate::muscle::Rig;
-use crate::render::{Background, Display, Framebuffer, Renderer, Samples, Shading};
-use crate::scene::Frame;
+use crate::render::{Background, Display, Samples, Shading};
+use crate::scene::View;
 use crate::tr;
 
 /// Columns and rows where the call does not say.
 const SIZE: (u32, u32) = (1280, 720);
-
-/// Frames that the palette of an animation is made from.
-const PALETTE_FRAMES: usize = 12;
 
 /// Runs the subcommand.
 pub fn run(given: &ArgMatches) -> Result<(), Failure> {
@@ -34,65 +30,108 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(first), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let target = Target::of(&out)?;
+    let target = Target::of(&out).ok_or_else(|| Failure::usage(tr!("cli-render-ending", out = display_name(&out))))?;
+    let (size, scale) = size(given)?;
     refuse_overwriting(&files, &out)?;
     let document = Document::open(&files, &Progress::default())?;
+    remark(document.health.iter());
     let moment = Moment::given(given);
     let state = moment.state(&document, first)?;
     let sequence = match target {
-        Target::Picture => Sequence::single(given, state)?,
-        Target::Pictures(_) | Target::Animation => Sequence::given(given, &moment, &document, state)?,
+        Target::Picture(_) => single(given, state)?,
+        _ => sequence(given, &moment, &document, state).map_err(|refusal| refused(refusal, &display_name(first)))?,
     };
-    if matches!(target, Target::Animation) && sequence.fps > gif::MOST_FPS {
+    if matches!(target, Target::Gif(_)) && sequence.fps > gif::MOST_FPS {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
     }
-    let size = value::<(u32, u32)>(given, "size").unwrap_or(SIZE);
+    let images = document.scene.images.iter().filter_map(|image| image.path.clone());
+    let protected: Vec<PathBuf> = files.iter().cloned().chain(images).collect();
+    target.files(&sequence).try_for_each(|file| refuse_overwriting(&protected, &file))?;
+    allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
-    let eye = Eye::fit(Direction::given(given), &bounds, aspect, sequence.turning());
-    let (width, height) = size;
-    let images = document.scene.images.iter().filter_map(|image| image.path.clone());
-    let mut studio = Studio {
-        document: &document,
-        sequence,
-        eye,
-        display: display(given, !document.shows_surface()),
-        renderer: Renderer::new(value(given, "threads")),
-        buffers: PoseBuffers::default(),
-        frame: Frame::default(),
-        picture: Framebuffer { width, height, pixels: vec![0; width as usize * height as usize] },
-        note: call_note(given, &files, size),
-        times: Vec::new(),
-        protected: files.iter().cloned().chain(images).collect(),
-    };
-    match target {
-        Target::Picture => studio.save_picture(0, &out)?,
-        Target::Pictures(pattern) => (0..sequence.count).try_for_each(|index| studio.save_picture(index, &pattern.file(index)))?,
-        Target::Animation => studio.save_animation(&out)?,
-    }
+    let eye = Eye::fit(direction(given), &bounds, aspect, sequence.turning());
+    let display = Display { scale, ..display(given, !document.shows_surface()) };
+    let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), Box::new(move |_, _, turn| eye.camera(turn)));
+    let call = call_note(given, &files, size, scale);
+    let note = |shot: &Shot| format!("{call}{}", shot_note(&document, shot));
+    progress::watched(sequence.count, |work| film::save(&mut studio, size, &target, &note, work))?;
+    remark([tr!(
+        "cli-written",
+        out = display_name(&out),
+        count = sequence.count,
+        width = plain(size.0.into()),
+        height = plain(size.1.into())
+    )]);
     if given.get_flag("stats") {
-        report(&studio.times);
+        report(&studio.take_times());
     }
     Ok(())
 }
 
-/// What is to be written.
-enum Target {
-    /// One PNG.
-    Picture,
-    /// A PNG a frame.
-    Pictures(Pattern),
-    /// A GIF.
-    Animation,
+/// The picture's columns and rows, and how many times larger than usual everything in it is.
+fn size(given: &ArgMatches) -> Result<((u32, u32), f32), Failure> {
+    let (width, height) = value::<(u32, u32)>(given, "size").unwrap_or(SIZE);
+    let scale = value::<f64>(given, "scale").unwrap_or(1.0);
+    let side = |side: u32| (f64::from(side) * scale).round().max(1.0) as u32;
+    let size = (side(width), side(height));
+    if size.0.max(size.1) > limits::PICTURE_SIDE {
+        return Err(Failure::usage(tr!("cli-scale-too-large", limit = plain(limits::PICTURE_SIDE.into()))));
+    }
+    Ok((size, scale as f32))
 }
 
-impl Target {
-    fn of(out: &Path) -> Result<Self, Failure> {
-        match ending(out).as_str() {
-            "png" => Ok(out.to_str().and_then(Pattern::of).map_or(Self::Picture, Self::Pictures)),
-            "gif" => Ok(Self::Animation),
-            _ => Err(Failure::usage(tr!("cli-render-ending", out = display_name(out)))),
-        }
+/// One picture; options that speak of several are refused.
+fn single(given: &ArgMatches, state: PoseState) -> Result<Sequence, Failure> {
+    let values = ["from", "to", "duration", "fps", "sweep-angle", "sweep-contraction"].into_iter().find(|id| given.contains_id(id));
+    let flag = given.get_flag("turntable").then_some("turntable");
+    match values.or(flag) {
+        Some(option) => Err(Failure::usage(tr!("cli-needs-sequence", option = format!("--{option}")))),
+        None => Ok(Sequence::single(state)),
+    }
+}
+
+fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: PoseState) -> Result<Sequence, Refusal> {
+    let sweep = |id| value::<Span>(given, id);
+    let has_clip = state.clip.is_some();
+    let motion = match (sweep("sweep-angle"), sweep("sweep-contraction")) {
+        (Some(Span(from, to)), _) => Motion::Angle(from, to),
+        (None, Some(Span(from, to))) => Motion::Contraction(from, to),
+        (None, None) if has_clip && moment.time.is_some() => Motion::Still,
+        (None, None) if !has_clip && moment.fixes_muscles() => Motion::Still,
+        (None, None) => Motion::Play,
+    };
+    let turning = given.get_flag("turntable");
+    let seconds = |id| value::<f64>(given, id);
+    let wish = Wish { motion, from: seconds("from"), to: seconds("to"), duration: seconds("duration"), fps: seconds("fps"), turning };
+    Sequence::new(&wish, document, state)
+}
+
+fn refused(refusal: Refusal, file: &str) -> Failure {
+    Failure::usage(match refusal {
+        Refusal::Empty { from, to } => tr!("cli-range-empty", from = plain(from), to = plain(to)),
+        Refusal::TooMany => tr!("cli-too-many-frames", limit = plain(film::FRAMES as f64)),
+        Refusal::NoElbow => tr!("cli-no-elbow-to-bend", file = file),
+        Refusal::NoMuscle => tr!("cli-no-muscle-to-drive", file = file),
+    })
+}
+
+/// Takes `--camera`, `--yaw`, `--pitch` and `--zoom`. The named cameras but `orbit` have parallel rays; yaw and pitch replace their angles.
+fn direction(given: &ArgMatches) -> Direction {
+    let (view, parallel) = match value::<String>(given, "camera").as_deref() {
+        Some("front") => (View::Front, true),
+        Some("right") => (View::Right, true),
+        Some("top") => (View::Top, true),
+        Some("iso") => (View::Iso, true),
+        _ => (View::Start, false),
+    };
+    let (yaw, pitch) = view.angles();
+    Direction {
+        // Whole turns go first: in `f32` a large angle would have no degrees left.
+        yaw: value::<f64>(given, "yaw").map_or(yaw, |yaw| (yaw % 360.0) as f32),
+        pitch: value::<f64>(given, "pitch").map_or(pitch, |pitch| pitch as f32),
+        parallel,
+        zoom: value::<f64>(given, "zoom").map_or(1.0, |zoom| zoom as f32),
     }
 }
 
@@ -111,7 +150,9 @@ fn display(given: &ArgMatches, only_bones: bool) -> Display {
         smooth_normals: !given.get_flag("no-normals"),
         wireframe: given.get_flag("wireframe"),
         bones: only_bones || given.get_flag("bones"),
-        grid: false,
+        grid: given.get_flag("grid"),
+        axes: given.get_flag("axes"),
+        bounding_box: given.get_flag("bounding-box"),
         background: match value::<Backdrop>(given, "background") {
             Some(Backdrop::None) => Background::Transparent,
             Some(Backdrop::Color(color)) => Background::Solid(color),
@@ -119,80 +160,6 @@ fn display(given: &ArgMatches, only_bones: bool) -> Display {
         },
         light: value::<Vec3>(given, "light"),
         ..usual
-    }
-}
-
-/// Milliseconds of one frame's stages: pose, deform, vertex, raster, resolve.
-type Times = [f64; 5];
-
-/// Everything that is used again from picture to picture.
-struct Studio<'a> {
-    document: &'a Document,
-    sequence: Sequence,
-    eye: Eye,
-    display: Display,
-    renderer: Renderer,
-    buffers: PoseBuffers,
-    frame: Frame,
-    picture: Framebuffer,
-    /// What made the picture, as a call that makes it again.
-    note: String,
-    times: Vec<Times>,
-    /// Files that no picture may replace.
-    protected: Vec<PathBuf>,
-}
-
-impl Studio<'_> {
-    /// Poses and draws picture `index` into `self.picture`.
-    fn draw(&mut self, index: usize) -> Shot {
-        let shot = self.sequence.shot(self.document, index);
-        self.document.pose(&shot.state, &mut self.buffers, &mut self.frame);
-        let camera = self.eye.camera(shot.turn);
-        let Framebuffer { width, height, pixels } = &mut self.picture;
-        let target = bytemuck::cast_slice_mut(pixels);
-        let stride = *width as usize * 4;
-        self.renderer.draw_into(&self.document.scene, &self.frame, &camera, &self.display, *width, *height, target, stride);
-        let (posed, drawn) = (self.buffers.times(), self.renderer.stats());
-        self.times.push([posed.pose_ms, posed.deform_ms, drawn.vertex_ms, drawn.raster_ms, drawn.resolve_ms]);
-        shot
-    }
-
-    fn transparent(&self) -> bool {
-        self.display.background == Background::Transparent
-    }
-
-    fn save_picture(&mut self, index: usize, out: &Path) -> Result<(), Failure> {
-        refuse_overwriting(&self.protected, out)?;
-        let shot = self.draw(index);
-        let note = format!("{}{}", self.note, shot_note(self.document, &shot));
-        let software = concat!("Sinew ", env!("CARGO_PKG_VERSION"));
-        png::save(out, &self.picture, self.transparent(), &[("Software", software), ("Comment", &note)])?;
-        Ok(())
-    }
-
-    fn save_animation(&mut self, out: &Path) -> Result<(), Failure> {
-        refuse_overwriting(&self.protected, out)?;
-        let count = self.sequence.count;
-        let tries = count.min(PALETTE_FRAMES);
-        let mut sampler = Sampler::new(tries);
-        for i in 0..tries {
-            self.draw(i * count / tries);
-            sampler.add(&self.picture);
-        }
-        self.times.clear();
-        let settings = gif::Settings {
-            size: (self.picture.width, self.picture.height),
-            fps: self.sequence.fps,
-            alpha: self.transparent(),
-            palette: sampler.palette(),
-        };
-        gif::save(out, settings, |sink| {
-            (0..count).try_for_each(|index| {
-                self.draw(index);
-                sink.frame(&self.picture)
-            })
-        })?;
-        Ok(())
     }
 }
 
@@ -217,18 +184,19 @@ fn shot_note(document: &Document, shot: &Shot) -> String {
 }
 
 /// The call without what names its output: files and options of the look, as they were given.
-fn call_note(given: &ArgMatches, files: &[PathBuf], size: (u32, u32)) -> String {
+fn call_note(given: &ArgMatches, files: &[PathBuf], size: (u32, u32), scale: f32) -> String {
     let mut note = String::from("sinew render");
     for file in files {
         note.push_str(&format!(" {}", quoted(&display_name(file))));
     }
-    note.push_str(&format!(" --size {}x{}", size.0, size.1));
-    for id in ["camera", "yaw", "pitch", "zoom", "light", "shading", "samples", "background"] {
+    let (width, height) = value::<(u32, u32)>(given, "size").unwrap_or(if scale == 1.0 { size } else { SIZE });
+    note.push_str(&format!(" --size {width}x{height}"));
+    for id in ["scale", "camera", "yaw", "pitch", "zoom", "light", "shading", "samples", "background"] {
         if let Some(text) = given.get_raw(id).and_then(|mut values| values.next()) {
             note.push_str(&format!(" --{id} {}", quoted(&text.to_string_lossy())));
         }
     }
-    for id in ["bones", "wireframe", "no-materials", "no-normals"] {
+    for id in ["bones", "wireframe", "grid", "axes", "bounding-box", "no-materials", "no-normals"] {
         if given.get_flag(id) {
             note.push_str(&format!(" --{id}"));
         }

@@ -133,6 +133,22 @@ pub fn sweep(text: &str) -> Result<Angles, String> {
     if steps < ANGLES as f64 { Ok(Angles((0..=steps as usize).map(|i| from + step * i as f64).collect())) } else { Err(too_many()) }
 }
 
+/// From one value to another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Span(pub f64, pub f64);
+
+/// `FROM:TO`, each within a range.
+pub fn span(low: f64, high: f64) -> impl Fn(&str) -> Result<Span, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| tr!("cli-value-not-span"))?;
+        match parts[..] {
+            [from, to] if (low..=high).contains(&from) && (low..=high).contains(&to) => Ok(Span(from, to)),
+            [_, _] => Err(tr!("cli-value-out-of-range", low = plain(low), high = plain(high))),
+            _ => Err(tr!("cli-value-not-span")),
+        }
+    }
+}
+
 fn too_many() -> String {
     tr!("cli-value-too-many-angles", limit = plain(ANGLES as f64))
 }
@@ -147,6 +163,14 @@ mod tests {
         assert_eq!(size("1×16384"), Ok((1, 16384)));
         for wrong in ["0x5", "5x0", "1000000x1000000", "16385x1", "-5x5", "5", "x", "5x5x5", "5.5x4", "", "99999999999x1"] {
             assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn spans_have_two_ends() {
+        assert_eq!(span(-180.0, 180.0)("0:-130.5"), Ok(Span(0.0, -130.5)));
+        for wrong in ["0", "0:1:2", "a:b", "", "0:181", "nan:1"] {
+            assert!(span(-180.0, 180.0)(wrong).is_err(), "{wrong}");
         }
     }
 

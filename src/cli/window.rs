@@ -70,7 +70,7 @@ fn mistyped_command(files: &[PathBuf]) -> Option<String> {
     if first.exists() || word.contains(['.', '/', '\\']) {
         return None;
     }
-    ["info", "check", "render", "export", "measure", "bench", "help"]
+    ["info", "check", "render", "export", "convert", "measure", "fit", "bench", "completions", "help"]
         .into_iter()
         .find(|name| edits(word, name) <= 2)
         .map(|name| tr!("cli-command-mistyped", word = word, name = name))

@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
+use tempfile::{NamedTempFile, TempPath};
 
 use super::ExportError;
 
@@ -15,22 +15,67 @@ use super::ExportError;
 /// # Errors
 /// [`ExportError`] where the folder or the disk refuses, or `target` is a folder or a device.
 pub fn write_whole(target: &Path, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<(), ExportError> {
-    let failed = |error| ExportError::io(target, error);
-    let place = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
-    let existing = fs::metadata(&place).ok();
-    if existing.as_ref().is_some_and(|found| !found.is_file()) {
-        return Err(ExportError::NotAFile { file: target.to_owned() });
+    prepare(target, write)?.put_in_place()
+}
+
+/// A file that is complete but not yet where it belongs; gone when it is dropped.
+#[derive(Debug)]
+pub struct Pending {
+    temporary: TempPath,
+    target: PathBuf,
+    place: PathBuf,
+}
+
+impl Pending {
+    /// An empty temporary file beside `target`, for a program that writes it by its name: [`Pending::file`].
+    ///
+    /// # Errors
+    /// As [`write_whole`].
+    pub fn begin(target: &Path) -> Result<Self, ExportError> {
+        let (temporary, place) = start(target)?;
+        Ok(Self { temporary: temporary.into_temp_path(), target: target.to_owned(), place })
     }
-    let mut temporary = begin(&folder_of(&place)).map_err(failed)?;
+
+    /// The temporary file.
+    pub fn file(&self) -> &Path {
+        &self.temporary
+    }
+
+    /// Renames the file to its target.
+    ///
+    /// # Errors
+    /// [`ExportError`] where the folder refuses.
+    pub fn put_in_place(self) -> Result<(), ExportError> {
+        let Self { temporary, target, place } = self;
+        if let Ok(found) = fs::metadata(&place) {
+            // Some file systems know no permissions; the content matters more.
+            let _ = fs::set_permissions(&temporary, found.permissions());
+        }
+        temporary.persist(&place).map_err(|error| ExportError::io(&target, error.error))
+    }
+}
+
+/// Writes a temporary file beside `target`; see [`write_whole`], which also puts it in its place.
+///
+/// # Errors
+/// As [`write_whole`].
+pub fn prepare(target: &Path, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<Pending, ExportError> {
+    let failed = |error| ExportError::io(target, error);
+    let (mut temporary, place) = start(target)?;
     let mut buffered = BufWriter::with_capacity(1 << 16, temporary.as_file_mut());
     write(&mut buffered).and_then(|()| buffered.flush()).map_err(failed)?;
     drop(buffered);
-    if let Some(found) = existing {
-        // Some file systems know no permissions; the content matters more.
-        let _ = fs::set_permissions(temporary.path(), found.permissions());
+    Ok(Pending { temporary: temporary.into_temp_path(), target: target.to_owned(), place })
+}
+
+/// The temporary file for `target`, and where it goes in the end.
+fn start(target: &Path) -> Result<(NamedTempFile, PathBuf), ExportError> {
+    let place = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+    if fs::metadata(&place).is_ok_and(|found| !found.is_file()) {
+        return Err(ExportError::NotAFile { file: target.to_owned() });
     }
-    temporary.persist(&place).map_err(|error| failed(error.error))?;
-    Ok(())
+    let temporary = begin(&folder_of(&place)).map_err(|error| ExportError::io(target, error))?;
+    Ok((temporary, place))
 }
 
 fn folder_of(file: &Path) -> PathBuf {

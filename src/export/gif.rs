@@ -47,6 +47,21 @@ pub fn save(
     write_whole(file, |out| draw(&mut Sink::begin(out, width, height, settings)?))
 }
 
+/// The palette's index for each pixel of a frame.
+pub fn indices(palette: &mut Palette, picture: &Framebuffer, alpha: bool) -> Vec<u8> {
+    let mut indices = Vec::with_capacity(picture.pixels.len());
+    for (y, row) in picture.pixels.chunks_exact((picture.width as usize).max(1)).enumerate() {
+        indices.extend(row.iter().enumerate().map(|(x, &pixel)| {
+            if alpha && !is_solid(pixel) {
+                return CLEAR;
+            }
+            let [r, g, b, _] = if alpha { straight(pixel) } else { straight(pixel | 0xFF00_0000) };
+            palette.index([r, g, b], x, y)
+        }));
+    }
+    indices
+}
+
 /// Takes the frames of an animation.
 pub struct Sink<'a, W: Write> {
     encoder: Encoder<&'a mut W>,
@@ -69,25 +84,16 @@ impl<'a, W: Write> Sink<'a, W> {
         Ok(Self { encoder, settings, width, height, frames: 0, shown: Vec::new(), next: Vec::new() })
     }
 
-    /// Adds a frame of the animation's size.
+    /// Adds a frame: its [`indices`].
     ///
     /// # Errors
     /// What the file returns.
-    pub fn frame(&mut self, picture: &Framebuffer) -> io::Result<()> {
-        let columns = usize::from(self.width).max(1);
-        let (palette, alpha) = (&mut self.settings.palette, self.settings.alpha);
-        self.next.clear();
-        self.next.extend(picture.pixels.iter().enumerate().map(|(i, &pixel)| {
-            if alpha && !is_solid(pixel) {
-                return CLEAR;
-            }
-            let [r, g, b, _] = if alpha { straight(pixel) } else { straight(pixel | 0xFF00_0000) };
-            palette.index([r, g, b], i % columns, i / columns)
-        }));
-        self.next.resize(columns * usize::from(self.height), CLEAR);
-        let frame = if alpha { self.whole() } else { self.changed() };
+    pub fn frame(&mut self, indices: Vec<u8>) -> io::Result<()> {
+        self.next = indices;
+        self.next.resize(usize::from(self.width) * usize::from(self.height), CLEAR);
+        let frame = if self.settings.alpha { self.whole() } else { self.changed() };
         self.encoder.write_frame(&frame).map_err(to_io)?;
-        std::mem::swap(&mut self.shown, &mut self.next);
+        self.shown = std::mem::take(&mut self.next);
         self.frames += 1;
         Ok(())
     }
@@ -175,7 +181,8 @@ mod tests {
         let mut file = Vec::new();
         let settings = Settings { size: (3, 2), fps, alpha, palette: sampler.palette() };
         let mut sink = Sink::begin(&mut file, 3, 2, settings).expect("memory is writable");
-        frames.iter().for_each(|frame| sink.frame(frame).expect("memory is writable"));
+        let mut palette = sink.settings.palette.clone();
+        frames.iter().for_each(|frame| sink.frame(indices(&mut palette, frame, alpha)).expect("memory is writable"));
         drop(sink);
         file
     }

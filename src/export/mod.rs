@@ -1,14 +1,21 @@
-//! Files to take away: pictures, animations and posed surfaces.
+//! Files to take away: pictures, films and posed surfaces.
 //!
 //! Every file is written beside its final place under a temporary name and renamed when it is complete, so a failed save leaves what was
 //! there.
 
+pub mod apng;
 pub mod atomic;
 pub mod gif;
 pub mod gltf;
+pub mod mtl;
 pub mod obj;
 pub mod palette;
+pub mod pipeline;
+pub mod ply;
 pub mod png;
+pub mod stl;
+pub mod surface;
+pub mod video;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -40,11 +47,41 @@ pub enum ExportError {
         /// The longest side that the format can hold, pixels.
         limit: u32,
     },
+    /// Somebody asked to stop.
+    #[error("{}", tr!("export-cancelled"))]
+    Cancelled,
+    /// The program that makes films is not installed.
+    #[error("{}: {}", .file.display(), tr!("export-no-ffmpeg"))]
+    NoEncoder {
+        /// The file that was to be written.
+        file: PathBuf,
+    },
+    /// The program that makes films has nothing for this kind of film.
+    #[error("{}: {}", .file.display(), tr!("export-no-codec", names = .names.as_str()))]
+    NoCodec {
+        /// The file that was to be written.
+        file: PathBuf,
+        /// The encoders that would have done.
+        names: String,
+    },
+    /// The program that makes films gave up.
+    #[error("{}: {}", .file.display(), tr!("export-encoder-failed", reason = .reason.as_str()))]
+    EncoderFailed {
+        /// The file that was to be written.
+        file: PathBuf,
+        /// Its last words.
+        reason: String,
+    },
 }
 
 impl ExportError {
-    fn io(file: &Path, source: io::Error) -> Self {
-        Self::Io { file: file.to_owned(), source }
+    /// What the system said about `file`; an error of this type that was wrapped into one of the system's comes out again.
+    pub fn io(file: &Path, source: io::Error) -> Self {
+        // One of ours that had to pass through a closure that knows only the system's errors.
+        match source.downcast::<Self>() {
+            Ok(own) => own,
+            Err(source) => Self::Io { file: file.to_owned(), source },
+        }
     }
 }
 

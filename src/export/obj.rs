@@ -1,122 +1,115 @@
-//! The posed surface as Wavefront OBJ: world space, metres, Y up, triangles with normals, one group a surface.
+//! The posed surface as Wavefront OBJ: world space, metres, Y up, triangles with normals, one group a surface, materials in a file beside it.
 
 use std::collections::HashSet;
 use std::io::{self, Write};
 use std::path::Path;
 
-use glam::{Mat3, Vec3};
+use glam::{Vec2, Vec3};
 
-use super::{ExportError, atomic::write_whole};
-use crate::scene::{Frame, Placement, Scene, Surface};
+use super::atomic::{prepare, write_whole};
+use super::surface::{Posed, visible};
+use super::{ExportError, mtl};
+use crate::scene::{Frame, Scene, Surface};
 
-/// Whether `frame` shows any triangle.
-pub fn has_surface(frame: &Frame) -> bool {
-    frame.surfaces.iter().any(|surface| surface.visible && !surface.mesh.triangles.is_empty())
-}
-
-/// Writes the visible surfaces of `frame`, a pose of `scene`, to `file`.
+/// Writes the visible surfaces of `frame`, a pose of `scene`, to `file`, and their materials to the file beside it that ends in `.mtl`: the old
+/// files stay until both are complete.
 ///
 /// # Errors
-/// [`ExportError`] where the file cannot be written.
+/// [`ExportError`] where a file cannot be written.
 pub fn save(file: &Path, scene: &Scene, frame: &Frame) -> Result<(), ExportError> {
-    write_whole(file, |out| write(out, scene, frame))
+    let materials = mtl::Materials::of(frame);
+    if materials.is_empty() {
+        return write_whole(file, |out| write(out, scene, frame, &materials, None));
+    }
+    let library = mtl::library(file);
+    let name = library.file_name().map(|name| name.to_string_lossy().into_owned());
+    let beside = prepare(&library, |out| materials.write(out, scene, frame, file))?;
+    prepare(file, |out| write(out, scene, frame, &materials, name.as_deref()))?.put_in_place()?;
+    beside.put_in_place()
 }
 
-/// Writes the visible surfaces of `frame`, a pose of `scene`, as OBJ to `out`.
+/// Writes the visible surfaces of `frame`, a pose of `scene`, as OBJ to `out`. `library` is the name of the file with the `materials`.
 ///
 /// Numbers have as many digits as tell the `f32` apart from its neighbours. Faces are counter-clockwise seen from outside, also where the
 /// transform mirrors. A triangle with a corner that is not finite is left out, and so are vertices that no triangle uses.
 ///
 /// # Errors
 /// What `out` returns.
-pub fn write(out: &mut impl Write, scene: &Scene, frame: &Frame) -> io::Result<()> {
+pub fn write(out: &mut impl Write, scene: &Scene, frame: &Frame, materials: &mtl::Materials, library: Option<&str>) -> io::Result<()> {
     writeln!(out, "# Sinew {}: world space, metres, Y up", env!("CARGO_PKG_VERSION"))?;
+    if let Some(library) = library {
+        writeln!(out, "mtllib {library}")?;
+    }
     let mut names = HashSet::new();
-    let mut written = 0;
-    for surface in frame.surfaces.iter().filter(|surface| surface.visible) {
+    let mut written = Written::default();
+    for surface in visible(frame) {
         let name = &scene.graph.node(surface.node).name;
         writeln!(out, "g {}", unique(&group_name(name), &mut names))?;
-        written += write_surface(out, surface, written)?;
+        write_surface(out, frame, surface, materials, &mut written)?;
     }
     Ok(())
 }
 
-/// Writes one surface whose first vertex is number `before + 1`, and returns how many vertices it has.
-fn write_surface(out: &mut impl Write, surface: &Surface, before: u64) -> io::Result<u64> {
-    let vertices = Vertices::of(surface);
-    // Number of each vertex in the file, from 1; 0 = not written.
-    let mut numbers = vec![0_u64; surface.mesh.positions.len()];
-    let finite = |v: &u32| vertices.position(*v).is_finite() && (*v as usize) < surface.mesh.positions.len();
-    let triangles = || surface.mesh.triangles.iter().filter(|corners| corners.iter().all(finite));
-    for corner in triangles().flatten() {
-        if let Some(number) = numbers.get_mut(*corner as usize) {
-            *number = 1;
-        }
-    }
-    let used: Vec<u32> = (0..).zip(&numbers).filter(|(_, used)| **used == 1).map(|(v, _)| v).collect();
-    for (number, v) in (before + 1..).zip(&used) {
-        // `+ 0.0` turns a negative zero into zero.
-        let Vec3 { x, y, z } = vertices.position(*v) + 0.0;
+/// How much of each list the file has already: its numbers run on from surface to surface.
+#[derive(Debug, Clone, Copy, Default)]
+struct Written {
+    vertices: u64,
+    uvs: u64,
+}
+
+fn write_surface(
+    out: &mut impl Write,
+    frame: &Frame,
+    surface: &Surface,
+    materials: &mtl::Materials,
+    written: &mut Written,
+) -> io::Result<()> {
+    let posed = Posed::of(surface);
+    for v in posed.used() {
+        let Vec3 { x, y, z } = posed.position(*v);
         writeln!(out, "v {x} {y} {z}")?;
-        if let Some(slot) = numbers.get_mut(*v as usize) {
-            *slot = number;
+    }
+    let set = materials.uv_set(frame, surface);
+    if let Some(uvs) = set {
+        for v in posed.used() {
+            // `+ 0.0` turns a negative zero into zero.
+            let Vec2 { x, y } = uvs.get(*v as usize).copied().filter(|uv| uv.is_finite()).unwrap_or_default() + 0.0;
+            writeln!(out, "vt {x} {y}")?;
         }
     }
-    for v in &used {
-        let Vec3 { x, y, z } = vertices.normal(*v) + 0.0;
+    for v in posed.used() {
+        let Vec3 { x, y, z } = posed.normal(*v);
         writeln!(out, "vn {x} {y} {z}")?;
     }
-    let number = |v: u32| numbers.get(v as usize).copied().unwrap_or_default();
-    for &[a, b, c] in triangles() {
-        let (a, b, c) = if surface.mirrored { (a, c, b) } else { (a, b, c) };
-        let (a, b, c) = (number(a), number(b), number(c));
-        writeln!(out, "f {a}//{a} {b}//{b} {c}//{c}")?;
-    }
-    Ok(used.len() as u64)
-}
-
-/// A surface's vertices in the world.
-struct Vertices<'a> {
-    surface: &'a Surface,
-    /// Turns normals of a rigid surface into the world, up to their length.
-    normal_matrix: Mat3,
-}
-
-impl<'a> Vertices<'a> {
-    fn of(surface: &'a Surface) -> Self {
-        let normal_matrix = match &surface.placement {
-            Placement::Rigid(matrix) => {
-                // The cofactor matrix is the inverse transpose times the determinant: it is there even where the inverse is not.
-                let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.truncate());
-                let cofactor = Mat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
-                if x.dot(y.cross(z)) < 0.0 { -cofactor } else { cofactor }
+    let mut shown = None;
+    for (triangle, corners) in posed.triangles() {
+        let material = materials.of_triangle(surface, triangle);
+        if material != shown {
+            if let Some(name) = material.and_then(|material| materials.name(material)) {
+                writeln!(out, "usemtl {name}")?;
             }
-            Placement::Deformed { .. } => Mat3::IDENTITY,
-        };
-        Self { surface, normal_matrix }
+            shown = material;
+        }
+        let [a, b, c] = corners.map(|corner| u64::from(corner) + written.vertices + 1);
+        let [s, t, u] = corners.map(|corner| u64::from(corner) + written.uvs + 1);
+        match set {
+            Some(_) => writeln!(out, "f {a}/{s}/{a} {b}/{t}/{b} {c}/{u}/{c}")?,
+            None => writeln!(out, "f {a}//{a} {b}//{b} {c}//{c}")?,
+        }
     }
-
-    fn position(&self, v: u32) -> Vec3 {
-        self.surface.position(v)
-    }
-
-    /// A unit vector; upwards where the surface has no normal.
-    fn normal(&self, v: u32) -> Vec3 {
-        let normals = match &self.surface.placement {
-            Placement::Rigid(_) => &self.surface.mesh.normals,
-            Placement::Deformed { normals, .. } => normals,
-        };
-        normals.get(v as usize).and_then(|normal| (self.normal_matrix * *normal).try_normalize()).unwrap_or(Vec3::Y)
-    }
+    let count = posed.used().len() as u64;
+    written.vertices += count;
+    written.uvs += if set.is_some() { count } else { 0 };
+    Ok(())
 }
 
 /// A name as OBJ readers take it: no blanks, no line breaks, not empty.
-fn group_name(name: &str) -> String {
+pub(super) fn group_name(name: &str) -> String {
     let name: String = name.trim().chars().map(|c| if c.is_whitespace() || c.is_control() || c == '#' { '_' } else { c }).collect();
     if name.is_empty() { "surface".to_owned() } else { name }
 }
 
-fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let mut candidate = name.to_owned();
     let mut number = 2_u32;
     while !taken.insert(candidate.clone()) {
@@ -129,7 +122,7 @@ fn unique(name: &str, taken: &mut HashSet<String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Mesh, Node};
+    use crate::scene::{Mesh, Node, Placement};
     use glam::Mat4;
     use std::sync::Arc;
 
@@ -163,7 +156,8 @@ mod tests {
 
     fn written(scene: &Scene, surfaces: Vec<Surface>) -> Vec<String> {
         let mut out = Vec::new();
-        write(&mut out, scene, &Frame { surfaces, ..Frame::default() }).expect("memory is writable");
+        let frame = Frame { surfaces, ..Frame::default() };
+        write(&mut out, scene, &frame, &mtl::Materials::of(&frame), None).expect("memory is writable");
         String::from_utf8(out).expect("text").lines().skip(1).map(str::to_owned).collect()
     }
 

@@ -6,23 +6,71 @@ use std::path::Path;
 use super::{ExportError, atomic::write_whole};
 use crate::render::Framebuffer;
 
+/// How much time goes into a small file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Effort {
+    /// As small as is sensible, for one picture.
+    #[default]
+    Small,
+    /// Several times quicker and somewhat larger, for the many pictures of a film.
+    Quick,
+}
+
 /// Writes `picture` to `file`. With `alpha` the file has an alpha channel, not premultiplied as PNG wants it; without, the pixels are taken as
 /// solid. `notes` are pairs of keyword (Latin-1, 1 to 79 characters) and text, kept in the file as `iTXt`.
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written.
 pub fn save(file: &Path, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> Result<(), ExportError> {
-    write_whole(file, |out| encode(out, picture, alpha, notes))
+    write_whole(file, |out| encode(out, picture, alpha, notes, Effort::Small))
 }
 
 /// Writes `picture` as PNG to `out`; see [`save`].
 ///
 /// # Errors
 /// What `out` returns; [`io::ErrorKind::InvalidInput`] for a picture without pixels or a keyword that PNG does not allow.
-pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> io::Result<()> {
+pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Effort) -> io::Result<()> {
+    let mut refused = None;
+    let result = encode_into(Remembering { out, refused: &mut refused }, picture, alpha, notes, effort);
+    // The encoder hands on what the system said as words alone; a full disk is to be known as one.
+    result.map_err(|error| refused.unwrap_or(error))
+}
+
+/// Keeps the first error that the system returned.
+struct Remembering<'a, W> {
+    out: W,
+    refused: &'a mut Option<io::Error>,
+}
+
+impl<W: Write> Remembering<'_, W> {
+    fn kept<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        result.map_err(|error| {
+            let again = error.raw_os_error().map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error);
+            self.refused.get_or_insert(again);
+            error
+        })
+    }
+}
+
+impl<W: Write> Write for Remembering<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let result = self.out.write(bytes);
+        self.kept(result)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let result = self.out.flush();
+        self.kept(result)
+    }
+}
+
+fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Effort) -> io::Result<()> {
     let mut encoder = ::png::Encoder::new(out, picture.width, picture.height);
     encoder.set_color(if alpha { ::png::ColorType::Rgba } else { ::png::ColorType::Rgb });
     encoder.set_depth(::png::BitDepth::Eight);
+    if effort == Effort::Quick {
+        encoder.set_compression(::png::Compression::Fast);
+    }
     encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
     for (keyword, text) in notes {
         encoder.add_itxt_chunk((*keyword).to_owned(), (*text).to_owned()).map_err(to_io)?;
@@ -63,7 +111,7 @@ pub(super) fn straight(pixel: u32) -> [u8; 4] {
     }
 }
 
-fn to_io(error: ::png::EncodingError) -> io::Error {
+pub(super) fn to_io(error: ::png::EncodingError) -> io::Error {
     match error {
         ::png::EncodingError::IoError(error) => error,
         other => io::Error::new(io::ErrorKind::InvalidInput, other.to_string()),
@@ -94,15 +142,31 @@ mod tests {
     }
 
     #[test]
+    fn the_quick_way_has_the_same_pixels() {
+        let picture = Framebuffer {
+            width: 64,
+            height: 48,
+            pixels: (0..64 * 48).map(|i: u32| 0xFF00_0000 | i.wrapping_mul(2_654_435_761) >> 8).collect(),
+        };
+        let decoded = [Effort::Small, Effort::Quick].map(|effort| {
+            let mut file = Vec::new();
+            encode(&mut file, &picture, false, &[], effort).expect("memory is writable");
+            decode(&file).1
+        });
+        assert!(decoded[0] == decoded[1]);
+        assert_eq!(decoded[0][3..6], rgb(picture.pixels[1]));
+    }
+
+    #[test]
     fn alpha_is_no_longer_premultiplied() {
         let picture = Framebuffer { width: 3, height: 1, pixels: vec![0x80800000, 0, 0x40201000] };
         let mut file = Vec::new();
-        encode(&mut file, &picture, true, &[]).expect("memory is writable");
+        encode(&mut file, &picture, true, &[], Effort::Small).expect("memory is writable");
         assert_eq!(decode(&file).1, [255, 0, 0, 128, 0, 0, 0, 0, 128, 64, 0, 64]);
     }
 
     #[test]
     fn a_picture_without_pixels_is_refused() {
-        assert!(encode(Vec::new(), &Framebuffer::default(), false, &[]).is_err());
+        assert!(encode(Vec::new(), &Framebuffer::default(), false, &[], Effort::Quick).is_err());
     }
 }

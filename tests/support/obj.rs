@@ -16,11 +16,12 @@ pub struct Group {
 /// Reads the groups of a file; every line must be one that the program is meant to write.
 pub fn read(path: &Path) -> Vec<Group> {
     let text = std::fs::read_to_string(path).expect("an OBJ file");
-    let (mut points, mut normals, mut groups) = (Vec::new(), Vec::new(), Vec::<Group>::new());
+    let (mut points, mut normals, mut groups, mut uvs) = (Vec::new(), Vec::new(), Vec::<Group>::new(), 0);
     for line in text.lines() {
         let (kind, rest) = line.split_once(' ').expect("a kind and its values");
         match kind {
-            "#" => {}
+            "#" | "mtllib" | "usemtl" => {}
+            "vt" => uvs += 1,
             "g" => groups.push(Group { name: rest.to_owned(), ..Group::default() }),
             "v" => points.push(vector(rest)),
             "vn" => normals.push(vector(rest)),
@@ -28,8 +29,10 @@ pub fn read(path: &Path) -> Vec<Group> {
                 let corners: Vec<_> = rest
                     .split(' ')
                     .map(|corner| {
-                        let (point, normal) = corner.split_once("//").expect("a//a");
                         let number = |text: &str| text.parse::<usize>().expect("a number") - 1;
+                        let (point, rest) = corner.split_once('/').expect("a//a or a/a/a");
+                        let (uv, normal) = rest.split_once('/').expect("a//a or a/a/a");
+                        assert!(uv.is_empty() || number(uv) < uvs, "{corner}");
                         (points[number(point)], normals[number(normal)])
                     })
                     .collect();

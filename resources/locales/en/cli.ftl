@@ -4,8 +4,8 @@ cli-about =
     Without a command it opens the window; without a file, on the built-in biceps.
 cli-about-info = Says what is in a file: nodes, meshes, clips, images, muscles, bounds.
 cli-about-check = Reads files and reports what is odd about them, with the line and what was done about it.
-cli-about-render = Draws a picture (.png), an animation (.gif) or a numbered row of pictures, without a screen.
-cli-about-export = Writes the posed surface as .obj: world space, metres, Y up, triangles with normals.
+cli-about-render = Draws a picture (.png), a film (.gif, .apng; .mp4 and .webm by ffmpeg) or numbered pictures, without a screen.
+cli-about-export = Writes the posed surface as .obj (with .mtl), .ply or .stl: world space, metres, Y up, triangles with normals.
 cli-about-measure = Measures muscles: length, moment arm, volume and radii at each elbow angle.
 cli-about-bench = Measures how fast the rasterizer is on this machine.
 cli-about-help = Shows this page, or the page of a command.
@@ -30,8 +30,8 @@ cli-arg-command = The command whose page is shown
 cli-arg-help = Show this help
 cli-arg-version = Show the version
 cli-arg-json = Answer as JSON
-cli-arg-render-output = Where to write: .png, .gif, or a pattern such as frame-%04d.png for one picture a frame, numbered from 0
-cli-arg-export-output = Where to write: a file that ends in .obj
+cli-arg-render-output = Where to write: .png, .gif, .apng, .mp4, .webm, or a pattern such as frame-%04d.png for one picture a frame, numbered from 0
+cli-arg-export-output = Where to write: a file that ends in .obj, .ply or .stl
 cli-arg-size = Size of the picture in pixels; 1280x720 unless given
 cli-arg-samples = Samples a pixel: 4 smooths edges (the default), 1 is quicker
 cli-arg-background = What stands behind: #rrggbb, #rgb, a name such as white, or none for a transparent picture; a soft gradient unless given
@@ -117,12 +117,12 @@ cli-no-arm-to-bend = { $file } has no arm, so --angle bends nothing; use --contr
 cli-no-elbow-to-bend = No elbow was found in { $file }, so --angle bends nothing; a muscle file can name the joint, as in joint: {"{"}bone: forearm, axis: [1, 0, 0]{"}"}.
 cli-no-arm-to-measure = { $file } has a muscle on no arm, so there is no angle to measure at; leave --angles and --sweep out.
 cli-no-arm-to-compare = { $file } has a muscle on no arm, so there is no angle to compare at; leave --compare out.
-cli-needs-sequence = { $option } needs several pictures: let OUT end in .gif, or name it as in frame-%04d.png.
+cli-needs-sequence = { $option } needs several pictures: let OUT end in .gif, .apng, .mp4 or .webm, or name it as in frame-%04d.png.
 cli-range-empty = --from { $from } lies after --to { $to }, so there is nothing to draw.
 cli-too-many-frames = This makes more than { $limit } frames; take a shorter stretch or a lower --fps.
 cli-gif-fps = A .gif shows at most { $limit } frames a second; give a lower --fps or write pictures.
-cli-render-ending = { $out }: the ending must be .png or .gif.
-cli-export-ending = { $out }: the ending must be .obj.
+cli-render-ending = { $out }: the ending must be .png, .gif, .apng, .mp4 or .webm.
+cli-export-ending = { $out }: the ending must be .obj, .ply or .stl.
 cli-out-is-input = { $out } is one of the files that are read; choose another name for the result.
 
 # The command line: files that could not be used, notices, results.
@@ -232,3 +232,35 @@ gltf-colours = Clip “{ $clip }” changes colours or lights; glTF animates onl
 gltf-image = The image “{ $name }” is not there or cannot be read, and is left out.
 gltf-ambient = The light “{ $name }” comes from everywhere; glTF has no such light, and it is left out.
 gltf-moved = Clip “{ $clip }” starts before zero, which glTF does not allow; its times are { NUMBER($milliseconds, useGrouping: 0) } ms later.
+# Films, shells, questions.
+cli-about-completions = Prints what a shell needs to complete calls of sinew.
+cli-arg-shell = The shell: bash, zsh or fish
+cli-arg-quiet = Say nothing but problems; ask nothing
+cli-arg-verbose = Also say what was found in the files and what was written
+cli-arg-force = Replace files that are there without asking; without a terminal nobody is asked anyway
+cli-arg-scale = Make everything in the picture this many times larger, lines too: 2 gives twice the columns and rows
+cli-arg-duration = Seconds of an animation, counted from its first moment; instead of --to. A turn, a swing and a sweep take 4 unless given
+cli-arg-sweep-angle = Bend the elbow from one angle to another over the animation, degrees
+cli-arg-sweep-contraction = Contract the muscle from one value to another over the animation, per cent
+cli-arg-grid = Draw the ground grid
+cli-arg-axes = Draw the axes of the world
+cli-arg-bounding-box = Draw the box round everything
+cli-example-render-sweep = the elbow bends in a film of three seconds
+cli-example-completions = completions for bash, for yourself
+cli-value-not-span = is not a range; write FROM:TO as in 0:130.
+cli-scale-too-large = --scale makes a side longer than { $limit } pixels; take a smaller one.
+cli-progress = Frame { NUMBER($done, useGrouping: 0) } of { NUMBER($count, useGrouping: 0) }
+cli-written = { $out }: { NUMBER($count, useGrouping: 0) } { $count ->
+        [one] frame
+       *[other] frames
+    } of { $width } × { $height } pixels written.
+cli-export-written = { $out }: written.
+cli-ask-overwrite = { $out } is there already{ $more ->
+        [0] {""}
+       *[other] , and { NUMBER($more, useGrouping: 0) } more
+    }. Replace? [y/N]
+cli-left-alone = left as it was.
+export-cancelled = Stopped; nothing was written.
+export-no-ffmpeg = Films of this kind are made by ffmpeg, which is not installed; install it, or choose .gif, .apng or numbered pictures.
+export-no-codec = ffmpeg is here, but without an encoder for this kind of film ({ $names }); choose .gif, .apng or numbered pictures.
+export-encoder-failed = ffmpeg could not make the film: { $reason }

@@ -3,16 +3,13 @@
 //! The distance follows from everything that the clip covers, or the arm's whole swing, not from one moment: so a single picture is framed as
 //! the same frame of an animation is, and two pictures of one file can be laid over each other.
 
-use clap::ArgMatches;
-
-use super::value;
 use crate::document::{Document, PoseBuffers, PoseState};
-use crate::scene::{Bounds, Camera, Frame, OrbitCamera, View};
+use crate::scene::{Bounds, Camera, Frame, OrbitCamera};
 
 /// Directions in which a turntable is looked at: every five degrees.
 const TURNS: u16 = 72;
 
-/// The direction that the options name.
+/// A direction to look in, fitted to what is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Direction {
     /// Degrees round +Y.
@@ -23,27 +20,6 @@ pub struct Direction {
     pub parallel: bool,
     /// How many times nearer than the fit.
     pub zoom: f32,
-}
-
-impl Direction {
-    /// Takes `--camera`, `--yaw`, `--pitch` and `--zoom`. The named cameras but `orbit` have parallel rays; yaw and pitch replace their angles.
-    pub fn given(given: &ArgMatches) -> Self {
-        let (view, parallel) = match value::<String>(given, "camera").as_deref() {
-            Some("front") => (View::Front, true),
-            Some("right") => (View::Right, true),
-            Some("top") => (View::Top, true),
-            Some("iso") => (View::Iso, true),
-            _ => (View::Start, false),
-        };
-        let (yaw, pitch) = view.angles();
-        Self {
-            // Whole turns go first: in `f32` a large angle would have no degrees left.
-            yaw: value::<f64>(given, "yaw").map_or(yaw, |yaw| (yaw % 360.0) as f32),
-            pitch: value::<f64>(given, "pitch").map_or(pitch, |pitch| pitch as f32),
-            parallel,
-            zoom: value::<f64>(given, "zoom").map_or(1.0, |zoom| zoom as f32),
-        }
-    }
 }
 
 /// A fitted camera that can be turned.

@@ -1,0 +1,137 @@
+//! The materials of a posed surface as Wavefront MTL, textures named by their place relative to the file.
+
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::io::{self, Write};
+use std::path::{Component, Path, PathBuf};
+
+use glam::{Vec2, Vec3};
+
+use super::obj::{group_name, unique};
+use super::surface::visible;
+use crate::scene::{Frame, MaterialId, Paint, Scene, Surface, TextureRef};
+
+/// The file with the materials of an OBJ file: beside it, with the ending `.mtl`.
+pub fn library(obj: &Path) -> PathBuf {
+    obj.with_extension("mtl")
+}
+
+/// The materials that a frame's visible surfaces use, with their names in the file.
+#[derive(Debug, Clone, Default)]
+pub struct Materials {
+    names: HashMap<MaterialId, String>,
+    order: Vec<MaterialId>,
+}
+
+impl Materials {
+    /// Finds them.
+    pub fn of(frame: &Frame) -> Self {
+        let bound = visible(frame).flat_map(|surface| surface.materials.iter().flatten()).map(|binding| binding.material);
+        let ids: BTreeSet<u32> = bound.map(|material| material.0).collect();
+        let mut taken = HashSet::new();
+        let mut found = Self::default();
+        for id in ids.into_iter().map(MaterialId) {
+            if let Some(material) = frame.materials.get(id.index()) {
+                let name = if material.name.trim().is_empty() { &material.id } else { &material.name };
+                found.names.insert(id, unique(&group_name(name), &mut taken));
+                found.order.push(id);
+            }
+        }
+        found
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.order.is_empty()
+    }
+
+    /// The name of a material in the file.
+    pub fn name(&self, material: MaterialId) -> Option<&str> {
+        self.names.get(&material).map(String::as_str)
+    }
+
+    /// The material of triangle `index` of a surface.
+    pub fn of_triangle(&self, surface: &Surface, index: u32) -> Option<MaterialId> {
+        let parts = surface.mesh.parts.iter().zip(surface.materials.iter());
+        let bound = parts.filter(|(part, _)| part.triangles.contains(&index)).find_map(|(_, binding)| binding.as_ref());
+        bound.map(|binding| binding.material).filter(|material| self.names.contains_key(material))
+    }
+
+    /// The texture coordinates that a surface is written with: those of its first diffuse texture, else its first set.
+    pub fn uv_set<'a>(&self, frame: &Frame, surface: &'a Surface) -> Option<&'a [Vec2]> {
+        let textured = |binding: &crate::scene::MaterialBinding| {
+            let texture = frame.materials.get(binding.material.index())?.diffuse.texture.as_ref()?;
+            Some(binding.uv_set(texture) as usize)
+        };
+        let set = surface.materials.iter().flatten().find_map(textured).unwrap_or(0);
+        surface.mesh.uv_sets.get(set).map(Vec::as_slice).filter(|uvs| uvs.len() == surface.mesh.positions.len())
+    }
+
+    /// Writes the materials for an OBJ file that will lie at `obj`.
+    ///
+    /// # Errors
+    /// What `out` returns.
+    pub fn write(&self, out: &mut impl Write, scene: &Scene, frame: &Frame, obj: &Path) -> io::Result<()> {
+        writeln!(out, "# Sinew {}", env!("CARGO_PKG_VERSION"))?;
+        for id in &self.order {
+            let (Some(material), Some(name)) = (frame.materials.get(id.index()), self.name(*id)) else { continue };
+            writeln!(out, "\nnewmtl {name}")?;
+            // A texture multiplies its colour here as there.
+            let mut color = |keyword: &str, Vec3 { x, y, z }: Vec3| writeln!(out, "{keyword} {x} {y} {z}");
+            color("Ka", material.ambient.color)?;
+            color("Kd", material.diffuse.color)?;
+            color("Ks", material.specular.color)?;
+            color("Ke", material.emission.color)?;
+            writeln!(out, "Ns {}", material.shininess)?;
+            writeln!(out, "d {}", material.opacity)?;
+            writeln!(out, "illum {}", if material.specular.color == Vec3::ZERO { 1 } else { 2 })?;
+            let maps: [(&str, &Paint); 3] = [("map_Kd", &material.diffuse), ("map_Ks", &material.specular), ("map_Ke", &material.emission)];
+            for (keyword, paint) in maps {
+                if let Some(file) = paint.texture.as_ref().and_then(|texture| image(scene, texture, obj)) {
+                    writeln!(out, "{keyword} {file}")?;
+                }
+            }
+            if let Some(file) = material.opacity_texture.as_ref().and_then(|(texture, _)| image(scene, texture, obj)) {
+                writeln!(out, "map_d {file}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A texture's file as seen from the folder of `obj`; `None` where it was not found.
+fn image(scene: &Scene, texture: &TextureRef, obj: &Path) -> Option<String> {
+    let file = std::path::absolute(scene.images.get(texture.image.index())?.path.as_ref()?).ok()?;
+    let folder = std::path::absolute(obj).ok()?.parent()?.to_owned();
+    let plain = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    Some(relative(&plain(&file), &plain(&folder)).to_string_lossy().replace('\\', "/"))
+}
+
+/// The way from `folder` to `file`, both absolute; `file` itself where they share no root.
+fn relative(file: &Path, folder: &Path) -> PathBuf {
+    let (mut to, mut from) = (file.components().peekable(), folder.components().peekable());
+    let mut shared = 0;
+    while let (Some(a), Some(b)) = (to.peek(), from.peek()) {
+        if a != b {
+            break;
+        }
+        (to.next(), from.next());
+        shared += 1;
+    }
+    if shared == 0 {
+        return file.to_owned();
+    }
+    from.map(|_| Component::ParentDir).chain(to).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_way_to_a_texture_is_relative() {
+        let way = |file: &str, folder: &str| relative(Path::new(file), Path::new(folder)).to_string_lossy().into_owned();
+        assert_eq!(way("/a/b/skin.png", "/a/b"), "skin.png");
+        assert_eq!(way("/a/b/skin.png", "/a/out/deep"), "../../b/skin.png");
+        assert_eq!(way("/a/skin.png", "/"), "a/skin.png");
+    }
+}

@@ -1,0 +1,166 @@
+//! Films as MP4 and WebM, by the `ffmpeg` that the user has: it is a program of its own that is handed the pictures, nothing is linked in.
+
+use std::io::{self, Read, Write};
+use std::path::Path;
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::thread::JoinHandle;
+
+use super::ExportError;
+use super::atomic::Pending;
+
+/// The kinds of film.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// H.264, which plays everywhere; MPEG-4 where the user's `ffmpeg` has no H.264.
+    Mp4,
+    /// VP9 (VP8 where there is none), which can be transparent.
+    Webm,
+}
+
+impl Kind {
+    /// The encoders that would do, the best first.
+    fn encoders(self) -> &'static [&'static str] {
+        match self {
+            Self::Mp4 => &["libx264", "libopenh264", "mpeg4"],
+            Self::Webm => &["libvpx-vp9", "libvpx"],
+        }
+    }
+
+    fn container(self) -> &'static str {
+        match self {
+            Self::Mp4 => "mp4",
+            Self::Webm => "webm",
+        }
+    }
+}
+
+/// Whether `ffmpeg` can be started.
+pub fn is_there() -> bool {
+    ffmpeg().arg("-version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
+}
+
+/// Quiet, without questions, in plain C messages.
+fn ffmpeg() -> Command {
+    let mut command = Command::new("ffmpeg");
+    command.args(["-hide_banner", "-nostats", "-loglevel", "error"]).env("AV_LOG_FORCE_NOCOLOR", "1").stdin(Stdio::null());
+    command
+}
+
+/// Takes the frames of a film.
+pub struct Sink {
+    child: Child,
+    pipe: Option<ChildStdin>,
+    words: Option<JoinHandle<String>>,
+    pending: Option<Pending>,
+    target: std::path::PathBuf,
+}
+
+impl Sink {
+    /// Starts `ffmpeg` on a film of frames of `size`, `fps` a second. With `alpha` its pictures have an alpha channel, which only WebM keeps.
+    ///
+    /// # Errors
+    /// [`ExportError`] where there is no `ffmpeg`, it has no encoder for this kind, or the folder cannot be written.
+    pub fn begin(target: &Path, kind: Kind, (width, height): (u32, u32), fps: f64, alpha: bool, note: &str) -> Result<Self, ExportError> {
+        let encoder = encoder(target, kind)?;
+        let pending = Pending::begin(target)?;
+        let mut command = ffmpeg();
+        let pixels = if alpha { "rgba" } else { "rgb24" };
+        command.args(["-f", "rawvideo", "-pixel_format", pixels, "-video_size", &format!("{width}x{height}")]);
+        command.args(["-framerate", &format!("{fps}"), "-i", "pipe:0", "-an", "-c:v", encoder]);
+        // Half the columns and rows carry the colour, so both must be even; a last line is doubled where they are not.
+        let transparent = alpha && kind == Kind::Webm;
+        let format = if transparent { "yuva420p" } else { "yuv420p" };
+        let filter = format!(
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:{},scale=out_color_matrix=bt709:out_range=tv,format={format}",
+            if transparent { "black@0" } else { "black" }
+        );
+        command.args([
+            "-vf",
+            &filter,
+            "-colorspace",
+            "bt709",
+            "-color_primaries",
+            "bt709",
+            "-color_trc",
+            "iec61966-2-1",
+            "-color_range",
+            "tv",
+        ]);
+        match encoder {
+            "libx264" => command.args(["-preset", "medium", "-crf", "17", "-tune", "animation"]),
+            "libvpx-vp9" => command.args(["-crf", "22", "-b:v", "0", "-row-mt", "1", "-deadline", "good", "-cpu-used", "4"]),
+            "libvpx" => command.args(["-crf", "8", "-b:v", "8M", "-auto-alt-ref", "0"]),
+            _ => command.args(["-q:v", "2", "-b:v", "12M"]),
+        };
+        if kind == Kind::Mp4 {
+            command.args(["-movflags", "+faststart"]);
+        }
+        command.args(["-metadata", &format!("comment={note}"), "-f", kind.container(), "-y"]).arg(pending.file());
+        command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut child = command.spawn().map_err(|_| ExportError::NoEncoder { file: target.to_owned() })?;
+        let words = child.stderr.take().map(|mut words| {
+            std::thread::spawn(move || {
+                let mut text = Vec::new();
+                // What was read before it broke off is still worth showing.
+                let _ = words.by_ref().take(1 << 16).read_to_end(&mut text);
+                let _ = io::copy(&mut words, &mut io::sink());
+                String::from_utf8_lossy(&text).into_owned()
+            })
+        });
+        let pipe = child.stdin.take();
+        Ok(Self { child, pipe, words, pending: Some(pending), target: target.to_owned() })
+    }
+
+    /// Adds a frame, rows of bytes as [`super::apng::rows`] makes them.
+    ///
+    /// # Errors
+    /// [`ExportError::EncoderFailed`], inside the [`io::Error`], where `ffmpeg` no longer listens.
+    pub fn frame(&mut self, rows: &[u8]) -> io::Result<()> {
+        let Some(pipe) = &mut self.pipe else { return Err(io::ErrorKind::BrokenPipe.into()) };
+        pipe.write_all(rows).map_err(|_| io::Error::other(self.last_words()))
+    }
+
+    /// Lets `ffmpeg` finish and puts the film in its place.
+    ///
+    /// # Errors
+    /// [`ExportError`] where `ffmpeg` failed.
+    pub fn finish(mut self) -> Result<(), ExportError> {
+        self.pipe = None;
+        let ended = self.child.wait().is_ok_and(|status| status.success());
+        match self.pending.take() {
+            Some(pending) if ended => pending.put_in_place(),
+            _ => Err(self.last_words()),
+        }
+    }
+
+    fn last_words(&mut self) -> ExportError {
+        self.pipe = None;
+        // It is on its way out; should it hang, nobody waits for it.
+        let _ = self.child.kill();
+        let status = self.child.wait();
+        let said = self.words.take().and_then(|words| words.join().ok()).unwrap_or_default();
+        let reason = said.lines().rev().find(|line| !line.trim().is_empty()).map(|line| line.trim().to_owned());
+        let reason = reason.unwrap_or_else(|| status.map_or_else(|error| error.to_string(), |status| status.to_string()));
+        ExportError::EncoderFailed { file: self.target.clone(), reason }
+    }
+}
+
+impl Drop for Sink {
+    fn drop(&mut self) {
+        self.pipe = None;
+        if self.pending.is_some() {
+            // Given up half-way. The temporary file goes once nobody writes it.
+            let _ = self.child.kill();
+        }
+        let _ = self.child.wait();
+    }
+}
+
+/// The best encoder that the user's `ffmpeg` has.
+fn encoder(target: &Path, kind: Kind) -> Result<&'static str, ExportError> {
+    let listed = ffmpeg().arg("-encoders").output().map_err(|_| ExportError::NoEncoder { file: target.to_owned() })?;
+    let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
+    let has = |name: &str| listed.lines().any(|line| line.split_whitespace().nth(1) == Some(name));
+    let found = kind.encoders().iter().copied().find(|name| has(name));
+    found.ok_or_else(|| ExportError::NoCodec { file: target.to_owned(), names: kind.encoders().join(", ") })
+}
