@@ -135,7 +135,7 @@ mod tests {
     fn pixels_come_back_in_reading_order() {
         let picture = Framebuffer { width: 2, height: 1, pixels: vec![0xFF010203, 0xFFFFFEFD] };
         let mut file = Vec::new();
-        encode(&mut file, &picture, false, &[("Clip", "Gehen, шаг")]).expect("memory is writable");
+        encode(&mut file, &picture, false, &[("Clip", "Gehen, шаг")], Effort::Small).expect("memory is writable");
         let (color, pixels, notes) = decode(&file);
         assert_eq!((color, pixels), (::png::ColorType::Rgb, vec![1, 2, 3, 255, 254, 253]));
         assert_eq!(notes, [("Clip".to_owned(), "Gehen, шаг".to_owned())]);
