@@ -159,7 +159,7 @@ mod tests {
         assert_eq!(delay(7, 24.0), (1, 24));
         assert_eq!(delay(7, 12.5), (2, 25));
         assert_eq!(delay(7, 30_000.0 / 1001.0), (1001, 30_000));
-        let odd = 17.0 + 1.0 / 7.0;
+        let odd = 17.123_456;
         let sum: u64 = (0..120).map(|frame| u64::from(delay(frame, odd).0)).sum();
         assert_eq!(sum, (120.0 * 10_000.0 / odd).round() as u64);
         assert_eq!(delay(0, 0.01), (100, 1));
