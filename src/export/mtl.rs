@@ -114,7 +114,8 @@ fn relative(file: &Path, folder: &Path) -> PathBuf {
         if a != b {
             break;
         }
-        (to.next(), from.next());
+        to.next();
+        from.next();
         shared += 1;
     }
     if shared == 0 {

@@ -44,10 +44,9 @@ struct Remembering<'a, W> {
 
 impl<W: Write> Remembering<'_, W> {
     fn kept<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
-        result.map_err(|error| {
+        result.inspect_err(|error| {
             let again = error.raw_os_error().map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error);
             self.refused.get_or_insert(again);
-            error
         })
     }
 }
