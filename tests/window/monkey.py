@@ -64,7 +64,8 @@ def event(dice):
     way = ["mousemove_relative", "--", dice.randrange(-200, 200), dice.randrange(-150, 150)]
     button = dice.choice((1, 1, 1, 2, 3))
     held = dice.choice((None, None, "shift", "ctrl"))
-    drag = at + ["mousedown", button] + way + way + ["mouseup", button]
+    # A drag of the header would take the window off the screen, where GTK finds no monitor for its menus.
+    drag = ["mousemove", x, max(y, 60)] + ["mousedown", button] + way + way + ["mouseup", button]
     return drag if held is None else ["keydown", held] + drag + ["keyup", held]
 
 
@@ -96,7 +97,7 @@ def main():
     begun, done, warm, starts = time.monotonic(), 0, None, 1
     since = 0
     while done < EVENTS and time.monotonic() - begun < SECONDS:
-        words = [str(word) for _ in range(BATCH) for word in event(dice)]
+        words = ["windowmove", window.window, "0", "0"] + [str(word) for _ in range(BATCH) for word in event(dice)]
         try:
             subprocess.run(["xdotool", *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=60)
         except subprocess.TimeoutExpired:
