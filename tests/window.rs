@@ -104,7 +104,6 @@ fn drive(script: &str) {
         .env("DISPLAY", &display.name)
         .env("PYTHONDONTWRITEBYTECODE", "1")
         .env_remove("WAYLAND_DISPLAY")
-        .env("G_DEBUG", "fatal-criticals")
         .env("LANG", "C.UTF-8")
         .env("LC_ALL", "C.UTF-8")
         .env("XDG_CONFIG_HOME", home.path())

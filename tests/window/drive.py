@@ -63,7 +63,9 @@ class Window:
     """A running program."""
 
     def __init__(self, *files):
-        self.process = subprocess.Popen([program, *files], stderr=subprocess.PIPE, text=True)
+        # For the program alone: this one's own library for the accessibility bus has critical messages of its own.
+        environment = {"G_DEBUG": "fatal-criticals", **os.environ}
+        self.process = subprocess.Popen([program, *files], stderr=subprocess.PIPE, text=True, env=environment)
         self.root = wait("the program appears in the accessibility tree", self.find_root)
         self.window = wait("the window is there", lambda: run("xdotool", "search", "--onlyvisible", "--pid", self.process.pid).split()[0].decode())
         run("xdotool", "windowmove", self.window, 0, 0)

@@ -138,7 +138,9 @@ def test_cameras(window):
     left, bottom = tools.x - 13, hint.y + hint.height + 12
     changes(window, "a click on the Y axis looks from above", lambda: click(left + 44, bottom - 44 - 27))
     told("the axes in the corner are clicked")
-    changes(window, "F and W fly ahead", lambda: run("xdotool", "key", "f", "keydown", "w", "sleep", 0.3, "keyup", "w"))
+    window.key("f")
+    changes(window, "W flies ahead while it is held", lambda: run("xdotool", "keydown", "w"))
+    run("xdotool", "keyup", "w")
     changes(window, "a drag in flight looks elsewhere", lambda: drag(600, 300, 640, 310))
     window.key("Escape")
     window.key("Return")
