@@ -15,7 +15,7 @@ from drive import Window, configs, fail, folder, told, wait
 
 SEED = int(os.environ.get("SINEW_MONKEY_SEED", "1"))
 EVENTS = int(os.environ.get("SINEW_MONKEY_EVENTS", "10000"))
-SECONDS = float(os.environ.get("SINEW_MONKEY_SECONDS", "400"))
+SECONDS = float(os.environ.get("SINEW_MONKEY_SECONDS", "900"))
 BATCH = 40
 WIDTH, HEIGHT = 1280, 840
 
