@@ -94,6 +94,8 @@ commands! {
         PictureTransparent = "picture-transparent" ["<Control>F12"],
         /// Copy the picture.
         CopyPicture = "copy-picture" ["<Control>c"],
+        /// Save pictures, films, surfaces.
+        Export = "export" ["<Control>e"],
         /// Close the files.
         Close = "close" ["<Control>w"],
         /// Leave.

@@ -57,7 +57,7 @@ fn main_menu() -> gio::Menu {
     let menu = gio::Menu::new();
     section(&menu, &[C::Save, C::SaveAs, C::Revert]);
     section(&menu, &[C::Reload, C::PreviousFile, C::NextFile, C::Close]);
-    section(&menu, &[C::Picture, C::PictureTransparent, C::CopyPicture]);
+    section(&menu, &[C::Picture, C::PictureTransparent, C::CopyPicture, C::Export]);
     let time = gio::Menu::new();
     section(&time, &[C::Reverse, C::MarkA, C::MarkB, C::ClearMarks]);
     section(&time, &[C::Slower, C::Faster, C::NormalSpeed]);

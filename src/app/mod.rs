@@ -18,6 +18,8 @@ mod canvas;
 mod curve_plot;
 mod display_panel;
 mod error_bar;
+mod export_dialog;
+mod export_job;
 mod files;
 mod format;
 mod glyph;

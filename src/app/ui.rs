@@ -32,6 +32,7 @@ files! {
     TREE_EYE = "tree_eye",
     ERROR_BAR = "error_bar",
     START = "start",
+    EXPORT = "export",
 }
 
 /// A builder of one of the files, in the user's language.

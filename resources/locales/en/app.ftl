@@ -382,3 +382,51 @@ app-measure-save = Save as CSV…
 app-measure-section = Largest cross-section, { $unit }²
 app-measure-error = Volume error V / V₀ − 1
 app-measure-published = Published moment arms of the biceps
+
+# Export.
+app-do-export = Export…
+app-export-title = Export
+app-export-go = Export…
+app-export-kind = File
+app-export-picture = Picture (PNG)
+app-export-gif = Film (GIF)
+app-export-apng = Film, every pixel as drawn (APNG)
+app-export-pictures = Numbered pictures (PNG)
+app-export-mp4 = Film (MP4, by ffmpeg)
+app-export-webm = Film (WebM, by ffmpeg)
+app-export-obj = Posed surface with materials (OBJ)
+app-export-ply = Posed surface (PLY)
+app-export-stl = Posed surface for printing (STL)
+app-export-glb = Whole scene (glTF, .glb)
+app-export-gltf = Whole scene (glTF, .gltf)
+app-export-size = Size, pixels
+app-export-width = Width, pixels
+app-export-height = Height, pixels
+app-export-course = What moves
+app-export-whole = The whole clip, or one swing of the arm
+app-export-marks = The clip between A and B
+app-export-elbow = The elbow bends
+app-export-contraction = The muscle contracts
+app-export-turntable = The model turns once
+app-export-sweep = From – to
+app-export-from = From
+app-export-to = To
+app-export-duration = Seconds
+app-export-fps = Frames a second
+app-export-helps = Bones, grid and other helps as on the screen
+app-export-transparent = Without background
+app-export-progress = Progress
+app-export-frames = { NUMBER($count, useGrouping: 0) } { $count ->
+        [one] frame
+       *[other] frames
+    } of { $width } × { $height } pixels, { $seconds } s
+app-export-one = One picture of { $width } × { $height } pixels
+app-export-surface = The surface as it stands now: world space, metres, Y up
+app-export-scene = Nodes, skins, clips, materials; muscles bulge in any viewer
+app-export-gif-fps = A GIF shows at most { $limit } frames a second.
+app-export-own = This is one of the files that are open; choose another name.
+app-export-broke = Something went wrong inside Sinew; nothing was written.
+app-export-empty = There is nothing between these moments.
+app-export-too-many = This makes more than { NUMBER($limit, useGrouping: 0) } frames; take fewer a second or a shorter stretch.
+app-export-no-elbow = There is no elbow here that could bend.
+app-export-no-muscle = There is no muscle here that could be contracted.

@@ -387,3 +387,52 @@ app-measure-save = Сохранить как CSV…
 app-measure-section = Наибольшее сечение, { $unit }²
 app-measure-error = Ошибка объёма V / V₀ − 1
 app-measure-published = Опубликованные плечи силы бицепса
+
+# Экспорт.
+app-do-export = Экспорт…
+app-export-title = Экспорт
+app-export-go = Экспортировать…
+app-export-kind = Файл
+app-export-picture = Картинка (PNG)
+app-export-gif = Фильм (GIF)
+app-export-apng = Фильм, каждый пиксель как нарисован (APNG)
+app-export-pictures = Нумерованные картинки (PNG)
+app-export-mp4 = Фильм (MP4, через ffmpeg)
+app-export-webm = Фильм (WebM, через ffmpeg)
+app-export-obj = Поверхность в этой позе с материалами (OBJ)
+app-export-ply = Поверхность в этой позе (PLY)
+app-export-stl = Поверхность для печати (STL)
+app-export-glb = Вся сцена (glTF, .glb)
+app-export-gltf = Вся сцена (glTF, .gltf)
+app-export-size = Размер, пиксели
+app-export-width = Ширина, пиксели
+app-export-height = Высота, пиксели
+app-export-course = Что движется
+app-export-whole = Весь клип или одно сгибание руки
+app-export-marks = Клип между A и B
+app-export-elbow = Сгибается локоть
+app-export-contraction = Сокращается мышца
+app-export-turntable = Модель делает оборот
+app-export-sweep = От – до
+app-export-from = От
+app-export-to = До
+app-export-duration = Секунды
+app-export-fps = Кадров в секунду
+app-export-helps = Кости, сетка и прочее, как на экране
+app-export-transparent = Без фона
+app-export-progress = Ход работы
+app-export-frames = { NUMBER($count, useGrouping: 0) } { $count ->
+        [one] кадр
+        [few] кадра
+       *[other] кадров
+    } по { $width } × { $height } пикселей, { $seconds } с
+app-export-one = Одна картинка { $width } × { $height } пикселей
+app-export-surface = Поверхность, как она стоит сейчас: мировые координаты, метры, ось Y вверх
+app-export-scene = Узлы, привязки, клипы, материалы; мышцы вздуваются в любой программе
+app-export-gif-fps = GIF показывает не больше { $limit } кадров в секунду.
+app-export-own = Это один из открытых файлов; выберите другое имя.
+app-export-broke = Внутри Sinew что-то пошло не так; ничего не записано.
+app-export-empty = Между этими моментами ничего нет.
+app-export-too-many = Получится больше { NUMBER($limit, useGrouping: 0) } кадров; возьмите меньше кадров в секунду или отрезок короче.
+app-export-no-elbow = Здесь нет локтя, который мог бы согнуться.
+app-export-no-muscle = Здесь нет мышцы, которую можно сократить.

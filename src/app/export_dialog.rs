@@ -1,0 +1,256 @@
+//! The export dialog: what, how large, how long; then progress with a way to stop.
+
+use std::cell::RefCell;
+use std::path::PathBuf;
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::export_job::{Course, Job, Kind, Options, first_numbered};
+use super::window::{Window, part};
+use super::{format, ui};
+use crate::export::ExportError;
+use crate::export::gif::MOST_FPS;
+use crate::export::pipeline::Work;
+use crate::film::{FRAMES, Refusal};
+use crate::tr;
+
+/// How often the bar moves.
+const PULSE: Duration = Duration::from_millis(80);
+
+/// The dialog while it is open.
+struct Dialog {
+    builder: gtk::Builder,
+    window: Rc<Window>,
+    work: RefCell<Option<Arc<Work>>>,
+}
+
+/// Opens the dialog.
+pub fn show(window: &Rc<Window>) {
+    let builder = ui::builder(ui::EXPORT);
+    let dialog = Rc::new(Dialog { builder, window: window.clone(), work: RefCell::new(None) });
+    let root = dialog.part::<gtk::Window>("root");
+    root.set_transient_for(Some(&window.widget));
+    let list = |id: &str, labels: Vec<String>| {
+        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
+        dialog.part::<gtk::DropDown>(id).set_model(Some(&gtk::StringList::new(&labels)));
+    };
+    list("kind", Kind::ALL.iter().map(|kind| kind.label()).collect());
+    list("course", Course::ALL.iter().map(|course| course.label()).collect());
+    let scale = window.viewport.scale().max(1);
+    let (width, height) = window.viewport.size();
+    dialog.spin("width").set_value(f64::from((width * scale).max(16)));
+    dialog.spin("height").set_value(f64::from((height * scale).max(16)));
+    dialog.connect();
+    dialog.show_choice();
+    root.present();
+}
+
+impl Dialog {
+    fn part<T: IsA<glib::Object>>(&self, id: &str) -> T {
+        part(&self.builder, id)
+    }
+
+    fn spin(&self, id: &str) -> gtk::SpinButton {
+        self.part(id)
+    }
+
+    fn connect(self: &Rc<Self>) {
+        let root = self.part::<gtk::Window>("root");
+        for id in ["kind", "course"] {
+            let dialog = self.clone();
+            self.part::<gtk::DropDown>(id).connect_selected_notify(move |list| {
+                if list.widget_name() == "course" {
+                    dialog.usual_sweep();
+                }
+                dialog.show_choice();
+            });
+        }
+        for id in ["width", "height", "from", "to", "fps", "duration"] {
+            let dialog = self.clone();
+            self.spin(id).connect_value_changed(move |_| dialog.show_choice());
+        }
+        let dialog = self.clone();
+        self.part::<gtk::Button>("cancel").connect_clicked(move |_| dialog.part::<gtk::Window>("root").close());
+        let dialog = self.clone();
+        self.part::<gtk::Button>("export").connect_clicked(move |_| dialog.ask_where());
+        // A running export is stopped first; the dialog stays to say so.
+        let dialog = self.clone();
+        root.connect_close_request(move |_| {
+            if let Some(work) = &*dialog.work.borrow() {
+                work.cancelled.store(true, Ordering::Relaxed);
+                return glib::Propagation::Stop;
+            }
+            glib::Propagation::Proceed
+        });
+        let keys = gtk::EventControllerKey::new();
+        let weak = root.downgrade();
+        keys.connect_key_pressed(move |_, key, _, _| match weak.upgrade() {
+            Some(root) if key == gtk::gdk::Key::Escape => {
+                root.close();
+                glib::Propagation::Stop
+            }
+            _ => glib::Propagation::Proceed,
+        });
+        root.add_controller(keys);
+    }
+
+    fn options(&self) -> Options {
+        let chosen = |id: &str| self.part::<gtk::DropDown>(id).selected() as usize;
+        let (width, height) = (self.spin("width").value().max(1.0), self.spin("height").value().max(1.0));
+        let on_screen = f64::from(self.window.viewport.size().0.max(1));
+        Options {
+            kind: Kind::ALL.get(chosen("kind")).copied().unwrap_or(Kind::Picture),
+            course: Course::ALL.get(chosen("course")).copied().unwrap_or(Course::Whole),
+            sweep: (self.spin("from").value(), self.spin("to").value()),
+            size: (width as u32, height as u32),
+            scale: (width / on_screen).clamp(0.25, 16.0) as f32,
+            fps: self.spin("fps").value(),
+            duration: self.spin("duration").value(),
+            transparent: self.part::<gtk::CheckButton>("transparent").is_active(),
+            helps: self.part::<gtk::CheckButton>("helps").is_active(),
+        }
+    }
+
+    fn usual_sweep(&self) {
+        let end = if self.options().course == Course::Contraction { 100.0 } else { 130.0 };
+        self.spin("from").set_value(0.0);
+        self.spin("to").set_value(end);
+    }
+
+    /// Shows the rows that the choice needs, and what will come of it.
+    fn show_choice(&self) {
+        let options = self.options();
+        let (drawn, film) = (options.kind.is_drawn(), options.kind.is_film());
+        for (ids, shown) in [
+            (&["size_label", "size_box", "transparent", "helps"][..], drawn),
+            (&["course_label", "course", "fps_label", "fps"], film),
+            (&["sweep_label", "sweep_box"], film && options.course.is_sweep()),
+            (&["duration_label", "duration"], film && options.course.has_duration()),
+        ] {
+            ids.iter().for_each(|id| self.part::<gtk::Widget>(id).set_visible(shown));
+        }
+        let sequence = self.window.look(|session| options.sequence(session));
+        let summary = match sequence {
+            Err(refusal) => Err(refused(refusal)),
+            Ok(_) if options.kind == Kind::Gif && options.fps > MOST_FPS => Err(tr!("app-export-gif-fps", limit = MOST_FPS)),
+            Ok(sequence) if film => Ok(tr!(
+                "app-export-frames",
+                count = sequence.count,
+                width = options.size.0.to_string(),
+                height = options.size.1.to_string(),
+                seconds = format::number(sequence.seconds(), 2)
+            )),
+            Ok(_) if drawn => Ok(tr!("app-export-one", width = options.size.0.to_string(), height = options.size.1.to_string())),
+            Ok(_) if matches!(options.kind, Kind::Glb | Kind::Gltf) => Ok(tr!("app-export-scene")),
+            Ok(_) => Ok(tr!("app-export-surface")),
+        };
+        self.part::<gtk::Button>("export").set_sensitive(summary.is_ok());
+        self.say(&summary.unwrap_or_else(|trouble| trouble));
+    }
+
+    fn say(&self, text: &str) {
+        self.part::<gtk::Label>("summary").set_text(text);
+    }
+
+    fn ask_where(self: &Rc<Self>) {
+        let options = self.options();
+        let chooser = gtk::FileChooserNative::new(
+            Some(&tr!("app-export-title")),
+            Some(&self.part::<gtk::Window>("root")),
+            gtk::FileChooserAction::Save,
+            Some(&tr!("app-save")),
+            Some(&tr!("app-cancel")),
+        );
+        let files = self.window.look(|session| session.files());
+        let name = files.first().and_then(|path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        chooser.set_current_name(&format!("{}.{}", name.unwrap_or_else(|| "sinew".into()), options.kind.ending()));
+        let (keep, dialog) = (RefCell::new(Some(chooser.clone())), self.clone());
+        chooser.connect_response(move |chooser, response| {
+            keep.take();
+            if let (gtk::ResponseType::Accept, Some(path)) = (response, chooser.file().and_then(|file| file.path())) {
+                let ending = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(options.kind.ending()));
+                let path = if ending { path } else { PathBuf::from(format!("{}.{}", path.display(), options.kind.ending())) };
+                dialog.start(options, path);
+            }
+        });
+        chooser.show();
+    }
+
+    /// Runs the export beside the interface.
+    fn start(self: &Rc<Self>, options: Options, file: PathBuf) {
+        // A result never replaces what it was made from, textures included.
+        let sources = self.window.look(|session| {
+            let images = session.document().scene.images.iter().filter_map(|image| image.path.clone());
+            session.files().into_iter().chain(images).collect::<Vec<_>>()
+        });
+        if file.canonicalize().is_ok_and(|file| sources.iter().any(|source| source.canonicalize().is_ok_and(|source| source == file))) {
+            return self.say(&tr!("app-export-own"));
+        }
+        let job = match self.window.look(|session| Job::new(session, options)) {
+            Ok(job) => job,
+            Err(refusal) => return self.say(&refused(refusal)),
+        };
+        let (count, work) = (job.count(), Arc::new(Work::default()));
+        self.work.replace(Some(work.clone()));
+        self.show_running(true);
+        self.watch(count, &work);
+        let dialog = self.clone();
+        glib::spawn_future_local(async move {
+            let (target, hand) = (file.clone(), work.clone());
+            let result = gio::spawn_blocking(move || job.run(&target, &hand)).await;
+            dialog.work.replace(None);
+            dialog.show_running(false);
+            match result {
+                Ok(Ok(())) => {
+                    let file = if options.kind == Kind::Pictures { first_numbered(&file).unwrap_or(file) } else { file };
+                    let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                    dialog.window.viewport.toast(&tr!("app-saved", file = name), Some(file));
+                    dialog.part::<gtk::Window>("root").close();
+                }
+                Ok(Err(ExportError::Cancelled)) => dialog.say(&tr!("export-cancelled")),
+                Ok(Err(error)) => dialog.say(&error.to_string()),
+                Err(_) => dialog.say(&tr!("app-export-broke")),
+            }
+        });
+    }
+
+    fn show_running(&self, running: bool) {
+        self.part::<gtk::Grid>("choices").set_sensitive(!running);
+        self.part::<gtk::Button>("export").set_sensitive(!running);
+        self.part::<gtk::ProgressBar>("bar").set_visible(running);
+        self.part::<gtk::ProgressBar>("bar").set_fraction(0.0);
+    }
+
+    fn watch(self: &Rc<Self>, count: usize, work: &Arc<Work>) {
+        let (dialog, work) = (self.clone(), work.clone());
+        glib::timeout_add_local(PULSE, move || {
+            if dialog.work.borrow().is_none() {
+                return glib::ControlFlow::Break;
+            }
+            let bar = dialog.part::<gtk::ProgressBar>("bar");
+            let done = work.done.load(Ordering::Relaxed);
+            if count > 1 {
+                bar.set_fraction(done as f64 / count as f64);
+                dialog.say(&tr!("cli-progress", done = done, count = count));
+            } else {
+                bar.pulse();
+            }
+            glib::ControlFlow::Continue
+        });
+    }
+}
+
+fn refused(refusal: Refusal) -> String {
+    match refusal {
+        Refusal::Empty { .. } => tr!("app-export-empty"),
+        Refusal::TooMany => tr!("app-export-too-many", limit = FRAMES),
+        Refusal::NoElbow => tr!("app-export-no-elbow"),
+        Refusal::NoMuscle => tr!("app-export-no-muscle"),
+    }
+}
