@@ -113,6 +113,8 @@ impl<T: Real> Arrays<T> {
         };
         if let (Some(given), Some(accessor)) = (given, accessor)
             && given != count
+            // The array's own count was told already.
+            && !follows_array(given)
             && self.said.insert(accessor.id())
         {
             let message = tr!("collada-count-mismatch", said = given, found = available);
