@@ -200,9 +200,15 @@ fn bench() -> Command {
     page(
         "bench",
         "cli-about-bench",
-        "sinew bench [OPTIONS]",
-        &[("sinew bench", "cli-example-bench"), ("sinew bench --threads 1", "cli-example-bench-threads")],
+        "sinew bench [FILE…] [OPTIONS]",
+        &[
+            ("sinew bench", "cli-example-bench"),
+            ("sinew bench --threads 1", "cli-example-bench-threads"),
+            ("sinew bench walk.dae --scene walk", "cli-example-bench-file"),
+        ],
     )
+    .arg(files("cli-arg-bench-file").num_args(0..))
+    .arg(option("scene", "TEXT", clap::value_parser!(String), "cli-arg-bench-scene", heading))
     .arg(option("threads", "N", values::threads, "cli-arg-bench-threads", heading))
     .arg(number("seconds", "S", values::number_within(0.01, 60.0), "cli-arg-seconds", heading))
     .arg(flag("json", "cli-arg-json", heading))

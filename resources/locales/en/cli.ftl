@@ -60,6 +60,8 @@ cli-arg-angles = Elbow angles in degrees; 0,30,60,90 unless given
 cli-arg-sweep = Elbow angles from FROM to TO, both included, every STEP degrees
 cli-arg-compare = Set the model beside measured radii: a CSV with a column "node" and columns deg0, deg30 …
 cli-arg-bench-threads = Number of worker threads; one a core unless given
+cli-arg-bench-file = Files to draw besides the built-in scenes
+cli-arg-bench-scene = Only the scenes whose name contains this text
 cli-arg-seconds = Longest time for each scene, 0.01 to 60 seconds; 1 unless given
 cli-arg-csv = Answer as CSV
 
@@ -80,6 +82,7 @@ cli-example-measure-csv = every five degrees, for a spreadsheet
 cli-example-measure-compare = the model beside measured radii
 cli-example-bench = every scene with all cores
 cli-example-bench-threads = the same with one thread
+cli-example-bench-file = one file of your own, in several sizes
 cli-example-help = the page of render
 
 # The command line: what was wrong with a call. Each is printed after "sinew: ".
@@ -149,8 +152,15 @@ cli-unit-in = in
 cli-unit-ml = ml
 cli-measure-held = the length is held at the limit of what the muscle can do.
 cli-bench-scene = scene
+cli-bench-size = size
+cli-bench-triangles = triangles
 cli-bench-median = median, ms
 cli-bench-min = fastest, ms
+cli-bench-pose = pose
+cli-bench-vertices = vertices
+cli-bench-raster = raster
+cli-bench-resolve = resolve
+cli-bench-floor = Floor, one thread: clearing colour and depth { $clear } ms, depth test and write of the sphere’s pixels { $pass } ms, copying the picture { $copy } ms.
 cli-bench-made = Instruction set { $simd }, { NUMBER($threads, useGrouping: 0) } { $threads ->
         [one] thread
        *[other] threads

@@ -60,6 +60,8 @@ cli-arg-angles = Углы в локте в градусах; по умолчан
 cli-arg-sweep = Углы в локте от FROM до TO включительно с шагом STEP градусов
 cli-arg-compare = Сопоставить модель с измеренными радиусами: CSV со столбцом «node» и столбцами deg0, deg30 …
 cli-arg-bench-threads = Число рабочих потоков; по умолчанию по одному на ядро
+cli-arg-bench-file = Файлы, которые рисовать кроме встроенных сцен
+cli-arg-bench-scene = Только сцены, в названии которых есть этот текст
 cli-arg-seconds = Наибольшее время на каждую сцену, от 0.01 до 60 секунд; по умолчанию 1
 cli-arg-csv = Ответить в формате CSV
 
@@ -80,6 +82,7 @@ cli-example-measure-csv = через каждые пять градусов, д�
 cli-example-measure-compare = модель рядом с измеренными радиусами
 cli-example-bench = все сцены на всех ядрах
 cli-example-bench-threads = то же в одном потоке
+cli-example-bench-file = только свой файл, в нескольких размерах
 cli-example-help = страница команды render
 
 # Командная строка: что не так в вызове. Печатается после «sinew: ».
@@ -149,8 +152,15 @@ cli-unit-in = дюйм
 cli-unit-ml = мл
 cli-measure-held = длина удержана на пределе возможного для мышцы.
 cli-bench-scene = сцена
+cli-bench-size = размер
+cli-bench-triangles = треугольники
 cli-bench-median = медиана, мс
 cli-bench-min = лучший, мс
+cli-bench-pose = поза
+cli-bench-vertices = вершины
+cli-bench-raster = растр
+cli-bench-resolve = вывод
+cli-bench-floor = Нижняя граница, один поток: очистка цвета и глубины { $clear } мс, тест глубины и запись пикселей сферы { $pass } мс, копирование картинки { $copy } мс.
 cli-bench-made = Набор команд { $simd }, потоков: { NUMBER($threads, useGrouping: 0) }.
 cli-info-file = Файл
 cli-info-format = Формат
