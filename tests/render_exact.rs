@@ -227,7 +227,7 @@ proptest! {
         let samples = if four { Samples::Four } else { Samples::One };
         let display = Display { samples, shading, wireframe: true, normal_glyphs: true, bounding_box: true, selected: Some(node), ..Display::default() };
         let mut pictures = Vec::new();
-        for (threads, simd) in [(1, "scalar"), (2, "sse2"), (3, "avx2")] {
+        for (threads, simd) in [(1, "scalar"), (2, "sse2"), (3, "avx2"), (2, "avx512")] {
             let mut renderer = Renderer::new(Some(threads));
             if renderer.set_simd(simd) {
                 pictures.push(world.draw(&mut renderer, &camera, &display, [50, 40]));

@@ -1,8 +1,8 @@
 //! Vectors of `f32` and `i32`, and the choice of instruction set.
 //!
 //! Every kernel is written once, generic over [`Lanes`], and compiled for each instruction set. All operations are those that IEEE 754 rounds
-//! exactly (no fused multiply-add, no approximate reciprocals), each lane on its own, so a pixel gets the same bits whether 1, 4 or 8
-//! of them are computed at a time. `f32` stays correct where a compiler's own vectorizer would have to be trusted to see the pattern;
+//! exactly (no fused multiply-add, no approximate reciprocals), each lane on its own, so a pixel gets the same bits whether 1, 4, 8
+//! or 16 of them are computed at a time. `f32` stays correct where a compiler's own vectorizer would have to be trusted to see the pattern;
 //! that was tried first and lost the masked stores.
 //!
 //! A value of an instruction set's type ([`Avx2`], …) is the proof that the processor has it: only [`Level::detect`] makes one.
@@ -15,12 +15,14 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Sub};
 
 pub(crate) use scalar::Scalar;
 #[cfg(target_arch = "x86_64")]
-pub(crate) use x86::{Avx2, Sse2};
+pub(crate) use x86::{Avx2, Avx512, Sse2};
 
 /// `N` pixels or vertices side by side.
 pub(crate) trait Lanes: Copy {
     /// How many.
     const N: usize;
+    /// Columns and rows of a tile: the lanes side by side in short rows, for triangles that are narrow.
+    const TILE: [usize; 2];
     /// Floats.
     type F: Copy + Add<Output = Self::F> + Sub<Output = Self::F> + Mul<Output = Self::F> + Div<Output = Self::F>;
     /// Integers; sums wrap.
@@ -61,6 +63,16 @@ pub(crate) trait Lanes: Copy {
     fn mul16(self, a: Self::I, b: Self::I) -> Self::I;
     /// `from[index]`; an index beyond the end reads the last, and `from` is not empty.
     fn gather(self, from: &[u32], index: Self::I) -> Self::I;
+    /// A tile, its rows `pitch` apart.
+    ///
+    /// # Safety
+    /// All of the tile's rows can be read from `from` on.
+    unsafe fn tile(self, from: *const u32, pitch: usize) -> Self::I;
+    /// Writes a tile.
+    ///
+    /// # Safety
+    /// All of the tile's rows can be written from `to` on.
+    unsafe fn set_tile(self, x: Self::I, to: *mut u32, pitch: usize);
     /// Bit `i` says lane `i`.
     fn mask_bits(self, m: Self::M) -> u32;
 
@@ -72,11 +84,12 @@ pub(crate) trait Lanes: Copy {
     fn clamp(self, x: Self::F, low: f32, high: f32) -> Self::F {
         self.min(self.max(x, self.splat(low)), self.splat(high))
     }
-    /// Down to a whole number, for |x| < 2³¹.
+    /// Down to a whole number, for |x| < 2³¹; −0 stays −0.
     #[inline(always)]
     fn floor(self, x: Self::F) -> Self::F {
         let whole = self.float(self.trunc(x));
-        self.select(self.lt(x, whole), whole - self.splat(1.0), whole)
+        let below = self.select(self.lt(x, whole), whole - self.splat(1.0), whole);
+        self.float_bits(self.bits(below) | (self.bits(x) & self.isplat(i32::MIN)))
     }
     #[inline(always)]
     fn abs(self, x: Self::F) -> Self::F {
@@ -130,6 +143,8 @@ pub(crate) enum Level {
     Sse2(Sse2),
     #[cfg(target_arch = "x86_64")]
     Avx2(Avx2),
+    #[cfg(target_arch = "x86_64")]
+    Avx512(Avx512),
 }
 
 impl Level {
@@ -140,6 +155,7 @@ impl Level {
         {
             all.push(Self::Sse2(Sse2::new()));
             all.extend(Avx2::detect().map(Self::Avx2));
+            all.extend(Avx512::detect().map(Self::Avx512));
         }
         all
     }
@@ -152,6 +168,8 @@ impl Level {
             Self::Sse2(_) => "sse2",
             #[cfg(target_arch = "x86_64")]
             Self::Avx2(_) => "avx2",
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512(_) => "avx512",
         }
     }
 
@@ -160,14 +178,10 @@ impl Level {
         Self::all().into_iter().find(|level| level.name() == name)
     }
 
-    /// The one that the environment variable `SINEW_SIMD` asks for, else the fastest. There is no AVX-512: triangles of a few
-    /// pixels fill eight lanes badly and would fill sixteen worse.
+    /// The one that the environment variable `SINEW_SIMD` asks for, else the widest.
     pub(crate) fn detect() -> Self {
-        if let Some(level) = std::env::var("SINEW_SIMD").ok().and_then(|name| Self::named(&name)) {
-            return level;
-        }
-        let fastest = |name: &str| Self::named(name);
-        fastest("avx2").or_else(|| fastest("sse2")).unwrap_or(Self::Scalar(Scalar))
+        let asked = std::env::var("SINEW_SIMD").ok().and_then(|name| Self::named(&name));
+        asked.or_else(|| Self::all().pop()).unwrap_or(Self::Scalar(Scalar))
     }
 }
 
@@ -184,6 +198,12 @@ macro_rules! kernel {
             fn avx2 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
+            #[cfg(target_arch = "x86_64")]
+            #[allow(clippy::too_many_arguments)]
+            #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
+            fn avx512 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx512, $($argument: $type),*) {
+                $generic(lanes, $($argument),*)
+            }
             match level {
                 $crate::render::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
                 #[cfg(target_arch = "x86_64")]
@@ -191,6 +211,9 @@ macro_rules! kernel {
                 // SAFETY: a value of the type `Avx2` exists only where the processor has AVX2.
                 #[cfg(target_arch = "x86_64")]
                 $crate::render::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
+                // SAFETY: as above, for AVX-512.
+                #[cfg(target_arch = "x86_64")]
+                $crate::render::lanes::Level::Avx512(lanes) => unsafe { avx512(lanes, $($argument),*) },
             }
         }
     };
@@ -209,7 +232,7 @@ mod tests {
         let floats = |first: usize| l.load(&std::array::from_fn::<f32, 16, _>(|i| odd[(first + i) % odd.len()]));
         // Each lane count walks the same list from the start, so the outputs line up.
         for shift in 0..odd.len() {
-            let mut results: Vec<Vec<u32>> = Vec::new();
+            let (mut results, mut tiles): (Vec<Vec<u32>>, Vec<u32>) = (Vec::new(), Vec::new());
             for start in (0..16).step_by(L::N) {
                 let (a, b) = (floats(start), floats(start + shift));
                 let (i, j) = (l.bits(a), l.bits(b));
@@ -241,12 +264,23 @@ mod tests {
                     }
                     results[k].extend(&lanes[..L::N]);
                 }
+                // The table as rows of eight, a tile read at the lane's place in a 4 × 4 one and written back elsewhere.
+                let [columns, rows] = L::TILE;
+                assert_eq!(columns * rows, L::N);
+                let mut copy = [0u32; 40];
+                let at = start / 4 * 8 + start % 4;
+                // SAFETY: the last of 4 × 4 lanes is at 3 · 8 + 3.
+                unsafe { l.set_tile(l.tile(table[at..].as_ptr(), 8), copy[at..].as_mut_ptr(), 8) };
+                for lane in 0..L::N {
+                    tiles.push(copy[at + lane / columns * 8 + lane % columns]);
+                }
                 let mask = l.mask_bits(l.lt(a, b));
                 for lane in 0..L::N {
                     out.push(mask >> lane & 1);
                 }
             }
             out.extend(results.concat());
+            out.extend(tiles);
         }
     }
     kernel!(fn exercise_all(out: &mut Vec<u32>) = exercise);

@@ -37,6 +37,7 @@ int_ops! {
 
 impl Lanes for Scalar {
     const N: usize = 1;
+    const TILE: [usize; 2] = [1, 1];
     type F = f32;
     type I = Int;
     type M = bool;
@@ -135,6 +136,16 @@ impl Lanes for Scalar {
     #[inline(always)]
     fn gather(self, from: &[u32], index: Int) -> Int {
         Int(from[(index.0 as u32 as usize).min(from.len() - 1)] as i32)
+    }
+    #[inline(always)]
+    unsafe fn tile(self, from: *const u32, _: usize) -> Int {
+        // SAFETY: the caller's promise.
+        Int(unsafe { from.read() } as i32)
+    }
+    #[inline(always)]
+    unsafe fn set_tile(self, x: Int, to: *mut u32, _: usize) {
+        // SAFETY: the caller's promise.
+        unsafe { to.write(x.0 as u32) }
     }
     #[inline(always)]
     fn mask_bits(self, m: bool) -> u32 {

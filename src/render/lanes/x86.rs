@@ -1,4 +1,4 @@
-//! SSE2 and AVX2 on x86-64.
+//! SSE2, AVX2 and AVX-512 on x86-64.
 //!
 //! The vector types can be made only through a token of their instruction set, and a token exists only where the processor has it: that is
 //! why every intrinsic here may be called. Loads and stores check the length of their slice first.
@@ -6,11 +6,12 @@
 use std::arch::x86_64::*;
 
 use super::Lanes;
+pub(crate) use avx512::Avx512;
 
 /// Makes the token type, the three vector types, their operators and the operations that have the same form everywhere.
 macro_rules! vectors {
     (
-        $(#[$doc:meta])* $token:ident, $n:literal, $f:ident($fv:ty), $i:ident($iv:ty), $m:ident($mv:ty);
+        $(#[$doc:meta])* $token:ident, $n:literal, $tile:expr, $f:ident($fv:ty), $i:ident($iv:ty), $m:ident($mv:ty);
         $(float $ftrait:ident $fname:ident $fop:ident;)*
         $(int $itrait:ident $iname:ident $iop:ident;)*
         $(mask $mtrait:ident $mname:ident $mop:ident;)*
@@ -51,6 +52,7 @@ macro_rules! vectors {
         })*
         impl Lanes for $token {
             const N: usize = $n;
+            const TILE: [usize; 2] = $tile;
             type F = $f;
             type I = $i;
             type M = $m;
@@ -119,7 +121,7 @@ macro_rules! shifts {
 
 vectors! {
     /// Four lanes; every x86-64 has them.
-    Sse2, 4, F4(__m128), I4(__m128i), M4(__m128i);
+    Sse2, 4, [4, 1], F4(__m128), I4(__m128i), M4(__m128i);
     float Add add _mm_add_ps;
     float Sub sub _mm_sub_ps;
     float Mul mul _mm_mul_ps;
@@ -169,6 +171,16 @@ vectors! {
             self.iload(&values)
         }
         #[inline(always)]
+        unsafe fn tile(self, from: *const u32, _: usize) -> I4 {
+            // SAFETY: SSE2 is there, the caller promises the row.
+            I4(unsafe { _mm_loadu_si128(from.cast()) })
+        }
+        #[inline(always)]
+        unsafe fn set_tile(self, x: I4, to: *mut u32, _: usize) {
+            // SAFETY: as above.
+            unsafe { _mm_storeu_si128(to.cast(), x.0) }
+        }
+        #[inline(always)]
         fn mask_bits(self, m: M4) -> u32 {
             // SAFETY: SSE2 is there.
             unsafe { _mm_movemask_ps(_mm_castsi128_ps(m.0)) as u32 }
@@ -185,7 +197,7 @@ impl Sse2 {
 
 vectors! {
     /// Eight lanes.
-    Avx2, 8, F8(__m256), I8(__m256i), M8(__m256i);
+    Avx2, 8, [4, 2], F8(__m256), I8(__m256i), M8(__m256i);
     float Add add _mm256_add_ps;
     float Sub sub _mm256_sub_ps;
     float Mul mul _mm256_mul_ps;
@@ -227,6 +239,21 @@ vectors! {
             }
         }
         #[inline(always)]
+        fn floor(self, x: F8) -> F8 {
+            // SAFETY: AVX2 is there.
+            F8(unsafe { _mm256_floor_ps(x.0) })
+        }
+        #[inline(always)]
+        unsafe fn tile(self, from: *const u32, pitch: usize) -> I8 {
+            // SAFETY: AVX2 is there, the caller promises the rows.
+            I8(unsafe { _mm256_loadu2_m128i(from.add(pitch).cast(), from.cast()) })
+        }
+        #[inline(always)]
+        unsafe fn set_tile(self, x: I8, to: *mut u32, pitch: usize) {
+            // SAFETY: as above.
+            unsafe { _mm256_storeu2_m128i(to.add(pitch).cast(), to.cast(), x.0) }
+        }
+        #[inline(always)]
         fn mask_bits(self, m: M8) -> u32 {
             // SAFETY: AVX2 is there.
             unsafe { _mm256_movemask_ps(_mm256_castsi256_ps(m.0)) as u32 }
@@ -240,3 +267,5 @@ impl Avx2 {
         std::arch::is_x86_feature_detected!("avx2").then_some(Self(()))
     }
 }
+
+mod avx512;
