@@ -8,6 +8,7 @@ use super::lanes::{Lanes, Level, always, each, kernel, map};
 use super::plane::Plane;
 use super::setup::{BLOCK, Edges, Planes, Rect, Stepping, area};
 use super::shade::{Attributes, Gouraud, Phong, PhongTextured, Shader, Slopes, Textured};
+use super::small::{Batch, bend};
 use super::style::Fill;
 use super::view::Screen;
 
@@ -68,6 +69,7 @@ where
     let Stretch { drawing, item, unit, entries } = *stretch;
     let feed = drawing.feed(item);
     let shader = S::new(drawing, item);
+    let mut batch = Batch::<K>::new();
     for &entry in entries {
         let Some(part) = Drawing::part(item, &feed, unit, entry) else { continue };
         let mut screen = part.screen;
@@ -93,28 +95,35 @@ where
             screen.swap(1, 2);
             values.swap(1, 2);
         }
-        let curved = drawing.view.perspective && bends(&values, item.style.fill == Fill::Gouraud);
-        if curved {
-            for value in &mut values {
-                let q = value[0];
-                for v in &mut value[1..] {
-                    *v *= q;
-                }
+        let curved = bend(drawing, &mut values, item.style.fill == Fill::Gouraud);
+        if !item.blended() && Batch::<K>::fits(&screen, size) {
+            let rect = Rect::of(&screen, M > 1, drawing.view.size);
+            if !rect.is_empty() {
+                batch.push(&screen, &values, &rect, curved);
             }
+            if batch.is_full() {
+                batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
+            }
+            continue;
         }
+        // What came before has to be drawn before.
+        batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
         let triangle = Triangle { screen, area: size, values, curved, depth_test: item.style.depth_test, blended: item.blended() };
         raster::<L, S, K, M>(l, &shader, &triangle, plane, drawing.view.size);
     }
+    batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
 }
 
 /// Whether straight interpolation on the picture would be off by more than a tenth of a 255th anywhere. Between corners whose nearness has the
 /// ratio k the two ways differ by at most (√k − 1)/(√k + 1) of the corners' difference, which is less than (k − 1)/4.
 #[inline(always)]
-fn bends<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> bool {
-    let spread = |k: usize| {
+pub(super) fn bends<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> bool {
+    // Compared by hand: `f32::max` spends half its time on NaN, which no corner holds that got here.
+    let spread = always!(|k: usize| {
         let (a, b, c) = (values[0][k], values[1][k], values[2][k]);
-        (a.max(b).max(c), a.min(b).min(c))
-    };
+        let (high, low) = if a > b { (a, b) } else { (b, a) };
+        (if high > c { high } else { c }, if low < c { low } else { c })
+    });
     let (near, far) = spread(0);
     // Only colours are known to be within 0 to 255; other attributes always take the exact way.
     if !colors {
@@ -123,7 +132,7 @@ fn bends<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> bool {
     let mut widest = 0.0f32;
     for k in 1..K {
         let (high, low) = spread(k);
-        widest = widest.max(high - low);
+        widest = if high - low > widest { high - low } else { widest };
     }
     (near - far) * widest > 0.4 * far
 }

@@ -24,6 +24,7 @@ mod renderer;
 mod resolve;
 mod setup;
 mod shade;
+mod small;
 mod style;
 mod texture;
 mod vertex;

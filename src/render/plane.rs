@@ -4,6 +4,8 @@ use super::lanes::{Lanes, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
 const MARGIN: usize = 16;
+/// Rows beyond the last that a tile may touch.
+const FOOT: usize = 3;
 
 /// Colour and depth of some rows. Sample planes stand one after the other.
 #[derive(Debug, Default)]
@@ -29,7 +31,7 @@ impl Plane {
     pub(super) fn shape(&mut self, top: i32, rows: usize, width: usize, samples: usize) {
         (self.top, self.rows, self.width, self.samples) = (top, rows, width, samples);
         self.pitch = width + MARGIN;
-        self.area = self.pitch * rows + MARGIN;
+        self.area = self.pitch * (rows + FOOT) + MARGIN;
         let needed = self.area * samples;
         if self.color.len() < needed {
             self.color.resize(needed, 0);
@@ -81,7 +83,7 @@ impl Plane {
     /// need not ask for every vector.
     #[inline(always)]
     pub(super) fn holds(&self, at: usize, count: usize) -> bool {
-        let end = at + count + MARGIN;
+        let end = at + count + MARGIN + FOOT * self.pitch;
         end <= self.area && self.area * self.samples <= self.color.len().min(self.depth.len())
     }
 
@@ -115,6 +117,41 @@ impl Plane {
         let slot = unsafe { self.color.get_unchecked_mut(from..from + L::N) };
         let old = l.iload(slot);
         l.istore(l.iselect(mask, color, old), slot);
+    }
+
+    /// Depths of a vector, or with `TILED` of a tile, from index `at` on.
+    ///
+    /// # Safety
+    /// As for [`Plane::depth`].
+    #[inline(always)]
+    pub(super) unsafe fn depth_at<L: Lanes, const TILED: bool>(&self, l: L, s: usize, at: usize) -> L::F {
+        if TILED {
+            // SAFETY: `holds` counted the rows and columns that a tile reaches beyond.
+            l.float_bits(unsafe { l.tile(self.depth.as_ptr().add(s * self.area + at).cast(), self.pitch) })
+        } else {
+            // SAFETY: the caller's promise.
+            unsafe { self.depth(l, s, at) }
+        }
+    }
+
+    /// Writes colour and depth where `mask` says so, into a vector or a tile.
+    ///
+    /// # Safety
+    /// As for [`Plane::depth`].
+    #[inline(always)]
+    pub(super) unsafe fn put<L: Lanes, const TILED: bool>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I, depth: L::F) {
+        // SAFETY: the caller's promise, and for tiles as in `depth_at`.
+        unsafe {
+            if TILED {
+                let depths: *mut u32 = self.depth.as_mut_ptr().add(s * self.area + at).cast();
+                l.set_tile(l.iselect(mask, l.bits(depth), l.tile(depths, self.pitch)), depths, self.pitch);
+                let colors = self.color.as_mut_ptr().add(s * self.area + at);
+                l.set_tile(l.iselect(mask, color, l.tile(colors, self.pitch)), colors, self.pitch);
+            } else {
+                self.set_depth(l, s, at, mask, depth);
+                self.set_color(l, s, at, mask, color);
+            }
+        }
     }
 
     /// Lays a colour with opacity (0 to 255 each, not premultiplied) over what is there.

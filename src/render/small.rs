@@ -1,0 +1,278 @@
+//! Small triangles, which most are: set up sixteen at a time in vectors, then filled one by one.
+//!
+//! A triangle whose box is at most [`SIDE`] pixels wide and high has edge functions that fit in 32 bits with all their fraction, and planes that `f32`
+//! carries well as long as it is not a sliver. Set up one at a time in `i64` and `f64`, as large ones are, a triangle of a few pixels costs ten times as
+//! much as its pixels do. Whether a triangle is small depends on its corners alone, so the picture stays the same for all vector widths and bands.
+
+// Several arrays are walked with one index.
+#![allow(clippy::needless_range_loop)]
+
+use super::drawing::Drawing;
+use super::fill::bends;
+use super::lanes::{Lanes, always, each, map};
+use super::plane::{Plane, pack};
+use super::setup::{Rect, SAMPLES};
+use super::shade::{Attributes, Shader, Slopes};
+use super::view::Screen;
+
+/// Triangles that are set up together.
+const MANY: usize = 16;
+/// Most columns and rows of a small triangle.
+const SIDE: i32 = 32;
+/// A box may have so many times the triangle's doubled area; beyond, differences of products lose what `f32` has.
+const SLIVER: i32 = 32;
+
+type Ints = [i32; MANY];
+type Floats = [f32; MANY];
+
+/// Triangles that wait to be filled. `K` attributes, of which the first is the nearness.
+pub(super) struct Batch<const K: usize> {
+    count: usize,
+    x: [Ints; 3],
+    y: [Ints; 3],
+    values: [[Floats; 3]; K],
+    left: Ints,
+    top: Ints,
+    right: Ints,
+    bottom: Ints,
+    curved: [bool; MANY],
+    /// Change of each edge function a pixel to the right and a pixel downward, and its value at the centre of the box's first pixel, with the fill rule's bias.
+    across: [Ints; 3],
+    down: [Ints; 3],
+    start: [Ints; 3],
+    /// The same of the attributes.
+    slope: [Floats; K],
+    fall: [Floats; K],
+    base: [Floats; K],
+}
+
+impl<const K: usize> Batch<K> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        let (ints, floats) = ([0; MANY], [0.0; MANY]);
+        Self {
+            count: 0,
+            x: [ints; 3],
+            y: [ints; 3],
+            values: [[floats; 3]; K],
+            left: ints,
+            top: ints,
+            right: ints,
+            bottom: ints,
+            curved: [false; MANY],
+            across: [ints; 3],
+            down: [ints; 3],
+            start: [ints; 3],
+            slope: [floats; K],
+            fall: [floats; K],
+            base: [floats; K],
+        }
+    }
+
+    /// Whether there is no room for another.
+    #[inline(always)]
+    pub(super) fn is_full(&self) -> bool {
+        self.count == MANY
+    }
+
+    /// Whether a triangle with these corners, clockwise as seen, and this doubled area is small.
+    #[inline(always)]
+    pub(super) fn fits(screen: &[Screen; 3], area: i64) -> bool {
+        let side = |a: i32, b: i32, c: i32| a.max(b).max(c) - a.min(b).min(c);
+        let (w, h) = (side(screen[0].x, screen[1].x, screen[2].x), side(screen[0].y, screen[1].y, screen[2].y));
+        // Corners are inside the guard band, so the differences fit.
+        w < (SIDE - 1) * 256 && h < (SIDE - 1) * 256 && i64::from(w * h) <= area * i64::from(SLIVER)
+    }
+
+    /// Adds a triangle that fits. Corners clockwise as seen; where attributes are `curved` they are multiplied with the nearness already.
+    #[inline(always)]
+    pub(super) fn push(&mut self, screen: &[Screen; 3], values: &[[f32; K]; 3], rect: &Rect, curved: bool) {
+        let i = self.count;
+        if i >= MANY {
+            return;
+        }
+        for corner in 0..3 {
+            self.x[corner][i] = screen[corner].x;
+            self.y[corner][i] = screen[corner].y;
+            for k in 0..K {
+                self.values[k][corner][i] = values[corner][k];
+            }
+        }
+        (self.left[i], self.top[i], self.right[i], self.bottom[i]) = (rect.x0, rect.y0, rect.x1, rect.y1);
+        self.curved[i] = curved;
+        self.count = i + 1;
+    }
+
+    /// Fills all that wait into the rows of `plane`.
+    #[inline(always)]
+    pub(super) fn flush<'a, L: Lanes, S, const M: usize>(&mut self, l: L, shader: &S, depth_test: bool, plane: &mut Plane)
+    where
+        S: Shader<'a> + Attributes<K>,
+    {
+        let count = std::mem::take(&mut self.count).min(MANY);
+        let mut from = 0;
+        while from < count {
+            self.set_up(l, from);
+            from += L::N;
+        }
+        for i in 0..count {
+            if self.right[i] - self.left[i] < L::TILE[0] as i32 {
+                self.one::<L, S, M, true>(l, shader, i, depth_test, plane);
+            } else {
+                self.one::<L, S, M, false>(l, shader, i, depth_test, plane);
+            }
+        }
+    }
+
+    /// Edge functions and planes of the triangles from number `from` on, one a lane.
+    #[inline(always)]
+    fn set_up<L: Lanes>(&mut self, l: L, from: usize) {
+        let load = always!(|of: &Ints| l.iload(bytemuck::cast_slice(&of[from..])));
+        let x: [L::I; 3] = each(always!(|c: usize| load(&self.x[c])));
+        let y: [L::I; 3] = each(always!(|c: usize| load(&self.y[c])));
+        let middle = always!(|of: &Ints| l.shl::<8>(load(of)) + l.isplat(128));
+        let (cx, cy) = (middle(&self.left), middle(&self.top));
+        let zero = l.isplat(0);
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            let (a, b) = (y[i] - y[j], x[j] - x[i]);
+            // Top-left rule, as for large triangles.
+            let level = l.ilt(l.isplat(-1), a) & l.ilt(a, l.isplat(1));
+            let ours = l.ilt(zero, a) | (level & l.ilt(zero, b));
+            let bias = l.iselect(ours, zero, l.isplat(1));
+            let start = l.imul(a, cx - x[i]) + l.imul(b, cy - y[i]) - bias;
+            l.istore(l.shl::<8>(a), bytemuck::cast_slice_mut(&mut self.across[i][from..]));
+            l.istore(l.shl::<8>(b), bytemuck::cast_slice_mut(&mut self.down[i][from..]));
+            l.istore(start, bytemuck::cast_slice_mut(&mut self.start[i][from..]));
+        }
+        let (x10, y10, x20, y20) = (x[1] - x[0], y[1] - y[0], x[2] - x[0], y[2] - y[0]);
+        let area = l.imul(x10, y20) - l.imul(x20, y10);
+        let scale = l.splat(256.0) / l.float(area);
+        let [x10, y10, x20, y20] = map([x10, y10, x20, y20], always!(|d: L::I| l.float(d) * scale));
+        let to_x = l.float(cx - x[0]) * l.splat(1.0 / 256.0);
+        let to_y = l.float(cy - y[0]) * l.splat(1.0 / 256.0);
+        for k in 0..K {
+            let v = each::<_, 3>(always!(|c: usize| l.load(&self.values[k][c][from..])));
+            let (d1, d2) = (v[1] - v[0], v[2] - v[0]);
+            let slope = d1 * y20 - d2 * y10;
+            let fall = d2 * x10 - d1 * x20;
+            l.store(slope, &mut self.slope[k][from..]);
+            l.store(fall, &mut self.fall[k][from..]);
+            l.store(v[0] + slope * to_x + fall * to_y, &mut self.base[k][from..]);
+        }
+    }
+
+    /// Fills triangle `i`, in rows of vectors or, with `TILED`, in tiles that are as wide as its box or wider.
+    #[inline(always)]
+    fn one<'a, L: Lanes, S, const M: usize, const TILED: bool>(&self, l: L, shader: &S, i: usize, depth_test: bool, plane: &mut Plane)
+    where
+        S: Shader<'a> + Attributes<K>,
+    {
+        let [columns, rows] = if TILED { L::TILE } else { [L::N, 1] };
+        let (left, right) = (self.left[i], self.right[i]);
+        let (first, bottom) = (self.top[i].max(plane.top), self.bottom[i].min(plane.top + plane.rows as i32 - 1));
+        if first > bottom {
+            return;
+        }
+        assert!(plane.holds(plane.index(bottom, left), (right - left + 1) as usize), "a row reaches beyond its band");
+        // Lanes count from left to right, in a tile row by row; rows have a power of two of them.
+        let lane = l.iota();
+        let (column, row) = if TILED {
+            (lane & l.isplat(columns as i32 - 1), if columns == 4 { l.shr::<2>(lane) } else { lane })
+        } else {
+            (lane, l.isplat(0))
+        };
+        let edge = always!(|e: usize| {
+            let start = self.start[e][i] + self.down[e][i] * (first - self.top[i]);
+            let along = l.isplat(start) + l.imul(l.isplat(self.across[e][i]), column);
+            if TILED && rows > 1 { along + l.imul(l.isplat(self.down[e][i]), row) } else { along }
+        });
+        let mut line: [L::I; 3] = each(edge);
+        // From the centre to each sample.
+        let shift: [[L::I; 3]; M] = each(always!(|s: usize| each(always!(|e: usize| {
+            let [x, y] = if M == 1 { [0, 0] } else { SAMPLES[s] };
+            l.isplat((self.across[e][i] >> 8) * x as i32 + (self.down[e][i] >> 8) * y as i32)
+        }))));
+        let right_by: [L::I; 3] = each(always!(|e: usize| l.isplat(self.across[e][i] * columns as i32)));
+        let down_by: [L::I; 3] = each(always!(|e: usize| l.isplat(self.down[e][i] * rows as i32)));
+        let slope = always!(|k: usize| l.splat(self.slope[k][i]));
+        let lift: [L::F; M] = each(always!(|s: usize| {
+            let [x, y] = if M == 1 { [0, 0] } else { SAMPLES[s] };
+            l.splat(self.slope[0][i] * (x as f32 / 256.0) + self.fall[0][i] * (y as f32 / 256.0))
+        }));
+        let curved = self.curved[i];
+        let tame = M == 1 && S::BOUNDED && !curved;
+        let mut slopes = Slopes { right: [0.0; K], below: [0.0; K], curved, levels: [Slopes::<K>::MIXED; 3] };
+        if !S::BOUNDED {
+            slopes.right = each(always!(|k: usize| self.slope[k][i]));
+            slopes.below = each(always!(|k: usize| self.fall[k][i]));
+            shader.prepare(&mut slopes, &each(always!(|c: usize| each(always!(|k: usize| self.values[k][c][i])))));
+        }
+        let columns_f = l.float(column);
+        let mut y = first;
+        while y <= bottom {
+            let dy = l.float(row + l.isplat(y - self.top[i]));
+            let at = always!(|k: usize, dx: L::F| (l.splat(self.base[k][i]) + l.splat(self.fall[k][i]) * dy) + slope(k) * dx);
+            let mut inside_of = line;
+            let mut x = left;
+            while x <= right {
+                let here = plane.index(y, x);
+                let dx = columns_f + l.splat((x - left) as f32);
+                let q = at(0, dx);
+                let sample = always!(|s: usize| if M == 1 { q } else { q + lift[s] });
+                let mut any = 0;
+                let covered: [L::M; M] = each(always!(|s: usize| {
+                    let e = inside_of;
+                    let outside =
+                        if M == 1 { e[0] | e[1] | e[2] } else { (e[0] + shift[s][0]) | (e[1] + shift[s][1]) | (e[2] + shift[s][2]) };
+                    let mut inside = l.ilt(l.isplat(-1), outside);
+                    if depth_test {
+                        // SAFETY: the plane holds this stretch in its last row and so in those before; tiles may reach into rows that it keeps beyond.
+                        inside = inside & l.lt(unsafe { plane.depth_at::<L, TILED>(l, s, here) }, sample(s));
+                    }
+                    any |= l.mask_bits(inside);
+                    inside
+                }));
+                for e in 0..3 {
+                    inside_of[e] = inside_of[e] + right_by[e];
+                }
+                x += columns as i32;
+                if any == 0 {
+                    continue;
+                }
+                let mut values: [L::F; K] = each(always!(|k: usize| at(k, dx)));
+                if curved {
+                    let inverse = l.splat(1.0) / l.max(q, l.splat(1e-30));
+                    values[0] = inverse;
+                    for value in &mut values[1..] {
+                        *value = *value * inverse;
+                    }
+                }
+                let packed = pack(l, shader.shade(l, &values, &slopes), tame);
+                for s in 0..M {
+                    // SAFETY: as for reading.
+                    unsafe { plane.put::<L, TILED>(l, s, here, covered[s], packed, sample(s)) };
+                }
+            }
+            for e in 0..3 {
+                line[e] = line[e] + down_by[e];
+            }
+            y += rows as i32;
+        }
+    }
+}
+
+/// Multiplies attributes with the nearness where the way between the corners bends too much, and says whether it does.
+#[inline(always)]
+pub(super) fn bend<const K: usize>(drawing: &Drawing<'_>, values: &mut [[f32; K]; 3], colors: bool) -> bool {
+    let curved = drawing.view.perspective && bends(values, colors);
+    if curved {
+        for value in values {
+            let q = value[0];
+            for v in &mut value[1..] {
+                *v *= q;
+            }
+        }
+    }
+    curved
+}
