@@ -50,12 +50,19 @@ monkey:
 	@resources/setup.sh test
 	$(CARGO) test --locked --test window -- --ignored --nocapture
 
-bench:
-	@resources/setup.sh build
+# Set beside Mesa's llvmpipe where Mesa and Python are installed.
+PEERS := target/peers
+bench: build
 	$(CARGO) bench --locked
+	$(BINARY) bench
+	@if python3 -m venv $(PEERS) && $(PEERS)/bin/pip --quiet install moderngl==5.13.0 numpy; then \
+	    $(PEERS)/bin/python benches/peers/llvmpipe.py $(BINARY) || echo "llvmpipe could not be measured (Debian: libgl1-mesa-dri libegl1 libgl1)"; \
+	else \
+	    echo "llvmpipe was not measured: it needs python3-venv"; \
+	fi
 
 # Throws altered files at the readers, each target for so many minutes; the corpus grows from run to run. What is found lies in tests/fuzz/artifacts.
-FUZZ_TARGETS ?= collada muscles
+FUZZ_TARGETS ?= collada muscles render
 FUZZ_MINUTES ?= 30
 FUZZ_OPTIONS ?= -timeout=25 -rss_limit_mb=1024 -max_len=24576
 CORPUS := tests/fuzz/target/corpus
