@@ -29,11 +29,11 @@ Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: Sinew
 
 Files: *
-Copyright: The Sinew authors
+Copyright: 2026 The Sinew authors
 License: MIT or Apache-2.0
 
 License: MIT
-$(sed -n '/^Permission/,$p' LICENSE-MIT | sed 's/^$/./; s/^/ /')
+$(sed -n '/^Copyright/,$p' LICENSE-MIT | sed 's/^$/./; s/^/ /')
 
 License: Apache-2.0
  On Debian systems the full text is in /usr/share/common-licenses/Apache-2.0.
