@@ -68,6 +68,11 @@ fn hands_on_the_window_do_what_they_should() {
 }
 
 #[test]
+fn the_window_tells_what_is_in_a_file() {
+    drive("inspect.py");
+}
+
+#[test]
 fn hands_on_timeline_camera_and_model_do_what_they_should() {
     drive("views.py");
 }

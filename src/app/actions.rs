@@ -88,6 +88,10 @@ commands! {
         PreviousFile = "previous-file" ["<Control>Page_Up"],
         /// The file after this one in its folder.
         NextFile = "next-file" ["<Control>Page_Down"],
+        /// Save what is open and how it is looked at.
+        SaveSession = "save-session" ["<Control><Alt>s"],
+        /// The page with demos and recent files.
+        StartPage = "start-page" ["<Alt>Home"],
         /// Save the picture.
         Picture = "picture" ["F12"],
         /// Save the picture without background.

@@ -12,7 +12,7 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::error_bar::Trouble;
-use super::session::Arrival;
+use super::session::{Arrival, Saved};
 use super::window::Window;
 use super::{recent, saving};
 use crate::collada::Progress;
@@ -83,7 +83,7 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     let window = window.clone();
     glib::spawn_future_local(async move {
         let (wanted, hand) = (paths.clone(), progress.clone());
-        let read = gio::spawn_blocking(move || Document::open(&wanted, &hand)).await;
+        let read = gio::spawn_blocking(move || read_files(&wanted, &hand)).await;
         let newest = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &progress));
         if !newest {
             return;
@@ -92,12 +92,27 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
         window.viewport.loading(None);
         match read {
             _ if progress.is_cancelled() => window.act(|session| session.touch()),
-            Ok(Ok(document)) => arrived(&window, document, &paths, arrival),
+            Ok(Ok((document, saved))) => arrived(&window, (document, saved), &paths, arrival),
             Ok(Err(error)) => refused(&window, &error, paths, arrival),
             // The reader is made not to panic; should it, what is open is still worth more than the program's life.
             Err(_) => refused(&window, &unexpected(&paths), paths, arrival),
         }
     });
+}
+
+/// Reads files, or the files that a session file names.
+fn read_files(paths: &[PathBuf], progress: &Progress) -> Result<(Document, Option<Box<Saved>>), OpenError> {
+    let [path] = paths else { return Ok((Document::open(paths, progress)?, None)) };
+    let saved = match Saved::read(path) {
+        None => return Ok((Document::open(paths, progress)?, None)),
+        Some(Ok(saved)) => saved,
+        Some(Err(error)) => {
+            return Err(OpenError { file: path.display().to_string(), line: error.line, column: None, message: error.message });
+        }
+    };
+    let files = saved.paths(path.parent().unwrap_or(Path::new("")));
+    let document = if files.is_empty() { Document::built_in() } else { Document::open(&files, progress)? };
+    Ok((document, Some(Box::new(saved))))
 }
 
 fn unexpected(paths: &[PathBuf]) -> OpenError {
@@ -124,13 +139,19 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
     });
 }
 
-fn arrived(window: &Rc<Window>, document: Document, paths: &[PathBuf], arrival: Arrival) {
+fn arrived(window: &Rc<Window>, (document, saved): (Document, Option<Box<Saved>>), paths: &[PathBuf], arrival: Arrival) {
     window.error_bar.hide();
+    window.start_page(false);
     window.files.failed.set(false);
     let news = (arrival == Arrival::Again).then(|| window.look(|session| what_changed(session.document(), &document)));
     let warnings = document.health.len();
-    window.act(|session| session.show(document, arrival));
-    watch(window, paths);
+    window.act(|session| match &saved {
+        Some(saved) => session.show_saved(document, saved),
+        None => session.show(document, arrival),
+    });
+    watch(window, &window.look(|session| session.files()));
+    let demos = super::demos::folder();
+    let paths: Vec<&PathBuf> = paths.iter().filter(|path| path.as_os_str() != "-" && !path.starts_with(&demos)).collect();
     if let Some(folder) =
         paths.first().and_then(|path| std::path::absolute(path).ok()).and_then(|path| path.parent().map(Path::to_path_buf))
     {
@@ -231,12 +252,17 @@ fn close_now(window: &Rc<Window>) {
         window.widget.close();
         return;
     }
+    forget(window);
+    window.act(|session| session.show(Document::default(), Arrival::New));
+}
+
+/// Stops reading and watching, and takes the message away.
+pub fn forget(window: &Rc<Window>) {
     window.files.stop();
     window.files.reading.replace(None);
     window.files.monitors.replace(Vec::new());
     window.viewport.loading(None);
     window.error_bar.hide();
-    window.act(|session| session.show(Document::default(), Arrival::New));
 }
 
 /// Opens the next (or previous) file of the folder, by name.

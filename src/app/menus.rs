@@ -55,6 +55,7 @@ fn item(command: Command) -> gio::MenuItem {
 fn main_menu() -> gio::Menu {
     use Command as C;
     let menu = gio::Menu::new();
+    section(&menu, &[C::StartPage, C::SaveSession]);
     section(&menu, &[C::Save, C::SaveAs, C::Revert]);
     section(&menu, &[C::Reload, C::PreviousFile, C::NextFile, C::Close]);
     section(&menu, &[C::Picture, C::PictureTransparent, C::CopyPicture, C::Export]);
@@ -119,11 +120,13 @@ fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
         window,
         move |popover| {
             let popover = popover.downgrade();
-            recent::fill(&window, &slot, move || {
+            let done = move || {
                 if let Some(popover) = popover.upgrade() {
                     popover.popdown();
                 }
-            });
+            };
+            recent::fill(&window, &slot, done.clone());
+            recent::add_demos(&window, &slot, done);
         }
     ));
 }

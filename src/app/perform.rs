@@ -11,7 +11,7 @@ use super::actions::Command;
 use super::session::{Preset, Session, Tool};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
-use super::{about, export_dialog, files, picture, saving, theme};
+use super::{about, export_dialog, files, picture, save_session, saving, theme};
 use crate::render::{Samples, Shading};
 use crate::scene::View;
 
@@ -134,7 +134,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::Save | C::SaveAs => session.document().muscle_count() > 0,
         C::Revert => session.is_unsaved(),
         C::Reload | C::PreviousFile | C::NextFile => !session.files().is_empty() || window.files.can_retry(),
-        C::Picture | C::PictureTransparent | C::CopyPicture | C::Export => !session.is_empty(),
+        C::SaveSession | C::Picture | C::PictureTransparent | C::CopyPicture | C::Export => !session.is_empty(),
         _ => true,
     }
 }
@@ -171,6 +171,8 @@ pub fn perform(window: &Rc<Window>, command: Command) {
         C::NextFile => files::neighbour(window, 1),
         C::Close => files::close(window),
         C::Quit => window.widget.close(),
+        C::SaveSession => save_session::save(window),
+        C::StartPage => window.start_page(true),
         C::Picture => picture::save(window, false),
         C::PictureTransparent => picture::save(window, true),
         C::CopyPicture => picture::copy(window),

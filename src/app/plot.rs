@@ -138,7 +138,10 @@ impl Plot {
         write(canvas, snapshot, &self.across, (LEFT + right) / 2.0, bottom + 18.0, Align::Centre, 0.8, &dim);
         write(canvas, snapshot, &self.up, 0.0, 1.0, Align::Left, 0.8, &dim);
         if let Some(value) = value {
-            let told = format!("{}°: {}", format::number(shown, 1), format::number(value, digits + 1));
+            // The unit stands behind the name of the axis.
+            let unit = self.across.rsplit_once(", ").map_or("", |(_, unit)| unit);
+            let (digits_across, gap) = if unit == "°" { (1, "") } else { (2, "\u{2009}") };
+            let told = format!("{}{gap}{unit}: {}", format::number(shown, digits_across), format::number(value, digits + 1));
             write(canvas, snapshot, &told, width - RIGHT - told.chars().count() as f64 * 6.2, 1.0, Align::Left, 0.8, &text);
         }
     }

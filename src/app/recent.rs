@@ -7,9 +7,10 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::files;
+use super::demos::DEMOS;
 use super::session::Arrival;
 use super::window::Window;
+use super::{files, start};
 use crate::tr;
 
 /// Most files that are listed.
@@ -69,6 +70,25 @@ pub fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'sta
             move |_| {
                 done();
                 files::open(&window, vec![path.clone()], Arrival::New);
+            }
+        ));
+        slot.append(&button);
+    }
+}
+
+/// Adds a button a demo below; `done` runs before one opens.
+pub fn add_demos(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'static) {
+    slot.append(&gtk::Label::builder().label(tr!("app-start-demos")).xalign(0.0).css_classes(["heading"]).build());
+    for demo in DEMOS {
+        let label = gtk::Label::builder().label(tr!(demo.name)).xalign(0.0).build();
+        let button = gtk::Button::builder().child(&label).has_frame(false).build();
+        let done = done.clone();
+        button.connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| {
+                done();
+                start::open_demo(&window, demo);
             }
         ));
         slot.append(&button);

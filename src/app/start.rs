@@ -1,45 +1,129 @@
-//! What is there when nothing is open: what to do, and the files opened lately.
+//! The start page: what to do, the demos with their pictures, and the files opened lately. It comes up when nothing is open, and from the menu.
 
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-use gtk::glib;
 use gtk::prelude::*;
+use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
-use super::session::Arrival;
+use super::canvas::{Canvas, cairo as cairo_over};
+use super::demos::{self, DEMOS, Demo};
+use super::error_bar::Trouble;
+use super::session::{Arrival, Session};
 use super::window::{Window, part};
-use super::{recent, ui};
+use super::{files, recent, saving, ui};
 use crate::document::Document;
+use crate::render::Theme;
+use crate::tr;
 
-/// The page, over the empty picture.
+/// Size of a demo's picture, logical pixels.
+const PICTURE: (i32, i32) = (144, 108);
+
+/// The page, over the picture.
 pub struct StartPage {
     /// The whole.
-    pub root: gtk::Box,
-    built_in: gtk::Button,
-    recent: gtk::Box,
+    pub root: gtk::ScrolledWindow,
+    builder: gtk::Builder,
+    pictures: Vec<Canvas>,
+    drawn_for: Cell<Option<Theme>>,
+    wanted: Cell<bool>,
 }
 
 impl StartPage {
     /// A page that is not connected yet.
     pub fn new() -> Self {
         let builder = ui::builder(ui::START);
-        Self { root: part(&builder, "root"), built_in: part(&builder, "built_in"), recent: part(&builder, "recent_slot") }
+        let pictures = DEMOS.iter().map(|_| Canvas::new(PICTURE.0, PICTURE.1)).collect();
+        Self { root: part(&builder, "root"), builder, pictures, drawn_for: Cell::default(), wanted: Cell::default() }
     }
 
-    /// Lets the buttons work; the list is made anew whenever the page appears.
+    /// Lets the buttons work; recent files are listed anew whenever the page appears.
     pub fn connect(&self, window: &Rc<Window>) {
         self.root.set_visible(false);
-        self.built_in.connect_clicked(glib::clone!(
+        let flow: gtk::FlowBox = part(&self.builder, "demos");
+        for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
+            let card = gtk::Box::new(gtk::Orientation::Vertical, 6);
+            let name = gtk::Label::builder().label(tr!(demo.name)).wrap(true).justify(gtk::Justification::Center).max_width_chars(16);
+            card.append(picture);
+            card.append(&name.css_classes(["small"]).build());
+            let button = gtk::Button::builder().child(&card).has_frame(false).build();
+            button.connect_clicked(glib::clone!(
+                #[weak]
+                window,
+                move |_| open_demo(&window, *demo)
+            ));
+            flow.append(&button);
+            if let Some(child) = button.parent() {
+                child.set_focusable(false);
+            }
+        }
+        part::<gtk::Button>(&self.builder, "back").connect_clicked(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(|session| session.show(Document::built_in(), Arrival::New))
+            move |_| window.start_page(false)
         ));
+        let slot: gtk::Box = part(&self.builder, "recent_slot");
         self.root.connect_map(glib::clone!(
             #[weak]
             window,
-            #[weak(rename_to = slot)]
-            self.recent,
             move |_| recent::fill(&window, &slot, || ())
         ));
+    }
+
+    /// Asks for the page, or sends it away.
+    pub fn want(&self, wanted: bool) {
+        self.wanted.set(wanted);
+    }
+
+    /// Shows the page where it belongs: wanted, or nothing is open and nothing on its way.
+    pub fn refresh(&self, session: &Session, is_loading: bool) {
+        let empty = session.is_empty() && !is_loading;
+        self.root.set_visible(empty || self.wanted.get());
+        part::<gtk::Button>(&self.builder, "back").set_visible(!session.is_empty());
+        part::<gtk::Label>(&self.builder, "title").set_text(&tr!(if session.is_empty() { "app-start-title" } else { "app-start-more" }));
+        if self.root.is_visible() && self.drawn_for.replace(Some(session.theme())) != Some(session.theme()) {
+            for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
+                draw(*demo, picture, session.theme());
+            }
+        }
+    }
+}
+
+/// Draws a demo off the interface thread and puts it on its canvas.
+fn draw(demo: Demo, canvas: &Canvas, theme: Theme) {
+    let (width, height) = (PICTURE.0 * 2, PICTURE.1 * 2);
+    let canvas = canvas.downgrade();
+    glib::spawn_future_local(async move {
+        let drawn = gio::spawn_blocking(move || demo.draw(&demos::folder(), theme, width as u32, height as u32)).await;
+        let (Ok(Some(pixels)), Some(canvas)) = (drawn, canvas.upgrade()) else { return };
+        let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| pixel.to_ne_bytes()).collect();
+        let Ok(surface) = cairo::ImageSurface::create_for_data(bytes, cairo::Format::Rgb24, width, height, width * 4) else { return };
+        let surface = RefCell::new(surface);
+        canvas.set_painter(move |_, snapshot, w, h| {
+            let context = cairo_over(snapshot, w, h);
+            context.scale(w / f64::from(width), h / f64::from(height));
+            // Cairo fails only where memory is gone; the card keeps its name then.
+            let _ = context.set_source_surface(&*surface.borrow(), 0.0, 0.0);
+            let _ = context.paint();
+        });
+    });
+}
+
+/// Opens a demo.
+pub fn open_demo(window: &Rc<Window>, demo: Demo) {
+    match demo.unpack(&demos::folder()) {
+        Ok(Some(path)) => files::open(window, vec![path], Arrival::New),
+        Ok(None) => saving::ask_first(window, |window| {
+            window.start_page(false);
+            files::forget(window);
+            window.act(|session| session.show(Document::built_in(), Arrival::New));
+        }),
+        Err(error) => window.error_bar.show(Trouble {
+            headline: tr!("app-demo-unwritten", folder = demos::folder().display().to_string()),
+            message: error.to_string(),
+            details: String::new(),
+            again: None,
+        }),
     }
 }

@@ -33,6 +33,8 @@ files! {
     ERROR_BAR = "error_bar",
     START = "start",
     EXPORT = "export",
+    INSPECTOR = "inspector",
+    TURN = "turn",
 }
 
 /// A builder of one of the files, in the user's language.

@@ -14,6 +14,7 @@ use super::display_panel::DisplayPanel;
 use super::error_bar::ErrorBar;
 use super::files::Files;
 use super::health_panel::HealthPanel;
+use super::inspector::Inspector;
 use super::keys::Keys;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
@@ -64,6 +65,7 @@ pub struct Window {
     display: DisplayPanel,
     measure: MeasurePanel,
     health: HealthPanel,
+    inspector: Inspector,
     start: StartPage,
 }
 
@@ -113,6 +115,7 @@ impl Window {
             display: DisplayPanel::new(),
             measure: MeasurePanel::new(),
             health: HealthPanel::new(),
+            inspector: Inspector::new(),
             start: StartPage::new(),
             builder,
         });
@@ -131,7 +134,9 @@ impl Window {
     fn put_together(self: &Rc<Self>) {
         let slot = |id: &str| part::<gtk::Box>(&self.builder, id);
         slot("error_slot").append(&self.error_bar.root);
-        slot("tree_slot").append(&self.tree.root);
+        let left: gtk::Paned = part(&self.builder, "tree_paned");
+        left.set_start_child(Some(&self.tree.root));
+        left.set_end_child(Some(&self.inspector.root));
         slot("viewport_slot").append(&self.viewport.root);
         slot("timeline_slot").append(&self.timeline.root);
         self.viewport.root.add_overlay(&self.start.root);
@@ -154,6 +159,7 @@ impl Window {
         self.display.connect(self);
         self.measure.connect(self);
         self.health.connect(self);
+        self.inspector.connect(self);
         self.error_bar.connect(self);
         self.start.connect(self);
         perform::connect(self);
@@ -224,6 +230,7 @@ impl Window {
             self.display.refresh(session, changes);
             self.measure.refresh(session, changes);
             self.health.refresh(session, changes);
+            self.inspector.refresh(session, changes);
             self.viewport.refresh(session, changes);
             if changes.any(Changes::DOCUMENT) {
                 menus::list_cameras(&part(&self.builder, "camera_menu"), session);
@@ -232,7 +239,7 @@ impl Window {
                 self.turn_page(session);
             }
             if changes.any(Changes::DOCUMENT | Changes::SURROUNDINGS) {
-                self.start.root.set_visible(session.is_empty() && !self.files.is_loading());
+                self.start.refresh(session, self.files.is_loading());
             }
             if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::EDIT) {
                 self.name(session);
@@ -387,6 +394,12 @@ impl Window {
         if let Ok(session) = self.session.try_borrow() {
             perform::show_states(self, &session, &self.actions);
         }
+    }
+
+    /// Brings the start page up over what is open, or sends it away.
+    pub fn start_page(self: &Rc<Self>, wanted: bool) {
+        self.start.want(wanted);
+        self.act(Session::touch);
     }
 
     /// What the measure panel measured.

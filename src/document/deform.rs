@@ -16,14 +16,14 @@ pub(super) struct Bender {
 }
 
 /// The skin of an instance, if it has one that the scene knows.
-fn skin_of<'a>(scene: &'a Scene, instance: &'a MeshInstance) -> Option<(&'a Skin, &'a [Option<NodeId>])> {
+pub(super) fn skin_of<'a>(scene: &'a Scene, instance: &'a MeshInstance) -> Option<(&'a Skin, &'a [Option<NodeId>])> {
     instance.deformers.iter().find_map(|deformer| match deformer {
         Deformer::Skin { skin: SkinId(skin), joints } => Some((scene.skins.get(*skin as usize)?, joints.as_slice())),
         Deformer::Morph(_) => None,
     })
 }
 
-fn morphs_of<'a>(scene: &'a Scene, instance: &'a MeshInstance) -> impl Iterator<Item = (usize, &'a Morph)> {
+pub(super) fn morphs_of<'a>(scene: &'a Scene, instance: &'a MeshInstance) -> impl Iterator<Item = (usize, &'a Morph)> {
     instance.deformers.iter().filter_map(|deformer| match deformer {
         Deformer::Morph(id) => Some((id.index(), scene.morphs.get(id.index())?)),
         Deformer::Skin { .. } => None,
@@ -119,7 +119,7 @@ fn groups(mesh: &Mesh) -> (Vec<u32>, usize) {
 }
 
 /// The uppermost node above `node`: the root of its file.
-fn root_of(scene: &Scene, mut node: NodeId) -> NodeId {
+pub(super) fn root_of(scene: &Scene, mut node: NodeId) -> NodeId {
     while let Some(parent) = scene.graph.node(node).parent() {
         node = parent;
     }

@@ -2,10 +2,13 @@
 //!
 //! [`Document::open`] reads files and puts them side by side into one scene; [`Document::pose`] makes a [`crate::scene::Frame`] of any moment of it.
 
+mod angle;
 mod built_in;
 mod deform;
 mod error;
+mod explain;
 mod file;
+mod hand;
 mod images;
 mod merge;
 mod open;
@@ -15,7 +18,10 @@ mod skin_kernel;
 mod skinning;
 mod workshop;
 
+pub use angle::angle_at;
 pub use error::OpenError;
+pub use explain::{Explanation, Share};
+pub use hand::HandTurn;
 pub use open::{Images, OpenOptions};
 pub use pose::{PoseBuffers, PoseTimes};
 
@@ -76,6 +82,8 @@ pub struct Document {
     pub health: Vec<Finding>,
     /// How much of the scene is not muscles'.
     bare: workshop::Bare,
+    /// Joints turned by hand, ascending by node.
+    hand: Vec<HandTurn>,
     /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
     revision: u64,
 }

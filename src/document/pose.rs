@@ -66,6 +66,20 @@ impl Document {
     /// The same `buffers` and `frame` are to be passed again for the next moment; then nothing is allocated.
     pub fn pose(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
         let begun = Instant::now();
+        self.pose_nodes(state, buffers, frame);
+        for (animated, at_rest) in frame.materials.iter_mut().zip(&buffers.pose.materials) {
+            animated.take_values(at_rest);
+        }
+        self.solve_muscles(state, buffers, frame);
+        let posed = Instant::now();
+        self.place_surfaces(state, buffers, frame);
+        let milliseconds = |from: Instant, to: Instant| to.duration_since(from).as_secs_f64() * 1e3;
+        buffers.times = PoseTimes { pose_ms: milliseconds(begun, posed), deform_ms: milliseconds(posed, Instant::now()) };
+    }
+
+    /// The first half of [`Document::pose`]: samples the clip and places the nodes, and leaves surfaces, materials and muscles as they were. For
+    /// questions about bones alone, which need no skin.
+    pub fn pose_nodes(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
         if buffers.revision != self.revision || frame.stamp != self.revision {
             self.lay_out(buffers, frame);
         }
@@ -83,20 +97,17 @@ impl Document {
         {
             *local = turn.apply(*local, self.scene.graph.node(turn.node).transform.matrix());
         }
+        for turn in &self.hand {
+            if let Some(local) = buffers.local.get_mut(turn.node.index()) {
+                *local *= turn.matrix();
+            }
+        }
         for root in self.scene.graph.roots() {
             if let Some(local) = buffers.local.get_mut(root.index()) {
                 *local = state.model * *local;
             }
         }
         self.scene.graph.world_from_local(&buffers.local, &mut frame.world);
-        for (animated, at_rest) in frame.materials.iter_mut().zip(&pose.materials) {
-            animated.take_values(at_rest);
-        }
-        self.solve_muscles(state, buffers, frame);
-        let posed = Instant::now();
-        self.place_surfaces(state, buffers, frame);
-        let milliseconds = |from: Instant, to: Instant| to.duration_since(from).as_secs_f64() * 1e3;
-        buffers.times = PoseTimes { pose_ms: milliseconds(begun, posed), deform_ms: milliseconds(posed, Instant::now()) };
     }
 
     fn solve_muscles(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &Frame) {

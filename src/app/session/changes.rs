@@ -4,7 +4,7 @@ use std::ops::{BitOr, BitOrAssign};
 
 /// A set of kinds of change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Changes(u16);
+pub struct Changes(u32);
 
 impl Changes {
     /// Another document.
@@ -39,8 +39,12 @@ impl Changes {
     pub const SURROUNDINGS: Self = Self(1 << 14);
     /// The shape or the ends of a muscle, or whether that is saved.
     pub const EDIT: Self = Self(1 << 15);
+    /// What a click in the picture pointed at: the vertex explained, the two points between which is measured.
+    pub const PINS: Self = Self(1 << 16);
+    /// Joints turned by hand.
+    pub const HAND: Self = Self(1 << 17);
     /// Everything.
-    pub const ALL: Self = Self(0xFFFF);
+    pub const ALL: Self = Self(u32::MAX);
 
     /// What changes the picture.
     pub const PICTURE: Self = Self(
@@ -53,7 +57,8 @@ impl Changes {
             | Self::LIGHT.0
             | Self::MODEL.0
             | Self::HOVER.0
-            | Self::EDIT.0,
+            | Self::EDIT.0
+            | Self::HAND.0,
     );
 
     /// Whether any of `kinds` is among them.

@@ -120,7 +120,13 @@ impl Session {
 
     fn snapshot(&self) -> Snapshot {
         let hidden = self.document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| id).collect();
-        Snapshot { model: self.model, light: self.light, hidden, files: self.document.muscle_files().cloned().collect() }
+        Snapshot {
+            model: self.model,
+            light: self.light,
+            hidden,
+            files: self.document.muscle_files().cloned().collect(),
+            turned: self.document.hand_turns().to_vec(),
+        }
     }
 
     fn restore(&mut self, step: Option<Snapshot>) {
@@ -134,7 +140,8 @@ impl Session {
                 let id = NodeId(index);
                 self.document.scene.graph.node_mut(id).visible = step.hidden.binary_search(&id).is_err();
             }
-            self.changed(Changes::MODEL | Changes::LIGHT | Changes::DISPLAY);
+            self.document.set_hand_turns(&step.turned);
+            self.changed(Changes::MODEL | Changes::LIGHT | Changes::DISPLAY | Changes::HAND);
         }
         self.changed(Changes::HISTORY);
     }

@@ -2,6 +2,7 @@
 
 use super::light::LightAim;
 use super::model::ModelTransform;
+use crate::document::HandTurn;
 use crate::muscle::MuscleFile;
 use crate::scene::NodeId;
 
@@ -16,6 +17,8 @@ pub struct Snapshot {
     pub hidden: Vec<NodeId>,
     /// What the muscle files say.
     pub files: Vec<MuscleFile>,
+    /// Joints turned by hand.
+    pub turned: Vec<HandTurn>,
 }
 
 /// A step: what it did, and how things were on its other side.
@@ -84,7 +87,8 @@ mod tests {
     use super::*;
 
     fn scaled(scale: f64) -> Snapshot {
-        Snapshot { model: ModelTransform { scale, ..ModelTransform::default() }, light: None, hidden: Vec::new(), files: Vec::new() }
+        let model = ModelTransform { scale, ..ModelTransform::default() };
+        Snapshot { model, light: None, hidden: Vec::new(), files: Vec::new(), turned: Vec::new() }
     }
 
     #[test]

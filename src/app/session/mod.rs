@@ -7,10 +7,12 @@ mod eye;
 mod frames;
 mod handles;
 mod history;
+mod inspect;
 mod light;
 mod looks;
 mod model;
 mod presets;
+mod saved;
 mod sheet;
 mod time;
 mod tool;
@@ -20,10 +22,12 @@ pub use changes::Changes;
 pub use eye::{Eye, FlyCamera, Viewpoint, file_cameras};
 pub use frames::DEFAULT_RATE;
 pub use handles::{Handle, Handles, ModelDrag};
+pub use inspect::Matrices;
 pub use light::LightAim;
 pub use looks::Backdrop;
 pub use model::ModelTransform;
 pub use presets::Preset;
+pub use saved::Saved;
 pub use sheet::{Graph, GraphKind, Line, Moved, SheetRow};
 pub use time::Mark;
 pub use tool::Tool;
@@ -34,6 +38,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use history::History;
+use inspect::Pins;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState};
@@ -75,6 +80,7 @@ pub struct Session {
     saved: Vec<MuscleFile>,
     aspect: f32,
     fit_on_resize: bool,
+    pins: Pins,
     frame: Frame,
     buffers: PoseBuffers,
     stale: bool,
@@ -111,6 +117,7 @@ impl Session {
             saved: Vec::new(),
             aspect: 1.5,
             fit_on_resize: true,
+            pins: Pins::default(),
             frame: Frame::default(),
             buffers: PoseBuffers::default(),
             stale: true,
@@ -128,7 +135,10 @@ impl Session {
             node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.node(id).name.clone())
         };
         let selected = name_of(&self.document, self.display.selected);
+        let turned: Vec<_> =
+            self.document.hand_turns().iter().map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees)).collect();
         self.document = document;
+        self.pins = Pins::default();
         // Buffers made for another scene are of no use.
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
         (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
@@ -163,6 +173,11 @@ impl Session {
                     None => self.state.drive,
                 };
                 self.model = old_model;
+                for (name, degrees) in turned {
+                    if let Some(node) = self.document.scene.graph.find(&name) {
+                        self.document.set_hand_turn(node, degrees);
+                    }
+                }
                 self.display.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
                 if let Viewpoint::File(..) = self.eye.viewpoint() {
                     self.eye.handle(|_| ());
@@ -179,7 +194,7 @@ impl Session {
 
     fn changed(&mut self, what: Changes) {
         self.changes |= what;
-        let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT;
+        let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT | Changes::HAND;
         self.stale |= what.any(moves);
     }
 

@@ -248,8 +248,9 @@ fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
                 return window.act(|session| session.change_eye(|eye| eye.look_from(view)));
             }
             window.act(|session| {
-                let found = window.viewport.pick(session, x, y).map(|pick| pick.node);
-                session.select(found);
+                let pick = window.viewport.pick(session, x, y);
+                let found = pick.map(|pick| pick.node);
+                session.point_at(pick);
                 if let (true, Some(node)) = (presses == 2, found) {
                     session.centre_on(node);
                 }

@@ -1,0 +1,338 @@
+//! The inspector under the scene tree: where the selection is, what it is made of, why its vertices are where they are; and it turns joints by hand.
+
+use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+use std::time::{Duration, Instant};
+
+use glam::{DMat4, DVec3};
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::inspector_text::{self, Space};
+use super::plot::Plot;
+use super::session::{Changes, Session};
+use super::window::{Window, part};
+use super::{canvas::Canvas, format, swatch, ui};
+use crate::document::{Skinning, angle_at};
+use crate::scene::{Content, NodeId, NodeKind};
+use crate::tr;
+
+/// Changes of a slider that follow each other this closely are one step of undo.
+const GESTURE: Duration = Duration::from_millis(800);
+/// Moments at which the angle over a clip is taken.
+const MOMENTS: usize = 241;
+/// Most materials and bones that are listed.
+const MOST: usize = 12;
+
+/// The inspector.
+pub struct Inspector {
+    /// The whole; hidden while nothing is selected.
+    pub root: gtk::Box,
+    builder: gtk::Builder,
+    space: gtk::DropDown,
+    transform: [[gtk::Label; 3]; 3],
+    matrix: [[gtk::Label; 4]; 4],
+    turns: [gtk::Scale; 3],
+    turn_values: [gtk::Label; 3],
+    dual: gtk::CheckButton,
+    plot: Canvas,
+    curve: Rc<RefCell<Plot>>,
+    turning: Rc<Cell<Option<(NodeId, Instant)>>>,
+}
+
+fn number_label() -> gtk::Label {
+    gtk::Label::builder().xalign(1.0).hexpand(true).css_classes(["numeric", "small"]).selectable(false).build()
+}
+
+impl Inspector {
+    /// An inspector of nothing.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::INSPECTOR);
+        let transform: gtk::Grid = part(&builder, "transform");
+        let labels = std::array::from_fn(|row| {
+            let key = ["app-position", "app-rotation", "app-scale"][row];
+            let name = gtk::Label::builder().label(tr!(key)).xalign(0.0).css_classes(["small"]).build();
+            transform.attach(&name, 0, row as i32, 1, 1);
+            std::array::from_fn(|column| {
+                let label = number_label();
+                transform.attach(&label, column as i32 + 1, row as i32, 1, 1);
+                label
+            })
+        });
+        let grid: gtk::Grid = part(&builder, "matrix");
+        let matrix = std::array::from_fn(|row| {
+            std::array::from_fn(|column| {
+                let label = number_label();
+                grid.attach(&label, column as i32, row as i32, 1, 1);
+                label
+            })
+        });
+        let turns: gtk::Grid = part(&builder, "turns");
+        let scales = std::array::from_fn(|row| turn_scale(&turns, row));
+        let turn_values = std::array::from_fn(|row| {
+            let label = gtk::Label::builder().xalign(1.0).width_chars(7).css_classes(["numeric", "small"]).build();
+            turns.attach(&label, 2, row as i32, 1, 1);
+            label
+        });
+        let (plot, curve) = (Canvas::new(200, 130), Rc::new(RefCell::new(Plot::default())));
+        plot.set_hexpand(true);
+        part::<gtk::Box>(&builder, "angle_slot").append(&plot);
+        let space: gtk::DropDown = part(&builder, "space");
+        let (dual, root) = (part(&builder, "dual"), part(&builder, "root"));
+        Self { root, builder, space, transform: labels, matrix, turns: scales, turn_values, dual, plot, curve, turning: Rc::default() }
+    }
+
+    /// Lets hands choose, copy and turn.
+    pub fn connect(&self, window: &Rc<Window>) {
+        let words: Vec<String> = Space::ALL.iter().map(|space| space.label()).collect();
+        self.space.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+        self.space.set_selected(1);
+        self.space.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |_| window.act(|session| session.inspect_anew())
+        ));
+        part::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |button| {
+                let text = window.look(inspector_text::report);
+                button.clipboard().set_text(&text);
+                window.viewport.toast(&tr!("app-copied"), None);
+            }
+        ));
+        for (axis, scale) in self.turns.iter().enumerate() {
+            let turning = self.turning.clone();
+            scale.connect_value_changed(glib::clone!(
+                #[weak]
+                window,
+                move |scale| window.act(|session| turn(session, axis, scale.value(), &turning))
+            ));
+        }
+        for (id, all) in [("reset", false), ("reset_all", true)] {
+            part::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
+                #[weak]
+                window,
+                move |_| window.act(|session| {
+                    let node = session.selected();
+                    if all || node.is_some() {
+                        session.reset_turns(node.filter(|_| !all));
+                    }
+                })
+            ));
+        }
+        self.dual.connect_toggled(glib::clone!(
+            #[weak]
+            window,
+            move |dual| {
+                let skinning = if dual.is_active() { Skinning::DualQuaternion } else { Skinning::Linear };
+                window.act(|session| session.set_skinning(skinning));
+            }
+        ));
+        let curve = self.curve.clone();
+        self.plot.set_painter(move |canvas, snapshot, width, height| curve.borrow().paint(canvas, snapshot, width, height));
+        let motion = gtk::EventControllerMotion::new();
+        let point = |curve: &Rc<RefCell<Plot>>, plot: &Canvas, x: Option<f64>| {
+            curve.borrow_mut().pointer = x;
+            plot.queue_draw();
+        };
+        motion.connect_motion(glib::clone!(
+            #[strong(rename_to = curve)]
+            self.curve,
+            #[weak(rename_to = plot)]
+            self.plot,
+            move |_, x, _| point(&curve, &plot, Some(x))
+        ));
+        motion.connect_leave(glib::clone!(
+            #[strong(rename_to = curve)]
+            self.curve,
+            #[weak(rename_to = plot)]
+            self.plot,
+            move |_| point(&curve, &plot, None)
+        ));
+        self.plot.add_controller(motion);
+        let click = gtk::GestureClick::new();
+        click.connect_released(glib::clone!(
+            #[weak]
+            window,
+            #[strong(rename_to = curve)]
+            self.curve,
+            #[weak(rename_to = plot)]
+            self.plot,
+            move |_, _, x, _| {
+                let time = curve.borrow().x_at(x, f64::from(plot.width()));
+                if let Some(time) = time {
+                    window.act(|session| session.time(|cursor| cursor.seek(time)));
+                }
+            }
+        ));
+        self.plot.add_controller(click);
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+        let other = changes.any(Changes::DOCUMENT | Changes::SELECTION);
+        let moved = Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::HAND | Changes::PINS | Changes::DISPLAY;
+        if !other && !changes.any(moved | Changes::PLAYBACK) {
+            return;
+        }
+        let Some(node) = session.selected() else {
+            self.root.set_visible(false);
+            return;
+        };
+        self.root.set_visible(true);
+        if other {
+            self.show_kind(session, node);
+        }
+        if other || changes.any(Changes::PLAYBACK | Changes::HAND) {
+            self.show_curve(session, node);
+        }
+        self.show_transform(session, node);
+        self.show_turns(session, node);
+        self.show_angle(session, node);
+        self.show_vertex(session);
+        let distance: gtk::Label = part(&self.builder, "distance");
+        let pinned = session.pinned();
+        distance.set_visible(pinned[1].is_some());
+        distance.set_text(&inspector_text::distance(pinned));
+    }
+
+    fn show_kind(&self, session: &Session, node: NodeId) {
+        let scene = &session.document().scene;
+        let shown = scene.graph.node(node);
+        let name: gtk::Label = part(&self.builder, "name");
+        name.set_text(&shown.name);
+        name.set_tooltip_text(Some(&shown.name));
+        let is_joint = shown.kind == NodeKind::Joint;
+        part::<gtk::Box>(&self.builder, "hand").set_visible(is_joint);
+        let instance = shown.contents.iter().find_map(|content| if let Content::Mesh(mesh) = content { Some(mesh) } else { None });
+        part::<gtk::Box>(&self.builder, "mesh").set_visible(instance.is_some());
+        let Some(instance) = instance else { return };
+        part::<gtk::Label>(&self.builder, "mesh_facts").set_text(&inspector_text::mesh(scene, instance));
+        let materials: gtk::Box = part(&self.builder, "materials");
+        while let Some(child) = materials.first_child() {
+            materials.remove(&child);
+        }
+        let mut listed = Vec::new();
+        for binding in instance.materials.iter().flatten().take(MOST) {
+            let Some(material) = scene.materials.get(binding.material.index()).filter(|_| !listed.contains(&binding.material)) else {
+                continue;
+            };
+            listed.push(binding.material);
+            let row = gtk::Box::new(gtk::Orientation::Horizontal, 6);
+            row.append(&swatch::of(scene, material));
+            let label = gtk::Label::builder().label(inspector_text::material(scene, material)).xalign(0.0).wrap(true).hexpand(true);
+            row.append(&label.css_classes(["small"]).build());
+            materials.append(&row);
+        }
+    }
+
+    fn show_transform(&self, session: &mut Session, node: NodeId) {
+        let Some(matrices) = session.matrices(node) else { return };
+        let space = Space::ALL.get(self.space.selected() as usize).copied().unwrap_or(Space::World);
+        let matrix = space.of(&matrices);
+        let (scale, rotation, place) = matrix.unwrap_or(DMat4::NAN).to_scale_rotation_translation();
+        let degrees = inspector_text::degrees(rotation);
+        for (labels, (values, digits)) in self.transform.iter().zip([(place, 4), (degrees, 2), (scale, 4)]) {
+            for (label, value) in labels.iter().zip(values.to_array()) {
+                label.set_text(&format::number(value, digits));
+            }
+        }
+        for (row, labels) in self.matrix.iter().enumerate() {
+            for (column, label) in labels.iter().enumerate() {
+                label.set_text(&format::number(matrix.map_or(f64::NAN, |matrix| matrix.col(column)[row]), 4));
+            }
+        }
+    }
+
+    fn show_turns(&self, session: &Session, node: NodeId) {
+        let degrees = session.document().hand_turn(node);
+        for ((scale, label), value) in self.turns.iter().zip(&self.turn_values).zip(degrees.to_array()) {
+            scale.set_value(value);
+            label.set_text(&format!("{}°", format::number(value, 1)));
+        }
+        part::<gtk::Button>(&self.builder, "reset").set_sensitive(degrees != DVec3::ZERO);
+        part::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.document().hand_turns().is_empty());
+        self.dual.set_active(session.state().skinning == Skinning::DualQuaternion);
+    }
+
+    fn show_curve(&self, session: &Session, node: NodeId) {
+        let points = match session.angle_bones(node) {
+            Some(bones) => session.document().angle_curve(&session.state(), bones, MOMENTS),
+            None => Vec::new(),
+        };
+        self.plot.set_visible(!points.is_empty());
+        let (across, up) = (tr!("app-angle-across"), tr!("app-angle-up"));
+        self.curve.replace(Plot { across, up, points, color: 0xFF7A59, ..Plot::default() });
+    }
+
+    fn show_angle(&self, session: &mut Session, node: NodeId) {
+        let bones = session.angle_bones(node);
+        part::<gtk::Box>(&self.builder, "angle").set_visible(bones.is_some());
+        let Some(bones) = bones else { return };
+        let angle = angle_at(session.frame(), bones[0], bones[1], bones[2]);
+        let [from, corner, to] = bones.map(|bone| session.document().scene.graph.node(bone).name.clone());
+        let angle = format!("{}°", format::number(angle.unwrap_or(f64::NAN), 2));
+        part::<gtk::Label>(&self.builder, "angle_value").set_text(&tr!(
+            "app-angle-value",
+            from = from,
+            corner = corner,
+            to = to,
+            angle = angle
+        ));
+        self.curve.borrow_mut().cursor = session.playback().time;
+        self.plot.queue_draw();
+    }
+
+    fn show_vertex(&self, session: &mut Session) {
+        let told = session.explanation();
+        part::<gtk::Box>(&self.builder, "vertex").set_visible(told.is_some());
+        let Some(told) = told else { return };
+        part::<gtk::Label>(&self.builder, "vertex_title").set_text(&tr!("app-vertex", number = told.point));
+        let grid: gtk::Grid = part(&self.builder, "shares");
+        let rows = inspector_text::shares(&told, MOST);
+        // The cells are used again: while a clip plays only their text changes.
+        for (row, texts) in rows.iter().enumerate() {
+            for (column, text) in texts.iter().enumerate() {
+                let label = grid.child_at(column as i32, row as i32).and_downcast::<gtk::Label>().unwrap_or_else(|| {
+                    let label = number_label();
+                    if column == 0 {
+                        label.set_xalign(0.0);
+                        label.set_ellipsize(gtk::pango::EllipsizeMode::Middle);
+                    }
+                    grid.attach(&label, column as i32, row as i32, 1, 1);
+                    label
+                });
+                label.set_text(text);
+            }
+        }
+        while grid.child_at(0, rows.len() as i32).is_some() {
+            grid.remove_row(rows.len() as i32);
+        }
+        part::<gtk::Label>(&self.builder, "vertex_note").set_text(&inspector_text::vertex_note(&told));
+    }
+}
+
+/// A slider that turns about one axis, in its row of the grid.
+fn turn_scale(grid: &gtk::Grid, row: usize) -> gtk::Scale {
+    let builder = ui::builder(ui::TURN);
+    let scale: gtk::Scale = part(&builder, ["turn_x", "turn_y", "turn_z"][row]);
+    let name = gtk::Label::builder().label(["X", "Y", "Z"][row]).build();
+    grid.attach(&name, 0, row as i32, 1, 1);
+    grid.attach(&scale, 1, row as i32, 1, 1);
+    scale
+}
+
+/// Turns the selected joint about one of its axes.
+fn turn(session: &mut Session, axis: usize, degrees: f64, turning: &Cell<Option<(NodeId, Instant)>>) {
+    let Some(node) = session.selected() else { return };
+    let now = Instant::now();
+    let going_on = turning.replace(Some((node, now))).is_some_and(|(last, when)| last == node && now.duration_since(when) < GESTURE);
+    if !going_on {
+        session.remember_as("app-edit-turn-by-hand");
+    }
+    let mut turns = session.document().hand_turn(node);
+    turns[axis] = degrees;
+    session.turn_by_hand(node, turns);
+}

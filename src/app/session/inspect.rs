@@ -1,0 +1,149 @@
+//! What a session knows for the inspector: where a hand pointed, the vertex that is explained, joints turned by hand.
+
+use glam::{DMat4, DVec3, Vec3};
+
+use super::{Changes, Session};
+use crate::document::{Explanation, HandTurn};
+use crate::render::Pick;
+use crate::scene::{Content, Deformer, Frame, NodeId, NodeKind};
+
+/// A point on a surface, or a bone; it moves with what it is on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pin {
+    node: NodeId,
+    surface: Option<u32>,
+    triangle: u32,
+    shares: Vec3,
+}
+
+/// The last two points and the vertex nearest to the last one.
+#[derive(Debug, Clone, Default)]
+pub struct Pins {
+    last: [Option<Pin>; 2],
+    vertex: Option<(usize, u32)>,
+}
+
+impl Pin {
+    fn place(&self, frame: &Frame) -> Option<Vec3> {
+        let Some(surface) = self.surface else { return Some(frame.position(self.node)) };
+        let surface = frame.surfaces.get(surface as usize)?;
+        let [a, b, c] = surface.mesh.triangles.get(self.triangle as usize)?.map(|corner| surface.position(corner));
+        let place = a * self.shares.x + b * self.shares.y + c * self.shares.z;
+        place.is_finite().then_some(place)
+    }
+}
+
+/// The matrices of a selected node at the present moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Matrices {
+    /// Under the node above.
+    pub local: DMat4,
+    /// In the world.
+    pub world: DMat4,
+    /// A joint's bind matrix: where its skin was bound to it, in the skin's own space.
+    pub bind: Option<DMat4>,
+    /// Its inverse, as the file has it.
+    pub inverse_bind: Option<DMat4>,
+}
+
+impl Session {
+    /// A click: selects what it hit, or nothing, and remembers the point.
+    pub fn point_at(&mut self, pick: Option<Pick>) {
+        self.select(pick.map(|pick| pick.node));
+        let Some(pick) = pick else {
+            self.pins.vertex = None;
+            return self.changed(Changes::PINS);
+        };
+        let pin = Pin { node: pick.node, surface: pick.surface, triangle: pick.triangle, shares: pick.barycentric };
+        self.pins.last = [self.pins.last[1], Some(pin)];
+        self.pins.vertex = self.nearest_vertex(&pick);
+        self.changed(Changes::PINS);
+    }
+
+    /// The inspector shows something else of the same selection.
+    pub fn inspect_anew(&mut self) {
+        self.changed(Changes::PINS);
+    }
+
+    /// The corner of the picked triangle that is nearest to the point.
+    fn nearest_vertex(&self, pick: &Pick) -> Option<(usize, u32)> {
+        let index = pick.surface? as usize;
+        let surface = self.frame.surfaces.get(index).filter(|surface| surface.muscle.is_none())?;
+        let corners = surface.mesh.triangles.get(pick.triangle as usize)?;
+        let far = |corner: &u32| surface.position(*corner).distance_squared(pick.point);
+        corners.iter().copied().min_by(|a, b| far(a).total_cmp(&far(b))).map(|vertex| (index, vertex))
+    }
+
+    /// The vertex that was clicked, explained; `None` where none was or the selection has gone elsewhere.
+    pub fn explanation(&mut self) -> Option<Explanation> {
+        self.frame();
+        let (surface, vertex) = self.pins.vertex?;
+        let same = self.frame.surfaces.get(surface).map(|surface| surface.node) == self.display.selected;
+        self.document.explain(&self.buffers, &self.frame, surface, vertex).filter(|_| same)
+    }
+
+    /// The last two points that were clicked, oldest first, and where they are now; world, metres.
+    pub fn pinned(&mut self) -> [Option<Vec3>; 2] {
+        self.frame();
+        self.pins.last.map(|pin| pin?.place(&self.frame))
+    }
+
+    /// The matrices of a node at the present moment.
+    pub fn matrices(&mut self, node: NodeId) -> Option<Matrices> {
+        self.frame();
+        let graph = &self.document.scene.graph;
+        let world = *self.frame.world.get(node.index())?;
+        let above = graph.node(node).parent().and_then(|parent| self.frame.world.get(parent.index()));
+        let inverse_bind = self.inverse_bind(node);
+        Some(Matrices {
+            local: above.map_or(world, |above| above.inverse() * world),
+            world,
+            bind: inverse_bind.map(|matrix| matrix.inverse()),
+            inverse_bind,
+        })
+    }
+
+    /// The inverse bind matrix of a joint in the first skin that uses it.
+    fn inverse_bind(&self, node: NodeId) -> Option<DMat4> {
+        let scene = &self.document.scene;
+        let contents = scene.graph.iter().flat_map(|(_, node)| &node.contents);
+        let deformers = contents.filter_map(|content| if let Content::Mesh(mesh) = content { Some(&mesh.deformers) } else { None });
+        deformers.flatten().find_map(|deformer| {
+            let Deformer::Skin { skin, joints } = deformer else { return None };
+            let place = joints.iter().position(|joint| *joint == Some(node))?;
+            scene.skins.get(skin.index())?.joints.get(place).map(|joint| joint.inverse_bind)
+        })
+    }
+
+    /// The three bones whose angle belongs to a joint: the joint above, itself, and the first joint below. `None` at the ends of a chain.
+    pub fn angle_bones(&self, node: NodeId) -> Option<[NodeId; 3]> {
+        let graph = &self.document.scene.graph;
+        let is_joint = |id: &NodeId| graph.node(*id).kind == NodeKind::Joint;
+        let node = Some(node).filter(|id| id.index() < graph.len() && is_joint(id))?;
+        let above = graph.node(node).parent().filter(is_joint)?;
+        let below = graph.node(node).children().iter().copied().find(is_joint)?;
+        Some([above, node, below])
+    }
+
+    /// Turns a joint by hand, degrees about its own axes. Call [`Session::remember`] before the first change of a gesture.
+    pub fn turn_by_hand(&mut self, node: NodeId, degrees: DVec3) {
+        let before = self.document.hand_turn(node);
+        self.document.set_hand_turn(node, degrees);
+        if self.document.hand_turn(node) != before {
+            self.changed(Changes::HAND);
+        }
+    }
+
+    /// Takes back what was turned by hand: of one node, or of all.
+    pub fn reset_turns(&mut self, node: Option<NodeId>) {
+        let kept: Vec<HandTurn> = match node {
+            Some(node) => self.document.hand_turns().iter().copied().filter(|turn| turn.node != node).collect(),
+            None => Vec::new(),
+        };
+        if kept.len() != self.document.hand_turns().len() {
+            self.remember_as("app-edit-reset-turns");
+            self.document.set_hand_turns(&kept);
+            self.changed(Changes::HAND);
+        }
+    }
+}

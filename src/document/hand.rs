@@ -1,0 +1,53 @@
+//! Joints turned by hand: a turn on top of whatever the clip does.
+
+use glam::{DMat4, DQuat, DVec3, EulerRot};
+
+use super::Document;
+use crate::scene::NodeId;
+
+/// A node turned by hand about its own axes, after the clip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HandTurn {
+    /// The node.
+    pub node: NodeId,
+    /// Degrees about its own X, then Y, then Z axis, as the axes lie before the turn.
+    pub degrees: DVec3,
+}
+
+impl HandTurn {
+    /// The turn as a matrix; applied to the right of the node's local one, so that the joint stays where it is.
+    pub fn matrix(&self) -> DMat4 {
+        let radians = self.degrees * (std::f64::consts::PI / 180.0);
+        DMat4::from_quat(DQuat::from_euler(EulerRot::ZYX, radians.z, radians.y, radians.x))
+    }
+}
+
+impl Document {
+    /// The turns made by hand, ascending by node.
+    pub fn hand_turns(&self) -> &[HandTurn] {
+        &self.hand
+    }
+
+    /// How far `node` is turned by hand, degrees about its own axes; zero where it is not.
+    pub fn hand_turn(&self, node: NodeId) -> DVec3 {
+        self.hand.iter().find(|turn| turn.node == node).map_or(DVec3::ZERO, |turn| turn.degrees)
+    }
+
+    /// Turns `node` by hand; zero takes the turn away. A node that isn't there and numbers that are none change nothing.
+    pub fn set_hand_turn(&mut self, node: NodeId, degrees: DVec3) {
+        if node.index() >= self.scene.graph.len() || !degrees.is_finite() {
+            return;
+        }
+        self.hand.retain(|turn| turn.node != node);
+        if degrees != DVec3::ZERO {
+            let at = self.hand.partition_point(|turn| turn.node < node);
+            self.hand.insert(at, HandTurn { node, degrees });
+        }
+    }
+
+    /// Puts these turns in the place of all others.
+    pub fn set_hand_turns(&mut self, turns: &[HandTurn]) {
+        self.hand.clear();
+        turns.iter().for_each(|turn| self.set_hand_turn(turn.node, turn.degrees));
+    }
+}
