@@ -243,3 +243,49 @@ fn a_fit_is_written_whole_and_measures_as_it_says() {
     let wrong = models::write(folder.path(), "wrong.csv", "node,deg0\n1,x\n");
     assert!(sinew(["fit", arg(&wrong), "-o", arg(&out)]).refused(1).contains(":2:3: "));
 }
+
+#[test]
+fn muscles_on_a_clip_are_measured_over_its_time() {
+    let file = config("curl-muscles.yaml");
+    let report = sinew(["measure", arg(&file), "--times", "0.5:2:0.5", "--json"]).json();
+    let [biceps, triceps] = [0, 1].map(|muscle| report["muscles"][muscle]["samples"].as_array().expect("a list").clone());
+    assert_eq!(biceps.iter().map(|s| number(&s["time"])).collect::<Vec<_>>(), [0.5, 1.0, 1.5, 2.0]);
+    for (pair, other) in biceps.windows(2).zip(triceps.windows(2)) {
+        assert!(number(&pair[1]["angle"]) > number(&pair[0]["angle"]), "the elbow bends");
+        assert!(number(&pair[1]["length"]) < number(&pair[0]["length"]) && number(&other[1]["length"]) > number(&other[0]["length"]));
+        // By virtual work the length changes by the moment arm times the angle: the mean of both ends, over half a second, is near.
+        let turn = (number(&pair[1]["angle"]) - number(&pair[0]["angle"])).to_radians();
+        let arm = 0.5 * (number(&pair[0]["moment_arm"]) + number(&pair[1]["moment_arm"]));
+        let shorter = number(&pair[0]["path_length"]) - number(&pair[1]["path_length"]);
+        near(shorter, arm * turn, 0.1 * shorter.abs() + 0.5);
+        near(number(&pair[1]["volume_error"]), 0.0, 1e-12);
+    }
+    let csv = sinew(["measure", arg(&file), "--times", "0.5:2:0.5", "--csv"]).well();
+    assert!(csv.starts_with("muscle,time,angle,length,moment_arm,volume,") && csv.lines().count() == 9, "{csv}");
+    assert!(sinew(["measure", arg(&file), "--times", "0.5:2:0.5"]).well().contains("time, s"));
+    let held = sinew(["measure", arg(&file), "--times", "3:9:3", "--json"]);
+    assert!(held.code == 0 && held.err.contains("held at its ends"), "{}", held.err);
+    sinew(["measure", arg(&config("biceps.yaml")), "--times", "0:1:1"]).refused(2);
+    assert!(sinew(["measure", arg(&file), "--times", "0:1:1", "--clip", "Jump"]).refused(2).contains("Jump"));
+    sinew(["measure", arg(&file), "--clip", "x"]).refused(2);
+}
+
+#[test]
+fn nothing_is_minus_zero() {
+    for file in ["biceps-measured.yaml", "biceps-human-wrapped.yaml", "triceps-human.yaml", "brachialis-human.yaml"] {
+        for form in [vec!["--csv"], vec!["--json"], vec![]] {
+            let mut call = vec!["measure".to_owned(), config(file).display().to_string(), "--sweep".to_owned(), "0:120:10".to_owned()];
+            call.extend(form.into_iter().map(str::to_owned));
+            let text = sinew(&call).well();
+            let numbers = text
+                .split(|c: char| c.is_whitespace() || c == ',')
+                .map(|word| word.trim_matches(|c: char| !c.is_ascii_digit() && !"-+.e".contains(c)));
+            for number in numbers.filter(|word| word.starts_with('-')) {
+                assert!(
+                    number.parse::<f64>().is_ok_and(|value| value != 0.0) || number.parse::<f64>().is_err(),
+                    "{file}: {number}\n{text}"
+                );
+            }
+        }
+    }
+}

@@ -355,3 +355,28 @@ fn without_an_arm_contraction_runs_the_length() {
         assert!(!solved.held && solved.volume_error.abs() < 1e-12);
     }
 }
+
+#[test]
+fn the_human_biceps_keeps_to_the_published_figures() {
+    use sinew::muscle::published::{ARM26, ARM26_SHORTENING, BICEPS_PEAK, BICEPS_SHORTENING, BICEPS_VOLUME};
+    for (name, text) in
+        [("straight", include_str!("../configs/biceps-human.yaml")), ("wrapped", include_str!("../configs/biceps-human-wrapped.yaml"))]
+    {
+        let rig = Rig::build(&MuscleFile::parse(text).unwrap(), name, &mut Scene::default(), MuscleId(0));
+        let arm = |angle: f64| rig.measure(0, &[angle])[0].moment_arm / 10.0;
+        let rms = ARM26.rms([30.0, 130.0], arm).unwrap();
+        assert!(rms < 0.5, "{name}: {rms} cm RMS from Arm26");
+        let peak = (0..=1300).map(|step| f64::from(step) / 10.0).max_by(|a, b| arm(*a).total_cmp(&arm(*b))).unwrap();
+        assert!((BICEPS_PEAK[0][0]..=BICEPS_PEAK[0][1]).contains(&arm(peak)), "{name}: peak {}", arm(peak));
+        assert!((BICEPS_PEAK[1][0]..=BICEPS_PEAK[1][1]).contains(&peak), "{name}: peak at {peak}°");
+        let length = |angle: f64| rig.measure(0, &[angle])[0].solved.path_length;
+        let shorter = (length(0.0) - length(130.0)) / 10.0;
+        assert!((BICEPS_SHORTENING[0]..=BICEPS_SHORTENING[1]).contains(&shorter), "{name}: {shorter} cm; Arm26 {ARM26_SHORTENING}");
+        let cm3 = rig.measure(0, &[0.0])[0].solved.volume / 1000.0;
+        assert!((BICEPS_VOLUME[0]..=BICEPS_VOLUME[1]).contains(&cm3), "{name}: {cm3} cm³");
+        assert!(rig.spec(0).unwrap().source.contains("Holzbaur"));
+        if name == "wrapped" {
+            assert!((1.0..=2.0).contains(&arm(0.0)), "the straight arm's moment arm is {} cm", arm(0.0));
+        }
+    }
+}

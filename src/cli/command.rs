@@ -162,11 +162,18 @@ fn measure() -> Command {
             ("sinew measure biceps.yaml --angles 0,30,60,90", "cli-example-measure"),
             ("sinew measure biceps.yaml --sweep 0:120:5 --csv > biceps.csv", "cli-example-measure-csv"),
             ("sinew measure biceps.yaml --compare radii.csv", "cli-example-measure-compare"),
+            ("sinew measure arm-muscles.yaml --times 0:4:0.1 --csv", "cli-example-measure-times"),
         ],
     )
     .arg(file())
     .arg(option("angles", "DEG,DEG,…", values::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
     .arg(option("sweep", "FROM:TO:STEP", values::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
+    .arg(
+        option("times", "FROM:TO:STEP", values::sweep, "cli-arg-times", heading)
+            .allow_hyphen_values(true)
+            .conflicts_with_all(["angles", "sweep", "compare"]),
+    )
+    .arg(option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading).requires("times"))
     .arg(
         option("compare", "CSV", clap::value_parser!(PathBuf), "cli-arg-compare", heading)
             .conflicts_with_all(["angles", "sweep"])

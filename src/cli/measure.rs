@@ -8,10 +8,11 @@ use serde::Serialize;
 
 use super::compare::Comparison;
 use super::failure::{Failure, answer, answer_json, display_name, notice};
+use super::moment::unknown_clip;
 use super::values::{Angles, plain};
 use super::{files, value};
 use crate::collada::Progress;
-use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
+use crate::document::{Document, PoseBuffers, PoseState, SourceKind, TimeSample};
 use crate::i18n::decimal;
 use crate::muscle::{Rig, Sample, Solved};
 use crate::scene::{Frame, MuscleId};
@@ -40,6 +41,9 @@ struct MuscleRows {
 /// One row of a measurement; lengths are in the file's unit.
 #[derive(Debug, Serialize)]
 pub struct Row {
+    /// Seconds on the clip's axis, where the measurement is one over time.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time: Option<f64>,
     /// Degrees; none for a muscle that is on no arm.
     pub angle: Option<f64>,
     pub length: f64,
@@ -73,6 +77,10 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
             answer(&comparison.text())
         };
     }
+    if let Some(times) = value::<Angles>(given, "times") {
+        let clip = value::<String>(given, "clip");
+        return over_time(&document, &file, &times.0, clip.as_deref())?.answer(given);
+    }
     let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
     if let Some(angles) = &angles {
         say_what_no_joint_does(&document, angles, &file);
@@ -90,13 +98,27 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
             .collect::<Option<_>>()
             .ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-measure", file = display_name(&file))))?,
     };
-    if given.get_flag("json") {
-        answer_json(&measurement)
-    } else if given.get_flag("csv") {
-        answer(&measurement.csv())
-    } else {
-        answer(&measurement.text())
+    measurement.answer(given)
+}
+
+/// All muscles at times of a clip that moves their bones.
+fn over_time(document: &Document, file: &Path, times: &[f64], clip: Option<&str>) -> Result<Measurement, Failure> {
+    let mut state = document.start_state();
+    if let Some(name) = clip {
+        let found = document.clips.iter().position(|clip| clip.name == *name);
+        state.clip = Some(found.ok_or_else(|| unknown_clip(document, file, name))?);
     }
+    let Some(clip) = state.clip.and_then(|clip| document.clips.get(clip)) else {
+        return Err(Failure::usage(tr!("cli-measure-no-clip", file = display_name(file))));
+    };
+    if times.iter().any(|time| !(clip.start..=clip.end).contains(time)) {
+        let (start, end) = (plain(clip.start), plain(clip.end));
+        notice(&tr!("cli-measure-time-held", file = display_name(file), start = start, end = end));
+    }
+    let names = document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.name(index).to_owned()));
+    let rows = document.measure_times(&state, times);
+    let muscles = names.zip(&rows).map(|(name, samples)| MuscleRows { name, samples: samples.iter().map(Row::at_time).collect() });
+    Ok(Measurement { file: display_name(file), unit: unit(document), muscles: muscles.collect() })
 }
 
 /// The formulas go on beyond the angles that a joint reaches, and so does the table; it says so.
@@ -132,8 +154,15 @@ impl Row {
         Self { angle: Some(sample.angle), moment_arm: Some(sample.moment_arm + 0.0), ..Self::alone(&sample.solved) }
     }
 
+    /// A sample at a time of a clip.
+    fn at_time(sample: &TimeSample) -> Self {
+        let plain = |value: Option<f64>| value.map(|value| value + 0.0);
+        Self { time: Some(sample.time), angle: plain(sample.angle), moment_arm: plain(sample.moment_arm), ..Self::alone(&sample.solved) }
+    }
+
     fn alone(solved: &Solved) -> Self {
         Self {
+            time: None,
             angle: None,
             length: solved.length,
             moment_arm: None,
@@ -150,10 +179,27 @@ impl Row {
 }
 
 impl Measurement {
+    fn answer(&self, given: &ArgMatches) -> Result<(), Failure> {
+        if given.get_flag("json") {
+            answer_json(self)
+        } else if given.get_flag("csv") {
+            answer(&self.csv())
+        } else {
+            answer(&self.text())
+        }
+    }
+
+    /// Whether the rows are those of times.
+    fn is_over_time(&self) -> bool {
+        self.muscles.iter().flat_map(|muscle| &muscle.samples).any(|row| row.time.is_some())
+    }
+
     /// A line a sample. Numbers have a point and every digit.
     fn csv(&self) -> String {
         let nodes = self.muscles.iter().flat_map(|muscle| &muscle.samples).map(|row| row.radii.len()).max().unwrap_or(0);
-        let mut text = String::from("muscle,angle,length,moment_arm,volume,volume_error,delta,largest_radius,path_length,held");
+        let timed = self.is_over_time();
+        let mut text = String::from(if timed { "muscle,time," } else { "muscle," });
+        text.push_str("angle,length,moment_arm,volume,volume_error,delta,largest_radius,path_length,held");
         (1..=nodes).for_each(|node| text.push_str(&format!(",r{node}")));
         text.push('\n');
         let optional = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
@@ -163,10 +209,11 @@ impl Measurement {
                     .map(|value| value.to_string());
                 let [length, volume, error, delta, largest, path] = cells;
                 let (angle, arm) = (optional(row.angle), optional(row.moment_arm));
+                let time = if timed { optional(row.time) + "," } else { String::new() };
                 // Writing to a string cannot fail.
                 let _ = write!(
                     text,
-                    "{},{angle},{length},{arm},{volume},{error},{delta},{largest},{path},{}",
+                    "{},{time}{angle},{length},{arm},{volume},{error},{delta},{largest},{path},{}",
                     csv_cell(&muscle.name),
                     row.held
                 );
@@ -195,11 +242,12 @@ impl Measurement {
                 tr!("cli-measure-delta"),
                 tr!("cli-measure-largest", unit = unit.clone()),
             ];
-            let mut rows = vec![head.to_vec()];
+            let timed = self.is_over_time();
+            let mut rows = vec![timed.then(|| tr!("cli-measure-time")).into_iter().chain(head).collect::<Vec<_>>()];
             for row in &muscle.samples {
                 let dash = |value: Option<f64>, digits| value.map_or_else(|| "–".to_owned(), |value| decimal(value, digits));
                 let mark = if row.held { " *" } else { "" };
-                rows.push(vec![
+                let cells = [
                     dash(row.angle, 1),
                     decimal(row.length, 2) + mark,
                     dash(row.moment_arm, 2),
@@ -207,7 +255,8 @@ impl Measurement {
                     crate::i18n::localise_decimal_mark(&format!("{:.1e}", row.volume_error)),
                     decimal(row.delta, 4),
                     decimal(row.largest_radius, 2),
-                ]);
+                ];
+                rows.push(timed.then(|| dash(row.time, 3)).into_iter().chain(cells).collect());
             }
             text.push_str(&columns(&rows));
             if muscle.samples.iter().any(|row| row.held) {

@@ -92,7 +92,8 @@ fn nothing_to_bend(document: &Document, file: &Path) -> Failure {
     })
 }
 
-fn unknown_clip(document: &Document, file: &Path, name: &str) -> Failure {
+/// No clip has the name that was given.
+pub fn unknown_clip(document: &Document, file: &Path, name: &str) -> Failure {
     /// A sentence with more names than this is no sentence.
     const NAMED: usize = 20;
     let file = display_name(file);

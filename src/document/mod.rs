@@ -12,6 +12,7 @@ mod hand;
 mod images;
 mod merge;
 mod open;
+mod over_time;
 mod pose;
 mod reach;
 mod skin_kernel;
@@ -23,6 +24,7 @@ pub use error::OpenError;
 pub use explain::{Explanation, Share};
 pub use hand::HandTurn;
 pub use open::{Images, OpenOptions};
+pub use over_time::TimeSample;
 pub use pose::{PoseBuffers, PoseTimes};
 
 use std::path::PathBuf;

@@ -4,7 +4,10 @@ use super::{Language, language};
 
 /// `value` with `digits` decimals and the decimal mark of the present language.
 pub fn decimal(value: f64, digits: usize) -> String {
-    localise_decimal_mark(&format!("{value:.digits$}"))
+    let text = format!("{value:.digits$}");
+    // What rounds to zero has no sign.
+    let unsigned = text.strip_prefix('-').filter(|rest| rest.bytes().all(|byte| matches!(byte, b'0' | b'.')));
+    localise_decimal_mark(unsigned.unwrap_or(&text))
 }
 
 /// Replaces the decimal point of a formatted number by the present language's mark.

@@ -274,3 +274,9 @@ export-cancelled = Stopped; nothing was written.
 export-no-ffmpeg = Films of this kind are made by ffmpeg, which is not installed; install it, or choose .gif, .apng or numbered pictures.
 export-no-codec = ffmpeg is here, but without an encoder for this kind of film ({ $names }); choose .gif, .apng or numbered pictures.
 export-encoder-failed = ffmpeg could not make the film: { $reason }
+
+cli-arg-times = Times of the clip that moves the bones, in seconds, instead of angles
+cli-example-measure-times = over the time of the clip, for a spreadsheet
+cli-measure-time = time, s
+cli-measure-no-clip = { $file } comes with no clip, so there is no time to measure over; leave --times out.
+cli-measure-time-held = { $file }: the clip goes from { $start } s to { $end } s; times beyond are held at its ends.
