@@ -225,8 +225,7 @@ def test_files_cameras():
     window.quit()
     window = Window(path)
     box = wait("edges are still shown", lambda: window.find("check box", "Edges"))
-    if not pressed(box):
-        fail("the look is remembered")
+    wait("the look is remembered", lambda: pressed(box))
     if not window.shows("Keys of each bone"):
         fail("the unfolded page is remembered")
     window.quit()
