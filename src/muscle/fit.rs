@@ -2,7 +2,7 @@
 //!
 //! Three are held against a table, all at the volume that it implies at its first angle, so that what remains is the misfit of shape: the file's own
 //! growth multipliers, multipliers fitted by least squares, and the measured shapes themselves, each scaled to the conserved volume and blended over
-//! the length ([`super::poses`]).
+//! the length (`muscle::poses`).
 
 use super::Rig;
 use super::config::{Form, MuscleFile, MuscleSpec, PoseAt, PoseSpec};

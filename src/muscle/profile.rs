@@ -159,7 +159,7 @@ impl Profile {
         Ok(profile)
     }
 
-    /// A profile of measured poses (see [`super::poses`]) with this rest length; its volume is that of the blended radii there.
+    /// A profile of measured poses (see `muscle::poses`) with this rest length; its volume is that of the blended radii there.
     ///
     /// # Errors
     /// [`ProfileError`] where the numbers make no muscle.
