@@ -15,6 +15,7 @@
 //! | [`render`] | the rasterizer | `scene` |
 //! | [`document`] | any file to a [`document::Document`]; `Document::pose` makes a frame | all of the above but `render` |
 //! | [`export`] | pictures, films and surfaces as files; glTF of whole documents | `scene`, `render`, `document` |
+//! | [`plot`] | quantities as curves, on a widget, as SVG and as PNG | `i18n` |
 //! | [`film`] | pictures in a row: what moves, and how it becomes files | `document`, `render`, `export` |
 //! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `film` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
@@ -34,5 +35,6 @@ pub mod health;
 pub mod i18n;
 pub mod limits;
 pub mod muscle;
+pub mod plot;
 pub mod render;
 pub mod scene;

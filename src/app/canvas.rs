@@ -125,6 +125,8 @@ pub enum Align {
     Left,
     /// The point is the middle of the upper edge.
     Centre,
+    /// The point is the upper right corner.
+    Right,
 }
 
 /// Writes text as [`write`] does, on a ground that keeps it legible over anything; returns its width.
@@ -173,6 +175,7 @@ pub fn write(
     let left = match align {
         Align::Left => x,
         Align::Centre => x - width / 2.0,
+        Align::Right => x - width,
     };
     let left = left.clamp(0.0, (f64::from(canvas.width()) - width).max(0.0));
     snapshot.save();

@@ -10,11 +10,12 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::inspector_text::{self, Space};
-use super::plot::Plot;
+use super::plot_view;
 use super::session::{Changes, Session};
 use super::window::{Window, part};
 use super::{canvas::Canvas, format, swatch, ui};
 use crate::document::{Skinning, angle_at};
+use crate::plot::Plot;
 use crate::scene::{Content, NodeId, NodeKind};
 use crate::tr;
 
@@ -131,7 +132,7 @@ impl Inspector {
             }
         ));
         let curve = self.curve.clone();
-        self.plot.set_painter(move |canvas, snapshot, width, height| curve.borrow().paint(canvas, snapshot, width, height));
+        self.plot.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&curve.borrow(), canvas, snapshot, width, height));
         let motion = gtk::EventControllerMotion::new();
         let point = |curve: &Rc<RefCell<Plot>>, plot: &Canvas, x: Option<f64>| {
             curve.borrow_mut().pointer = x;
@@ -281,7 +282,7 @@ impl Inspector {
             to = to,
             angle = angle
         ));
-        self.curve.borrow_mut().cursor = session.playback().time;
+        self.curve.borrow_mut().cursor = Some(session.playback().time);
         self.plot.queue_draw();
     }
 

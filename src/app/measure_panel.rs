@@ -12,12 +12,13 @@ use gtk4 as gtk;
 use super::canvas::Canvas;
 use super::error_bar::Trouble;
 use super::muscle_panel::Unit;
-use super::plot::{Plot, Series};
+use super::plot_view;
 use super::session::{Changes, Session};
 use super::ui;
 use super::window::{Window, part};
 use crate::export::atomic::write_whole;
 use crate::muscle::{Sample, published};
+use crate::plot::{Plot, Series};
 use crate::render::Theme;
 use crate::scene::{Content, MuscleId};
 use crate::tr;
@@ -57,7 +58,7 @@ impl MeasurePanel {
         let plots = std::array::from_fn(|_| {
             let (canvas, plot) = (Canvas::new(200, 170), Rc::new(RefCell::new(Plot::default())));
             let painted = plot.clone();
-            canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
+            canvas.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&painted.borrow(), canvas, snapshot, width, height));
             slot.append(&canvas);
             (canvas, plot)
         });
@@ -163,7 +164,7 @@ impl MeasurePanel {
         if changes.any(Changes::DRIVE | Changes::DOCUMENT | Changes::MUSCLE | Changes::DISPLAY | Changes::EDIT) {
             for (canvas, plot) in &self.plots {
                 let mut plot = plot.borrow_mut();
-                (plot.cursor, plot.color) = (session.drive().flexion, session.display().palette.selected);
+                (plot.cursor, plot.color) = (Some(session.drive().flexion), session.display().palette.selected);
                 plot.published_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
                 canvas.queue_draw();
             }

@@ -22,7 +22,6 @@ mod error_bar;
 mod export_dialog;
 mod export_job;
 mod files;
-mod format;
 mod glyph;
 mod health_panel;
 mod inspector;
@@ -36,7 +35,7 @@ mod muscle_panel;
 mod node_table;
 mod perform;
 mod picture;
-mod plot;
+mod plot_view;
 mod profile_view;
 mod recent;
 mod save_session;
@@ -63,6 +62,8 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+/// How numbers are written in the window.
+use crate::i18n::quantity as format;
 use crate::tr;
 
 /// The one id for the application, its icon, its desktop file and its metainfo.

@@ -5,6 +5,7 @@
 
 mod catalogue;
 mod number;
+pub mod quantity;
 
 pub use catalogue::{Language, language, message, set_language};
 /// The value type of a message argument.

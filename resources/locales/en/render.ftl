@@ -1,1 +1,4 @@
 # render
+
+plot-no-font = There is no font on this machine to write the plot's numbers with; an .svg needs none.
+plot-too-large = The plots make a picture of more than 20 000 pixels to a side; an .svg has no such limit.
