@@ -1,6 +1,6 @@
 //! Plots of quantities against an angle or a time: thin axes, a few ticks, curves, published points behind them.
 //!
-//! One layout, [`Plot::draw`], says what goes where; an [`Ink`] puts it on a widget, into an SVG document ([`svg`]) or onto pixels ([`raster`]), so
+//! One layout, [`Plot::draw`], says what goes where; an [`Ink`] puts it on a widget, into an SVG document (`plot::svg`) or onto pixels (`plot::raster`), so
 //! that what is saved is what was seen.
 
 mod page;
