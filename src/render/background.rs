@@ -3,7 +3,7 @@
 use super::Background;
 
 /// The background, ready to be written row by row.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Backdrop {
     kind: Background,
     height: f32,

@@ -1,6 +1,6 @@
 //! Between vertices and pixels: which triangles face the eye, which need clipping, and which bands they touch.
 
-use super::bins::Bins;
+use super::bins::{Bins, Columns};
 use super::clip::clip;
 use super::drawing::{CUT, Drawing, Item, Unit};
 use super::setup::{Rect, area};
@@ -22,7 +22,7 @@ impl Bands {
     pub(super) fn spread(&self, bins: &mut Bins, rect: &Rect, value: u32) {
         let (from, to) = (rect.y0 as usize / self.rows, (rect.y1 as usize / self.rows).min(self.count - 1));
         for band in from..=to {
-            bins.push(band, value);
+            bins.push(band, Columns { first: rect.x0, last: rect.x1 }, value);
         }
     }
 }

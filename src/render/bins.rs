@@ -1,4 +1,4 @@
-//! Lists of what touches each band, in the order in which it was given.
+//! Lists of what touches each band, in the order in which it was given, and the columns that it touches there.
 
 /// Numbers in a block; with its head a block fills four cache lines.
 const BLOCK: usize = 62;
@@ -12,11 +12,34 @@ struct Block {
 
 const NONE: u32 = u32::MAX;
 
+/// A stretch of columns, ends included; empty where `last < first`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Columns {
+    pub first: i32,
+    pub last: i32,
+}
+
+impl Columns {
+    pub(super) const NONE: Self = Self { first: i32::MAX, last: i32::MIN };
+
+    #[inline(always)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.last < self.first
+    }
+
+    /// The smallest stretch that holds both.
+    #[inline(always)]
+    pub(super) fn and(self, other: Self) -> Self {
+        Self { first: self.first.min(other.first), last: self.last.max(other.last) }
+    }
+}
+
 /// One list a band. Blocks are taken from one arena that is kept from frame to frame.
 #[derive(Debug, Default)]
 pub(super) struct Bins {
     heads: Vec<u32>,
     tails: Vec<u32>,
+    columns: Vec<Columns>,
     blocks: Vec<Block>,
 }
 
@@ -27,12 +50,15 @@ impl Bins {
         self.heads.resize(bands, NONE);
         self.tails.clear();
         self.tails.resize(bands, NONE);
+        self.columns.clear();
+        self.columns.resize(bands, Columns::NONE);
         self.blocks.clear();
     }
 
-    /// Adds `value` to the list of `band`.
+    /// Adds `value`, which touches these columns, to the list of `band`.
     #[inline(always)]
-    pub(super) fn push(&mut self, band: usize, value: u32) {
+    pub(super) fn push(&mut self, band: usize, columns: Columns, value: u32) {
+        self.columns[band] = self.columns[band].and(columns);
         let tail = self.tails[band];
         if let Some(block) = self.blocks.get_mut(tail as usize)
             && let Some(slot) = block.values.get_mut(block.len as usize)
@@ -62,6 +88,16 @@ impl Bins {
         self.heads.get(band).is_none_or(|head| *head == NONE)
     }
 
+    /// The columns that something touches in `band`.
+    pub(super) fn columns(&self, band: usize) -> Columns {
+        self.columns.get(band).copied().unwrap_or(Columns::NONE)
+    }
+
+    /// At least as many as the longest list holds.
+    pub(super) fn longest(&self) -> usize {
+        (0..self.heads.len()).map(|band| self.of(band).count() * BLOCK).max().unwrap_or(0)
+    }
+
     /// The list of `band`, in stretches.
     pub(super) fn of(&self, band: usize) -> impl Iterator<Item = &[u32]> {
         let mut next = self.heads.get(band).copied().unwrap_or(NONE);
@@ -83,8 +119,11 @@ mod tests {
         for _ in 0..2 {
             bins.reset(3);
             for i in 0..1000 {
-                bins.push(i as usize % 2, i);
+                let column = 40 - i as i32 % 20;
+                bins.push(i as usize % 2, Columns { first: column, last: column + 3 }, i);
             }
+            assert_eq!(bins.columns(0), Columns { first: 22, last: 43 });
+            assert!(bins.columns(2).is_empty() && bins.longest() >= 500);
             let odd: Vec<u32> = bins.of(1).flatten().copied().collect();
             assert_eq!(odd, (0..1000).filter(|i| i % 2 == 1).collect::<Vec<_>>());
             assert!(bins.is_empty(2) && !bins.is_empty(0));

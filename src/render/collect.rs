@@ -9,6 +9,7 @@ use super::drawing::{Item, Source};
 use super::edges::Edge;
 use super::glyphs::Pen;
 use super::light::Gloss;
+use super::line::Stage;
 use super::renderer::Buffers;
 use super::style::{Fill, Layer, Normals, Style, Varying};
 use super::texture::{Alpha, Cache, Sampler};
@@ -113,11 +114,18 @@ impl Buffers {
         self.collector.pending = pending;
     }
 
-    /// Makes all lines.
+    /// Makes all lines; those of the ground only where they are not the same as before.
     pub(super) fn sketch(&mut self, scene: &Scene, frame: &Frame, view: &View, bands: &Bands, display: &Display, light: Vec3) {
         let mut strokes = std::mem::take(&mut self.strokes);
-        strokes.reset(bands);
+        strokes.reset(Stage::Over, bands);
+        strokes.reset(Stage::Overlay, bands);
         let mut pen = Pen { view, bands, display, strokes: &mut strokes };
+        if self.ground.is_new() {
+            pen.strokes.reset(Stage::Under, bands);
+            if display.grid {
+                pen.grid(&display.ground.unwrap_or(frame.bounds));
+            }
+        }
         pen.helpers(frame, light);
         for surface in frame.surfaces.iter().filter(|surface| shown(display, surface)) {
             let selected = display.selected == Some(surface.node);

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::scene::NodeId;
+use crate::scene::{Bounds, NodeId};
 
 /// Where lighting is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -118,6 +118,8 @@ pub struct Display {
     pub weights: Option<NodeId>,
     /// Ground grid.
     pub grid: bool,
+    /// What the grid is laid out for; `None` = the frame's bounds, so that it changes as the model moves.
+    pub ground: Option<Bounds>,
     /// World axes at the origin.
     pub axes: bool,
     /// Box round everything.
@@ -165,6 +167,7 @@ impl Default for Display {
             xray: true,
             weights: None,
             grid: true,
+            ground: None,
             axes: false,
             bounding_box: false,
             depth_test: true,

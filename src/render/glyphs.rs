@@ -41,9 +41,6 @@ impl Pen<'_> {
     /// The helpers that the display asks for.
     pub(super) fn helpers(&mut self, frame: &Frame, light: Vec3) {
         let display = self.display;
-        if display.grid {
-            self.grid(&frame.bounds);
-        }
         let size = frame.bounds.diagonal().max(1e-6);
         if display.axes {
             for (axis, color) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(display.palette.axes) {
@@ -115,7 +112,7 @@ impl Pen<'_> {
     }
 
     /// The ground: lines a power of ten apart, every tenth stronger, fading with distance and where they would crowd.
-    fn grid(&mut self, bounds: &Bounds) {
+    pub(super) fn grid(&mut self, bounds: &Bounds) {
         let (center, size) = if bounds.is_empty() { (Vec3::ZERO, 1.0) } else { (bounds.center(), bounds.diagonal().max(1e-6)) };
         // At height 0 where the model stands there, more or less; under it where that would cut it in two.
         let zero = bounds.min.y..=bounds.min.y + 0.2 * bounds.size().y;
@@ -127,7 +124,9 @@ impl Pen<'_> {
             Some(_) => return,
             None => 10f32.powf((size / 4.0).log10().floor()),
         };
-        if !(spacing > 0.0 && spacing.is_finite() && center.is_finite() && size < 1e15) {
+        // Farther off than `f32` tells cells apart there would be no lines, only a smear.
+        let told_apart = (center / spacing).abs().max_element() < 1e6;
+        if !(spacing > 0.0 && spacing.is_finite() && told_apart && size < 1e15) {
             return;
         }
         let radius = size * 1.6;

@@ -6,7 +6,7 @@
 use glam::Vec3;
 
 use super::bin::Bands;
-use super::bins::Bins;
+use super::bins::{Bins, Columns};
 use super::clip::clip_line;
 use super::lanes::{Lanes, always, kernel, map};
 use super::plane::Plane;
@@ -16,7 +16,7 @@ use super::view::View;
 /// When strokes are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Stage {
-    /// After the opaque surfaces, before the transparent ones.
+    /// On the background, and over opaque surfaces before the transparent ones are drawn.
     Under,
     /// After all surfaces.
     Over,
@@ -39,6 +39,19 @@ pub(super) struct Ink {
     pub lift: f32,
 }
 
+/// What a stroke is drawn on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Onto {
+    /// The bare background.
+    Ground,
+    /// Surfaces alone; the background between them has the strokes already.
+    Surfaces,
+    /// All that is there.
+    All,
+    /// A layer that is laid over the picture, whose depths count.
+    Overlay,
+}
+
 #[derive(Debug, Clone, Copy)]
 struct Stroke {
     /// Pixel coordinates and nearness.
@@ -55,22 +68,25 @@ struct Stroke {
 /// The strokes of a picture, by stage and band.
 #[derive(Debug, Default)]
 pub(super) struct Strokes {
-    all: Vec<Stroke>,
+    all: [Vec<Stroke>; 3],
     bins: [Bins; 3],
 }
 
 impl Strokes {
-    /// Empties all.
-    pub(super) fn reset(&mut self, bands: &Bands) {
-        self.all.clear();
-        for bins in &mut self.bins {
-            bins.reset(bands.count);
-        }
+    /// Empties a stage.
+    pub(super) fn reset(&mut self, stage: Stage, bands: &Bands) {
+        self.all[stage as usize].clear();
+        self.bins[stage as usize].reset(bands.count);
     }
 
     /// Whether nothing is drawn in `band` at this stage.
     pub(super) fn is_empty(&self, stage: Stage, band: usize) -> bool {
         self.bins[stage as usize].is_empty(band)
+    }
+
+    /// The columns that are drawn on in `band` at this stage.
+    pub(super) fn columns(&self, stage: Stage, band: usize) -> Columns {
+        self.bins[stage as usize].columns(band)
     }
 
     /// Adds the line from `a` to `b` in the world.
@@ -110,30 +126,31 @@ impl Strokes {
         let rect = Rect { x0: low(0).max(0), y0: low(1).max(0), x1: high(0, w), y1: high(1, h) };
         let visible = from.iter().chain(&to).all(|x| x.is_finite()) && from[0].max(to[0]) + reach > 0.0 && from[1].max(to[1]) + reach > 0.0;
         if visible && !rect.is_empty() && (stroke.alpha[0] > 0.0 || stroke.alpha[1] > 0.0) {
-            bands.spread(&mut self.bins[ink.stage as usize], &rect, self.all.len() as u32);
-            self.all.push(stroke);
+            let all = &mut self.all[ink.stage as usize];
+            bands.spread(&mut self.bins[ink.stage as usize], &rect, all.len() as u32);
+            all.push(stroke);
         }
     }
 }
 
 kernel! {
-    /// Draws the strokes of a stage into the rows of a band.
-    pub(super) fn strokes(all: &Strokes, stage: Stage, band: usize, plane: &mut Plane) = draw
+    /// Draws the strokes of a stage into the rows of a band, within the columns that the plane uses.
+    pub(super) fn strokes(all: &Strokes, stage: Stage, onto: Onto, band: usize, plane: &mut Plane) = draw
 }
 
 #[inline(always)]
-fn draw<L: Lanes>(l: L, all: &Strokes, stage: Stage, band: usize, plane: &mut Plane) {
+fn draw<L: Lanes>(l: L, all: &Strokes, stage: Stage, onto: Onto, band: usize, plane: &mut Plane) {
     for stretch in all.bins[stage as usize].of(band) {
         for &index in stretch {
-            if let Some(stroke) = all.all.get(index as usize) {
-                one(l, stroke, plane, stage == Stage::Overlay);
+            if let Some(stroke) = all.all[stage as usize].get(index as usize) {
+                one(l, stroke, plane, onto);
             }
         }
     }
 }
 
 #[inline(always)]
-fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
+fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, onto: Onto) {
     let [ax, ay, aq] = stroke.from;
     let (dx, dy) = (stroke.to[0] - ax, stroke.to[1] - ay);
     let squared = dx * dx + dy * dy;
@@ -145,6 +162,8 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
     let bottom = (high.min(2e6) as i32).min(last);
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
     let color = map(stroke.color, always!(|c: f32| l.splat(c)));
+    let [first, end] = plane.used.map(|x| x as i32);
+    let depth_test = stroke.depth_test && onto != Onto::Ground;
     for y in top..=bottom {
         assert!(plane.holds(plane.index(y, 0), plane.width), "a row reaches beyond its band");
         let cy = y as f32 + 0.5 - ay;
@@ -156,8 +175,8 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
             to = t0.max(t1).clamp(0.0, 1.0);
         }
         let (x0, x1) = (ax + dx * from, ax + dx * to);
-        let left = ((x0.min(x1) - reach - 1.0).max(0.0) as i32).min(plane.width as i32);
-        let right = (x0.max(x1) + reach + 1.0).clamp(-1.0, plane.width as f32 - 1.0) as i32;
+        let left = ((x0.min(x1) - reach - 1.0).max(0.0) as i32).max(first);
+        let right = ((x0.max(x1) + reach + 1.0).clamp(-1.0, 2e6) as i32).min(end - 1);
         let py = l.splat(cy);
         let mut x = left;
         while x <= right {
@@ -167,8 +186,8 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
             let distance = l.sqrt(ex * ex + ey * ey);
             let cover = l.clamp(l.splat(stroke.half + 0.5) - distance, 0.0, 1.0);
             let alpha = cover * (l.splat(stroke.alpha[0]) + l.splat(stroke.alpha[1] - stroke.alpha[0]) * t);
-            // Columns past the right end belong to the margin of the plane or are not covered.
-            let visible = l.lt(zero, alpha) & l.ilt(l.iota() + l.isplat(x), l.isplat(plane.width as i32));
+            // Columns past the right end are not in use or not covered.
+            let visible = l.lt(zero, alpha) & l.ilt(l.iota() + l.isplat(x), l.isplat(end));
             let at = plane.index(y, x);
             x += L::N as i32;
             if !l.any(visible) {
@@ -180,10 +199,13 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, write_depth: bool) {
                 let mut shown = visible;
                 // SAFETY: `x` was from 0 to the last column, and the plane holds that row.
                 unsafe {
-                    if stroke.depth_test {
+                    if depth_test {
                         shown = shown & l.lt(plane.depth(l, s, at), q);
                     }
-                    if write_depth {
+                    if onto == Onto::Surfaces {
+                        shown = shown & l.lt(l.splat(f32::NEG_INFINITY), plane.depth(l, s, at));
+                    }
+                    if onto == Onto::Overlay {
                         plane.set_depth(l, s, at, shown, q);
                     }
                     plane.blend(l, s, at, shown, [color[0], color[1], color[2], full]);

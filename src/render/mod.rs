@@ -1,6 +1,7 @@
 //! The rasterizer. Knows the scene alone.
 
 mod background;
+mod band;
 pub mod bench;
 mod bin;
 mod bins;
@@ -12,6 +13,7 @@ mod drawing;
 mod edges;
 mod fill;
 mod glyphs;
+mod ground;
 mod heat;
 mod lanes;
 mod light;

@@ -38,9 +38,7 @@ impl Buffers {
         }
         let (px, py) = (x as i32, y as i32);
         let canvas = Canvas::new(display, width, height);
-        // No lines are wanted.
-        let quiet = Display { grid: false, wireframe: false, normal_glyphs: false, selected: None, ..display.clone() };
-        let (view, lights) = self.prepare(scene, frame, camera, &quiet, &canvas);
+        let (view, lights) = self.prepare(scene, frame, camera, display, &canvas);
         self.vertex_stage(pool, level, frame, &view, &lights);
         let drawing = self.drawing(frame, view, lights);
         let (mut surface, mut overlay) = (None, None);

@@ -1,5 +1,9 @@
 //! The rows of a band while they are drawn: colour and depth for each sample.
+//!
+//! Only the columns in use are cleared, filled and handed on. What stands in the others is left over from earlier bands: vectors that reach there
+//! read it and write it back, but no lane of theirs is ever covered.
 
+use super::bins::Columns;
 use super::lanes::{Lanes, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
@@ -16,6 +20,8 @@ pub(super) struct Plane {
     pub rows: usize,
     /// Columns of the picture.
     pub width: usize,
+    /// Which of them are in use: first, and one past the last.
+    pub used: [usize; 2],
     /// 1 or 4.
     pub samples: usize,
     /// From row to row.
@@ -28,49 +34,71 @@ pub(super) struct Plane {
 
 impl Plane {
     /// Takes this shape; what is in it stays as it was until [`Plane::clear_depth`] and the rows are written.
-    pub(super) fn shape(&mut self, top: i32, rows: usize, width: usize, samples: usize) {
+    pub(super) fn shape(&mut self, top: i32, rows: usize, width: usize, used: Columns, samples: usize) {
         (self.top, self.rows, self.width, self.samples) = (top, rows, width, samples);
+        let end = (used.last + 1).clamp(0, width as i32) as usize;
+        self.used = [(used.first.max(0) as usize).min(end), end];
         self.pitch = width + MARGIN;
         self.area = self.pitch * (rows + FOOT) + MARGIN;
-        let needed = self.area * samples;
+        self.reserve(rows, width, samples);
+    }
+
+    /// Makes room for a shape.
+    pub(super) fn reserve(&mut self, rows: usize, width: usize, samples: usize) {
+        let needed = ((width + MARGIN) * (rows + FOOT) + MARGIN) * samples;
         if self.color.len() < needed {
-            self.color.resize(needed, 0);
-            self.depth.resize(needed, 0.0);
+            // Fresh zeros, not a longer copy: the system hands them out only as they are touched.
+            self.color = vec![0; needed];
+            self.depth = vec![0.0; needed];
         }
+    }
+
+    /// The columns in use of row `row` (from the band's first) of sample `s`.
+    #[inline(always)]
+    fn stretch(&self, s: usize, row: usize) -> std::ops::Range<usize> {
+        let at = s * self.area + row * self.pitch;
+        at + self.used[0]..at + self.used[1]
     }
 
     /// Infinitely far everywhere.
     pub(super) fn clear_depth(&mut self) {
-        self.depth[..self.area * self.samples].fill(f32::NEG_INFINITY);
+        for s in 0..self.samples {
+            for row in 0..self.rows {
+                let stretch = self.stretch(s, row);
+                self.depth[stretch].fill(f32::NEG_INFINITY);
+            }
+        }
     }
 
     /// One colour everywhere.
     pub(super) fn clear_color(&mut self, color: u32) {
-        self.color[..self.area * self.samples].fill(color);
+        for s in 0..self.samples {
+            for row in 0..self.rows {
+                self.row_mut(s, row).fill(color);
+            }
+        }
     }
 
-    /// Row `row` (from the band's first) of sample `s`, colours.
+    /// Row `row` (from the band's first) of sample `s`, colours of the columns in use.
     pub(super) fn row(&self, s: usize, row: usize) -> &[u32] {
-        let at = s * self.area + row * self.pitch;
-        &self.color[at..at + self.width]
+        &self.color[self.stretch(s, row)]
     }
 
     /// The same, to write.
     pub(super) fn row_mut(&mut self, s: usize, row: usize) -> &mut [u32] {
-        let at = s * self.area + row * self.pitch;
-        &mut self.color[at..at + self.width]
+        let stretch = self.stretch(s, row);
+        &mut self.color[stretch]
     }
 
     /// The same, depths.
     pub(super) fn depth_row(&self, s: usize, row: usize) -> &[f32] {
-        let at = s * self.area + row * self.pitch;
-        &self.depth[at..at + self.width]
+        &self.depth[self.stretch(s, row)]
     }
 
     /// Colours to write and depths to read of one row.
     pub(super) fn row_and_depth(&mut self, s: usize, row: usize) -> (&mut [u32], &[f32]) {
-        let at = s * self.area + row * self.pitch;
-        (&mut self.color[at..at + self.width], &self.depth[at..at + self.width])
+        let stretch = self.stretch(s, row);
+        (&mut self.color[stretch.clone()], &self.depth[stretch])
     }
 
     /// Where pixel `x` of picture row `y` stands in a sample plane.

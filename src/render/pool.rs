@@ -20,6 +20,8 @@ unsafe impl Send for JobPointer {}
 struct State {
     job: Option<JobPointer>,
     active: usize,
+    /// Threads that are running; they start on their own time.
+    started: usize,
     sleeping: usize,
     stopping: bool,
     panicked: bool,
@@ -80,12 +82,13 @@ impl Pool {
             return job(0);
         }
         /// Closes the job and waits, also when the caller's part panics.
-        struct Closing<'a>(&'a Shared);
+        struct Closing<'a>(&'a Shared, usize);
         impl Drop for Closing<'_> {
             fn drop(&mut self) {
                 let mut state = self.0.lock();
                 state.job = None;
-                while state.active > 0 {
+                // A thread allocates while it starts, so the first job waits for those that still do.
+                while state.active > 0 || state.started < self.1 {
                     state = self.0.done.wait(state).unwrap_or_else(PoisonError::into_inner);
                 }
             }
@@ -102,7 +105,7 @@ impl Pool {
             }
         }
         {
-            let _closing = Closing(&self.shared);
+            let _closing = Closing(&self.shared, self.threads.len());
             job(0);
         }
         // A panic in a worker is a bug of ours; it must not leave a half-drawn picture unnoticed.
@@ -124,6 +127,8 @@ impl Drop for Pool {
 
 fn worker(shared: &Shared, index: usize) {
     let mut seen = 0;
+    shared.lock().started += 1;
+    shared.done.notify_one();
     loop {
         for _ in 0..SPINS {
             if shared.epoch.load(Ordering::Acquire) != seen {

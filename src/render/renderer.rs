@@ -6,17 +6,17 @@ use std::time::Instant;
 use glam::Vec4;
 
 use super::background::Backdrop;
+use super::band::{Local, Picture, XRAY, draw_band};
 use super::bin::{Bands, bin};
 use super::bins::Bins;
 use super::collect::{Collector, light_position};
 use super::drawing::{Drawing, Item, Made, Unit, geometry};
-use super::fill::{Stretch, fill};
+use super::ground::Ground;
 use super::lanes::Level;
 use super::light::Lights;
-use super::line::{self, Stage, Strokes};
-use super::plane::Plane;
+use super::line::{Stage, Strokes};
 use super::pool::Pool;
-use super::resolve::{Rows, copy_row, lay_over, resolve};
+use super::resolve::Rows;
 use super::style::Layer;
 use super::texture::Cache;
 use super::vertex::{CHUNK, Out, Quad, vertices};
@@ -26,7 +26,7 @@ use crate::limits;
 use crate::scene::{Camera, Frame, Scene};
 
 /// Rows of a band: enough for a small triangle to touch one band mostly, few enough for its pixels to stay in the second-level cache.
-const BAND_ROWS: usize = 32;
+pub(super) const BAND_ROWS: usize = 32;
 const _: () = assert!(BAND_ROWS <= super::setup::ROWS);
 /// Triangles in a unit of binning, at least.
 const UNIT: u32 = 2048;
@@ -42,6 +42,7 @@ pub(super) struct Buffers {
     pub heat: Vec<Vec4>,
     pub cache: Cache,
     pub strokes: Strokes,
+    pub ground: Ground,
     screen: Vec<Screen>,
     front: Vec<Quad>,
     back: Vec<Quad>,
@@ -53,20 +54,10 @@ pub(super) struct Buffers {
 
 /// A blended triangle in drawing order.
 #[derive(Debug, Clone, Copy)]
-struct Sorted {
+pub(super) struct Sorted {
     nearness: f32,
-    unit: u32,
-    entry: u32,
-}
-
-/// What each worker has of its own.
-#[derive(Debug, Default)]
-struct Local {
-    plane: Plane,
-    overlay: Plane,
-    entries: Vec<u32>,
-    row: Vec<u32>,
-    resolve_ms: f64,
+    pub unit: u32,
+    pub entry: u32,
 }
 
 /// Hands out pieces of something to whoever comes, each once.
@@ -145,6 +136,9 @@ impl Buffers {
         let canvas = Canvas::new(display, width, height);
         let start = Instant::now();
         let (view, lights) = self.prepare(scene, frame, camera, display, &canvas);
+        let bands = target.len().div_ceil(stride * BAND_ROWS).min(canvas.bands.count);
+        self.ground.begin(camera, display, frame.bounds, [width, height], bands);
+        self.lines(scene, frame, &view, &canvas.bands, display, &lights);
         self.vertex_stage(pool, level, frame, &view, &lights);
         stats.vertex_ms = milliseconds(start);
         let start = Instant::now();
@@ -152,6 +146,7 @@ impl Buffers {
         let mut locals = std::mem::take(&mut self.locals);
         let mut sorted = std::mem::take(&mut self.sorted);
         let mut sorted_bins = std::mem::take(&mut self.sorted_bins);
+        let mut ground = std::mem::take(&mut self.ground);
         let drawing = self.drawing(frame, view, lights);
         let unit_count = divide(&self.items, &mut units);
         let jobs = Mutex::new(units[..unit_count].iter_mut());
@@ -179,26 +174,30 @@ impl Buffers {
             xray,
         };
         locals.resize_with(pool.workers().max(locals.len()), Mutex::default);
-        let rows = Mutex::new(target.chunks_mut(stride * BAND_ROWS).take(canvas.bands.count).enumerate());
+        // Here, not by the workers: one that comes late to the first frames would make its room in a later one.
+        for local in &mut locals {
+            local.get_mut().unwrap_or_else(PoisonError::into_inner).reserve(&picture);
+        }
+        let rows = Mutex::new(target.chunks_mut(stride * BAND_ROWS).take(bands).zip(ground.pieces(BAND_ROWS)).enumerate());
         pool.run(&|worker| {
             // Each worker has its own, so the lock is free.
             let mut local = locals[worker].lock().unwrap_or_else(PoisonError::into_inner);
             local.resolve_ms = 0.0;
-            while let Some((band, bytes)) = take(&rows) {
-                let rows = Rows { bytes, stride };
-                draw_band(level, &picture, band, &mut local, rows);
+            while let Some((band, (bytes, piece))) = take(&rows) {
+                draw_band(level, &picture, band, &mut local, piece, Rows { bytes, stride });
             }
         });
+        drop(rows);
         let workers = pool.workers() as f64;
         stats.resolve_ms =
             locals.iter_mut().map(|local| local.get_mut().unwrap_or_else(PoisonError::into_inner).resolve_ms).sum::<f64>() / workers;
         stats.raster_ms = (milliseconds(start) - stats.resolve_ms).max(0.0);
         stats.triangles = self.items.last().map_or(0, |item| u64::from(item.triangles.end));
-        (self.units, self.locals, self.sorted, self.sorted_bins) = (units, locals, sorted, sorted_bins);
+        (self.units, self.locals, self.sorted, self.sorted_bins, self.ground) = (units, locals, sorted, sorted_bins, ground);
         stats
     }
 
-    /// Makes the lists of what is to be drawn.
+    /// Makes the list of the triangles that are to be drawn.
     pub(super) fn prepare(&mut self, scene: &Scene, frame: &Frame, camera: &Camera, display: &Display, canvas: &Canvas) -> (View, Lights) {
         let view = View::new(camera, canvas.width, canvas.height);
         // Without a camera nothing is drawn but the background.
@@ -206,15 +205,22 @@ impl Buffers {
         let view = view.unwrap_or_else(View::nowhere);
         let position = light_position(frame, &view, display);
         self.items.clear();
-        self.strokes.reset(&canvas.bands);
         if seen {
             let mut cache = std::mem::take(&mut self.cache);
             cache.begin();
             self.collect(&mut cache, scene, frame, display);
             self.cache = cache;
-            self.sketch(scene, frame, &view, &canvas.bands, display, position);
         }
         (view, Lights::new(position, display.ambient, &view))
+    }
+
+    /// Makes the lists of lines.
+    fn lines(&mut self, scene: &Scene, frame: &Frame, view: &View, bands: &Bands, display: &Display, lights: &Lights) {
+        if view.is_somewhere() {
+            self.sketch(scene, frame, view, bands, display, lights.position);
+        } else {
+            [Stage::Under, Stage::Over, Stage::Overlay].into_iter().for_each(|stage| self.strokes.reset(stage, bands));
+        }
     }
 
     /// What the stages after the vertex stage read.
@@ -297,98 +303,5 @@ fn sort_blended(drawing: &Drawing<'_>, bands: &Bands, units: &[Unit], sorted: &m
         if let Some(part) = Drawing::part(item, &drawing.feed(item), unit, triangle.entry) {
             bands.spread(bins, &super::setup::Rect::of(&part.screen, bands.multi, drawing.view.size), index as u32);
         }
-    }
-}
-
-/// Opacity of bones behind a surface, where they show through it.
-const XRAY: f32 = 0.45;
-
-/// All that a band is drawn from.
-struct Picture<'a> {
-    drawing: &'a Drawing<'a>,
-    canvas: &'a Canvas,
-    units: &'a [Unit],
-    sorted: &'a [Sorted],
-    sorted_bins: &'a Bins,
-    strokes: &'a Strokes,
-    /// Opacity of the overlay behind a surface.
-    xray: f32,
-}
-
-/// Draws one band from the background to the finished rows.
-fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local: &mut Local, mut target: Rows<'_>) {
-    let Picture { drawing, canvas, units, sorted, sorted_bins, strokes, xray } = *picture;
-    let (top, width) = ((band * BAND_ROWS) as i32, canvas.width as usize);
-    let rows = BAND_ROWS.min(canvas.height as usize - top as usize);
-    let Local { plane, overlay, entries, row, resolve_ms } = local;
-    let no_lines = [Stage::Under, Stage::Over, Stage::Overlay].into_iter().all(|stage| strokes.is_empty(stage, band));
-    let empty = no_lines && units.iter().all(|unit| unit.bins.is_empty(band)) && sorted_bins.is_empty(band);
-    row.resize(width, 0);
-    if empty {
-        let start = Instant::now();
-        for y in 0..rows {
-            canvas.backdrop.row(top + y as i32, row);
-            copy_row(row, target.row(y));
-        }
-        *resolve_ms += milliseconds(start);
-        return;
-    }
-    plane.shape(top, rows, width, canvas.samples);
-    plane.clear_depth();
-    for y in 0..rows {
-        for s in 0..canvas.samples {
-            canvas.backdrop.row(top + y as i32, plane.row_mut(s, y));
-        }
-    }
-    let is_overlay = |unit: &Unit| drawing.item_of(unit.range.start).is_some_and(|item| item.style.layer == Layer::Overlay);
-    for unit in units.iter().filter(|unit| !is_overlay(unit)) {
-        fill_unit(level, drawing, unit, band, entries, plane);
-    }
-    line::strokes(level, strokes, Stage::Under, band, plane);
-    // Blended triangles come one by one: neighbours in depth are rarely of one item.
-    for stretch in sorted_bins.of(band) {
-        for triangle in stretch.iter().filter_map(|&index| sorted.get(index as usize)) {
-            let unit = &units[triangle.unit as usize];
-            if let Some(item) = drawing.item_of(Drawing::number(unit, triangle.entry)) {
-                fill(level, &Stretch { drawing, item, unit, entries: &[triangle.entry] }, plane);
-            }
-        }
-    }
-    line::strokes(level, strokes, Stage::Over, band, plane);
-    let has_overlay = units.iter().any(|unit| !unit.bins.is_empty(band) && is_overlay(unit)) || !strokes.is_empty(Stage::Overlay, band);
-    if has_overlay {
-        overlay.shape(top, rows, width, canvas.samples);
-        overlay.clear_depth();
-        overlay.clear_color(0);
-        for unit in units.iter().filter(|unit| is_overlay(unit)) {
-            fill_unit(level, drawing, unit, band, entries, overlay);
-        }
-        line::strokes(level, strokes, Stage::Overlay, band, overlay);
-        lay_over(plane, overlay, xray);
-    }
-    let start = Instant::now();
-    for y in 0..rows {
-        copy_row(resolve(plane, y, row), target.row(y));
-    }
-    *resolve_ms += milliseconds(start);
-}
-
-/// Fills what a unit has for a band, item by item.
-fn fill_unit(level: Level, drawing: &Drawing<'_>, unit: &Unit, band: usize, entries: &mut Vec<u32>, plane: &mut Plane) {
-    let mut item: Option<&Item> = None;
-    entries.clear();
-    for &entry in unit.bins.of(band).flatten() {
-        let number = Drawing::number(unit, entry);
-        if !item.is_some_and(|item| item.triangles.contains(&number)) {
-            if let Some(item) = item {
-                fill(level, &Stretch { drawing, item, unit, entries }, plane);
-            }
-            entries.clear();
-            item = drawing.item_of(number);
-        }
-        entries.push(entry);
-    }
-    if let Some(item) = item {
-        fill(level, &Stretch { drawing, item, unit, entries }, plane);
     }
 }

@@ -17,19 +17,21 @@ impl Rows<'_> {
     }
 }
 
-/// Writes pixels in native byte order; those that do not fit are left out.
-pub(super) fn copy_row(pixels: &[u32], to: &mut [u8]) {
+/// Writes pixels in native byte order into a row, from column `from` on; those that do not fit are left out.
+pub(super) fn copy_row(pixels: &[u32], to: &mut [u8], from: usize) {
+    let to = to.get_mut(from * 4..).unwrap_or_default();
     let bytes: &[u8] = bytemuck::cast_slice(pixels);
     let n = bytes.len().min(to.len() / 4 * 4);
     to[..n].copy_from_slice(&bytes[..n]);
 }
 
-/// The finished pixels of row `y`: the only sample, or the average of four in `out`.
+/// The finished pixels of row `y` in the columns in use: the only sample, or the average of four in `out`.
 pub(super) fn resolve<'a>(plane: &'a Plane, y: usize, out: &'a mut [u32]) -> &'a [u32] {
     if plane.samples == 1 {
         return plane.row(0, y);
     }
     let [a, b, c, d] = [0, 1, 2, 3].map(|s| plane.row(s, y));
+    let out = &mut out[..a.len()];
     for ((((to, &a), &b), &c), &d) in out.iter_mut().zip(a).zip(b).zip(c).zip(d) {
         // Two channels at a time, in the even bytes of a word.
         let even = |x: u32| x & 0x00FF_00FF;

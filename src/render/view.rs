@@ -136,6 +136,11 @@ impl View {
 }
 
 impl View {
+    /// Whether anything can be seen in it.
+    pub(super) fn is_somewhere(&self) -> bool {
+        self.distance != Vec4::ZERO
+    }
+
     /// A view in which nothing is seen, for a camera without numbers.
     pub(super) fn nowhere() -> Self {
         Self {

@@ -1,0 +1,190 @@
+//! One band of the picture, from the background to the finished rows: what a worker does alone.
+//!
+//! Only the columns that something touches pass through the band's plane; the others go straight from the background to the target. A figure in
+//! the middle of a wide picture would else pay for four samples of nothing on either side.
+
+use std::time::Instant;
+
+use super::bins::{Bins, Columns};
+use super::drawing::{Drawing, Item, Unit};
+use super::fill::{Stretch, fill};
+use super::ground::Piece;
+use super::lanes::Level;
+use super::line::{self, Onto, Stage, Strokes};
+use super::plane::Plane;
+use super::renderer::{BAND_ROWS, Canvas, Sorted};
+use super::resolve::{Rows, copy_row, lay_over, resolve};
+use super::style::Layer;
+
+/// Opacity of bones behind a surface, where they show through it.
+pub(super) const XRAY: f32 = 0.45;
+
+/// Columns in use begin and end at multiples of this, so that copies start where vectors and the background's pattern do.
+const STEP: i32 = 16;
+
+/// All that a band is drawn from.
+pub(super) struct Picture<'a> {
+    pub drawing: &'a Drawing<'a>,
+    pub canvas: &'a Canvas,
+    pub units: &'a [Unit],
+    pub sorted: &'a [Sorted],
+    pub sorted_bins: &'a Bins,
+    pub strokes: &'a Strokes,
+    /// Opacity of the overlay behind a surface.
+    pub xray: f32,
+}
+
+/// What each worker has of its own.
+#[derive(Debug, Default)]
+pub(super) struct Local {
+    plane: Plane,
+    overlay: Plane,
+    ground: Plane,
+    entries: Vec<u32>,
+    row: Vec<u32>,
+    pub resolve_ms: f64,
+}
+
+impl Local {
+    /// Makes room for any band of a picture.
+    pub(super) fn reserve(&mut self, picture: &Picture<'_>) {
+        let Canvas { width, samples, .. } = *picture.canvas;
+        let bands = 0..picture.canvas.bands.count;
+        let any = |stage: Stage| bands.clone().any(|band| !picture.strokes.is_empty(stage, band));
+        self.row.resize(width as usize, 0);
+        self.plane.reserve(BAND_ROWS, width as usize, samples);
+        if any(Stage::Under) {
+            self.ground.reserve(BAND_ROWS, width as usize, 1);
+        }
+        if any(Stage::Overlay) || picture.units.iter().any(|unit| picture.is_overlay(unit)) {
+            self.overlay.reserve(BAND_ROWS, width as usize, samples);
+        }
+        self.entries.clear();
+        self.entries.reserve(picture.units.iter().map(|unit| unit.bins.longest()).max().unwrap_or(0));
+    }
+}
+
+impl Picture<'_> {
+    fn is_overlay(&self, unit: &Unit) -> bool {
+        self.drawing.item_of(unit.range.start).is_some_and(|item| item.style.layer == Layer::Overlay)
+    }
+
+    /// The columns that surfaces, and that surfaces, lines and bones touch in a band.
+    fn columns(&self, band: usize) -> [Columns; 2] {
+        let (mut surfaces, mut all) = (self.sorted_bins.columns(band), Columns::NONE);
+        for unit in self.units.iter().filter(|unit| !unit.bins.is_empty(band)) {
+            let columns = unit.bins.columns(band);
+            if self.is_overlay(unit) {
+                all = all.and(columns);
+            } else {
+                surfaces = surfaces.and(columns);
+            }
+        }
+        for stage in [Stage::Over, Stage::Overlay] {
+            all = all.and(self.strokes.columns(stage, band));
+        }
+        let end = self.canvas.width as i32 - 1;
+        let whole = |of: Columns| if of.is_empty() { of } else { Columns { first: of.first & -STEP, last: (of.last | (STEP - 1)).min(end) } };
+        [surfaces, surfaces.and(all)].map(whole)
+    }
+}
+
+/// Draws one band from the background to the finished rows.
+pub(super) fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local: &mut Local, mut piece: Piece<'_>, mut target: Rows<'_>) {
+    let Picture { drawing, canvas, units, sorted, sorted_bins, strokes, xray } = *picture;
+    let (top, width) = ((band * BAND_ROWS) as i32, canvas.width as usize);
+    let rows = BAND_ROWS.min(canvas.height as usize - top as usize);
+    let Local { plane, overlay, ground, entries, row, resolve_ms } = local;
+    let lined = !strokes.is_empty(Stage::Under, band);
+    if lined && !matches!(piece, Piece::Kept(_)) {
+        ground.shape(top, rows, width, Columns { first: 0, last: width as i32 - 1 }, 1);
+        for y in 0..rows {
+            canvas.backdrop.row(top + y as i32, ground.row_mut(0, y));
+        }
+        line::strokes(level, strokes, Stage::Under, Onto::Ground, band, ground);
+        if let Piece::Room(room) = &mut piece {
+            room.chunks_mut(width).enumerate().for_each(|(y, to)| to.copy_from_slice(ground.row(0, y)));
+        }
+    }
+    let [surfaces, used] = picture.columns(band);
+    let start = Instant::now();
+    plane.shape(top, rows, width, used, canvas.samples);
+    let [left, right] = plane.used;
+    for y in 0..rows {
+        let behind = match &piece {
+            Piece::Kept(pixels) if lined => &pixels[y * width..][..width],
+            _ if lined => ground.row(0, y),
+            _ => {
+                canvas.backdrop.row(top + y as i32, row);
+                &row[..]
+            }
+        };
+        let to = target.row(y);
+        copy_row(&behind[..left], to, 0);
+        copy_row(&behind[right..], to, right);
+        for s in 0..canvas.samples {
+            plane.row_mut(s, y).copy_from_slice(&behind[left..right]);
+        }
+    }
+    *resolve_ms += milliseconds(start);
+    if left == right {
+        return;
+    }
+    plane.clear_depth();
+    for unit in units.iter().filter(|unit| !unit.bins.is_empty(band) && !picture.is_overlay(unit)) {
+        fill_unit(level, drawing, unit, band, entries, plane);
+    }
+    if lined && !surfaces.is_empty() {
+        line::strokes(level, strokes, Stage::Under, Onto::Surfaces, band, plane);
+    }
+    // Blended triangles come one by one: neighbours in depth are rarely of one item.
+    for stretch in sorted_bins.of(band) {
+        for triangle in stretch.iter().filter_map(|&index| sorted.get(index as usize)) {
+            let unit = &units[triangle.unit as usize];
+            if let Some(item) = drawing.item_of(Drawing::number(unit, triangle.entry)) {
+                fill(level, &Stretch { drawing, item, unit, entries: &[triangle.entry] }, plane);
+            }
+        }
+    }
+    line::strokes(level, strokes, Stage::Over, Onto::All, band, plane);
+    let bones = || units.iter().filter(|unit| !unit.bins.is_empty(band) && picture.is_overlay(unit));
+    if bones().next().is_some() || !strokes.is_empty(Stage::Overlay, band) {
+        overlay.shape(top, rows, width, used, canvas.samples);
+        overlay.clear_depth();
+        overlay.clear_color(0);
+        for unit in bones() {
+            fill_unit(level, drawing, unit, band, entries, overlay);
+        }
+        line::strokes(level, strokes, Stage::Overlay, Onto::Overlay, band, overlay);
+        lay_over(plane, overlay, xray);
+    }
+    let start = Instant::now();
+    for y in 0..rows {
+        copy_row(resolve(plane, y, row), target.row(y), left);
+    }
+    *resolve_ms += milliseconds(start);
+}
+
+fn milliseconds(since: Instant) -> f64 {
+    since.elapsed().as_secs_f64() * 1e3
+}
+
+/// Fills what a unit has for a band, item by item.
+fn fill_unit(level: Level, drawing: &Drawing<'_>, unit: &Unit, band: usize, entries: &mut Vec<u32>, plane: &mut Plane) {
+    let mut item: Option<&Item> = None;
+    entries.clear();
+    for &entry in unit.bins.of(band).flatten() {
+        let number = Drawing::number(unit, entry);
+        if !item.is_some_and(|item| item.triangles.contains(&number)) {
+            if let Some(item) = item {
+                fill(level, &Stretch { drawing, item, unit, entries }, plane);
+            }
+            entries.clear();
+            item = drawing.item_of(number);
+        }
+        entries.push(entry);
+    }
+    if let Some(item) = item {
+        fill(level, &Stretch { drawing, item, unit, entries }, plane);
+    }
+}

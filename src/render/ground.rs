@@ -1,0 +1,95 @@
+//! The background together with the lines that lie under everything: the same from frame to frame while the camera rests, so it is drawn once and kept.
+//!
+//! Lines of the ground are drawn on the background first. Surfaces then cover it, and the lines are drawn once more where a surface is behind them. Kept or
+//! not, a pixel goes through the same steps, so its bits are the same.
+
+use super::{Background, Display};
+use crate::scene::{Bounds, Camera};
+
+/// Pictures of more pixels are not kept; 4K has 8.3 million.
+const MOST: usize = 9 << 20;
+
+/// All that the ground depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Key {
+    camera: Camera,
+    size: [u32; 2],
+    /// Bands that the target has room for: no others are drawn.
+    bands: usize,
+    background: Background,
+    /// Box, cell, colour and opacity.
+    grid: Option<(Bounds, Option<f32>, (u32, f32))>,
+    /// Scale and width of lines.
+    widths: [f32; 2],
+    depth_test: bool,
+}
+
+/// Where the picture of the ground comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum State {
+    /// It differs from the one before and may well differ again.
+    #[default]
+    New,
+    /// It is the same a second time: worth keeping.
+    Same,
+    /// It was kept.
+    Kept,
+}
+
+/// The ground of the last frame.
+#[derive(Debug, Default)]
+pub(super) struct Ground {
+    key: Option<Key>,
+    state: State,
+    pixels: Vec<u32>,
+}
+
+/// What a band has of the ground.
+pub(super) enum Piece<'a> {
+    /// Nothing: it has to be drawn.
+    None,
+    /// Room to keep it once it is drawn.
+    Room(&'a mut [u32]),
+    /// All of it.
+    Kept(&'a [u32]),
+}
+
+impl Ground {
+    /// Begins a frame; `bounds` are the frame's.
+    pub(super) fn begin(&mut self, camera: &Camera, display: &Display, bounds: Bounds, size: [u32; 2], bands: usize) {
+        let grid = display.grid.then_some((display.ground.unwrap_or(bounds), display.grid_cell, display.palette.grid));
+        let widths = [display.scale, display.line_width];
+        let key = Key { camera: *camera, size, bands, background: display.background, grid, widths, depth_test: display.depth_test };
+        // What is not a number differs from itself and is drawn anew each time.
+        let same = self.key.as_ref() == Some(&key);
+        let room = size[0] as usize * size[1] as usize;
+        self.state = match self.state {
+            State::Kept | State::Same if same && room <= MOST => State::Kept,
+            State::New if same && room <= MOST => State::Same,
+            _ => State::New,
+        };
+        self.key = Some(key);
+        if room <= MOST && self.pixels.len() < room && grid.is_some() {
+            // In the first frame already, though only the second may write it: the system hands memory out only as it is touched.
+            self.pixels = vec![0; room];
+        }
+    }
+
+    /// Whether the lines have to be made again.
+    pub(super) fn is_new(&self) -> bool {
+        self.state == State::New
+    }
+
+    /// The bands' parts, each `rows` rows but the last.
+    pub(super) fn pieces(&mut self, rows: usize) -> impl Iterator<Item = Piece<'_>> {
+        let (width, height) = self.key.map_or((0, 0), |key| (key.size[0] as usize, key.size[1] as usize));
+        let (state, room) = (self.state, width * height);
+        let grid = self.key.is_some_and(|key| key.grid.is_some());
+        let end = if state == State::New || !grid { 0 } else { room.min(self.pixels.len()) };
+        let parts = self.pixels[..end].chunks_mut((width * rows).max(1)).map(move |part| match state {
+            State::Kept => Piece::Kept(part),
+            _ => Piece::Room(part),
+        });
+        parts.chain(std::iter::repeat_with(|| Piece::None))
+    }
+}
