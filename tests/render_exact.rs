@@ -9,7 +9,7 @@ use render_support::reference::{self, Corner};
 use render_support::rng::Rng;
 use render_support::{World, camera_at, plain};
 use sinew::render::{Background, Display, Renderer, Samples, Shading};
-use sinew::scene::{Camera, Material, OrbitCamera, Paint, Projection, ShadingModel, Wrap};
+use sinew::scene::{Bounds, Camera, Material, OrbitCamera, Paint, Projection, ShadingModel, Wrap};
 
 const SIZE: [u32; 2] = [96, 72];
 
@@ -184,6 +184,58 @@ fn a_target_with_another_stride_or_too_small_gets_what_fits() {
     }
     renderer.draw_into(&world.scene, &world.frame, &camera_at(3.0), &plain(), 40, 70, &mut [], 160);
     renderer.draw_into(&world.scene, &world.frame, &camera_at(3.0), &plain(), 40, 70, &mut [0; 7], 3);
+}
+
+#[test]
+fn a_kept_ground_is_the_ground() {
+    let (world, display, camera) = everything();
+    let other = Camera { eye: camera.eye + Vec3::new(0.1, 0.3, 0.0), ..camera };
+    let size = [211, 149];
+    for samples in [Samples::One, Samples::Four] {
+        let display = Display { samples, ..display.clone() };
+        let bare = Display { grid: false, ..display.clone() };
+        let anew = |camera: &Camera, display: &Display| world.draw(&mut Renderer::new(Some(1)), camera, display, size);
+        let (here, there, gridless) = (anew(&camera, &display), anew(&other, &display), anew(&camera, &bare));
+        assert!(here != there && here != gridless);
+        let mut renderer = Renderer::new(Some(2));
+        // The second picture is the one that is kept; a target that ends early must not leave holes in what later ones are made of.
+        let mut short = vec![0; 211 * 4 * 40];
+        renderer.draw_into(&world.scene, &world.frame, &camera, &display, 211, 149, &mut short, 211 * 4);
+        renderer.draw_into(&world.scene, &world.frame, &camera, &display, 211, 149, &mut short, 211 * 4);
+        for turn in 0..5 {
+            assert!(world.draw(&mut renderer, &camera, &display, size) == here, "{samples:?}, turn {turn}");
+            renderer.pick(&world.scene, &world.frame, &camera, &display, 211, 149, 100.0, 70.0);
+        }
+        for turn in 0..4 {
+            assert!(world.draw(&mut renderer, &other, &display, size) == there, "{samples:?}, turn {turn}");
+            assert!(world.draw(&mut renderer, &camera, &bare, size) == gridless, "{samples:?}, turn {turn}");
+        }
+        // Only what stands on the ground changes.
+        let mut emptied = World::default();
+        emptied.frame.bounds = world.frame.bounds;
+        let alone = emptied.draw(&mut Renderer::new(Some(1)), &camera, &display, size);
+        for _ in 0..3 {
+            world.draw(&mut renderer, &camera, &display, size);
+        }
+        assert!(emptied.draw(&mut renderer, &camera, &display, size) == alone);
+    }
+}
+
+#[test]
+fn a_ground_beyond_what_numbers_tell_apart_has_no_grid() {
+    // A box far off that is not large for it: its lines would have numbers beyond any integer.
+    let mut world = World::sphere(8, 5, [0.5; 3]);
+    world.frame.bounds = Bounds { min: Vec3::splat(-3e30), max: Vec3::splat(-2.999_999e30) };
+    for size in [1e-3, 1.0, 1e6] {
+        let ground = Bounds { min: Vec3::new(1e30, 0.0, -1e30), max: Vec3::new(1e30, size, -1e30) };
+        for ground in [None, Some(ground)] {
+            let display = Display { ground, ..Display::default() };
+            let without = Display { grid: false, ..display.clone() };
+            let mut renderer = Renderer::new(Some(1));
+            let found = world.draw(&mut renderer, &camera_at(3.0), &display, SIZE);
+            assert!(found == world.draw(&mut renderer, &camera_at(3.0), &without, SIZE));
+        }
+    }
 }
 
 /// Coordinates that a file or a broken pose may bring.

@@ -131,7 +131,9 @@ fn model(
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let start = document.start_state();
     let mut orbit = OrbitCamera::default();
-    orbit.fit(&document.reach(&start), width as f32 / height as f32);
+    let reach = document.reach(&start);
+    orbit.fit(&reach, width as f32 / height as f32);
+    let display = &Display { ground: Some(reach), ..display.clone() };
     let camera = orbit.camera();
     let duration = document.clips.first().map_or(0.0, |clip| clip.duration());
     let mut draw = |renderer: &mut Renderer, step: u32| {

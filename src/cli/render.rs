@@ -51,7 +51,9 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
     let eye = Eye::fit(direction(given), &bounds, aspect, sequence.turning());
-    let display = Display { scale, ..display(given, !document.shows_surface()) };
+    // In a film the ground lies still.
+    let ground = (sequence.count > 1).then_some(bounds);
+    let display = Display { scale, ground, ..display(given, !document.shows_surface()) };
     let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), Box::new(move |_, _, turn| eye.camera(turn)));
     let call = call_note(given, &files, size, scale);
     let note = |shot: &Shot| format!("{call}{}", shot_note(&document, shot));

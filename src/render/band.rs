@@ -84,7 +84,8 @@ impl Picture<'_> {
             all = all.and(self.strokes.columns(stage, band));
         }
         let end = self.canvas.width as i32 - 1;
-        let whole = |of: Columns| if of.is_empty() { of } else { Columns { first: of.first & -STEP, last: (of.last | (STEP - 1)).min(end) } };
+        let whole =
+            |of: Columns| if of.is_empty() { of } else { Columns { first: of.first & -STEP, last: (of.last | (STEP - 1)).min(end) } };
         [surfaces, surfaces.and(all)].map(whole)
     }
 }

@@ -4,10 +4,10 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::drawing::{Drawing, Item, Unit};
-use super::lanes::{Lanes, Level, always, each, kernel, map};
+use super::lanes::{Lanes, Level, Scalar, always, each, kernel, map};
 use super::plane::Plane;
 use super::setup::{BLOCK, Edges, Planes, Rect, Stepping, area};
-use super::shade::{Attributes, Gouraud, Phong, PhongTextured, Shader, Slopes, Textured};
+use super::shade::{Attributes, Corners, Gouraud, Phong, PhongTextured, Shader, Slopes, Textured};
 use super::small::{Batch, bend};
 use super::style::Fill;
 use super::view::Screen;
@@ -25,23 +25,23 @@ pub(super) struct Stretch<'a> {
 
 /// One function for each way of shading and number of samples: together they would be too much for the optimizer's patience.
 macro_rules! kernels {
-    ($($name:ident = $shader:ident, $attributes:literal, $samples:literal;)*) => { $(
+    ($($(($narrow:ident))? $name:ident = $shader:ident, $attributes:literal, $samples:literal;)*) => { $(
         kernel! {
-            fn $name<'a>(stretch: &Stretch<'a>, plane: &mut Plane) = triangles::<_, $shader<'_>, $attributes, $samples>
+            $($narrow)? fn $name<'a>(stretch: &Stretch<'a>, plane: &mut Plane) = triangles::<_, $shader<'_>, $attributes, $samples>
         }
     )* };
 }
 kernels! {
     gouraud = Gouraud, 4, 1;
     gouraud_4 = Gouraud, 4, 4;
-    glass = Gouraud, 8, 1;
-    glass_4 = Gouraud, 8, 4;
+    (narrow) glass = Gouraud, 8, 1;
+    (narrow) glass_4 = Gouraud, 8, 4;
     textured = Textured, 8, 1;
     textured_4 = Textured, 8, 4;
     phong = Phong, 12, 1;
-    phong_4 = Phong, 12, 4;
-    phong_textured = PhongTextured, 12, 1;
-    phong_textured_4 = PhongTextured, 12, 4;
+    (narrow) phong_4 = Phong, 12, 4;
+    (narrow) phong_textured = PhongTextured, 12, 1;
+    (narrow) phong_textured_4 = PhongTextured, 12, 4;
 }
 
 /// Fills a stretch of triangles into the rows of `plane`.
@@ -69,6 +69,7 @@ where
     let Stretch { drawing, item, unit, entries } = *stretch;
     let feed = drawing.feed(item);
     let shader = S::new(drawing, item);
+    let blended = S::BLENDED.unwrap_or(item.blended());
     let mut batch = Batch::<K>::new();
     for &entry in entries {
         let Some(part) = Drawing::part(item, &feed, unit, entry) else { continue };
@@ -96,7 +97,7 @@ where
             values.swap(1, 2);
         }
         let curved = bend(drawing, &mut values, item.style.fill == Fill::Gouraud);
-        if !item.blended() && Batch::<K>::fits(&screen, size) {
+        if !blended && Batch::<K>::fits(&screen, size) {
             let rect = Rect::of(&screen, M > 1, drawing.view.size);
             if !rect.is_empty() {
                 batch.push(&screen, &values, &rect, curved);
@@ -107,11 +108,15 @@ where
             continue;
         }
         // What came before has to be drawn before.
-        batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
-        let triangle = Triangle { screen, area: size, values, curved, depth_test: item.style.depth_test, blended: item.blended() };
+        if !blended {
+            batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
+        }
+        let triangle = Triangle { screen, area: size, values, curved, depth_test: item.style.depth_test, blended };
         raster::<L, S, K, M>(l, &shader, &triangle, plane, drawing.view.size);
     }
-    batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
+    if !blended {
+        batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
+    }
 }
 
 /// Whether straight interpolation on the picture would be off by more than a tenth of a 255th anywhere. Between corners whose nearness has the
@@ -160,9 +165,10 @@ where
     }
     let edges = Edges::new(&triangle.screen, rect.x0, rect.y0);
     let planes = Planes::new(&triangle.screen, triangle.area, &triangle.values, rect.x0, rect.y0);
-    let levels = [Slopes::<K>::MIXED; 3];
-    let mut slopes = Slopes { right: planes.right, below: planes.below, curved: triangle.curved, levels };
-    shader.prepare(&mut slopes, &triangle.values);
+    let corners = Corners { values: triangle.values, right: planes.right, below: planes.below, curved: triangle.curved };
+    let [a, b, c] = shader.levels(Scalar, &corners);
+    let levels = [a.value(), b.value(), c.value()];
+    let slopes = Slopes { right: planes.right, below: planes.below, curved: triangle.curved, levels };
     // Pixel centres inside cannot get values beyond the corners', but for the rounding of steep slopes; samples reach outside.
     let tame = M == 1 && S::BOUNDED && !triangle.curved && planes.gentle(rect.x1 - rect.x0);
     let right = map(planes.right, always!(|slope: f32| l.splat(slope)));

@@ -13,12 +13,17 @@ use super::vertex::finish;
 pub(super) trait Attributes<const K: usize> {
     /// Whether the colour is a mixture of the corners' colours, and these are within 0 to 255.
     const BOUNDED: bool = false;
+    /// Whether it is laid over what is there; `None` where the item says so.
+    const BLENDED: Option<bool> = None;
+    /// Whether a vector of pixels costs so much more to colour than to find that it should have few lanes outside the triangle.
+    const COSTLY: bool = true;
     /// Values at the corners of triangle `t`.
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; K]; 3];
-    /// Prepares what is the same for a whole triangle, from the corners' attributes (times nearness where they are curved).
+    /// Levels of the textures where the corners of a triangle agree about them, several triangles side by side: see [`Slopes::levels`].
     #[inline(always)]
-    fn prepare(&self, slopes: &mut Slopes<K>, corners: &[[f32; K]; 3]) {
-        let _ = (slopes, corners);
+    fn levels<L: Lanes>(&self, l: L, corners: &Corners<L, K>) -> [L::I; 3] {
+        let _ = corners;
+        [l.isplat(Slopes::<K>::MIXED); 3]
     }
     /// Red, green, blue and opacity, 0 to 255 or a little beyond. `values[0]` is the distance where attributes are curved.
     fn shade<L: Lanes>(&self, l: L, values: &[L::F; K], slopes: &Slopes<K>) -> [L::F; 4];
@@ -35,34 +40,13 @@ pub(super) struct Slopes<const K: usize> {
     pub below: [f32; K],
     /// Whether they are slopes of attributes times nearness.
     pub curved: bool,
-    /// Levels of the material's textures where all corners of the triangle agree; [`Slopes::MIXED`] where they don't.
+    /// Levels of the material's textures where all corners of the triangle agree; [`Slopes::MIXED`] where they don't or there is none.
     pub levels: [i32; 3],
 }
 
 impl<const K: usize> Slopes<K> {
     /// Each pixel has to choose its level.
     pub(super) const MIXED: i32 = -1;
-
-    /// Looks whether the corners agree about the levels of the textures that attributes `first` and `first + 1` are the coordinates of.
-    #[inline(always)]
-    pub(super) fn agree(&mut self, textures: [Option<&Texture>; 3], corners: &[[f32; K]; 3], first: usize) {
-        for (slot, texture) in self.levels.iter_mut().zip(textures) {
-            let Some(texture) = texture else { continue };
-            let mut at = [0; 3];
-            for (level, corner) in at.iter_mut().zip(corners) {
-                let inverse = 1.0 / corner[0].max(1e-30);
-                let along = |slope: &[f32; K], k: usize| {
-                    if self.curved { (slope[k] - corner[k] * inverse * slope[0]) * inverse } else { slope[k] }
-                };
-                let across = [along(&self.right, first), along(&self.right, first + 1)];
-                let down = [along(&self.below, first), along(&self.below, first + 1)];
-                *level = texture.level(across, down);
-            }
-            if at[0] == at[1] && at[1] == at[2] {
-                *slot = at[0];
-            }
-        }
-    }
 
     /// Change of the attributes `first` and `first + 1` a pixel to the right and downward.
     #[inline(always)]
@@ -73,6 +57,43 @@ impl<const K: usize> Slopes<K> {
             if self.curved { (straight - values[k] * l.splat(slope[0])) * values[0] } else { straight }
         });
         [[along(&self.right, first), along(&self.right, first + 1)], [along(&self.below, first), along(&self.below, first + 1)]]
+    }
+}
+
+/// Attributes of triangles side by side, for what is the same all over each.
+pub(super) struct Corners<L: Lanes, const K: usize> {
+    /// At the three corners, times nearness where they are curved.
+    pub values: [[L::F; K]; 3],
+    pub right: [L::F; K],
+    pub below: [L::F; K],
+    pub curved: L::M,
+}
+
+impl<L: Lanes, const K: usize> Corners<L, K> {
+    /// The levels of the textures that attributes `first` and `first + 1` are the coordinates of.
+    #[inline(always)]
+    fn levels(&self, l: L, textures: [Option<&Texture>; 3], first: usize) -> [L::I; 3] {
+        map(
+            textures,
+            always!(|texture: Option<&Texture>| {
+                let mixed = l.isplat(Slopes::<K>::MIXED);
+                let Some(texture) = texture else { return mixed };
+                let at = always!(|corner: usize| {
+                    let values = &self.values[corner];
+                    let inverse = l.splat(1.0) / l.max(values[0], l.splat(1e-30));
+                    let along = always!(|slope: &[L::F; K], k: usize| {
+                        let exact = (slope[k] - values[k] * inverse * slope[0]) * inverse;
+                        l.select(self.curved, exact, slope[k])
+                    });
+                    let across = [along(&self.right, first), along(&self.right, first + 1)];
+                    texture.level(l, across, [along(&self.below, first), along(&self.below, first + 1)])
+                });
+                let [a, b, c] = [at(0), at(1), at(2)];
+                // Levels are small and not negative: what they are apart is 0 only where they are equal.
+                let apart = l.iabs(a - b) | l.iabs(b - c);
+                l.iselect(l.ilt(l.isplat(0), apart), mixed, a)
+            }),
+        )
     }
 }
 
@@ -102,6 +123,8 @@ impl Gouraud<'_> {
 /// Opaque.
 impl Attributes<4> for Gouraud<'_> {
     const BOUNDED: bool = true;
+    const BLENDED: Option<bool> = Some(false);
+    const COSTLY: bool = false;
 
     #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
@@ -116,6 +139,9 @@ impl Attributes<4> for Gouraud<'_> {
 
 /// With opacity.
 impl Attributes<8> for Gouraud<'_> {
+    const BLENDED: Option<bool> = Some(true);
+    const COSTLY: bool = false;
+
     #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
         map(self.colors(feed, t, other_side), always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a, 0.0, 0.0, 0.0]))
@@ -142,8 +168,8 @@ impl<'a> Shader<'a> for Textured<'a> {
 
 impl Attributes<8> for Textured<'_> {
     #[inline(always)]
-    fn prepare(&self, slopes: &mut Slopes<8>, corners: &[[f32; 8]; 3]) {
-        slopes.agree(textures(self.drawing, self.style), corners, 1);
+    fn levels<L: Lanes>(&self, l: L, corners: &Corners<L, 8>) -> [L::I; 3] {
+        corners.levels(l, textures(self.drawing, self.style), 1)
     }
 
     #[inline(always)]
@@ -222,8 +248,8 @@ impl<'a> Shader<'a> for PhongTextured<'a> {
 
 impl Attributes<12> for PhongTextured<'_> {
     #[inline(always)]
-    fn prepare(&self, slopes: &mut Slopes<12>, corners: &[[f32; 12]; 3]) {
-        slopes.agree(textures(self.drawing, self.style), corners, 7);
+    fn levels<L: Lanes>(&self, l: L, corners: &Corners<L, 12>) -> [L::I; 3] {
+        corners.levels(l, textures(self.drawing, self.style), 7)
     }
 
     #[inline(always)]
@@ -272,35 +298,33 @@ impl<L: Lanes> Texels<L> {
         values: &[L::F; K],
         first: usize,
     ) -> Self {
-        let sample = always!(|which: usize, sampler: &Sampler, texture: &Texture| {
-            let level = slopes.levels[which];
-            let mip = if level == Slopes::<K>::MIXED {
-                let [across, down] = slopes.of(l, values, first);
-                texture.levels(l, across, down)
-            } else {
-                texture.mip(l, level)
-            };
-            texture.sample(l, sampler.wrap, uv, mip)
-        });
-        let found = always!(|sampler: &Sampler| drawing.textures.get(sampler.texture as usize));
         let glow = map(style.emission, always!(|emission| l.splat(emission)));
         let mut texels = Self { color: [l.splat(1.0); 3], opacity: l.splat(style.opacity), glow };
-        // By far the most materials have a colour texture alone.
-        if let (Some(sampler), None, None) = (&style.diffuse, &style.cutout, &style.glow) {
-            if let Some(texture) = found(sampler) {
-                let [r, g, b, _] = sample(0, sampler, texture);
-                texels.color = [r, g, b];
+        // A loop, so that the long way through a texture is compiled once.
+        let samplers = [&style.diffuse, &style.cutout, &style.glow];
+        let mut which = 0;
+        while which < samplers.len() {
+            if let Some(sampler) = samplers[which]
+                && let Some(texture) = drawing.textures.get(sampler.texture as usize)
+            {
+                let level = slopes.levels[which];
+                let mip = if level == Slopes::<K>::MIXED {
+                    let [across, down] = slopes.of(l, values, first);
+                    texture.levels(l, across, down)
+                } else {
+                    texture.mip(l, level)
+                };
+                let [r, g, b, a] = texture.sample(l, sampler.wrap, uv, mip);
+                match which {
+                    0 => texels.color = [r, g, b],
+                    1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
+                    _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
+                }
             }
-            return texels;
-        }
-        for (which, sampler) in [&style.diffuse, &style.cutout, &style.glow].into_iter().enumerate() {
-            let Some(sampler) = sampler else { continue };
-            let Some(texture) = found(sampler) else { continue };
-            let [r, g, b, a] = sample(which, sampler, texture);
-            match which {
-                0 => texels.color = [r, g, b],
-                1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
-                _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
+            which += 1;
+            // By far the most materials have a colour texture alone.
+            if which == 1 && style.cutout.is_none() && style.glow.is_none() {
+                break;
             }
         }
         texels

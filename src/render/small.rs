@@ -12,7 +12,7 @@ use super::fill::bends;
 use super::lanes::{Lanes, always, each, map};
 use super::plane::{Plane, pack};
 use super::setup::{Rect, SAMPLES};
-use super::shade::{Attributes, Shader, Slopes};
+use super::shade::{Attributes, Corners, Shader, Slopes};
 use super::view::Screen;
 
 /// Triangles that are set up together.
@@ -35,7 +35,8 @@ pub(super) struct Batch<const K: usize> {
     top: Ints,
     right: Ints,
     bottom: Ints,
-    curved: [bool; MANY],
+    /// 1 for yes.
+    curved: Ints,
     /// Change of each edge function a pixel to the right and a pixel downward, and its value at the centre of the box's first pixel, with the fill rule's bias.
     across: [Ints; 3],
     down: [Ints; 3],
@@ -44,6 +45,8 @@ pub(super) struct Batch<const K: usize> {
     slope: [Floats; K],
     fall: [Floats; K],
     base: [Floats; K],
+    /// See [`Slopes::levels`].
+    levels: [Ints; 3],
 }
 
 impl<const K: usize> Batch<K> {
@@ -59,13 +62,14 @@ impl<const K: usize> Batch<K> {
             top: ints,
             right: ints,
             bottom: ints,
-            curved: [false; MANY],
+            curved: ints,
             across: [ints; 3],
             down: [ints; 3],
             start: [ints; 3],
             slope: [floats; K],
             fall: [floats; K],
             base: [floats; K],
+            levels: [ints; 3],
         }
     }
 
@@ -99,7 +103,7 @@ impl<const K: usize> Batch<K> {
             }
         }
         (self.left[i], self.top[i], self.right[i], self.bottom[i]) = (rect.x0, rect.y0, rect.x1, rect.y1);
-        self.curved[i] = curved;
+        self.curved[i] = i32::from(curved);
         self.count = i + 1;
     }
 
@@ -112,13 +116,14 @@ impl<const K: usize> Batch<K> {
         let count = std::mem::take(&mut self.count).min(MANY);
         let mut from = 0;
         while from < count {
-            self.set_up(l, from);
+            self.set_up(l, shader, from);
             from += L::N;
         }
+        // A tile has fewer lanes outside the triangle than a row, but takes longer to read and write: worth it for narrow triangles or costly pixels.
         for i in 0..count {
-            if self.right[i] - self.left[i] < L::TILE[0] as i32 {
+            if L::TALL && (S::COSTLY || self.right[i] - self.left[i] < L::TILE[0] as i32) {
                 self.one::<L, S, M, true>(l, shader, i, depth_test, plane);
-            } else {
+            } else if !(L::TALL && S::COSTLY) {
                 self.one::<L, S, M, false>(l, shader, i, depth_test, plane);
             }
         }
@@ -126,7 +131,10 @@ impl<const K: usize> Batch<K> {
 
     /// Edge functions and planes of the triangles from number `from` on, one a lane.
     #[inline(always)]
-    fn set_up<L: Lanes>(&mut self, l: L, from: usize) {
+    fn set_up<'a, L: Lanes, S>(&mut self, l: L, shader: &S, from: usize)
+    where
+        S: Shader<'a> + Attributes<K>,
+    {
         let load = always!(|of: &Ints| l.iload(bytemuck::cast_slice(&of[from..])));
         let x: [L::I; 3] = each(always!(|c: usize| load(&self.x[c])));
         let y: [L::I; 3] = each(always!(|c: usize| load(&self.y[c])));
@@ -159,6 +167,18 @@ impl<const K: usize> Batch<K> {
             l.store(slope, &mut self.slope[k][from..]);
             l.store(fall, &mut self.fall[k][from..]);
             l.store(v[0] + slope * to_x + fall * to_y, &mut self.base[k][from..]);
+        }
+        if S::COSTLY {
+            let corners = Corners {
+                values: each(always!(|c: usize| each(always!(|k: usize| l.load(&self.values[k][c][from..]))))),
+                right: each(always!(|k: usize| l.load(&self.slope[k][from..]))),
+                below: each(always!(|k: usize| l.load(&self.fall[k][from..]))),
+                curved: l.ilt(zero, load(&self.curved)),
+            };
+            let levels = shader.levels(l, &corners);
+            for (level, slots) in levels.into_iter().zip(&mut self.levels) {
+                l.istore(level, bytemuck::cast_slice_mut(&mut slots[from..]));
+            }
         }
     }
 
@@ -200,13 +220,13 @@ impl<const K: usize> Batch<K> {
             let [x, y] = if M == 1 { [0, 0] } else { SAMPLES[s] };
             l.splat(self.slope[0][i] * (x as f32 / 256.0) + self.fall[0][i] * (y as f32 / 256.0))
         }));
-        let curved = self.curved[i];
+        let curved = self.curved[i] != 0;
         let tame = M == 1 && S::BOUNDED && !curved;
         let mut slopes = Slopes { right: [0.0; K], below: [0.0; K], curved, levels: [Slopes::<K>::MIXED; 3] };
-        if !S::BOUNDED {
+        if S::COSTLY {
             slopes.right = each(always!(|k: usize| self.slope[k][i]));
             slopes.below = each(always!(|k: usize| self.fall[k][i]));
-            shader.prepare(&mut slopes, &each(always!(|c: usize| each(always!(|k: usize| self.values[k][c][i])))));
+            slopes.levels = each(always!(|t: usize| self.levels[t][i]));
         }
         let columns_f = l.float(column);
         let mut y = first;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::lanes::{Lanes, Scalar, always};
+use super::lanes::{Lanes, always};
 use super::muscle::Pattern;
 use crate::scene::{AlphaSource, Pixels, Wrap};
 
@@ -89,15 +89,16 @@ impl Texture {
         chain
     }
 
-    /// The level for a change of (u, v) a pixel to the right and a pixel downward, at one point.
-    pub(super) fn level(&self, across: [f32; 2], down: [f32; 2]) -> i32 {
-        choose(Scalar, self, across, down).value()
+    /// The level for a change of (u, v) a pixel to the right and a pixel downward.
+    #[inline(always)]
+    pub(super) fn level<L: Lanes>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> L::I {
+        choose(l, self, across, down)
     }
 
     /// The levels for changes of (u, v) a pixel to the right and a pixel downward.
     #[inline(always)]
     pub(super) fn levels<L: Lanes>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> Mip<L> {
-        let level = choose(l, self, across, down);
+        let level = self.level(l, across, down);
         Mip { origin: l.gather(&self.origin, level), width: l.gather(&self.width, level), height: l.gather(&self.height, level) }
     }
 
@@ -118,13 +119,8 @@ impl Texture {
         let (y, fy) = place(l, wrap[1], l.splat(1.0) - uv[1], mip.height);
         let pitch = mip.width + l.isplat(APRON as i32);
         let at = mip.origin + l.imul(y, pitch) + x;
-        let one = l.isplat(1);
-        let taps = [
-            l.gather(&self.texels, at),
-            l.gather(&self.texels, at + one),
-            l.gather(&self.texels, at + pitch),
-            l.gather(&self.texels, at + pitch + one),
-        ];
+        let ([a, b], [c, d]) = (l.pairs(&self.texels, at), l.pairs(&self.texels, at + pitch));
+        let taps = [a, b, c, d];
         let both = l.shr::<8>(l.imul(fx, fy) + l.isplat(128));
         let shares = [l.isplat(256) - fx - fy + both, fx - both, fy - both, both];
         let even = l.isplat(0x00FF_00FF);

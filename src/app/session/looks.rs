@@ -194,12 +194,14 @@ impl Session {
     /// Fits everything into the picture.
     pub fn fit(&mut self) {
         let (bounds, aspect) = (self.reach(), self.aspect);
+        self.ground = Some(bounds);
         self.change_eye(|eye| eye.fit(&bounds, aspect));
     }
 
     /// Back to the start view, fitted.
     pub fn reset_camera(&mut self) {
         let (bounds, aspect) = (self.reach(), self.aspect);
+        self.ground = Some(bounds);
         self.change_eye(|eye| {
             eye.jump(|orbit| {
                 orbit.orthographic = false;

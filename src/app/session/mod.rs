@@ -68,6 +68,8 @@ pub struct Session {
     keys: Vec<f64>,
     own_keys: Vec<f64>,
     display: Display,
+    /// What the ground is laid out for: what was in the picture when it was last fitted, so that the grid lies still while a clip plays.
+    ground: Option<Bounds>,
     theme: Theme,
     backdrop: Backdrop,
     bone_names: bool,
@@ -106,6 +108,7 @@ impl Session {
             keys: Vec::new(),
             own_keys: Vec::new(),
             display: Display::default(),
+            ground: None,
             theme: Theme::Dark,
             backdrop: Backdrop::default(),
             bone_names: false,
@@ -236,7 +239,7 @@ impl Session {
         self.frame();
         let camera = self.eye.camera(&self.document.scene, &self.frame);
         let light = self.light.map(|aim| aim.position(&self.frame.bounds));
-        (&self.document.scene, &self.frame, camera, Display { light, ..self.display.clone() })
+        (&self.document.scene, &self.frame, camera, Display { light, ground: self.ground, ..self.display.clone() })
     }
 
     /// The box round everything that the clip, or the arm's swing, covers.

@@ -23,6 +23,8 @@ pub(crate) trait Lanes: Copy {
     const N: usize;
     /// Columns and rows of a tile: the lanes side by side in short rows, for triangles that are narrow.
     const TILE: [usize; 2];
+    /// Whether a tile is more than one row.
+    const TALL: bool = Self::TILE[1] > 1;
     /// Floats.
     type F: Copy + Add<Output = Self::F> + Sub<Output = Self::F> + Mul<Output = Self::F> + Div<Output = Self::F>;
     /// Integers; sums wrap.
@@ -63,6 +65,8 @@ pub(crate) trait Lanes: Copy {
     fn mul16(self, a: Self::I, b: Self::I) -> Self::I;
     /// `from[index]`; an index beyond the end reads the last, and `from` is not empty.
     fn gather(self, from: &[u32], index: Self::I) -> Self::I;
+    /// `from[index]` and `from[index + 1]`; an index too large for that reads the last two, and `from` has at least two.
+    fn pairs(self, from: &[u32], index: Self::I) -> [Self::I; 2];
     /// A tile, its rows `pitch` apart.
     ///
     /// # Safety
@@ -94,6 +98,10 @@ pub(crate) trait Lanes: Copy {
     #[inline(always)]
     fn abs(self, x: Self::F) -> Self::F {
         self.float_bits(self.bits(x) & self.isplat(i32::MAX))
+    }
+    #[inline(always)]
+    fn iabs(self, x: Self::I) -> Self::I {
+        self.iselect(self.ilt(x, self.isplat(0)), self.isplat(0) - x, x)
     }
 }
 
@@ -187,7 +195,32 @@ impl Level {
 
 /// Compiles a function that is generic over [`Lanes`] for each instruction set and makes the function that chooses between them:
 /// `kernel!(pub(super) fn name<'a>(argument: Type, …) = generic_name)` calls `generic_name(lanes, argument, …)`.
+///
+/// Functions that are rarely used and long to compile can do without one more copy: `kernel!(narrow fn …)` uses AVX2 where AVX-512 is asked for.
 macro_rules! kernel {
+    ($(#[$doc:meta])* narrow $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
+        $(#[$doc])*
+        #[allow(clippy::too_many_arguments)]
+        $visible fn $name $(<$($life),*>)? (level: $crate::render::lanes::Level, $($argument: $type),*) {
+            #[cfg(target_arch = "x86_64")]
+            #[allow(clippy::too_many_arguments)]
+            #[target_feature(enable = "avx2")]
+            fn avx2 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx2, $($argument: $type),*) {
+                $generic(lanes, $($argument),*)
+            }
+            match level {
+                $crate::render::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
+                #[cfg(target_arch = "x86_64")]
+                $crate::render::lanes::Level::Sse2(lanes) => $generic(lanes, $($argument),*),
+                // SAFETY: a value of the type `Avx2` exists only where the processor has AVX2.
+                #[cfg(target_arch = "x86_64")]
+                $crate::render::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
+                // SAFETY: as above.
+                #[cfg(target_arch = "x86_64")]
+                $crate::render::lanes::Level::Avx512(lanes) => unsafe { avx2(lanes.half(), $($argument),*) },
+            }
+        }
+    };
     ($(#[$doc:meta])* $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
         $(#[$doc])*
         #[allow(clippy::too_many_arguments)]
@@ -254,6 +287,9 @@ mod tests {
                     l.imul(i, j),
                     l.mul16(i, j),
                     l.gather(&table, small),
+                    l.pairs(&table, small)[0],
+                    l.pairs(&table, small)[1],
+                    l.pairs(&table[..2], i)[1],
                     l.bits(l.floor(l.clamp(a, -1e6, 1e6))),
                 ];
                 for (k, value) in all.into_iter().enumerate() {

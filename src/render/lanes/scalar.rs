@@ -138,6 +138,11 @@ impl Lanes for Scalar {
         Int(from[(index.0 as u32 as usize).min(from.len() - 1)] as i32)
     }
     #[inline(always)]
+    fn pairs(self, from: &[u32], index: Int) -> [Int; 2] {
+        let at = (index.0 as u32 as usize).min(from.len() - 2);
+        [Int(from[at] as i32), Int(from[at + 1] as i32)]
+    }
+    #[inline(always)]
     unsafe fn tile(self, from: *const u32, _: usize) -> Int {
         // SAFETY: the caller's promise.
         Int(unsafe { from.read() } as i32)

@@ -171,6 +171,16 @@ vectors! {
             self.iload(&values)
         }
         #[inline(always)]
+        fn pairs(self, from: &[u32], index: I4) -> [I4; 2] {
+            let (mut indices, mut first, mut second) = ([0u32; 4], [0u32; 4], [0u32; 4]);
+            self.istore(index, &mut indices);
+            for k in 0..4 {
+                let at = (indices[k] as usize).min(from.len() - 2);
+                (first[k], second[k]) = (from[at], from[at + 1]);
+            }
+            [self.iload(&first), self.iload(&second)]
+        }
+        #[inline(always)]
         unsafe fn tile(self, from: *const u32, _: usize) -> I4 {
             // SAFETY: SSE2 is there, the caller promises the row.
             I4(unsafe { _mm_loadu_si128(from.cast()) })
@@ -236,6 +246,21 @@ vectors! {
             unsafe {
                 let index = _mm256_min_epu32(index.0, _mm256_set1_epi32(last as i32));
                 I8(_mm256_i32gather_epi32::<4>(from.as_ptr().cast::<i32>(), index))
+            }
+        }
+        #[inline(always)]
+        fn pairs(self, from: &[u32], index: I8) -> [I8; 2] {
+            let last = u32::try_from(from.len() - 2).unwrap_or(u32::MAX).min(i32::MAX as u32);
+            // SAFETY: AVX2 is there; every index is held at the last but one, so that both elements that are read are inside `from`. One element of
+            // 64 bits costs what one of 32 does.
+            unsafe {
+                let (index, from) = (_mm256_min_epu32(index.0, _mm256_set1_epi32(last as i32)), from.as_ptr().cast::<i64>());
+                let low = _mm256_castsi256_ps(_mm256_i32gather_epi64::<4>(from, _mm256_castsi256_si128(index)));
+                let high = _mm256_castsi256_ps(_mm256_i32gather_epi64::<4>(from, _mm256_extracti128_si256::<1>(index)));
+                // Halves are woven together as 0 1 4 5 2 3 6 7.
+                let first = _mm256_castps_si256(_mm256_shuffle_ps::<0b10_00_10_00>(low, high));
+                let second = _mm256_castps_si256(_mm256_shuffle_ps::<0b11_01_11_01>(low, high));
+                [first, second].map(|x| I8(_mm256_permute4x64_epi64::<0b11_01_10_00>(x)))
             }
         }
         #[inline(always)]

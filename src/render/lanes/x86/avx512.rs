@@ -49,6 +49,19 @@ vectors! {
             }
         }
         #[inline(always)]
+        fn pairs(self, from: &[u32], index: I16) -> [I16; 2] {
+            let last = u32::try_from(from.len() - 2).unwrap_or(u32::MAX).min(i32::MAX as u32);
+            // SAFETY: AVX-512 is there; every index is held at the last but one, so that both elements that are read are inside `from`.
+            unsafe {
+                let (index, from) = (_mm512_min_epu32(index.0, _mm512_set1_epi32(last as i32)), from.as_ptr().cast::<i64>());
+                let low = _mm512_i32gather_epi64::<4>(_mm512_castsi512_si256(index), from.cast());
+                let high = _mm512_i32gather_epi64::<4>(_mm512_extracti64x4_epi64::<1>(index), from.cast());
+                let even = _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+                let odd = _mm512_add_epi32(even, _mm512_set1_epi32(1));
+                [I16(_mm512_permutex2var_epi32(low, even, high)), I16(_mm512_permutex2var_epi32(low, odd, high))]
+            }
+        }
+        #[inline(always)]
         unsafe fn tile(self, from: *const u32, pitch: usize) -> I16 {
             // SAFETY: AVX-512 is there, the caller promises the rows.
             unsafe {
@@ -82,6 +95,12 @@ impl Avx512 {
             && std::arch::is_x86_feature_detected!("avx512bw")
             && std::arch::is_x86_feature_detected!("avx512dq")
             && std::arch::is_x86_feature_detected!("avx512vl");
-        all.then_some(Self(()))
+        // Kernels that have no copy for sixteen lanes use eight.
+        (all && std::arch::is_x86_feature_detected!("avx2")).then_some(Self(()))
+    }
+
+    /// Eight lanes of the same processor.
+    pub(crate) fn half(self) -> super::Avx2 {
+        super::Avx2(())
     }
 }
