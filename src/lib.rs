@@ -17,7 +17,8 @@
 //! | [`export`] | pictures, films and surfaces as files; glTF of whole documents | `scene`, `render`, `document` |
 //! | [`plot`] | quantities as curves, on a widget, as SVG and as PNG | `i18n` |
 //! | [`film`] | pictures in a row: what moves, and how it becomes files | `document`, `render`, `export` |
-//! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `film` |
+//! | [`stage`] | how a document is looked at, without a window: session files, looks by name | `document`, `render` |
+//! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `film`, `stage` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
 //!
 //! There is one way to make a picture: [`document::Document::pose`] fills a [`scene::Frame`], and
@@ -38,3 +39,4 @@ pub mod muscle;
 pub mod plot;
 pub mod render;
 pub mod scene;
+pub mod stage;

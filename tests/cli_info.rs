@@ -146,3 +146,15 @@ fn a_clean_file_has_a_clean_report() {
     assert_eq!(sinew(["check", arg(&file)]).well(), format!("{}: nothing odd.\n", arg(&file)));
     assert_eq!(sinew_ru(["check", arg(&file)]).well(), format!("{}: ничего необычного.\n", arg(&file)));
 }
+
+#[test]
+fn a_session_file_tells_of_its_files() {
+    let folder = folder();
+    models::write(folder.path(), "column.dae", &models::column());
+    let session = models::write(folder.path(), "look.session.yaml", "sinew_session:\n  files: [column.dae]\n  time: 1\n");
+    let info: serde_json::Value = serde_json::from_str(&sinew(["info", arg(&session), "--json"]).well()).expect("JSON");
+    assert_eq!((info["format"].as_str(), info["joints"].as_u64()), (Some("collada"), Some(2)));
+    assert!(info["file"].as_str().is_some_and(|file| file.ends_with("look.session.yaml")));
+    let missing = models::write(folder.path(), "gone.session.yaml", "sinew_session:\n  files: [gone.dae]\n");
+    assert!(sinew(["info", arg(&missing)]).refused(1).contains("gone.dae"));
+}

@@ -265,3 +265,30 @@ fn a_new_picture_has_the_usual_permissions() {
     let model = fs::metadata(&file).expect("there").permissions().mode();
     assert_eq!(fs::metadata(&out).expect("there").permissions().mode() & 0o777, model & 0o777);
 }
+
+#[test]
+fn a_session_is_drawn_as_it_was_looked_at() {
+    let folder = folder();
+    column(folder.path());
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fs::write(&path, format!("sinew_session:\n  files: [column.dae]\n  shown: [mesh, materials, smooth-normals, depth-test]\n{text}"))
+            .expect("written");
+        path
+    };
+    let session = write("a.session.yaml", "  time: 1.0\n  shading: flat\n  smooth-edges: false\n  backdrop: black\n");
+    let options = small(&["--time", "1.0", "--shading", "flat", "--samples", "1", "--background", "#000000"]);
+    let plain = render(&folder.path().join("column.dae"), &options);
+    assert_eq!(render(&session, &SMALL).bytes, plain.bytes);
+    // Options of the call go before what the session says, and its camera and hidden nodes count.
+    assert_ne!(render(&session, &small(&["--time", "0.5"])).bytes, plain.bytes);
+    let camera = "  camera: {target: [0, 0, 0], yaw: 90, pitch: 0, distance: 3}\n";
+    let from_the_side = write("b.session.yaml", camera);
+    assert_ne!(render(&from_the_side, &SMALL).bytes, render(&write("c.session.yaml", ""), &SMALL).bytes);
+    assert_eq!(render(&from_the_side, &small(&["--yaw", "30", "--pitch", "18"])).bytes, render(&write("c.session.yaml", ""), &SMALL).bytes);
+    let hidden = write("d.session.yaml", "  hidden: [{node: 0, name: column}]\n  backdrop: black\n  smooth-edges: false\n");
+    assert_eq!(render(&hidden, &SMALL).unlike(&[0, 0, 0]), 0);
+    let out = folder.path().join("x.png");
+    let line = sinew(["render", arg(&write("e.session.yaml", "  time: soon\n")), "-o", arg(&out)]).refused(1);
+    assert!(line.contains("e.session.yaml") && line.contains('4'), "{line}");
+}

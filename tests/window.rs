@@ -69,12 +69,22 @@ fn hands_on_the_window_do_what_they_should() {
 
 #[test]
 fn the_window_tells_what_is_in_a_file() {
-    drive("inspect.py");
+    drive("contents.py");
 }
 
 #[test]
 fn hands_on_timeline_camera_and_model_do_what_they_should() {
     drive("views.py");
+}
+
+#[test]
+fn ghosts_and_comparisons_are_shown() {
+    drive("ghosts.py");
+}
+
+#[test]
+fn files_come_as_a_desktop_brings_them() {
+    drive("desktop.py");
 }
 
 #[test]

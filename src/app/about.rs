@@ -24,6 +24,9 @@ const MOUSE: [(&str, &str); 8] = [
     ("app-mouse-fly", "app-mouse-fly-how"),
 ];
 
+/// Most rows of a group of the shortcuts window.
+const LONGEST_GROUP: usize = 13;
+
 /// Shows all keys and what the mouse does.
 pub fn shortcuts(window: &Rc<Window>) {
     let shortcuts: gtk::ShortcutsWindow = part(&gtk::Builder::from_string(&shortcuts_ui()), "shortcuts");
@@ -44,18 +47,23 @@ fn shortcuts_ui() -> String {
         let _ = write!(text, "<child><object class=\"GtkShortcutsGroup\"><property name=\"title\">{title}</property>");
     };
     for group in Group::ALL {
-        open_group(&mut text, &group.label());
-        for command in Command::ALL.iter().filter(|command| command.group() == group && !command.keys().is_empty()) {
-            let (label, keys) = (command.label(), command.keys().join(" "));
-            let _ = write!(
-                text,
-                "<child><object class=\"GtkShortcutsShortcut\"><property name=\"title\">{}</property>\
-                 <property name=\"accelerator\">{}</property></object></child>",
-                markup_escape_text(&label),
-                markup_escape_text(&keys)
-            );
+        let commands: Vec<Command> =
+            Command::ALL.iter().copied().filter(|command| command.group() == group && !command.keys().is_empty()).collect();
+        // GTK breaks the page between groups only, and does not scroll: one that is too long would reach beyond the screen.
+        for part in commands.chunks(LONGEST_GROUP) {
+            open_group(&mut text, &group.label());
+            for command in part {
+                let (label, keys) = (command.label(), command.keys().join(" "));
+                let _ = write!(
+                    text,
+                    "<child><object class=\"GtkShortcutsShortcut\"><property name=\"title\">{}</property>\
+                     <property name=\"accelerator\">{}</property></object></child>",
+                    markup_escape_text(&label),
+                    markup_escape_text(&keys)
+                );
+            }
+            text.push_str("</object></child>");
         }
-        text.push_str("</object></child>");
     }
     open_group(&mut text, &tr!("app-group-mouse"));
     for (name, how) in MOUSE {

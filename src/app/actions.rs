@@ -76,6 +76,8 @@ commands! {
     Files {
         /// Choose files to open.
         Open = "open" ["<Control>o"],
+        /// Compare with another file.
+        CompareFile = "compare-file" ["<Control><Shift>o"],
         /// Read the open files again.
         Reload = "reload" ["F5"],
         /// Save the muscles.
@@ -228,6 +230,20 @@ commands! {
         Wireframe = "wireframe" ["e"],
         /// Weights of the selected bone.
         Weights = "weights" ["w"],
+        /// The moments before and after this one.
+        Ghosts = "ghosts" ["h"],
+        /// The path of the selection.
+        BonePath = "bone-path" ["p"],
+        /// Both ways to bend a skin.
+        CompareSkinning = "compare-skinning" ["d"],
+        /// No comparison any more.
+        StopComparing = "stop-comparing" [],
+        /// The selection alone.
+        Isolate = "isolate" ["slash"],
+        /// Hide the selection.
+        Hide = "hide" ["<Shift>h"],
+        /// Show everything.
+        ShowAll = "show-all" ["<Alt>h"],
         /// Ground grid.
         Grid = "grid" ["c"],
         /// World axes.

@@ -6,6 +6,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::ghosts_panel::GhostsPanel;
 use super::session::{Backdrop, Changes, LightAim, Session};
 use super::settings::SHADINGS;
 use super::window::{Window, part};
@@ -40,6 +41,7 @@ pub struct DisplayPanel {
     backdrop: gtk::DropDown,
     line_width: gtk::Scale,
     line_width_value: gtk::Label,
+    ghosts: GhostsPanel,
 }
 
 impl DisplayPanel {
@@ -52,8 +54,11 @@ impl DisplayPanel {
             list.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
             list
         };
+        let ghosts = GhostsPanel::new();
+        part::<gtk::Box>(&builder, "ghosts_slot").append(&ghosts.root);
         Self {
             root: part(&builder, "root"),
+            ghosts,
             shading: list("shading", &["app-do-flat", "app-do-gouraud", "app-do-phong"]),
             skinning: list("skinning", &["app-skinning-linear", "app-skinning-dual"]),
             ambient: part(&builder, "ambient"),
@@ -75,6 +80,7 @@ impl DisplayPanel {
 
     /// Lets the lists and the slider change the display.
     pub fn connect(&self, window: &Rc<Window>) {
+        self.ghosts.connect(window);
         self.shading.connect_selected_notify(glib::clone!(
             #[weak]
             window,
@@ -138,6 +144,7 @@ impl DisplayPanel {
 
     /// Shows what changed.
     pub fn refresh(&self, session: &mut Session, changes: Changes) {
+        self.ghosts.refresh(session, changes);
         if changes.any(Changes::DISPLAY) {
             let display = session.display();
             let shading = SHADINGS.iter().position(|(_, shading)| *shading == display.shading).unwrap_or(1);

@@ -12,11 +12,12 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::error_bar::Trouble;
-use super::session::{Arrival, Saved};
+use super::session::{Arrival, With};
 use super::window::Window;
 use super::{recent, saving};
 use crate::collada::Progress;
-use crate::document::{Document, OpenError};
+use crate::document::{Document, OpenError, OpenOptions};
+use crate::stage::{self, Opened};
 use crate::tr;
 
 /// Files that can be opened, by their ending.
@@ -83,7 +84,7 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     let window = window.clone();
     glib::spawn_future_local(async move {
         let (wanted, hand) = (paths.clone(), progress.clone());
-        let read = gio::spawn_blocking(move || read_files(&wanted, &hand)).await;
+        let read = gio::spawn_blocking(move || stage::open(&wanted, OpenOptions::default(), &hand)).await;
         let newest = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &progress));
         if !newest {
             return;
@@ -92,7 +93,7 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
         window.viewport.loading(None);
         match read {
             _ if progress.is_cancelled() => window.act(|session| session.touch()),
-            Ok(Ok((document, saved))) => arrived(&window, (document, saved), &paths, arrival),
+            Ok(Ok(opened)) => arrived(&window, opened, &paths, arrival),
             Ok(Err(error)) => refused(&window, &error, paths, arrival),
             // The reader is made not to panic; should it, what is open is still worth more than the program's life.
             Err(_) => refused(&window, &unexpected(&paths), paths, arrival),
@@ -100,19 +101,33 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     });
 }
 
-/// Reads files, or the files that a session file names.
-fn read_files(paths: &[PathBuf], progress: &Progress) -> Result<(Document, Option<Box<Saved>>), OpenError> {
-    let [path] = paths else { return Ok((Document::open(paths, progress)?, None)) };
-    let saved = match Saved::read(path) {
-        None => return Ok((Document::open(paths, progress)?, None)),
-        Some(Ok(saved)) => saved,
-        Some(Err(error)) => {
-            return Err(OpenError { file: path.display().to_string(), line: error.line, column: None, message: error.message });
+/// Reads a file off the interface thread, with progress and Cancel, and hands the document on; what is open stays as it is.
+pub fn read_apart(window: &Rc<Window>, path: PathBuf, then: impl FnOnce(&Rc<Window>, Document) + 'static) {
+    window.files.stop();
+    let progress = Arc::new(Progress::default());
+    window.files.reading.replace(Some(progress.clone()));
+    let paths = vec![path];
+    show_progress(window, &paths, &progress);
+    let window = window.clone();
+    glib::spawn_future_local(async move {
+        let (wanted, hand) = (paths.clone(), progress.clone());
+        let read = gio::spawn_blocking(move || Document::open(&wanted, &hand)).await;
+        let newest = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &progress));
+        if !newest {
+            return;
         }
-    };
-    let files = saved.paths(path.parent().unwrap_or(Path::new("")));
-    let document = if files.is_empty() { Document::built_in() } else { Document::open(&files, progress)? };
-    Ok((document, Some(Box::new(saved))))
+        window.files.reading.replace(None);
+        window.viewport.loading(None);
+        match read {
+            _ if progress.is_cancelled() => window.act(|session| session.touch()),
+            Ok(Ok(document)) => {
+                window.error_bar.hide();
+                then(&window, document);
+            }
+            Ok(Err(error)) => tell_refusal(&window, &error, None),
+            Err(_) => tell_refusal(&window, &unexpected(&paths), None),
+        }
+    });
 }
 
 fn unexpected(paths: &[PathBuf]) -> OpenError {
@@ -139,14 +154,21 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
     });
 }
 
-fn arrived(window: &Rc<Window>, (document, saved): (Document, Option<Box<Saved>>), paths: &[PathBuf], arrival: Arrival) {
+fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arrival) {
+    let Opened { document, saved, compared } = opened;
     window.error_bar.hide();
     window.start_page(false);
     window.files.failed.set(false);
     let news = (arrival == Arrival::Again).then(|| window.look(|session| what_changed(session.document(), &document)));
     let warnings = document.health.len();
     window.act(|session| match &saved {
-        Some(saved) => session.show_saved(document, saved),
+        Some(saved) => {
+            session.show_saved(document, saved);
+            if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
+                session.compare(Some(With::File(Box::new(other), path.display().to_string())));
+                session.shift_compared(shift.later, shift.aside);
+            }
+        }
         None => session.show(document, arrival),
     });
     watch(window, &window.look(|session| session.files()));
@@ -169,6 +191,12 @@ fn arrived(window: &Rc<Window>, (document, saved): (Document, Option<Box<Saved>>
 }
 
 fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, arrival: Arrival) {
+    window.files.failed.set(true);
+    tell_refusal(window, error, Some((paths, arrival)));
+}
+
+/// Says why a file cannot be opened; with the files, offers to try again.
+fn tell_refusal(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathBuf>, Arrival)>) {
     let name = Path::new(&error.file).file_name().map_or_else(|| error.file.clone(), |name| name.to_string_lossy().into_owned());
     let place = match (error.line, error.column) {
         (Some(line), Some(column)) => tr!("app-at-line-column", line = line.to_string(), column = column.to_string()),
@@ -177,14 +205,7 @@ fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, arrival:
     };
     let message = if place.is_empty() { error.message.clone() } else { format!("{place}: {}", error.message) };
     let kept = if window.look(|session| session.is_empty()) { String::new() } else { format!("\n{}", tr!("app-kept")) };
-    window.files.failed.set(true);
-    // The file is watched even so: when it is mended it opens by itself.
-    window.error_bar.show(Trouble {
-        headline: tr!("app-refused", file = name),
-        message,
-        details: format!("{error}{kept}"),
-        again: Some((paths, arrival)),
-    });
+    window.error_bar.show(Trouble { headline: tr!("app-refused", file = name), message, details: format!("{error}{kept}"), again });
     window.act(|session| session.touch());
 }
 
@@ -285,8 +306,13 @@ fn is_ours(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ENDINGS.iter().any(|ours| ending.eq_ignore_ascii_case(ours)))
 }
 
-/// Lets the user choose files.
+/// Lets the user choose files to open.
 pub fn choose(window: &Rc<Window>) {
+    ask_for_files(window, true, |window, paths| open(window, paths, Arrival::New));
+}
+
+/// Lets the user choose files, one or several, and hands them on.
+pub fn ask_for_files(window: &Rc<Window>, several: bool, then: impl Fn(&Rc<Window>, Vec<PathBuf>) + 'static) {
     let dialog = gtk::FileChooserNative::new(
         Some(&tr!("app-choose-title")),
         Some(&window.widget),
@@ -294,7 +320,7 @@ pub fn choose(window: &Rc<Window>) {
         Some(&tr!("app-choose-open")),
         Some(&tr!("app-cancel")),
     );
-    dialog.set_select_multiple(true);
+    dialog.set_select_multiple(several);
     let ours = gtk::FileFilter::new();
     ours.set_name(Some(&tr!("app-choose-ours")));
     for ending in ENDINGS {
@@ -319,7 +345,7 @@ pub fn choose(window: &Rc<Window>) {
             if response == gtk::ResponseType::Accept {
                 let files = dialog.files();
                 let paths = (0..files.n_items()).filter_map(|i| files.item(i).and_downcast::<gio::File>()?.path()).collect();
-                open(&window, paths, Arrival::New);
+                then(&window, paths);
             }
         }
     ));

@@ -40,6 +40,9 @@ pub struct Inspector {
     plot: Canvas,
     curve: Rc<RefCell<Plot>>,
     turning: Rc<Cell<Option<(NodeId, Instant)>>>,
+    /// The lists that the three bones of the angle are chosen from.
+    corners: [gtk::DropDown; 3],
+    joints: Rc<RefCell<Vec<NodeId>>>,
 }
 
 fn number_label() -> gtk::Label {
@@ -81,7 +84,27 @@ impl Inspector {
         part::<gtk::Box>(&builder, "angle_slot").append(&plot);
         let space: gtk::DropDown = part(&builder, "space");
         let (dual, root) = (part(&builder, "dual"), part(&builder, "root"));
-        Self { root, builder, space, transform: labels, matrix, turns: scales, turn_values, dual, plot, curve, turning: Rc::default() }
+        let corners = ["angle_from", "angle_corner", "angle_to"].map(|id| part::<gtk::DropDown>(&builder, id));
+        for list in &corners {
+            let name = gtk::PropertyExpression::new(gtk::StringObject::static_type(), gtk::Expression::NONE, "string");
+            list.set_expression(Some(&name));
+        }
+        let joints = Rc::default();
+        Self {
+            corners,
+            joints,
+            root,
+            builder,
+            space,
+            transform: labels,
+            matrix,
+            turns: scales,
+            turn_values,
+            dual,
+            plot,
+            curve,
+            turning: Rc::default(),
+        }
     }
 
     /// Lets hands choose, copy and turn.
@@ -130,6 +153,24 @@ impl Inspector {
                 let skinning = if dual.is_active() { Skinning::DualQuaternion } else { Skinning::Linear };
                 window.act(|session| session.set_skinning(skinning));
             }
+        ));
+        for list in &self.corners {
+            let (corners, joints) = (self.corners.clone(), self.joints.clone());
+            list.connect_selected_notify(glib::clone!(
+                #[weak]
+                window,
+                move |_| {
+                    let chosen = corners.each_ref().map(|list| joints.borrow().get(list.selected() as usize).copied());
+                    if let [Some(from), Some(corner), Some(to)] = chosen {
+                        window.act(|session| session.choose_angle(Some([from, corner, to])));
+                    }
+                }
+            ));
+        }
+        part::<gtk::Button>(&self.builder, "angle_own").connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| window.act(|session| session.choose_angle(None))
         ));
         let curve = self.curve.clone();
         self.plot.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&curve.borrow(), canvas, snapshot, width, height));
@@ -186,7 +227,10 @@ impl Inspector {
         if other {
             self.show_kind(session, node);
         }
-        if other || changes.any(Changes::PLAYBACK | Changes::HAND) {
+        if changes.any(Changes::DOCUMENT) {
+            self.list_joints(session);
+        }
+        if other || changes.any(Changes::PLAYBACK | Changes::HAND | Changes::PINS) {
             self.show_curve(session, node);
         }
         self.show_transform(session, node);
@@ -268,20 +312,35 @@ impl Inspector {
         self.curve.replace(Plot { across, up, points, color: 0xFF7A59, ..Plot::default() });
     }
 
+    fn list_joints(&self, session: &Session) {
+        let joints = session.joints();
+        let names: Vec<String> = joints.iter().map(|joint| session.document().scene.graph.node(*joint).name.clone()).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        for list in &self.corners {
+            list.set_model(Some(&gtk::StringList::new(&names)));
+        }
+        self.joints.replace(joints);
+    }
+
     fn show_angle(&self, session: &mut Session, node: NodeId) {
         let bones = session.angle_bones(node);
-        part::<gtk::Box>(&self.builder, "angle").set_visible(bones.is_some());
-        let Some(bones) = bones else { return };
+        let is_joint = session.document().scene.graph.node(node).kind == NodeKind::Joint;
+        part::<gtk::Box>(&self.builder, "angle").set_visible(bones.is_some() || is_joint);
+        let told: gtk::Label = part(&self.builder, "angle_value");
+        part::<gtk::Button>(&self.builder, "angle_own").set_sensitive(session.chosen_angle().is_some());
+        let Some(bones) = bones else {
+            told.set_text(&tr!("app-angle-end"));
+            self.corners.iter().for_each(|list| list.set_selected(gtk::INVALID_LIST_POSITION));
+            return;
+        };
+        for (list, bone) in self.corners.iter().zip(bones) {
+            let place = self.joints.borrow().iter().position(|joint| *joint == bone);
+            list.set_selected(place.map_or(gtk::INVALID_LIST_POSITION, |place| place as u32));
+        }
         let angle = angle_at(session.frame(), bones[0], bones[1], bones[2]);
         let [from, corner, to] = bones.map(|bone| session.document().scene.graph.node(bone).name.clone());
         let angle = format!("{}°", format::number(angle.unwrap_or(f64::NAN), 2));
-        part::<gtk::Label>(&self.builder, "angle_value").set_text(&tr!(
-            "app-angle-value",
-            from = from,
-            corner = corner,
-            to = to,
-            angle = angle
-        ));
+        told.set_text(&tr!("app-angle-value", from = from, corner = corner, to = to, angle = angle));
         self.curve.borrow_mut().cursor = Some(session.playback().time);
         self.plot.queue_draw();
     }

@@ -80,6 +80,8 @@ fn display_menu() -> gio::Menu {
     let menu = gio::Menu::new();
     section(&menu, &[C::PresetClean, C::PresetSkeleton, C::PresetInspection, C::PresetPrint]);
     section(&menu, &[C::Bones, C::BoneNames, C::Materials, C::SmoothNormals, C::NormalGlyphs, C::Wireframe, C::Muscle, C::Weights]);
+    section(&menu, &[C::Isolate, C::Hide, C::ShowAll]);
+    section(&menu, &[C::Ghosts, C::BonePath, C::CompareSkinning, C::StopComparing]);
     section(&menu, &[C::Grid, C::Axes, C::BoundingBox]);
     section(&menu, &[C::Flat, C::Gouraud, C::Phong]);
     section(&menu, &[C::FrameTimes]);
@@ -107,6 +109,16 @@ pub fn list_cameras(button: &gtk::MenuButton, session: &Session) {
     button.set_menu_model(Some(&menu));
 }
 
+/// The row that opens a file beside what is open.
+fn add_compare(slot: &gtk::Box, done: impl Fn() + 'static) {
+    slot.append(&gtk::Separator::new(gtk::Orientation::Horizontal));
+    let label = gtk::Label::builder().label(Command::CompareFile.label()).xalign(0.0).build();
+    let button = gtk::Button::builder().child(&label).has_frame(false).tooltip_text(Command::CompareFile.tooltip()).build();
+    button.set_action_name(Some(&format!("win.{}", Command::CompareFile.id())));
+    button.connect_clicked(move |_| done());
+    slot.append(&button);
+}
+
 /// Recent files, listed anew whenever they are looked at.
 fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
     let slot = gtk::Box::new(gtk::Orientation::Vertical, 6);
@@ -126,7 +138,8 @@ fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
                 }
             };
             recent::fill(&window, &slot, done.clone());
-            recent::add_demos(&window, &slot, done);
+            recent::add_demos(&window, &slot, done.clone());
+            add_compare(&slot, done);
         }
     ));
 }

@@ -8,10 +8,10 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::actions::Command;
-use super::session::{Preset, Session, Tool};
+use super::session::{Preset, Session, Tool, With};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
-use super::{about, export_dialog, files, picture, save_session, saving, theme};
+use super::{about, compare_file, export_dialog, files, picture, save_session, saving, theme};
 use crate::render::{Samples, Shading};
 use crate::scene::View;
 
@@ -93,6 +93,10 @@ fn switch_state(command: Command, session: &Session) -> Option<bool> {
         Command::Weights => Some(session.display().weights.is_some()),
         Command::SmoothEdges => Some(session.display().samples == Samples::Four),
         Command::BoneNames => Some(session.bone_names()),
+        Command::Ghosts => Some(session.ghosts().shown),
+        Command::BonePath => Some(session.ghosts().path),
+        Command::CompareSkinning => Some(matches!(session.compared_with(), Some(With::Skinning))),
+        Command::Isolate => Some(session.is_isolated()),
         _ => None,
     }
 }
@@ -127,7 +131,14 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::ClearMarks => session.playback().mark_a.is_some() || session.playback().mark_b.is_some(),
         C::PreviousClip | C::NextClip => session.document().clips.len() > 1,
         C::ContractMore | C::ContractLess | C::ElbowMore | C::ElbowLess => session.document().driven_rig().is_some(),
-        C::Centre => session.selected().is_some(),
+        C::Centre | C::Hide => session.selected().is_some(),
+        C::Isolate => session.selected().is_some() || session.is_isolated(),
+        C::ShowAll => session.hides_something(),
+        C::Ghosts => has_time || session.ghosts().shown,
+        C::BonePath => has_time || session.ghosts().path,
+        C::StopComparing => session.compared_with().is_some(),
+        C::CompareFile => !session.is_empty(),
+        C::CompareSkinning => session.has_skins() || session.compared_with().is_some(),
         C::Weights => session.selected().is_some() || session.display().weights.is_some(),
         C::ResetLight => session.light().is_some(),
         C::ResetModel => !session.model().is_identity(),
@@ -164,6 +175,7 @@ pub fn perform(window: &Rc<Window>, command: Command) {
     let look = |view: View| window.act(|session| session.change_eye(|eye| eye.look_from(view)));
     match command {
         C::Open => files::choose(window),
+        C::CompareFile => compare_file::choose(window),
         C::Reload => files::reload(window),
         C::Save => saving::save(window, || ()),
         C::SaveAs => saving::save_as(window),
@@ -287,6 +299,16 @@ fn change_session(command: Command, session: &mut Session) {
         C::Revert => session.revert(),
         C::Undo => session.undo(),
         C::Redo => session.redo(),
+        C::Ghosts => session.change_ghosts(|ghosts| ghosts.shown = !ghosts.shown),
+        C::BonePath => session.change_ghosts(|ghosts| ghosts.path = !ghosts.path),
+        C::CompareSkinning => {
+            let on = !matches!(session.compared_with(), Some(With::Skinning));
+            session.compare(on.then_some(With::Skinning));
+        }
+        C::StopComparing => session.compare(None),
+        C::Isolate => session.toggle_isolated(),
+        C::Hide => session.hide_selected(),
+        C::ShowAll => session.show_all(),
         C::BoneNames => session.set_bone_names(!session.bone_names()),
         C::Weights => session.set_weights(session.display().weights.is_none()),
         C::SmoothEdges => session.change_display(|display| {

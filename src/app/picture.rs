@@ -1,16 +1,15 @@
 //! Pictures to take away: saved as PNG, or copied.
 
-use std::cell::RefCell;
 use std::io::Write;
-use std::path::Path;
 use std::rc::Rc;
 
 use gtk::prelude::*;
-use gtk::{gdk, gio, glib};
+use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use super::error_bar::Trouble;
+use super::save_as;
 use super::window::Window;
+use crate::export::atomic::write_whole;
 use crate::render::Background;
 use crate::tr;
 
@@ -49,51 +48,10 @@ pub fn copy(window: &Rc<Window>) {
 /// Asks where to and saves the picture.
 pub fn save(window: &Rc<Window>, transparent: bool) {
     let texture = take(window, transparent);
-    let dialog = gtk::FileChooserNative::new(
-        Some(&tr!("app-picture-title")),
-        Some(&window.widget),
-        gtk::FileChooserAction::Save,
-        Some(&tr!("app-save")),
-        Some(&tr!("app-cancel")),
-    );
-    let name =
-        window.look(|session| session.files()).first().and_then(|path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-    dialog.set_current_name(&format!("{}.png", name.unwrap_or_else(|| "sinew".into())));
-    let keep = RefCell::new(Some(dialog.clone()));
-    dialog.connect_response(glib::clone!(
-        #[weak]
-        window,
-        move |dialog, response| {
-            keep.take();
-            if let (gtk::ResponseType::Accept, Some(path)) = (response, dialog.file().and_then(|file| file.path())) {
-                saved(&window, &path, write(&texture, &path));
-            }
+    save_as::ask(window, &tr!("app-picture-title"), &save_as::name_like_open(window, "png"), None, move |window, path| {
+        match write_whole(&path, |file| file.write_all(&texture.save_to_png_bytes())) {
+            Ok(()) => window.viewport.toast(&tr!("app-saved", file = save_as::name_of(&path)), Some(path)),
+            Err(error) => save_as::failed(window, &path, error.to_string()),
         }
-    ));
-    dialog.show();
-}
-
-fn saved(window: &Rc<Window>, path: &Path, result: std::io::Result<()>) {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    match result {
-        Ok(()) => window.viewport.toast(&tr!("app-saved", file = name), Some(path.to_owned())),
-        Err(error) => window.error_bar.show(Trouble {
-            headline: tr!("app-unsaved", file = name),
-            message: error.to_string(),
-            details: path.display().to_string(),
-            again: None,
-        }),
-    }
-}
-
-/// Writes by way of a temporary file, so that a failure leaves the old picture.
-fn write(texture: &gdk::Texture, path: &Path) -> std::io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let mut file = tempfile::NamedTempFile::new_in(folder)?;
-    file.write_all(&texture.save_to_png_bytes())?;
-    file.persist(path)?;
-    // Temporary files are for their owner alone; a picture is an ordinary file.
-    let readable = gio::File::for_path(path);
-    let _ = readable.set_attribute_uint32("unix::mode", 0o644, gio::FileQueryInfoFlags::NONE, gio::Cancellable::NONE);
-    Ok(())
+    });
 }

@@ -1,43 +1,18 @@
 //! Asks where to and saves the session.
 
-use std::cell::RefCell;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use gtk::glib;
-use gtk::prelude::*;
-use gtk4 as gtk;
-
-use super::error_bar::Trouble;
-use super::recent;
 use super::window::Window;
+use super::{recent, save_as};
 use crate::export::atomic::write_whole;
 use crate::tr;
 
 /// Asks where to and saves what is open and how it is looked at.
 pub fn save(window: &Rc<Window>) {
-    let dialog = gtk::FileChooserNative::new(
-        Some(&tr!("app-session-title")),
-        Some(&window.widget),
-        gtk::FileChooserAction::Save,
-        Some(&tr!("app-save")),
-        Some(&tr!("app-cancel")),
-    );
-    let name = window.look(|session| session.files()).first().and_then(|path| Some(path.file_stem()?.to_string_lossy().into_owned()));
-    dialog.set_current_name(&format!("{}.session.yaml", name.unwrap_or_else(|| "sinew".into())));
-    let keep = RefCell::new(Some(dialog.clone()));
-    dialog.connect_response(glib::clone!(
-        #[weak]
-        window,
-        move |dialog, response| {
-            keep.take();
-            if let (gtk::ResponseType::Accept, Some(path)) = (response, dialog.file().and_then(|file| file.path())) {
-                write(&window, &with_ending(path));
-            }
-        }
-    ));
-    dialog.show();
+    let name = save_as::name_like_open(window, "session.yaml");
+    save_as::ask(window, &tr!("app-session-title"), &name, None, |window, path| write(window, &with_ending(path)));
 }
 
 /// A session is found again by its ending.
@@ -57,18 +32,12 @@ fn write(window: &Rc<Window>, path: &Path) {
     let written = text
         .map_err(|error| error.to_string())
         .and_then(|text| write_whole(path, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     match written {
         Ok(()) => {
             recent::remember(path);
-            window.viewport.toast(&tr!("app-session-saved", file = name), Some(path.to_owned()));
+            window.viewport.toast(&tr!("app-session-saved", file = save_as::name_of(path)), Some(path.to_owned()));
         }
-        Err(reason) => window.error_bar.show(Trouble {
-            headline: tr!("app-unsaved", file = name),
-            message: reason,
-            details: path.display().to_string(),
-            again: None,
-        }),
+        Err(reason) => save_as::failed(window, path, reason),
     }
 }
 

@@ -9,9 +9,8 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::error_bar::Trouble;
-use super::files;
 use super::window::Window;
+use super::{files, save_as};
 use crate::export::atomic::write_whole;
 use crate::tr;
 
@@ -46,36 +45,13 @@ pub fn save_as(window: &Rc<Window>) {
 }
 
 fn choose(window: &Rc<Window>, index: usize, then: impl FnOnce() + 'static) {
-    let dialog = gtk::FileChooserNative::new(
-        Some(&tr!("app-save-title")),
-        Some(&window.widget),
-        gtk::FileChooserAction::Save,
-        Some(&tr!("app-save")),
-        Some(&tr!("app-cancel")),
-    );
     let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
-    let name = path.as_deref().and_then(Path::file_name).map_or_else(|| "muscle.yaml".into(), |name| name.to_string_lossy().into_owned());
-    dialog.set_current_name(&name);
-    let folder = path.as_deref().and_then(Path::parent).map(Path::to_path_buf).or_else(|| window.settings.borrow().folder.clone());
-    if let Some(folder) = folder.filter(|folder| folder.is_dir()) {
-        // Where the folder cannot be shown, the dialog starts where it likes.
-        let _ = dialog.set_current_folder(Some(&gtk::gio::File::for_path(folder)));
-    }
-    let (keep, then) = (RefCell::new(Some(dialog.clone())), RefCell::new(Some(then)));
-    dialog.connect_response(glib::clone!(
-        #[weak]
-        window,
-        move |dialog, response| {
-            keep.take();
-            if let (gtk::ResponseType::Accept, Some(path)) = (response, dialog.file().and_then(|file| file.path()))
-                && write(&window, index, path)
-                && let Some(then) = then.take()
-            {
-                then();
-            }
+    let name = path.as_deref().map_or_else(|| "muscle.yaml".into(), save_as::name_of);
+    save_as::ask(window, &tr!("app-save-title"), &name, path.as_deref().and_then(Path::parent), move |window, path| {
+        if write(window, index, path) {
+            then();
         }
-    ));
-    dialog.show();
+    });
 }
 
 /// Writes muscle file `index` whole or not at all, keeping the comments of the text that is there; says what came of it.
@@ -87,7 +63,6 @@ fn write(window: &Rc<Window>, index: usize, path: PathBuf) -> bool {
     };
     let original = source.and_then(|source| std::fs::read_to_string(source).ok()).unwrap_or_default();
     let saved = file.to_yaml_keeping(&original);
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     window.files.wrote(path.clone(), saved.text.clone());
     match write_whole(&path, |out| out.write_all(saved.text.as_bytes())) {
         Ok(()) => {
@@ -95,16 +70,11 @@ fn write(window: &Rc<Window>, index: usize, path: PathBuf) -> bool {
             window.act(|session| session.was_saved(index, path.clone(), file));
             files::watch(window, &window.look(|session| session.files()));
             let key = if saved.comments_lost { "app-saved-without-comments" } else { "app-saved" };
-            window.viewport.toast(&tr!(key, file = name), Some(path));
+            window.viewport.toast(&tr!(key, file = save_as::name_of(&path)), Some(path));
             true
         }
         Err(error) => {
-            window.error_bar.show(Trouble {
-                headline: tr!("app-unsaved", file = name),
-                message: error.to_string(),
-                details: path.display().to_string(),
-                again: None,
-            });
+            save_as::failed(window, &path, error.to_string());
             false
         }
     }

@@ -5,8 +5,10 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::app::session::{Backdrop, Session, Tool};
+use crate::app::session::{Session, Tool};
 use crate::render::{Display, Samples, Shading};
+use crate::stage::Backdrop;
+pub use crate::stage::{SHADINGS, SWITCHES};
 use crate::tr;
 
 /// Light or dark, or what the desktop says.
@@ -121,30 +123,6 @@ impl Default for Settings {
         }
     }
 }
-
-/// A switch of the display: its name in the file and in actions, and where it is.
-pub type Switch = (&'static str, fn(&mut crate::render::Display) -> &mut bool);
-
-/// All switches of the display that are on or off and nothing else.
-pub const SWITCHES: [Switch; 14] = [
-    ("mesh", |d| &mut d.mesh),
-    ("muscle", |d| &mut d.muscle),
-    ("materials", |d| &mut d.materials),
-    ("smooth-normals", |d| &mut d.smooth_normals),
-    ("normal-glyphs", |d| &mut d.normal_glyphs),
-    ("wireframe", |d| &mut d.wireframe),
-    ("bones", |d| &mut d.bones),
-    ("bone-axes", |d| &mut d.bone_axes),
-    ("xray", |d| &mut d.xray),
-    ("grid", |d| &mut d.grid),
-    ("axes", |d| &mut d.axes),
-    ("bounding-box", |d| &mut d.bounding_box),
-    ("depth-test", |d| &mut d.depth_test),
-    ("cull-back-faces", |d| &mut d.cull_back_faces),
-];
-
-/// Shading by the name that the file and the actions use.
-pub const SHADINGS: [(&str, Shading); 3] = [("flat", Shading::Flat), ("gouraud", Shading::Gouraud), ("phong", Shading::Phong)];
 
 impl Settings {
     /// The file: `sinew/settings.yaml` in the user's config folder.

@@ -1,11 +1,11 @@
-//! A small picture of a material: its texture where it has one, else its colour.
+//! A small picture of a material: a ball with its texture where it has one, else its colour, lit from the upper left, with its highlight.
 
 use gtk::prelude::*;
 use gtk::{cairo, gdk};
 use gtk4 as gtk;
 
 use super::canvas::{Canvas, cairo as cairo_over, set_color};
-use crate::scene::{Material, Pixels, Scene};
+use crate::scene::{Material, Pixels, Scene, ShadingModel};
 
 /// Side of the picture, logical pixels.
 const SIDE: i32 = 32;
@@ -17,10 +17,14 @@ pub fn of(scene: &Scene, material: &Material) -> Canvas {
     let [red, green, blue] = material.diffuse.color.to_array();
     let color = gdk::RGBA::new(red, green, blue, 1.0);
     let image = material.diffuse.texture.as_ref().and_then(|texture| scene.images.get(texture.image.index()));
+    let unlit = material.model == ShadingModel::Constant;
+    let shines = matches!(material.model, ShadingModel::Phong | ShadingModel::Blinn);
+    let shine = if shines { f64::from(material.specular.color.max_element().clamp(0.0, 1.0)) } else { 0.0 };
     let small = image.and_then(|image| image.pixels.as_deref()).and_then(shrink);
     canvas.set_painter(move |canvas, snapshot, width, height| {
         let context = cairo_over(snapshot, width, height);
-        context.rectangle(0.5, 0.5, width - 1.0, height - 1.0);
+        let (x, y, radius) = (width / 2.0, height / 2.0, width.min(height) / 2.0 - 1.0);
+        context.arc(x, y, radius, 0.0, std::f64::consts::TAU);
         match &small {
             Some(surface) => {
                 let scale = width / f64::from(surface.width());
@@ -34,6 +38,21 @@ pub fn of(scene: &Scene, material: &Material) -> Canvas {
                 set_color(&context, &color, 1.0);
                 let _ = context.fill_preserve();
             }
+        }
+        let light = (x - radius * 0.4, y - radius * 0.45);
+        if !unlit {
+            let shade = cairo::RadialGradient::new(light.0, light.1, radius * 0.2, x, y, radius);
+            shade.add_color_stop_rgba(0.0, 0.0, 0.0, 0.0, 0.0);
+            shade.add_color_stop_rgba(1.0, 0.0, 0.0, 0.0, 0.55);
+            let _ = context.set_source(&shade);
+            let _ = context.fill_preserve();
+        }
+        if shine > 0.0 {
+            let spot = cairo::RadialGradient::new(light.0, light.1, 0.0, light.0, light.1, radius * 0.45);
+            spot.add_color_stop_rgba(0.0, 1.0, 1.0, 1.0, shine);
+            spot.add_color_stop_rgba(1.0, 1.0, 1.0, 1.0, 0.0);
+            let _ = context.set_source(&spot);
+            let _ = context.fill_preserve();
         }
         set_color(&context, &canvas.text_color(), 0.3);
         context.set_line_width(1.0);

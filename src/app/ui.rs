@@ -35,6 +35,7 @@ files! {
     EXPORT = "export",
     INSPECTOR = "inspector",
     TURN = "turn",
+    GHOSTS = "ghosts",
 }
 
 /// A builder of one of the files, in the user's language.

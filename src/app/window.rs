@@ -26,14 +26,14 @@ use super::start::StartPage;
 use super::timeline::Timeline;
 use super::tree_rows::Row;
 use super::viewport::Viewport;
-use super::{files, format, keyboard, memory, menus, perform, saving, theme, ui};
+use super::{files, format, ghosts_panel, keyboard, memory, menus, perform, saving, theme, ui};
 use crate::document::{Document, Missing};
 use crate::muscle::Sample;
 use crate::scene::NodeId;
 use crate::tr;
 
-/// Below this width the scene tree folds away by itself.
-const ROOM_FOR_TREE: i32 = 1000;
+/// Below this width there is room for one side panel only: the tree with the inspector, or the right one.
+const ROOM_FOR_BOTH: i32 = 1000;
 
 /// The main window.
 pub struct Window {
@@ -57,6 +57,8 @@ pub struct Window {
     page_turned: Cell<bool>,
     /// The tree was folded for want of room, not by a hand.
     tree_gave_way: Cell<bool>,
+    /// The right panel was folded for want of room, not by a hand.
+    panel_gave_way: Cell<bool>,
     actions: HashMap<Command, gio::SimpleAction>,
     builder: gtk::Builder,
     timeline: Timeline,
@@ -108,6 +110,7 @@ impl Window {
             ticking: Cell::new(false),
             page_turned: Cell::new(false),
             tree_gave_way: Cell::new(false),
+            panel_gave_way: Cell::new(false),
             actions: perform::make_actions(),
             timeline: Timeline::new(),
             tree: SceneTree::new(),
@@ -190,12 +193,12 @@ impl Window {
             self,
             move |widget| {
                 let (tree, panel) = window.sides();
-                let narrow = widget.default_width() < ROOM_FOR_TREE && !widget.is_maximized();
-                if narrow && tree && widget.is_visible() {
+                let narrow = window.is_narrow();
+                if narrow && tree && panel && widget.is_visible() {
                     window.show_side(false, panel);
                     window.tree_gave_way.set(true);
-                } else if !narrow && window.tree_gave_way.get() {
-                    window.show_side(true, panel);
+                } else if !narrow && (window.tree_gave_way.get() || window.panel_gave_way.get()) {
+                    window.show_side(true, true);
                 }
             }
         ));
@@ -250,6 +253,10 @@ impl Window {
             if changes.any(Changes::SELECTION | Changes::DOCUMENT) {
                 let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
                 part::<gtk::Label>(&self.builder, "status_selection").set_text(&name.unwrap_or_default());
+            }
+            if changes.any(Changes::PICTURE) {
+                let compared = session.compared().map(|compared| ghosts_panel::difference(session, &compared));
+                part::<gtk::Label>(&self.builder, "status_compared").set_text(&compared.unwrap_or_default());
             }
             perform::show_states(self, session, &self.actions);
         }
@@ -381,9 +388,25 @@ impl Window {
         (shown("tree_slot"), shown("panel_slot"))
     }
 
-    /// Shows or folds away the tree and the right panel.
-    pub fn show_side(self: &Rc<Self>, tree: bool, panel: bool) {
+    /// Whether there is room for one side panel only.
+    fn is_narrow(&self) -> bool {
+        self.widget.default_width() < ROOM_FOR_BOTH && !self.widget.is_maximized() && !self.widget.is_fullscreen()
+    }
+
+    /// Shows or folds away the tree and the right panel. Where there is no room for both, the one that comes takes the other's place.
+    pub fn show_side(self: &Rc<Self>, mut tree: bool, mut panel: bool) {
         self.tree_gave_way.set(false);
+        self.panel_gave_way.set(false);
+        let tree_before = self.sides().0;
+        if tree && panel && self.widget.is_visible() && self.is_narrow() {
+            if tree_before {
+                tree = false
+            } else {
+                panel = false
+            }
+            self.tree_gave_way.set(!tree);
+            self.panel_gave_way.set(!panel);
+        }
         part::<gtk::Box>(&self.builder, "tree_slot").set_visible(tree);
         part::<gtk::Box>(&self.builder, "panel_slot").set_visible(panel);
         self.show_states();
@@ -426,6 +449,7 @@ impl Window {
         settings.maximised = self.widget.is_maximized();
         (settings.tree_shown, settings.panel_shown) = self.sides();
         settings.tree_shown |= self.tree_gave_way.get();
+        settings.panel_shown |= self.panel_gave_way.get();
         if let Some(page) = part::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }

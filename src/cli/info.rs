@@ -13,6 +13,7 @@ use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseBuffers, SourceKind};
 use crate::i18n::decimal;
 use crate::scene::{Content, Deformer, Frame, MeshId, MeshInstance, NodeKind};
+use crate::stage;
 use crate::tr;
 
 /// What is in a file. The names and their order are a contract.
@@ -82,7 +83,7 @@ struct BoundsInfo {
 pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // What images show says nothing about the file; that they are there and are images does.
-    let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
+    let document = stage::open(&files, OpenOptions { images: Images::Locate }, &Progress::default())?.document;
     let name = files.first().map(|file| display_name(file)).unwrap_or_default();
     let info = Info::of(&document, name);
     // The program ends here: giving back what was read piece by piece would only take time.

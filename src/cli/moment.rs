@@ -45,13 +45,21 @@ impl Moment {
     /// # Errors
     /// [`Failure::Usage`] for a clip that the document has not, or an angle where nothing follows it.
     pub fn state(&self, document: &Document, file: &Path) -> Result<PoseState, Failure> {
-        let mut state = document.start_state();
+        self.over(document.start_state(), document, file)
+    }
+
+    /// [`Moment::state`] on top of another one than the document's start.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn over(&self, mut state: PoseState, document: &Document, file: &Path) -> Result<PoseState, Failure> {
         if let Some(name) = &self.clip {
             let found = document.clips.iter().position(|clip| clip.name == *name).ok_or_else(|| unknown_clip(document, file, name))?;
             state.clip = Some(found);
         }
         if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
-            state.time = self.time.unwrap_or(clip.start).max(clip.start).min(clip.end.max(clip.start));
+            let kept = if self.clip.is_some() { clip.start } else { state.time };
+            state.time = self.time.unwrap_or(kept).max(clip.start).min(clip.end.max(clip.start));
         }
         if let Some(angle) = self.angle {
             match document.driven_rig().filter(|rig| rig.flexion_range().is_some()) {

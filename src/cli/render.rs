@@ -11,13 +11,14 @@ use super::moment::Moment;
 use super::values::{Backdrop, Span, plain};
 use super::{files, progress, value};
 use crate::collada::Progress;
-use crate::document::{Document, PoseState};
+use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
-use crate::film::{self, Direction, Eye, Motion, Refusal, Sequence, Shot, Studio, Target, Times, Wish, posed_bounds};
+use crate::film::{self, Direction, Eye, Look, Motion, Refusal, Sequence, Shot, Studio, Target, Times, Wish, posed_bounds};
 use crate::limits;
 use crate::muscle::Rig;
 use crate::render::{Background, Display, Samples, Shading};
-use crate::scene::View;
+use crate::scene::{Bounds, OrbitCamera, View};
+use crate::stage::{self, Opened, Saved};
 use crate::tr;
 
 /// Columns and rows where the call does not say.
@@ -33,10 +34,11 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let target = Target::of(&out).ok_or_else(|| Failure::usage(tr!("cli-render-ending", out = display_name(&out))))?;
     let (size, scale) = size(given)?;
     refuse_overwriting(&files, &out)?;
-    let document = Document::open(&files, &Progress::default())?;
+    let Opened { document, saved, .. } = stage::open(&files, OpenOptions::default(), &Progress::default())?;
     remark(document.health.iter());
     let moment = Moment::given(given);
-    let state = moment.state(&document, first)?;
+    let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.state(&document));
+    let state = moment.over(start, &document, first)?;
     let sequence = match target {
         Target::Picture(_) => single(given, state)?,
         _ => sequence(given, &moment, &document, state).map_err(|refusal| refused(refusal, &display_name(first)))?,
@@ -45,16 +47,26 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
     }
     let images = document.scene.images.iter().filter_map(|image| image.path.clone());
-    let protected: Vec<PathBuf> = files.iter().cloned().chain(images).collect();
+    let sources = document.sources.iter().filter_map(|source| source.path.clone());
+    let protected: Vec<PathBuf> = files.iter().cloned().chain(sources).chain(images).collect();
     target.files(&sequence).try_for_each(|file| refuse_overwriting(&protected, &file))?;
     allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
-    let eye = Eye::fit(direction(given), &bounds, aspect, sequence.turning());
+    let look = match saved.as_deref().filter(|_| !chooses_direction(given)) {
+        Some(saved) => saved_look(saved, &document, &bounds),
+        None => None,
+    };
+    let look = look.unwrap_or_else(|| {
+        let eye = Eye::fit(direction(given), &bounds, aspect, sequence.turning());
+        Box::new(move |_, _, turn| eye.camera(turn))
+    });
+    // What is only a help on the screen, such as the ground grid, stays away unless it is asked for or a session shows it.
+    let usual = saved.as_ref().map_or_else(|| Display { grid: false, ..Display::default() }, |saved| saved.display(&document, &bounds));
     // In a film the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
-    let display = Display { scale, ground, ..display(given, !document.shows_surface()) };
-    let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), Box::new(move |_, _, turn| eye.camera(turn)));
+    let display = Display { scale, ground, ..display(given, usual, !document.shows_surface()) };
+    let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), look);
     let call = call_note(given, &files, size, scale);
     let note = |shot: &Shot| format!("{call}{}", shot_note(&document, shot));
     progress::watched(sequence.count, |work| film::save(&mut studio, size, &target, &note, work))?;
@@ -137,30 +149,53 @@ fn direction(given: &ArgMatches) -> Direction {
     }
 }
 
-/// How things look, from the options. What is only a help on the screen, such as the ground grid, stays away; the bones of a file that has
-/// nothing else are drawn without being asked for.
-fn display(given: &ArgMatches, only_bones: bool) -> Display {
-    let usual = Display::default();
+/// Whether the options say where to look from.
+fn chooses_direction(given: &ArgMatches) -> bool {
+    ["camera", "yaw", "pitch", "zoom"].into_iter().any(|id| given.contains_id(id))
+}
+
+/// Where a session looks from: its camera of the file, else its orbit; `None` where it has neither.
+fn saved_look(saved: &Saved, document: &Document, bounds: &Bounds) -> Option<Look<'static>> {
+    let orbit = saved.camera.and_then(|camera| camera.orbit(bounds));
+    let node = saved.file_camera.as_ref().and_then(|node| node.find(document));
+    let of_file = node.and_then(|node| stage::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
+    let usual = orbit.unwrap_or_default();
+    let round = move |turn: f32| OrbitCamera { yaw: usual.yaw + turn, ..usual }.camera();
+    match of_file {
+        Some((node, id)) => {
+            Some(Box::new(move |scene, frame, turn| stage::file_camera(scene, frame, node, id).unwrap_or_else(|| round(turn))))
+        }
+        None => orbit.map(|_| -> Look<'static> { Box::new(move |_, _, turn| round(turn)) }),
+    }
+}
+
+/// How things look, from the options on top of what is usual. The bones of a file that has nothing else are drawn without being asked for.
+fn display(given: &ArgMatches, usual: Display, only_bones: bool) -> Display {
     Display {
         shading: match value::<String>(given, "shading").as_deref() {
             Some("flat") => Shading::Flat,
             Some("phong") => Shading::Phong,
-            _ => Shading::Gouraud,
+            Some(_) => Shading::Gouraud,
+            None => usual.shading,
         },
-        samples: if value::<String>(given, "samples").as_deref() == Some("1") { Samples::One } else { Samples::Four },
-        materials: !given.get_flag("no-materials"),
-        smooth_normals: !given.get_flag("no-normals"),
-        wireframe: given.get_flag("wireframe"),
-        bones: only_bones || given.get_flag("bones"),
-        grid: given.get_flag("grid"),
-        axes: given.get_flag("axes"),
-        bounding_box: given.get_flag("bounding-box"),
+        samples: match value::<String>(given, "samples").as_deref() {
+            Some("1") => Samples::One,
+            Some(_) => Samples::Four,
+            None => usual.samples,
+        },
+        materials: usual.materials && !given.get_flag("no-materials"),
+        smooth_normals: usual.smooth_normals && !given.get_flag("no-normals"),
+        wireframe: usual.wireframe || given.get_flag("wireframe"),
+        bones: usual.bones || only_bones || given.get_flag("bones"),
+        grid: usual.grid || given.get_flag("grid"),
+        axes: usual.axes || given.get_flag("axes"),
+        bounding_box: usual.bounding_box || given.get_flag("bounding-box"),
         background: match value::<Backdrop>(given, "background") {
             Some(Backdrop::None) => Background::Transparent,
             Some(Backdrop::Color(color)) => Background::Solid(color),
             None => usual.background,
         },
-        light: value::<Vec3>(given, "light"),
+        light: value::<Vec3>(given, "light").or(usual.light),
         ..usual
     }
 }

@@ -35,6 +35,16 @@ impl Document {
         curve
     }
 
+    /// Where a node is at some times of the clip of `state`: world positions, metres.
+    pub fn node_places(&self, state: &PoseState, node: NodeId, times: &[f64]) -> Vec<DVec3> {
+        let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+        let mut place = |time: f64| {
+            self.pose_nodes(&PoseState { time, ..*state }, &mut buffers, &mut frame);
+            frame.world.get(node.index()).map_or(DVec3::ZERO, |matrix| matrix.w_axis.truncate())
+        };
+        times.iter().map(|time| place(*time)).collect()
+    }
+
     /// Where a node goes over the clip: seconds and world positions, in `moments` even steps.
     pub fn node_path(&self, state: &PoseState, node: NodeId, moments: usize) -> Vec<(f64, DVec3)> {
         let mut path = Vec::with_capacity(moments);

@@ -4,6 +4,7 @@
 
 mod angle;
 mod built_in;
+mod companion;
 mod deform;
 mod error;
 mod explain;
@@ -20,6 +21,7 @@ mod skinning;
 mod workshop;
 
 pub use angle::angle_at;
+pub use companion::Companion;
 pub use error::OpenError;
 pub use explain::{Explanation, Share};
 pub use hand::HandTurn;

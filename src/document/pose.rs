@@ -200,6 +200,7 @@ impl Document {
                     muscle,
                     visible: true,
                     content,
+                    ghost: None,
                 };
                 match thing {
                     Content::Mesh(instance) => {

@@ -149,6 +149,7 @@ mod tests {
             placement,
             mirrored,
             muscle: None,
+            ghost: None,
             visible: true,
             content: 0,
         }

@@ -11,4 +11,4 @@ pub use framing::{Direction, Eye, posed_bounds};
 pub use pattern::Pattern;
 pub use save::{Target, save};
 pub use sequence::{FPS, FRAMES, Motion, Refusal, Sequence, Shot, Wish};
-pub use studio::{Studio, Times};
+pub use studio::{Look, Studio, Times};

@@ -40,6 +40,19 @@ pub(super) fn bones<'a>(scene: &'a Scene, frame: &'a Frame) -> impl Iterator<Ite
     })
 }
 
+/// The four corners of an octahedron between head and tip.
+fn girdle(frame: &Frame, bone: &Bone) -> [Vec3; 4] {
+    let along = bone.tip - bone.head;
+    let length = along.length();
+    let axis = along / length;
+    // The girdle turns with the bone's own x axis.
+    let own = frame.world.get(bone.owner.index()).map_or(Vec3::X, |matrix| matrix.x_axis.truncate().as_vec3());
+    let side = (own - axis * own.dot(axis)).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
+    let other = axis.cross(side);
+    let middle = bone.head + along * GIRDLE;
+    [side, other, -side, -other].map(|out| middle + out * (length * THICKNESS))
+}
+
 /// The palette's colour for what hangs on `node`.
 pub(super) fn color(display: &Display, node: NodeId) -> [f32; 3] {
     let palette = &display.palette;
@@ -66,15 +79,7 @@ impl Made {
     }
 
     fn octahedron(&mut self, frame: &Frame, bone: &Bone, paint: Vec4) {
-        let along = bone.tip - bone.head;
-        let length = along.length();
-        let axis = along / length;
-        // The girdle turns with the bone's own x axis.
-        let own = frame.world.get(bone.owner.index()).map_or(Vec3::X, |matrix| matrix.x_axis.truncate().as_vec3());
-        let side = (own - axis * own.dot(axis)).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
-        let other = axis.cross(side);
-        let middle = bone.head + along * GIRDLE;
-        let girdle = [side, other, -side, -other].map(|out| middle + out * (length * THICKNESS));
+        let girdle = girdle(frame, bone);
         for k in 0..4 {
             let (a, b) = (girdle[k], girdle[(k + 1) % 4]);
             self.face([a, b, bone.tip], paint);
@@ -94,6 +99,38 @@ impl Made {
 }
 
 impl Pen<'_> {
+    /// Outlines the bones of the selected joint where bones are not shown, so that one sees what is selected.
+    pub(super) fn selected_bones(&mut self, scene: &Scene, frame: &Frame) {
+        let wanted = self.display.selected.filter(|_| !self.display.bones);
+        let Some(selected) = wanted.filter(|node| frame.joints.iter().any(|joint| joint.node == *node)) else { return };
+        if selected.index() >= scene.graph.len() || !scene.graph.is_shown(selected) {
+            return;
+        }
+        let palette = &self.display.palette;
+        let ink = Ink { stage: Stage::Overlay, lift: LIFT, ..self.ink(rgb(palette.selected), 1.0, 1.4) };
+        for bone in bones(scene, frame).filter(|bone| bone.owner == selected) {
+            let girdle = girdle(frame, &bone);
+            let faces = |a: Vec3, b: Vec3, c: Vec3| {
+                let towards = if self.view.perspective { self.view.eye - a } else { self.view.back };
+                (b - a).cross(c - a).dot(towards) > 0.0
+            };
+            let next = |k: usize| girdle[(k + 1) % 4];
+            let upper: [bool; 4] = std::array::from_fn(|k| faces(girdle[k], next(k), bone.tip));
+            let lower: [bool; 4] = std::array::from_fn(|k| faces(next(k), girdle[k], bone.head));
+            // The outline is where a face that is seen meets one that is not.
+            for k in 0..4 {
+                let before = (k + 3) % 4;
+                let edges =
+                    [(upper[k] != lower[k], next(k)), (upper[k] != upper[before], bone.tip), (lower[k] != lower[before], bone.head)];
+                for (_, other) in edges.into_iter().filter(|(outer, _)| *outer) {
+                    self.line(girdle[k], other, &ink);
+                }
+            }
+        }
+        let at = frame.position(selected);
+        self.line(at, at, &Ink { width: (2.0 * DOT + 3.0) * self.scale(), lift: LIFT + 2.0, ..ink });
+    }
+
     /// Joints as dots with a dark rim, and their axes where they are asked for.
     pub(super) fn joints(&mut self, scene: &Scene, frame: &Frame) {
         let radius = DOT * self.scale();

@@ -9,13 +9,13 @@ use super::drawing::{Item, Source};
 use super::edges::Edge;
 use super::glyphs::Pen;
 use super::light::Gloss;
-use super::line::Stage;
+use super::line::{Ink, Stage};
 use super::renderer::Buffers;
 use super::style::{Fill, Layer, Normals, Style, Varying};
 use super::texture::{Alpha, Cache, Sampler};
 use super::view::View;
 use super::{Display, Shading};
-use crate::scene::{AlphaSource, Bounds, Frame, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef};
+use crate::scene::{AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef};
 
 /// What was found out about meshes, kept from frame to frame.
 #[derive(Debug, Default)]
@@ -72,12 +72,12 @@ pub(super) fn rgb(color: u32) -> [f32; 3] {
 
 impl Buffers {
     /// Makes the list of items and numbers their vertices and triangles.
-    pub(super) fn collect(&mut self, cache: &mut Cache, scene: &Scene, frame: &Frame, display: &Display) {
+    pub(super) fn collect(&mut self, cache: &mut Cache, scene: &Scene, frame: &Frame, display: &Display, without_ghosts: bool) {
         let mut pending = std::mem::take(&mut self.collector.pending);
         pending.clear();
         self.heat.clear();
         for (index, surface) in frame.surfaces.iter().enumerate() {
-            if shown(display, surface) {
+            if shown(display, surface) && !(without_ghosts && surface.ghost.is_some()) {
                 self.surface(&mut pending, cache, scene, frame, display, index as u32, surface);
             }
         }
@@ -128,12 +128,13 @@ impl Buffers {
         }
         pen.helpers(frame, light);
         for surface in frame.surfaces.iter().filter(|surface| shown(display, surface)) {
-            let selected = display.selected == Some(surface.node);
-            if display.wireframe || selected {
+            let selected = display.selected == Some(surface.node) && surface.ghost.is_none();
+            let wireframe = display.wireframe && surface.ghost.is_none_or(|ghost| ghost.opacity >= 1.0);
+            if wireframe || selected {
                 let index = self.collector.facts(&surface.mesh);
                 let facts = &mut self.collector.known[index];
                 let edges = facts.edges.get_or_insert_with(|| super::edges::find(&surface.mesh));
-                if display.wireframe {
+                if wireframe {
                     pen.wireframe(surface, edges);
                 }
                 if selected {
@@ -142,12 +143,21 @@ impl Buffers {
             }
             // A muscle's own lines are the rings of its nodes, of interest while it is selected.
             if surface.muscle.is_none() || selected {
-                let color = if selected { rgb(display.palette.selected) } else { own_color(frame, display, surface) };
+                let color = match surface.ghost {
+                    Some(ghost) => ghost.tint.to_array(),
+                    None if selected => rgb(display.palette.selected),
+                    None => own_color(frame, display, surface),
+                };
                 pen.own_lines(surface, color);
             }
         }
         if display.bones || display.bone_axes {
             pen.joints(scene, frame);
+        }
+        pen.selected_bones(scene, frame);
+        for mark in &frame.marks {
+            let ink = pen.ink(mark.color.to_array(), mark.opacity, mark.width);
+            pen.line(mark.from, mark.to, &Ink { stage: Stage::Overlay, ..ink });
         }
         self.strokes = strokes;
     }
@@ -164,7 +174,7 @@ impl Buffers {
         surface: &Surface,
     ) {
         let mesh = &surface.mesh;
-        let heat = display.weights.filter(|_| surface.muscle.is_none()).map(|joint| {
+        let heat = display.weights.filter(|_| surface.muscle.is_none() && surface.ghost.is_none()).map(|joint| {
             let from = self.heat.len();
             super::heat::paint(scene, surface, joint, &mut self.heat);
             from
@@ -175,7 +185,8 @@ impl Buffers {
                 continue;
             }
             let binding = surface.materials.get(part).and_then(Option::as_ref);
-            let material = binding.and_then(|binding| frame.materials.get(binding.material.index()));
+            let foreign = surface.ghost.is_some_and(|ghost| !ghost.materials);
+            let material = binding.filter(|_| !foreign).and_then(|binding| frame.materials.get(binding.material.index()));
             let style = style(cache, scene, display, surface, part, material, binding);
             if style.opacity <= 0.0 {
                 continue;
@@ -185,7 +196,10 @@ impl Buffers {
             let expanded = (end.saturating_sub(first)) as usize > triangles.len() * 3;
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
             pending.push(Item {
-                cull: display.cull_back_faces && !mesh.double_sided && !material.is_some_and(|material| material.double_sided),
+                // The far side of a ghost would only cloud the near one.
+                cull: (display.cull_back_faces || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
+                    && !mesh.double_sided
+                    && !material.is_some_and(|material| material.double_sided),
                 vertices: 0..count,
                 first_vertex: first,
                 expanded,
@@ -222,8 +236,8 @@ fn style(
     binding: Option<&MaterialBinding>,
 ) -> Style {
     let neutral = Material::default();
-    let heated = display.weights.is_some() && surface.muscle.is_none();
-    let colored = display.materials && !heated;
+    let heated = display.weights.is_some() && surface.muscle.is_none() && surface.ghost.is_none();
+    let colored = display.materials && !heated && surface.ghost.is_none_or(|ghost| ghost.materials);
     let material = material.filter(|_| colored).unwrap_or(&neutral);
     let mut style = Style {
         albedo: if heated { [1.0; 3] } else { material.diffuse.color.to_array() },
@@ -261,7 +275,10 @@ fn style(
             flesh(&mut style, cache, display, surface, part, material, &neutral);
         }
     }
-    mark(&mut style, display, surface);
+    match surface.ghost {
+        Some(ghost) => haunt(&mut style, &ghost),
+        None => mark(&mut style, display, surface),
+    }
     let textured = style.diffuse.is_some() || style.cutout.is_some() || style.glow.is_some();
     style.layer = if style.opacity < 1.0 || style.cutout.is_some() { Layer::Blended } else { Layer::Opaque };
     style.normals = match (display.shading, display.smooth_normals) {
@@ -302,6 +319,14 @@ fn flesh(style: &mut Style, cache: &mut Cache, display: &Display, surface: &Surf
     // The fibres bring their own colour.
     style.albedo = [1.0; 3];
     style.tinted = false;
+}
+
+/// Tints what only accompanies the scene, and lets what is behind it through.
+fn haunt(style: &mut Style, ghost: &Ghost) {
+    let within = |share: f32| if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
+    (style.mark, style.mark_share) = (ghost.tint.to_array(), within(ghost.share));
+    style.opacity *= within(ghost.opacity);
+    style.behind = if ghost.behind.is_finite() { ghost.behind.clamp(0.0, 100.0) } else { 0.0 };
 }
 
 /// Tints what is selected or under the pointer.

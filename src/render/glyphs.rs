@@ -84,7 +84,7 @@ impl Pen<'_> {
     /// A line along each vertex normal of what is shown.
     fn normals(&mut self, frame: &Frame, length: f32) {
         let ink = self.ink(rgb(self.display.palette.axes[2]), 0.9, 1.0);
-        for surface in frame.surfaces.iter().filter(|surface| surface.visible) {
+        for surface in frame.surfaces.iter().filter(|surface| surface.visible && surface.ghost.is_none()) {
             if !(if surface.muscle.is_some() { self.display.muscle } else { self.display.mesh }) {
                 continue;
             }

@@ -38,7 +38,7 @@ impl Buffers {
         }
         let (px, py) = (x as i32, y as i32);
         let canvas = Canvas::new(display, width, height);
-        let (view, lights) = self.prepare(scene, frame, camera, display, &canvas);
+        let (view, lights) = self.prepare(scene, frame, camera, display, &canvas, true);
         self.vertex_stage(pool, level, frame, &view, &lights);
         let drawing = self.drawing(frame, view, lights);
         let (mut surface, mut overlay) = (None, None);

@@ -135,7 +135,7 @@ impl Buffers {
         }
         let canvas = Canvas::new(display, width, height);
         let start = Instant::now();
-        let (view, lights) = self.prepare(scene, frame, camera, display, &canvas);
+        let (view, lights) = self.prepare(scene, frame, camera, display, &canvas, false);
         let bands = target.len().div_ceil(stride * BAND_ROWS).min(canvas.bands.count);
         self.ground.begin(camera, display, frame.bounds, [width, height], bands);
         self.lines(scene, frame, &view, &canvas.bands, display, &lights);
@@ -197,8 +197,17 @@ impl Buffers {
         stats
     }
 
-    /// Makes the list of the triangles that are to be drawn.
-    pub(super) fn prepare(&mut self, scene: &Scene, frame: &Frame, camera: &Camera, display: &Display, canvas: &Canvas) -> (View, Lights) {
+    /// Makes the list of the triangles that are to be drawn, or that can be picked.
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn prepare(
+        &mut self,
+        scene: &Scene,
+        frame: &Frame,
+        camera: &Camera,
+        display: &Display,
+        canvas: &Canvas,
+        picking: bool,
+    ) -> (View, Lights) {
         let view = View::new(camera, canvas.width, canvas.height);
         // Without a camera nothing is drawn but the background.
         let seen = view.is_some();
@@ -208,7 +217,7 @@ impl Buffers {
         if seen {
             let mut cache = std::mem::take(&mut self.cache);
             cache.begin();
-            self.collect(&mut cache, scene, frame, display);
+            self.collect(&mut cache, scene, frame, display, picking);
             self.cache = cache;
         }
         (view, Lights::new(position, display.ambient, &view))
@@ -262,6 +271,10 @@ impl Buffers {
                 vertices(level, view, lights, &item.style, &geometry(frame, bones, heat, item), start, out);
             }
         });
+        for item in self.items.iter().filter(|item| item.style.behind > 0.0) {
+            let [factor, summand] = view.lift(-item.style.behind);
+            self.screen.get_mut(item.vertices.clone()).into_iter().flatten().for_each(|corner| corner.q = corner.q * factor + summand);
+        }
     }
 }
 

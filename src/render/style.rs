@@ -56,6 +56,8 @@ pub(super) struct Style {
     pub normals: Normals,
     pub layer: Layer,
     pub fill: Fill,
+    /// How many steps it is pushed back in depth; see [`super::view::View::lift`].
+    pub behind: f32,
     /// Colour under full light, 0 to 1.
     pub albedo: [f32; 3],
     pub opacity: f32,
@@ -88,6 +90,7 @@ impl Default for Style {
             normals: Normals::Smooth,
             layer: Layer::Opaque,
             fill: Fill::Gouraud,
+            behind: 0.0,
             albedo: [1.0; 3],
             opacity: 1.0,
             emission: [0.0; 3],

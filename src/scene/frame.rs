@@ -20,6 +20,36 @@ pub enum Placement {
     },
 }
 
+/// How a surface is drawn that only accompanies the scene: the same thing at another moment, or another file that it is compared with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ghost {
+    /// Its tint, 0 to 1.
+    pub tint: Vec3,
+    /// Share of the tint in its colour, 0 to 1.
+    pub share: f32,
+    /// Opacity, 0 to 1, on top of its material's.
+    pub opacity: f32,
+    /// Whether its materials are those of the scene that is drawn; else it has the neutral colour under its tint.
+    pub materials: bool,
+    /// Thousandths of its distance by which it is pushed back in depth, so that it does not cloud a surface of the scene that it nearly lies on.
+    pub behind: f32,
+}
+
+/// A line over the scene that somebody wants drawn; a dot where both ends are one point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mark {
+    /// One end, world, metres.
+    pub from: Vec3,
+    /// The other.
+    pub to: Vec3,
+    /// 0 to 1.
+    pub color: Vec3,
+    /// Opacity, 0 to 1.
+    pub opacity: f32,
+    /// Logical pixels.
+    pub width: f32,
+}
+
 /// A surface to draw.
 #[derive(Debug, Clone)]
 pub struct Surface {
@@ -39,6 +69,8 @@ pub struct Surface {
     pub visible: bool,
     /// Which of its node's contents it shows, so that skin, morph and weights can be found.
     pub content: u32,
+    /// How it is drawn if it only accompanies the scene. Such a one cannot be picked; its node and materials need not be the scene's.
+    pub ghost: Option<Ghost>,
 }
 
 /// A bone to draw.
@@ -61,6 +93,8 @@ pub struct Frame {
     pub joints: Vec<Joint>,
     /// Materials at this moment, as [`super::Scene::materials`] but with animated values.
     pub materials: Vec<Material>,
+    /// Lines that somebody wants drawn over the scene: paths, the bones of ghosts.
+    pub marks: Vec<Mark>,
     /// The box round everything visible, in the world; round the joints where there is no surface.
     pub bounds: Bounds,
     /// Changes whenever surfaces, meshes or nodes were laid out anew, so that whoever keeps things made from them knows.

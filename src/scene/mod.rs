@@ -15,7 +15,7 @@ mod transform;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, OrbitCamera, Projection, StoredCamera, View};
-pub use frame::{Frame, Joint, Placement, Surface};
+pub use frame::{Frame, Ghost, Joint, Mark, Placement, Surface};
 pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
 pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, Wrap};

@@ -128,7 +128,7 @@ impl World {
         let materials = vec![material; mesh.parts.len()].into();
         let mirrored = matrix.determinant() < 0.0;
         let placement = Placement::Rigid(matrix);
-        self.frame.surfaces.push(Surface { node, mesh, materials, placement, mirrored, muscle, visible: true, content: 0 });
+        self.frame.surfaces.push(Surface { node, mesh, materials, placement, mirrored, muscle, visible: true, content: 0, ghost: None });
         node
     }
 
@@ -199,7 +199,17 @@ pub fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
     let materials = vec![None; rest.parts.len()].into();
     let placement = Placement::Deformed { positions, normals };
     let mesh = Arc::new(rest);
-    world.frame.surfaces.push(Surface { node, mesh, materials, placement, mirrored: false, muscle: None, visible: true, content: 0 });
+    world.frame.surfaces.push(Surface {
+        node,
+        mesh,
+        materials,
+        placement,
+        mirrored: false,
+        muscle: None,
+        visible: true,
+        content: 0,
+        ghost: None,
+    });
     [joints[0], joints[1], joints[2]]
 }
 

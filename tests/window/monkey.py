@@ -22,7 +22,7 @@ WIDTH, HEIGHT = 1280, 840
 # All keys of the table but the ones that leave or close; dialogs are left by Escape.
 KEYS = (
     "space ctrl+shift+space Left Right ctrl+Left ctrl+Right shift+Left shift+Right Up Down bracketleft bracketright backslash l i o k shift+k Prior Next "
-    "Home Return period 1 3 7 9 5 ctrl+1 ctrl+3 ctrl+7 ctrl+9 f w a s d q e v g r b j n shift+n t c x m "
+    "Home Return period 1 3 7 9 5 ctrl+1 ctrl+3 ctrl+7 ctrl+9 f w a s d q e v g r b j n shift+n t c x m h p slash shift+h alt+h "
     "alt+Up alt+Down alt+Left alt+Right ctrl+z ctrl+shift+z ctrl+c F5 F9 F11 F10 F1 Tab shift+Tab Escape Escape Escape ctrl+Next ctrl+Prior Delete minus 0 comma"
 ).split()
 

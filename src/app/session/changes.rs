@@ -43,6 +43,8 @@ impl Changes {
     pub const PINS: Self = Self(1 << 16);
     /// Joints turned by hand.
     pub const HAND: Self = Self(1 << 17);
+    /// Ghosts, paths, and what is compared.
+    pub const GHOSTS: Self = Self(1 << 18);
     /// Everything.
     pub const ALL: Self = Self(u32::MAX);
 
@@ -58,7 +60,8 @@ impl Changes {
             | Self::MODEL.0
             | Self::HOVER.0
             | Self::EDIT.0
-            | Self::HAND.0,
+            | Self::HAND.0
+            | Self::GHOSTS.0,
     );
 
     /// Whether any of `kinds` is among them.

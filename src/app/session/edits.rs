@@ -132,6 +132,7 @@ impl Session {
     fn restore(&mut self, step: Option<Snapshot>) {
         if let Some(step) = step {
             if step.hidden != self.snapshot().hidden {
+                self.isolated = None;
                 self.changed(Changes::LIST);
             }
             (self.model, self.light) = (step.model, step.light);

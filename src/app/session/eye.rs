@@ -2,7 +2,8 @@
 
 use glam::{Quat, Vec3};
 
-use crate::scene::{Bounds, Camera, CameraId, Content, Frame, NodeId, OrbitCamera, Projection, Scene, View};
+use crate::scene::{Bounds, Camera, CameraId, Frame, NodeId, OrbitCamera, Projection, Scene, View};
+use crate::stage::file_camera;
 
 /// Seconds that a jump of the camera takes.
 const JUMP_SECONDS: f64 = 0.15;
@@ -184,7 +185,7 @@ impl Eye {
         match self.viewpoint {
             Viewpoint::Orbit => self.orbit.camera(),
             Viewpoint::Fly(fly) => Camera { eye: fly.eye, rotation: fly.rotation(), ..self.flight_planes(&fly) },
-            Viewpoint::File(node, id) => stored(scene, frame, node, id).unwrap_or_else(|| self.orbit.camera()),
+            Viewpoint::File(node, id) => file_camera(scene, frame, node, id).unwrap_or_else(|| self.orbit.camera()),
         }
     }
 
@@ -194,35 +195,6 @@ impl Eye {
         let projection = Projection::Perspective { fov_y: OrbitCamera::FOV_Y };
         Camera { eye: fly.eye, rotation: Quat::IDENTITY, projection, near: (radius * 0.002).max(far * 1e-5), far }
     }
-}
-
-/// The cameras of the file with the nodes that carry them.
-pub fn file_cameras(scene: &Scene) -> Vec<(NodeId, CameraId)> {
-    let on = |node: &crate::scene::Node| -> Vec<CameraId> {
-        node.contents.iter().filter_map(|content| if let Content::Camera(id) = content { Some(*id) } else { None }).collect()
-    };
-    scene.graph.iter().flat_map(|(id, node)| on(node).into_iter().map(move |camera| (id, camera))).collect()
-}
-
-/// A camera of the file in the world; `None` where its node or its numbers make no camera.
-fn stored(scene: &Scene, frame: &Frame, node: NodeId, id: CameraId) -> Option<Camera> {
-    let (stored, world) = (scene.cameras.get(id.index())?, frame.world.get(node.index())?);
-    let (scale, rotation, eye) = world.to_scale_rotation_translation();
-    let unit = scale.abs().max_element() as f32;
-    let projection = match stored.projection {
-        Projection::Orthographic { height } => Projection::Orthographic { height: height * unit },
-        perspective => perspective,
-    };
-    let camera = Camera {
-        eye: eye.as_vec3(),
-        rotation: rotation.as_quat().normalize(),
-        projection,
-        near: stored.near * unit,
-        far: stored.far * unit,
-    };
-    let sound =
-        camera.eye.is_finite() && camera.rotation.is_finite() && camera.near > 0.0 && camera.far > camera.near && camera.far.is_finite();
-    sound.then_some(camera)
 }
 
 #[cfg(test)]

@@ -3,9 +3,9 @@
 
 use glam::{DVec2, DVec3, Vec2};
 
-use super::model::ModelTransform;
 use super::tool::Tool;
 use crate::scene::Camera;
+use crate::stage::ModelTransform;
 
 /// Length of an axis and radius of a ring, logical pixels.
 const REACH: f64 = 84.0;

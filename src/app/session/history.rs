@@ -1,10 +1,9 @@
 //! Undo and redo: snapshots of what a hand can change, taken before the change.
 
-use super::light::LightAim;
-use super::model::ModelTransform;
 use crate::document::HandTurn;
 use crate::muscle::MuscleFile;
 use crate::scene::NodeId;
+use crate::stage::{LightAim, ModelTransform};
 
 /// What an undo brings back.
 #[derive(Debug, Clone, PartialEq)]

@@ -21,6 +21,8 @@ pub struct Pin {
 pub struct Pins {
     last: [Option<Pin>; 2],
     vertex: Option<(usize, u32)>,
+    /// Three bones chosen by hand for the joint angle.
+    angle: Option<[NodeId; 3]>,
 }
 
 impl Pin {
@@ -115,8 +117,30 @@ impl Session {
         })
     }
 
-    /// The three bones whose angle belongs to a joint: the joint above, itself, and the first joint below. `None` at the ends of a chain.
+    /// The three bones whose angle is told while `node` is selected: those chosen by hand, else the node's own.
     pub fn angle_bones(&self, node: NodeId) -> Option<[NodeId; 3]> {
+        self.pins.angle.or_else(|| self.own_angle_bones(node))
+    }
+
+    /// The three bones that were chosen by hand.
+    pub fn chosen_angle(&self) -> Option<[NodeId; 3]> {
+        self.pins.angle
+    }
+
+    /// Chooses the three bones whose angle is told, the corner in the middle; `None` = those of the selected joint.
+    pub fn choose_angle(&mut self, bones: Option<[NodeId; 3]>) {
+        let count = self.document.scene.graph.len();
+        self.pins.angle = bones.filter(|bones| bones.iter().all(|bone| bone.index() < count));
+        self.changed(Changes::PINS);
+    }
+
+    /// The joints, to choose from.
+    pub fn joints(&self) -> Vec<NodeId> {
+        self.document.scene.graph.iter().filter(|(_, node)| node.kind == NodeKind::Joint).map(|(id, _)| id).collect()
+    }
+
+    /// The three bones whose angle belongs to a joint: the joint above, itself, and the first joint below. `None` at the ends of a chain.
+    fn own_angle_bones(&self, node: NodeId) -> Option<[NodeId; 3]> {
         let graph = &self.document.scene.graph;
         let is_joint = |id: &NodeId| graph.node(*id).kind == NodeKind::Joint;
         let node = Some(node).filter(|id| id.index() < graph.len() && is_joint(id))?;

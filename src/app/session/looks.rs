@@ -1,32 +1,12 @@
 //! How a session is looked at: selection, switches, camera and light.
 
 use glam::Vec3;
-use serde::{Deserialize, Serialize};
 
 use super::{Changes, Eye, LightAim, Session};
 use crate::document::Skinning;
-use crate::render::{Background, Display, Palette, Theme};
+use crate::render::{Display, Theme};
 use crate::scene::{Bounds, NodeId, View};
-
-/// What stands behind the scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Backdrop {
-    /// The gradient of the window's light or dark.
-    #[default]
-    Theme,
-    /// White, for paper.
-    White,
-    /// A middle grey, which flatters no colour.
-    Grey,
-    /// Black.
-    Black,
-}
-
-impl Backdrop {
-    /// All, in the order of the list.
-    pub const ALL: [Self; 4] = [Self::Theme, Self::White, Self::Grey, Self::Black];
-}
+use crate::stage::Backdrop;
 
 impl Session {
     /// The selected node.
@@ -113,18 +93,7 @@ impl Session {
 
     /// Background and what is drawn over the model: on white, what is meant for light surroundings, whatever the window wears.
     fn colour(&mut self) {
-        let theme = match self.backdrop {
-            Backdrop::Theme => self.theme,
-            Backdrop::White => Theme::Light,
-            Backdrop::Grey | Backdrop::Black => Theme::Dark,
-        };
-        let palette = Palette::of(theme);
-        let background = match self.backdrop {
-            Backdrop::Theme => Background::Gradient(palette.background.0, palette.background.1),
-            Backdrop::White => Background::Solid(0xFF_FFFF),
-            Backdrop::Grey => Background::Solid(0x55_5555),
-            Backdrop::Black => Background::Solid(0),
-        };
+        let (palette, background) = self.backdrop.look(self.theme);
         self.change_display(|display| (display.palette, display.background) = (palette, background));
     }
 
@@ -223,7 +192,7 @@ impl Session {
     fn node_centre(&mut self, node: NodeId) -> Vec3 {
         let frame = self.frame();
         let mut bounds = Bounds::EMPTY;
-        for surface in frame.surfaces.iter().filter(|surface| surface.node == node) {
+        for surface in frame.surfaces.iter().filter(|surface| surface.node == node && surface.ghost.is_none()) {
             for vertex in 0..surface.mesh.positions.len() as u32 {
                 bounds.add(surface.position(vertex));
             }

@@ -2,15 +2,16 @@
 //! session and hands it what the user does, and the session says what changed.
 
 mod changes;
+mod compare;
 mod edits;
 mod eye;
 mod frames;
+mod ghosts;
 mod handles;
 mod history;
 mod inspect;
-mod light;
+mod isolate;
 mod looks;
-mod model;
 mod presets;
 mod saved;
 mod sheet;
@@ -18,16 +19,14 @@ mod time;
 mod tool;
 mod workshop;
 
+pub use crate::stage::{Backdrop, Ghosts, LightAim, ModelTransform, file_cameras};
 pub use changes::Changes;
-pub use eye::{Eye, FlyCamera, Viewpoint, file_cameras};
+pub use compare::{Compared, TINT as COMPARED_TINT, With, top_of};
+pub use eye::{Eye, FlyCamera, Viewpoint};
 pub use frames::DEFAULT_RATE;
 pub use handles::{Handle, Handles, ModelDrag};
 pub use inspect::Matrices;
-pub use light::LightAim;
-pub use looks::Backdrop;
-pub use model::ModelTransform;
 pub use presets::Preset;
-pub use saved::Saved;
 pub use sheet::{Graph, GraphKind, Line, Moved, SheetRow};
 pub use time::Mark;
 pub use tool::Tool;
@@ -37,6 +36,8 @@ use std::cell::OnceCell;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use compare::Comparison;
+use ghosts::{Onion, Path};
 use history::History;
 use inspect::Pins;
 
@@ -83,6 +84,12 @@ pub struct Session {
     aspect: f32,
     fit_on_resize: bool,
     pins: Pins,
+    ghosts: Ghosts,
+    onion: Vec<Onion>,
+    path: Option<Path>,
+    comparison: Option<Box<Comparison>>,
+    /// What was hidden before the selection was shown alone.
+    isolated: Option<Vec<NodeId>>,
     frame: Frame,
     buffers: PoseBuffers,
     stale: bool,
@@ -121,6 +128,11 @@ impl Session {
             aspect: 1.5,
             fit_on_resize: true,
             pins: Pins::default(),
+            ghosts: Ghosts::default(),
+            onion: Vec::new(),
+            path: None,
+            comparison: None,
+            isolated: None,
             frame: Frame::default(),
             buffers: PoseBuffers::default(),
             stale: true,
@@ -144,6 +156,10 @@ impl Session {
         self.pins = Pins::default();
         // Buffers made for another scene are of no use.
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
+        self.onion.clear();
+        self.path = None;
+        self.isolated = None;
+        self.compare_anew(arrival);
         (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
         self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
         self.history = History::default();
@@ -197,8 +213,12 @@ impl Session {
 
     fn changed(&mut self, what: Changes) {
         self.changes |= what;
-        let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT | Changes::HAND;
-        self.stale |= what.any(moves);
+        let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT | Changes::HAND | Changes::GHOSTS;
+        let accompanied = self.ghosts.shown || self.ghosts.path || self.comparison.is_some();
+        self.stale |= what.any(moves) || (accompanied && what.any(Changes::SELECTION | Changes::DISPLAY | Changes::PLAYBACK));
+        if what.any(Changes::SELECTION | Changes::HAND | Changes::EDIT | Changes::PLAYBACK) {
+            self.path = None;
+        }
     }
 
     /// The document.
@@ -224,7 +244,9 @@ impl Session {
     /// The scene posed at the present moment.
     pub fn frame(&mut self) -> &Frame {
         if std::mem::take(&mut self.stale) {
+            self.recall_company();
             self.document.pose(&self.state(), &mut self.buffers, &mut self.frame);
+            self.invite_company();
         }
         &self.frame
     }
@@ -244,7 +266,11 @@ impl Session {
 
     /// The box round everything that the clip, or the arm's swing, covers.
     pub fn reach(&self) -> Bounds {
-        self.document.reach(&self.state())
+        let mut reach = self.document.reach(&self.state());
+        if let Some(other) = self.compared_reach() {
+            reach.merge(&other);
+        }
+        reach
     }
 
     /// The box round what is shown.

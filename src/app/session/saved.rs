@@ -1,164 +1,15 @@
-//! Session files: what is open and how it is looked at, as YAML under a key of its own.
+//! A session to and from what a session file keeps.
 
 use std::path::{Path, PathBuf};
 
-use glam::{DVec3, Vec3};
-use serde::{Deserialize, Serialize};
-
-use super::{Arrival, LightAim, Session};
+use super::{Arrival, Session, Viewpoint, With, file_cameras};
+use crate::animation::LoopMode;
 use crate::app::settings::Settings;
 use crate::document::{Document, Skinning};
-use crate::limits;
-use crate::scene::NodeId;
+use crate::stage::{Saved, SavedCamera, SavedComparison, SavedModel, SavedTurn, name_of};
 
-/// The key that tells a session file from a muscle file.
-const KEY: &str = "sinew_session";
-
-/// A whole session file.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SessionFile {
-    /// The session.
-    pub sinew_session: Saved,
-}
-
-/// What a session file keeps. A key that is missing means what a fresh start has.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, rename_all = "kebab-case")]
-pub struct Saved {
-    /// The open files, relative to the session file where they lie beside or below it; none = the built-in scene.
-    pub files: Vec<PathBuf>,
-    /// The name of the clip.
-    pub clip: Option<String>,
-    /// Seconds on the file's own time axis.
-    pub time: f64,
-    /// Elbow angle of a driven arm, degrees.
-    pub flexion: Option<f64>,
-    /// The orbiting camera.
-    pub camera: Option<SavedCamera>,
-    /// Yaw and pitch of the light, degrees; none = with the camera.
-    pub light: Option<[f32; 2]>,
-    /// The model's own transform: metres, degrees about X, Y, Z, scale.
-    pub model: Option<SavedModel>,
-    /// Whether dual quaternions are blended.
-    pub dual_quaternions: bool,
-    /// Whether the names of bones are written.
-    pub bone_names: bool,
-    /// `flat`, `gouraud` or `phong`.
-    pub shading: String,
-    /// Anti-aliasing.
-    pub smooth_edges: bool,
-    /// Switches of the display that are on, as in the settings.
-    pub shown: Vec<String>,
-    /// Numbers of the hidden nodes, in the order of the tree, with their names.
-    pub hidden: Vec<SavedNode>,
-    /// The selected node.
-    pub selected: Option<SavedNode>,
-    /// Joints turned by hand.
-    pub turned: Vec<SavedTurn>,
-}
-
-/// A camera on its turntable.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct SavedCamera {
-    /// The point it looks at, metres.
-    pub target: [f32; 3],
-    /// Degrees.
-    pub yaw: f32,
-    /// Degrees.
-    pub pitch: f32,
-    /// Metres.
-    pub distance: f32,
-    /// Parallel rays.
-    #[serde(default)]
-    pub orthographic: bool,
-}
-
-/// The model's transform.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct SavedModel {
-    /// Metres.
-    pub translation: [f64; 3],
-    /// Degrees about X, Y, Z.
-    pub rotation: [f64; 3],
-    /// Above 0.
-    pub scale: f64,
-}
-
-/// A node, by its place in the tree and its name: both must fit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SavedNode {
-    /// Place in the tree, parents before children.
-    pub node: u32,
-    /// Its name.
-    pub name: String,
-}
-
-/// A joint turned by hand.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SavedTurn {
-    /// The joint.
-    #[serde(flatten)]
-    pub joint: SavedNode,
-    /// Degrees about its own axes.
-    pub degrees: [f64; 3],
-}
-
-/// Why a session file cannot be used.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SessionError {
-    /// Line from 1, where it is known.
-    pub line: Option<u32>,
-    /// What is wrong.
-    pub message: String,
-}
-
-impl Saved {
-    /// Reads a session file; `None` where the file is none (another kind, or not readable: the document's reader says what is wrong with it).
-    pub fn read(path: &Path) -> Option<Result<Self, SessionError>> {
-        let about = std::fs::metadata(path).ok().filter(|about| about.is_file() && about.len() <= limits::YAML_BYTES)?;
-        let ending = path.extension()?.to_str()?;
-        if about.len() == 0 || !["yaml", "yml"].iter().any(|ours| ending.eq_ignore_ascii_case(ours)) {
-            return None;
-        }
-        Self::parse(&std::fs::read_to_string(path).ok()?)
-    }
-
-    /// Reads a session file's text; `None` where it has not the key of one.
-    pub fn parse(text: &str) -> Option<Result<Self, SessionError>> {
-        text.lines().any(|line| line.trim_end().strip_prefix(KEY).is_some_and(|rest| rest.trim_start().starts_with(':'))).then(|| {
-            let read = serde_yaml::from_str::<SessionFile>(text).map(|file| file.sinew_session);
-            read.map_err(|error| SessionError {
-                line: error.location().map(|place| place.line() as u32),
-                message: error.to_string().lines().next().unwrap_or_default().to_owned(),
-            })
-        })
-    }
-
-    /// As YAML.
-    ///
-    /// # Errors
-    /// What the writer says; numbers and names of a session can always be written.
-    pub fn text(&self) -> std::io::Result<String> {
-        serde_yaml::to_string(&SessionFile { sinew_session: self.clone() }).map_err(std::io::Error::other)
-    }
-
-    /// The files, seen from where the program runs; `folder` is that of the session file.
-    pub fn paths(&self, folder: &Path) -> Vec<PathBuf> {
-        self.files.iter().map(|file| folder.join(file)).collect()
-    }
-}
-
-fn name(document: &Document, node: NodeId) -> SavedNode {
-    SavedNode { node: node.0, name: document.scene.graph.node(node).name.clone() }
-}
-
-/// The node that was meant: at its place if the name is still the same, else the first one of that name.
-fn find(document: &Document, saved: &SavedNode) -> Option<NodeId> {
-    let there = NodeId(saved.node);
-    let graph = &document.scene.graph;
-    let same = there.index() < graph.len() && graph.node(there).name == saved.name;
-    if same { Some(there) } else { graph.find(&saved.name) }
-}
+/// Loop modes by the names that the file uses.
+const MODES: [(&str, LoopMode); 3] = [("loop", LoopMode::Loop), ("once", LoopMode::Once), ("ping-pong", LoopMode::PingPong)];
 
 impl Session {
     /// What a session file in `folder` keeps of this.
@@ -195,84 +46,108 @@ impl Session {
             shading: looks.shading,
             smooth_edges: looks.smooth_edges,
             shown: looks.shown,
-            hidden: document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| name(document, id)).collect(),
-            selected: self.selected().map(|node| name(document, node)),
+            hidden: document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| name_of(document, id)).collect(),
+            selected: self.selected().map(|node| name_of(document, node)),
+            backdrop: self.backdrop(),
+            grid_cell: looks.grid_cell,
+            line_width: Some(looks.line_width),
+            ambient: Some(looks.ambient),
+            weights: self.display().weights.is_some(),
+            ghosts: self.ghosts(),
+            frame_rate: self.chosen_rate(),
+            speed: Some(self.playback().speed),
+            loop_mode: MODES.iter().find(|(_, mode)| *mode == self.playback().mode).map_or("loop", |(name, _)| name).into(),
+            marks: [self.playback().mark_a, self.playback().mark_b],
+            file_camera: match self.eye().viewpoint() {
+                Viewpoint::File(node, _) => Some(name_of(document, node)),
+                Viewpoint::Orbit | Viewpoint::Fly(_) => None,
+            },
+            compared: self.saved_comparison(&beside),
             turned: document
                 .hand_turns()
                 .iter()
-                .map(|turn| SavedTurn { joint: name(document, turn.node), degrees: turn.degrees.to_array() })
+                .map(|turn| SavedTurn { joint: name_of(document, turn.node), degrees: turn.degrees.to_array() })
                 .collect(),
         }
     }
 
+    fn saved_comparison(&self, beside: &dyn Fn(PathBuf) -> PathBuf) -> Option<SavedComparison> {
+        let (later, aside) = self.compared_shift()?;
+        let blank = SavedComparison { later, aside, ..SavedComparison::default() };
+        Some(match self.compared_with()? {
+            With::File(_, name) => SavedComparison { file: Some(beside(name.into())), ..blank },
+            With::Clip(clip) => SavedComparison { clip: self.document().clips.get(*clip).map(|clip| clip.name.clone()), ..blank },
+            With::Skinning => SavedComparison { skinning: true, ..blank },
+        })
+    }
+
     /// Shows a document as a session file says. What no longer exists is passed over; numbers that are none are too.
     pub fn show_saved(&mut self, mut document: Document, saved: &Saved) {
-        for node in &saved.hidden {
-            if let Some(id) = find(&document, node) {
-                document.scene.graph.node_mut(id).visible = false;
-            }
-        }
-        for turn in &saved.turned {
-            if let Some(node) = find(&document, &turn.joint) {
-                document.set_hand_turn(node, DVec3::from_array(turn.degrees));
-            }
-        }
-        let selected = saved.selected.as_ref().and_then(|node| find(&document, node));
+        saved.prepare(&mut document);
+        let selected = saved.selected.as_ref().and_then(|node| node.find(&document));
         self.show(document, Arrival::New);
-        let looks = Settings {
-            shading: saved.shading.clone(),
-            smooth_edges: saved.smooth_edges,
-            shown: saved.shown.clone(),
-            ..Settings::default()
-        };
-        looks.apply(self);
+        self.change_display(|display| saved.put_looks(display));
+        self.set_backdrop(saved.backdrop);
+        self.choose_rate(saved.frame_rate.filter(|rate| (1.0..=1000.0).contains(rate)));
         self.set_bone_names(saved.bone_names);
-        self.set_skinning(if saved.dual_quaternions { Skinning::DualQuaternion } else { Skinning::Linear });
         let clip = saved.clip.as_ref().and_then(|name| self.document().clips.iter().position(|clip| clip.name == *name));
         if clip.is_some() {
             self.set_clip(clip);
         }
-        let time = saved.time;
+        self.set_skinning(if saved.dual_quaternions { Skinning::DualQuaternion } else { Skinning::Linear });
+        let mode = MODES.iter().find(|(name, _)| *name == saved.loop_mode).map_or(LoopMode::Loop, |(_, mode)| *mode);
         self.time(|cursor| {
-            if time.is_finite() {
-                cursor.seek(time);
+            cursor.mode = mode;
+            if let Some(speed) = saved.speed.filter(|speed| speed.is_finite() && *speed != 0.0) {
+                cursor.set_pace(speed.abs());
+                cursor.speed = cursor.speed.abs() * speed.signum();
+            }
+            let within = |mark: Option<f64>| mark.filter(|mark| *mark >= cursor.start && *mark <= cursor.end);
+            (cursor.mark_a, cursor.mark_b) = (within(saved.marks[0]), within(saved.marks[1]));
+            if saved.time.is_finite() {
+                cursor.seek(saved.time);
             }
         });
         if let Some(degrees) = saved.flexion {
             self.set_flexion(degrees);
         }
-        self.light = saved.light.map(|[yaw, pitch]| {
-            let mut aim = LightAim { yaw: 0.0, pitch: 0.0 };
-            aim.turn(yaw, pitch);
-            aim
-        });
+        self.light = saved.light_aim();
         if let Some(model) = saved.model {
-            self.change_model(|ours| {
-                ours.shift(DVec3::from_array(model.translation));
-                ours.set_degrees(DVec3::from_array(model.rotation));
-                ours.set_scale(model.scale);
-            });
+            self.change_model(|ours| model.put(ours));
         }
-        if let Some(camera) = saved.camera {
-            let numbers = [camera.yaw, camera.pitch, camera.distance];
-            let target = Vec3::from_array(camera.target);
-            if target.is_finite() && numbers.iter().all(|number| number.is_finite()) && camera.distance > 0.0 {
-                self.change_eye(|eye| {
-                    eye.handle(|orbit| {
-                        (orbit.target, orbit.yaw, orbit.distance) = (target, camera.yaw, camera.distance);
-                        orbit.pitch = camera.pitch.clamp(-90.0, 90.0);
-                        orbit.orthographic = camera.orthographic;
-                    });
-                });
+        let reach = self.reach();
+        if let Some(orbit) = saved.camera.and_then(|camera| camera.orbit(&reach)) {
+            self.change_eye(|eye| eye.handle(|ours| *ours = orbit));
+        }
+        if let Some(node) = saved.file_camera.as_ref().and_then(|node| node.find(self.document())) {
+            let found = file_cameras(&self.document().scene).into_iter().find(|(carrier, _)| *carrier == node);
+            if let Some((node, camera)) = found {
+                self.change_eye(|eye| eye.look_through(node, camera));
             }
         }
         self.select(selected);
+        self.set_weights(saved.weights);
+        self.change_ghosts(|ghosts| *ghosts = saved.ghosts);
+        if let Some(compared) = &saved.compared {
+            let clip = compared.clip.as_ref().and_then(|name| self.document().clips.iter().position(|clip| clip.name == *name));
+            let with = clip.map(With::Clip).or(compared.skinning.then_some(With::Skinning));
+            if with.is_some() {
+                self.compare(with);
+                self.shift_compared(compared.later, compared.aside);
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
+    use super::super::Ghosts;
+    use super::super::tests::swinging;
     use super::*;
+    use crate::scene::NodeId;
+    use crate::stage::Backdrop;
 
     #[test]
     fn a_session_comes_back_as_it_was_saved() {
@@ -283,7 +158,8 @@ mod tests {
         session.turn_light(20.0, 10.0);
         session.change_model(|model| model.grow(2.0));
         session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(33.0, -4.0)));
-        session.change_display(|display| display.bones = true);
+        session.change_display(|display| (display.bones, display.line_width) = (true, 2.5));
+        session.set_backdrop(Backdrop::Grey);
         session.set_bone_names(true);
         session.set_skinning(Skinning::DualQuaternion);
         session.turn_by_hand(NodeId(2), DVec3::new(1.0, 2.5, -3.0));
@@ -297,20 +173,31 @@ mod tests {
     }
 
     #[test]
-    fn files_beside_the_session_are_named_without_their_folder() {
-        let saved = Saved { files: vec!["a/walk.dae".into(), "/else/arm.yaml".into()], ..Saved::default() };
-        assert_eq!(saved.paths(Path::new("/home/me")), [PathBuf::from("/home/me/a/walk.dae"), "/else/arm.yaml".into()]);
+    fn time_ghosts_and_comparison_come_back() {
+        let mut session = Session::new(swinging());
+        session.time(|time| (time.mode, time.speed, time.mark_a, time.mark_b) = (LoopMode::PingPong, -0.5, Some(0.25), Some(0.75)));
+        session.time(|time| time.seek(0.5));
+        session.choose_rate(Some(50.0));
+        session.select(session.document().scene.graph.find("arm"));
+        session.change_ghosts(|ghosts| *ghosts = Ghosts { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.compare(Some(With::Clip(0)));
+        session.shift_compared(0.125, 2.0);
+        let saved = session.to_saved(Path::new("/somewhere"));
+        let read = Saved::parse(&saved.text().expect("written")).expect("a session file").expect("sound");
+        let mut other = Session::default();
+        other.show_saved(swinging(), &read);
+        assert_eq!(other.to_saved(Path::new("/somewhere")), saved);
+        assert_eq!((other.ghosts(), other.compared_shift()), (session.ghosts(), Some((0.125, 2.0))));
     }
 
     #[test]
-    fn other_files_are_none_and_broken_ones_say_where() {
-        assert!(Saved::parse("muscle_config:\n  length: 1\n").is_none());
-        let error = Saved::parse("sinew_session:\n  time: soon\n").expect("a session file").expect_err("broken");
-        assert_eq!(error.line, Some(2), "{error:?}");
-        let bad = "sinew_session:\n  time: .nan\n  camera: {target: [.inf, 0, 0], yaw: 1, pitch: 2, distance: -1}\n  model: {translation: [.nan, 0, 0], rotation: [0, 0, 0], scale: -1}\n  hidden: [{node: 9999, name: gone}]\n";
+    fn senseless_numbers_are_passed_over() {
+        let bad = "sinew_session:\n  time: .nan\n  camera: {target: [.inf, 0, 0], yaw: 1, pitch: 2, distance: -1}\n  model: {translation: [.nan, 0, 0], rotation: [0, 0, 0], scale: -1}\n  hidden: [{node: 9999, name: gone}]\n  line-width: .nan\n  speed: .inf\n  marks: [.nan, 1e9]\n  ghosts: {before: 4000000000, step: 0}\n";
         let saved = Saved::parse(bad).expect("a session file").expect("sound YAML");
         let mut session = Session::default();
         session.show_saved(Document::built_in(), &saved);
         assert!(session.model().is_identity() && session.eye().orbit().distance > 0.0 && session.playback().time.is_finite());
+        assert!(session.ghosts().before <= 10 && session.ghosts().step >= 1 && session.display().line_width == 1.0);
+        assert!(session.playback().speed.is_finite() && session.playback().mark_a.is_none());
     }
 }

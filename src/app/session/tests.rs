@@ -120,3 +120,40 @@ fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
     session.set_aspect(2.0);
     assert!(!session.take_changes().any(Changes::CAMERA));
 }
+
+/// A root with an arm that swings for a second and carries a triangle and a hand; beside it another joint.
+pub(super) fn swinging() -> Document {
+    use crate::animation::{Channel, Curve, Keys, Lane, Target};
+    use crate::scene::{Content, Mesh, MeshId, MeshInstance, NodeKind, Part, Transform, TransformOp};
+
+    let mut document = Document::default();
+    let graph = &mut document.scene.graph;
+    let mut add = |parent, name: &str, place: DVec3| {
+        let mut node = Node::new(name);
+        node.kind = NodeKind::Joint;
+        node.transform = Transform { ops: vec![TransformOp::Rotate { axis: DVec3::Z, angle: 0.0 }, TransformOp::Translate(place)] };
+        graph.add(parent, node)
+    };
+    let root = add(None, "root", DVec3::ZERO);
+    let arm = add(Some(root), "arm", DVec3::X);
+    add(Some(arm), "hand", DVec3::X);
+    add(Some(root), "other", DVec3::Y);
+    let mesh = Mesh {
+        positions: vec![glam::Vec3::ZERO, glam::Vec3::X, glam::Vec3::Y],
+        normals: vec![glam::Vec3::Z; 3],
+        triangles: vec![[0, 1, 2]],
+        parts: vec![Part { symbol: String::new(), triangles: 0..1, lines: 0..0 }],
+        source_vertex: vec![0, 1, 2],
+        source_count: 3,
+        ..Mesh::default()
+    };
+    document.scene.meshes.push(Arc::new(mesh));
+    let instance = MeshInstance { mesh: MeshId(0), deformers: Vec::new(), materials: vec![None] };
+    document.scene.graph.node_mut(arm).contents.push(Content::Mesh(instance));
+    let keys = Keys { times: vec![0.0, 0.5, 1.0], dimension: 1, values: vec![0.0, 60.0, 90.0], ..Keys::default() };
+    let target = Target::Transform { node: arm, op: 0, lane: Lane::Component(3) };
+    let channels = vec![Channel { target, curve: Arc::new(Curve::new(keys)) }];
+    document.clips.push(Clip { name: "swing".into(), start: 0.0, end: 1.0, channels });
+    document.touch();
+    document
+}

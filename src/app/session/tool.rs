@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::model::ModelTransform;
 use crate::scene::Camera;
+use crate::stage::ModelTransform;
 
 /// What a drag in the viewport moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -3,6 +3,7 @@
 mod gizmo;
 mod handles;
 mod hands;
+mod labels;
 mod legend;
 mod numbers;
 mod screen;
@@ -285,6 +286,7 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
             let hands = &window.viewport.hands;
             gizmo::draw(session, canvas, snapshot, height, hands.pointer());
             legend::draw(session, canvas, snapshot, width, height);
+            labels::draw(session, canvas, snapshot, width, height);
             let colors = session.display().palette.axes;
             session.with_handles(DVec2::new(width, height), |shown| handles::draw(shown, colors, hands.handle(), canvas, snapshot));
         }

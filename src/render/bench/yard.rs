@@ -36,6 +36,7 @@ impl Yard {
             placement: Placement::Rigid(Mat4::IDENTITY),
             mirrored: false,
             muscle: None,
+            ghost: None,
             visible: true,
             content: 0,
         };

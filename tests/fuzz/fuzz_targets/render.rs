@@ -72,6 +72,7 @@ fuzz_target!(|bytes: &[u8]| {
         placement,
         mirrored: on(2),
         muscle: None,
+        ghost: None,
         visible: true,
         content: 0,
     };

@@ -1,0 +1,150 @@
+//! The part of the display panel that shows more than one thing in the picture: ghosts, paths, and what is compared.
+
+use std::path::Path;
+use std::rc::Rc;
+
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::session::{Changes, Compared, Session, With};
+use super::window::{Window, part};
+use super::{format, ui};
+use crate::tr;
+
+/// Ghosts and comparison.
+pub struct GhostsPanel {
+    /// The whole.
+    pub root: gtk::Box,
+    before: gtk::SpinButton,
+    after: gtk::SpinButton,
+    step: gtk::SpinButton,
+    with: gtk::DropDown,
+    shifts: gtk::Grid,
+    aside: gtk::SpinButton,
+    later: gtk::SpinButton,
+    found: gtk::Label,
+}
+
+impl GhostsPanel {
+    /// One that is not connected yet.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::GHOSTS);
+        Self {
+            root: part(&builder, "root"),
+            before: part(&builder, "before"),
+            after: part(&builder, "after"),
+            step: part(&builder, "step"),
+            with: part(&builder, "with"),
+            shifts: part(&builder, "shifts"),
+            aside: part(&builder, "aside"),
+            later: part(&builder, "later"),
+            found: part(&builder, "found"),
+        }
+    }
+
+    /// Lets hands choose.
+    pub fn connect(&self, window: &Rc<Window>) {
+        for number in [&self.before, &self.after, &self.step] {
+            let [before, after, step] = [&self.before, &self.after, &self.step].map(gtk::SpinButton::clone);
+            number.connect_value_changed(glib::clone!(
+                #[weak]
+                window,
+                move |_| {
+                    let [before, after, step] = [&before, &after, &step].map(|number| number.value_as_int().max(0) as u32);
+                    window.act(|session| {
+                        session.change_ghosts(|ghosts| (ghosts.before, ghosts.after, ghosts.step) = (before, after, step));
+                    });
+                }
+            ));
+        }
+        for number in [&self.aside, &self.later] {
+            let (aside, later) = (self.aside.clone(), self.later.clone());
+            number.connect_value_changed(glib::clone!(
+                #[weak]
+                window,
+                move |_| window.act(|session| session.shift_compared(later.value(), aside.value()))
+            ));
+        }
+        self.with.connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |list| {
+                let chosen = list.selected();
+                window.act(|session| choose(session, chosen));
+            }
+        ));
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+        if changes.any(Changes::GHOSTS) {
+            let ghosts = session.ghosts();
+            self.before.set_value(ghosts.before.into());
+            self.after.set_value(ghosts.after.into());
+            self.step.set_value(ghosts.step.into());
+        }
+        if changes.any(Changes::GHOSTS | Changes::DOCUMENT) {
+            self.list(session);
+        }
+        if changes.any(Changes::GHOSTS | Changes::PICTURE) {
+            let compared = session.compared();
+            self.shifts.set_visible(compared.is_some());
+            self.found.set_visible(compared.is_some());
+            if let Some(compared) = compared {
+                self.aside.set_value(compared.aside);
+                self.later.set_value(compared.later);
+                self.found.set_text(&difference(session, &compared));
+            }
+        }
+    }
+
+    /// What can be compared with: nothing, the clips, the other file that is there, the other way to bend a skin.
+    fn list(&self, session: &Session) {
+        let mut words = vec![tr!("app-compare-nothing")];
+        words.extend(session.document().clips.iter().map(|clip| tr!("app-compare-clip", name = clip.name.clone())));
+        let (other, chosen) = match session.compared_with() {
+            None => (None, 0),
+            Some(With::Clip(clip)) => (None, *clip + 1),
+            Some(With::File(_, name)) => (Some(file_name(name)), words.len()),
+            Some(With::Skinning) => (Some(tr!("app-compare-skinning")), words.len()),
+        };
+        words.extend(other);
+        let listed = self.with.model().and_downcast::<gtk::StringList>();
+        let same = listed.is_some_and(|list| {
+            list.n_items() as usize == words.len()
+                && words.iter().enumerate().all(|(i, word)| list.string(i as u32).as_deref() == Some(word))
+        });
+        if !same {
+            self.with.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+        }
+        self.with.set_selected(chosen as u32);
+    }
+}
+
+/// The name of a file without its folder.
+pub fn file_name(path: &str) -> String {
+    Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
+}
+
+fn choose(session: &mut Session, place: u32) {
+    let clips = session.document().clips.len();
+    match (place as usize).checked_sub(1) {
+        None => session.compare(None),
+        Some(clip) if clip < clips => session.compare(Some(With::Clip(clip))),
+        // The last row is what is being compared with already.
+        Some(_) => {}
+    }
+}
+
+/// How far the two are apart, in one line.
+pub fn difference(session: &Session, compared: &Compared) -> String {
+    match compared.farthest {
+        None => tr!("app-compare-nothing-common"),
+        Some((Some(joint), far)) => {
+            let name = session.document().scene.graph.node(joint).name.clone();
+            tr!("app-compare-joint", name = name, distance = format::number(far, 4))
+        }
+        Some((None, far)) => tr!("app-compare-vertex", distance = format::number(far, 4)),
+    }
+}

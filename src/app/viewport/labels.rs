@@ -1,0 +1,59 @@
+//! What is compared, written over the two.
+
+use glam::Vec2;
+use gtk4 as gtk;
+
+use crate::app::canvas::{Canvas, rgb, write_on};
+use crate::app::format;
+use crate::app::ghosts_panel::file_name;
+use crate::app::session::{COMPARED_TINT, Session, With, top_of};
+use crate::document::Skinning;
+use crate::tr;
+
+/// Names the two that are compared: over each where they stand side by side, else one below the other at the upper edge.
+pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    let Some(compared) = session.compared() else { return };
+    let Some(names) = names(session) else { return };
+    let palette = &session.display().palette;
+    let ground = rgb(palette.background.0).with_alpha(0.8);
+    let text = canvas.text_color();
+    let second = if matches!(session.compared_with(), Some(With::Skinning)) { text } else { rgb(COMPARED_TINT) };
+    let size = Vec2::new(width as f32, height as f32);
+    let (_, _, camera, _) = session.picture();
+    let mut highest = Vec::new();
+    if compared.aside != 0.0 {
+        highest.extend(compared.boxes.iter().filter_map(|bounds| camera.project(top_of(bounds), size)));
+        highest.retain(|place| (0.0..=1.0).contains(&place.z));
+    }
+    for (row, (name, color)) in names.iter().zip([text, second]).enumerate() {
+        // Some letters are wider than others; half of the usual width is near enough to the middle.
+        let half = name.chars().count() as f64 * 3.7;
+        let (x, y) = match highest.get(row).filter(|_| highest.len() == 2) {
+            Some(place) => (f64::from(place.x), (f64::from(place.y) - 26.0).clamp(6.0, (height - 30.0).max(6.0))),
+            None => (width / 2.0, 12.0 + row as f64 * 22.0),
+        };
+        write_on(canvas, snapshot, name, (x - half, y), 1.0, &color, &ground);
+    }
+}
+
+fn names(session: &Session) -> Option<[String; 2]> {
+    let own = || {
+        let sources = &session.document().sources;
+        sources.first().map_or_else(|| tr!("app-name"), |source| file_name(&source.name))
+    };
+    let ahead = |name: String, later: f64| {
+        if later == 0.0 { name } else { tr!("app-compare-ahead", name = name, seconds = format::number(later, 2)) }
+    };
+    let later = session.compared_later();
+    Some(match session.compared_with()? {
+        With::File(_, name) => [own(), ahead(file_name(name), later)],
+        With::Clip(clip) => {
+            let now = session.clip().map_or_else(own, |clip| clip.name.clone());
+            [now, ahead(session.document().clips.get(*clip)?.name.clone(), later)]
+        }
+        With::Skinning => {
+            let (linear, dual) = (tr!("app-skinning-linear"), tr!("app-skinning-dual"));
+            if session.state().skinning == Skinning::Linear { [linear, dual] } else { [dual, linear] }
+        }
+    })
+}

@@ -1,0 +1,327 @@
+//! Session files: what is open and how it is looked at, as YAML under a key of its own.
+
+use std::path::{Path, PathBuf};
+
+use glam::{DVec3, Vec3};
+use serde::{Deserialize, Serialize};
+
+use super::{Backdrop, Ghosts, LightAim, ModelTransform, SHADINGS, SWITCHES};
+use crate::document::{Document, PoseBuffers, PoseState, Skinning};
+use crate::limits;
+use crate::render::{Display, Samples, Shading, Theme};
+use crate::scene::{Bounds, Frame, NodeId, OrbitCamera};
+
+/// The key that tells a session file from a muscle file.
+const KEY: &str = "sinew_session";
+
+/// A whole session file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SessionFile {
+    /// The session.
+    pub sinew_session: Saved,
+}
+
+/// What a session file keeps. A key that is missing means what a fresh start has.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+pub struct Saved {
+    /// The open files, relative to the session file where they lie beside or below it; none = the built-in scene.
+    pub files: Vec<PathBuf>,
+    /// The name of the clip.
+    pub clip: Option<String>,
+    /// Seconds on the file's own time axis.
+    pub time: f64,
+    /// Elbow angle of a driven arm, degrees.
+    pub flexion: Option<f64>,
+    /// The orbiting camera.
+    pub camera: Option<SavedCamera>,
+    /// Yaw and pitch of the light, degrees; none = with the camera.
+    pub light: Option<[f32; 2]>,
+    /// The model's own transform: metres, degrees about X, Y, Z, scale.
+    pub model: Option<SavedModel>,
+    /// Whether dual quaternions are blended.
+    pub dual_quaternions: bool,
+    /// Whether the names of bones are written.
+    pub bone_names: bool,
+    /// `flat`, `gouraud` or `phong`.
+    pub shading: String,
+    /// Anti-aliasing.
+    pub smooth_edges: bool,
+    /// Switches of the display that are on, as in the settings.
+    pub shown: Vec<String>,
+    /// Numbers of the hidden nodes, in the order of the tree, with their names.
+    pub hidden: Vec<SavedNode>,
+    /// The selected node.
+    pub selected: Option<SavedNode>,
+    /// Joints turned by hand.
+    pub turned: Vec<SavedTurn>,
+    /// What stands behind the scene.
+    pub backdrop: Backdrop,
+    /// Side of a cell of the ground grid, metres; none = after the size of the scene.
+    pub grid_cell: Option<f32>,
+    /// How many times as wide as usual lines are; none = once.
+    pub line_width: Option<f32>,
+    /// Ambient light, 0 to 1; none = as usual.
+    pub ambient: Option<f32>,
+    /// Whether the weights of the selected bone are painted.
+    pub weights: bool,
+    /// Which neighbouring moments and paths are drawn.
+    pub ghosts: Ghosts,
+    /// Frames a second of the frame numbers; none = what the keys tell.
+    pub frame_rate: Option<f64>,
+    /// How fast time goes; negative = backwards; none = 1.
+    pub speed: Option<f64>,
+    /// `loop`, `once` or `ping-pong`.
+    pub loop_mode: String,
+    /// The marks that bound what plays, seconds.
+    pub marks: [Option<f64>; 2],
+    /// The camera of the file through which one looks, by its node.
+    pub file_camera: Option<SavedNode>,
+    /// What is compared with.
+    pub compared: Option<SavedComparison>,
+}
+
+/// What is compared with what is open: one of file, clip and skinning.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, rename_all = "kebab-case")]
+pub struct SavedComparison {
+    /// A file, named as the open ones are.
+    pub file: Option<PathBuf>,
+    /// A clip of the open files, by name.
+    pub clip: Option<String>,
+    /// The other way to bend a skin.
+    pub skinning: bool,
+    /// Seconds that it is ahead.
+    pub later: f64,
+    /// Metres that it stands aside.
+    pub aside: f64,
+}
+
+/// A camera on its turntable.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SavedCamera {
+    /// The point it looks at, metres.
+    pub target: [f32; 3],
+    /// Degrees.
+    pub yaw: f32,
+    /// Degrees.
+    pub pitch: f32,
+    /// Metres.
+    pub distance: f32,
+    /// Parallel rays.
+    #[serde(default)]
+    pub orthographic: bool,
+}
+
+/// The model's transform.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SavedModel {
+    /// Metres.
+    pub translation: [f64; 3],
+    /// Degrees about X, Y, Z.
+    pub rotation: [f64; 3],
+    /// Above 0.
+    pub scale: f64,
+}
+
+/// A node, by its place in the tree and its name: both must fit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SavedNode {
+    /// Place in the tree, parents before children.
+    pub node: u32,
+    /// Its name.
+    pub name: String,
+}
+
+/// A joint turned by hand.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SavedTurn {
+    /// The joint.
+    #[serde(flatten)]
+    pub joint: SavedNode,
+    /// Degrees about its own axes.
+    pub degrees: [f64; 3],
+}
+
+/// Why a session file cannot be used.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SessionError {
+    /// Line from 1, where it is known.
+    pub line: Option<u32>,
+    /// What is wrong.
+    pub message: String,
+}
+
+impl Saved {
+    /// Reads a session file; `None` where the file is none (another kind, or not readable: the document's reader says what is wrong with it).
+    pub fn read(path: &Path) -> Option<Result<Self, SessionError>> {
+        let about = std::fs::metadata(path).ok().filter(|about| about.is_file() && about.len() <= limits::YAML_BYTES)?;
+        let ending = path.extension()?.to_str()?;
+        if about.len() == 0 || !["yaml", "yml"].iter().any(|ours| ending.eq_ignore_ascii_case(ours)) {
+            return None;
+        }
+        Self::parse(&std::fs::read_to_string(path).ok()?)
+    }
+
+    /// Reads a session file's text; `None` where it has not the key of one.
+    pub fn parse(text: &str) -> Option<Result<Self, SessionError>> {
+        text.lines().any(|line| line.trim_end().strip_prefix(KEY).is_some_and(|rest| rest.trim_start().starts_with(':'))).then(|| {
+            let read = serde_yaml::from_str::<SessionFile>(text).map(|file| file.sinew_session);
+            read.map_err(|error| SessionError {
+                line: error.location().map(|place| place.line() as u32),
+                message: error.to_string().lines().next().unwrap_or_default().to_owned(),
+            })
+        })
+    }
+
+    /// As YAML.
+    ///
+    /// # Errors
+    /// What the writer says; numbers and names of a session can always be written.
+    pub fn text(&self) -> std::io::Result<String> {
+        serde_yaml::to_string(&SessionFile { sinew_session: self.clone() }).map_err(std::io::Error::other)
+    }
+
+    /// The files, seen from where the program runs; `folder` is that of the session file.
+    pub fn paths(&self, folder: &Path) -> Vec<PathBuf> {
+        self.files.iter().map(|file| folder.join(file)).collect()
+    }
+}
+
+/// A node as a session file names it.
+pub fn name_of(document: &Document, node: NodeId) -> SavedNode {
+    SavedNode { node: node.0, name: document.scene.graph.node(node).name.clone() }
+}
+
+impl SavedNode {
+    /// The node that is meant: at its place if the name is still the same, else the first one of that name.
+    pub fn find(&self, document: &Document) -> Option<NodeId> {
+        let there = NodeId(self.node);
+        let graph = &document.scene.graph;
+        let same = there.index() < graph.len() && graph.node(there).name == self.name;
+        if same { Some(there) } else { graph.find(&self.name) }
+    }
+}
+
+impl SavedCamera {
+    /// The camera, for a scene of this size; `None` where its numbers make none.
+    pub fn orbit(&self, bounds: &Bounds) -> Option<OrbitCamera> {
+        let numbers = [self.yaw, self.pitch, self.distance];
+        let target = Vec3::from_array(self.target);
+        let sound = target.is_finite() && numbers.iter().all(|number| number.is_finite()) && self.distance > 0.0;
+        let mut orbit = OrbitCamera::default();
+        orbit.fit(bounds, 1.0);
+        (orbit.target, orbit.yaw, orbit.distance) = (target, self.yaw, self.distance);
+        (orbit.pitch, orbit.orthographic) = (self.pitch.clamp(-90.0, 90.0), self.orthographic);
+        sound.then_some(orbit)
+    }
+}
+
+impl SavedModel {
+    /// Puts the numbers into a transform, which keeps its pivot; numbers that are none change nothing.
+    pub fn put(&self, model: &mut ModelTransform) {
+        model.shift(DVec3::from_array(self.translation));
+        model.set_degrees(DVec3::from_array(self.rotation));
+        model.set_scale(self.scale);
+    }
+}
+
+impl Saved {
+    /// Hides nodes and turns joints of a document that has just been opened. What no longer exists is passed over.
+    pub fn prepare(&self, document: &mut Document) {
+        for node in &self.hidden {
+            if let Some(id) = node.find(document) {
+                document.scene.graph.node_mut(id).visible = false;
+            }
+        }
+        for turn in &self.turned {
+            if let Some(node) = turn.joint.find(document) {
+                document.set_hand_turn(node, DVec3::from_array(turn.degrees));
+            }
+        }
+    }
+
+    /// The moment of a document that [`Saved::prepare`] has seen.
+    pub fn state(&self, document: &Document) -> PoseState {
+        let mut state = document.start_state();
+        let clip = self.clip.as_ref().and_then(|name| document.clips.iter().position(|clip| clip.name == *name));
+        state.clip = clip.or(state.clip);
+        if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
+            let time = if self.time.is_finite() { self.time } else { clip.start };
+            state.time = time.clamp(clip.start, clip.end.max(clip.start));
+        }
+        if let (Some(degrees), Some(rig)) = (self.flexion.filter(|degrees| degrees.is_finite()), document.driven_rig()) {
+            state.drive = rig.at_flexion(degrees);
+        }
+        state.skinning = if self.dual_quaternions { Skinning::DualQuaternion } else { Skinning::Linear };
+        if let Some(saved) = &self.model {
+            let mut frame = Frame::default();
+            document.pose(&document.start_state(), &mut PoseBuffers::default(), &mut frame);
+            let mut model = ModelTransform { pivot: frame.bounds.center().as_dvec3(), ..ModelTransform::default() };
+            saved.put(&mut model);
+            state.model = model.matrix();
+        }
+        state
+    }
+
+    /// Puts switches, shading and numbers of the look into a display; numbers out of range are held at the limit.
+    pub fn put_looks(&self, display: &mut Display) {
+        let usual = Display::default();
+        let named = SHADINGS.iter().find(|(name, _)| *name == self.shading);
+        display.shading = named.map_or(Shading::Gouraud, |(_, shading)| *shading);
+        display.samples = if self.smooth_edges { Samples::Four } else { Samples::One };
+        display.grid_cell = self.grid_cell.filter(|cell| cell.is_finite() && *cell > 0.0);
+        display.line_width = self.line_width.filter(|width| width.is_finite()).map_or(usual.line_width, |width| width.clamp(0.5, 4.0));
+        display.ambient = self.ambient.filter(|ambient| ambient.is_finite()).map_or(usual.ambient, |ambient| ambient.clamp(0.0, 1.0));
+        for (name, switch) in SWITCHES {
+            *switch(display) = self.shown.iter().any(|shown| shown == name);
+        }
+    }
+
+    /// How a picture of it looks without a window, in dark surroundings.
+    pub fn display(&self, document: &Document, bounds: &Bounds) -> Display {
+        let mut display = Display::default();
+        self.put_looks(&mut display);
+        (display.palette, display.background) = self.backdrop.look(Theme::Dark);
+        display.light = self.light_aim().map(|aim| aim.position(bounds));
+        let selected = self.selected.as_ref().and_then(|node| node.find(document));
+        display.weights = selected.filter(|_| self.weights);
+        display
+    }
+
+    /// Where the light is; `None` = with the camera.
+    pub fn light_aim(&self) -> Option<LightAim> {
+        self.light.map(|[yaw, pitch]| {
+            let mut aim = LightAim { yaw: 0.0, pitch: 0.0 };
+            aim.turn(yaw, pitch);
+            aim
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_beside_the_session_are_named_without_their_folder() {
+        let saved = Saved { files: vec!["a/walk.dae".into(), "/else/arm.yaml".into()], ..Saved::default() };
+        assert_eq!(saved.paths(Path::new("/home/me")), [PathBuf::from("/home/me/a/walk.dae"), "/else/arm.yaml".into()]);
+    }
+
+    #[test]
+    fn other_files_are_none_and_broken_ones_say_where() {
+        assert!(Saved::parse("muscle_config:\n  length: 1\n").is_none());
+        let error = Saved::parse("sinew_session:\n  time: soon\n").expect("a session file").expect_err("broken");
+        assert_eq!(error.line, Some(2), "{error:?}");
+    }
+
+    #[test]
+    fn a_moment_is_found_without_a_window() {
+        let mut document = Document::built_in();
+        let saved = Saved { flexion: Some(50.0), hidden: vec![name_of(&document, NodeId(1))], ..Saved::default() };
+        saved.prepare(&mut document);
+        assert!(!document.scene.graph.node(NodeId(1)).visible);
+        assert!((saved.state(&document).drive.flexion - 50.0).abs() < 1e-9);
+    }
+}
