@@ -1,6 +1,7 @@
 //! glTF files against the surface that Sinew itself poses: read back by an independent reader here, and by three.js and Khronos' validator where Node is
 //! installed.
 
+mod expected;
 mod node;
 mod reader;
 #[path = "../support/mod.rs"]
@@ -15,6 +16,7 @@ use sinew::document::{Document, PoseBuffers, PoseState};
 use sinew::export::gltf::{Form, save};
 use sinew::scene::Frame;
 
+use expected::Expected;
 use reader::Glb;
 
 /// Moments of a clip, parts of its length; none of them a key of most clips.
@@ -139,11 +141,22 @@ const TROUBLE: &str = r##"<?xml version="1.0"?>
 <param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
 <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
 <triangles count="4"><input semantic="VERTEX" source="#v" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
+</mesh></geometry>
+<geometry id="tall"><mesh><source id="q"><float_array id="qa" count="12">0 0 0 10 0 0 0 20 0 0 0 90</float_array><technique_common>
+<accessor source="#qa" count="4" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+</technique_common></source><vertices id="w"><input semantic="POSITION" source="#q"/></vertices>
+<triangles count="4"><input semantic="VERTEX" source="#w" offset="0"/><p>0 2 1 0 1 3 0 3 2 1 2 3</p></triangles>
 </mesh></geometry></library_geometries>
+<library_controllers><controller id="grows"><morph source="#g" method="NORMALIZED">
+<source id="mt"><IDREF_array id="mta" count="1">tall</IDREF_array><technique_common><accessor source="#mta" count="1"><param type="IDREF"/></accessor>
+</technique_common></source><source id="mw"><float_array id="mwa" count="1">0.25</float_array><technique_common><accessor source="#mwa" count="1">
+<param type="float"/></accessor></technique_common></source>
+<targets><input semantic="MORPH_TARGET" source="#mt"/><input semantic="MORPH_WEIGHT" source="#mw"/></targets></morph></controller></library_controllers>
 <library_visual_scenes><visual_scene id="s">
+<node id="growing"><instance_controller url="#grows"/></node>
 <node id="still"><matrix>1 0.7 0 5 0.2 2 0.4 0 0 0.1 1.5 0 0 0 0 1</matrix><instance_geometry url="#g"/><instance_geometry url="#g"/>
   <node id="mirrored"><scale>-1 2 1</scale><instance_geometry url="#g"/></node></node>
-<node id="moving"><rotate sid="before">0 0 1 30</rotate><translate sid="t">0 0 0</translate><instance_geometry url="#g"/>
+<node id="moving"><rotate sid="before">0 0 1 30</rotate><translate sid="t">0 0 0</translate><scale sid="size">1 2 1</scale><instance_geometry url="#g"/>
   <node id="turning"><rotate sid="r">1 2 3 0</rotate><translate sid="hop">0 0 5</translate><instance_geometry url="#g"/></node></node>
 </visual_scene></library_visual_scenes>
 <library_animations>
@@ -200,6 +213,7 @@ fn keys_stay_as_they_are_where_the_format_can_say_them() {
     let folder = support::folder();
     let thirds = Some(("-0.333333333 0 0.666666667 40 1.666666667 -10", "0.333333333 30 1.333333333 50 2.333333333 0"));
     let animations = channel("a", "moving/t.X", "0 1 2", "0 40 -10", "BEZIER BEZIER BEZIER", thirds)
+        + &channel("d", "mw(0)", "0 1 2", "0 40 -10", "BEZIER BEZIER BEZIER", thirds)
         + &channel("b", "turning/r.ANGLE", "0 1 2", "0 90 30", "LINEAR LINEAR LINEAR", None)
         + &channel("c", "turning/hop.Z", "0 1 2", "5 25 5", "LINEAR LINEAR LINEAR", None);
     let file = write(folder.path(), "plain.dae", &animations);
@@ -219,9 +233,35 @@ fn keys_stay_as_they_are_where_the_format_can_say_them() {
         ));
     }
     seen.sort();
+    assert!(seen.contains(&"growing weights \"CUBICSPLINE\" 3".to_owned()), "{seen:?}");
     // The turn takes the hop's offset round with it, so that its translation is no straight line and gets more keys.
-    assert_eq!(seen[0], "moving translation \"CUBICSPLINE\" 3");
+    assert!(seen.contains(&"moving translation \"CUBICSPLINE\" 3".to_owned()), "{seen:?}");
     assert!(seen.iter().any(|line| line.starts_with("turning rotation \"LINEAR\"")), "{seen:?}");
+}
+
+#[test]
+fn weights_along_other_curves_are_sampled_as_closely_as_they_must() {
+    let folder = support::folder();
+    let early = Some(("-0.1 0 0.2 40 1.1 -10", "0.1 30 1.9 50 2.1 0"));
+    let file = write(folder.path(), "early.dae", &channel("d", "mw(0)", "0 1 2", "0 40 -10", "BEZIER BEZIER BEZIER", early));
+    agrees(&file, folder.path());
+    let glb = Glb::read(&std::fs::read(folder.path().join("out.glb")).expect("there"));
+    assert_eq!(glb.root()["animations"][0]["samplers"][0]["interpolation"], "LINEAR");
+}
+
+#[test]
+fn a_scale_is_a_spline_where_it_stays_positive() {
+    let folder = support::folder();
+    let thirds = Some(("-0.333333333 0 0.666666667 0.5 1.666666667 1", "0.333333333 3 1.333333333 2.5 2.333333333 0"));
+    for (values, keys) in [("1 2 0.5", Some(3)), ("1 -2 0.5", None)] {
+        let file = write(folder.path(), "size.dae", &channel("a", "moving/size.X", "0 1 2", values, "BEZIER BEZIER BEZIER", thirds));
+        agrees(&file, folder.path());
+        let glb = Glb::read(&std::fs::read(folder.path().join("out.glb")).expect("there"));
+        let sampler = &glb.root()["animations"][0]["samplers"][0];
+        let cubic = sampler["interpolation"] == "CUBICSPLINE";
+        let found = glb.rows(sampler["input"].as_u64().expect("a number") as usize).len();
+        assert_eq!(cubic.then_some(found), keys, "{values}");
+    }
 }
 
 #[test]
@@ -233,6 +273,46 @@ fn steps_are_steps() {
     let sampler = &glb.root()["animations"][0]["samplers"][0];
     assert_eq!(sampler["interpolation"], "STEP");
     assert_eq!(glb.rows(sampler["input"].as_u64().expect("a number") as usize).len(), 3);
+}
+
+#[test]
+fn a_skin_that_mirrors_keeps_its_outside_outside() {
+    let folder = support::folder();
+    let column = support::models::column();
+    let turned = |matrix: &str| {
+        let plain = "<node id=\"lower-bone\" name=\"lower\" sid=\"lower\" type=\"JOINT\">\n        <matrix sid=\"transform\">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1<";
+        assert!(column.contains(plain));
+        column.replace(plain, &plain.replace(">1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1<", &format!(">{matrix}<")))
+    };
+    let mut volumes = Vec::new();
+    for matrix in ["1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", "-1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1", "1 0 0 0 0 0 1 0 0 1 0 0 0 0 0 1"] {
+        let file = support::models::write(folder.path(), "mirror.dae", &turned(matrix));
+        agrees(&file, folder.path());
+        let glb = Glb::read(&std::fs::read(folder.path().join("out.glb")).expect("there"));
+        let obj = folder.path().join("mirror.obj");
+        support::sinew(["export", support::arg(&file), "-o", support::arg(&obj)]).well();
+        let (ours, theirs) = (support::obj::whole(&support::obj::read(&obj)).volume(), glb.volume(None, 0.0));
+        assert!(ours > 0.0 && (ours - theirs).abs() < 1e-4 * ours, "{matrix}: {ours} and {theirs}");
+        volumes.push(theirs);
+    }
+    assert!(volumes.iter().all(|volume| (volume - volumes[0]).abs() < 1e-6 * volumes[0]), "{volumes:?}");
+}
+
+#[test]
+fn what_is_lost_is_told_once() {
+    let folder = support::folder();
+    let lights = r##"<library_lights>
+<light id="sky" name="Sky"><technique_common><ambient><color>0.1 0.1 0.2</color></ambient></technique_common></light>
+<light id="room" name="Room"><technique_common><ambient><color>0.1 0.1 0.1</color></ambient></technique_common></light>
+</library_lights><library_visual_scenes>"##;
+    let hung = r##"<instance_geometry url="#cube"/><node><instance_light url="#sky"/></node><node><instance_light url="#room"/></node><node><instance_light url="#sky"/></node>"##;
+    let text = support::models::cube("").replace("<library_visual_scenes>", lights).replace("<instance_geometry url=\"#cube\"/>", hung);
+    let file = support::models::write(folder.path(), "lit.dae", &text);
+    let ended = support::sinew(["convert", support::arg(&file), support::arg(&folder.path().join("a.glb"))]);
+    assert_eq!((ended.code, ended.err.lines().count()), (0, 2), "{}", ended.err);
+    assert!(ended.err.contains("Sky") && ended.err.contains("Room"), "{}", ended.err);
+    let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(sinew::export::gltf::losses(&document).len(), 2);
 }
 
 #[test]
@@ -279,5 +359,33 @@ fn the_validator_and_three_js_agree_where_node_is_installed() {
         written.push(out);
     }
     node.validate(&written);
-    node.read_back(&folder.path().join("cases.json"), &cases, APART);
+    let found = node.read_back(&folder.path().join("cases.json"), &cases, APART);
+    let demos = files.iter().zip(&cases).filter(|(file, _)| file.starts_with(configs()));
+    let names = demos.flat_map(|(file, case)| (0..case["poses"].as_array().map_or(0, Vec::len)).map(|moment| (name(file), moment)));
+    let found: Vec<Expected> = names.zip(found).map(|((file, moment), reach)| Expected { file, moment, reach }).collect();
+    expected::bless(&found);
+    for (found, kept) in found.iter().zip(expected::read()) {
+        assert!((&found.file, found.moment) == (&kept.file, kept.moment) && expected::apart(&found.reach, &kept.reach) < 1e-6, "{found:?}");
+    }
+}
+
+fn name(file: &Path) -> String {
+    file.file_name().expect("a file").to_string_lossy().into_owned()
+}
+
+/// The same agreement with three.js on machines without Node: with what it was once seen to make of the demos.
+#[test]
+fn surfaces_are_those_that_three_js_was_seen_to_make() {
+    let kept = expected::read();
+    for file in with_ending(&configs(), &["dae", "yaml"]) {
+        let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+        let moments = moments(&document);
+        let kept: Vec<_> = kept.iter().filter(|kept| kept.file == name(&file)).collect();
+        assert_eq!(moments.len(), kept.len(), "{}: SINEW_BLESS=1 asks three.js again", file.display());
+        for (moment, kept) in moments.iter().zip(kept) {
+            let (points, diagonal) = posed(&document, &moment.state);
+            let apart = expected::apart(&expected::reach(&points), &kept.reach);
+            assert!(apart <= diagonal * APART, "{} at {}: {apart} of {diagonal}", file.display(), moment.written);
+        }
+    }
 }

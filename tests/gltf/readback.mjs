@@ -3,8 +3,8 @@
 //   node readback.mjs cases.json
 //
 // cases.json: [{"file": "a.glb", "poses": [{"clip": "name", "time": 0.5, "obj": "a-0.obj"}]}]; the time is the one in the glTF file.
-// Prints one JSON line a pose: {"file", "clip", "time", "off", "diagonal"}, where "off" is the largest distance from a vertex of one surface to the
-// nearest of the other, both ways.
+// Prints one JSON line a pose: {"file", "clip", "time", "off", "diagonal", "reach"}, where "off" is the largest distance from a vertex of one surface to
+// the nearest of the other, both ways, and "reach" is how far three.js' surface goes in each direction of `directions`.
 import fs from 'node:fs';
 
 globalThis.self ??= globalThis;
@@ -79,6 +79,17 @@ function objPoints(file) {
   return fs.readFileSync(file, 'utf8').split('\n').filter((line) => line.startsWith('v ')).map((line) => line.slice(2).split(' ').map(Number));
 }
 
+// Along the axes, the diagonals of their planes, and those of space, each both ways.
+const directions = [];
+for (let x = -1; x <= 1; x++) for (let y = -1; y <= 1; y++) for (let z = -1; z <= 1; z++) {
+  const length = Math.hypot(x, y, z);
+  if (length > 0) directions.push([x / length, y / length, z / length]);
+}
+
+function reach(points) {
+  return directions.map(([x, y, z]) => points.reduce((far, p) => Math.max(far, p[0] * x + p[1] * y + p[2] * z), -Infinity));
+}
+
 // Largest distance from a point of `from` to the nearest of `to`, by a grid of cells.
 function oneWay(from, to, cell) {
   const cells = new Map();
@@ -121,6 +132,6 @@ for (const { file, poses } of cases) {
     const diagonal = Math.hypot(...high.map((h, i) => h - low[i]));
     const cell = Math.max(diagonal / 64, 1e-9);
     const off = ours.length && theirs.length ? Math.max(oneWay(ours, theirs, cell), oneWay(theirs, ours, cell)) : ours.length === theirs.length ? 0 : Infinity;
-    console.log(JSON.stringify({ file, clip, time, off, diagonal }));
+    console.log(JSON.stringify({ file, clip, time, off, diagonal, reach: reach(theirs) }));
   }
 }

@@ -11,6 +11,13 @@ pub struct Glb {
     bytes: Vec<u8>,
 }
 
+/// One primitive at a moment.
+struct Part {
+    corners: Vec<usize>,
+    placed: Vec<DVec3>,
+    turned: bool,
+}
+
 fn list<'a>(value: &'a Value, name: &str) -> &'a [Value] {
     value[name].as_array().map_or(&[], Vec::as_slice)
 }
@@ -121,6 +128,28 @@ impl Glb {
 
     /// The positions of all vertices that a triangle uses, in the world, with this animation at this time.
     pub fn surface(&self, animation: Option<&Value>, time: f64) -> Vec<DVec3> {
+        let mut points = Vec::new();
+        for part in self.parts(animation, time) {
+            let mut used = part.corners;
+            used.sort_unstable();
+            used.dedup();
+            points.extend(used.into_iter().map(|vertex| part.placed[vertex]));
+        }
+        points
+    }
+
+    /// What the surface encloses, positive where its triangles are counter-clockwise seen from outside (section 3.7.4 of the specification: a node's
+    /// matrix that mirrors turns them round).
+    pub fn volume(&self, animation: Option<&Value>, time: f64) -> f64 {
+        let of = |part: &Part| {
+            let at = |corner: usize| part.placed[corner];
+            let cones = part.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| at(a).dot(at(b).cross(at(c))) / 6.0);
+            cones.sum::<f64>() * if part.turned { -1.0 } else { 1.0 }
+        };
+        self.parts(animation, time).iter().map(of).sum()
+    }
+
+    fn parts(&self, animation: Option<&Value>, time: f64) -> Vec<Part> {
         let mut moved: HashMap<(usize, String), Vec<f64>> = HashMap::new();
         for channel in animation.map_or(&[][..], |animation| list(animation, "channels")) {
             let (node, path) = (index(&channel["target"]["node"]).expect("a node"), channel["target"]["path"].as_str().expect("a path"));
@@ -145,7 +174,7 @@ impl Glb {
             open.extend(list(&nodes[node], "children").iter().filter_map(index).map(|child| (child, above * local)));
         }
         let at = |node: usize| world[node].expect("a node of the scene");
-        let mut points = Vec::new();
+        let mut parts = Vec::new();
         for (number, node) in nodes.iter().enumerate() {
             let Some(mesh) = index(&node["mesh"]) else { continue };
             let mesh = &self.root["meshes"][mesh];
@@ -164,14 +193,13 @@ impl Glb {
                         self.skinned(primitive, &shape, &palette)
                     }
                 };
-                let used = self.rows(index(&primitive["indices"]).expect("indices")).into_iter().flatten();
-                let mut used: Vec<usize> = used.map(|vertex| vertex as usize).collect();
-                used.sort_unstable();
-                used.dedup();
-                points.extend(used.into_iter().map(|vertex| placed[vertex]));
+                let corners = self.rows(index(&primitive["indices"]).expect("indices")).into_iter().flatten();
+                // A skinned mesh goes where its joints are, whatever node it hangs on; players still look at that node's matrix.
+                let turned = at(number).determinant() < 0.0;
+                parts.push(Part { corners: corners.map(|vertex| vertex as usize).collect(), placed, turned });
             }
         }
-        points
+        parts
     }
 
     fn shape(&self, primitive: &Value, weights: &[f64]) -> Vec<DVec3> {

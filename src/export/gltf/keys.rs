@@ -57,46 +57,67 @@ pub(super) fn moments(times: &[f64], jumps: &[f64], shift: f64) -> Vec<Moment> {
 
 /// Takes keys at `moments` and wherever the way between them is off by more than the tolerance.
 pub(super) fn track(moments: &[Moment], tolerance: Tolerance, take: &mut dyn FnMut(f64) -> Placing) -> Vec<(f32, Placing)> {
-    let mut keys: Vec<(f32, Placing)> = Vec::new();
-    let mut last: Option<(Moment, Placing)> = None;
-    for moment in moments {
-        let here = take(moment.at);
-        if let Some((before, start)) = last {
-            // A leap is over before there is room for a key.
-            if moment.written > before.written.next_up() {
-                refine((before, start), (*moment, here), tolerance, HALVINGS, take, &mut keys);
-            }
-        }
-        keys.push((moment.written, here));
-        last = Some((*moment, here));
-    }
+    let fits = |from: &Placing, to: &Placing, part: f64, found: &Placing| tolerance.holds(&from.between(to, part), found);
+    let mut keys = walk(moments, &fits, take);
     smooth(&mut keys);
     keys
 }
 
-fn refine(
-    from: (Moment, Placing),
-    to: (Moment, Placing),
-    tolerance: Tolerance,
+/// The same for a row of plain numbers, none of which may be off by more than `most`.
+pub(super) fn numbers(moments: &[Moment], most: f64, take: &mut dyn FnMut(f64) -> Vec<f32>) -> Vec<(f32, Vec<f32>)> {
+    let fits = |from: &Vec<f32>, to: &Vec<f32>, part: f64, found: &Vec<f32>| {
+        from.iter().zip(to).zip(found).all(|((from, to), found)| {
+            let [from, to, found] = [*from, *to, *found].map(f64::from);
+            // What single precision cannot tell apart is no error.
+            (from + (to - from) * part - found).abs() <= most + 1e-6 * found.abs()
+        })
+    };
+    walk(moments, &fits, take)
+}
+
+/// Whether what was found at a part of the way from one value to another lies where a straight way would have it.
+type Fits<'a, V> = &'a dyn Fn(&V, &V, f64, &V) -> bool;
+
+fn walk<V: Clone>(moments: &[Moment], fits: Fits<'_, V>, take: &mut dyn FnMut(f64) -> V) -> Vec<(f32, V)> {
+    let mut keys: Vec<(f32, V)> = Vec::new();
+    let mut last: Option<(Moment, V)> = None;
+    for moment in moments {
+        let here = take(moment.at);
+        if let Some((before, start)) = &last {
+            // A leap is over before there is room for a key.
+            if moment.written > before.written.next_up() {
+                refine((*before, start), (*moment, &here), HALVINGS, fits, take, &mut keys);
+            }
+        }
+        keys.push((moment.written, here.clone()));
+        last = Some((*moment, here));
+    }
+    keys
+}
+
+fn refine<V: Clone>(
+    from: (Moment, &V),
+    to: (Moment, &V),
     halvings: u32,
-    take: &mut dyn FnMut(f64) -> Placing,
-    keys: &mut Vec<(f32, Placing)>,
+    fits: Fits<'_, V>,
+    take: &mut dyn FnMut(f64) -> V,
+    keys: &mut Vec<(f32, V)>,
 ) {
     let at = |part: f64| from.0.at + (to.0.at - from.0.at) * part;
-    // The quarters too: an S-shaped way crosses the straight one in the middle.
-    let fits = |part: f64, found: &Placing| tolerance.holds(&from.1.between(&to.1, part), found);
     let middle = take(at(0.5));
-    if fits(0.5, &middle) && fits(0.25, &take(at(0.25))) && fits(0.75, &take(at(0.75))) {
+    // The quarters too: an S-shaped way crosses the straight one in the middle.
+    let mut straight = |part: f64| fits(from.1, to.1, part, &take(at(part)));
+    if fits(from.1, to.1, 0.5, &middle) && straight(0.25) && straight(0.75) {
         return;
     }
     let written = from.0.written + (to.0.written - from.0.written) * 0.5;
     if halvings == 0 || keys.len() >= KEYS || written <= from.0.written || written >= to.0.written {
         return;
     }
-    let middle = (Moment { at: at(0.5), written }, middle);
-    refine(from, middle, tolerance, halvings - 1, take, keys);
-    keys.push((written, middle.1));
-    refine(middle, to, tolerance, halvings - 1, take, keys);
+    let half = Moment { at: at(0.5), written };
+    refine(from, (half, &middle), halvings - 1, fits, take, keys);
+    keys.push((written, middle.clone()));
+    refine((half, &middle), to, halvings - 1, fits, take, keys);
 }
 
 /// Chooses of the two quaternions of each rotation the one nearer to the last, so that players that only mix numbers go the same way.

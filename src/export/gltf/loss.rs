@@ -3,7 +3,7 @@
 use crate::tr;
 
 /// Something that was left out or only comes close.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Loss {
     /// A node shears while it moves, which no key of the format can say.
     Shear {

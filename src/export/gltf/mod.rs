@@ -11,6 +11,7 @@ mod loss;
 mod materials;
 mod muscles;
 mod placing;
+mod spline;
 mod surfaces;
 mod takes;
 
@@ -27,7 +28,8 @@ use self::muscles::Muscles;
 use self::placing::Placing;
 use self::surfaces::{Bone, Surfaces, bones};
 use self::takes::{Animation, Stage, Take, Weights};
-use super::{ExportError, atomic::write_whole};
+use super::ExportError;
+use super::atomic::{self, Pending};
 use crate::document::{Document, PoseBuffers};
 use crate::scene::{Content, Deformer, Frame, LightKind, MeshInstance, MorphId, NodeId, Projection};
 
@@ -60,12 +62,27 @@ impl Form {
 /// # Errors
 /// [`ExportError`] where the file cannot be written, or would be larger than the 4 GiB that the binary form can be.
 pub fn save(file: &Path, form: Form, document: &Document) -> Result<Vec<Loss>, ExportError> {
+    let (pending, losses) = prepare(file, form, document)?;
+    pending.put_in_place()?;
+    Ok(losses)
+}
+
+/// As [`save`], but leaves it to the caller to put the file in its place.
+///
+/// # Errors
+/// As [`save`].
+pub fn prepare(file: &Path, form: Form, document: &Document) -> Result<(Pending, Vec<Loss>), ExportError> {
     let (mut root, bytes, losses) = Writer::new(document).write();
-    write_whole(file, |out| match form {
+    let pending = atomic::prepare(file, |out| match form {
         Form::Binary => container::binary(out, &root, &bytes),
         Form::Text => container::text(out, &mut root, &bytes),
     })?;
-    Ok(losses)
+    Ok((pending, losses))
+}
+
+/// What the format could not hold of the document, with nothing written.
+pub fn losses(document: &Document) -> Vec<Loss> {
+    Writer::new(document).write().2
 }
 
 /// What a file is put together from.
@@ -142,7 +159,9 @@ impl<'a> Writer<'a> {
                 None => self.roots.push(node),
             }
         }
-        self.losses.dedup();
+        // One thing may be met in several clips or on several meshes; it is told once, where it was first met.
+        let mut told = rustc_hash::FxHashSet::default();
+        self.losses.retain(|loss| told.insert(loss.clone()));
         let animations = takes.iter().zip(animations).filter_map(|(take, animation)| animation.value(take)).collect();
         self.put_together(animations)
     }

@@ -4,10 +4,11 @@ use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, Usage};
-use super::keys::{Moment, Tolerance, moments, track};
+use super::keys::{Moment, Tolerance, moments, numbers, track};
 use super::loss::Loss;
 use super::placing::Placing;
-use crate::animation::{Channel, Clip, Curve, Interpolation, Lane, Pose, Target};
+use super::spline::Spline;
+use crate::animation::{Channel, Clip, Curve, Interpolation, Pose, Target};
 use crate::document::{Document, PoseState};
 use crate::scene::{MorphId, NodeId, TransformOp, compose};
 
@@ -231,10 +232,10 @@ impl Stage<'_> {
         losses: &mut Vec<Loss>,
     ) {
         let Some((written, rest)) = self.nodes.get(node.index()) else { return };
-        if let Some(spline) = spline(take, node, channels, pose) {
+        if let Some(spline) = Spline::of_node(take, node, channels, pose) {
             let input = buffer.scalars(&spline.times, true);
-            let output = buffer.floats(Usage::Other, &spline.rows, false);
-            animation.add(*written, "translation", input, output, "CUBICSPLINE");
+            let output = buffer.floats(Usage::Other, spline.rows.as_chunks::<3>().0, false);
+            animation.add(*written, spline.path, input, output, "CUBICSPLINE");
             return;
         }
         let clip = Clip {
@@ -265,11 +266,11 @@ impl Stage<'_> {
     }
 }
 
-fn ops(pose: &Pose, node: NodeId) -> &[TransformOp] {
+pub(super) fn ops(pose: &Pose, node: NodeId) -> &[TransformOp] {
     pose.ranges.get(node.index()).and_then(|range| pose.ops.get(range.start as usize..range.end as usize)).unwrap_or(&[])
 }
 
-fn local(pose: &Pose, node: NodeId) -> DMat4 {
+pub(super) fn local(pose: &Pose, node: NodeId) -> DMat4 {
     compose(ops(pose, node))
 }
 
@@ -290,67 +291,6 @@ fn jumps(channels: &[&Channel]) -> Vec<f64> {
     found
 }
 
-/// A cubic track: for each key the tangent that arrives, the value, the tangent that leaves.
-struct Spline {
-    times: Vec<f32>,
-    rows: Vec<[f32; 3]>,
-}
-
-/// The translation of a node as a cubic spline, where that is exact: one `translate` alone moves, along Bézier or Hermite segments whose inner control points
-/// stand at thirds of the time, all its curves with the same keys.
-fn spline(take: &Take, node: NodeId, channels: &[&Channel], pose: &mut Pose) -> Option<Spline> {
-    let first = channels.first()?;
-    let mut lanes: [Option<(&Curve, usize)>; 3] = [None; 3];
-    let mut moving = None;
-    for channel in channels {
-        let Target::Transform { op, lane, .. } = channel.target else { return None };
-        if *moving.get_or_insert(op) != op || channel.curve.times != first.curve.times {
-            return None;
-        }
-        match lane {
-            Lane::Whole if channel.curve.dimension == 3 => lanes = [0, 1, 2].map(|component| Some((&*channel.curve, component))),
-            Lane::Component(component) => *lanes.get_mut(usize::from(component))? = Some((&channel.curve, 0)),
-            Lane::Whole => return None,
-        }
-    }
-    let times = &first.curve.times;
-    let cubic = |mode: &Interpolation| matches!(mode, Interpolation::Bezier | Interpolation::Hermite);
-    let is_curved = channels.iter().any(|channel| channel.curve.modes.iter().take(times.len().saturating_sub(1)).any(cubic));
-    let rising = times.windows(2).all(|pair| ((pair[0] + take.shift) as f32) < (pair[1] + take.shift) as f32);
-    if !is_curved || !rising || take.span != (*times.first()?, *times.last()?) {
-        return None;
-    }
-    // The translation of the node is an affine function of the animated vector.
-    let at = pose.ranges.get(node.index())?.clone().nth(moving? as usize)? as usize;
-    let TransformOp::Translate(rest) = *pose.ops.get(at)? else { return None };
-    let mut place = |vector: DVec3| {
-        pose.ops[at] = TransformOp::Translate(vector);
-        local(pose, node).w_axis.truncate()
-    };
-    let origin = place(DVec3::ZERO);
-    let axes = DVec3::AXES.map(|axis| place(axis) - origin);
-    place(rest);
-    let turn = |v: DVec3| axes[0] * v.x + axes[1] * v.y + axes[2] * v.z;
-    let mut rows = vec![[0.0_f32; 3]; times.len() * 3];
-    for key in 0..times.len() {
-        let value = |component: usize| lanes[component].map_or(rest[component], |(curve, lane)| curve.value(times[key], lane));
-        rows[key * 3 + 1] = (origin + turn(DVec3::new(value(0), value(1), value(2)))).as_vec3().to_array();
-    }
-    for segment in 0..times.len().saturating_sub(1) {
-        let length = times[segment + 1] - times[segment];
-        let mut tangents = [DVec3::ZERO; 2];
-        for (component, lane) in lanes.iter().enumerate() {
-            if let Some((curve, lane)) = lane {
-                let [leaving, arriving] = curve.tangents_at_thirds(segment, *lane)?;
-                (tangents[0][component], tangents[1][component]) = (leaving / length, arriving / length);
-            }
-        }
-        rows[segment * 3 + 2] = turn(tangents[0]).as_vec3().to_array();
-        rows[segment * 3 + 3] = turn(tangents[1]).as_vec3().to_array();
-    }
-    Some(Spline { times: times.iter().map(|time| (time + take.shift) as f32).collect(), rows })
-}
-
 /// Weights of morphs over a take: how many targets of each morph go before it on the mesh, and where.
 pub(super) struct Weights<'a> {
     pub node: usize,
@@ -368,6 +308,21 @@ impl Weights<'_> {
         if channels.is_empty() {
             return;
         }
+        let rest: Vec<(MorphId, u32, f64)> = self
+            .morphs
+            .iter()
+            .filter_map(|id| Some((*id, document.scene.morphs.get(id.index())?)))
+            .flat_map(|(id, morph)| {
+                let weights = morph.weights.iter().copied().chain(std::iter::repeat(0.0)).take(morph.targets.len());
+                weights.zip(0..).map(move |(weight, target)| (id, target, f64::from(weight)))
+            })
+            .collect();
+        if let Some(spline) = Spline::of_weights(take, &channels, &rest) {
+            let input = buffer.scalars(&spline.times, true);
+            let output = buffer.scalars(&spline.rows, false);
+            animation.add(self.node, spline.path, input, output, "CUBICSPLINE");
+            return;
+        }
         let own = Clip {
             start: take.span.0,
             end: take.span.1,
@@ -375,33 +330,20 @@ impl Weights<'_> {
             ..Clip::default()
         };
         let stepped = channels.iter().all(|channel| all_steps(&channel.curve));
-        let curved = |curve: &Curve| curve.modes.iter().any(|mode| matches!(mode, Interpolation::Bezier | Interpolation::Hermite));
-        let mut times = within(own.key_times(None), take.span);
-        if channels.iter().any(|channel| curved(&channel.curve)) {
-            times = dense(&times);
-        }
-        let when = moments(&times, &if stepped { Vec::new() } else { jumps(&channels) }, take.shift);
+        let when = moments(&within(own.key_times(None), take.span), &if stepped { Vec::new() } else { jumps(&channels) }, take.shift);
         let mut pose = Pose::rest(&document.scene);
-        let mut values = Vec::new();
-        for moment in &when {
-            own.sample(moment.at, &mut pose);
-            for morph in self.morphs {
-                let count = document.scene.morphs.get(morph.index()).map_or(0, |morph| morph.targets.len());
-                let weights = pose.morph_weights.get(morph.index()).map_or(&[][..], Vec::as_slice);
-                values.extend(weights.iter().copied().chain(std::iter::repeat(0.0)).take(count));
-            }
-        }
-        let input = buffer.scalars(&when.iter().map(|moment| moment.written).collect::<Vec<_>>(), true);
-        let output = buffer.scalars(&values, false);
+        let mut at = |time: f64| {
+            own.sample(time, &mut pose);
+            let weight = |(morph, target, _): &(MorphId, u32, f64)| pose.morph_weights.get(morph.index())?.get(*target as usize).copied();
+            rest.iter().map(|place| weight(place).unwrap_or(0.0)).collect::<Vec<f32>>()
+        };
+        let keys =
+            if stepped { when.iter().map(|moment| (moment.written, at(moment.at))).collect() } else { numbers(&when, WEIGHT, &mut at) };
+        let input = buffer.scalars(&keys.iter().map(|(time, _)| *time).collect::<Vec<_>>(), true);
+        let output = buffer.scalars(&keys.iter().flat_map(|(_, weights)| weights.iter().copied()).collect::<Vec<_>>(), false);
         animation.add(self.node, "weights", input, output, if stepped { "STEP" } else { "LINEAR" });
     }
 }
 
-/// Parts that a curved stretch between two keys is cut into: straight pieces are then off by at most a 1/2048 of the stretch's bend.
-const PARTS: u32 = 32;
-
-fn dense(times: &[f64]) -> Vec<f64> {
-    let inner =
-        times.windows(2).flat_map(|pair| (0..PARTS).map(move |part| pair[0] + (pair[1] - pair[0]) * f64::from(part) / f64::from(PARTS)));
-    inner.chain(times.last().copied()).collect()
-}
+/// Largest error of a sampled weight; a whole weight moves a point by no more than the diagonal, mostly.
+const WEIGHT: f64 = 2e-5;
