@@ -60,17 +60,25 @@ mod window;
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+use crate::export::atomic::sweep;
 /// How numbers are written in the window.
 use crate::i18n::quantity as format;
 use crate::tr;
 
 /// The one id for the application, its icon, its desktop file and its metainfo.
 pub const APPLICATION_ID: &str = "io.github.sinew.Sinew";
+
+/// Whether the program was ended from outside.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// The exit code of a program that was ended from outside, as shells have it.
+const ENDED: u8 = 130;
 
 /// Opens the window with these files; none = the built-in biceps. Returns when the window is closed: 1 where there is no display.
 pub fn run(files: Vec<PathBuf>) -> ExitCode {
@@ -90,10 +98,28 @@ pub fn run(files: Vec<PathBuf>) -> ExitCode {
         let path = |file: &gio::File| file.path().unwrap_or_else(|| file.uri().as_str().into());
         window::Window::open(application, files.iter().map(path).collect());
     });
-    match application.run_with_args(&["sinew"]).get() {
+    end_on_signals();
+    let code = application.run_with_args(&["sinew"]).get();
+    // An export that is still running on another thread ends with the program; it leaves no half file.
+    sweep();
+    match code {
+        _ if STOPPED.load(Ordering::Relaxed) => ExitCode::from(ENDED),
         0 => ExitCode::SUCCESS,
         _ => ExitCode::FAILURE,
     }
+}
+
+/// Ends the program in order when it is told to from outside.
+fn end_on_signals() {
+    // Where the system has no such thing the program just ends.
+    let _ = ctrlc::set_handler(|| {
+        STOPPED.store(true, Ordering::Relaxed);
+        glib::idle_add_once(|| {
+            if let Some(application) = gio::Application::default() {
+                application.quit();
+            }
+        });
+    });
 }
 
 /// A file that a desktop names by its URI as a path; anything else as it is.

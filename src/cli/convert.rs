@@ -6,6 +6,7 @@ use clap::ArgMatches;
 
 use super::export::{allow_overwriting, refuse_overwriting};
 use super::failure::{Failure, display_name, notice, remark};
+use super::progress::leave_nothing;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions};
@@ -22,6 +23,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
     remark(document.health.iter());
     allow_overwriting(given, std::iter::once(out.clone()))?;
+    leave_nothing();
     for loss in save(&out, form, &document)? {
         notice(&format!("{}: {loss}", display_name(&out)));
     }

@@ -7,6 +7,7 @@ use clap::ArgMatches;
 
 use super::failure::{Failure, complain_part, display_name, is_quiet, remark};
 use super::moment::Moment;
+use super::progress::leave_nothing;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseBuffers};
@@ -37,6 +38,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     if !surface::is_any(&frame) {
         return Err(Failure::file(file, tr!("cli-export-nothing")));
     }
+    leave_nothing();
     format.save(&out, &document.scene, &frame)?;
     remark([tr!("cli-export-written", out = display_name(&out))]);
     Ok(())

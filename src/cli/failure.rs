@@ -10,6 +10,9 @@ use clap::ArgMatches;
 use crate::document::OpenError;
 use crate::export::ExportError;
 
+/// The exit code of a program that Ctrl+C stopped, as shells have it.
+pub const STOPPED: u8 = 130;
+
 /// Why a command stopped.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Failure {
@@ -17,7 +20,7 @@ pub enum Failure {
     Usage(String),
     /// Files could not be used, one line each: exit code 1.
     Files(Vec<String>),
-    /// Stopped by the user's hand: exit code 130, as shells have it.
+    /// Stopped by the user's hand: exit code [`STOPPED`].
     Stopped,
     /// Whoever read the output has gone: nothing more to say, exit code 0.
     ReaderGone,
@@ -47,7 +50,7 @@ impl Failure {
             }
             Self::Stopped => {
                 complain(&crate::tr!("export-cancelled"));
-                ExitCode::from(130)
+                ExitCode::from(STOPPED)
             }
             Self::ReaderGone => ExitCode::SUCCESS,
         }

@@ -5,8 +5,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::failure::{Failure, is_quiet};
+use super::failure::{Failure, STOPPED, is_quiet};
 use crate::export::ExportError;
+use crate::export::atomic::sweep;
 use crate::export::pipeline::Work;
 use crate::tr;
 
@@ -23,12 +24,7 @@ static CURRENT: Mutex<Option<Arc<Work>>> = Mutex::new(None);
 pub fn watched(count: usize, run: impl FnOnce(&Work) -> Result<(), ExportError>) -> Result<(), Failure> {
     let work = Arc::new(Work::default());
     *CURRENT.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&work));
-    // Where the system has no such thing the program just ends.
-    let _ = ctrlc::set_handler(|| {
-        if let Some(work) = &*CURRENT.lock().unwrap_or_else(PoisonError::into_inner) {
-            work.cancelled.store(true, Ordering::Relaxed);
-        }
-    });
+    leave_nothing();
     let shown = count > 1 && !is_quiet() && io::stderr().is_terminal();
     let over = AtomicBool::new(false);
     let result = std::thread::scope(|scope| {
@@ -41,6 +37,19 @@ pub fn watched(count: usize, run: impl FnOnce(&Work) -> Result<(), ExportError>)
         result
     });
     Ok(result?)
+}
+
+/// From now on Ctrl+C, or whoever ends the program, leaves no half file behind: work that is [`watched`] is stopped, anything else is swept away.
+pub fn leave_nothing() {
+    // Where the system has no such thing the program just ends.
+    let _ = ctrlc::set_handler(|| match &*CURRENT.lock().unwrap_or_else(PoisonError::into_inner) {
+        Some(work) => work.cancelled.store(true, Ordering::Relaxed),
+        None => {
+            sweep();
+            Failure::Stopped.report();
+            std::process::exit(i32::from(STOPPED));
+        }
+    });
 }
 
 fn tell(work: &Work, count: usize, over: &AtomicBool) {

@@ -1,12 +1,39 @@
 //! Writing a file whole or not at all.
 
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use tempfile::{NamedTempFile, TempPath};
+use tempfile::TempPath;
 
 use super::ExportError;
+
+/// The temporary files of this program that are not in their places yet.
+static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished { files: BTreeSet::new(), over: false });
+
+struct Unfinished {
+    files: BTreeSet<PathBuf>,
+    over: bool,
+}
+
+impl Unfinished {
+    fn lock() -> MutexGuard<'static, Self> {
+        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Takes away every file that is not in its place yet, whoever writes it, and lets none begin any more: for a program that ends at once while other
+/// threads still write.
+pub fn sweep() {
+    let mut unfinished = Unfinished::lock();
+    unfinished.over = true;
+    for file in std::mem::take(&mut unfinished.files) {
+        // Nothing more can be done about one that stays.
+        let _ = fs::remove_file(file);
+    }
+}
 
 /// Calls `write` with a buffered temporary file beside `target` and renames it to `target` once everything is on it.
 ///
@@ -21,9 +48,45 @@ pub fn write_whole(target: &Path, write: impl FnOnce(&mut BufWriter<&mut File>) 
 /// A file that is complete but not yet where it belongs; gone when it is dropped.
 #[derive(Debug)]
 pub struct Pending {
-    temporary: TempPath,
+    temporary: Temporary,
     target: PathBuf,
     place: PathBuf,
+}
+
+/// A temporary file that [`sweep`] knows of.
+#[derive(Debug)]
+struct Temporary(Option<TempPath>);
+
+impl Temporary {
+    /// An empty file in `folder`.
+    fn begin(folder: &Path) -> io::Result<(File, Self)> {
+        // Held until the file is known: one that is made at the same moment as the sweep is swept or never made.
+        let mut unfinished = Unfinished::lock();
+        if unfinished.over {
+            return Err(io::Error::other(ExportError::Cancelled));
+        }
+        let (file, path) = begin(folder)?;
+        unfinished.files.insert(path.to_path_buf());
+        Ok((file, Self(Some(path))))
+    }
+
+    fn path(&self) -> &Path {
+        self.0.as_deref().unwrap_or(Path::new(""))
+    }
+
+    fn persist(mut self, place: &Path) -> io::Result<()> {
+        let Some(path) = self.0.take() else { return Ok(()) };
+        Unfinished::lock().files.remove::<Path>(&path);
+        path.persist(place).map_err(|error| error.error)
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        if let Some(path) = &self.0 {
+            Unfinished::lock().files.remove::<Path>(path);
+        }
+    }
 }
 
 impl Pending {
@@ -32,13 +95,13 @@ impl Pending {
     /// # Errors
     /// As [`write_whole`].
     pub fn begin(target: &Path) -> Result<Self, ExportError> {
-        let (temporary, place) = start(target)?;
-        Ok(Self { temporary: temporary.into_temp_path(), target: target.to_owned(), place })
+        let (_, temporary, place) = start(target)?;
+        Ok(Self { temporary, target: target.to_owned(), place })
     }
 
     /// The temporary file.
     pub fn file(&self) -> &Path {
-        &self.temporary
+        self.temporary.path()
     }
 
     /// Renames the file to its target.
@@ -49,9 +112,9 @@ impl Pending {
         let Self { temporary, target, place } = self;
         if let Ok(found) = fs::metadata(&place) {
             // Some file systems know no permissions; the content matters more.
-            let _ = fs::set_permissions(&temporary, found.permissions());
+            let _ = fs::set_permissions(temporary.path(), found.permissions());
         }
-        temporary.persist(&place).map_err(|error| ExportError::io(&target, error.error))
+        temporary.persist(&place).map_err(|error| ExportError::io(&target, error))
     }
 }
 
@@ -61,21 +124,21 @@ impl Pending {
 /// As [`write_whole`].
 pub fn prepare(target: &Path, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<Pending, ExportError> {
     let failed = |error| ExportError::io(target, error);
-    let (mut temporary, place) = start(target)?;
-    let mut buffered = BufWriter::with_capacity(1 << 16, temporary.as_file_mut());
+    let (mut file, temporary, place) = start(target)?;
+    let mut buffered = BufWriter::with_capacity(1 << 16, &mut file);
     write(&mut buffered).and_then(|()| buffered.flush()).map_err(failed)?;
     drop(buffered);
-    Ok(Pending { temporary: temporary.into_temp_path(), target: target.to_owned(), place })
+    Ok(Pending { temporary, target: target.to_owned(), place })
 }
 
 /// The temporary file for `target`, and where it goes in the end.
-fn start(target: &Path) -> Result<(NamedTempFile, PathBuf), ExportError> {
+fn start(target: &Path) -> Result<(File, Temporary, PathBuf), ExportError> {
     let place = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
     if fs::metadata(&place).is_ok_and(|found| !found.is_file()) {
         return Err(ExportError::NotAFile { file: target.to_owned() });
     }
-    let temporary = begin(&folder_of(&place)).map_err(|error| ExportError::io(target, error))?;
-    Ok((temporary, place))
+    let (file, temporary) = Temporary::begin(&folder_of(&place)).map_err(|error| ExportError::io(target, error))?;
+    Ok((file, temporary, place))
 }
 
 fn folder_of(file: &Path) -> PathBuf {
@@ -85,13 +148,13 @@ fn folder_of(file: &Path) -> PathBuf {
     }
 }
 
-fn begin(folder: &Path) -> io::Result<NamedTempFile> {
+fn begin(folder: &Path) -> io::Result<(File, TempPath)> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".sinew-").suffix(".tmp");
     // Temporary files are private by default; a picture is to have what the user's mask allows.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder).map_err(|error| {
+    builder.tempfile_in(folder).map(tempfile::NamedTempFile::into_parts).map_err(|error| {
         // `tempfile` adds the path of its own file to the message; only the kind concerns the user.
         error.raw_os_error().map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error)
     })

@@ -4,7 +4,7 @@
 //! the drawing instead of filling the memory.
 
 use std::collections::BTreeMap;
-use std::io;
+use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, channel};
 use std::sync::{Mutex, PoisonError};
@@ -29,6 +29,26 @@ impl Work {
     /// Whether somebody asked to stop.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
+    }
+
+    /// Passes everything on to `out` until somebody asks to stop; from then on writing fails with [`ExportError::Cancelled`] inside.
+    pub fn guard<W: Write>(&self, out: W) -> impl Write {
+        Guarded { out, work: self }
+    }
+}
+
+struct Guarded<'a, W> {
+    out: W,
+    work: &'a Work,
+}
+
+impl<W: Write> Write for Guarded<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        if self.work.is_cancelled() { Err(stopped()) } else { self.out.write(bytes) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
     }
 }
 
@@ -158,6 +178,18 @@ mod tests {
         });
         assert_eq!(result.map_err(|error| error.kind()), Err(io::ErrorKind::StorageFull));
         assert_eq!(written, 6);
+    }
+
+    #[test]
+    fn nothing_more_is_written_once_somebody_asked_to_stop() {
+        let (work, mut out) = (Work::default(), Vec::new());
+        let mut guarded = work.guard(&mut out);
+        guarded.write_all(b"one").expect("memory is writable");
+        work.cancelled.store(true, Ordering::Relaxed);
+        let error = guarded.write_all(b"two").expect_err("stopped");
+        assert!(matches!(ExportError::io(std::path::Path::new("x"), error), ExportError::Cancelled));
+        drop(guarded);
+        assert_eq!(out, b"one");
     }
 
     #[test]

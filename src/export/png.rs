@@ -6,6 +6,9 @@ use std::path::Path;
 use super::{ExportError, atomic::write_whole};
 use crate::render::Framebuffer;
 
+/// What names the program in a picture, under the keyword `Software`.
+pub const SOFTWARE: &str = concat!("Sinew ", env!("CARGO_PKG_VERSION"));
+
 /// How much time goes into a small file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Effort {

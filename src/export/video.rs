@@ -39,10 +39,16 @@ pub fn is_there() -> bool {
     ffmpeg().arg("-version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }
 
+/// What `ffmpeg` says of a full disk somewhere before its last words, in the C library's English.
+const FULL: [&str; 2] = ["No space left on device", "Disk quota exceeded"];
+
 /// Quiet, without questions, in plain C messages.
 fn ffmpeg() -> Command {
     let mut command = Command::new("ffmpeg");
     command.args(["-hide_banner", "-nostats", "-loglevel", "error"]).env("AV_LOG_FORCE_NOCOLOR", "1").stdin(Stdio::null());
+    // Ctrl+C on a terminal reaches every program of its group. Whether this one ends is for its caller to say.
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
     command
 }
 
@@ -139,6 +145,9 @@ impl Sink {
         let _ = self.child.kill();
         let status = self.child.wait();
         let said = self.words.take().and_then(|words| words.join().ok()).unwrap_or_default();
+        if FULL.iter().any(|words| said.contains(words)) {
+            return ExportError::Io { file: self.target.clone(), source: io::ErrorKind::StorageFull.into() };
+        }
         let reason = said.lines().rev().find(|line| !line.trim().is_empty()).map(|line| line.trim().to_owned());
         let reason = reason.unwrap_or_else(|| status.map_or_else(|error| error.to_string(), |status| status.to_string()));
         ExportError::EncoderFailed { file: self.target.clone(), reason }

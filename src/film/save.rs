@@ -7,16 +7,13 @@ use super::{Pattern, Sequence, Shot, Studio};
 use crate::export::atomic::{prepare, write_whole};
 use crate::export::palette::Sampler;
 use crate::export::pipeline::{self, Work};
-use crate::export::png::Effort;
+use crate::export::png::{Effort, SOFTWARE};
 use crate::export::video::{self, Kind};
 use crate::export::{ExportError, apng, gif, png};
 use crate::render::Framebuffer;
 
 /// Frames that the palette of a GIF is made from.
 const PALETTE_FRAMES: usize = 12;
-
-/// The keyword's text that names the program in a picture.
-const SOFTWARE: &str = concat!("Sinew ", env!("CARGO_PKG_VERSION"));
 
 /// What is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -69,11 +66,25 @@ pub fn save(
     note: &(dyn Fn(&Shot) -> String + Sync),
     work: &Work,
 ) -> Result<(), ExportError> {
+    let result = write(studio, size, target, note, work);
+    // Whatever broke off then broke off for that reason.
+    if result.is_err() && work.is_cancelled() { Err(ExportError::Cancelled) } else { result }
+}
+
+fn write(
+    studio: &mut Studio<'_>,
+    size: (u32, u32),
+    target: &Target,
+    note: &(dyn Fn(&Shot) -> String + Sync),
+    work: &Work,
+) -> Result<(), ExportError> {
     match target {
         Target::Picture(file) => {
             let mut picture = blank(size);
             let shot = studio.draw(0, &mut picture);
-            png::save(file, &picture, studio.is_transparent(), &[("Software", SOFTWARE), ("Comment", &note(&shot))])?;
+            let (alpha, comment) = (studio.is_transparent(), note(&shot));
+            let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
+            write_whole(file, |out| png::encode(work.guard(out), &picture, alpha, &notes, Effort::Small))?;
             work.done.store(1, std::sync::atomic::Ordering::Relaxed);
             Ok(())
         }
@@ -112,7 +123,7 @@ fn save_pictures(
         let comment = note(&sequence.shot(document, index));
         let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
         let file = pattern.file(index);
-        prepare(&file, |out| png::encode(out, picture, alpha, &notes, Effort::Quick)).map_err(std::io::Error::other)
+        prepare(&file, |out| png::encode(work.guard(out), picture, alpha, &notes, Effort::Quick)).map_err(std::io::Error::other)
     };
     roll(
         studio,
