@@ -9,6 +9,7 @@ ID := io.github.sinew.Sinew
 BINARY := target/release/sinew
 SHARE = $(DESTDIR)$(PREFIX)/share
 ICONS = $(SHARE)/icons/hicolor
+MIME_CACHES := XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses treemagic types version
 COMPLETIONS = "$(SHARE)/bash-completion/completions/sinew" "$(SHARE)/zsh/site-functions/_sinew" "$(SHARE)/fish/vendor_completions.d/sinew.fish"
 
 .PHONY: run build test monkey bench fuzz install uninstall deb clean refresh clips
@@ -101,6 +102,13 @@ uninstall:
 	    "$(SHARE)/applications/$(ID).desktop" "$(SHARE)/metainfo/$(ID).metainfo.xml" \
 	    "$(SHARE)/mime/packages/$(ID).xml" "$(SHARE)/thumbnailers/sinew.thumbnailer" "$(SHARE)/man/man1/sinew.1" $(COMPLETIONS)
 	@$(MAKE) --no-print-directory refresh
+	@# Where nothing else was installed, the caches are about nothing any more.
+	@none() { ! ls "$$@" >/dev/null 2>&1; }; \
+	if none "$(SHARE)"/mime/packages/*; then \
+	    for cache in $(MIME_CACHES); do rm -f "$(SHARE)/mime/$$cache"; done; \
+	fi; \
+	if none "$(SHARE)"/applications/*.desktop; then rm -f "$(SHARE)/applications/mimeinfo.cache"; fi; \
+	if none "$(ICONS)"/*/*/*; then rm -f "$(ICONS)/icon-theme.cache"; fi
 
 # A Debian package in out/, from what is built.
 deb: build

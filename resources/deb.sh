@@ -17,6 +17,8 @@ doc=$root/usr/share/doc/sinew
 
 strip --strip-unneeded "$root"/usr/bin/*
 gzip -9nf "$root/usr/share/man/man1/sinew.1"
+# The window is called sinew too, by those who start it.
+ln -sf sinew.1.gz "$root/usr/share/man/man1/sinew-window.1.gz"
 # Where Debian's zsh looks for the completions of packages.
 mkdir -p "$root/usr/share/zsh/vendor-completions"
 mv "$root/usr/share/zsh/site-functions/_sinew" "$root/usr/share/zsh/vendor-completions/"
@@ -57,7 +59,7 @@ Architecture: $architecture
 Maintainer: $maintainer
 Installed-Size: $(du -sk --exclude=DEBIAN "$root" | cut -f1)
 Depends: $depends
-Recommends: adwaita-icon-theme, librsvg2-common
+Recommends: adwaita-icon-theme, fonts-dejavu-core, librsvg2-common
 Suggests: ffmpeg
 Section: graphics
 Priority: optional

@@ -42,3 +42,5 @@ pub const MUSCLES: usize = 1_000;
 pub const PICTURE_SIDE: u32 = 16_384;
 /// Most worker threads of the renderer.
 pub const THREADS: usize = 256;
+/// Most rows of a table over time, all joints or muscles together.
+pub const TABLE_ROWS: usize = 4_000_000;

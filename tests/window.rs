@@ -98,6 +98,11 @@ fn a_muscle_is_edited_saved_and_read_again() {
     drive("drive_muscle.py");
 }
 
+#[test]
+fn exports_are_made_stopped_and_saved() {
+    drive("drive_export.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {

@@ -1,6 +1,6 @@
 //! The export dialog: what, how large, how long; then progress with a way to stop.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -15,9 +15,8 @@ use super::export_job::{Course, Job, Kind, Options, first_numbered};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::export::ExportError;
-use crate::export::gif::MOST_FPS;
 use crate::export::pipeline::Work;
-use crate::film::{FRAMES, Refusal};
+use crate::export::{gltf, video};
 use crate::tr;
 
 /// How often the bar moves.
@@ -28,12 +27,25 @@ struct Dialog {
     builder: gtk::Builder,
     window: Rc<Window>,
     work: RefCell<Option<Arc<Work>>>,
+    /// What glTF cannot hold of the document, once that is known.
+    losses: RefCell<Option<Vec<String>>>,
+    /// Whether somebody is finding it out.
+    looking: Cell<bool>,
+    /// Whether there is no `ffmpeg`, which films are made by.
+    no_ffmpeg: Cell<bool>,
 }
 
 /// Opens the dialog.
 pub fn show(window: &Rc<Window>) {
     let builder = ui::builder(ui::EXPORT);
-    let dialog = Rc::new(Dialog { builder, window: window.clone(), work: RefCell::new(None) });
+    let dialog = Rc::new(Dialog {
+        builder,
+        window: window.clone(),
+        work: RefCell::new(None),
+        losses: RefCell::new(None),
+        looking: Cell::new(false),
+        no_ffmpeg: Cell::new(false),
+    });
     let root = dialog.part::<gtk::Window>("root");
     root.set_transient_for(Some(&window.widget));
     let list = |id: &str, labels: Vec<String>| {
@@ -48,6 +60,13 @@ pub fn show(window: &Rc<Window>) {
     dialog.spin("height").set_value(f64::from((height * scale).max(16)));
     dialog.connect();
     dialog.show_choice();
+    let asking = dialog.clone();
+    glib::spawn_future_local(async move {
+        if let Ok(false) = gio::spawn_blocking(video::is_there).await {
+            asking.no_ffmpeg.set(true);
+            asking.show_choice();
+        }
+    });
     root.present();
 }
 
@@ -124,34 +143,75 @@ impl Dialog {
     }
 
     /// Shows the rows that the choice needs, and what will come of it.
-    fn show_choice(&self) {
+    fn show_choice(self: &Rc<Self>) {
         let options = self.options();
         let (drawn, film) = (options.kind.is_drawn(), options.kind.is_film());
+        let over_time = options.kind.table().is_some() && self.window.look(|session| session.state().clip.is_some());
         for (ids, shown) in [
             (&["size_label", "size_box", "transparent", "helps"][..], drawn),
-            (&["course_label", "course", "fps_label", "fps"], film),
+            (&["course_label", "course"], film),
+            (&["fps_label", "fps"], film || over_time),
             (&["sweep_label", "sweep_box"], film && options.course.is_sweep()),
             (&["duration_label", "duration"], film && options.course.has_duration()),
         ] {
             ids.iter().for_each(|id| self.part::<gtk::Widget>(id).set_visible(shown));
         }
-        let sequence = self.window.look(|session| options.sequence(session));
-        let summary = match sequence {
-            Err(refusal) => Err(refused(refusal)),
-            Ok(_) if options.kind == Kind::Gif && options.fps > MOST_FPS => Err(tr!("app-export-gif-fps", limit = MOST_FPS)),
-            Ok(sequence) if film => Ok(tr!(
+        let summary = self.window.look(|session| options.check(session)).map(|sequence| match options.kind {
+            _ if film => tr!(
                 "app-export-frames",
                 count = sequence.count,
                 width = options.size.0.to_string(),
                 height = options.size.1.to_string(),
                 seconds = format::number(sequence.seconds(), 2)
-            )),
-            Ok(_) if drawn => Ok(tr!("app-export-one", width = options.size.0.to_string(), height = options.size.1.to_string())),
-            Ok(_) if matches!(options.kind, Kind::Glb | Kind::Gltf) => Ok(tr!("app-export-scene")),
-            Ok(_) => Ok(tr!("app-export-surface")),
+            ),
+            _ if drawn => tr!("app-export-one", width = options.size.0.to_string(), height = options.size.1.to_string()),
+            kind if kind.is_scene() => tr!("app-export-scene"),
+            Kind::Joints(_) => tr!("app-export-joints"),
+            Kind::Muscles(_) => {
+                if over_time {
+                    tr!("app-export-muscles-clip")
+                } else {
+                    tr!("app-export-muscles")
+                }
+            }
+            _ => tr!("app-export-surface"),
+        });
+        let summary = match summary {
+            Ok(_) if options.kind.is_made_by_ffmpeg() && self.no_ffmpeg.get() => Err(tr!("export-no-ffmpeg")),
+            Ok(summary) => Ok(summary),
+            Err(cannot) => Err(cannot.to_string()),
         };
         self.part::<gtk::Button>("export").set_sensitive(summary.is_ok());
         self.say(&summary.unwrap_or_else(|trouble| trouble));
+        self.show_losses(options.kind);
+    }
+
+    /// Lists what glTF cannot hold of the document, so that nobody is surprised afterwards. Found out beside the interface, when it is first asked for.
+    fn show_losses(self: &Rc<Self>, kind: Kind) {
+        let scroller = self.part::<gtk::Widget>("losses_box");
+        scroller.set_visible(false);
+        if !kind.is_scene() {
+            return;
+        }
+        if let Some(losses) = &*self.losses.borrow() {
+            scroller.set_visible(!losses.is_empty());
+            let lines: Vec<&str> = losses.iter().map(String::as_str).collect();
+            self.part::<gtk::Label>("losses").set_text(&format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
+            return;
+        }
+        if self.looking.replace(true) {
+            return;
+        }
+        let document = self.window.look(|session| session.document().clone());
+        let dialog = self.clone();
+        glib::spawn_future_local(async move {
+            let found =
+                gio::spawn_blocking(move || gltf::losses(&document).iter().map(|loss| format!("• {loss}")).collect::<Vec<_>>()).await;
+            if let Ok(found) = found {
+                dialog.losses.replace(Some(found));
+                dialog.show_losses(dialog.options().kind);
+            }
+        });
     }
 
     fn say(&self, text: &str) {
@@ -194,7 +254,7 @@ impl Dialog {
         }
         let job = match self.window.look(|session| Job::new(session, options)) {
             Ok(job) => job,
-            Err(refusal) => return self.say(&refused(refusal)),
+            Err(cannot) => return self.say(&cannot.to_string()),
         };
         let (count, work) = (job.count(), Arc::new(Work::default()));
         self.work.replace(Some(work.clone()));
@@ -243,14 +303,5 @@ impl Dialog {
             }
             glib::ControlFlow::Continue
         });
-    }
-}
-
-fn refused(refusal: Refusal) -> String {
-    match refusal {
-        Refusal::Empty { .. } => tr!("app-export-empty"),
-        Refusal::TooMany => tr!("app-export-too-many", limit = FRAMES),
-        Refusal::NoElbow => tr!("app-export-no-elbow"),
-        Refusal::NoMuscle => tr!("app-export-no-muscle"),
     }
 }

@@ -8,7 +8,8 @@ use crate::export::ExportError;
 use crate::export::gltf::{self, Form};
 use crate::export::pipeline::Work;
 use crate::export::surface::SurfaceFormat;
-use crate::export::video;
+use crate::export::tables::{self, NoTable, Of, Table};
+use crate::export::{gif, video};
 use crate::film::{self, Motion, Pattern, Refusal, Sequence, Shot, Studio, Target, Wish};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
@@ -39,11 +40,15 @@ pub enum Kind {
     Glb,
     /// The whole document.
     Gltf,
+    /// Muscles over the clip, or over their arm's angles.
+    Muscles(tables::Form),
+    /// Joints over the clip.
+    Joints(tables::Form),
 }
 
 impl Kind {
     /// All kinds, in the order of the list.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 19] = [
         Self::Picture,
         Self::Gif,
         Self::Apng,
@@ -55,6 +60,14 @@ impl Kind {
         Self::Stl,
         Self::Glb,
         Self::Gltf,
+        Self::Muscles(tables::Form::Csv),
+        Self::Muscles(tables::Form::Json),
+        Self::Muscles(tables::Form::Png),
+        Self::Muscles(tables::Form::Svg),
+        Self::Joints(tables::Form::Csv),
+        Self::Joints(tables::Form::Json),
+        Self::Joints(tables::Form::Png),
+        Self::Joints(tables::Form::Svg),
     ];
 
     /// What a person calls it.
@@ -71,6 +84,14 @@ impl Kind {
             Self::Stl => "app-export-stl",
             Self::Glb => "app-export-glb",
             Self::Gltf => "app-export-gltf",
+            Self::Muscles(tables::Form::Csv) => "app-export-muscles-csv",
+            Self::Muscles(tables::Form::Json) => "app-export-muscles-json",
+            Self::Joints(tables::Form::Csv) => "app-export-joints-csv",
+            Self::Joints(tables::Form::Json) => "app-export-joints-json",
+            Self::Muscles(tables::Form::Png) => "app-export-muscles-png",
+            Self::Muscles(tables::Form::Svg) => "app-export-muscles-svg",
+            Self::Joints(tables::Form::Png) => "app-export-joints-png",
+            Self::Joints(tables::Form::Svg) => "app-export-joints-svg",
         })
     }
 
@@ -87,12 +108,35 @@ impl Kind {
             Self::Stl => "stl",
             Self::Glb => "glb",
             Self::Gltf => "gltf",
+            Self::Muscles(tables::Form::Csv) | Self::Joints(tables::Form::Csv) => "csv",
+            Self::Muscles(tables::Form::Json) | Self::Joints(tables::Form::Json) => "json",
+            Self::Muscles(tables::Form::Png) | Self::Joints(tables::Form::Png) => "png",
+            Self::Muscles(tables::Form::Svg) | Self::Joints(tables::Form::Svg) => "svg",
         }
     }
 
     /// Whether it is drawn.
     pub fn is_drawn(self) -> bool {
         self == Self::Picture || self.is_film()
+    }
+
+    /// Whether the whole scene goes into another format, which may not hold all of it.
+    pub fn is_scene(self) -> bool {
+        matches!(self, Self::Glb | Self::Gltf)
+    }
+
+    /// Whether `ffmpeg` makes it.
+    pub fn is_made_by_ffmpeg(self) -> bool {
+        matches!(self, Self::Mp4 | Self::Webm)
+    }
+
+    /// What it is a table of.
+    pub fn table(self) -> Option<(Of, tables::Form)> {
+        match self {
+            Self::Muscles(form) => Some((Of::Muscles, form)),
+            Self::Joints(form) => Some((Of::Joints, form)),
+            _ => None,
+        }
     }
 
     /// Whether it has several pictures.
@@ -165,7 +209,45 @@ pub struct Options {
     pub helps: bool,
 }
 
+/// Why the dialog cannot make what is set in it. Displays as one sentence.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Cannot {
+    /// There is no such film.
+    Film(Refusal),
+    /// There is no such table.
+    Table(NoTable),
+    /// More frames a second than a GIF can show.
+    GifRate,
+}
+
+impl std::fmt::Display for Cannot {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&match self {
+            Self::Film(Refusal::Empty { .. }) => tr!("app-export-empty"),
+            Self::Film(Refusal::TooMany) => tr!("app-export-too-many", limit = film::FRAMES),
+            Self::Film(Refusal::NoElbow) => tr!("app-export-no-elbow"),
+            Self::Film(Refusal::NoMuscle) => tr!("app-export-no-muscle"),
+            Self::Table(why) => why.to_string(),
+            Self::GifRate => tr!("app-export-gif-fps", limit = gif::MOST_FPS),
+        })
+    }
+}
+
 impl Options {
+    /// The pictures that it makes, one where it makes none.
+    ///
+    /// # Errors
+    /// [`Cannot`], where it cannot be made.
+    pub fn check(&self, session: &Session) -> Result<Sequence, Cannot> {
+        if let Some((of, _)) = self.kind.table() {
+            NoTable::check(of, session.document(), &session.state(), self.fps).map_err(Cannot::Table)?;
+        }
+        if self.kind == Kind::Gif && self.fps > gif::MOST_FPS {
+            return Err(Cannot::GifRate);
+        }
+        self.sequence(session).map_err(Cannot::Film)
+    }
+
     /// The pictures that a session gives.
     ///
     /// # Errors
@@ -202,9 +284,9 @@ impl Job {
     /// Takes what the session shows.
     ///
     /// # Errors
-    /// As [`Options::sequence`].
-    pub fn new(session: &mut Session, options: Options) -> Result<Self, Refusal> {
-        let sequence = options.sequence(session)?;
+    /// As [`Options::check`].
+    pub fn new(session: &mut Session, options: Options) -> Result<Self, Cannot> {
+        let sequence = options.check(session)?;
         let (_, _, _, mut display) = session.picture();
         display.scale = options.scale;
         (display.hovered, display.selected) = (None, display.selected.filter(|_| options.helps));
@@ -246,8 +328,10 @@ impl Job {
             Kind::Obj => return self.surface(SurfaceFormat::Obj, file),
             Kind::Ply => return self.surface(SurfaceFormat::Ply, file),
             Kind::Stl => return self.surface(SurfaceFormat::Stl, file),
-            Kind::Glb => return gltf::save(file, Form::Binary, &self.document).map(|_| ()),
-            Kind::Gltf => return gltf::save(file, Form::Text, &self.document).map(|_| ()),
+            Kind::Glb => return self.scene(Form::Binary, file, work),
+            Kind::Gltf => return self.scene(Form::Text, file, work),
+            Kind::Muscles(form) => return self.table(Of::Muscles, form, file, work),
+            Kind::Joints(form) => return self.table(Of::Joints, form, file, work),
         };
         let Self { document, sequence, eye, display, options, .. } = self;
         let note = note(&document, &eye);
@@ -257,6 +341,19 @@ impl Job {
         };
         let mut studio = Studio::new(&document, sequence, display, None, Box::new(look));
         film::save(&mut studio, options.size, &target, &note, work)
+    }
+
+    fn scene(&self, form: Form, file: &Path, work: &Work) -> Result<(), ExportError> {
+        let (pending, _) = gltf::prepare(file, form, &self.document)?;
+        if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.put_in_place() }
+    }
+
+    fn table(&self, of: Of, form: tables::Form, file: &Path, work: &Work) -> Result<(), ExportError> {
+        // The document is the one that was checked, so nothing is refused now.
+        match Table::measure(of, &self.document, &self.state, self.options.fps) {
+            Ok(table) if !work.is_cancelled() => table.save(file, form, tables::PLOT_SCALE),
+            _ => Err(ExportError::Cancelled),
+        }
     }
 
     fn surface(&self, format: SurfaceFormat, file: &Path) -> Result<(), ExportError> {
@@ -278,7 +375,7 @@ pub fn first_numbered(file: &Path) -> Option<PathBuf> {
 }
 
 /// What stands in a picture about how it was made.
-fn note<'a>(document: &'a Document, eye: &Eye) -> impl Fn(&Shot) -> String + Sync + use<'a> {
+pub fn note<'a>(document: &'a Document, eye: &Eye) -> impl Fn(&Shot) -> String + Sync + use<'a> {
     let orbit = *eye.orbit();
     move |shot| {
         let files: Vec<&str> = document.sources.iter().map(|source| source.name.as_str()).collect();
@@ -307,7 +404,7 @@ mod tests {
     fn every_kind_makes_its_file_from_what_is_shown() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let mut session = Session::new(Document::built_in());
-        for kind in Kind::ALL.into_iter().filter(|kind| !matches!(kind, Kind::Mp4 | Kind::Webm)) {
+        for kind in Kind::ALL.into_iter().filter(|kind| !matches!(kind, Kind::Mp4 | Kind::Webm | Kind::Joints(_))) {
             assert!(!kind.label().starts_with("app-export"), "{kind:?} has no name");
             let file = folder.path().join(format!("50%d.{}", kind.ending()));
             let job = Job::new(&mut session, options(kind, Course::Elbow)).expect("the arm bends");
@@ -324,6 +421,10 @@ mod tests {
         let session = Session::new(Document::default());
         assert_eq!(options(Kind::Gif, Course::Contraction).sequence(&session), Err(Refusal::NoMuscle));
         assert_eq!(options(Kind::Gif, Course::Elbow).sequence(&session), Err(Refusal::NoElbow));
+        let table = |kind| options(kind, Course::Whole).check(&session);
+        assert_eq!(table(Kind::Joints(tables::Form::Csv)), Err(Cannot::Table(NoTable::NoClip)));
+        assert_eq!(table(Kind::Muscles(tables::Form::Json)), Err(Cannot::Table(NoTable::NoMuscle)));
+        assert_eq!(Options { fps: 60.0, ..options(Kind::Gif, Course::Whole) }.check(&session), Err(Cannot::GifRate));
         for course in Course::ALL {
             assert!(!course.label().starts_with("app-export"), "{course:?} has no name");
         }

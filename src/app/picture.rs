@@ -1,55 +1,68 @@
 //! Pictures to take away: saved as PNG, or copied.
 
-use std::io::Write;
 use std::rc::Rc;
 
 use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
+use super::export_job::note;
 use super::save_as;
 use super::window::Window;
-use crate::export::atomic::write_whole;
-use crate::render::Background;
+use crate::export::png::{self, SOFTWARE};
+use crate::film::Shot;
+use crate::render::{Background, Framebuffer};
 use crate::tr;
 
+/// A picture with what made it.
+struct Picture {
+    pixels: Framebuffer,
+    transparent: bool,
+    note: String,
+}
+
 /// The picture as it is on the screen, without what stands over it.
-fn take(window: &Rc<Window>, transparent: bool) -> gdk::Texture {
+fn take(window: &Rc<Window>, transparent: bool) -> Picture {
     let scale = window.viewport.scale();
     let (width, height) = window.viewport.size();
     let (width, height) = ((width * scale).max(1), (height * scale).max(1));
-    let bytes = window.look(|session| {
+    window.look(|session| {
+        let note = note(session.document(), session.eye())(&Shot { state: session.state(), turn: 0.0 });
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;
         display.hovered = None;
         if transparent {
             display.background = Background::Transparent;
         }
-        window.viewport.with_renderer(|renderer| {
-            let picture = renderer.draw(scene, frame, &camera, &display, width as u32, height as u32);
-            picture
-                .pixels
-                .iter()
-                .flat_map(|pixel| if transparent { *pixel } else { *pixel | 0xFF00_0000 }.to_ne_bytes())
-                .collect::<Vec<u8>>()
-        })
-    });
+        let pixels =
+            window.viewport.with_renderer(|renderer| renderer.draw(scene, frame, &camera, &display, width as u32, height as u32).clone());
+        Picture { pixels, transparent, note }
+    })
+}
+
+/// The picture as the clipboard takes it.
+fn texture(picture: &Picture) -> gdk::Texture {
+    let Framebuffer { width, height, pixels } = &picture.pixels;
+    let opaque = if picture.transparent { 0 } else { 0xFF00_0000 };
+    let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| (pixel | opaque).to_ne_bytes()).collect();
     let format =
         if cfg!(target_endian = "little") { gdk::MemoryFormat::B8g8r8a8Premultiplied } else { gdk::MemoryFormat::A8r8g8b8Premultiplied };
-    gdk::MemoryTexture::new(width, height, format, &glib::Bytes::from_owned(bytes), width as usize * 4).upcast()
+    // No side is longer than a screen.
+    gdk::MemoryTexture::new(*width as i32, *height as i32, format, &glib::Bytes::from_owned(bytes), *width as usize * 4).upcast()
 }
 
 /// Copies the picture.
 pub fn copy(window: &Rc<Window>) {
-    window.widget.clipboard().set_texture(&take(window, false));
+    window.widget.clipboard().set_texture(&texture(&take(window, false)));
     window.viewport.toast(&tr!("app-picture-copied"), None);
 }
 
 /// Asks where to and saves the picture.
 pub fn save(window: &Rc<Window>, transparent: bool) {
-    let texture = take(window, transparent);
+    let picture = take(window, transparent);
     save_as::ask(window, &tr!("app-picture-title"), &save_as::name_like_open(window, "png"), None, move |window, path| {
-        match write_whole(&path, |file| file.write_all(&texture.save_to_png_bytes())) {
+        let notes = [("Software", SOFTWARE), ("Comment", picture.note.as_str())];
+        match png::save(&path, &picture.pixels, picture.transparent, &notes) {
             Ok(()) => window.viewport.toast(&tr!("app-saved", file = save_as::name_of(&path)), Some(path)),
             Err(error) => save_as::failed(window, &path, error.to_string()),
         }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValuesParser, Styles, TypedValueParser, ValueParser};
-use clap::{Arg, ArgAction, Command};
+use clap::{Arg, ArgAction, ArgGroup, Command};
 
 use super::values;
 use crate::tr;
@@ -163,6 +163,8 @@ fn measure() -> Command {
             ("sinew measure biceps.yaml --sweep 0:120:5 --csv > biceps.csv", "cli-example-measure-csv"),
             ("sinew measure biceps.yaml --compare radii.csv", "cli-example-measure-compare"),
             ("sinew measure arm-muscles.yaml --times 0:4:0.1 --csv", "cli-example-measure-times"),
+            ("sinew measure biceps.yaml --plot biceps.svg", "cli-example-measure-plot"),
+            ("sinew measure walk.dae --joints --csv > joints.csv", "cli-example-measure-joints"),
         ],
     )
     .arg(file())
@@ -173,7 +175,9 @@ fn measure() -> Command {
             .allow_hyphen_values(true)
             .conflicts_with_all(["angles", "sweep", "compare"]),
     )
-    .arg(option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading).requires("times"))
+    .arg(flag("joints", "cli-arg-joints", heading).conflicts_with_all(["angles", "sweep", "compare"]))
+    .group(ArgGroup::new("over-time").args(["times", "joints"]).multiple(true))
+    .arg(option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading).requires("over-time"))
     .arg(
         option("compare", "CSV", clap::value_parser!(PathBuf), "cli-arg-compare", heading)
             .conflicts_with_all(["angles", "sweep"])
@@ -181,6 +185,13 @@ fn measure() -> Command {
     )
     .arg(flag("csv", "cli-arg-csv", heading).conflicts_with("json"))
     .arg(flag("json", "cli-arg-json", heading))
+    .arg(
+        option("plot", "OUT", clap::value_parser!(PathBuf), "cli-arg-plot", heading)
+            .conflicts_with("compare")
+            .value_hint(clap::ValueHint::FilePath),
+    )
+    .arg(number("scale", "K", values::number_within(0.1, 8.0), "cli-arg-plot-scale", heading).requires("plot"))
+    .arg(flag("force", "cli-arg-force", heading))
 }
 
 fn fit() -> Command {

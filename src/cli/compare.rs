@@ -9,9 +9,10 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::failure::{Failure, display_name};
-use super::measure::{Row, columns, csv_cell, unit, unit_for_people};
+use super::measure::columns;
 use super::measured;
 use crate::document::Document;
+use crate::export::tables::{MuscleRow, csv_cell, unit, unit_for_people};
 use crate::i18n::decimal;
 use crate::muscle::Rig;
 use crate::muscle::experiment::{self, CompareError, Table};
@@ -41,7 +42,7 @@ struct Compared {
 #[derive(Debug, Serialize)]
 struct Pair {
     #[serde(flatten)]
-    model: Row,
+    model: MuscleRow,
     /// One radius a node of the muscle; none for an end that the table leaves out.
     measured_radii: Vec<Option<f64>>,
     /// Volume of the cones through the measured radii; ends that the table leaves out have the model's.
@@ -156,7 +157,7 @@ impl Compared {
         let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
         let volumes = found.implied_volumes.iter().zip(&found.rms_at);
         let pair = |(column, (sample, (volume, rms))): (usize, (_, (&f64, &f64)))| {
-            let model = Row::at_angle(sample);
+            let model = MuscleRow::at_angle(sample);
             let mut measured_radii = vec![None; model.radii.len()];
             for (slot, row) in measured_radii.iter_mut().skip(found.nodes.start).zip(&found.measured) {
                 *slot = row.get(column).copied();

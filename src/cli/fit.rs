@@ -9,11 +9,12 @@ use serde::Serialize;
 use super::compare::rms_lines;
 use super::export::{allow_overwriting, ending, refuse_overwriting};
 use super::failure::{Failure, answer, answer_json, display_name};
-use super::measure::{unit_for_people, unit_name};
+use super::progress::leave_nothing;
 use super::{files, measured, value};
 use crate::collada::Progress;
 use crate::document::{Document, SourceKind};
 use crate::export::atomic::write_whole;
+use crate::export::tables::{NoTable, unit_for_people, unit_name};
 use crate::i18n::decimal;
 use crate::muscle::experiment::Table;
 use crate::muscle::fit::{Fitted, Model, fitted_file};
@@ -71,6 +72,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         None => Vec::new(),
     };
     allow_overwriting(given, std::iter::once(out.clone()))?;
+    leave_nothing();
     write_whole(&out, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
     let rms = Rms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
     if given.get_flag("json") {
@@ -86,7 +88,7 @@ fn muscles<'a>(document: &'a Document, file: &Path) -> Result<(&'a MuscleFile, &
         SourceKind::Muscles(muscles, rig) => Some((&**muscles, &**rig)),
         SourceKind::Collada(_) => None,
     });
-    found.ok_or_else(|| Failure::file(file, tr!("cli-measure-no-muscle")))
+    found.ok_or_else(|| Failure::file(file, NoTable::NoMuscle))
 }
 
 /// Fits the first muscle that hangs on a joint, and leaves the others out: the table speaks of one.

@@ -13,6 +13,7 @@ mod export;
 mod failure;
 mod fit;
 mod info;
+mod joints;
 mod measure;
 mod measured;
 mod moment;

@@ -26,9 +26,9 @@ pub fn number_within(low: f64, high: f64) -> impl Fn(&str) -> Result<f64, String
     }
 }
 
-/// A number as options take it: no thousands marks, decimal point.
+/// A number as options take it: no thousands marks, decimal point; a power of ten where it would have very many digits.
 pub fn plain(value: f64) -> String {
-    format!("{value}")
+    if value != 0.0 && !(1e-6..1e15).contains(&value.abs()) { format!("{value:e}") } else { format!("{value}") }
 }
 
 /// `1280x720`.
@@ -163,6 +163,14 @@ mod tests {
         assert_eq!(size("1×16384"), Ok((1, 16384)));
         for wrong in ["0x5", "5x0", "1000000x1000000", "16385x1", "-5x5", "5", "x", "5x5x5", "5.5x4", "", "99999999999x1"] {
             assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_short_and_can_be_typed_again() {
+        for (value, text) in [(90.0, "90"), (-0.5, "-0.5"), (0.0, "0"), (16384.0, "16384"), (1e300, "1e300"), (-2.5e-9, "-2.5e-9")] {
+            assert_eq!(plain(value), text);
+            assert_eq!(number(text), Ok(value));
         }
     }
 

@@ -15,11 +15,13 @@ pub mod ply;
 pub mod png;
 pub mod stl;
 pub mod surface;
+pub mod tables;
 pub mod video;
 
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::plot::PlotError;
 use crate::tr;
 
 /// Why a file could not be written. Displays as one line: `file: what`.
@@ -63,6 +65,14 @@ pub enum ExportError {
         file: PathBuf,
         /// The encoders that would have done.
         names: String,
+    },
+    /// A plot could not be drawn.
+    #[error("{}: {}", .file.display(), .why)]
+    Plot {
+        /// The file that was to be written.
+        file: PathBuf,
+        /// Why not.
+        why: PlotError,
     },
     /// The program that makes films gave up.
     #[error("{}: {}", .file.display(), tr!("export-encoder-failed", reason = .reason.as_str()))]

@@ -123,7 +123,8 @@ impl Joint {
     }
 }
 
-fn rotation(matrix: &DMat4) -> Option<DQuat> {
+/// The rotation in a matrix, by Gram and Schmidt; `None` where it is flat.
+pub(crate) fn rotation(matrix: &DMat4) -> Option<DQuat> {
     let axes = DMat3::from_mat4(*matrix);
     let x = axes.x_axis.try_normalize()?;
     let y = (axes.y_axis - x * x.dot(axes.y_axis)).try_normalize()?;

@@ -53,6 +53,7 @@ mod table;
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
 pub use edit::{Edit, EditError};
+pub(crate) use joint::rotation;
 pub use joint::{FoundBy, Joint, Turn};
 pub use ledger::{Ledger, Root};
 pub use path::{Path, Station};

@@ -1,0 +1,74 @@
+//! Films and conversions: seconds of work a second of film, for a clip in 1280 × 720 at 25 frames a second, and milliseconds a conversion to glTF.
+//!
+//! Runs on the demos and, where they are there, on larger shared models. Every core works, so this one wants a machine that does nothing else. A ratio
+//! below 1 is faster than the film plays.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use sinew::collada::Progress;
+use sinew::document::Document;
+use sinew::export::gltf;
+use sinew::export::pipeline::Work;
+use sinew::film::{self, Direction, Eye, Sequence, Studio, Target, Wish};
+use sinew::render::Display;
+use sinew::scene::View;
+
+const SIZE: (u32, u32) = (1280, 720);
+/// Seconds of film.
+const SECONDS: f64 = 4.0;
+/// Runs of each, of which the quickest counts.
+const RUNS: usize = 3;
+
+/// Films the start of a document's clip into `out`; seconds of work, frames and seconds of film. `None` for what does not move.
+fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
+    let state = document.start_state();
+    let clip = document.clips.get(state.clip?)?;
+    let end = clip.end.min(clip.start + SECONDS - 1.0 / film::FPS);
+    let wish = Wish { from: Some(clip.start), to: Some(end), ..Wish::default() };
+    let sequence = Sequence::new(&wish, document, state).ok()?;
+    let (yaw, pitch) = View::Start.angles();
+    let eye = Eye::fit(Direction { yaw, pitch, parallel: false, zoom: 1.0 }, &document.reach(&state), SIZE.0 as f32 / SIZE.1 as f32, false);
+    let target = Target::of(out)?;
+    let begun = Instant::now();
+    let mut studio = Studio::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
+    film::save(&mut studio, SIZE, &target, &|_| String::new(), &Work::default()).ok()?;
+    Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
+}
+
+fn films(name: &str, document: &Document, folder: &Path) {
+    for out in ["frame-%04d.png", "film.gif", "film.apng"] {
+        let runs = (0..RUNS).filter_map(|_| shoot(document, &folder.join(out)));
+        if let Some((took, frames, seconds)) = runs.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            println!("{name:<28} {out:<15} {frames:>4} frames, {took:>6.2} s: {:.2} s a second of film", took / seconds);
+        }
+    }
+}
+
+fn conversion(name: &str, file: &Path, folder: &Path) {
+    let once = || {
+        let begun = Instant::now();
+        let document = Document::open(&[file], &Progress::default()).ok()?;
+        gltf::save(&folder.join("out.glb"), gltf::Form::Binary, &document).ok()?;
+        Some(begun.elapsed().as_secs_f64())
+    };
+    let bytes = std::fs::metadata(file).map_or(0, |found| found.len());
+    if let Some(took) = (0..RUNS).filter_map(|_| once()).min_by(f64::total_cmp) {
+        println!("{name:<28} {:>6.2} MB to .glb in {:>6.1} ms", bytes as f64 / 1e6, took * 1e3);
+    }
+}
+
+fn main() {
+    let Ok(folder) = tempfile::tempdir() else { return };
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let shared = std::env::var_os("SINEW_SHARED").map_or_else(|| here.join("../shared"), PathBuf::from).join("models");
+    let demos = ["walker", "atlas"].map(|name| here.join("configs").join(format!("{name}.dae")));
+    let models = ["walk", "tethys_fbx", "monster_max_opencollada"].map(|name| shared.join(format!("{name}.dae")));
+    for file in demos.iter().chain(&models).filter(|file| file.is_file()) {
+        let name = file.file_name().unwrap_or_default().to_string_lossy();
+        conversion(&name, file, folder.path());
+        if let Ok(document) = Document::open(&[file], &Progress::default()) {
+            films(&name, &document, folder.path());
+        }
+    }
+}
