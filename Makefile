@@ -51,11 +51,12 @@ monkey:
 	@resources/setup.sh test
 	$(CARGO) test --locked --test window -- --ignored --nocapture
 
-# Set beside Mesa's llvmpipe where Mesa and Python are installed.
+# Set beside assimp where it is installed, and beside Mesa's llvmpipe where Mesa and Python are.
 PEERS := target/peers
 bench: build
 	$(CARGO) bench --locked
 	$(BINARY) bench
+	@if command -v assimp >/dev/null; then python3 benches/peers/assimp.py $(BINARY); else echo "assimp was not measured (Debian: assimp-utils)"; fi
 	@if python3 -m venv $(PEERS) && $(PEERS)/bin/pip --quiet install moderngl==5.13.0 numpy; then \
 	    $(PEERS)/bin/python benches/peers/llvmpipe.py $(BINARY) || echo "llvmpipe could not be measured (Debian: libgl1-mesa-dri libegl1 libgl1)"; \
 	else \

@@ -3,9 +3,11 @@
 mod support;
 
 use std::hint::black_box;
+use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
+use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
 use sinew::scene::{
     Content, Deformer, Frame, Influence, Mesh, MeshId, MeshInstance, Node, NodeKind, Scene, Skin, SkinId, SkinJoint, Transform,
@@ -50,6 +52,29 @@ fn skinned() -> Document {
     document
 }
 
+/// A figure as an exporter wrote it, at moments all over its clip: the time of the deformation alone, so that its few vertices don't carry the bones.
+fn figure(path: &Path) {
+    let Ok(document) = Document::open(&[path], &Progress::default()) else { return };
+    let (mut buffers, mut frame, mut state) = (PoseBuffers::default(), Frame::default(), document.start_state());
+    let length = document.clips.first().map_or(0.0, |clip| clip.duration());
+    let mut times = Vec::new();
+    for step in 0..2_000 {
+        state.time = f64::from(step) * 0.618_034 % 1.0 * length;
+        document.pose(&state, &mut buffers, &mut frame);
+        times.push(buffers.times().deform_ms);
+    }
+    times.sort_by(f64::total_cmp);
+    let vertices: usize = document.scene.meshes.iter().map(|mesh| mesh.positions.len()).sum();
+    let points: u32 = document.scene.meshes.iter().map(|mesh| mesh.source_count).sum();
+    let influences: usize = document.scene.skins.iter().map(|skin| skin.influences.len()).sum();
+    println!(
+        "{}, {vertices} vertices of {points} points, {:.1} influences each: {:.2} ns a vertex",
+        path.file_name().unwrap_or_default().display(),
+        influences as f64 / f64::from(points.max(1)),
+        times[times.len() / 2] * 1e6 / vertices.max(1) as f64
+    );
+}
+
 fn main() {
     let document = skinned();
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
@@ -59,5 +84,11 @@ fn main() {
         let time = support::median(|| document.pose(black_box(&state), &mut buffers, &mut frame));
         let each = time * 1e9 / VERTICES as f64;
         println!("skinning, {name}, 4 influences, position and normal: {each:.2} ns a vertex, {:.1} × copying the bytes", time / copy);
+    }
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let shared = std::env::var_os("SINEW_SHARED").map_or_else(|| root.join("../shared"), Into::into).join("models");
+    figure(&root.join("configs/walker.dae"));
+    for name in ["walk.dae", "raptor_attack.dae", "cowboy.dae"] {
+        figure(&shared.join(name));
     }
 }

@@ -8,6 +8,7 @@
 //! | [`i18n`] | the translation catalogue (English, Russian) | nobody |
 //! | [`health`] | findings: what a reader saw and what it did about it | nobody |
 //! | [`limits`] | every bound on what input may ask for, in one place | nobody |
+//! | `lanes` | vectors of numbers, the same bits with every instruction set | nobody |
 //! | [`scene`] | graph, meshes, skins, materials, lights, cameras, the posed [`scene::Frame`] | `glam` |
 //! | [`animation`] | curves, clips, the time cursor | `scene` |
 //! | [`muscle`] | the volume-conserving profile, the arm, the surface, the YAML | `scene` |
@@ -34,6 +35,7 @@ pub mod export;
 pub mod film;
 pub mod health;
 pub mod i18n;
+mod lanes;
 pub mod limits;
 pub mod muscle;
 pub mod plot;

@@ -22,14 +22,21 @@ pub const READ_BYTES: usize = 48 << 20;
 pub const READ_BYTES_PER_BYTE: usize = 9;
 /// Most findings that are kept about one file.
 pub const FINDINGS: usize = 1_000;
+/// How deep morph targets may be controllers with morph targets of their own.
+pub const MORPH_DEPTH: usize = 32;
 /// Most sets of texture coordinates of a mesh.
 pub const UV_SETS: usize = 8;
 /// Most steps that cutting the polygons of one file into triangles may take.
 pub const TRIANGULATION_STEPS: u64 = 1_000_000_000;
 /// Most files in an archive.
 pub const ARCHIVE_FILES: usize = 4_096;
-/// Most bytes that the files of an archive may unpack to, for each byte of the archive, on top of [`READ_BYTES`].
-pub const ARCHIVE_RATIO: u64 = 50;
+/// What an archive, its unpacked files and everything that is made of them may take together, bytes, on top of [`ARCHIVE_BYTES_PER_BYTE`]
+/// times its size. A plain document gets by with the same; in an archive it has to be seen to, since what is packed says little of how large it is.
+pub const ARCHIVE_BYTES: usize = 64 << 20;
+/// What the same may take for each byte of the archive.
+pub const ARCHIVE_BYTES_PER_BYTE: usize = 10;
+/// What a number of a list takes at most once it is in a mesh or curve, bytes.
+pub const BYTES_PER_NUMBER: usize = 12;
 /// Most nodes in a scene, instances counted.
 pub const NODES: usize = 1_000_000;
 /// Most nodes of one muscle.

@@ -19,22 +19,34 @@ fn sizes() -> Option<(usize, usize)> {
     Some((field("VmHWM:")?, field("VmRSS:")?))
 }
 
+/// A `.zae` with `text` in it.
+fn packed(text: &str) -> Vec<u8> {
+    let mut zip = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    zip.start_file("scene.dae", zip::write::SimpleFileOptions::default()).expect("a name");
+    std::io::Write::write_all(&mut zip, text.as_bytes()).expect("memory");
+    zip.finish().expect("memory").into_inner()
+}
+
 fn check(what: &str, text: &str) {
+    check_bytes(what, text.as_bytes());
+}
+
+fn check_bytes(what: &str, bytes: &[u8]) {
     if std::fs::write("/proc/self/clear_refs", "5").is_err() {
         eprintln!("skipped: the peak cannot be reset here");
         return;
     }
     let Some((_, before)) = sizes() else { return };
-    let result = read(text.as_bytes(), "big.dae", &Progress::default());
+    let result = read(bytes, "big.dae", &Progress::default());
     let Some((peak, _)) = sizes() else { return };
-    let (taken, allowed) = (peak.saturating_sub(before), text.len() * 10 + (64 << 20));
+    let (taken, allowed) = (peak.saturating_sub(before), bytes.len() * 10 + (64 << 20));
     println!(
         "{what}: {} MB of file, {} MB taken, {:?}",
-        text.len() >> 20,
+        bytes.len() >> 20,
         taken >> 20,
         result.as_ref().map(|loaded| codes(loaded)).map_err(|e| e.message.clone())
     );
-    assert!(taken <= allowed, "{what}: {} MB of file took {} MB", text.len() >> 20, taken >> 20);
+    assert!(taken <= allowed, "{what}: {} MB of file took {} MB", bytes.len() >> 20, taken >> 20);
 }
 
 #[test]
@@ -66,4 +78,16 @@ fn memory_stays_within_ten_times_the_file() {
     check("matrix keys", &document(&(animations(&matrix) + &moving)));
     let channels = "<animation><channel source=\"#a-s\" target=\"n/t.Y\"/></animation>".repeat(n / 8);
     check("channels", &document(&(animations(&(animation("a", "n/t.X", "0 1", "X", "0 1", "LINEAR LINEAR") + &channels)) + &moving)));
+    // The same from archives, where a small file can hold much: of any size that is just let in.
+    for share in [n / 8, n / 2, 2 * n] {
+        let elements = document(&format!("<extra>{}</extra>", "<a/>".repeat(2 * share)));
+        check_bytes("packed elements", &packed(&elements));
+        check_bytes("packed nodes", &packed(&document(&scene(&"<node/>".repeat(share)))));
+        let points = geometries(&geometry("g", &"0 ".repeat(3 * share), &triangles("g", &"0 1 2 ".repeat(share))));
+        check_bytes("packed mesh", &packed(&document(&(points + &used))));
+        // Digits that don't pack well, as in a real model.
+        let noise: String = (0..share as u64).map(|i| format!("{} ", i.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 44)).collect();
+        let rough = geometries(&geometry("g", &noise, &triangles("g", "0 1 2")));
+        check_bytes("packed noise", &packed(&document(&(rough + &used))));
+    }
 }

@@ -24,6 +24,11 @@ fn refused(message: String) -> ReadError {
     ReadError { line: None, message }
 }
 
+/// The refusal of an archive that unpacks to more than the limit.
+pub fn too_large() -> ReadError {
+    refused(tr!("collada-archive-large", limit = limits::ARCHIVE_BYTES_PER_BYTE))
+}
+
 /// Reads the document that the archive's manifest names, with the images beside it.
 ///
 /// # Errors
@@ -40,13 +45,20 @@ pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, Rea
             entries.entry(normal(&entry)).or_insert(index);
         }
     }
-    let mut room = (bytes.len() as u64 * limits::ARCHIVE_RATIO + limits::READ_BYTES as u64).min(limits::FILE_BYTES);
+    let mut room = (bytes.len() * (limits::ARCHIVE_BYTES_PER_BYTE - 1) + limits::ARCHIVE_BYTES) as u64;
     let (path, index) = match named_root(&mut archive, &entries, &mut room)? {
         Some(found) => found,
         None => first_document(&entries).ok_or_else(|| refused(tr!("collada-archive-empty")))?,
     };
     let document = unpack(&mut archive, index, &mut room)?;
-    let mut loaded = read_document(&document, name, &path, progress)?;
+    let mut archived = Vec::new();
+    for (path, index) in &entries {
+        let ending = path.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+        if IMAGES.contains(&ending.as_str()) {
+            archived.push((PathBuf::from(path), unpack(&mut archive, *index, &mut room)?));
+        }
+    }
+    let mut loaded = read_document(&document, name, &path, progress, Some(usize::try_from(room).unwrap_or(usize::MAX)))?;
     drop(document);
     let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
     for image in &mut loaded.scene.images {
@@ -55,12 +67,7 @@ pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, Rea
             image.uri = inside;
         }
     }
-    for (path, index) in &entries {
-        let ending = path.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
-        if IMAGES.contains(&ending.as_str()) {
-            loaded.archived.push((PathBuf::from(path), unpack(&mut archive, *index, &mut room)?));
-        }
-    }
+    loaded.archived.extend(archived);
     Ok(loaded)
 }
 
@@ -69,7 +76,7 @@ fn named_root(archive: &mut Archive<'_>, entries: &BTreeMap<String, usize>, room
     let Some(manifest) = entries.get("manifest.xml") else { return Ok(None) };
     let bytes = unpack(archive, *manifest, room)?;
     let text = super::text::decode(&bytes);
-    let surveyed = super::xml::look_at(&text.text)?;
+    let surveyed = super::xml::look_at(&text.text, None)?;
     let parsed = super::xml::parse(&surveyed)?;
     let root = parsed.document.descendants().find(|element| element.tag_name().name() == "dae_root");
     let url = root.and_then(|root| root.text()).unwrap_or_default().trim();
@@ -95,7 +102,7 @@ fn unpack(archive: &mut Archive<'_>, index: usize, room: &mut u64) -> Result<Vec
     };
     // What the archive says about sizes may be a lie: only what comes out counts, and it is counted before anything is kept.
     let length = open(archive, &mut std::io::sink())?;
-    let left = room.checked_sub(length).ok_or_else(|| refused(tr!("collada-archive-large", limit = limits::ARCHIVE_RATIO)))?;
+    let left = room.checked_sub(length).ok_or_else(too_large)?;
     let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
     open(archive, &mut bytes)?;
     *room = left;

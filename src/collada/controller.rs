@@ -138,7 +138,7 @@ impl<'a> Controllers<'a> {
 }
 
 /// Walks from a controller down to its geometry: the `skin` and `morph` elements on the way, the outermost first.
-fn layers<'a>(context: &mut Context<'a>, controller: El<'a>) -> Option<(El<'a>, Vec<El<'a>>)> {
+pub fn layers<'a>(context: &mut Context<'a>, controller: El<'a>) -> Option<(El<'a>, Vec<El<'a>>)> {
     let mut layers: Vec<El<'a>> = Vec::new();
     let mut next = controller;
     loop {
@@ -161,9 +161,4 @@ fn layers<'a>(context: &mut Context<'a>, controller: El<'a>) -> Option<(El<'a>, 
         }
         next = below;
     }
-}
-
-/// The geometry at the end of a morph target, which may itself be a controller.
-pub fn geometry_below<'a>(context: &mut Context<'a>, target: El<'a>) -> Option<El<'a>> {
-    if target.tag_name().name() == "geometry" { Some(target) } else { layers(context, target).map(|(geometry, _)| geometry) }
 }

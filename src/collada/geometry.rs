@@ -8,6 +8,7 @@ use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child, children, id_of, name_of};
 use super::material::is_double_sided;
+use super::morph_shape::Known;
 use super::primitive::{self, Shape};
 use super::source::{Accessor, Arrays, Input, inputs};
 use super::triangulate::Triangulator;
@@ -44,6 +45,8 @@ pub struct Geometries {
     arrays: Arrays<f32>,
     placed: FxHashMap<NodeId, Option<Placed>>,
     targets: FxHashMap<NodeId, Option<Rc<Geometry>>>,
+    /// Morph targets that are controllers, by their element.
+    pub shapes: FxHashMap<NodeId, Known>,
     keep: bool,
     steps: u64,
     triangulator: Triangulator,
@@ -56,6 +59,7 @@ impl Geometries {
             arrays: Arrays::default(),
             placed: FxHashMap::default(),
             targets: FxHashMap::default(),
+            shapes: FxHashMap::default(),
             keep: has_morph,
             steps: limits::TRIANGULATION_STEPS,
             triangulator: Triangulator::default(),

@@ -10,7 +10,7 @@
 //! | `asset`, `image`, `effect`, `material` | unit and axes, materials |
 //! | `nodes` | the tree of nodes, instances resolved |
 //! | `geometry`, `primitive`, `triangulate`, `vertices` | meshes |
-//! | `controller`, `skin`, `morph` | deformers, joints found by name |
+//! | `controller`, `skin`, `morph`, `morph_shape` | deformers, joints found by name |
 //! | `instances`, `light_camera` | what hangs on the nodes |
 //! | `animation`, `target` | curves, clips, and what they move |
 //!
@@ -31,6 +31,7 @@ mod lists;
 mod lookup;
 mod material;
 mod morph;
+mod morph_shape;
 mod nodes;
 mod numbers;
 mod primitive;
@@ -43,6 +44,7 @@ mod triangulate;
 mod vertices;
 mod xml;
 
+use std::borrow::Cow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
@@ -137,18 +139,21 @@ pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, Rea
     if archive::is_archive(bytes) {
         return archive::read(bytes, name, progress);
     }
-    read_document(bytes, name, name, progress)
+    read_document(bytes, name, name, progress, None)
 }
 
-/// Reads one document; `file_name` is what references to itself use.
-fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
+/// Reads one document; `file_name` is what references to itself use, `room` what it may take in bytes where that does not follow from its size.
+fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress, room: Option<usize>) -> Result<Loaded, ReadError> {
     let decoded = text::decode(bytes);
     let text = decoded.text.as_ref();
     let shift = |mut error: ReadError| {
         error.line = error.line.map(|line| line + decoded.lines_before);
         error
     };
-    let surveyed = xml::look_at(text).map_err(shift)?;
+    // Other encodings are held a second time, as UTF-8.
+    let decoded_size = if matches!(decoded.text, Cow::Owned(_)) { text.len() } else { 0 };
+    let room = room.map(|room| room.saturating_sub(decoded_size));
+    let surveyed = xml::look_at(text, room).map_err(shift)?;
     let parsed = xml::parse(&surveyed).map_err(shift)?;
     let mut report = Report::new(parsed.lists, decoded.lines_before);
     let root = parsed.document.root_element();

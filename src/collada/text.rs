@@ -17,7 +17,14 @@ pub struct Decoded<'a> {
 /// Decodes a document. Never fails: bytes that fit no encoding become replacement characters.
 pub fn decode(bytes: &[u8]) -> Decoded<'_> {
     let (text, misfit) = to_text(bytes);
-    let text = unix_lines(text);
+    // Some exporters write the zero that ends their strings.
+    let text = match unix_lines(text) {
+        Cow::Borrowed(text) => Cow::Borrowed(text.trim_end_matches('\0')),
+        Cow::Owned(mut text) => {
+            text.truncate(text.trim_end_matches('\0').len());
+            Cow::Owned(text)
+        }
+    };
     let start = text.len() - text.trim_start().len();
     let lines_before = text.get(..start).map_or(0, |blank| blank.bytes().filter(|b| *b == b'\n').count() as u32);
     let text = match text {

@@ -57,13 +57,18 @@ impl Survey {
     }
 }
 
-/// Looks at what `text` asks of the parser, and sets its long lists aside.
+/// Looks at what `text` asks of the parser, and sets its long lists aside. `room`: what tree, scene and numbers may take together, bytes, where that
+/// does not follow from the size of the text.
 ///
 /// # Errors
 /// [`ReadError`] where it asks for more than the limits allow.
-pub fn look_at(text: &str) -> Result<Surveyed<'_>, ReadError> {
+pub fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, ReadError> {
     let mut survey = survey(text)?;
-    let budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
+    let mut budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
+    if let Some(room) = room {
+        let left = room.checked_sub(numbers_in(text) * limits::BYTES_PER_NUMBER).ok_or_else(super::archive::too_large)?;
+        budget = budget.min(left);
+    }
     let tree = survey.nodes * NODE_BYTES + survey.attributes * ATTRIBUTE_BYTES;
     // The parser reserves by counting `<` and `=`, wherever they stand. In a small document that is little, whatever it holds.
     let signs = if text.len() < 16 << 20 { 0 } else { memchr_iter(b'=', text.as_bytes()).count().saturating_sub(survey.attributes) };
@@ -82,6 +87,12 @@ pub fn look_at(text: &str) -> Result<Surveyed<'_>, ReadError> {
     // An entity could stand for the end of a list.
     let lists = if survey.entities > 0 { Vec::new() } else { std::mem::take(&mut survey.lists) };
     Ok(Surveyed { shortened: Shortened::new(text, lists), budget, tree })
+}
+
+/// How many numbers a text holds at most: words that blanks stand before.
+fn numbers_in(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    bytes.iter().zip(bytes.get(1..).unwrap_or_default()).filter(|(before, here)| **before <= b' ' && **here > b' ').count()
 }
 
 /// Parses a document that was looked at.
@@ -253,7 +264,7 @@ mod tests {
 
     /// Number of nodes, or why it was refused.
     fn parse(text: &str) -> Result<usize, ReadError> {
-        super::parse(&look_at(text)?).map(|parsed| parsed.document.descendants().count())
+        super::parse(&look_at(text, None)?).map(|parsed| parsed.document.descendants().count())
     }
 
     #[test]
@@ -303,7 +314,7 @@ mod tests {
     fn faults_behind_long_lists_are_named_by_the_line_of_the_file() {
         let list = "1 2\n".repeat(1000);
         let text = format!("<a>\n<p>{list}</p>\n<b c=1/></a>");
-        assert_eq!(look_at(&text).map(|surveyed| surveyed.shortened.text().len()).ok(), Some("<a>\n<p>0</p>\n<b c=1/></a>".len()));
+        assert_eq!(look_at(&text, None).map(|surveyed| surveyed.shortened.text().len()).ok(), Some("<a>\n<p>0</p>\n<b c=1/></a>".len()));
         assert_eq!(parse(&text).err().and_then(|error| error.line), Some(1003));
     }
 }

@@ -13,6 +13,8 @@ pub(super) struct Bender {
     palette: Palette,
     /// For morphs without normals: vertices that share point and normal, so that hard edges stay hard.
     groups: Option<(Vec<u32>, usize)>,
+    /// The shape after the morphs, where a skin follows; empty where there are none.
+    morphed: (Vec<Vec3>, Vec<Vec3>),
 }
 
 /// The skin of an instance, if it has one that the scene knows.
@@ -35,7 +37,7 @@ impl Bender {
     pub(super) fn new(scene: &Scene, instance: &MeshInstance, mesh: &Mesh) -> Self {
         let lacks_normals = |morph: &Morph| morph.targets.iter().any(|target| target.normal_deltas.len() != mesh.positions.len());
         let groups = morphs_of(scene, instance).any(|(_, morph)| lacks_normals(morph)).then(|| groups(mesh));
-        Self { palette: Palette::default(), groups }
+        Self { groups, ..Self::default() }
     }
 
     /// Bends the instance on `node` into the buffers and says whether it is mirrored.
@@ -50,6 +52,46 @@ impl Bender {
         morph_weights: &[Vec<f32>],
         (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>),
     ) -> (Bounds, bool) {
+        let count = mesh.positions.len();
+        positions.resize(count, Vec3::ZERO);
+        normals.resize(count, Vec3::Y);
+        let at = |node: NodeId| world.get(node.index()).copied();
+        let here = at(node).unwrap_or(DMat4::IDENTITY);
+        let Some((skin, joints)) = skin_of(scene, instance) else {
+            self.shape(scene, instance, mesh, morph_weights, positions, normals);
+            let (matrix, turn) = (here.as_mat4(), normal_matrix(&here));
+            for (position, normal) in positions.iter_mut().zip(normals.iter_mut()) {
+                *position = matrix.transform_point3(*position);
+                *normal = (turn * Vec3A::from(*normal)).normalize_or(Vec3A::Y).into();
+            }
+            return (Bounds::of(positions.iter().copied()), here.determinant() < 0.0);
+        };
+        let file = at(root_of(scene, node)).unwrap_or(DMat4::IDENTITY);
+        let worlds = joints.iter().map(|joint| joint.and_then(at));
+        self.palette.set(skin, worlds, &here, &file, state.skinning == Skinning::DualQuaternion);
+        let as_it_is = morphs_of(scene, instance).next().is_none() && mesh.normals.len() == count;
+        let (mut p, mut n) = std::mem::take(&mut self.morphed);
+        let from = if as_it_is {
+            (mesh.positions.as_slice(), mesh.normals.as_slice())
+        } else {
+            self.shape(scene, instance, mesh, morph_weights, &mut p, &mut n);
+            (p.as_slice(), n.as_slice())
+        };
+        let bounds = self.palette.bend(skin, mesh, from, (positions, normals));
+        self.morphed = (p, n);
+        (bounds, self.palette.mirrors())
+    }
+
+    /// The mesh after its morphs, in its own space.
+    fn shape(
+        &self,
+        scene: &Scene,
+        instance: &MeshInstance,
+        mesh: &Mesh,
+        morph_weights: &[Vec<f32>],
+        positions: &mut Vec<Vec3>,
+        normals: &mut Vec<Vec3>,
+    ) {
         positions.clear();
         positions.extend_from_slice(&mesh.positions);
         normals.clear();
@@ -59,22 +101,6 @@ impl Bender {
             if let Some(weights) = morph_weights.get(id) {
                 self.morph(morph, weights, mesh, positions, normals);
             }
-        }
-        let at = |node: NodeId| world.get(node.index()).copied();
-        let here = at(node).unwrap_or(DMat4::IDENTITY);
-        if let Some((skin, joints)) = skin_of(scene, instance) {
-            let file = at(root_of(scene, node)).unwrap_or(DMat4::IDENTITY);
-            let worlds = joints.iter().map(|joint| joint.and_then(at));
-            self.palette.set(skin, worlds, &here, &file, state.skinning == Skinning::DualQuaternion);
-            let bounds = self.palette.bend(skin, mesh, positions, normals);
-            (bounds, self.palette.mirrors())
-        } else {
-            let (matrix, turn) = (here.as_mat4(), normal_matrix(&here));
-            for (position, normal) in positions.iter_mut().zip(normals.iter_mut()) {
-                *position = matrix.transform_point3(*position);
-                *normal = (turn * Vec3A::from(*normal)).normalize_or(Vec3A::Y).into();
-            }
-            (Bounds::of(positions.iter().copied()), here.determinant() < 0.0)
         }
     }
 

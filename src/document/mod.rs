@@ -18,6 +18,7 @@ mod over_time;
 mod pose;
 mod reach;
 mod skin_kernel;
+mod skin_plan;
 mod skinning;
 mod workshop;
 

@@ -1,216 +1,294 @@
-//! The two inner loops of skinning: blend a palette, transform vertices.
+//! The inner loop of skinning: blend the matrices of a vertex, transform its position and normal.
 //!
-//! Each loop is one plain function, compiled a second and third time for wider vectors and chosen at run time. The arithmetic and its order
-//! are the same in all (no fused multiply-add), so every width gives the same bits.
+//! Written once over [`Lanes`] and compiled for each instruction set. The arithmetic and its order are the same in all (no fused multiply-add), so
+//! every width gives the same bits. Matrices are blended one vertex at a time, all their numbers side by side; a group's matrices are then
+//! transposed, and positions and normals are worked on with one vertex a lane.
 
-use glam::{DMat4, Mat3A, Vec3, Vec3A, Vec4};
+use std::ops::{Add, Mul, Sub};
 
-use crate::scene::{Bounds, Skin};
+use glam::{DMat4, Mat3A, Vec3, Vec3A};
 
-/// An affine matrix as four columns of four, so that a whole matrix fills one cache line. The fourth lane means nothing.
+use super::skin_plan::{GROUP, Pick, Plan};
+use crate::lanes::{Lanes, always, each, kernel, map};
+use crate::scene::{Bounds, Influence};
+
+/// An affine matrix as three rows of four, and four numbers that mean nothing, so that it fills one cache line.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(64))]
-pub(super) struct Columns([f32; 16]);
+pub(super) struct Affine([f32; 16]);
 
-impl Columns {
+impl Affine {
     /// From a matrix; its bottom row is left out.
     pub(super) fn of(matrix: &DMat4) -> Self {
-        Self(matrix.as_mat4().to_cols_array())
+        let m = matrix.as_mat4();
+        Self::from_parts(Mat3A::from_mat4(m), m.w_axis.truncate())
     }
 
     /// From a linear part and a translation.
-    pub(super) fn from_parts(linear: Mat3A, translation: Vec3) -> Self {
-        let (x, y, z, t) = (linear.x_axis.to_array(), linear.y_axis.to_array(), linear.z_axis.to_array(), translation.to_array());
-        Self([x[0], x[1], x[2], 0.0, y[0], y[1], y[2], 0.0, z[0], z[1], z[2], 0.0, t[0], t[1], t[2], 1.0])
+    pub(super) fn from_parts(linear: Mat3A, t: Vec3) -> Self {
+        let [x, y, z] = [linear.x_axis, linear.y_axis, linear.z_axis].map(|axis| axis.to_array());
+        Self([x[0], y[0], z[0], t.x, x[1], y[1], z[1], t.y, x[2], y[2], z[2], t.z, 0.0, 0.0, 0.0, 0.0])
     }
 
-    /// The four columns.
-    #[inline(always)]
-    fn vectors(&self) -> [Vec3A; 4] {
-        let column = |i: usize| Vec3A::from_vec4(Vec4::new(self.0[i], self.0[i + 1], self.0[i + 2], self.0[i + 3]));
-        [column(0), column(4), column(8), column(12)]
+    /// `Σ wᵢ Mᵢ`, in the order of the influences as everywhere.
+    pub(super) fn sum(influences: &[Influence], matrix: impl Fn(i32) -> Self) -> Self {
+        let mut sum = [0.0; 16];
+        for (place, influence) in influences.iter().enumerate() {
+            for (sum, number) in sum.iter_mut().zip(matrix(influence.joint).0) {
+                let term = number * influence.weight;
+                *sum = if place == 0 { term } else { *sum + term };
+            }
+        }
+        Self(sum)
     }
 
     /// The linear part.
-    #[inline(always)]
     pub(super) fn linear(&self) -> Mat3A {
         let m = &self.0;
-        Mat3A::from_cols(Vec3A::new(m[0], m[1], m[2]), Vec3A::new(m[4], m[5], m[6]), Vec3A::new(m[8], m[9], m[10]))
+        Mat3A::from_cols(Vec3A::new(m[0], m[4], m[8]), Vec3A::new(m[1], m[5], m[9]), Vec3A::new(m[2], m[6], m[10]))
     }
 }
 
 /// The inverse transpose times the determinant's size: turns normals as the matrix turns the surface, mirrored or not.
-#[inline(always)]
 pub(super) fn cofactor(m: &Mat3A) -> Mat3A {
     let (x, y, z) = (m.x_axis, m.y_axis, m.z_axis);
     let matrix = Mat3A::from_cols(y.cross(z), z.cross(x), x.cross(y));
     if matrix.x_axis.dot(x) < 0.0 { matrix * -1.0 } else { matrix }
 }
 
-/// Compiles `$body` for the baseline, AVX2 and AVX-512 and defines `$name` to run the widest that this machine has.
-macro_rules! for_every_width {
-    ($(#[$doc:meta])* $name:ident => $body:ident ( $($argument:ident : $type:ty),* ) $(-> $result:ty)?) => {
-        $(#[$doc])*
-        #[allow(unsafe_code)]
-        pub(super) fn $name($($argument: $type),*) $(-> $result)? {
-            #[cfg(target_arch = "x86_64")]
-            {
-                #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-                fn avx512($($argument: $type),*) $(-> $result)? { $body($($argument),*) }
-                #[target_feature(enable = "avx2")]
-                fn avx2($($argument: $type),*) $(-> $result)? { $body($($argument),*) }
-                let wide = is_x86_feature_detected!("avx512f") && is_x86_feature_detected!("avx512vl") && is_x86_feature_detected!("avx512dq");
-                if wide {
-                    // SAFETY: the processor has just said that it knows these instructions.
-                    return unsafe { avx512($($argument),*) };
-                }
-                if is_x86_feature_detected!("avx2") {
-                    // SAFETY: as above.
-                    return unsafe { avx2($($argument),*) };
-                }
-            }
-            $body($($argument),*)
-        }
-    };
+/// What is bent, and by what. All lists of vertices have the same length.
+pub(super) struct Task<'a> {
+    /// Which matrices move which vertex.
+    pub(super) plan: &'a Plan,
+    /// The matrices that the plan picks from.
+    pub(super) matrices: &'a [Affine],
+    /// Whether a matrix scales unevenly, so that normals need the inverse transpose.
+    pub(super) uneven: bool,
+    /// The shape before.
+    pub(super) from: (&'a [Vec3], &'a [Vec3]),
+    /// Positions and normals after.
+    pub(super) to: (&'a mut [Vec3], &'a mut [Vec3]),
+    /// The box round the new positions; a coordinate that is no number is left out of it.
+    pub(super) bounds: Bounds,
 }
 
-for_every_width! {
-    /// Appends one blended matrix a point: `Σ wᵢ joints[jᵢ]`, `loose` for a point without influences, `bind` for an influence of no joint.
-    blend => blend_body(skin: &Skin, points: usize, joints: &[Columns], loose: &Columns, bind: &Columns, blended: &mut Vec<Columns>)
+kernel! {
+    /// Bends all vertices of the task.
+    pub(super) fn bend(task: &mut Task<'_>) = bend_with
 }
 
 #[inline(always)]
-fn blend_body(skin: &Skin, points: usize, joints: &[Columns], loose: &Columns, bind: &Columns, blended: &mut Vec<Columns>) {
-    blended.reserve(points);
-    for range in skin.offsets.windows(2).take(points) {
-        let influences = skin.influences.get(range[0] as usize..range[1] as usize).unwrap_or(&[]);
-        let Some((first, rest)) = influences.split_first() else {
-            blended.push(*loose);
+fn bend_with<L: Lanes>(l: L, task: &mut Task<'_>) {
+    if task.uneven { bend_groups::<L, true>(l, task) } else { bend_groups::<L, false>(l, task) }
+}
+
+#[inline(always)]
+fn bend_groups<L: Lanes, const UNEVEN: bool>(l: L, task: &mut Task<'_>) {
+    let (positions, normals) = task.from;
+    let (to_positions, to_normals) = (&mut *task.to.0, &mut *task.to.1);
+    let count = positions.len();
+    assert!(normals.len() == count && to_positions.len() == count && to_normals.len() == count && task.plan.vertices() == count);
+    assert!(task.plan.needs() <= task.matrices.len());
+    let mut bounds = ([l.splat(f32::INFINITY); 3], [l.splat(f32::NEG_INFINITY); 3]);
+    let mut blended = [Affine::default(); GROUP];
+    for (first, picks) in task.plan.groups() {
+        // SAFETY: the plan's indices are below `needs`, which was compared above.
+        unsafe { blend_group(l, task.matrices, picks, &mut blended) };
+        if let (Some(positions), Some(normals)) = (positions[first..].first_chunk(), normals[first..].first_chunk())
+            && let (Some(to_positions), Some(to_normals)) = (to_positions[first..].first_chunk_mut(), to_normals[first..].first_chunk_mut())
+        {
+            transform_group::<L, UNEVEN>(l, &blended, [positions, normals], [to_positions, to_normals], &mut bounds);
             continue;
-        };
-        // −1 becomes a number far beyond the joints.
-        let of = |joint: i32| joints.get(joint as usize).unwrap_or(bind);
-        let mut sum = Columns::default();
-        let matrix = of(first.joint);
-        for lane in 0..16 {
-            sum.0[lane] = matrix.0[lane] * first.weight;
         }
-        for influence in rest {
-            let matrix = of(influence.joint);
-            for lane in 0..16 {
-                sum.0[lane] += matrix.0[lane] * influence.weight;
+        // Places beyond the end repeat the last vertex, as the plan does, so that they change nothing in the box.
+        let padded = |list: &[Vec3]| -> [Vec3; GROUP] { std::array::from_fn(|i| list[(first + i).min(count - 1)]) };
+        let [mut p, mut n] = [[Vec3::ZERO; GROUP]; 2];
+        transform_group::<L, UNEVEN>(l, &blended, [&padded(positions), &padded(normals)], [&mut p, &mut n], &mut bounds);
+        to_positions[first..].copy_from_slice(&p[..count - first]);
+        to_normals[first..].copy_from_slice(&n[..count - first]);
+    }
+    // A zero loses its sign, which would depend on the order of the comparisons.
+    let ends = always!(|vectors: [L::F; 3], pick: fn(f32, f32) -> f32| {
+        let coordinates = map(
+            vectors,
+            always!(|vector| {
+                let mut lanes = [0.0; 16];
+                l.store(vector, &mut lanes);
+                lanes[..L::N].iter().copied().reduce(pick).unwrap_or(0.0) + 0.0
+            }),
+        );
+        Vec3::from_array(coordinates)
+    });
+    task.bounds = Bounds { min: ends(bounds.0, f32::min), max: ends(bounds.1, f32::max) };
+}
+
+/// `Σ wᵢ Mᵢ` for each vertex of a group; `picks` holds equally many for each.
+///
+/// # Safety
+/// All picks name one of `matrices`.
+#[inline(always)]
+unsafe fn blend_group<L: Lanes>(l: L, matrices: &[Affine], picks: &[Pick], blended: &mut [Affine; GROUP]) {
+    // SAFETY: the caller's promise; a count that is known lets the compiler lay the sum out in a row.
+    unsafe {
+        match picks.len() / GROUP {
+            1 => blend_each(l, matrices, picks, 1, blended),
+            2 => blend_each(l, matrices, picks, 2, blended),
+            3 => blend_each(l, matrices, picks, 3, blended),
+            4 => blend_each(l, matrices, picks, 4, blended),
+            many => blend_each(l, matrices, picks, many, blended),
+        }
+    }
+}
+
+/// # Safety
+/// All picks name one of `matrices`.
+#[inline(always)]
+unsafe fn blend_each<L: Lanes>(l: L, matrices: &[Affine], picks: &[Pick], count: usize, blended: &mut [Affine; GROUP]) {
+    for (sum, picks) in blended.iter_mut().zip(picks.chunks_exact(count)) {
+        let (first, rest) = picks.split_at(1);
+        for part in (0..16).step_by(L::N) {
+            let term = always!(|pick: &Pick| {
+                // SAFETY: the caller's promise.
+                let matrix = unsafe { pick.of(matrices) };
+                l.load(&matrix.0[part..]) * l.splat(pick.weight)
+            });
+            let mut total = term(&first[0]);
+            for pick in rest {
+                total = total + term(pick);
             }
+            l.store(total, &mut sum.0[part..]);
         }
-        blended.push(sum);
     }
 }
 
-for_every_width! {
-    /// Transforms positions and normals in place, each vertex by the matrix of its point, and returns the box round the positions.
-    transform => transform_body(
-        blended: &[Columns], loose: &Columns, source: &[u32], uneven: bool, positions: &mut [Vec3], normals: &mut [Vec3]
-    ) -> Bounds
+/// Transforms a group: positions and normals of `from` into those of `to`.
+#[inline(always)]
+fn transform_group<L: Lanes, const UNEVEN: bool>(
+    l: L,
+    blended: &[Affine; GROUP],
+    from: [&[Vec3; GROUP]; 2],
+    to: [&mut [Vec3; GROUP]; 2],
+    bounds: &mut ([L::F; 3], [L::F; 3]),
+) {
+    let [from_positions, from_normals] = from.map(|list| bytemuck::cast_slice::<Vec3, [f32; 3]>(list));
+    let [to_positions, to_normals] = to.map(|list| bytemuck::cast_slice_mut::<Vec3, [f32; 3]>(list));
+    for part in (0..GROUP).step_by(L::N) {
+        let first = blended[part..part + L::N].as_ptr().cast::<f32>();
+        // SAFETY: a matrix has 16 floats, of which three times four are read.
+        let [x, y, z] = unsafe { each::<_, 3>(always!(|k| l.quads(first.add(k * 4), 16))) };
+        let (position, normal) = (l.triples(&from_positions[part..]), l.triples(&from_normals[part..]));
+        let rows = map([x, y, z], always!(|m: [L::F; 4]| [m[0], m[1], m[2]]));
+        let rows = if UNEVEN { cofactors(l, rows) } else { rows };
+        let turned = map(rows, always!(|row: [L::F; 3]| dot(row, normal)));
+        let square = dot(turned, turned);
+        // Roots and quotients take long: the positions are worked on meanwhile.
+        let scale = l.splat(1.0) / l.sqrt(square);
+        let moved = map([x, y, z], always!(|m: [L::F; 4]| m[0] * position[0] + m[1] * position[1] + m[2] * position[2] + m[3]));
+        // Keeps the old value where the new one is no number.
+        bounds.0 = each(always!(|k| l.min(moved[k], bounds.0[k])));
+        bounds.1 = each(always!(|k| l.max(moved[k], bounds.1[k])));
+        l.set_triples(moved, &mut to_positions[part..]);
+        let good = l.lt(l.splat(0.0), square) & l.lt(square, l.splat(f32::INFINITY));
+        let up = [0.0, 1.0, 0.0];
+        l.set_triples(each(always!(|k| l.select(good, turned[k] * scale, l.splat(up[k])))), &mut to_normals[part..]);
+    }
 }
 
-/// Vertices that are worked on together, so that the square roots and divisions of their normals run side by side.
-const TOGETHER: usize = 16;
+/// [`cofactor`] of many, by rows: the cofactors of a transposed matrix are the transposed cofactors.
+#[inline(always)]
+fn cofactors<L: Lanes>(l: L, [x, y, z]: [[L::F; 3]; 3]) -> [[L::F; 3]; 3] {
+    let (a, b, c) = (cross(y, z), cross(z, x), cross(x, y));
+    let mirrored = l.lt(dot(a, x), l.splat(0.0));
+    let sign = l.select(mirrored, l.splat(-1.0), l.splat(1.0));
+    map([a, b, c], always!(|column: [L::F; 3]| map(column, always!(|x| x * sign))))
+}
 
 #[inline(always)]
-fn transform_body(
-    blended: &[Columns],
-    loose: &Columns,
-    source: &[u32],
-    uneven: bool,
-    positions: &mut [Vec3],
-    normals: &mut [Vec3],
-) -> Bounds {
-    if uneven {
-        transform_with(blended, loose, source, positions, normals, |m, normal| cofactor(&m.linear()) * normal)
-    } else {
-        transform_with(blended, loose, source, positions, normals, |m, normal| {
-            let [x, y, z, _] = m.vectors();
-            x * normal.x + y * normal.y + z * normal.z
-        })
-    }
+fn cross<F: Copy + Mul<Output = F> + Sub<Output = F>>(a: [F; 3], b: [F; 3]) -> [F; 3] {
+    [a[1] * b[2] - b[1] * a[2], a[2] * b[0] - b[2] * a[0], a[0] * b[1] - b[0] * a[1]]
 }
 
 #[inline(always)]
-fn transform_with(
-    blended: &[Columns],
-    loose: &Columns,
-    source: &[u32],
-    positions: &mut [Vec3],
-    normals: &mut [Vec3],
-    turn: impl Fn(&Columns, Vec3A) -> Vec3A,
-) -> Bounds {
-    let (mut min, mut max) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
-    let groups = positions.chunks_mut(TOGETHER).zip(normals.chunks_mut(TOGETHER)).zip(source.chunks(TOGETHER));
-    for ((positions, normals), source) in groups {
-        let mut squares = [1.0f32; TOGETHER];
-        for (((position, normal), square), source) in positions.iter_mut().zip(normals.iter_mut()).zip(&mut squares).zip(source) {
-            let m = blended.get(*source as usize).unwrap_or(loose);
-            let [x, y, z, t] = m.vectors();
-            let moved = x * position.x + y * position.y + z * position.z + t;
-            // Keeps the old value where the new one is no number.
-            (min, max) = (moved.min(min), moved.max(max));
-            *position = moved.into();
-            let turned = turn(m, Vec3A::from(*normal));
-            *normal = turned.into();
-            *square = normal.x * normal.x + normal.y * normal.y + normal.z * normal.z;
-        }
-        let mut scales = [0.0f32; TOGETHER];
-        for (scale, square) in scales.iter_mut().zip(&squares) {
-            *scale = 1.0 / square.sqrt();
-        }
-        for (normal, scale) in normals.iter_mut().zip(&scales) {
-            *normal = if scale.is_finite() { *normal * *scale } else { Vec3::Y };
-        }
-    }
-    Bounds { min: min.into(), max: max.into() }
+fn dot<F: Copy + Mul<Output = F> + Add<Output = F>>(a: [F; 3], b: [F; 3]) -> F {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Influence;
+    use crate::lanes::Level;
+    use crate::scene::{Mesh, Skin, SkinJoint};
+    use glam::DMat3;
     use proptest::prelude::*;
 
-    fn columns() -> impl Strategy<Value = Columns> {
-        prop::array::uniform16(-3.0..3.0f32).prop_map(Columns)
+    /// Bends by `level` and returns positions, normals and box.
+    fn bent(level: Level, plan: &Plan, matrices: &[Affine], uneven: bool, shape: &[Vec3]) -> (Vec<Vec3>, Vec<Vec3>, Bounds) {
+        let (mut positions, mut normals) = (vec![Vec3::NAN; shape.len()], vec![Vec3::NAN; shape.len()]);
+        let to = (positions.as_mut_slice(), normals.as_mut_slice());
+        let mut task = Task { plan, matrices, uneven, from: (shape, shape), to, bounds: Bounds::EMPTY };
+        bend(level, &mut task);
+        let bounds = task.bounds;
+        (positions, normals, bounds)
+    }
+
+    fn affine() -> impl Strategy<Value = Affine> {
+        prop::array::uniform16(-3.0..3.0f32).prop_map(Affine)
     }
 
     proptest! {
         #[test]
-        fn every_width_gives_the_bits_of_the_plain_loop(
-            joints in prop::collection::vec(columns(), 1..5), loose in columns(), bind in columns(), uneven: bool,
-            points in prop::collection::vec(prop::collection::vec((-1..6i32, 0.0..1.0f32), 0..6), 1..70),
+        fn every_width_gives_the_same_bits_and_they_are_the_formula(
+            matrices in prop::collection::vec(affine(), 6), uneven: bool,
+            points in prop::collection::vec(prop::collection::vec((-1..6i32, 0.0..1.0f32), 0..8), 1..70),
             shape in prop::collection::vec(prop::array::uniform3(-2.0..2.0f32), 70),
         ) {
-            let mut skin = Skin { offsets: vec![0], ..Skin::default() };
+            let joints = vec![SkinJoint { name: String::new(), inverse_bind: DMat4::IDENTITY }; 4];
+            let mut skin = Skin { offsets: vec![0], joints, ..Skin::default() };
             for point in &points {
                 skin.influences.extend(point.iter().map(|(joint, weight)| Influence { joint: *joint, weight: *weight }));
                 skin.offsets.push(skin.influences.len() as u32);
             }
-            let (mut plain, mut wide) = (Vec::new(), Vec::new());
-            blend_body(&skin, points.len(), &joints, &loose, &bind, &mut plain);
-            blend(&skin, points.len(), &joints, &loose, &bind, &mut wide);
-            prop_assert_eq!(plain.iter().map(|m| m.0).collect::<Vec<_>>(), wide.iter().map(|m| m.0).collect::<Vec<_>>());
-            let source: Vec<u32> = (0..points.len() as u32).rev().collect();
-            let at: Vec<Vec3> = shape.iter().take(points.len()).map(|p| Vec3::from_array(*p)).collect();
-            let (mut p1, mut n1, mut p2, mut n2) = (at.clone(), at.clone(), at.clone(), at);
-            let one = transform_body(&plain, &loose, &source, uneven, &mut p1, &mut n1);
-            let two = transform(&wide, &loose, &source, uneven, &mut p2, &mut n2);
+            let source_count = points.len() as u32;
+            let shape: Vec<Vec3> = shape.iter().take(points.len()).map(|p| Vec3::from_array(*p)).collect();
+            let source_vertex = (0..source_count).rev().collect();
+            let mesh = Mesh { positions: shape.clone(), source_vertex, source_count, ..Mesh::default() };
+            let plan = Plan::of_skin(&skin, &mesh);
             let bits = |v: &[Vec3]| v.iter().map(|v| v.to_array().map(f32::to_bits)).collect::<Vec<_>>();
-            prop_assert_eq!((bits(&p1), bits(&n1), one), (bits(&p2), bits(&n2), two));
+            let plain = bent(Level::Scalar(crate::lanes::Scalar), &plan, &matrices, uneven, &shape);
+            for level in Level::all() {
+                let wide = bent(level, &plan, &matrices, uneven, &shape);
+                prop_assert_eq!((bits(&plain.0), bits(&plain.1), plain.2), (bits(&wide.0), bits(&wide.1), wide.2), "{}", level.name());
+            }
+            // In double precision, straight from the skin.
+            for (v, (position, normal)) in plain.0.iter().zip(&plain.1).enumerate() {
+                let of = |index: usize| DMat4::from_cols_array(&matrices[index].0.map(f64::from)).transpose();
+                let influences = skin.influences_of(points.len() - 1 - v);
+                let mut sum = DMat4::ZERO;
+                for Influence { joint, weight } in influences {
+                    sum += of(if (0..4).contains(joint) { *joint as usize } else { 5 }) * f64::from(*weight);
+                }
+                if influences.is_empty() {
+                    sum = of(4);
+                }
+                let (linear, shift) = (DMat3::from_mat4(sum), sum.w_axis.truncate());
+                prop_assert!((linear * shape[v].as_dvec3() + shift - position.as_dvec3()).length() < 1e-4);
+                let turn = if uneven { linear.inverse().transpose() * linear.determinant().abs() } else { linear };
+                let exact = turn * shape[v].as_dvec3();
+                // Nearly nothing has no direction.
+                if exact.length() > 0.1 && linear.determinant().abs() > 1e-2 {
+                    prop_assert!((exact.normalize() - normal.as_dvec3()).length() < 1e-3, "{exact} {normal}");
+                }
+            }
         }
     }
 
     #[test]
     fn a_normal_that_vanishes_points_up_and_a_coordinate_that_is_no_number_stays_out_of_the_box() {
-        let flat = Columns::default();
-        let (mut positions, mut normals) = ([Vec3::ONE, Vec3::NAN], [Vec3::X; 2]);
-        let bounds = transform(&[flat], &flat, &[0, 0], false, &mut positions, &mut normals);
-        assert_eq!(normals, [Vec3::Y; 2]);
-        assert_eq!((bounds.min, bounds.max), (Vec3::ZERO, Vec3::ZERO));
+        let mesh = Mesh { positions: vec![Vec3::ONE; 2], source_vertex: vec![0; 2], source_count: 1, ..Mesh::default() };
+        for level in Level::all() {
+            let (_, normals, bounds) = bent(level, &Plan::of_points(&mesh), &[Affine::default()], false, &[Vec3::ONE, Vec3::NAN]);
+            assert_eq!(normals, [Vec3::Y; 2]);
+            assert_eq!((bounds.min, bounds.max), (Vec3::ZERO, Vec3::ZERO));
+        }
     }
 }

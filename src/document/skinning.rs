@@ -1,28 +1,35 @@
-//! The two ways to bend a skin, one blended transform a point of the file, applied to all vertices that were split from it.
+//! The two ways to bend a skin: blended matrices, or dual quaternions.
 //!
-//! Blending the matrices first and transforming once costs less than transforming by each joint; the two loops that do it are in
+//! Blending the matrices first and transforming once costs less than transforming by each joint; the loop that does it is in
 //! [`super::skin_kernel`].
+
+use std::sync::LazyLock;
 
 use glam::{DMat3, DMat4, DQuat, Mat3A, Quat, Vec3};
 
-use super::skin_kernel::{self, Columns};
+use super::skin_kernel::{self, Affine, Task};
+use super::skin_plan::Plan;
+use crate::lanes::Level;
 use crate::scene::{Bounds, Influence, Mesh, Skin};
+
+/// What the processor offers, asked once.
+static LEVEL: LazyLock<Level> = LazyLock::new(Level::detect);
 
 /// Matrices of one skin at one moment, and what blending them needs. Kept between frames.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Palette {
-    /// `Jᵢ · IBMᵢ · BSM`, one a joint, into the world.
-    joints: Vec<Columns>,
-    /// Where points go that no joint moves: the holding node's world matrix times the bind shape matrix.
-    loose: Columns,
-    /// Where the influence −1 puts a point: the bind shape in the file's world.
-    bind: Columns,
+    /// Into the world: `Jᵢ · IBMᵢ · BSM`, one a joint; where points go that no joint moves (the holding node's world matrix times the bind shape
+    /// matrix); where the influence −1 puts a point (the bind shape in the file's world); then those that the plan wants blended beforehand.
+    matrices: Vec<Affine>,
     /// Whether a matrix scales unevenly, so that normals need the inverse transpose.
     uneven: bool,
-    /// The same matrices as dual quaternions, filled for that mode only: joints, then `loose`, then `bind`.
+    /// Made with the first frame.
+    plan: Option<Plan>,
+    /// The joints and the two other matrices as dual quaternions; filled for that mode only.
     rigid: Vec<Rigid>,
-    /// One a point of the file.
-    blended: Vec<Columns>,
+    /// One a point of the file, then the one for vertices of no point; for dual quaternions only, like their plan.
+    blended: Vec<Affine>,
+    rigid_plan: Option<Plan>,
 }
 
 /// A palette matrix as rotation and translation (a unit dual quaternion) after a scale and shear.
@@ -53,7 +60,7 @@ fn rotation_of(linear: DMat3) -> DQuat {
 }
 
 /// Whether a matrix stretches one direction more than another by over a thousandth.
-fn is_uneven(matrix: &Columns) -> bool {
+fn is_uneven(matrix: &Affine) -> bool {
     let m = matrix.linear();
     let lengths = [m.x_axis.length_squared(), m.y_axis.length_squared(), m.z_axis.length_squared()];
     let (low, high) = (lengths[0].min(lengths[1]).min(lengths[2]), lengths[0].max(lengths[1]).max(lengths[2]));
@@ -73,73 +80,85 @@ impl Palette {
         file: &DMat4,
         dual_quaternions: bool,
     ) {
-        self.joints.clear();
+        self.matrices.clear();
         self.rigid.clear();
         let (loose, bind) = (*node * skin.bind_shape, *file * skin.bind_shape);
-        for (joint, world) in skin.joints.iter().zip(joint_worlds) {
-            let matrix = world.map_or(bind, |world| world * joint.inverse_bind * skin.bind_shape);
-            self.joints.push(Columns::of(&matrix));
+        let worlds = joint_worlds.chain(std::iter::repeat(None));
+        let joints = skin.joints.iter().zip(worlds).map(|(joint, world)| match world {
+            Some(world) => world * joint.inverse_bind * skin.bind_shape,
+            None => bind,
+        });
+        for matrix in joints.chain([loose, bind]) {
+            self.matrices.push(Affine::of(&matrix));
             if dual_quaternions {
                 self.rigid.push(Rigid::of(&matrix));
             }
         }
-        if dual_quaternions {
-            self.rigid.extend([Rigid::of(&loose), Rigid::of(&bind)]);
-        }
-        (self.loose, self.bind) = (Columns::of(&loose), Columns::of(&bind));
-        self.uneven = self.joints.iter().chain([&self.loose, &self.bind]).any(is_uneven);
+        self.uneven = self.matrices.iter().any(is_uneven);
     }
 
     /// Whether the skin as a whole is mirrored: by its first matrix.
     pub(super) fn mirrors(&self) -> bool {
-        self.joints.first().unwrap_or(&self.loose).linear().determinant() < 0.0
+        self.matrices.first().is_some_and(|first| first.linear().determinant() < 0.0)
     }
 
-    /// Bends the mesh: `positions` and `normals` hold the shape before and the world afterwards. Returns the box round it.
-    pub(super) fn bend(&mut self, skin: &Skin, mesh: &Mesh, positions: &mut [Vec3], normals: &mut [Vec3]) -> Bounds {
-        let points = mesh.source_count as usize;
-        let mut blended = std::mem::take(&mut self.blended);
-        blended.clear();
-        if self.rigid.is_empty() {
-            skin_kernel::blend(skin, points, &self.joints, &self.loose, &self.bind, &mut blended);
+    /// Bends the mesh: `from` holds positions and normals before, `to` those in the world afterwards. Returns the box round it.
+    pub(super) fn bend(&mut self, skin: &Skin, mesh: &Mesh, from: (&[Vec3], &[Vec3]), to: (&mut [Vec3], &mut [Vec3])) -> Bounds {
+        let (plan, matrices) = if self.rigid.is_empty() {
+            let plan = self.plan.get_or_insert_with(|| Plan::of_skin(skin, mesh));
+            for point in plan.long() {
+                let blended =
+                    Affine::sum(skin.influences_of(*point as usize), |joint| self.matrices[joint_index(joint, skin.joints.len())]);
+                self.matrices.push(blended);
+            }
+            (&*plan, &self.matrices)
         } else {
-            blended.extend((0..points).map(|point| self.blend_quaternions(skin.influences_of(point))));
-        }
-        let bounds = skin_kernel::transform(&blended, &self.loose, &mesh.source_vertex, self.uneven, positions, normals);
-        self.blended = blended;
+            let plan = self.rigid_plan.get_or_insert_with(|| Plan::of_points(mesh));
+            self.blended.clear();
+            for point in 0..=mesh.source_count {
+                self.blended.push(blend_quaternions(&self.rigid, &self.matrices, skin.influences_of(point as usize)));
+            }
+            (&*plan, &self.blended)
+        };
+        let mut task = Task { plan, matrices, uneven: self.uneven, from, to, bounds: Bounds::EMPTY };
+        skin_kernel::bend(*LEVEL, &mut task);
+        let bounds = task.bounds;
         // A coordinate that is no number gets lost or spoils the box: then the careful way.
-        if bounds.min.is_finite() && bounds.max.is_finite() { bounds } else { Bounds::of(positions.iter().copied()) }
+        if bounds.min.is_finite() && bounds.max.is_finite() { bounds } else { Bounds::of(task.to.0.iter().copied()) }
     }
+}
 
-    fn blend_quaternions(&self, influences: &[Influence]) -> Columns {
-        let pick = |joint: i32| {
-            let at = usize::try_from(joint).ok().filter(|joint| *joint < self.joints.len()).unwrap_or(self.joints.len() + 1);
-            self.rigid.get(at)
-        };
-        let Some(first) = influences.first().and_then(|first| pick(first.joint)) else {
-            return self.loose;
-        };
-        let (mut real, mut dual, mut stretch) = (Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), Mat3A::ZERO);
-        for influence in influences {
-            let Some(part) = pick(influence.joint) else { continue };
-            // q and −q are the same turn: all are taken from the side of the first.
-            let weight = if first.real.dot(part.real) < 0.0 { -influence.weight } else { influence.weight };
-            real += part.real * weight;
-            dual += part.dual * weight;
-            stretch += part.stretch * influence.weight;
-        }
-        let length = real.length();
-        if length <= 1e-12 {
-            // Opposite half turns cancel out: then the first joint alone decides.
-            return influences.first().map_or(self.loose, |first| self.joints.get(first.joint as usize).copied().unwrap_or(self.bind));
-        }
-        let (real, dual) = (real * (1.0 / length), dual * (1.0 / length));
-        let t = dual * real.conjugate() * 2.0;
-        Columns::from_parts(Mat3A::from_quat(real) * stretch, Vec3::new(t.x, t.y, t.z))
+/// Where the matrix of an influence's joint stands: behind the joints and the one for points that no joint moves comes that for no joint.
+fn joint_index(joint: i32, joints: usize) -> usize {
+    usize::try_from(joint).ok().filter(|joint| *joint < joints).unwrap_or(joints + 1)
+}
+
+/// The matrix of a point with these influences; `rigid` and `matrices` both hold the joints and the two others behind them.
+fn blend_quaternions(rigid: &[Rigid], matrices: &[Affine], influences: &[Influence]) -> Affine {
+    let joints = rigid.len() - 2;
+    let Some(first) = influences.first().map(|first| joint_index(first.joint, joints)) else {
+        return matrices[joints];
+    };
+    let (mut real, mut dual, mut stretch) = (Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), Quat::from_xyzw(0.0, 0.0, 0.0, 0.0), Mat3A::ZERO);
+    for influence in influences {
+        let part = &rigid[joint_index(influence.joint, joints)];
+        // q and −q are the same turn: all are taken from the side of the first.
+        let weight = if rigid[first].real.dot(part.real) < 0.0 { -influence.weight } else { influence.weight };
+        real += part.real * weight;
+        dual += part.dual * weight;
+        stretch += part.stretch * influence.weight;
     }
+    let length = real.length();
+    if length <= 1e-12 {
+        // Opposite half turns cancel out: then the first joint alone decides.
+        return matrices[first];
+    }
+    let (real, dual) = (real * (1.0 / length), dual * (1.0 / length));
+    let t = dual * real.conjugate() * 2.0;
+    Affine::from_parts(Mat3A::from_quat(real) * stretch, Vec3::new(t.x, t.y, t.z))
 }
 
 /// Turns normals of a rigid surface: the inverse transpose, up to a positive factor.
 pub(super) fn normal_matrix(matrix: &DMat4) -> Mat3A {
-    skin_kernel::cofactor(&Columns::of(matrix).linear())
+    skin_kernel::cofactor(&Affine::of(matrix).linear())
 }

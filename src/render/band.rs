@@ -9,12 +9,12 @@ use super::bins::{Bins, Columns};
 use super::drawing::{Drawing, Item, Unit};
 use super::fill::{Stretch, fill};
 use super::ground::Piece;
-use super::lanes::Level;
 use super::line::{self, Onto, Stage, Strokes};
 use super::plane::Plane;
 use super::renderer::{BAND_ROWS, Canvas, Sorted};
 use super::resolve::{Rows, copy_row, lay_over, resolve};
 use super::style::Layer;
+use crate::lanes::Level;
 
 /// Opacity of bones behind a surface, where they show through it.
 pub(super) const XRAY: f32 = 0.45;

@@ -4,13 +4,13 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::drawing::{Drawing, Item, Unit};
-use super::lanes::{Lanes, Level, Scalar, always, each, kernel, map};
 use super::plane::Plane;
 use super::setup::{BLOCK, Edges, Planes, Rect, Stepping, area};
 use super::shade::{Attributes, Corners, Gouraud, Phong, PhongTextured, Shader, Slopes, Textured};
 use super::small::{Batch, bend};
 use super::style::Fill;
 use super::view::Screen;
+use crate::lanes::{Lanes, Level, Scalar, always, each, kernel, map};
 
 /// One stretch of triangles of one item.
 #[derive(Clone, Copy)]

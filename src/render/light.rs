@@ -5,8 +5,8 @@
 
 use glam::Vec3;
 
-use super::lanes::{Lanes, always, map};
 use super::view::View;
+use crate::lanes::{Lanes, always, map};
 
 /// Ambient light from straight above and straight below, and from the direction of the viewer: what keeps form readable in the shade.
 const SKY: [f32; 3] = [0.70, 0.74, 0.80];
@@ -163,7 +163,7 @@ pub(super) fn pow<L: Lanes>(l: L, x: L::F, exponent: f32) -> L::F {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::render::lanes::Scalar;
+    use crate::lanes::Scalar;
 
     #[test]
     fn powers_are_powers() {

@@ -8,10 +8,10 @@ use glam::Vec3;
 use super::bin::Bands;
 use super::bins::{Bins, Columns};
 use super::clip::clip_line;
-use super::lanes::{Lanes, always, kernel, map};
 use super::plane::Plane;
 use super::setup::Rect;
 use super::view::View;
+use crate::lanes::{Lanes, always, kernel, map};
 
 /// When strokes are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

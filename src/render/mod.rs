@@ -15,7 +15,6 @@ mod fill;
 mod glyphs;
 mod ground;
 mod heat;
-mod lanes;
 mod light;
 mod line;
 mod muscle;
@@ -37,9 +36,9 @@ pub use heat::weight_color;
 
 use glam::Vec3;
 
+use crate::lanes::Level;
 use crate::limits;
 use crate::scene::{Camera, Frame, NodeId, Scene};
-use lanes::Level;
 use pool::Pool;
 use renderer::Buffers;
 

@@ -5,13 +5,13 @@ use glam::{DVec3, Vec3};
 use super::bones::{DOT, FACES, LIFT, bones};
 use super::clip::clip;
 use super::drawing::{Drawing, Item, Source};
-use super::lanes::Level;
 use super::pool::Pool;
 use super::renderer::{Buffers, Canvas};
 use super::setup::{Edges, Planes, Rect, area};
 use super::style::Layer;
 use super::view::{BAD, Screen};
 use super::{Display, Pick};
+use crate::lanes::Level;
 use crate::scene::{Camera, Frame, NodeId, Scene};
 
 /// The nearest thing so far.

@@ -4,7 +4,7 @@
 //! read it and write it back, but no lane of theirs is ever covered.
 
 use super::bins::Columns;
-use super::lanes::{Lanes, always, map};
+use crate::lanes::{Lanes, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
 const MARGIN: usize = 16;

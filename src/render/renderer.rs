@@ -12,7 +12,6 @@ use super::bins::Bins;
 use super::collect::{Collector, light_position};
 use super::drawing::{Drawing, Item, Made, Unit, geometry};
 use super::ground::Ground;
-use super::lanes::Level;
 use super::light::Lights;
 use super::line::{Stage, Strokes};
 use super::pool::Pool;
@@ -22,6 +21,7 @@ use super::texture::Cache;
 use super::vertex::{CHUNK, Out, Quad, vertices};
 use super::view::{Screen, View};
 use super::{Display, Samples, Stats};
+use crate::lanes::Level;
 use crate::limits;
 use crate::scene::{Camera, Frame, Scene};
 

@@ -3,11 +3,11 @@
 use glam::Vec3;
 
 use super::drawing::{Drawing, Feed, Item};
-use super::lanes::{Lanes, Scalar, always, each, map};
 use super::light::{normalize, see, shine};
 use super::style::{Normals, Style};
 use super::texture::{Sampler, Texture};
 use super::vertex::finish;
+use crate::lanes::{Lanes, Scalar, always, each, map};
 
 /// A way of shading with `K` attributes, a multiple of four so that planes are set up by whole vectors; attribute 0 is left to the caller.
 pub(super) trait Attributes<const K: usize> {

@@ -9,11 +9,11 @@
 
 use super::drawing::Drawing;
 use super::fill::bends;
-use super::lanes::{Lanes, always, each, map};
 use super::plane::{Plane, pack};
 use super::setup::{Rect, SAMPLES};
 use super::shade::{Attributes, Corners, Shader, Slopes};
 use super::view::Screen;
+use crate::lanes::{Lanes, always, each, map};
 
 /// Triangles that are set up together.
 const MANY: usize = 16;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::lanes::{Lanes, always};
 use super::muscle::Pattern;
+use crate::lanes::{Lanes, always};
 use crate::scene::{AlphaSource, Pixels, Wrap};
 
 /// Most levels: enough for [`crate::limits::IMAGE_SIDE`].

@@ -2,10 +2,10 @@
 
 use glam::{Mat3, Mat4, Vec3, Vec4};
 
-use super::lanes::{Lanes, always, kernel, map};
 use super::light::{Lights, Shine, V3, normalize, see, shine};
 use super::style::{Style, Varying};
 use super::view::{BAD, NEAR, SIDES, Screen, View};
+use crate::lanes::{Lanes, always, kernel, map};
 
 /// Four floats of a vertex: what they mean depends on [`Varying`].
 pub(super) type Quad = [f32; 4];

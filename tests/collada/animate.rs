@@ -307,3 +307,34 @@ fn modes_in_any_case_and_addresses_with_a_hash_are_understood() {
     let loaded = load_clean(&moved(&animation("a", "#n/t.X", "0 1", "X", "0 10", "Step linear")));
     assert_eq!(op(&loaded, 0, 0.9), TransformOp::Translate(DVec3::new(0.0, 2.0, 3.0)));
 }
+
+#[test]
+fn ids_with_dots_blanks_and_brackets_are_found_and_members_in_any_case() {
+    // As Blender (`Bone.001`), 3ds Max (`Bip01 Head`) and hand-made files name them.
+    for (id, target) in [
+        ("Bone.001", "Bone.001/t.X"),
+        ("Bone.X", "Bone.X/t(0)"),
+        ("Bip01 Head", "Bip01 Head/t.X"),
+        ("Bip01 Head", "Bip01%20Head/t.X"),
+        ("arm(1)", "arm(1)/t.X"),
+        ("mixamorig:Hips", "mixamorig:Hips/t.x"),
+    ] {
+        let nodes = format!("<node id=\"{id}\" name=\"n\"><translate sid=\"t\">0 0 0</translate></node>");
+        let moves = animations(&animation("a", target, "0 1", "X", "0 10", "LINEAR LINEAR"));
+        let loaded = load_clean(&document(&(moves + &scene(&nodes))));
+        assert_eq!(op(&loaded, 0, 0.5), TransformOp::Translate(DVec3::X * 5.0), "{target}");
+    }
+}
+
+#[test]
+fn the_pivots_of_maya_are_composed_in_their_order() {
+    // translate · pivot · rotate · pivot⁻¹ turns about the point (1, 0, 0).
+    let nodes = "<node id=\"n\" name=\"n\"><translate sid=\"translate\">0 0 5</translate><translate sid=\"rotatePivot\">1 0 0</translate>\
+                 <rotate sid=\"rotateZ\">0 0 1 0</rotate><rotate sid=\"rotateY\">0 1 0 0</rotate><rotate sid=\"rotateX\">1 0 0 0</rotate>\
+                 <translate sid=\"rotatePivotInverse\">-1 0 0</translate></node>";
+    let moves = animations(&animation("a", "n/rotateZ.ANGLE", "0 1", "ANGLE", "0 90", "LINEAR LINEAR"));
+    let loaded = load_clean(&document(&(moves + &scene(nodes))));
+    let world = posed_world(&loaded, 0, 1.0)[node(&loaded, "n").index()];
+    near(world.transform_point3(DVec3::X), DVec3::new(1.0, 0.0, 5.0));
+    near(world.transform_point3(DVec3::X * 2.0), DVec3::new(1.0, 1.0, 5.0));
+}

@@ -143,3 +143,26 @@ fn morphs_that_share_an_array_of_targets_keep_to_their_own() {
     assert_eq!(loaded.scene.morphs[0].targets.len(), 1);
     assert_eq!(loaded.scene.morphs[0].weights, [0.25]);
 }
+
+#[test]
+fn a_target_that_is_a_controller_looks_as_its_own_controllers_leave_it() {
+    // Half way to `wide`, which alone would be one unit wider.
+    let loaded = load_clean(&with(&(morph("m", "g", "", "half", "1") + &morph("half", "g", "", "wide", "0.5")), "m", ""));
+    assert_eq!(loaded.scene.morphs[0].targets[0].position_deltas, [Vec3::ZERO, Vec3::X * 0.5, Vec3::ZERO]);
+    let relative = morph("half", "g", " method=\"RELATIVE\"", "high", "0.5");
+    let loaded = load_clean(&with(&(morph("m", "g", "", "half", "1") + &relative), "m", ""));
+    assert_eq!(loaded.scene.morphs[0].targets[0].position_deltas, [Vec3::Z * 0.5, Vec3::new(0.5, 0.0, 0.5), Vec3::new(0.0, 0.5, 0.5)]);
+    // A skin in its bind shape.
+    let lifted = skin("k", "wide").replace(
+        "<skin source=\"#wide\">",
+        "<skin source=\"#wide\"><bind_shape_matrix>1 0 0 0 0 1 0 0 0 0 1 3 0 0 0 1</bind_shape_matrix>",
+    );
+    let loaded = load_clean(&with(&(morph("m", "g", "", "k high", "1 0") + &lifted), "m", ""));
+    assert_eq!(loaded.scene.morphs[0].targets[0].position_deltas, [Vec3::Z * 3.0, Vec3::new(1.0, 0.0, 3.0), Vec3::Z * 3.0]);
+    // One that is a target of itself, at some remove.
+    let loaded =
+        load(&with(&(morph("m", "g", "", "a high", "1 1") + &morph("a", "g", "", "b", "1") + &morph("b", "g", "", "a", "1")), "m", ""));
+    assert_eq!(loaded.scene.morphs[0].targets[0].position_deltas, [Vec3::ZERO; 3]);
+    assert_eq!(loaded.scene.morphs[0].targets[1].position_deltas, [Vec3::Z; 3]);
+    assert_eq!(codes(&loaded), ["reference-cycle"]);
+}

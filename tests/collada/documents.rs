@@ -46,6 +46,14 @@ fn marks_utf16_and_windows_line_ends_change_nothing() {
 }
 
 #[test]
+fn zeros_behind_the_document_are_no_part_of_it() {
+    for zeros in ["\0", "\n\0\0\0"] {
+        load_clean(&(document(&shown()) + zeros));
+    }
+    assert!(try_load(&document(&shown()).replace("<p>", "<p>\0")).is_err());
+}
+
+#[test]
 fn lines_are_those_of_the_file_whatever_its_line_ends() {
     let text = document(&shown()).replace("<p>0 1 2</p>", "\n\n<p>0 1 9</p>");
     let line = text.lines().position(|line| line.contains("<triangles")).expect("it is there") as u32 + 1;

@@ -258,3 +258,12 @@ fn names_with_blanks_are_counted_by_the_accessor_where_there_are_no_matrices() {
     found.sort_unstable();
     assert_eq!(found, ["bad-skin", "joint-names-rejoined"]);
 }
+
+#[test]
+fn without_a_bind_shape_matrix_the_mesh_stands_as_it_is() {
+    let text = PLAIN.text(&(BONES.to_owned() + USE));
+    let from = text.find("<bind_shape_matrix>").expect("it is there");
+    let to = text.find("</bind_shape_matrix>").expect("it is there") + "</bind_shape_matrix>".len();
+    let loaded = load_clean(&(text[..from].to_owned() + &text[to..]));
+    assert_eq!(loaded.scene.skins[0].bind_shape, DMat4::IDENTITY);
+}

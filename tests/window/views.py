@@ -232,6 +232,53 @@ def test_files_cameras():
     told("looks and pages are remembered")
 
 
+def sheet(side):
+    """A clip whose node `Sheet` carries so many quads that reading it takes a while."""
+    points = " ".join(f"{x} {y} 0" for y in range(side + 1) for x in range(side + 1))
+    corner = lambda x, y: y * (side + 1) + x
+    quads = " ".join(f"{corner(x, y)} {corner(x + 1, y)} {corner(x + 1, y + 1)} {corner(x, y + 1)}" for y in range(side) for x in range(side))
+    text = CLIP.replace('name="Node"', f'name="Sheet {side}"').replace('count="12">-1 -1 0 1 -1 0 1 1 0 -1 1 0', f'count="{3 * (side + 1) ** 2}">{points}')
+    text = text.replace('count="4" stride="3"', f'count="{(side + 1) ** 2}" stride="3"')
+    return text.replace('<triangles count="2">', f'<polylist count="{side * side}">').replace(
+        "<p>0 1 2 0 2 3</p></triangles>", f"<vcount>{'4 ' * (side * side)}</vcount><p>{quads}</p></polylist>"
+    )
+
+
+def test_cancel(path):
+    """What is open stays until what is read is ready, and for good where reading is given up."""
+    with open(path, "w") as file:
+        file.write(CLIP)
+    window = Window(path)
+    slider = window.get("slider", "Time")
+    shown = "Node"
+    # A quick machine may be ready before Cancel is pressed: then a larger one is tried.
+    for side in (400, 800, 1600):
+        with open(path + ".new", "w") as file:
+            file.write(sheet(side))
+        os.replace(path + ".new", path)
+        wait("the changed file is being read", lambda: window.shows("Cancel") or window.count(f"Sheet {side}") > 0)
+        button = window.find("button", "Cancel")
+        if button:
+            old = window.count(shown)
+            if window.shows("Cancel") and old != 1:
+                fail("the old scene is gone while the new one is read")
+            button.do_action(0)
+        wait("reading ends", lambda: not window.shows("Cancel"))
+        if window.count(f"Sheet {side}") == 0:
+            break
+        shown = f"Sheet {side}"
+    else:
+        fail("Cancel stops reading")
+    if window.count(shown) != 1:
+        fail("the old scene stays after Cancel")
+    with open(path + ".new", "w") as file:
+        file.write(CLIP.replace("0 1 2</float_array>", "0 1 3</float_array>"))
+    os.replace(path + ".new", path)
+    wait("after Cancel a file is read as before", lambda: abs(slider.get_maximum_value() - 3.0) < 1e-6)
+    window.quit()
+    told("reading shows itself, can be given up, and leaves what is open alone")
+
+
 def main():
     path = os.path.join(folder, "turn.dae")
     with open(path, "w") as file:
@@ -245,6 +292,7 @@ def main():
     test_looks(window)
     window.quit()
     test_files_cameras()
+    test_cancel(os.path.join(folder, "cancel.dae"))
     print("all is so")
 
 

@@ -406,7 +406,16 @@ app-facts-muscles = { $count ->
     [one] One muscle
    *[other] { $count } muscles
 }
-app-facts-nodes = { $nodes } nodes, { $meshes } meshes, { $clips } clips
+app-facts-nodes = { $nodes ->
+    [one] { $nodes } node
+   *[other] { $nodes } nodes
+}, { $meshes ->
+    [one] { $meshes } mesh
+   *[other] { $meshes } meshes
+}, { $clips ->
+    [one] { $clips } clip
+   *[other] { $clips } clips
+}
 
 # Measure
 app-page-measure = Measure

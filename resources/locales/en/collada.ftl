@@ -18,7 +18,7 @@ collada-xml-unknown-prefix = The XML uses the namespace prefix “{ $prefix }”
 collada-xml-repeated-attribute = An element has the attribute “{ $name }” twice.
 collada-archive-broken = The archive is damaged and cannot be unpacked.
 collada-archive-files = The archive holds more than { $limit } files.
-collada-archive-large = The archive unpacks to more than { $limit } times its size.
+collada-archive-large = The archive unpacks to more than reading it may take: { $limit } times its size and 64 MB. Unpack it and open the document in it.
 collada-archive-empty = The archive holds no COLLADA document.
 collada-archive-root = The archive’s manifest names “{ $path }”, which is not in it.
 
@@ -60,6 +60,7 @@ collada-no-scene = The file has no scene; its parts are shown as they stand.
 collada-bad-transform = Needs { $wanted } numbers and has { $found }; left out.
 collada-unsupported-element = <{ $element }> is not shown: kinematics and formulas move nothing here.
 collada-limit-nodes = The scene has more than { $nodes } nodes or is more than { $depth } levels deep; the rest is left out.
+collada-morph-depth = Morph targets are made from one another in more than { $limit } steps; the rest is left out.
 collada-limit-reached = The scene grows too large for the file’s size; the rest is left out.
 collada-joint-not-found = { $count ->
     [one] The joint “{ $first }” is not in the scene; it stays in its bind pose.

@@ -18,7 +18,7 @@ collada-xml-unknown-prefix = В XML использован необъявлен�
 collada-xml-repeated-attribute = Атрибут «{ $name }» указан у элемента дважды.
 collada-archive-broken = Архив повреждён, распаковать его нельзя.
 collada-archive-files = В архиве больше { $limit } файлов.
-collada-archive-large = Архив распаковывается более чем в { $limit } раз больше своего размера.
+collada-archive-large = Распакованный архив потребовал бы больше памяти, чем позволено: { $limit } его размеров и ещё 64 МБ. Распакуйте его и откройте сам документ.
 collada-archive-empty = В архиве нет документа COLLADA.
 collada-archive-root = Манифест архива называет «{ $path }», но такого файла в архиве нет.
 
@@ -63,6 +63,7 @@ collada-no-scene = В файле нет сцены; его части показ
 collada-bad-transform = Нужно чисел: { $wanted }, а есть { $found }; пропущено.
 collada-unsupported-element = <{ $element }> не показывается: кинематика и формулы здесь ничего не двигают.
 collada-limit-nodes = В сцене больше { $nodes } узлов или больше { $depth } уровней; остальное пропущено.
+collada-morph-depth = Формы морфа строятся одна из другой на глубину больше { $limit }; остальное пропущено.
 collada-limit-reached = Сцена слишком разрастается для размера файла; остальное пропущено.
 collada-joint-not-found = { $count ->
     [one] В сцене нет { $count } сустава («{ $first }»); он остаётся в позе привязки.

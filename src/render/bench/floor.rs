@@ -3,8 +3,8 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use super::super::lanes::{Lanes, Level, kernel};
 use super::{HEIGHT, WIDTH, time};
+use crate::lanes::{Lanes, Level, kernel};
 
 /// Medians, milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -153,6 +153,19 @@ impl Lanes for Scalar {
         unsafe { to.write(x.0 as u32) }
     }
     #[inline(always)]
+    unsafe fn quads(self, from: *const f32, _: usize) -> [f32; 4] {
+        // SAFETY: the caller's promise.
+        unsafe { from.cast::<[f32; 4]>().read() }
+    }
+    #[inline(always)]
+    fn triples(self, from: &[[f32; 3]]) -> [f32; 3] {
+        from[0]
+    }
+    #[inline(always)]
+    fn set_triples(self, x: [f32; 3], to: &mut [[f32; 3]]) {
+        to[0] = x;
+    }
+    #[inline(always)]
     fn mask_bits(self, m: bool) -> u32 {
         u32::from(m)
     }

@@ -5,7 +5,7 @@
 
 use std::arch::x86_64::*;
 
-use super::Lanes;
+use super::{Lanes, always};
 pub(crate) use avx512::Avx512;
 
 /// Makes the token type, the three vector types, their operators and the operations that have the same form everywhere.
@@ -119,6 +119,71 @@ macro_rules! shifts {
     (@count $by:ident) => { _mm_cvtsi32_si128($by) };
 }
 
+/// Quadruples, by transposing 4 × 4 blocks: `$row` reads four floats for each 128 bits of a vector.
+macro_rules! quads {
+    ($f:ident, |$at:ident, $apart:ident| $row:expr, $low:ident, $high:ident, $shuffle:ident) => {
+        #[inline(always)]
+        unsafe fn quads(self, from: *const f32, stride: usize) -> [$f; 4] {
+            // SAFETY: `self` exists, so the processor has the instruction set; the caller promises the floats.
+            unsafe {
+                let row = always!(|first: usize| {
+                    let ($at, $apart) = (from.add(first * stride), stride * 4);
+                    $row
+                });
+                let (a, b, c, d) = (row(0), row(1), row(2), row(3));
+                let (xy0, xy1, zw0, zw1) = ($low(a, b), $low(c, d), $high(a, b), $high(c, d));
+                [
+                    $f($shuffle::<0b01_00_01_00>(xy0, xy1)),
+                    $f($shuffle::<0b11_10_11_10>(xy0, xy1)),
+                    $f($shuffle::<0b01_00_01_00>(zw0, zw1)),
+                    $f($shuffle::<0b11_10_11_10>(zw0, zw1)),
+                ]
+            }
+        }
+    };
+}
+
+/// Triples by the same transposition in the 128 bits of each vector, where a vector's third holds `xyzx yzxy zxyz` of four triples.
+macro_rules! triples {
+    ($n:literal, $f:ident, |$at:ident| $load:expr, |$x:ident, $to:ident| $store:expr, $shuffle:ident) => {
+        #[inline(always)]
+        fn triples(self, from: &[[f32; 3]]) -> [$f; 3] {
+            let from = &from[..$n];
+            // SAFETY: `self` exists, so the processor has the instruction set; the slice has as many floats as are read.
+            unsafe {
+                let load = always!(|third: usize| {
+                    let $at = from.as_ptr().cast::<f32>().add(third * 4);
+                    $load
+                });
+                // x0 y0 z0 x1, y1 z1 x2 y2, z2 x3 y3 z3.
+                let (a, b, c) = (load(0), load(1), load(2));
+                let (x2y2x3y3, y0z0y1z1) = ($shuffle::<0b10_01_11_10>(b, c), $shuffle::<0b01_00_10_01>(a, b));
+                [
+                    $f($shuffle::<0b10_00_11_00>(a, x2y2x3y3)),
+                    $f($shuffle::<0b11_01_10_00>(y0z0y1z1, x2y2x3y3)),
+                    $f($shuffle::<0b11_00_11_01>(y0z0y1z1, c)),
+                ]
+            }
+        }
+        #[inline(always)]
+        fn set_triples(self, [x, y, z]: [$f; 3], to: &mut [[f32; 3]]) {
+            let to = &mut to[..$n];
+            // SAFETY: as above, for writing.
+            unsafe {
+                let mut store = always!(|third: usize, $x| {
+                    let $to = to.as_mut_ptr().cast::<f32>().add(third * 4);
+                    $store
+                });
+                let (x0x2y0y2, y1y3z1z3, z0z2x1x3) =
+                    ($shuffle::<0b10_00_10_00>(x.0, y.0), $shuffle::<0b11_01_11_01>(y.0, z.0), $shuffle::<0b11_01_10_00>(z.0, x.0));
+                store(0, $shuffle::<0b10_00_10_00>(x0x2y0y2, z0z2x1x3));
+                store(1, $shuffle::<0b11_01_10_00>(y1y3z1z3, x0x2y0y2));
+                store(2, $shuffle::<0b11_01_11_01>(z0z2x1x3, y1y3z1z3));
+            }
+        }
+    };
+}
+
 vectors! {
     /// Four lanes; every x86-64 has them.
     Sse2, 4, [4, 1], F4(__m128), I4(__m128i), M4(__m128i);
@@ -190,6 +255,8 @@ vectors! {
             // SAFETY: as above.
             unsafe { _mm_storeu_si128(to.cast(), x.0) }
         }
+        quads!(F4, |at, _apart| _mm_loadu_ps(at), _mm_unpacklo_ps, _mm_unpackhi_ps, _mm_shuffle_ps);
+        triples!(4, F4, |at| _mm_loadu_ps(at), |x, to| _mm_storeu_ps(to, x), _mm_shuffle_ps);
         #[inline(always)]
         fn mask_bits(self, m: M4) -> u32 {
             // SAFETY: SSE2 is there.
@@ -278,6 +345,8 @@ vectors! {
             // SAFETY: as above.
             unsafe { _mm256_storeu2_m128i(to.add(pitch).cast(), to.cast(), x.0) }
         }
+        quads!(F8, |at, apart| _mm256_loadu2_m128(at.add(apart), at), _mm256_unpacklo_ps, _mm256_unpackhi_ps, _mm256_shuffle_ps);
+        triples!(8, F8, |at| _mm256_loadu2_m128(at.add(12), at), |x, to| _mm256_storeu2_m128(to.add(12), to, x), _mm256_shuffle_ps);
         #[inline(always)]
         fn mask_bits(self, m: M8) -> u32 {
             // SAFETY: AVX2 is there.

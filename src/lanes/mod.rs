@@ -77,6 +77,15 @@ pub(crate) trait Lanes: Copy {
     /// # Safety
     /// All of the tile's rows can be written from `to` on.
     unsafe fn set_tile(self, x: Self::I, to: *mut u32, pitch: usize);
+    /// `N` quadruples that stand `stride` apart, as one vector a place.
+    ///
+    /// # Safety
+    /// From each quadruple on four floats can be read.
+    unsafe fn quads(self, from: *const f32, stride: usize) -> [Self::F; 4];
+    /// The first `N` triples of `from`, which has at least that many, as one vector a coordinate.
+    fn triples(self, from: &[[f32; 3]]) -> [Self::F; 3];
+    /// Writes `N` triples one after the other.
+    fn set_triples(self, x: [Self::F; 3], to: &mut [[f32; 3]]);
     /// Bit `i` says lane `i`.
     fn mask_bits(self, m: Self::M) -> u32;
 
@@ -129,7 +138,7 @@ pub(crate) fn map<T: Copy, U: Copy, const N: usize>(from: [T; N], mut to: impl F
 /// A closure that is certain to be inlined: `always!(|x| …)`. The attribute is allowed on arguments of calls only, hence [`same`].
 macro_rules! always {
     ($closure:expr) => {
-        $crate::render::lanes::same(
+        $crate::lanes::same(
             #[inline(always)]
             $closure,
         )
@@ -201,52 +210,52 @@ macro_rules! kernel {
     ($(#[$doc:meta])* narrow $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
         $(#[$doc])*
         #[allow(clippy::too_many_arguments)]
-        $visible fn $name $(<$($life),*>)? (level: $crate::render::lanes::Level, $($argument: $type),*) {
+        $visible fn $name $(<$($life),*>)? (level: $crate::lanes::Level, $($argument: $type),*) {
             #[cfg(target_arch = "x86_64")]
             #[allow(clippy::too_many_arguments)]
             #[target_feature(enable = "avx2")]
-            fn avx2 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx2, $($argument: $type),*) {
+            fn avx2 $(<$($life),*>)? (lanes: $crate::lanes::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
             match level {
-                $crate::render::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
+                $crate::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
                 #[cfg(target_arch = "x86_64")]
-                $crate::render::lanes::Level::Sse2(lanes) => $generic(lanes, $($argument),*),
+                $crate::lanes::Level::Sse2(lanes) => $generic(lanes, $($argument),*),
                 // SAFETY: a value of the type `Avx2` exists only where the processor has AVX2.
                 #[cfg(target_arch = "x86_64")]
-                $crate::render::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
+                $crate::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
                 // SAFETY: as above.
                 #[cfg(target_arch = "x86_64")]
-                $crate::render::lanes::Level::Avx512(lanes) => unsafe { avx2(lanes.half(), $($argument),*) },
+                $crate::lanes::Level::Avx512(lanes) => unsafe { avx2(lanes.half(), $($argument),*) },
             }
         }
     };
     ($(#[$doc:meta])* $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
         $(#[$doc])*
         #[allow(clippy::too_many_arguments)]
-        $visible fn $name $(<$($life),*>)? (level: $crate::render::lanes::Level, $($argument: $type),*) {
+        $visible fn $name $(<$($life),*>)? (level: $crate::lanes::Level, $($argument: $type),*) {
             #[cfg(target_arch = "x86_64")]
             #[allow(clippy::too_many_arguments)]
             #[target_feature(enable = "avx2")]
-            fn avx2 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx2, $($argument: $type),*) {
+            fn avx2 $(<$($life),*>)? (lanes: $crate::lanes::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
             #[cfg(target_arch = "x86_64")]
             #[allow(clippy::too_many_arguments)]
             #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
-            fn avx512 $(<$($life),*>)? (lanes: $crate::render::lanes::Avx512, $($argument: $type),*) {
+            fn avx512 $(<$($life),*>)? (lanes: $crate::lanes::Avx512, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
             match level {
-                $crate::render::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
+                $crate::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
                 #[cfg(target_arch = "x86_64")]
-                $crate::render::lanes::Level::Sse2(lanes) => $generic(lanes, $($argument),*),
+                $crate::lanes::Level::Sse2(lanes) => $generic(lanes, $($argument),*),
                 // SAFETY: a value of the type `Avx2` exists only where the processor has AVX2.
                 #[cfg(target_arch = "x86_64")]
-                $crate::render::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
+                $crate::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
                 // SAFETY: as above, for AVX-512.
                 #[cfg(target_arch = "x86_64")]
-                $crate::render::lanes::Level::Avx512(lanes) => unsafe { avx512(lanes, $($argument),*) },
+                $crate::lanes::Level::Avx512(lanes) => unsafe { avx512(lanes, $($argument),*) },
             }
         }
     };
@@ -310,6 +319,22 @@ mod tests {
                 for lane in 0..L::N {
                     tiles.push(copy[at + lane / columns * 8 + lane % columns]);
                 }
+                // Quadruples five apart; three of each packed, and read again.
+                let spread = odd.repeat(6);
+                // SAFETY: 16 quadruples five apart end before 96.
+                let four = unsafe { l.quads(spread[start * 5..].as_ptr(), 5) };
+                let mut packed = [[0.0f32; 3]; 17];
+                l.set_triples([four[0], four[1], four[2]], &mut packed[..L::N]);
+                let again = l.triples(&packed[..L::N]);
+                for (k, vector) in four.into_iter().chain(again).enumerate() {
+                    let mut lanes = [0u32; 16];
+                    l.istore(l.bits(vector), &mut lanes);
+                    for i in 0..L::N {
+                        assert_eq!(lanes[i], spread[(start + i) * 5 + k % 4].to_bits());
+                        assert!(k > 2 || packed[i][k].to_bits() == lanes[i]);
+                    }
+                }
+                assert_eq!(packed[L::N..].concat().iter().sum::<f32>(), 0.0);
                 let mask = l.mask_bits(l.lt(a, b));
                 for lane in 0..L::N {
                     out.push(mask >> lane & 1);

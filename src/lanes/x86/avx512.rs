@@ -2,7 +2,7 @@
 
 use std::arch::x86_64::*;
 
-use super::super::Lanes;
+use super::super::{Lanes, always, each};
 
 vectors! {
     /// Sixteen lanes.
@@ -81,11 +81,86 @@ vectors! {
                 _mm_storeu_si128(to.add(3 * pitch).cast(), _mm512_extracti32x4_epi32::<3>(x.0));
             }
         }
+        quads!(
+            F16,
+            |at, apart| {
+                let low = _mm256_loadu2_m128(at.add(apart), at);
+                let high = _mm256_loadu2_m128(at.add(apart * 3), at.add(apart * 2));
+                _mm512_insertf32x8::<1>(_mm512_castps256_ps512(low), high)
+            },
+            _mm512_unpacklo_ps,
+            _mm512_unpackhi_ps,
+            _mm512_shuffle_ps
+        );
+        // One permutation picks any 16 of 32 floats, so two make a vector out of three.
+        #[inline(always)]
+        fn triples(self, from: &[[f32; 3]]) -> [F16; 3] {
+            let from = &from[..16];
+            // SAFETY: AVX-512 is there; the slice has as many floats as are read.
+            unsafe {
+                let at = from.as_ptr().cast::<f32>();
+                let (a, b, c) = (_mm512_loadu_ps(at), _mm512_loadu_ps(at.add(16)), _mm512_loadu_ps(at.add(32)));
+                each::<_, 3>(always!(|k: usize| {
+                    let two = _mm512_permutex2var_ps(a, _mm512_loadu_si512(OUT_OF_TWO[k].as_ptr().cast()), b);
+                    F16(_mm512_permutex2var_ps(two, _mm512_loadu_si512(OUT_OF_THIRD[k].as_ptr().cast()), c))
+                }))
+            }
+        }
+        #[inline(always)]
+        fn set_triples(self, [x, y, z]: [F16; 3], to: &mut [[f32; 3]]) {
+            let to = &mut to[..16];
+            // SAFETY: as above, for writing.
+            unsafe {
+                let at = to.as_mut_ptr().cast::<f32>();
+                for k in 0..3 {
+                    let two = _mm512_permutex2var_ps(x.0, _mm512_loadu_si512(TWO_IN[k].as_ptr().cast()), y.0);
+                    let all = _mm512_permutex2var_ps(two, _mm512_loadu_si512(THIRD_IN[k].as_ptr().cast()), z.0);
+                    _mm512_storeu_ps(at.add(k * 16), all);
+                }
+            }
+        }
         #[inline(always)]
         fn mask_bits(self, m: M16) -> u32 {
             u32::from(m.0)
         }
     }
+}
+
+// Indices of the permutations between triples and vectors: below 16 from the first operand, from 16 on from the second.
+static OUT_OF_TWO: Indices = indices(Step::OutOfTwo);
+static OUT_OF_THIRD: Indices = indices(Step::OutOfThird);
+static TWO_IN: Indices = indices(Step::TwoIn);
+static THIRD_IN: Indices = indices(Step::ThirdIn);
+
+type Indices = [[i32; 16]; 3];
+
+/// Which of the four permutations: numbers out of the first two thirds, then out of the last; coordinates x and y put in, then z.
+#[derive(Clone, Copy)]
+enum Step {
+    OutOfTwo,
+    OutOfThird,
+    TwoIn,
+    ThirdIn,
+}
+
+const fn indices(step: Step) -> Indices {
+    let mut all = [[0; 16]; 3];
+    let mut place = 0;
+    while place < 48 {
+        let (k, i) = (place / 16, place % 16);
+        // Coordinate k of triple i stands at 3 i + k, and at place 16 k + i stands this coordinate of that triple.
+        let (at, coordinate, triple) = (3 * i + k, place as i32 % 3, place as i32 / 3);
+        all[k][i] = match step {
+            Step::OutOfTwo if at < 32 => at as i32,
+            Step::OutOfThird if at >= 32 => at as i32 - 16,
+            Step::TwoIn if coordinate < 2 => 16 * coordinate + triple,
+            Step::ThirdIn if coordinate == 2 => 16 + triple,
+            Step::OutOfTwo | Step::TwoIn => 0,
+            Step::OutOfThird | Step::ThirdIn => i as i32,
+        };
+        place += 1;
+    }
+    all
 }
 
 impl Avx512 {
