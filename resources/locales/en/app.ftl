@@ -407,15 +407,15 @@ app-facts-muscles = { $count ->
    *[other] { $count } muscles
 }
 app-facts-nodes = { $nodes ->
-    [one] { $nodes } node
-   *[other] { $nodes } nodes
-}, { $meshes ->
-    [one] { $meshes } mesh
-   *[other] { $meshes } meshes
-}, { $clips ->
-    [one] { $clips } clip
-   *[other] { $clips } clips
-}
+        [one] { $nodes } node
+       *[other] { $nodes } nodes
+    }, { $meshes ->
+        [one] { $meshes } mesh
+       *[other] { $meshes } meshes
+    }, { $clips ->
+        [one] { $clips } clip
+       *[other] { $clips } clips
+    }
 
 # Measure
 app-page-measure = Measure
