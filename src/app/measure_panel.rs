@@ -1,8 +1,8 @@
-//! The measure panel: length, moment arm and thickness against the elbow angle; a click on a plot sets the angle.
+//! The measure panel: length, moment arm and thickness against the elbow angle or the time of the clip; a click on a plot goes there.
 
 use std::cell::{Cell, RefCell};
-use std::fmt::Write as _;
 use std::io::Write as _;
+use std::path::Path;
 use std::rc::Rc;
 
 use gtk::glib;
@@ -11,33 +11,38 @@ use gtk4 as gtk;
 
 use super::canvas::Canvas;
 use super::error_bar::Trouble;
+use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;
-use super::session::{Changes, Session};
+use super::session::{Against, Changes, Reading, Session, csv};
 use super::ui;
 use super::window::{Window, part};
 use crate::export::atomic::write_whole;
-use crate::muscle::{Sample, published};
-use crate::plot::{Plot, Series};
+use crate::muscle::published;
+use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
 use crate::scene::{Content, MuscleId};
 use crate::tr;
 
-/// Samples of a curve.
-const SAMPLES: u32 = 90;
-
-/// A quantity: the key of its name, and how it is read from a sample.
-type Quantity = (&'static str, fn(&Sample) -> f64);
+/// A quantity: the key of its name, how it is read, and the least that its axis spans.
+type Quantity = (&'static str, fn(&Reading) -> f64, f64);
 
 const QUANTITIES: [Quantity; 5] = [
-    ("app-measure-length", |sample| sample.solved.length),
-    ("app-measure-arm", |sample| sample.moment_arm),
-    ("app-measure-radius", |sample| sample.solved.radii.iter().copied().fold(0.0, f64::max)),
-    ("app-measure-section", |sample| std::f64::consts::PI * sample.solved.radii.iter().copied().fold(0.0, f64::max).powi(2)),
-    ("app-measure-error", |sample| sample.solved.volume_error),
+    ("app-measure-length", |reading| reading.solved.length, 0.0),
+    ("app-measure-arm", |reading| reading.moment_arm.unwrap_or(f64::NAN), 0.0),
+    ("app-measure-radius", Reading::belly, 0.0),
+    ("app-measure-section", |reading| std::f64::consts::PI * reading.belly().powi(2), 0.0),
+    // Rounding alone would look like a mountain range.
+    ("app-measure-error", |reading| reading.solved.volume_error, 2e-12),
 ];
 /// The quantity that there are published figures of.
 const PUBLISHED: usize = 1;
+/// What can go right, in the order of the list.
+const AXES: [Against; 2] = [Against::Angle, Against::Time];
+/// Colour of a saved curve: dark enough for white paper.
+const ON_PAPER: u32 = 0xB8_322E;
+/// Pixels of a saved picture to a logical pixel.
+const PICTURE_SCALE: f64 = 2.0;
 
 /// The panel.
 pub struct MeasurePanel {
@@ -45,7 +50,7 @@ pub struct MeasurePanel {
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
     plots: [(Canvas, Rc<RefCell<Plot>>); 5],
-    samples: RefCell<Vec<Sample>>,
+    readings: RefCell<Vec<Reading>>,
     muscle: Cell<MuscleId>,
     stale: Cell<bool>,
 }
@@ -66,7 +71,7 @@ impl MeasurePanel {
             root: part(&builder, "root"),
             builder,
             plots,
-            samples: RefCell::default(),
+            readings: RefCell::default(),
             muscle: Cell::new(MuscleId(0)),
             stale: Cell::new(true),
         }
@@ -79,9 +84,11 @@ impl MeasurePanel {
                 let (weak, plot, canvas) = (Rc::downgrade(window), plot.clone(), canvas.downgrade());
                 move |x: f64| {
                     let Some((window, canvas)) = weak.upgrade().zip(canvas.upgrade()) else { return };
-                    let angle = plot.borrow().x_at(x, f64::from(canvas.width()));
-                    if let Some(angle) = angle {
-                        window.act(|session| session.set_flexion(angle));
+                    let place = plot.borrow().x_at(x, f64::from(canvas.width()));
+                    let Some(place) = place else { return };
+                    match window.measure.against() {
+                        Against::Angle => window.act(|session| session.set_flexion(place)),
+                        Against::Time => window.act(|session| session.time(|playback| playback.seek(place))),
                     }
                 }
             };
@@ -113,7 +120,7 @@ impl MeasurePanel {
             #[weak]
             window,
             move |button| {
-                button.clipboard().set_text(&csv(&window.measured()));
+                button.clipboard().set_text(&csv(&window.measure.readings.borrow()));
                 window.viewport.toast(&tr!("app-copied"), None);
             }
         ));
@@ -122,10 +129,26 @@ impl MeasurePanel {
             window,
             move |_| save(&window)
         ));
+        let again = |window: &Rc<Window>| window.act(Session::show_other_muscle);
         part::<gtk::CheckButton>(&self.builder, "published").connect_toggled(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::show_other_muscle)
+            move |_| again(&window)
+        ));
+        self.axis().connect_selected_notify(glib::clone!(
+            #[weak]
+            window,
+            move |_| again(&window)
+        ));
+        part::<gtk::Button>(&self.builder, "experiment").connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| {
+                let muscle = window.measure.muscle.get();
+                if let Some(muscle) = window.look(|session| session.muscle_on_joint(muscle)) {
+                    experiment::show(&window, muscle);
+                }
+            }
         ));
         part::<gtk::Label>(&self.builder, "sources").set_text(&format!("{}\n{}", published::MURRAY_2000.source, published::ARM26.source));
         // Measuring waits until somebody looks.
@@ -152,7 +175,7 @@ impl MeasurePanel {
                 self.stale.set(true);
             }
         }
-        if changes.any(Changes::EDIT | Changes::MUSCLE) {
+        if changes.any(Changes::EDIT | Changes::MUSCLE) || (changes.any(Changes::PLAYBACK) && self.against() == Against::Time) {
             self.stale.set(true);
         }
         if !self.root.is_mapped() {
@@ -161,35 +184,73 @@ impl MeasurePanel {
         if self.stale.replace(false) {
             self.measure(session);
         }
-        if changes.any(Changes::DRIVE | Changes::DOCUMENT | Changes::MUSCLE | Changes::DISPLAY | Changes::EDIT) {
+        if changes.any(Changes::DRIVE | Changes::TIME | Changes::DOCUMENT | Changes::MUSCLE | Changes::DISPLAY | Changes::EDIT) {
+            let present = session.present(self.muscle.get(), self.against());
             for (canvas, plot) in &self.plots {
                 let mut plot = plot.borrow_mut();
-                (plot.cursor, plot.color) = (Some(session.drive().flexion), session.display().palette.selected);
+                (plot.cursor, plot.color) = (present, session.display().palette.selected);
                 plot.published_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
                 canvas.queue_draw();
             }
         }
     }
 
+    fn axis(&self) -> gtk::DropDown {
+        part(&self.builder, "axis")
+    }
+
+    /// What goes right.
+    fn against(&self) -> Against {
+        AXES.get(self.axis().selected() as usize).copied().unwrap_or_default()
+    }
+
+    /// Offers the axes that there are, and takes the other one where the chosen one is not there.
+    fn offer(&self, session: &Session) -> bool {
+        let there = AXES.map(|against| session.measurable(self.muscle.get(), against).is_some());
+        let chosen = self.axis().selected() as usize;
+        if !there.get(chosen).copied().unwrap_or(false)
+            && let Some(other) = there.iter().position(|there| *there)
+        {
+            self.axis().set_selected(other as u32);
+        }
+        part::<gtk::Box>(&self.builder, "axes").set_visible(there == [true; 2]);
+        there.contains(&true)
+    }
+
     fn measure(&self, session: &Session) {
+        let found = self.offer(session);
+        let against = self.against();
         let document = session.document();
-        let found = document.muscle(self.muscle.get()).and_then(|(rig, index)| Some((rig, index, rig.flexion_range()?)));
-        part::<gtk::Label>(&self.builder, "none").set_visible(found.is_none());
-        part::<gtk::Box>(&self.builder, "plots").set_visible(found.is_some());
-        let Some((rig, index, range)) = found else { return };
-        let step = (range.end() - range.start()) / f64::from(SAMPLES);
-        let angles: Vec<f64> = (0..=SAMPLES).map(|index| range.start() + f64::from(index) * step).collect();
-        let samples = rig.measure(index, &angles);
+        part::<gtk::Button>(&self.builder, "experiment").set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
+        let muscle = document.muscle(self.muscle.get()).filter(|_| found);
+        part::<gtk::Label>(&self.builder, "none").set_visible(muscle.is_none());
+        part::<gtk::Box>(&self.builder, "plots").set_visible(muscle.is_some());
+        let Some((rig, index)) = muscle else { return };
+        let readings = session.measure(self.muscle.get(), against);
         part::<gtk::Label>(&self.builder, "name").set_text(rig.name(index));
+        let (across, hint) = match against {
+            Against::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
+            Against::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
+        };
+        part::<gtk::Label>(&self.builder, "hint").set_text(&hint);
         let unit = Unit::of_rig(document, rig);
-        for ((_, plot), (key, read)) in self.plots.iter().zip(QUANTITIES) {
+        for ((canvas, plot), (key, read, least_span)) in self.plots.iter().zip(QUANTITIES) {
             let mut plot = plot.borrow_mut();
-            plot.across = tr!("app-measure-angle");
+            plot.across.clone_from(&across);
             plot.up = tr!(key, unit = unit.length.as_str());
             plot.published.clear();
-            plot.points = samples.iter().map(|sample| (sample.angle, read(sample))).collect();
+            plot.least_span = least_span;
+            plot.points = readings.iter().map(|reading| (reading.at(against), read(reading))).collect();
+            // There is no moment arm where there is no joint.
+            canvas.set_visible(plot.points.iter().any(|point| point.1.is_finite()));
         }
-        if part::<gtk::CheckButton>(&self.builder, "published").is_active()
+        // The published figures are of a flexor of the elbow.
+        let comparable = against == Against::Angle && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
+        for id in ["published", "sources"] {
+            part::<gtk::Widget>(&self.builder, id).set_visible(comparable);
+        }
+        if comparable
+            && part::<gtk::CheckButton>(&self.builder, "published").is_active()
             && let Some((_, plot)) = self.plots.get(PUBLISHED)
         {
             // Centimetres to the file's unit.
@@ -201,20 +262,33 @@ impl MeasurePanel {
                 })
                 .to_vec();
         }
-        self.samples.replace(samples);
+        self.readings.replace(readings);
     }
 
-    /// What was measured last.
-    pub fn samples(&self) -> Vec<Sample> {
-        self.samples.borrow().clone()
+    /// The plots as a page to keep, without the pointer.
+    fn page(&self) -> Page {
+        let name = part::<gtk::Label>(&self.builder, "name").text().to_string();
+        let shown = self.plots.iter().filter(|(canvas, _)| canvas.get_visible());
+        let plots = shown.map(|(_, plot)| Plot { pointer: None, color: ON_PAPER, published_color: 0x5B_6B82, ..plot.borrow().clone() });
+        Page { sections: vec![(name, plots.collect())] }
+    }
+
+    /// The file that a name's ending asks for.
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>, String> {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+        match ending.as_str() {
+            "csv" => Ok(csv(&self.readings.borrow()).into_bytes()),
+            "svg" => Ok(self.page().svg().into_bytes()),
+            "png" => self.page().png(PICTURE_SCALE).map_err(|error| error.to_string()),
+            _ => Err(tr!("app-measure-ending")),
+        }
     }
 }
 
-/// Asks where to and saves the table.
+/// Asks where to and saves the table or the plots.
 fn save(window: &Rc<Window>) {
-    let text = csv(&window.measured());
     let dialog = gtk::FileChooserNative::new(
-        Some(&tr!("app-measure-save")),
+        Some(&tr!("app-measure-save-title")),
         Some(&window.widget),
         gtk::FileChooserAction::Save,
         Some(&tr!("app-save")),
@@ -229,11 +303,15 @@ fn save(window: &Rc<Window>) {
             keep.take();
             let Some(path) = dialog.file().and_then(|file| file.path()).filter(|_| response == gtk::ResponseType::Accept) else { return };
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            match write_whole(&path, |out| out.write_all(text.as_bytes())) {
+            let written = window
+                .measure
+                .bytes(&path)
+                .and_then(|bytes| write_whole(&path, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
+            match written {
                 Ok(()) => window.viewport.toast(&tr!("app-saved", file = name), Some(path)),
-                Err(error) => window.error_bar.show(Trouble {
+                Err(message) => window.error_bar.show(Trouble {
                     headline: tr!("app-unsaved", file = name),
-                    message: error.to_string(),
+                    message,
                     details: path.display().to_string(),
                     again: None,
                 }),
@@ -241,40 +319,4 @@ fn save(window: &Rc<Window>) {
         }
     ));
     dialog.show();
-}
-
-/// One row an angle, with decimal points; lengths in the file's unit.
-fn csv(samples: &[Sample]) -> String {
-    let nodes = samples.first().map_or(0, |sample| sample.solved.radii.len());
-    let mut text = String::from("angle,length,moment_arm,volume,volume_error,delta");
-    for node in 1..=nodes {
-        // Writing to a string cannot fail.
-        let _ = write!(text, ",r{node}");
-    }
-    for sample in samples {
-        let solved = &sample.solved;
-        let _ = write!(
-            text,
-            "\n{},{},{},{},{},{}",
-            sample.angle, solved.length, sample.moment_arm, solved.volume, solved.volume_error, solved.delta
-        );
-        for radius in &solved.radii {
-            let _ = write!(text, ",{radius}");
-        }
-    }
-    text.push('\n');
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::muscle::Solved;
-
-    #[test]
-    fn the_table_has_a_column_a_radius() {
-        let solved = Solved { length: 2.5, radii: vec![1.0, 2.0], ..Solved::default() };
-        let text = csv(&[Sample { angle: 30.0, moment_arm: 0.5, solved }]);
-        assert_eq!(text, "angle,length,moment_arm,volume,volume_error,delta,r1,r2\n30,2.5,0.5,0,0,0,1,2\n");
-    }
 }

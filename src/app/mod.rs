@@ -20,6 +20,7 @@ mod curve_plot;
 mod demos;
 mod display_panel;
 mod error_bar;
+mod experiment;
 mod export_dialog;
 mod export_job;
 mod files;

@@ -26,6 +26,7 @@ files! {
     SCENE_TREE = "scene_tree",
     MUSCLE_PANEL = "muscle_panel",
     DISPLAY_PANEL = "display_panel",
+    EXPERIMENT = "experiment",
     MEASURE_PANEL = "measure_panel",
     HEALTH_PANEL = "health_panel",
     NODE_CELL = "node_cell",

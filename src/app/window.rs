@@ -28,7 +28,6 @@ use super::tree_rows::Row;
 use super::viewport::Viewport;
 use super::{files, format, ghosts_panel, keyboard, memory, menus, perform, saving, theme, ui};
 use crate::document::{Document, Missing};
-use crate::muscle::Sample;
 use crate::scene::NodeId;
 use crate::tr;
 
@@ -65,7 +64,7 @@ pub struct Window {
     tree: SceneTree,
     muscle: MusclePanel,
     display: DisplayPanel,
-    measure: MeasurePanel,
+    pub(super) measure: MeasurePanel,
     health: HealthPanel,
     inspector: Inspector,
     start: StartPage,
@@ -423,11 +422,6 @@ impl Window {
     pub fn start_page(self: &Rc<Self>, wanted: bool) {
         self.start.want(wanted);
         self.act(Session::touch);
-    }
-
-    /// What the measure panel measured.
-    pub fn measured(&self) -> Vec<Sample> {
-        self.measure.samples()
     }
 
     /// What the scene tree shows of a node.

@@ -39,7 +39,11 @@ pub(super) fn label(tick: f64, ticks: &[f64]) -> String {
         return number(tick, digits_of(ticks));
     }
     // A multiple of the step that ought to be zero may be off by a rounding.
-    if tick.abs() < step * 1e-6 { "0".into() } else { significant(tick, 2) }
+    if tick.abs() < step * 1e-6 {
+        return "0".into();
+    }
+    let text = significant(tick, 2);
+    text.replace(".0·", "·").replace(",0·", "·")
 }
 
 /// A value between ticks as text: one digit more than they have.
@@ -74,7 +78,7 @@ mod tests {
     fn tiny_ticks_are_powers_of_ten() {
         let found = ticks(-1e-12, 1e-12, 4);
         let labels: Vec<String> = found.iter().map(|tick| label(*tick, &found)).collect();
-        assert_eq!(labels, ["−1.0·10⁻¹²", "−5.0·10⁻¹³", "0", "5.0·10⁻¹³", "1.0·10⁻¹²"]);
+        assert_eq!(labels, ["−1·10⁻¹²", "−5·10⁻¹³", "0", "5·10⁻¹³", "1·10⁻¹²"]);
     }
 
     #[test]

@@ -1,0 +1,239 @@
+//! The experiment: a muscle beside measured radii, why the two differ, and a fit.
+
+use std::cell::RefCell;
+use std::path::Path;
+use std::rc::Rc;
+
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::error_bar::Trouble;
+use super::format;
+use super::muscle_panel::Unit;
+use super::ui;
+use super::window::{Window, part};
+use crate::limits;
+use crate::muscle::experiment::{Comparison, Table, compare};
+use crate::muscle::fit::{Fits, Model, fit};
+use crate::muscle::published;
+use crate::scene::MuscleId;
+use crate::tr;
+
+/// Millilitres of a cubic metre.
+const MILLILITRES: f64 = 1e6;
+
+/// The window, and what it shows.
+struct Experiment {
+    builder: gtk::Builder,
+    muscle: MuscleId,
+    /// What was measured, and where that stands.
+    data: RefCell<(Table, String)>,
+}
+
+/// Opens the experiment of a muscle.
+pub fn show(window: &Rc<Window>, muscle: MuscleId) {
+    // The table that comes with the program is parsed by a test.
+    let Ok(table) = Table::parse(published::MEASURED_RADII) else { return };
+    let data = RefCell::new((table, "biceps-radii.csv".to_owned()));
+    let experiment = Rc::new(Experiment { builder: ui::builder(ui::EXPERIMENT), muscle, data });
+    let root = experiment.root();
+    root.set_transient_for(Some(&window.widget));
+    experiment.connect(window);
+    experiment.refresh(window);
+    root.present();
+}
+
+impl Experiment {
+    fn root(&self) -> gtk::Window {
+        part(&self.builder, "root")
+    }
+
+    fn connect(self: &Rc<Self>, window: &Rc<Window>) {
+        for (id, model) in [("fit", Model::Growth), ("poses", Model::Poses)] {
+            part::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
+                #[strong(rename_to = experiment)]
+                self,
+                #[weak]
+                window,
+                move |_| {
+                    let table = experiment.data.borrow().0.clone();
+                    let mut result = Ok(());
+                    window.act(|session| result = session.fit_muscle(experiment.muscle, &table, model));
+                    match result {
+                        Ok(()) => experiment.refresh(&window),
+                        Err(error) => experiment.say(&error.to_string()),
+                    }
+                }
+            ));
+        }
+        part::<gtk::Button>(&self.builder, "open").connect_clicked(glib::clone!(
+            #[strong(rename_to = experiment)]
+            self,
+            #[weak]
+            window,
+            move |_| experiment.choose(&window)
+        ));
+        let keys = gtk::EventControllerKey::new();
+        let root = self.root().downgrade();
+        keys.connect_key_pressed(move |_, key, _, _| {
+            if key == gtk::gdk::Key::Escape
+                && let Some(root) = root.upgrade()
+            {
+                root.close();
+                return glib::Propagation::Stop;
+            }
+            glib::Propagation::Proceed
+        });
+        self.root().add_controller(keys);
+    }
+
+    /// Asks for another table.
+    fn choose(self: &Rc<Self>, window: &Rc<Window>) {
+        let dialog = gtk::FileChooserNative::new(
+            Some(&tr!("app-experiment-open")),
+            Some(&self.root()),
+            gtk::FileChooserAction::Open,
+            Some(&tr!("app-open")),
+            Some(&tr!("app-cancel")),
+        );
+        let keep = RefCell::new(Some(dialog.clone()));
+        dialog.connect_response(glib::clone!(
+            #[strong(rename_to = experiment)]
+            self,
+            #[weak]
+            window,
+            move |dialog, response| {
+                keep.take();
+                let Some(path) = dialog.file().and_then(|file| file.path()).filter(|_| response == gtk::ResponseType::Accept) else {
+                    return;
+                };
+                match read(&path) {
+                    Ok(data) => {
+                        experiment.data.replace(data);
+                        experiment.refresh(&window);
+                    }
+                    Err(message) => window.error_bar.show(Trouble {
+                        headline: tr!("app-experiment-unread"),
+                        message,
+                        details: path.display().to_string(),
+                        again: None,
+                    }),
+                }
+            }
+        ));
+        dialog.show();
+    }
+
+    /// Says why there are no tables.
+    fn say(&self, why: &str) {
+        let label = part::<gtk::Label>(&self.builder, "trouble");
+        label.set_text(why);
+        label.set_visible(!why.is_empty());
+        part::<gtk::Box>(&self.builder, "tables").set_visible(why.is_empty());
+    }
+
+    fn refresh(&self, window: &Rc<Window>) {
+        let data = self.data.borrow();
+        let (table, name) = &*data;
+        let told = window.look(|session| {
+            let document = session.document();
+            let (rig, index) = document.muscle(self.muscle)?;
+            let found = compare(rig, index, table).and_then(|comparison| Ok((comparison, fit(rig, index, table)?)));
+            Some((rig.name(index).to_owned(), Unit::of_rig(document, rig), found))
+        });
+        let Some((muscle, unit, found)) = told else { return self.root().close() };
+        part::<gtk::Label>(&self.builder, "title").set_text(&tr!("app-experiment-title", muscle = muscle, file = name.as_str()));
+        match found {
+            Ok((comparison, fits)) => {
+                self.say("");
+                self.show_tables(&comparison, &fits, &unit);
+            }
+            Err(error) => self.say(&error.to_string()),
+        }
+    }
+
+    fn show_tables(&self, found: &Comparison, fits: &Fits, unit: &Unit) {
+        let length = unit.length.as_str();
+        part::<gtk::Label>(&self.builder, "radii_title").set_text(&tr!("app-experiment-radii", unit = length));
+        fill(&part(&self.builder, "radii"), &radii(found, unit));
+        let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
+        let (from, to) = (format::number(from, 0), format::number(to, 0));
+        let title = tr!("cli-compare-growth", from = from.clone(), to = to.clone(), unit = length);
+        part::<gtk::Label>(&self.builder, "growth_title").set_text(&title);
+        fill(&part(&self.builder, "growth"), &growth(found));
+        let mut why = Vec::new();
+        if found.growth_ratio.is_finite() {
+            why.push(tr!("cli-compare-ratio", from = from, to = to, ratio = format::number(found.growth_ratio, 1)));
+        }
+        let volumes = || found.implied_volumes.iter().copied();
+        let (least, most) = (volumes().fold(f64::INFINITY, f64::min), volumes().fold(0.0, f64::max));
+        if least > 0.0 && most > least * 1.01 {
+            why.push(tr!("cli-compare-explained", spread = format::number((most / least - 1.0) * 100.0, 0)));
+        }
+        part::<gtk::Label>(&self.builder, "why").set_text(&why.join("\n"));
+        part::<gtk::Label>(&self.builder, "rms_title").set_text(&tr!("cli-rms-title", unit = length));
+        let rows = [("cli-rms-own", fits.own), ("cli-rms-fitted", fits.fitted), ("cli-rms-poses", fits.poses)];
+        fill(&part(&self.builder, "rms"), &rows.map(|(key, rms)| vec![tr!(key), format::number(rms, 2)]));
+    }
+}
+
+/// A table of measured radii and its name.
+fn read(path: &Path) -> Result<(Table, String), String> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let size = std::fs::metadata(path).map_err(|error| error.to_string())?.len();
+    if size > limits::YAML_BYTES {
+        return Err(tr!("document-too-large", limit = limits::YAML_BYTES >> 20));
+    }
+    let text = std::fs::read_to_string(path).map_err(|error| error.to_string())?;
+    let table = Table::parse(&text).map_err(|error| format!("{name}:{}:{}: {}", error.line, error.column, error.message))?;
+    Ok((table, name))
+}
+
+/// A row a node, model and measurement of each angle side by side, then the difference and the volume that the measurement implies.
+fn radii(found: &Comparison, unit: &Unit) -> Vec<Vec<String>> {
+    let mut head = vec![tr!("cli-compare-node")];
+    for angle in &found.angles {
+        head.extend([tr!("cli-compare-model", angle = format::number(*angle, 0)), tr!("cli-compare-measured")]);
+    }
+    let mut rows = vec![head];
+    for (node, (model, measured)) in found.nodes.clone().zip(found.model.iter().zip(&found.measured)) {
+        let pairs = model.iter().zip(measured).flat_map(|(model, measured)| [format::number(*model, 1), format::number(*measured, 1)]);
+        rows.push(std::iter::once((node + 1).to_string()).chain(pairs).collect());
+    }
+    let last = |name: String, values: Vec<String>| {
+        std::iter::once(name).chain(values.into_iter().flat_map(|value| [String::new(), value])).collect::<Vec<_>>()
+    };
+    rows.push(last(tr!("cli-compare-rms"), found.rms_at.iter().map(|rms| format::number(*rms, 2)).collect()));
+    let scale = unit.metres.powi(3) * MILLILITRES;
+    let modelled = found.samples.iter().map(|sample| sample.solved.volume * scale);
+    let volumes =
+        modelled.zip(&found.implied_volumes).flat_map(|(model, implied)| [format::number(model, 0), format::number(implied * scale, 0)]);
+    rows.push(std::iter::once(tr!("cli-compare-volume", unit = tr!("cli-unit-ml"))).chain(volumes).collect());
+    rows
+}
+
+/// A row a node: how much it grows in the model, how much in the measurement, and how many times that is.
+fn growth(found: &Comparison) -> Vec<Vec<String>> {
+    let mut rows =
+        vec![vec![tr!("cli-compare-node"), tr!("cli-compare-grown-model"), tr!("cli-compare-measured"), tr!("cli-compare-times")]];
+    for (node, [model, measured]) in found.nodes.clone().zip(&found.growth) {
+        let times = if *model == 0.0 { f64::NAN } else { measured / model };
+        rows.push(vec![(node + 1).to_string(), format::number(*model, 2), format::number(*measured, 2), format::number(times, 1)]);
+    }
+    rows
+}
+
+/// Puts a table into a grid: numbers to the right, the first row and column as headings.
+fn fill(grid: &gtk::Grid, rows: &[Vec<String>]) {
+    while let Some(child) = grid.first_child() {
+        grid.remove(&child);
+    }
+    for (row, cells) in rows.iter().enumerate() {
+        for (column, cell) in cells.iter().enumerate() {
+            let label = gtk::Label::builder().label(cell).xalign(if column == 0 { 0.0 } else { 1.0 }).build();
+            label.add_css_class(if row == 0 || column == 0 { "dim-label" } else { "numeric" });
+            grid.attach(&label, column as i32, row as i32, 1, 1);
+        }
+    }
+}
