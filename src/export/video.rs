@@ -42,6 +42,9 @@ pub fn is_there() -> bool {
 /// What `ffmpeg` says of a full disk somewhere before its last words, in the C library's English.
 const FULL: [&str; 2] = ["No space left on device", "Disk quota exceeded"];
 
+/// What it says where the end of a film could not be written.
+const SPOILED: [&str; 2] = ["Error writing trailer", "Error closing file"];
+
 /// Quiet, without questions, in plain C messages.
 fn ffmpeg() -> Command {
     let mut command = Command::new("ffmpeg");
@@ -57,6 +60,7 @@ pub struct Sink {
     child: Child,
     pipe: Option<ChildStdin>,
     words: Option<JoinHandle<String>>,
+    said: String,
     pending: Option<Pending>,
     target: std::path::PathBuf,
 }
@@ -114,7 +118,7 @@ impl Sink {
             })
         });
         let pipe = child.stdin.take();
-        Ok(Self { child, pipe, words, pending: Some(pending), target: target.to_owned() })
+        Ok(Self { child, pipe, words, said: String::new(), pending: Some(pending), target: target.to_owned() })
     }
 
     /// Adds a frame, rows of bytes as [`super::apng::rows`] makes them.
@@ -133,9 +137,21 @@ impl Sink {
     pub fn finish(mut self) -> Result<(), ExportError> {
         self.pipe = None;
         let ended = self.child.wait().is_ok_and(|status| status.success());
+        self.listen();
+        // Some versions tell of a full disk and end well all the same, with a part of the film or nothing.
+        let spoiled = FULL.iter().chain(&SPOILED).any(|words| self.said.contains(words));
         match self.pending.take() {
-            Some(pending) if ended => pending.put_in_place(),
+            Some(pending) if ended && !spoiled && std::fs::metadata(pending.file()).is_ok_and(|found| found.len() > 0) => {
+                pending.put_in_place()
+            }
             _ => Err(self.last_words()),
+        }
+    }
+
+    /// Takes what `ffmpeg` said, once it has ended.
+    fn listen(&mut self) {
+        if let Some(words) = self.words.take() {
+            self.said = words.join().unwrap_or_default();
         }
     }
 
@@ -144,7 +160,8 @@ impl Sink {
         // It is on its way out; should it hang, nobody waits for it.
         let _ = self.child.kill();
         let status = self.child.wait();
-        let said = self.words.take().and_then(|words| words.join().ok()).unwrap_or_default();
+        self.listen();
+        let said = &self.said;
         if FULL.iter().any(|words| said.contains(words)) {
             return ExportError::Io { file: self.target.clone(), source: io::ErrorKind::StorageFull.into() };
         }
