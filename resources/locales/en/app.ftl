@@ -554,4 +554,4 @@ app-experiment-open = Measured radii…
 app-experiment-fit = Fit the growth
 app-experiment-poses = Take the measured poses
 app-experiment-unread = The table was not read
-app-do-fit = Fit to measured radii
+app-do-fit-radii = Fit to measured radii

@@ -551,4 +551,4 @@ app-experiment-open = Измеренные радиусы…
 app-experiment-fit = Подобрать рост
 app-experiment-poses = Взять измеренные позы
 app-experiment-unread = Таблица не прочитана
-app-do-fit = Подгонка под измеренные радиусы
+app-do-fit-radii = Подгонка под измеренные радиусы

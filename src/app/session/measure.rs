@@ -104,7 +104,7 @@ impl Session {
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let Some(file) = files.get_mut(place) else { return Err(CompareError::NoJoint) };
         *file = fitted_file(file, rig, index, table, model)?.file;
-        self.remember_named(tr!("app-do-fit"));
+        self.remember_named(tr!("app-do-fit-radii"));
         self.put_muscle_files(&files);
         Ok(())
     }
