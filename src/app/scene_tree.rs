@@ -13,7 +13,7 @@ use super::session::{Changes, Session};
 use super::tree_rows::{Row, path_to, search};
 use super::ui;
 use super::window::{Window, part};
-use crate::scene::NodeId;
+use crate::scene::{NodeId, Scene};
 
 /// Trees of at most this many nodes are shown unfolded.
 const UNFOLDED: usize = 300;
@@ -95,6 +95,21 @@ impl SceneTree {
         if changes.any(Changes::DISPLAY) {
             for row in self.rows.borrow_mut().iter_mut() {
                 row.visible = scene.graph.node(row.node).visible;
+            }
+            self.show_eyes(scene);
+        }
+    }
+
+    /// Opens and closes the eyes of the rows that are on the screen; those that come into it later are filled anew anyway.
+    fn show_eyes(&self, scene: &Scene) {
+        for widget in std::iter::successors(self.list.first_child(), gtk::Widget::next_sibling) {
+            let Some(expander) = widget.first_child().and_downcast::<gtk::TreeExpander>() else { continue };
+            let node = expander.list_row().and_then(|row| node_of(row.upcast_ref()));
+            let eye = expander.child().and_then(|content| content.last_child()).and_downcast::<gtk::ToggleButton>();
+            if let (Some(node), Some(eye)) = (node.filter(|node| node.index() < scene.graph.len()), eye) {
+                let visible = scene.graph.node(node).visible;
+                eye.set_active(!visible);
+                show_eye(&eye, visible);
             }
         }
     }

@@ -99,15 +99,16 @@ impl Made {
 }
 
 impl Pen<'_> {
-    /// Outlines the bones of the selected joint where bones are not shown, so that one sees what is selected.
+    /// Outlines the bones of the selected joint; where bones are not shown, its own place is marked too.
     pub(super) fn selected_bones(&mut self, scene: &Scene, frame: &Frame) {
-        let wanted = self.display.selected.filter(|_| !self.display.bones);
-        let Some(selected) = wanted.filter(|node| frame.joints.iter().any(|joint| joint.node == *node)) else { return };
+        let Some(selected) = self.display.selected.filter(|node| frame.joints.iter().any(|joint| joint.node == *node)) else { return };
         if selected.index() >= scene.graph.len() || !scene.graph.is_shown(selected) {
             return;
         }
-        let palette = &self.display.palette;
-        let ink = Ink { stage: Stage::Overlay, lift: LIFT, ..self.ink(rgb(palette.selected), 1.0, 1.4) };
+        let (palette, shown) = (&self.display.palette, self.display.bones);
+        // On the selected bone's own colour a line of that colour would not be seen.
+        let line = if shown { palette.grid.0 } else { palette.selected };
+        let ink = Ink { stage: Stage::Overlay, lift: LIFT, ..self.ink(rgb(line), 1.0, 1.4) };
         for bone in bones(scene, frame).filter(|bone| bone.owner == selected) {
             let girdle = girdle(frame, &bone);
             let faces = |a: Vec3, b: Vec3, c: Vec3| {
@@ -126,6 +127,9 @@ impl Pen<'_> {
                     self.line(girdle[k], other, &ink);
                 }
             }
+        }
+        if shown {
+            return;
         }
         let at = frame.position(selected);
         self.line(at, at, &Ink { width: (2.0 * DOT + 3.0) * self.scale(), lift: LIFT + 2.0, ..ink });

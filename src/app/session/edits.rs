@@ -133,7 +133,6 @@ impl Session {
         if let Some(step) = step {
             if step.hidden != self.snapshot().hidden {
                 self.isolated = None;
-                self.changed(Changes::LIST);
             }
             (self.model, self.light) = (step.model, step.light);
             self.put_muscle_files(&step.files);

@@ -65,7 +65,7 @@ impl Session {
             self.document.scene.graph.node_mut(id).visible = hidden.binary_search(&id).is_err();
         }
         self.stale = true;
-        self.changed(Changes::DISPLAY | Changes::LIST);
+        self.changed(Changes::DISPLAY);
     }
 }
 
