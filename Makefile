@@ -51,17 +51,20 @@ monkey:
 	@resources/setup.sh test
 	$(CARGO) test --locked --test window -- --ignored --nocapture
 
-# Set beside assimp where it is installed, and beside Mesa's llvmpipe where Mesa and Python are.
+# Set beside two rasterizers in Rust, beside assimp and f3d where they are installed, and beside Mesa's llvmpipe where Mesa and Python are.
 PEERS := target/peers
+SCENES ?= configs/walker.dae
 bench: build
 	$(CARGO) bench --locked
 	$(BINARY) bench
 	@if command -v assimp >/dev/null; then python3 benches/peers/assimp.py $(BINARY); else echo "assimp was not measured (Debian: assimp-utils)"; fi
+	$(CARGO) run --release --locked --quiet --manifest-path benches/peers/Cargo.toml --target-dir $(PEERS) -- $(BINARY)
 	@if python3 -m venv $(PEERS) && $(PEERS)/bin/pip --quiet install moderngl==5.13.0 numpy; then \
 	    $(PEERS)/bin/python benches/peers/llvmpipe.py $(BINARY) || echo "llvmpipe could not be measured (Debian: libgl1-mesa-dri libegl1 libgl1)"; \
 	else \
 	    echo "llvmpipe was not measured: it needs python3-venv"; \
 	fi
+	@python3 benches/peers/f3d.py $(BINARY) $(SCENES)
 
 # Throws altered files at the readers, each target for so many minutes; the corpus grows from run to run. What is found lies in tests/fuzz/artifacts.
 FUZZ_TARGETS ?= collada muscles render

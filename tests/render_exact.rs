@@ -164,6 +164,16 @@ fn sizes_from_nothing_to_wide() {
         assert_eq!(pixels.len(), (size[0] * size[1]) as usize);
         assert!(pixels.iter().all(|p| p >> 24 == 255), "{size:?}");
     }
+    // The largest picture would be a gigabyte: its uppermost rows, filled by a sphere that is close before the eye.
+    let stride = 16_384 * 4;
+    let mut top = vec![0u8; stride * 40];
+    let camera = Camera { near: 0.001, ..camera_at(1.01) };
+    for samples in [Samples::One, Samples::Four] {
+        let display = Display { samples, background: Background::Transparent, grid: false, ..Display::default() };
+        top.fill(0);
+        renderer.draw_into(&world.scene, &world.frame, &camera, &display, 16_384, 16_384, &mut top, stride);
+        assert!(top.as_chunks::<4>().0.iter().all(|pixel| u32::from_ne_bytes(*pixel) >> 24 == 255), "{samples:?}");
+    }
     let clamped = renderer.draw(&world.scene, &world.frame, &camera_at(3.0), &plain(), u32::MAX, 2);
     assert_eq!((clamped.width, clamped.height), (16_384, 2));
 }
@@ -234,6 +244,29 @@ fn a_ground_beyond_what_numbers_tell_apart_has_no_grid() {
             let mut renderer = Renderer::new(Some(1));
             let found = world.draw(&mut renderer, &camera_at(3.0), &display, SIZE);
             assert!(found == world.draw(&mut renderer, &camera_at(3.0), &without, SIZE));
+        }
+    }
+}
+
+#[test]
+fn lines_that_are_nearly_level_do_not_depend_on_the_vectors() {
+    // Edge on, a grid is a bundle of lines that rise by a hair over the whole guard band.
+    let mut world = World::default();
+    world.frame.bounds = Bounds { min: Vec3::new(0.0, 0.0, 4.3e-19), max: Vec3::new(0.0, 2048.0, 1.1e-43) };
+    for height in [2.5e-29, 1e-9, 1e-3, 0.5, 40.0] {
+        for eye in [Vec3::new(-3e-13, 6e-41, 2.5625), Vec3::new(0.3, 1e-4, 2.5)] {
+            let projection = Projection::Orthographic { height };
+            let camera = Camera { eye, near: 0.0, far: 5.7e-42, projection, ..camera_at(0.0) };
+            for samples in [Samples::One, Samples::Four] {
+                let display = Display { samples, ..Display::default() };
+                let mut pictures = Renderer::simd_names().into_iter().map(|simd| {
+                    let mut renderer = Renderer::new(Some(1));
+                    assert!(renderer.set_simd(simd));
+                    (simd, world.draw(&mut renderer, &camera, &display, [170, 170]))
+                });
+                let (_, first) = pictures.next().expect("there is always the scalar one");
+                pictures.for_each(|(simd, other)| assert!(first == other, "{simd}, {height} m, {samples:?}"));
+            }
         }
     }
 }

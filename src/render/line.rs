@@ -171,8 +171,10 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, onto: Onto) {
         let (mut from, mut to) = (0.0f32, 1.0f32);
         if dy.abs() > 1e-3 {
             let (t0, t1) = ((cy - reach) / dy, (cy + reach) / dy);
-            from = t0.min(t1).clamp(0.0, 1.0);
-            to = t0.max(t1).clamp(0.0, 1.0);
+            // On a long line that is nearly level the rounding of `cy` is many pixels.
+            let slack = 4.0 * f32::EPSILON * (ay.abs() + y as f32 + reach) / dy.abs();
+            from = (t0.min(t1) - slack).clamp(0.0, 1.0);
+            to = (t0.max(t1) + slack).clamp(0.0, 1.0);
         }
         let (x0, x1) = (ax + dx * from, ax + dx * to);
         let left = ((x0.min(x1) - reach - 1.0).max(0.0) as i32).max(first);
@@ -186,8 +188,8 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, onto: Onto) {
             let distance = l.sqrt(ex * ex + ey * ey);
             let cover = l.clamp(l.splat(stroke.half + 0.5) - distance, 0.0, 1.0);
             let alpha = cover * (l.splat(stroke.alpha[0]) + l.splat(stroke.alpha[1] - stroke.alpha[0]) * t);
-            // Columns past the right end are not in use or not covered.
-            let visible = l.lt(zero, alpha) & l.ilt(l.iota() + l.isplat(x), l.isplat(end));
+            // No column past the last, however many lanes there are.
+            let visible = l.lt(zero, alpha) & l.ilt(l.iota() + l.isplat(x), l.isplat(right + 1));
             let at = plane.index(y, x);
             x += L::N as i32;
             if !l.any(visible) {

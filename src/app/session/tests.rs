@@ -35,6 +35,18 @@ fn every_change_is_told_once() {
 }
 
 #[test]
+fn the_ground_lies_still_while_a_clip_plays() {
+    let mut session = Session::new(Document::built_in());
+    let (_, frame, _, display) = session.picture();
+    let (ground, bounds) = (display.ground, frame.bounds);
+    assert!(ground.is_some(), "a new document is fitted");
+    session.set_contraction(100.0);
+    let (_, frame, _, display) = session.picture();
+    assert_eq!(display.ground, ground);
+    assert!(frame.bounds != bounds);
+}
+
+#[test]
 fn playing_advances_with_the_clock_it_is_given() {
     let mut session = session();
     session.toggle_playing();
