@@ -28,6 +28,7 @@ use super::tree_rows::Row;
 use super::viewport::Viewport;
 use super::{files, format, ghosts_panel, keyboard, memory, menus, perform, saving, theme, ui};
 use crate::document::{Document, Missing};
+use crate::muscle::EditError;
 use crate::scene::NodeId;
 use crate::tr;
 
@@ -215,6 +216,11 @@ impl Window {
     /// Looks at the session.
     pub fn look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> T {
         look(&mut self.session.borrow_mut())
+    }
+
+    /// Asks the session something, unless widgets are being refreshed: then no.
+    pub fn look_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
+        !self.refreshing.get() && ask(&self.session.borrow())
     }
 
     /// Refreshes the parts that show what changed.
@@ -427,6 +433,21 @@ impl Window {
     /// What the scene tree shows of a node.
     pub fn tree_row(&self, node: NodeId) -> Option<Row> {
         self.tree.row(node)
+    }
+
+    /// Whether the page of muscles is looked at; then the picture shows the dots of their ends.
+    pub fn shows_muscles(&self) -> bool {
+        self.muscle.root.is_mapped()
+    }
+
+    /// Lets a click give the end of a muscle its place; the muscle panel says why it cannot.
+    pub fn pick_end(self: &Rc<Self>, pick: impl FnOnce(&mut Session) -> Result<(), EditError>) {
+        self.muscle.editor(self).tell(pick);
+    }
+
+    /// Adds, copies or takes away a muscle; the muscle panel says why it cannot.
+    pub fn change_muscles(self: &Rc<Self>, command: Command) {
+        self.muscle.change(self, command);
     }
 
     /// The actions, to connect them.

@@ -65,7 +65,7 @@ impl Session {
         }
     }
 
-    fn change_files(&mut self, files: &[MuscleFile], label: String, step: Step) {
+    pub(super) fn change_files(&mut self, files: &[MuscleFile], label: String, step: Step) {
         if step == Step::New {
             self.remember_named(label);
         }
@@ -79,6 +79,9 @@ impl Session {
         }
         let before = (self.document.scene.graph.len(), self.document.muscle_count());
         self.document.set_muscle_files(files);
+        // A file that is not kept anywhere yet was empty before.
+        self.saved.resize(files.len(), MuscleFile::default());
+        self.joint.muscles_changed();
         if let Some(rig) = self.document.driven_rig() {
             let drive = self.state.drive;
             self.state.drive =
@@ -88,6 +91,7 @@ impl Session {
         for marked in [&mut self.display.selected, &mut self.display.hovered] {
             *marked = marked.filter(|node| node.index() < count);
         }
+        self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));
         self.changed(Changes::EDIT | Changes::DRIVE | Changes::MUSCLE | Changes::HISTORY);
         if before != (count, self.document.muscle_count()) {
             self.changed(Changes::DOCUMENT | Changes::LIST);
