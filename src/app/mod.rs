@@ -44,6 +44,7 @@ mod picture;
 mod plot_view;
 mod profile_view;
 mod recent;
+mod recovery;
 mod save_as;
 mod save_session;
 mod saving;

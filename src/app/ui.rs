@@ -35,6 +35,7 @@ files! {
     NODE_CELL = "node_cell",
     TREE_EYE = "tree_eye",
     ERROR_BAR = "error_bar",
+    RECOVERY_BAR = "recovery_bar",
     START = "start",
     EXPORT = "export",
     INSPECTOR = "inspector",

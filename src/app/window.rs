@@ -18,6 +18,7 @@ use super::inspector::Inspector;
 use super::keys::Keys;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
+use super::recovery::Recovery;
 use super::scene_tree::SceneTree;
 use super::session::{Arrival, Changes, Session};
 use super::settings::Settings;
@@ -45,6 +46,8 @@ pub struct Window {
     pub viewport: Viewport,
     /// Errors.
     pub error_bar: ErrorBar,
+    /// What is not saved, kept from crashes.
+    pub recovery: Recovery,
     /// The main menu's button.
     pub menu: gtk::MenuButton,
     /// Opening, watching.
@@ -102,6 +105,7 @@ impl Window {
             settings: RefCell::new(settings),
             viewport: Viewport::new(),
             error_bar: ErrorBar::new(),
+            recovery: Recovery::new(),
             menu: part(&builder, "menu"),
             files: Files::default(),
             keys: Keys::default(),
@@ -128,6 +132,7 @@ impl Window {
         if let Some(notice) = notice {
             window.viewport.toast(&notice, None);
         }
+        window.recovery.offer();
         window.widget.present();
         if !files.is_empty() {
             files::open(&window, files, Arrival::New);
@@ -137,6 +142,7 @@ impl Window {
     fn put_together(self: &Rc<Self>) {
         let slot = |id: &str| part::<gtk::Box>(&self.builder, id);
         slot("error_slot").append(&self.error_bar.root);
+        slot("error_slot").append(&self.recovery.root);
         let left: gtk::Paned = part(&self.builder, "tree_paned");
         left.set_start_child(Some(&self.tree.root));
         left.set_end_child(Some(&self.inspector.root));
@@ -164,6 +170,7 @@ impl Window {
         self.health.connect(self);
         self.inspector.connect(self);
         self.error_bar.connect(self);
+        self.recovery.connect(self);
         self.start.connect(self);
         perform::connect(self);
         keyboard::connect(self);
@@ -251,6 +258,9 @@ impl Window {
             }
             if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::EDIT) {
                 self.name(session);
+            }
+            if changes.any(Changes::DOCUMENT | Changes::EDIT) {
+                self.recovery.note(self, session);
             }
             if changes.any(Changes::HISTORY | Changes::DOCUMENT) {
                 self.name_steps(session);
@@ -457,6 +467,7 @@ impl Window {
 
     /// Writes down what is remembered. A folder that cannot be written is no reason not to close.
     fn remember(&self) {
+        self.recovery.clear();
         let mut settings = self.settings.borrow_mut();
         if !self.widget.is_maximized() && !self.widget.is_fullscreen() {
             (settings.width, settings.height) = (self.widget.width(), self.widget.height());

@@ -383,6 +383,15 @@ app-save-title = Save muscle
 app-saved-without-comments = Saved { $file }. Comments of the file could not be kept.
 app-ask-save = Save the changes to the muscle?
 app-ask-save-why = Without saving they are lost.
+app-edit-carried = Bring back unsaved changes
+app-recovery = The program ended before the changes to the muscles of { $what } were saved. They are still here.
+app-recovery-restore = Restore
+app-recovery-discard = Discard
+app-recovery-unwritten = Changes that are not saved cannot be kept against a crash: { $reason }
+app-ask-which = The muscle file was changed by another program while it has unsaved changes here.
+app-ask-which-why = Keep your own changes, unsaved as they are, or read the file as it is now and lose them?
+app-ask-theirs = Read the file
+app-ask-mine = Keep my changes
 app-ask-discard = Don’t save
 
 # Display

@@ -343,3 +343,174 @@ fn unused_name(file: &MuscleFile, name: &str) -> String {
     let numbered = (2..).map(|number| format!("{name} {number}"));
     std::iter::once(name.to_owned()).chain(numbered).find(|name| !taken(name)).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collada::Progress;
+    use crate::document::Document;
+    use crate::muscle::presets::PRESETS;
+
+    /// The demo's arm, whose elbow is the joint `forearm`.
+    fn clip() -> Session {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/configs/curl.dae");
+        Session::new(Document::open(&[path], &Progress::default()).unwrap())
+    }
+
+    fn biceps() -> Preset {
+        Preset::by_id("biceps").unwrap()
+    }
+
+    fn ends(session: &Session, id: MuscleId) -> [Option<NodeId>; 2] {
+        let (rig, index) = session.document().muscle(id).unwrap();
+        [0, 1].map(|end| rig.hold_bone(index, Handhold::End(end)))
+    }
+
+    #[test]
+    fn a_new_muscle_joins_the_bones_of_the_elbow_and_goes_again() {
+        let mut session = clip();
+        let nodes = session.document().scene.graph.len();
+        for (number, preset) in PRESETS.into_iter().enumerate() {
+            session.new_muscle(preset).unwrap();
+            let id = session.shown_muscle();
+            assert_eq!((id.index(), session.document().muscle_count()), (number, number + 1));
+            let names = ends(&session, id).map(|node| session.document().scene.graph.node(node.unwrap()).name.clone());
+            assert_eq!(names, ["upper_arm", "forearm"], "{}", preset.id);
+            let (rig, index) = session.document().muscle(id).unwrap();
+            let (index, rest) = (index, rig.spec(index).unwrap().profile.rest_length());
+            session.set_flexion(0.0);
+            session.frame();
+            let (rig, _) = session.document().muscle(id).unwrap();
+            let straight = rig.solve(index, session.drive(), &session.posed().world).length;
+            assert!((straight / rest - 1.0).abs() < 1e-3, "{}: {straight} {rest}", preset.id);
+        }
+        assert_eq!(session.document().muscle_files().count(), 1);
+        for _ in PRESETS {
+            session.undo();
+        }
+        assert_eq!((session.document().muscle_count(), session.document().scene.graph.len()), (0, nodes));
+        assert!(!session.is_unsaved());
+        session.redo();
+        assert!(session.is_unsaved() && session.document().muscle_count() == 1);
+    }
+
+    #[test]
+    fn a_flexor_shortens_and_an_extensor_lengthens() {
+        for (id, sign) in [("biceps", -1.0), ("brachialis", -1.0), ("triceps", 1.0)] {
+            let mut session = clip();
+            session.new_muscle(Preset::by_id(id).unwrap()).unwrap();
+            let mut length = |degrees: f64| {
+                session.set_flexion(degrees);
+                session.frame();
+                let (rig, index) = session.document().muscle(session.shown_muscle()).unwrap();
+                rig.solve(index, session.drive(), &session.posed().world).path_length
+            };
+            assert!((length(100.0) - length(10.0)) * sign > 5.0, "{id}");
+        }
+    }
+
+    #[test]
+    fn contraction_and_the_joint_of_a_clip_are_one_state() {
+        let mut session = clip();
+        assert_eq!((session.contraction(), session.bend().map(|bend| bend.range)), (None, Some(0.0..=150.0)));
+        session.new_muscle(biceps()).unwrap();
+        for (on_top, time) in [(false, 0.0), (true, 0.0), (true, 1.3)] {
+            session.set_on_top(on_top);
+            session.time(|cursor| cursor.seek(time));
+            session.set_contraction(60.0);
+            let (angle, contraction) = (session.joint_angle().unwrap(), session.contraction().unwrap());
+            assert!((contraction - 60.0).abs() < 1e-6, "{contraction}");
+            session.set_contraction(10.0);
+            let bend = session.bend().unwrap().value + angle - session.joint_angle().unwrap();
+            session.set_flexion(bend);
+            assert!((session.contraction().unwrap() - 60.0).abs() < 1e-6);
+        }
+        let turned = session.joint_angle();
+        session.set_on_top(false);
+        assert!((session.joint_angle().unwrap() - turned.unwrap()).abs() < 1e-6, "the pose stays");
+        session.release_joint();
+        assert_eq!(session.state().turn, None);
+    }
+
+    #[test]
+    fn the_slider_does_what_the_command_line_does() {
+        let mut session = clip();
+        let joint = session.document().joint().unwrap();
+        session.set_flexion(75.0);
+        assert_eq!(session.state().turn, Some(joint.at(75.0)));
+        session.set_on_top(true);
+        session.set_flexion(-20.0);
+        assert_eq!(session.state().turn, Some(joint.by(-20.0)));
+    }
+
+    #[test]
+    fn another_joint_turns_about_its_own_axis() {
+        let mut session = clip();
+        let hand = session.document().scene.graph.find("hand").unwrap();
+        session.choose_joint(Some((hand, super::super::JointAxis::Own(0))));
+        session.set_flexion(40.0);
+        assert!((session.joint_angle().unwrap() - 40.0).abs() < 1e-9);
+        assert_eq!(session.bend().unwrap().range, -150.0..=150.0);
+        session.choose_joint(None);
+        assert_eq!((session.state().turn, session.chosen_joint()), (None, None));
+    }
+
+    #[test]
+    fn ends_are_picked_one_after_the_other() {
+        let mut session = clip();
+        session.new_muscle(biceps()).unwrap();
+        let id = session.shown_muscle();
+        session.edit_muscle(id, &Edit::Ends(None), Step::New).unwrap();
+        let bones = session.display().bones;
+        let find = |session: &Session, name: &str| session.document().scene.graph.find(name).unwrap();
+        session.start_picking(id, 1);
+        assert_eq!(session.picking().map(|picking| picking.end), Some(0), "a muscle on its own needs an origin first");
+        session.pick_bone(find(&session, "upper_arm")).unwrap();
+        assert_eq!(session.picking().map(|picking| picking.end), Some(1));
+        session.pick_bone(find(&session, "hand")).unwrap();
+        assert!(session.picking().is_none() && session.display().bones == bones);
+        assert_eq!(ends(&session, id), [Some(find(&session, "upper_arm")), Some(find(&session, "hand"))]);
+        session.undo();
+        assert_eq!(ends(&session, id), [None, None]);
+        session.start_picking(id, 0);
+        assert!(session.stop_picking() && !session.stop_picking());
+    }
+
+    #[test]
+    fn a_dragged_end_follows_the_pointer_on_its_bone() {
+        let mut session = clip();
+        session.new_muscle(biceps()).unwrap();
+        let (id, size) = (session.shown_muscle(), glam::DVec2::new(900.0, 600.0));
+        session.set_flexion(70.0);
+        for grip in session.grips(size) {
+            let drag = super::super::GripDrag { muscle: id, grip, from: grip.place };
+            let to = grip.place + glam::DVec2::new(23.0, -11.0);
+            session.drag_grip(&drag, to, size, Step::New).unwrap();
+            let moved = session.grips(size).into_iter().find(|moved| moved.hold == grip.hold).unwrap();
+            assert!(moved.place.distance(to) < 0.5, "{:?}: {} {to}", grip.hold, moved.place);
+            session.undo();
+            let back = session.grips(size).into_iter().find(|back| back.hold == grip.hold).unwrap();
+            assert!(back.place.distance(grip.place) < 1e-6);
+        }
+        assert_eq!(session.grip_at(glam::DVec2::new(-50.0, -50.0), size), None);
+    }
+
+    #[test]
+    fn copies_get_names_of_their_own_and_the_last_muscle_of_a_kept_file_stays() {
+        let mut session = clip();
+        session.new_muscle(biceps()).unwrap();
+        session.duplicate_muscle(session.shown_muscle()).unwrap();
+        let names: Vec<String> =
+            session.document().muscle_files().flat_map(|file| &file.muscles).map(|muscle| muscle.name.clone()).collect();
+        assert!(names.len() == 2 && names[0] != names[1] && names[1].starts_with(&names[0]), "{names:?}");
+        session.delete_muscle(MuscleId(0)).unwrap();
+        session.delete_muscle(MuscleId(0)).unwrap();
+        assert_eq!(session.document().muscle_files().count(), 0);
+
+        let mut arm = Session::new(Document::built_in());
+        arm.new_muscle(biceps()).unwrap();
+        assert_eq!(arm.document().muscle_files().next().map(|file| file.muscles.len()), Some(2));
+        arm.delete_muscle(MuscleId(1)).unwrap();
+        assert_eq!(arm.delete_muscle(MuscleId(0)), Err(EditError::Count));
+    }
+}

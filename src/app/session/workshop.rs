@@ -57,6 +57,25 @@ impl Session {
         Ok(())
     }
 
+    /// Puts muscle files that were kept aside back into the scene: as a change that is not saved and can be undone. Kept files that are fewer than those
+    /// of the scene do not belong to it and change nothing.
+    pub fn carry(&mut self, files: Vec<MuscleFile>) {
+        if files.len() >= self.document.muscle_files().count() && !self.document.muscle_files().eq(&files) {
+            self.change_files(&files, tr!("app-edit-carried"), Step::New);
+        }
+    }
+
+    /// Whether a muscle file on the disk no longer says what it did when it was read or saved last. One that cannot be read says something else.
+    pub fn is_changed_outside(&self) -> bool {
+        let mut saved = self.saved.iter().enumerate();
+        saved.any(|(index, saved)| {
+            let path = self.document.muscle_file_path(index);
+            path.is_some_and(|path| {
+                std::fs::read_to_string(path).ok().and_then(|text| MuscleFile::parse(&text).ok()).as_ref() != Some(saved)
+            })
+        })
+    }
+
     /// Goes back to what was read or saved last; undo takes that back.
     pub fn revert(&mut self) {
         if self.is_unsaved() {
