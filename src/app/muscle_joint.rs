@@ -135,7 +135,7 @@ impl MuscleJoint {
     fn list_joints(&self, session: &Session) {
         let graph = &session.document().scene.graph;
         let found = session.joint().map(|joint| tr!("app-joint-found", name = graph.node(joint.node).name.clone()));
-        let bones = if found.is_some() { session.joints() } else { Vec::new() };
+        let bones = if found.is_some() { session.turnable() } else { Vec::new() };
         let names = found.into_iter().chain(bones.iter().map(|bone| graph.node(*bone).name.clone())).collect::<Vec<_>>();
         self.bones.replace(bones);
         self.joint.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));

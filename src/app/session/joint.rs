@@ -91,7 +91,7 @@ impl Session {
     }
 
     /// The joints that can be chosen: those of all skeletons, muscles' own arms left out.
-    pub fn joints(&self) -> Vec<NodeId> {
+    pub fn turnable(&self) -> Vec<NodeId> {
         bones(&self.document)
     }
 
