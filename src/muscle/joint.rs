@@ -126,7 +126,7 @@ impl Joint {
         Skeleton::new(scene, clips, &[]).hinge(node, FoundBy::Shape)
     }
 
-    /// The joint at `node` that turns about an axis along the bone's own axes at rest, from the rest pose by up to [`AROUND`] degrees either way.
+    /// The joint at `node` that turns about an axis along the bone's own axes at rest, from the rest pose by up to 150 degrees either way.
     pub fn about(scene: &Scene, node: NodeId, axis: DVec3) -> Self {
         let spec = JointSpec { bone: String::new(), axis, range: [-AROUND, AROUND] };
         Self { found: FoundBy::Hand, ..Self::of_file(scene, node, &spec) }
