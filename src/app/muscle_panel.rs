@@ -305,7 +305,6 @@ impl MusclePanel {
     }
 
     fn refresh_document(&self, session: &Session) {
-        probe(self.root.upcast_ref(), 0);
         let document = session.document();
         let names: Vec<String> =
             document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.name(index).to_owned()).collect::<Vec<_>>()).collect();
@@ -414,20 +413,5 @@ fn rows<const N: usize>(grid: &gtk::Grid, keys: &[&str; N]) -> [gtk::Label; N] {
 fn set_all<const N: usize>(labels: &[gtk::Label; N], values: &[String; N]) {
     for (label, value) in labels.iter().zip(values) {
         label.set_text(value);
-    }
-}
-
-fn probe(widget: &gtk::Widget, depth: usize) {
-    // PROBE
-    let (min, ..) = widget.measure(gtk::Orientation::Horizontal, -1);
-    if min > 60 {
-        eprintln!("{:depth$}{} {} {min}", "", widget.type_().name(), widget.buildable_id().unwrap_or_default());
-    }
-    let mut child = widget.first_child();
-    while let Some(c) = child {
-        if depth < 7 {
-            probe(&c, depth + 1);
-        }
-        child = c.next_sibling();
     }
 }
