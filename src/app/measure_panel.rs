@@ -10,10 +10,10 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::canvas::Canvas;
-use super::error_bar::Trouble;
 use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;
+use super::save_as;
 use super::session::{Against, Changes, Reading, Session, csv};
 use super::ui;
 use super::window::{Window, part};
@@ -287,36 +287,14 @@ impl MeasurePanel {
 
 /// Asks where to and saves the table or the plots.
 fn save(window: &Rc<Window>) {
-    let dialog = gtk::FileChooserNative::new(
-        Some(&tr!("app-measure-save-title")),
-        Some(&window.widget),
-        gtk::FileChooserAction::Save,
-        Some(&tr!("app-save")),
-        Some(&tr!("app-cancel")),
-    );
-    dialog.set_current_name("measure.csv");
-    let keep = RefCell::new(Some(dialog.clone()));
-    dialog.connect_response(glib::clone!(
-        #[weak]
-        window,
-        move |dialog, response| {
-            keep.take();
-            let Some(path) = dialog.file().and_then(|file| file.path()).filter(|_| response == gtk::ResponseType::Accept) else { return };
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let written = window
-                .measure
-                .bytes(&path)
-                .and_then(|bytes| write_whole(&path, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
-            match written {
-                Ok(()) => window.viewport.toast(&tr!("app-saved", file = name), Some(path)),
-                Err(message) => window.error_bar.show(Trouble {
-                    headline: tr!("app-unsaved", file = name),
-                    message,
-                    details: path.display().to_string(),
-                    again: None,
-                }),
-            }
+    save_as::ask(window, &tr!("app-measure-save-title"), "measure.csv", None, |window, path| {
+        let written = window
+            .measure
+            .bytes(&path)
+            .and_then(|bytes| write_whole(&path, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
+        match written {
+            Ok(()) => window.viewport.toast(&tr!("app-saved", file = save_as::name_of(&path)), Some(path)),
+            Err(message) => save_as::failed(window, &path, message),
         }
-    ));
-    dialog.show();
+    });
 }
