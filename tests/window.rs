@@ -103,6 +103,11 @@ fn exports_are_made_stopped_and_saved() {
     drive("drive_export.py");
 }
 
+#[test]
+fn a_muscle_is_attached_to_a_clip_and_outlives_a_crash() {
+    drive("drive_attach.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {
@@ -128,6 +133,7 @@ fn drive(script: &str) {
         .env("LC_ALL", "C.UTF-8")
         .env("XDG_CONFIG_HOME", home.path())
         .env("XDG_DATA_HOME", home.path())
+        .env("XDG_STATE_HOME", home.path().join("state"))
         .output()
         .expect("the driver starts");
     let told = String::from_utf8_lossy(&ended.stdout);

@@ -202,6 +202,16 @@ commands! {
         ElbowMore = "elbow-more" ["<Alt>Right"],
         /// Straighten the elbow.
         ElbowLess = "elbow-less" ["<Alt>Left"],
+        /// A new muscle.
+        NewMuscle = "new-muscle" [],
+        /// A copy of the muscle that is shown.
+        DuplicateMuscle = "duplicate-muscle" [],
+        /// Take the muscle that is shown away.
+        DeleteMuscle = "delete-muscle" [],
+        /// Pick the bone that the muscle comes from.
+        PickOrigin = "pick-origin" [],
+        /// Pick the bone that the muscle goes to.
+        PickInsertion = "pick-insertion" [],
         /// Undo.
         Undo = "undo" ["<Control>z"],
         /// Redo.

@@ -17,6 +17,7 @@ use super::window::Window;
 use super::{recent, saving};
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
+use crate::muscle::MuscleFile;
 use crate::stage::{self, Opened};
 use crate::tr;
 
@@ -36,6 +37,15 @@ pub struct Files {
     /// What this program wrote last, and where: no news.
     written: RefCell<Option<(PathBuf, String)>>,
     failed: Cell<bool>,
+    /// Muscles that are put into what is being read, and what is done then.
+    carried: RefCell<Option<Carried>>,
+    asking: Cell<bool>,
+}
+
+/// Muscle files that go over to the scene that is being read.
+struct Carried {
+    muscles: Vec<MuscleFile>,
+    then: Box<dyn FnOnce()>,
 }
 
 impl Files {
@@ -73,11 +83,29 @@ pub fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     if paths.is_empty() {
         return;
     }
-    saving::ask_first(window, move |window| open_now(window, paths, arrival));
+    saving::ask_first(window, move |window| open_now(window, paths, arrival, None));
 }
 
-fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
+/// Opens files (none: the built-in scene) and puts muscles that are not saved into them; `then` runs once they are there.
+pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<MuscleFile>, then: impl FnOnce() + 'static) {
+    saving::ask_first(window, move |window| {
+        let carried = Carried { muscles, then: Box::new(then) };
+        if paths.is_empty() {
+            window.files.stop();
+            window.start_page(false);
+            window.act(|session| {
+                session.show(Document::built_in(), Arrival::New);
+                session.carry(carried.muscles);
+            });
+            return (carried.then)();
+        }
+        open_now(window, paths, Arrival::New, Some(carried));
+    });
+}
+
+fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival, carried: Option<Carried>) {
     window.files.stop();
+    window.files.carried.replace(carried);
     let progress = Arc::new(Progress::default());
     window.files.reading.replace(Some(progress.clone()));
     show_progress(window, &paths, &progress);
@@ -171,6 +199,10 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
         }
         None => session.show(document, arrival),
     });
+    if let Some(carried) = window.files.carried.take() {
+        window.act(|session| session.carry(carried.muscles));
+        (carried.then)();
+    }
     watch(window, &window.look(|session| session.files()));
     let demos = super::demos::folder();
     let paths: Vec<&PathBuf> = paths.iter().filter(|path| path.as_os_str() != "-" && !path.starts_with(&demos)).collect();
@@ -258,9 +290,34 @@ pub fn watch(window: &Rc<Window>, paths: &[PathBuf]) {
     window.files.monitors.replace(paths.iter().filter_map(make).collect());
 }
 
-/// Reads the open files again.
+/// Reads the open files again. Muscles that are not saved stay as they are; where their file has changed too, a person says which of both is to be.
 pub fn reload(window: &Rc<Window>) {
-    open(window, window.look(|session| session.files()), Arrival::Again);
+    let (paths, unsaved, both) = window.look(|session| {
+        let unsaved = session.is_unsaved();
+        (session.files(), unsaved, unsaved && session.is_changed_outside())
+    });
+    if paths.is_empty() || window.files.asking.get() {
+        return;
+    }
+    if !unsaved {
+        return open_now(window, paths, Arrival::Again, None);
+    }
+    let mine = move |window: &Rc<Window>| {
+        let muscles = window.look(|session| session.document().muscle_files().cloned().collect());
+        Some(Carried { muscles, then: Box::new(|| ()) })
+    };
+    if !both {
+        return open_now(window, paths, Arrival::Again, mine(window));
+    }
+    window.files.asking.set(true);
+    saving::ask_which(window, move |window, keep| {
+        window.files.asking.set(false);
+        match keep {
+            Some(true) => open_now(window, paths, Arrival::Again, mine(window)),
+            Some(false) => open_now(window, paths, Arrival::Again, None),
+            None => {}
+        }
+    });
 }
 
 /// Closes the files; the start page comes up. With nothing open the window closes.

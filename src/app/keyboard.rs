@@ -24,6 +24,13 @@ pub fn connect(window: &Rc<Window>) {
             if !is_typing(&window) && window.viewport.flight_key(&window, letter(key, hardware), key, true) {
                 return glib::Propagation::Stop;
             }
+            // Esc leaves what has been begun, whatever has the focus.
+            if key == gdk::Key::Escape && window.look(|session| session.picking().is_some()) {
+                window.act(|session| {
+                    session.stop_picking();
+                });
+                return glib::Propagation::Stop;
+            }
             match window.keys.command(key, hardware, modifiers) {
                 Some(command) if !is_for_widget(&window, key, modifiers) => {
                     run(&window, command);

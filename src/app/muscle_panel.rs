@@ -8,17 +8,20 @@ use gtk::prelude::*;
 use gtk::{gdk, gio};
 use gtk4 as gtk;
 
+use super::actions::Command;
+use super::muscle_editor::{Editor, connect_entry, show_text};
+use super::muscle_ends::MuscleEnds;
+use super::muscle_joint::MuscleJoint;
 use super::node_table::NodeTable;
 use super::profile_view::{ProfileView, Shape};
-use super::session::Step;
-use super::session::{Changes, Session};
+use super::session::{Changes, Session, Step};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
 use crate::muscle::ledger::{Ledger, Root};
 use crate::muscle::presets::{PRESETS, Preset};
-use crate::muscle::{Edit, EditError, LimitCause, MuscleSpec, Rig, Solved, Tendon};
-use crate::scene::{Content, MuscleId};
+use crate::muscle::{Edit, LimitCause, MuscleSpec, Rig, Solved, Tendon};
+use crate::scene::MuscleId;
 use crate::tr;
 
 /// The panel.
@@ -26,8 +29,9 @@ pub struct MusclePanel {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
-    contraction: gtk::Scale,
-    flexion: gtk::Scale,
+    joint: MuscleJoint,
+    ends: MuscleEnds,
+    name: gtk::Entry,
     which: gtk::DropDown,
     shown: Rc<Cell<u32>>,
     profile: ProfileView,
@@ -40,80 +44,52 @@ pub struct MusclePanel {
     solved: RefCell<Solved>,
 }
 
+/// What a new muscle is where no other is asked for.
+const NEW: Preset = PRESETS[2];
+
 /// The entries of the shape, rest length first.
 const FIELDS: [&str; 5] = ["rest_length", "tendon_0_length", "tendon_0_radius", "tendon_1_length", "tendon_1_radius"];
 
-/// Changes muscles for the widgets, and shows in place why a change is not made.
-#[derive(Clone)]
-struct Editor {
-    window: std::rc::Weak<Window>,
-    shown: Rc<Cell<u32>>,
-    refused: gtk::Label,
+/// Takes what was typed into a field of the shape.
+fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
+    let Some(spec) = editor.spec() else { return };
+    if entry.text() == field_text(&spec, field) {
+        return entry.remove_css_class("error");
+    }
+    let value = format::typed(&entry.text()).unwrap_or(f64::NAN);
+    let tendon = |end: usize, change: &dyn Fn(&mut Tendon)| {
+        let mut tendon = spec.tendons[end];
+        change(&mut tendon);
+        // A tendon that gets its length first is as thick as the muscle's end.
+        if tendon.length > 0.0 && tendon.radius == 0.0 {
+            let radii = spec.profile.radii();
+            tendon.radius = 0.5 * if end == 0 { radii.first() } else { radii.last() }.copied().unwrap_or(0.0);
+        }
+        Edit::Tendon(end, tendon)
+    };
+    let edit = match field {
+        0 => Edit::RestLength(value),
+        1 => tendon(0, &|tendon| tendon.length = value),
+        2 => tendon(0, &|tendon| tendon.radius = value),
+        3 => tendon(1, &|tendon| tendon.length = value),
+        _ => tendon(1, &|tendon| tendon.radius = value),
+    };
+    if !editor.edit(&edit, Step::New) {
+        return entry.add_css_class("error");
+    }
+    entry.remove_css_class("error");
+    if let Some(spec) = editor.spec() {
+        entry.set_text(&field_text(&spec, field));
+    }
 }
 
-impl Editor {
-    /// Makes a change; whether it was made.
-    fn edit(&self, edit: &Edit, step: Step) -> bool {
-        let id = MuscleId(self.shown.get());
-        self.tell(|session| session.edit_muscle(id, edit, step))
-    }
-
-    fn preset(&self, preset: Preset) {
-        let id = MuscleId(self.shown.get());
-        self.tell(|session| session.take_ready(id, preset));
-    }
-
-    fn tell(&self, change: impl FnOnce(&mut Session) -> Result<(), EditError>) -> bool {
-        let Some(window) = self.window.upgrade() else { return false };
-        let mut result = Ok(());
-        window.act(|session| result = change(session));
-        self.refused.set_visible(result.is_err());
-        if let Err(error) = &result {
-            self.refused.set_text(&error.to_string());
-        }
-        result.is_ok()
-    }
-
-    /// What muscle is shown says.
-    fn spec(&self) -> Option<MuscleSpec> {
-        let id = MuscleId(self.shown.get());
-        self.window.upgrade()?.look(|session| {
-            let (rig, index) = session.document().muscle(id)?;
-            rig.spec(index).cloned()
-        })
-    }
-
-    /// Takes what was typed into a field of the shape.
-    fn typed(&self, field: usize, entry: &gtk::Entry) {
-        let Some(spec) = self.spec() else { return };
-        if entry.text() == field_text(&spec, field) {
-            return entry.remove_css_class("error");
-        }
-        let value = format::typed(&entry.text()).unwrap_or(f64::NAN);
-        let tendon = |end: usize, change: &dyn Fn(&mut Tendon)| {
-            let mut tendon = spec.tendons[end];
-            change(&mut tendon);
-            // A tendon that gets its length first is as thick as the muscle's end.
-            if tendon.length > 0.0 && tendon.radius == 0.0 {
-                let radii = spec.profile.radii();
-                tendon.radius = 0.5 * if end == 0 { radii.first() } else { radii.last() }.copied().unwrap_or(0.0);
-            }
-            Edit::Tendon(end, tendon)
-        };
-        let edit = match field {
-            0 => Edit::RestLength(value),
-            1 => tendon(0, &|tendon| tendon.length = value),
-            2 => tendon(0, &|tendon| tendon.radius = value),
-            3 => tendon(1, &|tendon| tendon.length = value),
-            _ => tendon(1, &|tendon| tendon.radius = value),
-        };
-        if !self.edit(&edit, Step::New) {
-            return entry.add_css_class("error");
-        }
-        entry.remove_css_class("error");
-        if let Some(spec) = self.spec() {
-            entry.set_text(&field_text(&spec, field));
-        }
+/// Adds a ready muscle, and says so where the mesh had to be hidden for it to be seen.
+fn add(editor: &Editor, preset: Preset) {
+    let Some(window) = editor.window.upgrade() else { return };
+    let covered = window.look(|session| session.display().mesh);
+    editor.tell(|session| session.new_muscle(preset));
+    if covered && !window.look(|session| session.display().mesh) {
+        window.viewport.toast(&tr!("app-mesh-hidden"), None);
     }
 }
 
@@ -187,8 +163,9 @@ impl MusclePanel {
             rows(&part(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
         Self {
             root: part(&builder, "root"),
-            contraction: part(&builder, "contraction"),
-            flexion: part(&builder, "flexion"),
+            joint: MuscleJoint::new(&builder),
+            ends: MuscleEnds::new(&builder),
+            name: part(&builder, "name"),
             which: part(&builder, "which"),
             shown: Rc::default(),
             profile,
@@ -204,27 +181,36 @@ impl MusclePanel {
 
     /// Lets the sliders drive.
     pub fn connect(&self, window: &Rc<Window>) {
-        self.contraction.connect_value_changed(glib::clone!(
-            #[weak]
-            window,
-            move |slider| window.act(|session| session.set_contraction(slider.value()))
-        ));
-        self.flexion.connect_value_changed(glib::clone!(
-            #[weak]
-            window,
-            move |slider| window.act(|session| session.set_flexion(slider.value()))
-        ));
-        self.connect_edits(&Editor { window: Rc::downgrade(window), shown: self.shown.clone(), refused: self.refused.clone() });
-        let shown = self.shown.clone();
+        self.joint.connect(window);
+        self.connect_edits(&self.editor(window));
         self.which.connect_selected_notify(glib::clone!(
             #[weak]
             window,
             move |list| {
-                if list.selected() != gtk::INVALID_LIST_POSITION && shown.replace(list.selected()) != list.selected() {
-                    window.act(Session::show_other_muscle);
+                if list.selected() != gtk::INVALID_LIST_POSITION {
+                    window.act(|session| session.show_muscle(MuscleId(list.selected())));
                 }
             }
         ));
+    }
+
+    /// What changes the muscle that is shown.
+    pub fn editor(&self, window: &Rc<Window>) -> Editor {
+        Editor { window: Rc::downgrade(window), shown: self.shown.clone(), refused: self.refused.clone() }
+    }
+
+    /// Adds, copies or takes away a muscle.
+    pub fn change(&self, window: &Rc<Window>, command: Command) {
+        let editor = self.editor(window);
+        let id = editor.id();
+        editor.tell(|session| match command {
+            Command::DuplicateMuscle => session.duplicate_muscle(id),
+            Command::DeleteMuscle => session.delete_muscle(id),
+            _ => Ok(()),
+        });
+        if command == Command::NewMuscle {
+            add(&editor, NEW);
+        }
     }
 
     fn connect_edits(&self, editor: &Editor) {
@@ -243,30 +229,56 @@ impl MusclePanel {
         }
         for (field, entry) in self.fields.iter().enumerate() {
             let own = editor.clone();
-            entry.connect_activate(move |entry| own.typed(field, entry));
-            let (own, focus, left) = (editor.clone(), gtk::EventControllerFocus::new(), entry.downgrade());
-            focus.connect_leave(move |_| {
-                if let Some(entry) = left.upgrade() {
-                    own.typed(field, &entry);
-                }
-            });
-            entry.add_controller(focus);
+            connect_entry(entry, move |entry| typed(&own, field, entry));
         }
+        self.ends.connect(editor);
+        let own = editor.clone();
+        connect_entry(&self.name, move |entry| {
+            let name = entry.text().trim().to_owned();
+            if own.spec().is_some_and(|spec| spec.name != name && !name.is_empty()) {
+                own.edit(&Edit::Name(name), Step::New);
+            }
+        });
+        let own = editor.clone();
+        part::<gtk::Button>(&self.builder, "fit_length").connect_clicked(move |_| {
+            let id = own.id();
+            own.tell(|session| session.fit_length(id, Step::New));
+        });
         let own = editor.clone();
         part::<gtk::ColorButton>(&self.builder, "colour").connect_color_set(move |button| {
             let color = button.rgba();
             let byte = |part: f32| (part * 255.0).round().clamp(0.0, 255.0) as u8;
             own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), Step::New);
         });
-        let (group, menu) = (gio::SimpleActionGroup::new(), gio::Menu::new());
-        for preset in PRESETS {
-            let (own, action) = (editor.clone(), gio::SimpleAction::new(preset.id, None));
-            action.connect_activate(move |_, _| own.preset(preset));
-            group.add_action(&action);
-            menu.append(Some(&preset.name()), Some(&format!("preset.{}", preset.id)));
+        self.connect_menus(editor);
+    }
+
+    /// The menus of new muscles and of what can be done with the one that is shown.
+    fn connect_menus(&self, editor: &Editor) {
+        type Change = fn(&Editor, Preset);
+        let list = |button: &gtk::MenuButton, group: &str, change: Change| {
+            let (actions, menu) = (gio::SimpleActionGroup::new(), gio::Menu::new());
+            for preset in PRESETS {
+                let (own, action) = (editor.clone(), gio::SimpleAction::new(preset.id, None));
+                action.connect_activate(move |_, _| change(&own, preset));
+                actions.add_action(&action);
+                menu.append(Some(&preset.name()), Some(&format!("{group}.{}", preset.id)));
+            }
+            button.insert_action_group(group, Some(&actions));
+            menu
+        };
+        let button: gtk::MenuButton = part(&self.builder, "new_muscle");
+        button.set_menu_model(Some(&list(&button, "new", add)));
+        let button: gtk::MenuButton = part(&self.builder, "muscle_menu");
+        let ready = list(&button, "ready", |own, preset| {
+            let id = own.id();
+            own.tell(|session| session.take_ready(id, preset));
+        });
+        let menu = gio::Menu::new();
+        for command in [Command::DuplicateMuscle, Command::DeleteMuscle] {
+            menu.append(Some(&command.label()), Some(&format!("win.{}", command.id())));
         }
-        let button: gtk::MenuButton = part(&self.builder, "presets");
-        button.insert_action_group("preset", Some(&group));
+        menu.append_section(Some(&tr!("app-muscle-replace")), &ready);
         button.set_menu_model(Some(&menu));
     }
 
@@ -275,31 +287,20 @@ impl MusclePanel {
         if changes.any(Changes::DOCUMENT) {
             self.refresh_document(session);
         }
-        if changes.any(Changes::DOCUMENT | Changes::DRIVE) {
-            let drive = session.drive();
-            self.contraction.set_value(drive.contraction);
-            self.flexion.set_value(drive.flexion);
-            let text = |id: &str, value: String| part::<gtk::Label>(&self.builder, id).set_text(&value);
-            text("contraction_value", format::with_unit(drive.contraction, 1, "%"));
-            let jointed = session.document().driven_rig().is_some_and(|rig| rig.flexion_range().is_some());
-            text("flexion_value", if jointed { format!("{}°", format::number(drive.flexion, 1)) } else { "–".into() });
+        self.shown.set(session.shown_muscle().0);
+        if changes.any(Changes::MUSCLE) {
+            self.which.set_selected(self.shown.get());
         }
-        if changes.any(Changes::SELECTION) {
-            self.show_selected(session);
-        }
-        if changes.any(Changes::EDIT) && !changes.any(Changes::DOCUMENT) {
-            let range = session.document().driven_rig().and_then(|rig| rig.flexion_range());
-            if let Some(range) = range {
-                self.flexion.set_range(*range.start(), range.end().max(*range.start() + 1e-9));
-                self.flexion.set_value(session.drive().flexion);
-            }
+        let bends = Changes::DRIVE | Changes::HAND | Changes::MUSCLE | Changes::EDIT;
+        if changes.any(Changes::DOCUMENT | bends) || changes.any(Changes::TIME) && self.root.is_mapped() {
+            self.joint.refresh(session, changes);
         }
         if changes.any(Changes::HISTORY) {
             self.refused.set_visible(false);
         }
-        let moves = Changes::DOCUMENT | Changes::DRIVE | Changes::TIME | Changes::SELECTION | Changes::MUSCLE | Changes::EDIT;
+        let moves = Changes::DOCUMENT | Changes::DRIVE | Changes::TIME | Changes::MUSCLE | Changes::EDIT | Changes::HAND | Changes::PICKING;
         if changes.any(moves) && self.root.is_mapped() || changes.any(Changes::DOCUMENT | Changes::MUSCLE) {
-            self.refresh_ledger(session, changes.any(Changes::DOCUMENT | Changes::SELECTION | Changes::MUSCLE));
+            self.refresh_ledger(session, changes.any(Changes::DOCUMENT | Changes::MUSCLE));
         }
     }
 
@@ -310,32 +311,15 @@ impl MusclePanel {
         let there = !names.is_empty();
         self.which.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
         self.which.set_visible(names.len() > 1);
-        let kept = if (self.shown.get() as usize) < names.len() { self.shown.get() } else { 0 };
-        self.shown.set(kept);
-        self.which.set_selected(if there { kept } else { gtk::INVALID_LIST_POSITION });
+        self.which.set_selected(if there { session.shown_muscle().0 } else { gtk::INVALID_LIST_POSITION });
         part::<gtk::Label>(&self.builder, "none").set_visible(!there);
         part::<gtk::Widget>(&self.builder, "details").set_visible(there);
-        part::<gtk::Widget>(&self.builder, "sliders").set_visible(there);
-        part::<gtk::Widget>(&self.builder, "choices").set_visible(there);
-        let range = document.driven_rig().and_then(|rig| rig.flexion_range());
-        self.flexion.set_sensitive(range.is_some());
-        if let Some(range) = range {
-            self.flexion.set_range(*range.start(), range.end().max(*range.start() + 1e-9));
-        }
-    }
-
-    fn show_selected(&self, session: &Session) {
-        let Some(node) = session.selected().map(|id| session.document().scene.graph.node(id)) else { return };
-        let muscle = node.contents.iter().find_map(|content| if let Content::Muscle(id) = content { Some(*id) } else { None });
-        if let Some(muscle) = muscle {
-            self.shown.set(muscle.0);
-            self.which.set_selected(muscle.0);
-        }
+        part::<gtk::Widget>(&self.builder, "muscle_menu").set_visible(there);
     }
 
     fn refresh_ledger(&self, session: &mut Session, anew: bool) {
         let drive = session.drive();
-        let id = MuscleId(self.shown.get());
+        let id = session.shown_muscle();
         session.frame();
         let (document, frame) = (session.document(), session.posed());
         let Some((rig, index)) = document.muscle(id) else { return };
@@ -387,18 +371,17 @@ impl MusclePanel {
         }));
         for (field, entry) in self.fields.iter().enumerate() {
             let text = field_text(spec, field);
-            // What somebody is typing stays while something else changes.
-            if entry.text() != text
-                && (anew || !entry.has_css_class("error"))
-                && !entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN)
-            {
-                entry.set_text(&text);
-                entry.remove_css_class("error");
-            }
+            show_text(entry, &text, anew);
             part::<gtk::Label>(&self.builder, &format!("{}_unit", FIELDS[field])).set_text(&unit.length);
         }
         let [red, green, blue] = spec.color.unwrap_or([0xB8, 0x32, 0x2E]).map(|part| f32::from(part) / 255.0);
         part::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
+        show_text(&self.name, &spec.name, anew);
+        if anew {
+            self.ends.list(session, id);
+        }
+        self.ends.show(session, id, &unit.length, anew);
+        part::<gtk::Widget>(&self.builder, "fit_length").set_sensitive(rig.is_attached(index));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
 }

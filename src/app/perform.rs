@@ -130,7 +130,6 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::PreviousKey | C::NextKey | C::MarkA | C::MarkB => has_time,
         C::ClearMarks => session.playback().mark_a.is_some() || session.playback().mark_b.is_some(),
         C::PreviousClip | C::NextClip => session.document().clips.len() > 1,
-        C::ContractMore | C::ContractLess | C::ElbowMore | C::ElbowLess => session.document().driven_rig().is_some(),
         C::Centre | C::Hide => session.selected().is_some(),
         C::Isolate => session.selected().is_some() || session.is_isolated(),
         C::ShowAll => session.hides_something(),
@@ -139,6 +138,9 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::StopComparing => session.compared_with().is_some(),
         C::CompareFile => !session.is_empty(),
         C::CompareSkinning => session.has_skins() || session.compared_with().is_some(),
+        C::ContractMore | C::ContractLess | C::DuplicateMuscle | C::DeleteMuscle => session.document().muscle_count() > 0,
+        C::ElbowMore | C::ElbowLess => session.bends_arm() || session.joint().is_some(),
+        C::PickOrigin | C::PickInsertion => !session.bones_for(session.shown_muscle()).is_empty(),
         C::Weights => session.selected().is_some() || session.display().weights.is_some(),
         C::ResetLight => session.light().is_some(),
         C::ResetModel => !session.model().is_identity(),
@@ -228,6 +230,7 @@ pub fn perform(window: &Rc<Window>, command: Command) {
         C::Shortcuts => about::shortcuts(window),
         C::About => about::about(window),
         C::Fly => window.viewport.toggle_flight(window),
+        C::NewMuscle | C::DuplicateMuscle | C::DeleteMuscle => window.change_muscles(command),
         in_session => window.act(|session| change_session(in_session, session)),
     }
 }
@@ -245,7 +248,6 @@ fn change_session(command: Command, session: &mut Session) {
     use Command as C;
     let pace = session.playback().speed.abs();
     let (here, start, end) = (session.playback().time, session.playback().start, session.playback().end);
-    let drive = session.drive();
     match command {
         C::Play => session.toggle_playing(),
         C::Reverse => session.time(|time| {
@@ -288,10 +290,18 @@ fn change_session(command: Command, session: &mut Session) {
             session.remember_as("app-edit-reset-model");
             session.change_model(|model| model.reset());
         }
-        C::ContractMore => session.set_contraction(drive.contraction + 5.0),
-        C::ContractLess => session.set_contraction(drive.contraction - 5.0),
-        C::ElbowMore => session.set_flexion(drive.flexion + 5.0),
-        C::ElbowLess => session.set_flexion(drive.flexion - 5.0),
+        C::ContractMore | C::ContractLess => {
+            if let Some(contraction) = session.contraction() {
+                session.set_contraction(contraction + if command == C::ContractMore { 5.0 } else { -5.0 });
+            }
+        }
+        C::ElbowMore | C::ElbowLess => {
+            if let Some(bend) = session.bend() {
+                session.set_flexion(bend.value + if command == C::ElbowMore { 5.0 } else { -5.0 });
+            }
+        }
+        C::PickOrigin => session.start_picking(session.shown_muscle(), 0),
+        C::PickInsertion => session.start_picking(session.shown_muscle(), 1),
         C::PresetClean => session.take_preset(Preset::Clean),
         C::PresetSkeleton => session.take_preset(Preset::Skeleton),
         C::PresetInspection => session.take_preset(Preset::Inspection),

@@ -80,6 +80,38 @@ fn write(window: &Rc<Window>, index: usize, path: PathBuf) -> bool {
     }
 }
 
+/// Asks which of two versions of a muscle file is to be: the one in the window (`Some(true)`), or the one that another program wrote. `None` where no
+/// answer is given.
+pub fn ask_which(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>, Option<bool>) + 'static) {
+    let dialog = gtk::MessageDialog::builder()
+        .transient_for(&window.widget)
+        .modal(true)
+        .message_type(gtk::MessageType::Question)
+        .text(tr!("app-ask-which"))
+        .secondary_text(tr!("app-ask-which-why"))
+        .build();
+    dialog.add_button(&tr!("app-ask-theirs"), gtk::ResponseType::Reject);
+    dialog.add_button(&tr!("app-ask-mine"), gtk::ResponseType::Accept);
+    dialog.set_default_response(gtk::ResponseType::Accept);
+    let then = RefCell::new(Some(then));
+    dialog.connect_response(glib::clone!(
+        #[weak]
+        window,
+        move |dialog, response| {
+            dialog.destroy();
+            let keep = match response {
+                gtk::ResponseType::Accept => Some(true),
+                gtk::ResponseType::Reject => Some(false),
+                _ => None,
+            };
+            if let Some(then) = then.take() {
+                then(&window, keep);
+            }
+        }
+    ));
+    dialog.present();
+}
+
 /// Does `then`; where something is not saved, asks first whether to save it, to let it go, or to stay.
 pub fn ask_first(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>) + 'static) {
     if !window.look(|session| session.is_unsaved()) {

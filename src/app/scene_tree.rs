@@ -130,7 +130,10 @@ impl SceneTree {
         selection.connect_selected_item_notify(move |selection| {
             if let Some(window) = window.upgrade() {
                 let node = selection.selected_item().and_then(|item| node_of(&item));
-                window.act(|session| session.select(node));
+                match node.filter(|_| window.look_if_free(|session| session.picking().is_some())) {
+                    Some(bone) => window.pick_end(|session| session.pick_bone(bone)),
+                    None => window.act(|session| session.select(node)),
+                }
             }
         });
         self.list.set_model(Some(&selection));

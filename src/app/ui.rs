@@ -2,7 +2,10 @@
 
 use gtk4::glib::{Object, markup_escape_text};
 use gtk4::prelude::*;
-use gtk4::{Builder, DropDown, MenuButton, Popover, ToggleButton};
+use gtk4::{
+    Builder, DropDown, Expression, Label, ListItem, MenuButton, Popover, PropertyExpression, SignalListItemFactory, StringObject,
+    ToggleButton, pango,
+};
 
 use super::actions::Command;
 use crate::tr;
@@ -32,6 +35,7 @@ files! {
     NODE_CELL = "node_cell",
     TREE_EYE = "tree_eye",
     ERROR_BAR = "error_bar",
+    RECOVERY_BAR = "recovery_bar",
     START = "start",
     EXPORT = "export",
     INSPECTOR = "inspector",
@@ -44,6 +48,37 @@ pub fn builder(text: &str) -> Builder {
     let builder = Builder::from_string(&translate(text));
     builder.objects().iter().for_each(hush);
     builder
+}
+
+/// Lets a list be as narrow as there is room: its button shortens the name that is chosen; its rows show names in full.
+pub fn narrow(list: &DropDown) {
+    let factory = |short: bool| {
+        let factory = SignalListItemFactory::new();
+        factory.connect_setup(move |_, item| {
+            let label = Label::builder().xalign(0.0).build();
+            if short {
+                label.set_ellipsize(pango::EllipsizeMode::Middle);
+                label.set_width_chars(4);
+                label.set_max_width_chars(12);
+                label.set_hexpand(true);
+            }
+            if let Some(item) = item.downcast_ref::<ListItem>() {
+                item.set_child(Some(&label));
+            }
+        });
+        factory.connect_bind(|_, item| {
+            let Some(item) = item.downcast_ref::<ListItem>() else { return };
+            let text = item.item().and_downcast::<StringObject>().map(|object| object.string());
+            if let (Some(label), Some(text)) = (item.child().and_downcast::<Label>(), text) {
+                label.set_text(&text);
+            }
+        });
+        factory
+    };
+    list.set_factory(Some(&factory(true)));
+    list.set_list_factory(Some(&factory(false)));
+    // A search needs to be told what is searched.
+    list.set_expression(Some(PropertyExpression::new(StringObject::static_type(), Expression::NONE, "string")));
 }
 
 /// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed

@@ -18,6 +18,7 @@ use super::inspector::Inspector;
 use super::keys::Keys;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
+use super::recovery::Recovery;
 use super::scene_tree::SceneTree;
 use super::session::{Arrival, Changes, Session};
 use super::settings::Settings;
@@ -28,6 +29,7 @@ use super::tree_rows::Row;
 use super::viewport::Viewport;
 use super::{files, format, ghosts_panel, keyboard, memory, menus, perform, saving, theme, ui};
 use crate::document::{Document, Missing};
+use crate::muscle::EditError;
 use crate::scene::NodeId;
 use crate::tr;
 
@@ -44,6 +46,8 @@ pub struct Window {
     pub viewport: Viewport,
     /// Errors.
     pub error_bar: ErrorBar,
+    /// What is not saved, kept from crashes.
+    pub recovery: Recovery,
     /// The main menu's button.
     pub menu: gtk::MenuButton,
     /// Opening, watching.
@@ -101,6 +105,7 @@ impl Window {
             settings: RefCell::new(settings),
             viewport: Viewport::new(),
             error_bar: ErrorBar::new(),
+            recovery: Recovery::new(),
             menu: part(&builder, "menu"),
             files: Files::default(),
             keys: Keys::default(),
@@ -127,6 +132,7 @@ impl Window {
         if let Some(notice) = notice {
             window.viewport.toast(&notice, None);
         }
+        window.recovery.offer();
         window.widget.present();
         if !files.is_empty() {
             files::open(&window, files, Arrival::New);
@@ -136,6 +142,7 @@ impl Window {
     fn put_together(self: &Rc<Self>) {
         let slot = |id: &str| part::<gtk::Box>(&self.builder, id);
         slot("error_slot").append(&self.error_bar.root);
+        slot("error_slot").append(&self.recovery.root);
         let left: gtk::Paned = part(&self.builder, "tree_paned");
         left.set_start_child(Some(&self.tree.root));
         left.set_end_child(Some(&self.inspector.root));
@@ -163,6 +170,7 @@ impl Window {
         self.health.connect(self);
         self.inspector.connect(self);
         self.error_bar.connect(self);
+        self.recovery.connect(self);
         self.start.connect(self);
         perform::connect(self);
         keyboard::connect(self);
@@ -217,6 +225,11 @@ impl Window {
         look(&mut self.session.borrow_mut())
     }
 
+    /// Asks the session something, unless widgets are being refreshed: then no.
+    pub fn look_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
+        !self.refreshing.get() && ask(&self.session.borrow())
+    }
+
     /// Refreshes the parts that show what changed.
     pub fn refresh(self: &Rc<Self>) {
         let changes = self.session.borrow_mut().take_changes();
@@ -245,6 +258,9 @@ impl Window {
             }
             if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::EDIT) {
                 self.name(session);
+            }
+            if changes.any(Changes::DOCUMENT | Changes::EDIT) {
+                self.recovery.note(self, session);
             }
             if changes.any(Changes::HISTORY | Changes::DOCUMENT) {
                 self.name_steps(session);
@@ -429,6 +445,21 @@ impl Window {
         self.tree.row(node)
     }
 
+    /// Whether the page of muscles is looked at; then the picture shows the dots of their ends.
+    pub fn shows_muscles(&self) -> bool {
+        self.muscle.root.is_mapped()
+    }
+
+    /// Lets a click give the end of a muscle its place; the muscle panel says why it cannot.
+    pub fn pick_end(self: &Rc<Self>, pick: impl FnOnce(&mut Session) -> Result<(), EditError>) {
+        self.muscle.editor(self).tell(pick);
+    }
+
+    /// Adds, copies or takes away a muscle; the muscle panel says why it cannot.
+    pub fn change_muscles(self: &Rc<Self>, command: Command) {
+        self.muscle.change(self, command);
+    }
+
     /// The actions, to connect them.
     pub fn actions(&self) -> &HashMap<Command, gio::SimpleAction> {
         &self.actions
@@ -436,6 +467,7 @@ impl Window {
 
     /// Writes down what is remembered. A folder that cannot be written is no reason not to close.
     fn remember(&self) {
+        self.recovery.clear();
         let mut settings = self.settings.borrow_mut();
         if !self.widget.is_maximized() && !self.widget.is_fullscreen() {
             (settings.width, settings.height) = (self.widget.width(), self.widget.height());

@@ -186,9 +186,18 @@ impl Document {
     ///
     /// The elbow of a muscle file's own arm is none of these; [`PoseState::drive`] bends it.
     pub fn joint(&self) -> Option<Joint> {
-        let named = self.rigs().filter(|(rig, _)| rig.flexion_range().is_none()).find_map(|(rig, _)| rig.joint());
+        self.muscles_joint().or_else(|| self.elbow())
+    }
+
+    /// The joint that a muscle file names or its muscles cross; quick.
+    pub fn muscles_joint(&self) -> Option<Joint> {
+        self.rigs().filter(|(rig, _)| rig.flexion_range().is_none()).find_map(|(rig, _)| rig.joint())
+    }
+
+    /// The elbow that is found in a clip's skeleton, whatever muscles there are. Looks at the whole scene and its clips.
+    pub fn elbow(&self) -> Option<Joint> {
         let own: Vec<NodeId> = self.rig_roots().collect();
-        named.or_else(|| Joint::elbow(&self.scene, &self.clips, &own))
+        Joint::elbow(&self.scene, &self.clips, &own)
     }
 
     /// The rig of muscle `id` and the muscle's index in it.

@@ -9,6 +9,7 @@ use super::{Document, Source, SourceKind};
 use crate::health::Finding;
 use crate::muscle::{MuscleFile, Rig};
 use crate::scene::MuscleId;
+use crate::tr;
 
 /// Lengths of the scene's lists without muscles.
 #[derive(Debug, Clone, Copy, Default)]
@@ -64,7 +65,24 @@ impl Document {
     }
 
     /// Puts other muscle files in place of those that are there, in the same order, and builds their muscles anew. Nodes of other files keep their ids.
+    /// Files beyond those that are there come in as new ones, kept nowhere yet; where there are fewer, the last ones leave the scene.
     pub fn set_muscle_files(&mut self, files: &[MuscleFile]) {
+        let count = self.muscle_files().count();
+        for number in count..files.len() {
+            let kind = SourceKind::Muscles(Box::default(), Box::default());
+            let name = if number == 0 { tr!("document-new-muscles") } else { tr!("document-new-muscles-number", number = number + 1) };
+            self.sources.push(Source { name, path: None, root: None, kind });
+        }
+        let mut seen = 0;
+        let health = &mut self.health;
+        self.sources.retain(|source| {
+            let stays = !matches!(source.kind, SourceKind::Muscles(..)) || seen < files.len();
+            seen += usize::from(matches!(source.kind, SourceKind::Muscles(..)));
+            if !stays {
+                health.retain(|finding| finding.file != source.name);
+            }
+            stays
+        });
         for (source, new) in self.muscle_sources_mut().zip(files) {
             if let SourceKind::Muscles(file, _) = &mut source.kind {
                 file.as_mut().clone_from(new);

@@ -265,7 +265,7 @@ fn new_muscle(spec: MuscleSpec, scene: &mut Scene, tendon: MaterialId, free_midd
 }
 
 /// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.
-fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<usize>) -> Result<Option<Line>, String> {
+pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<usize>) -> Result<Option<Line>, String> {
     let (Some(origin), Some(insertion)) = (&spec.origin, &spec.insertion) else { return Ok(None) };
     let mut point = |anchor: &Anchor| -> Result<Point, String> {
         let bone = find(&anchor.bone).ok_or_else(|| anchor.bone.clone())?;
@@ -287,7 +287,7 @@ fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<usize>) -> Re
 }
 
 /// A node by id, scoped id or name, joints first; nodes below `own` are the rig's own and don't count.
-fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Option<NodeId> {
+pub(super) fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Option<NodeId> {
     let own = own.map(|root| graph.subtree(root)).unwrap_or_default();
     let fields: [fn(&Node) -> &str; 3] = [|node| &node.id, |node| &node.sid, |node| &node.name];
     let find = |joints: bool, field: fn(&Node) -> &str| {

@@ -78,6 +78,9 @@ pub enum EditError {
     /// More than [`VIA`] via points.
     #[error("{}", tr!("muscle-too-many-via", limit = VIA, count = *.0))]
     TooManyVia(usize),
+    /// A bone that a file could not find again.
+    #[error("{}", tr!("muscle-edit-no-name"))]
+    NoName,
     /// The radii come from measured poses, so that one cannot be set.
     #[error("{}", tr!("muscle-edit-posed"))]
     Posed,

@@ -13,6 +13,8 @@ use crate::scene::{Graph, NodeId, NodeKind, Scene};
 
 /// Farthest that an elbow which was found is bent, degrees.
 const FLEXION: f64 = 150.0;
+/// Farthest that a joint which a person chose turns either way, degrees.
+pub const AROUND: f64 = 150.0;
 /// Moments of each clip that are looked at.
 const MOMENTS: usize = 24;
 /// Bend that tells an axis, degrees: in a clip, and at rest, where bones that are not quite straight mislead.
@@ -27,6 +29,8 @@ pub enum FoundBy {
     Name,
     /// It moves as an elbow does.
     Shape,
+    /// A person chose it.
+    Hand,
 }
 
 /// A joint with one axis.
@@ -120,6 +124,17 @@ impl Joint {
     /// The joint at `node` as a hinge, its axis found like an elbow's.
     pub fn at_node(scene: &Scene, clips: &[Clip], node: NodeId) -> Option<Self> {
         Skeleton::new(scene, clips, &[]).hinge(node, FoundBy::Shape)
+    }
+
+    /// The joint at `node` that turns about an axis along the bone's own axes at rest, from the rest pose by up to 150 degrees either way.
+    pub fn about(scene: &Scene, node: NodeId, axis: DVec3) -> Self {
+        let spec = JointSpec { bone: String::new(), axis, range: [-AROUND, AROUND] };
+        Self { found: FoundBy::Hand, ..Self::of_file(scene, node, &spec) }
+    }
+
+    /// The nodes whose places make the joint's two limbs at rest: above it, its own, below it. `None` where there is none above.
+    pub fn limbs(scene: &Scene, node: NodeId) -> Option<[NodeId; 3]> {
+        Skeleton::new(scene, &[], &[]).segments(node).map(|parts| [parts.above, parts.node, parts.below])
     }
 }
 

@@ -11,6 +11,9 @@
 //! | `clearance` | keeps the belly off the rods |
 //! | `surface` | rings, hemispheres and tendons as triangles |
 //! | `drive` | contraction and elbow angle, each the inverse of the other |
+//! | `driving` | the same for a joint of a clip's skeleton |
+//! | `bones` | bones by name, and the points of a muscle on them in the world |
+//! | `fitting` | a ready muscle laid on the bones of any skeleton |
 //! | `hinge` | the joint that measurements turn |
 //! | `joint`, `bone_words` | the elbow of any skeleton, or the joint that a file names |
 //! | `measure` | moment arms |
@@ -27,13 +30,16 @@
 
 mod arm;
 mod bone_words;
+mod bones;
 mod build;
 mod clearance;
 pub mod config;
 mod drive;
+mod driving;
 pub mod edit;
 pub mod experiment;
 pub mod fit;
+mod fitting;
 mod hinge;
 mod joint;
 pub mod ledger;
@@ -51,7 +57,9 @@ mod surface;
 mod table;
 
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
+pub use bones::{Handhold, bone_name};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
+pub use driving::Driving;
 pub use edit::{Edit, EditError};
 pub(crate) use joint::rotation;
 pub use joint::{FoundBy, Joint, Turn};

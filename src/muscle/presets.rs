@@ -38,6 +38,15 @@ impl Preset {
         }
     }
 
+    /// What its muscle is called in the user's language.
+    pub fn muscle_name(&self) -> String {
+        match self.id {
+            "triceps" => tr!("muscle-called-triceps"),
+            "brachialis" => tr!("muscle-called-brachialis"),
+            _ => tr!("muscle-called-biceps"),
+        }
+    }
+
     /// What it describes. A test reads every preset, so the empty file is never seen.
     pub fn file(&self) -> MuscleFile {
         MuscleFile::parse(self.yaml).unwrap_or_default()

@@ -201,7 +201,7 @@ impl Rig {
         }
     }
 
-    fn root_matrix(&self, world: &[DMat4]) -> DMat4 {
+    pub(super) fn root_matrix(&self, world: &[DMat4]) -> DMat4 {
         self.root.and_then(|root| world.get(root.index())).copied().unwrap_or(DMat4::IDENTITY)
     }
 

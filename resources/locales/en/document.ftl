@@ -13,3 +13,5 @@ document-built-in = built-in biceps
 document-image-missing = The image "{ $uri }" was not found; the plain colour is drawn instead.
 document-image-broken = The image "{ $uri }" could not be decoded ({ $reason }); the plain colour is drawn instead.
 document-clip-not-opened = The clip that the muscles are made for could not be opened ({ $error }); check “clip” in the muscle file.
+document-new-muscles = new muscles
+document-new-muscles-number = new muscles { $number }

@@ -13,3 +13,5 @@ document-built-in = встроенный бицепс
 document-image-missing = Изображение «{ $uri }» не найдено; вместо него рисуется сплошной цвет.
 document-image-broken = Изображение «{ $uri }» не удалось прочитать ({ $reason }); вместо него рисуется сплошной цвет.
 document-clip-not-opened = Не удалось открыть клип, для которого сделаны мышцы ({ $error }); проверьте «clip» в файле мышц.
+document-new-muscles = новые мышцы
+document-new-muscles-number = новые мышцы { $number }

@@ -45,6 +45,8 @@ impl Changes {
     pub const HAND: Self = Self(1 << 17);
     /// Ghosts, paths, and what is compared.
     pub const GHOSTS: Self = Self(1 << 18);
+    /// Whether the end of a muscle is being picked.
+    pub const PICKING: Self = Self(1 << 19);
     /// Everything.
     pub const ALL: Self = Self(u32::MAX);
 

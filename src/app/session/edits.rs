@@ -14,14 +14,20 @@ impl Session {
         self.state.drive
     }
 
-    /// Sets the elbow angle, degrees; the contraction follows.
+    /// Sets the elbow angle of the arm or of the clip's joint (see [`Session::bend`]), degrees; the contraction follows.
     pub fn set_flexion(&mut self, degrees: f64) {
+        if !self.bends_arm() {
+            return self.set_bend(degrees);
+        }
         let drive = self.document.driven_rig().filter(|_| degrees.is_finite()).map(|rig| rig.at_flexion(degrees));
         self.set_drive(drive);
     }
 
     /// Sets the contraction, per cent; the elbow angle follows.
     pub fn set_contraction(&mut self, per_cent: f64) {
+        if !self.contracts_freely() && per_cent.is_finite() {
+            return self.contract_by_joint(per_cent.clamp(0.0, 100.0));
+        }
         let drive = self.document.driven_rig().filter(|_| per_cent.is_finite()).map(|rig| rig.at_contraction(per_cent.clamp(0.0, 100.0)));
         self.set_drive(drive);
     }

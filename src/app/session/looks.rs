@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::{Changes, Eye, LightAim, Session};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
-use crate::scene::{Bounds, NodeId, View};
+use crate::scene::{Bounds, Content, NodeId, View};
 use crate::stage::Backdrop;
 
 impl Session {
@@ -22,12 +22,19 @@ impl Session {
             if self.display.weights.is_some() {
                 self.display.weights = node;
             }
+            let carried = node.and_then(|node| {
+                let contents = &self.document.scene.graph.node(node).contents;
+                contents.iter().find_map(|content| if let Content::Muscle(muscle) = content { Some(*muscle) } else { None })
+            });
+            if let Some(muscle) = carried {
+                self.show_muscle(muscle);
+            }
             self.find_own_keys();
             self.changed(Changes::SELECTION);
         }
     }
 
-    /// The ledger shows another muscle.
+    /// A panel shows something else of the muscles.
     pub fn show_other_muscle(&mut self) {
         self.changed(Changes::MUSCLE);
     }

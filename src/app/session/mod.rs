@@ -1,16 +1,19 @@
 //! What is open and how it is looked at: document, moment, selection, camera, light, switches. No widgets: the window shows a
 //! session and hands it what the user does, and the session says what changed.
 
+mod attach;
 mod changes;
 mod compare;
 mod edits;
 mod eye;
 mod frames;
 mod ghosts;
+mod grips;
 mod handles;
 mod history;
 mod inspect;
 mod isolate;
+mod joint;
 mod looks;
 mod measure;
 mod presets;
@@ -21,12 +24,15 @@ mod tool;
 mod workshop;
 
 pub use crate::stage::{Backdrop, Ghosts, LightAim, ModelTransform, file_cameras};
+pub use attach::Picking;
 pub use changes::Changes;
 pub use compare::{Compared, TINT as COMPARED_TINT, With, top_of};
 pub use eye::{Eye, FlyCamera, Viewpoint};
 pub use frames::DEFAULT_RATE;
+pub use grips::{Grip, GripDrag};
 pub use handles::{Handle, Handles, ModelDrag};
 pub use inspect::Matrices;
+pub use joint::{Bend, JointAxis};
 pub use measure::{Against, Reading, csv};
 pub use presets::Preset;
 pub use sheet::{Graph, GraphKind, Line, Moved, SheetRow};
@@ -42,12 +48,13 @@ use compare::Comparison;
 use ghosts::{Onion, Path};
 use history::History;
 use inspect::Pins;
+use joint::JointHand;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
-use crate::scene::{Bounds, Camera, Frame, NodeId, Scene, View};
+use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
 
 /// How another document comes in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,6 +90,10 @@ pub struct Session {
     history: History,
     /// What the muscle files said when they were read or saved last.
     saved: Vec<MuscleFile>,
+    /// The muscle that panels and handles show.
+    shown_muscle: MuscleId,
+    joint: JointHand,
+    picking: Option<Picking>,
     aspect: f32,
     fit_on_resize: bool,
     pins: Pins,
@@ -127,6 +138,9 @@ impl Session {
             tool: Tool::default(),
             history: History::default(),
             saved: Vec::new(),
+            shown_muscle: MuscleId(0),
+            joint: JointHand::default(),
+            picking: None,
             aspect: 1.5,
             fit_on_resize: true,
             pins: Pins::default(),
@@ -154,7 +168,10 @@ impl Session {
         let selected = name_of(&self.document, self.display.selected);
         let turned: Vec<_> =
             self.document.hand_turns().iter().map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees)).collect();
+        let joint = self.kept_joint();
+        self.stop_picking();
         self.document = document;
+        self.forget_joint();
         self.pins = Pins::default();
         // Buffers made for another scene are of no use.
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
@@ -172,6 +189,7 @@ impl Session {
         match arrival {
             Arrival::New => {
                 self.light = None;
+                self.shown_muscle = MuscleId(0);
                 // A file of bones alone is shown as far as it goes.
                 self.display.bones |= !self.is_empty() && !self.document.shows_surface();
                 self.model.pivot = self.bounds().center().as_dvec3();
@@ -194,6 +212,8 @@ impl Session {
                     None => self.state.drive,
                 };
                 self.model = old_model;
+                self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));
+                self.take_joint(joint);
                 for (name, degrees) in turned {
                     if let Some(node) = self.document.scene.graph.find(&name) {
                         self.document.set_hand_turn(node, degrees);

@@ -57,6 +57,25 @@ impl Session {
         Ok(())
     }
 
+    /// Puts muscle files that were kept aside back into the scene: as a change that is not saved and can be undone. Kept files that are fewer than those
+    /// of the scene do not belong to it and change nothing.
+    pub fn carry(&mut self, files: Vec<MuscleFile>) {
+        if files.len() >= self.document.muscle_files().count() && !self.document.muscle_files().eq(&files) {
+            self.change_files(&files, tr!("app-edit-carried"), Step::New);
+        }
+    }
+
+    /// Whether a muscle file on the disk no longer says what it did when it was read or saved last. One that cannot be read says something else.
+    pub fn is_changed_outside(&self) -> bool {
+        let mut saved = self.saved.iter().enumerate();
+        saved.any(|(index, saved)| {
+            let path = self.document.muscle_file_path(index);
+            path.is_some_and(|path| {
+                std::fs::read_to_string(path).ok().and_then(|text| MuscleFile::parse(&text).ok()).as_ref() != Some(saved)
+            })
+        })
+    }
+
     /// Goes back to what was read or saved last; undo takes that back.
     pub fn revert(&mut self) {
         if self.is_unsaved() {
@@ -65,7 +84,7 @@ impl Session {
         }
     }
 
-    fn change_files(&mut self, files: &[MuscleFile], label: String, step: Step) {
+    pub(super) fn change_files(&mut self, files: &[MuscleFile], label: String, step: Step) {
         if step == Step::New {
             self.remember_named(label);
         }
@@ -79,6 +98,9 @@ impl Session {
         }
         let before = (self.document.scene.graph.len(), self.document.muscle_count());
         self.document.set_muscle_files(files);
+        // A file that is not kept anywhere yet was empty before.
+        self.saved.resize(files.len(), MuscleFile::default());
+        self.joint.muscles_changed();
         if let Some(rig) = self.document.driven_rig() {
             let drive = self.state.drive;
             self.state.drive =
@@ -88,6 +110,7 @@ impl Session {
         for marked in [&mut self.display.selected, &mut self.display.hovered] {
             *marked = marked.filter(|node| node.index() < count);
         }
+        self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));
         self.changed(Changes::EDIT | Changes::DRIVE | Changes::MUSCLE | Changes::HISTORY);
         if before != (count, self.document.muscle_count()) {
             self.changed(Changes::DOCUMENT | Changes::LIST);

@@ -12,8 +12,9 @@ use gtk4 as gtk;
 use super::gizmo;
 use crate::app::canvas::Canvas;
 use crate::app::format;
-use crate::app::session::{Handle, ModelDrag, Session, Tool, Viewpoint};
+use crate::app::session::{Grip as Dot, GripDrag, Handle, ModelDrag, Session, Step, Tool, Viewpoint};
 use crate::app::window::Window;
+use crate::muscle::Handhold;
 use crate::tr;
 
 /// Degrees that a drag over one logical pixel turns.
@@ -30,6 +31,8 @@ enum Grip {
     Light,
     Model,
     Look,
+    /// A dot of a muscle.
+    Dot,
 }
 
 /// What the hands hold.
@@ -42,6 +45,9 @@ pub struct Hands {
     /// The handle of the tool that is under the pointer or held.
     handle: Cell<Option<Handle>>,
     model: Cell<Option<ModelDrag>>,
+    /// The dot of a muscle that is under the pointer or held.
+    dot: Cell<Option<Handhold>>,
+    dragged: Cell<Option<GripDrag>>,
     held: RefCell<HashSet<char>>,
     pace: Cell<(bool, bool)>,
 }
@@ -60,6 +66,11 @@ impl Hands {
     /// The handle of the tool that is under the pointer or held.
     pub fn handle(&self) -> Option<Handle> {
         self.handle.get()
+    }
+
+    /// The dot of a muscle that is under the pointer or held.
+    pub fn dot(&self) -> Option<Handhold> {
+        self.dot.get()
     }
 
     /// Flies, or lands.
@@ -141,7 +152,12 @@ fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
             } else {
                 None
             };
+            let plain = gesture.current_button() == gdk::BUTTON_PRIMARY && !shift && !control && !flying;
+            let dot = if plain { dot_at(&window, point) } else { None };
+            hands.dot.set(dot.map(|dot| dot.hold));
+            hands.dragged.set(dot.map(|grip| GripDrag { muscle: window.look(|session| session.shown_muscle()), grip, from: point }));
             let grip = match gesture.current_button() {
+                _ if dot.is_some() => Grip::Dot,
                 _ if handle.is_some() => Grip::Model,
                 gdk::BUTTON_SECONDARY if shift => {
                     window.act(Session::reset_light);
@@ -184,6 +200,15 @@ fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
     canvas.add_controller(drag);
 }
 
+/// The dot of the shown muscle at a place of the picture, where dots are shown.
+fn dot_at(window: &Rc<Window>, place: DVec2) -> Option<Dot> {
+    if !window.shows_muscles() {
+        return None;
+    }
+    let size = picture_size(window);
+    window.look(|session| if session.tool() == Tool::Navigate { session.grip_at(place, size) } else { None })
+}
+
 /// Logical width and height of the picture.
 fn picture_size(window: &Rc<Window>) -> DVec2 {
     let (width, height) = window.viewport.size();
@@ -194,11 +219,13 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
     let hands = &window.viewport.hands;
     let Some(grip) = hands.grip.get() else { return };
     // A click that trembles is no drag.
+    let mut step = Step::Same;
     if !hands.moved.get() {
         if x.abs().max(y.abs()) < 4.0 {
             return;
         }
         hands.moved.set(true);
+        step = Step::New;
         match grip {
             Grip::Light => window.act(|session| session.remember_as("app-edit-light")),
             Grip::Model => window.act(|session| session.remember_as(session.tool().edit())),
@@ -227,6 +254,12 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
                 session.drag_model(&drag, drag.from + DVec2::new(x, y), picture_size(window), snap);
             }
         }
+        Grip::Dot => {
+            if let Some(drag) = hands.dragged.get() {
+                // Where the end cannot be it stays where it was.
+                let _ = session.drag_grip(&drag, drag.from + DVec2::new(x, y), picture_size(window), step);
+            }
+        }
     });
 }
 
@@ -246,6 +279,16 @@ fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
                 window.look(|session| gizmo::hit(&session.picture().2, x, y, height)).filter(|_| !window.look(|s| s.is_empty()))
             {
                 return window.act(|session| session.change_eye(|eye| eye.look_from(view)));
+            }
+            if window.look(|session| session.picking().is_some()) {
+                return window.pick_end(|session| {
+                    let pick = window.viewport.pick(session, x, y);
+                    session.pick_at(pick)
+                });
+            }
+            // A click on a dot is for the dot.
+            if window.viewport.hands.dot.get().is_some() {
+                return;
             }
             window.act(|session| {
                 let pick = window.viewport.pick(session, x, y);
@@ -328,6 +371,11 @@ fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
             }
             let (size, before) = (picture_size(&window), hands.handle.get());
             hands.handle.set(window.look(|session| session.with_handles(size, |handles| handles.at(DVec2::new(x, y)))).flatten());
+            let (dot_before, dot) = (hands.dot.get(), dot_at(&window, DVec2::new(x, y)).map(|dot| dot.hold));
+            hands.dot.set(dot);
+            if dot != dot_before {
+                window.viewport.draw_over();
+            }
             // Over the axes in the corner, and when it leaves them, what stands over the picture looks different.
             if hands.handle.get() != before || x < 100.0 && y > size.y - 100.0 {
                 window.viewport.draw_over();

@@ -1,5 +1,6 @@
 //! The picture: draws the session into a kept surface and shows what stands over it. The hands on it are in [`hands`].
 
+mod dots;
 mod gizmo;
 mod handles;
 mod hands;
@@ -112,8 +113,16 @@ impl Viewport {
         if changes.any(Changes::TOOL) {
             self.draw_over();
         }
-        if changes.any(Changes::TOOL | Changes::DOCUMENT) {
+        if changes.any(Changes::MUSCLE) {
+            self.draw_over();
+        }
+        if changes.any(Changes::TOOL | Changes::DOCUMENT | Changes::PICKING) {
+            let picking = session.picking().map(|picking| picking.end);
+            let name = if picking.is_some() { Some("crosshair") } else { None };
+            self.canvas.set_cursor_from_name(name);
             self.hint(&match session.tool() {
+                _ if picking == Some(0) => tr!("app-hint-pick-origin"),
+                _ if picking.is_some() => tr!("app-hint-pick-insertion"),
                 _ if session.is_empty() => String::new(),
                 Tool::Navigate => tr!("app-hint"),
                 Tool::Move => tr!("app-hint-move"),
@@ -289,6 +298,9 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
             labels::draw(session, canvas, snapshot, width, height);
             let colors = session.display().palette.axes;
             session.with_handles(DVec2::new(width, height), |shown| handles::draw(shown, colors, hands.handle(), canvas, snapshot));
+            if window.shows_muscles() && session.tool() == Tool::Navigate {
+                dots::draw(&session.grips(DVec2::new(width, height)), hands.dot(), canvas, snapshot, (width, height));
+            }
         }
     });
 }

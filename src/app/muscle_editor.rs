@@ -1,0 +1,79 @@
+//! Changes muscles for the widgets of the muscle panel, and shows in place why a change is not made.
+
+use std::cell::Cell;
+use std::rc::{Rc, Weak};
+
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::session::{Session, Step};
+use super::window::Window;
+use crate::muscle::{Edit, EditError, MuscleSpec};
+use crate::scene::MuscleId;
+
+/// Changes the muscle that is shown.
+#[derive(Clone)]
+pub struct Editor {
+    /// The window.
+    pub window: Weak<Window>,
+    /// The muscle that is shown.
+    pub shown: Rc<Cell<u32>>,
+    /// Where it is told why a change is not made.
+    pub refused: gtk::Label,
+}
+
+impl Editor {
+    /// The muscle that is shown.
+    pub fn id(&self) -> MuscleId {
+        MuscleId(self.shown.get())
+    }
+
+    /// Makes a change; whether it was made.
+    pub fn edit(&self, edit: &Edit, step: Step) -> bool {
+        let id = self.id();
+        self.tell(|session| session.edit_muscle(id, edit, step))
+    }
+
+    /// Does something to the session that may be refused; whether it was done.
+    pub fn tell(&self, change: impl FnOnce(&mut Session) -> Result<(), EditError>) -> bool {
+        let Some(window) = self.window.upgrade() else { return false };
+        let mut result = Ok(());
+        window.act(|session| result = change(session));
+        self.refused.set_visible(result.is_err());
+        if let Err(error) = &result {
+            self.refused.set_text(&error.to_string());
+        }
+        result.is_ok()
+    }
+
+    /// What the muscle shown says.
+    pub fn spec(&self) -> Option<MuscleSpec> {
+        let id = self.id();
+        self.window.upgrade()?.look(|session| {
+            let (rig, index) = session.document().muscle(id)?;
+            rig.spec(index).cloned()
+        })
+    }
+}
+
+/// Lets an entry take what was typed into it, with Enter and when the hand goes elsewhere.
+pub fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + Clone + 'static) {
+    let own = take.clone();
+    entry.connect_activate(move |entry| own(entry));
+    let (focus, left) = (gtk::EventControllerFocus::new(), entry.downgrade());
+    focus.connect_leave(move |_| {
+        if let Some(entry) = left.upgrade() {
+            take(&entry);
+        }
+    });
+    entry.add_controller(focus);
+}
+
+/// Shows a text in an entry. What somebody is typing stays while something else changes, and so does what was refused, unless all is `anew`.
+pub fn show_text(entry: &gtk::Entry, text: &str, anew: bool) {
+    let typing = entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN);
+    if entry.text() != text && (anew || !entry.has_css_class("error")) && !typing {
+        entry.set_text(text);
+        entry.remove_css_class("error");
+    }
+}

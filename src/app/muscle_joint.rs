@@ -1,0 +1,143 @@
+//! The two sliders of the muscle panel, and the joint of a clip that the second one bends.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::session::{Changes, JointAxis, Session};
+use super::window::{Window, part};
+use super::{format, ui};
+use crate::scene::NodeId;
+use crate::tr;
+
+/// The axes, in the order of their list.
+const AXES: [JointAxis; 4] = [JointAxis::Hinge, JointAxis::Own(0), JointAxis::Own(1), JointAxis::Own(2)];
+
+/// Sliders and joint.
+pub struct MuscleJoint {
+    builder: gtk::Builder,
+    contraction: gtk::Scale,
+    flexion: gtk::Scale,
+    joint: gtk::DropDown,
+    axis: gtk::DropDown,
+    on_top: gtk::CheckButton,
+    /// The bones behind the list's rows, the first row left out.
+    bones: Rc<RefCell<Vec<NodeId>>>,
+}
+
+impl MuscleJoint {
+    /// Those of a panel.
+    pub fn new(builder: &gtk::Builder) -> Self {
+        let (joint, axis): (gtk::DropDown, gtk::DropDown) = (part(builder, "joint"), part(builder, "joint_axis"));
+        ui::narrow(&joint);
+        let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
+        axis.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
+        Self {
+            contraction: part(builder, "contraction"),
+            flexion: part(builder, "flexion"),
+            joint,
+            axis,
+            on_top: part(builder, "on_top"),
+            bones: Rc::default(),
+            builder: builder.clone(),
+        }
+    }
+
+    /// Lets the sliders drive.
+    pub fn connect(&self, window: &Rc<Window>) {
+        self.contraction.connect_value_changed(glib::clone!(
+            #[weak]
+            window,
+            move |slider| window.act(|session| session.set_contraction(slider.value()))
+        ));
+        self.flexion.connect_value_changed(glib::clone!(
+            #[weak]
+            window,
+            move |slider| window.act(|session| session.set_flexion(slider.value()))
+        ));
+        for list in [&self.joint, &self.axis] {
+            let (joint, axis, bones) = (self.joint.downgrade(), self.axis.downgrade(), self.bones.clone());
+            list.connect_selected_notify(glib::clone!(
+                #[weak]
+                window,
+                move |_| {
+                    let (Some(joint), Some(axis)) = (joint.upgrade(), axis.upgrade()) else { return };
+                    let bone = (joint.selected() as usize).checked_sub(1).and_then(|row| bones.borrow().get(row).copied());
+                    let axis = AXES.get(axis.selected() as usize).copied().unwrap_or_default();
+                    window.act(|session| {
+                        // Another axis of the joint that was found is a choice too.
+                        let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Hinge);
+                        let chosen = bone.or_else(found).map(|node| (node, axis));
+                        session.choose_joint(chosen);
+                    });
+                }
+            ));
+        }
+        self.on_top.connect_toggled(glib::clone!(
+            #[weak]
+            window,
+            move |on_top| window.act(|session| session.set_on_top(on_top.is_active()))
+        ));
+        part::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| window.act(Session::release_joint)
+        ));
+    }
+
+    /// Shows what changed.
+    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+        if changes.any(Changes::DOCUMENT) {
+            self.list_joints(session);
+        }
+        let (there, bend, contraction) = (session.document().muscle_count() > 0, session.bend(), session.contraction());
+        let (text, show) = (
+            |id: &str, value: String| part::<gtk::Label>(&self.builder, id).set_text(&value),
+            |id: &str, shown: bool| part::<gtk::Widget>(&self.builder, id).set_visible(shown),
+        );
+        show("sliders", there || bend.is_some());
+        for id in ["contraction_label", "contraction", "contraction_value"] {
+            show(id, there);
+        }
+        self.contraction.set_sensitive(contraction.is_some());
+        self.contraction.set_value(contraction.unwrap_or(0.0));
+        text("contraction_value", contraction.map_or_else(|| "–".into(), |value| format::with_unit(value, 1, "%")));
+        let of_clip = !session.bends_arm() && session.joint().is_some();
+        for id in ["joint_label", "joint_box", "joint_more"] {
+            show(id, of_clip);
+        }
+        self.flexion.set_sensitive(bend.is_some());
+        let Some(bend) = bend else { return text("flexion_value", "–".into()) };
+        let (low, high) = bend.range.into_inner();
+        // A clip can bend a joint farther than the slider's hand.
+        self.flexion.set_range(low.min(bend.value), high.max(bend.value).max(low + 1e-9));
+        self.flexion.set_value(bend.value);
+        let sign = if of_clip && session.is_on_top() && bend.value > 0.0 { "+" } else { "" };
+        text("flexion_value", format!("{sign}{}°", format::number(bend.value, 1)));
+        if of_clip {
+            self.flexion.set_tooltip_text(Some(&tr!("app-elbow-clip-tip")));
+            self.on_top.set_active(session.is_on_top());
+            self.on_top.set_visible(!session.document().clips.is_empty());
+            part::<gtk::Button>(&self.builder, "joint_release").set_sensitive(bend.by_hand);
+            let row = |node: NodeId| self.bones.borrow().iter().position(|bone| *bone == node).map_or(0, |row| row as u32 + 1);
+            let (bone, axis) = session.chosen_joint().map_or((0, JointAxis::Hinge), |(node, axis)| (row(node), axis));
+            self.joint.set_selected(bone);
+            self.axis.set_selected(AXES.iter().position(|own| *own == axis).unwrap_or(0) as u32);
+        } else {
+            self.flexion.set_tooltip_text(Some(&tr!("app-elbow-tip")));
+        }
+        text("flexion_label", if of_clip && session.chosen_joint().is_some() { tr!("app-joint-angle") } else { tr!("app-elbow") });
+    }
+
+    fn list_joints(&self, session: &Session) {
+        let graph = &session.document().scene.graph;
+        let found = session.joint().map(|joint| tr!("app-joint-found", name = graph.node(joint.node).name.clone()));
+        let bones = if found.is_some() { session.turnable() } else { Vec::new() };
+        let names = found.into_iter().chain(bones.iter().map(|bone| graph.node(*bone).name.clone())).collect::<Vec<_>>();
+        self.bones.replace(bones);
+        self.joint.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
+    }
+}

@@ -1,0 +1,89 @@
+//! The ends of a muscle, and the points that it passes, as dots in the picture that can be dragged.
+
+use glam::{DVec2, DVec3, Vec2};
+
+use super::Session;
+use super::workshop::Step;
+use crate::muscle::{Edit, EditError, Handhold};
+use crate::scene::{Camera, MuscleId};
+
+/// How near to a dot the pointer takes it, logical pixels.
+const NEAR: f64 = 11.0;
+
+/// A dot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grip {
+    /// The point of the muscle.
+    pub hold: Handhold,
+    /// Where it falls, logical pixels.
+    pub place: DVec2,
+    /// Where it is, world, metres.
+    pub point: DVec3,
+}
+
+/// A drag of a dot: how things were when it began.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GripDrag {
+    /// The muscle.
+    pub muscle: MuscleId,
+    /// The dot.
+    pub grip: Grip,
+    /// The pointer, logical pixels.
+    pub from: DVec2,
+}
+
+impl Session {
+    /// The dots of the muscle that is shown, in a picture of this size (logical pixels); none where muscles are hidden.
+    pub fn grips(&mut self, size: DVec2) -> Vec<Grip> {
+        self.frame();
+        let camera = self.eye.camera(&self.document.scene, &self.frame);
+        let Some((rig, index)) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle) else { return Vec::new() };
+        let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
+        let grip = |hold: Handhold| {
+            let point = rig.hold(index, hold, &self.frame.world)?;
+            Some(Grip { hold, place: place(point).filter(|place| place.is_finite())?, point })
+        };
+        rig.holds(index).filter_map(grip).collect()
+    }
+
+    /// The dot under a place of the picture.
+    pub fn grip_at(&mut self, place: DVec2, size: DVec2) -> Option<Grip> {
+        let near = |grip: &Grip| grip.place.distance(place);
+        self.grips(size).into_iter().filter(|grip| near(grip) <= NEAR).min_by(|a, b| near(a).total_cmp(&near(b)))
+    }
+
+    /// A dragged dot comes to `to`: it stays as far from the eye as it was, and on its bone.
+    ///
+    /// # Errors
+    /// [`EditError`] where the point cannot be there; nothing is changed then.
+    pub fn drag_grip(&mut self, drag: &GripDrag, to: DVec2, size: DVec2, step: Step) -> Result<(), EditError> {
+        self.frame();
+        let camera = self.eye.camera(&self.document.scene, &self.frame);
+        let moved = on_level(&camera, drag.grip.point, to, size) - on_level(&camera, drag.grip.point, drag.from, size);
+        let Some((rig, index)) = self.document.muscle(drag.muscle) else { return Ok(()) };
+        let Some(node) = rig.hold_bone(index, drag.grip.hold) else { return Ok(()) };
+        let graph = &self.document.scene.graph;
+        let Some(anchor) = rig.anchor_at(graph, node, drag.grip.point + moved, &self.frame.world) else { return Err(EditError::NoName) };
+        let edit = match drag.grip.hold {
+            Handhold::End(end) => Edit::End(end, anchor),
+            Handhold::Via(number) => {
+                let mut via = rig.spec(index).map(|spec| spec.via.clone()).unwrap_or_default();
+                if let Some(slot) = via.get_mut(number) {
+                    *slot = anchor;
+                }
+                Edit::Via(via)
+            }
+        };
+        self.edit_muscle(drag.muscle, &edit, step)
+    }
+}
+
+/// The point under a place of the picture that is as far before the eye as `level`.
+fn on_level(camera: &Camera, level: DVec3, place: DVec2, size: DVec2) -> DVec3 {
+    let (pixel, size): (Vec2, Vec2) = (place.as_vec2(), size.as_vec2());
+    let near = camera.unproject(pixel, 0.0, size).as_dvec3();
+    let far = camera.unproject(pixel, 0.5, size).as_dvec3();
+    let (way, forward) = (far - near, camera.forward().as_dvec3());
+    let depth = (level - near).dot(forward) / way.dot(forward);
+    if depth.is_finite() { near + way * depth } else { level }
+}

@@ -1,0 +1,234 @@
+//! A joint of a clip's skeleton bent by hand, on top of the clip or instead of it, and the contraction of the muscle that it drives.
+
+use std::cell::OnceCell;
+use std::ops::RangeInclusive;
+
+use glam::DVec3;
+
+use super::{Changes, Session};
+use crate::document::Document;
+use crate::muscle::{Drive, Driving, Joint};
+use crate::scene::{NodeId, NodeKind};
+
+/// Which axis a chosen joint turns about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum JointAxis {
+    /// That about which the skeleton bends it.
+    #[default]
+    Hinge,
+    /// The bone's own X (0), Y (1) or Z (2) axis.
+    Own(usize),
+}
+
+/// What is known and chosen about that joint.
+#[derive(Debug, Default)]
+pub struct JointHand {
+    /// The elbow found in the skeleton.
+    elbow: OnceCell<Option<Joint>>,
+    chosen: Option<(NodeId, JointAxis)>,
+    joint: OnceCell<Option<Joint>>,
+    on_top: bool,
+}
+
+impl JointHand {
+    /// The muscles of the document changed: what joint they cross is to be asked anew.
+    pub fn muscles_changed(&mut self) {
+        self.joint = OnceCell::new();
+    }
+}
+
+/// What the elbow slider shows, degrees.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bend {
+    /// Where the slider stands.
+    pub value: f64,
+    /// Where it can go.
+    pub range: RangeInclusive<f64>,
+    /// Whether a hand bends the joint of a clip; then the clip can have it back.
+    pub by_hand: bool,
+}
+
+impl Session {
+    /// Whether the elbow slider bends the arm of a muscle file.
+    pub fn bends_arm(&self) -> bool {
+        self.document.driven_rig().is_some_and(|rig| rig.flexion_range().is_some())
+    }
+
+    /// The joint of the clip's skeleton that the elbow slider turns: the one that was chosen, else the one that [`Document::joint`] finds.
+    pub fn joint(&self) -> Option<Joint> {
+        let find = || match self.joint.chosen {
+            Some((node, axis)) => self.joint_at(node, axis),
+            None => self.document.muscles_joint().or_else(|| *self.joint.elbow.get_or_init(|| self.document.elbow())),
+        };
+        *self.joint.joint.get_or_init(find)
+    }
+
+    fn joint_at(&self, node: NodeId, axis: JointAxis) -> Option<Joint> {
+        let scene = &self.document.scene;
+        match axis {
+            JointAxis::Hinge => {
+                let named = self.document.muscles_joint().filter(|joint| joint.node == node);
+                named.or_else(|| Joint::at_node(scene, &self.document.clips, node)).or_else(|| Some(Joint::about(scene, node, DVec3::Z)))
+            }
+            JointAxis::Own(axis) => Some(Joint::about(scene, node, [DVec3::X, DVec3::Y, DVec3::Z].into_iter().nth(axis)?)),
+        }
+    }
+
+    /// The joint and axis that were chosen; `None` = the joint that is found.
+    pub fn chosen_joint(&self) -> Option<(NodeId, JointAxis)> {
+        self.joint.chosen
+    }
+
+    /// Chooses which joint the slider turns; `None` = the one that is found. The one before goes back to the clip.
+    pub fn choose_joint(&mut self, chosen: Option<(NodeId, JointAxis)>) {
+        let chosen = chosen.filter(|(node, _)| node.index() < self.document.scene.graph.len());
+        if chosen != self.joint.chosen {
+            self.joint.chosen = chosen;
+            self.joint.joint = OnceCell::new();
+            self.state.turn = None;
+            self.changed(Changes::DRIVE);
+        }
+    }
+
+    /// The joints that can be chosen: those of all skeletons, muscles' own arms left out.
+    pub fn turnable(&self) -> Vec<NodeId> {
+        bones(&self.document)
+    }
+
+    /// Whether the joint turns on top of what the clip does; else instead of it.
+    pub fn is_on_top(&self) -> bool {
+        self.joint.on_top
+    }
+
+    /// Turns on top of the clip, or instead of it. The pose stays as it is.
+    pub fn set_on_top(&mut self, on_top: bool) {
+        if on_top == self.joint.on_top {
+            return;
+        }
+        self.joint.on_top = on_top;
+        if let (Some(turn), Some(joint)) = (self.state.turn, self.joint()) {
+            self.state.turn = match self.joint_angle() {
+                Some(angle) if on_top => {
+                    self.state.turn = None;
+                    self.stale = true;
+                    Some(joint.by(angle - self.joint_angle().unwrap_or(angle)))
+                }
+                Some(angle) => Some(joint.at(angle)),
+                None => Some(turn),
+            };
+        }
+        self.changed(Changes::DRIVE);
+    }
+
+    /// The angle of the clip's joint in the present pose, degrees.
+    pub fn joint_angle(&mut self) -> Option<f64> {
+        let joint = self.joint()?;
+        self.frame();
+        joint.angle(&self.document.scene, &self.frame.world)
+    }
+
+    /// What the elbow slider shows; `None` where nothing can be bent.
+    pub fn bend(&mut self) -> Option<Bend> {
+        if let Some(range) = self.document.driven_rig().and_then(|rig| rig.flexion_range()) {
+            return Some(Bend { value: self.state.drive.flexion, range, by_hand: false });
+        }
+        let joint = self.joint()?;
+        let [low, high] = joint.range;
+        let by_hand = self.state.turn.is_some();
+        if self.joint.on_top {
+            let value = self.state.turn.map_or(0.0, |turn| turn.degrees);
+            return Some(Bend { value, range: low - high..=high - low, by_hand });
+        }
+        // A clip may bend a joint farther than a hand can.
+        let value = self.joint_angle()?;
+        Some(Bend { value, range: low..=high, by_hand })
+    }
+
+    /// Bends the clip's joint: to an angle, or by one on top of the clip. Degrees, held within the range.
+    pub fn set_bend(&mut self, degrees: f64) {
+        let Some(joint) = self.joint().filter(|_| degrees.is_finite()) else { return };
+        let [low, high] = joint.range;
+        let turn = if self.joint.on_top { joint.by(degrees.clamp(low - high, high - low)) } else { joint.at(degrees) };
+        self.turn_joint(Some(turn));
+    }
+
+    /// Gives the joint back to the clip.
+    pub fn release_joint(&mut self) {
+        self.turn_joint(None);
+    }
+
+    fn turn_joint(&mut self, turn: Option<crate::muscle::Turn>) {
+        if turn != self.state.turn {
+            self.state.turn = turn;
+            self.changed(Changes::DRIVE);
+        }
+    }
+
+    /// How the clip's joint drives the muscle that is shown; `None` where it does not.
+    fn driving(&mut self) -> Option<Driving<'_>> {
+        let joint = self.joint()?;
+        self.frame();
+        let (rig, index) = self.document.muscle(self.shown_muscle)?;
+        rig.driven_by(index, &joint, &self.document.scene, &self.frame.world)
+    }
+
+    /// The contraction of the muscle that is shown, per cent; `None` where neither an arm, nor the joint, nor a hand alone sets it.
+    pub fn contraction(&mut self) -> Option<f64> {
+        if self.contracts_freely() {
+            return Some(self.state.drive.contraction);
+        }
+        let angle = self.joint_angle()?;
+        self.driving().map(|driving| driving.at_angle(angle).contraction)
+    }
+
+    /// Whether contraction is a state of its own: on an arm, or of a muscle that nothing holds.
+    pub(super) fn contracts_freely(&self) -> bool {
+        let free = self.document.muscle(self.shown_muscle).is_some_and(|(rig, index)| !rig.is_attached(index));
+        self.bends_arm() || free
+    }
+
+    /// Bends the clip's joint so that the muscle shown has this contraction.
+    pub(super) fn contract_by_joint(&mut self, per_cent: f64) {
+        let Some(present) = self.joint_angle() else { return };
+        let Some(Drive { flexion, .. }) = self.driving().map(|driving| driving.at_contraction(per_cent)) else { return };
+        let turned = self.state.turn.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
+        self.set_bend(if self.joint.on_top { flexion - (present - turned) } else { flexion });
+    }
+
+    /// The joint that was turned, to find it again in the same file read anew.
+    pub(super) fn kept_joint(&self) -> Option<(String, Option<JointAxis>, Option<f64>)> {
+        let joint = self.joint.joint.get().copied().flatten()?;
+        let name = self.document.scene.graph.node(joint.node).name.clone();
+        let turned = self.state.turn.map(|turn| if turn.on_top { turn.degrees } else { turn.degrees + joint.at_rest });
+        Some((name, self.joint.chosen.map(|(_, axis)| axis), turned))
+    }
+
+    /// Turns that joint again.
+    pub(super) fn take_joint(&mut self, kept: Option<(String, Option<JointAxis>, Option<f64>)>) {
+        let Some((name, axis, turned)) = kept else { return };
+        let chosen = axis.and_then(|axis| Some((self.document.scene.graph.find(&name)?, axis)));
+        self.choose_joint(chosen);
+        let same = self.joint().is_some_and(|joint| self.document.scene.graph.node(joint.node).name == name);
+        if let Some(degrees) = turned.filter(|_| same) {
+            self.set_bend(degrees);
+        }
+    }
+
+    /// Forgets what was known of another document's joints.
+    pub(super) fn forget_joint(&mut self) {
+        self.joint = JointHand { on_top: self.joint.on_top, ..JointHand::default() };
+    }
+}
+
+/// The bones of all skeletons, without those of muscles' own arms; where there are no joints, all nodes.
+pub fn bones(document: &Document) -> Vec<NodeId> {
+    let graph = &document.scene.graph;
+    let mut own = vec![false; graph.len()];
+    for root in document.rig_roots() {
+        graph.subtree(root).into_iter().for_each(|id| own[id.index()] = true);
+    }
+    let of_kind =
+        |kind: NodeKind| graph.iter().filter(|(id, node)| node.kind == kind && !own[id.index()]).map(|(id, _)| id).collect::<Vec<_>>();
+    let joints = of_kind(NodeKind::Joint);
+    if joints.is_empty() { of_kind(NodeKind::Node) } else { joints }
+}

@@ -1,0 +1,132 @@
+"""Attaches a muscle to the bones of a clip as a person would, edits and saves it, and comes back after a crash. Run as drive.py is, whose hands it uses."""
+
+import os
+import shutil
+import signal
+
+from drive import Atspi, Window, configs, fail, folder, run, told, value, wait, walk
+from drive_hands import enter, named, text, title
+
+
+def center(node):
+    box = node.get_extents(Atspi.CoordType.WINDOW)
+    return box.x + box.width // 2, box.y + box.height // 2
+
+
+def click(node):
+    run("xdotool", "mousemove", *center(node), "click", 1)
+
+
+def muscle_page(window):
+    """The page of muscles, by the tab over it."""
+
+    def shown():
+        if window.shows("Elbow angle"):
+            return True
+        for node in walk(window.root):
+            if node.get_name() == "Muscle" and node.get_role_name() in ("page tab", "toggle button", "radio button", "push button"):
+                click(node)
+                break
+        return False
+
+    wait("the page of muscles comes up", shown)
+
+
+def new_muscle(window, name):
+    """Chooses a ready muscle from the menu of the button New."""
+    buttons = lambda: [node for node in walk(window.root) if node.get_name() == "New" and node.get_role_name().endswith("button")]
+    click(wait("there is a button New", buttons)[0])
+    items = lambda: [node for node in walk(window.root) if node.get_role_name() == "menu item" and name in node.get_name()]
+    click(wait(f"the menu offers {name}", items)[0])
+
+
+def test_attaching():
+    clip = os.path.join(folder, "curl.dae")
+    shutil.copy(os.path.join(configs, "curl.dae"), clip)
+    window = Window(clip)
+    muscle_page(window)
+    elbow = window.get("slider", "Elbow angle")
+    elbow.set_current_value(80.0)
+    wait("the joint found in the clip bends", lambda: window.shows("80.0°"))
+    told("the elbow of a clip bends without a muscle file")
+
+    new_muscle(window, "Biceps in human")
+    wait("a muscle is there, not saved", lambda: title(window).startswith("•"))
+    wait("it goes to the forearm", lambda: window.shows("forearm"))
+    contraction = window.get("slider", "Contraction")
+    before = value(contraction)
+    elbow.set_current_value(120.0)
+    wait("the contraction follows the elbow", lambda: value(contraction) > before + 5.0)
+    told("a new muscle joins the bones of the elbow, and both sliders are one state")
+
+    offset = lambda: named(window, "Insertion: offset along the bone’s Y axis")[0]
+    was = wait("the offset of the insertion is shown", lambda: text(offset()))
+    enter(offset(), "61.5")
+    wait("a typed offset is taken", lambda: text(offset()) == "61.50")
+    window.get("button", "Undo").do_action(0)
+    wait("Undo brings the offset back", lambda: text(offset()) == was)
+    window.get("button", "Redo").do_action(0)
+    wait("Redo moves the end again", lambda: text(offset()) == "61.50")
+    told("an end is moved, Undo and Redo")
+
+    pick = lambda: next(node for node in walk(window.root) if node.get_name() == "Pick the bone of the insertion")
+    click(wait("there is a button to pick a bone", pick))
+    wait("a hint says what to click", lambda: window.shows("Click the bone to which the muscle goes"))
+    window.key("Escape")
+    wait("Esc leaves picking", lambda: not window.shows("Click the bone to which the muscle goes"))
+    told("picking says what to do, and Esc leaves it")
+
+    # What is not saved outlives the program.
+    state = os.path.join(os.environ["XDG_STATE_HOME"], "sinew")
+    wait("what is not saved is written down", lambda: any("61.5" in open(os.path.join(state, name)).read() for name in os.listdir(state)))
+    window.process.send_signal(signal.SIGKILL)
+    window.process.wait()
+    window = Window()
+    restore = window.get("button", "Restore")
+    click(restore)
+    wait("the muscle comes back, not saved", lambda: title(window).startswith("•") and "curl.dae" in title(window))
+    muscle_page(window)
+    wait("it is as it was", lambda: text(offset()) == "61.50")
+    told("a crash loses nothing")
+
+    window.key("ctrl+shift+s")
+    path = os.path.join(folder, "attached.yaml")
+    dialog = lambda: next((w for w in run("xdotool", "search", "--onlyvisible", "--pid", window.process.pid).decode().split() if w != window.window), None)
+    wait("a dialog asks for a name", dialog)
+    run("xdotool", "windowfocus", dialog())
+    run("xdotool", "key", "ctrl+a")
+    run("xdotool", "type", "--", path)
+    run("xdotool", "key", "Return")
+    wait("the muscle is saved with its clip", lambda: "curl.dae" in open(path).read() and "61.5" in open(path).read())
+    wait("the title is unmarked", lambda: not title(window).startswith("•"))
+    wait("nothing is left to recover", lambda: not os.listdir(state))
+    told("saving under a name")
+    run("xdotool", "windowfocus", window.window)
+    window.quit()
+
+    window = Window(path)
+    wait("the muscle is read again, with its clip", lambda: "attached.yaml" in title(window))
+    muscle_page(window)
+    wait("its end is where it was", lambda: text(offset()) == "61.50")
+    # Another program writes the file while there are changes here.
+    enter(offset(), "70")
+    wait("the change is not saved", lambda: title(window).startswith("•"))
+    with open(path) as file:
+        theirs = file.read().replace("61.5", "33.25")
+    with open(path, "w") as file:
+        file.write(theirs)
+    dialog = lambda: next((w for w in run("xdotool", "search", "--onlyvisible", "--pid", window.process.pid).decode().split() if w != window.window), None)
+    asked = wait("the window asks which of both is to be", dialog)
+    run("xdotool", "windowfocus", asked)
+    run("xdotool", "key", "Return")
+    wait("the question goes", lambda: dialog() is None)
+    wait("the own change stays, not saved", lambda: text(offset()) == "70.00" and title(window).startswith("•"))
+    if "33.25" not in open(path).read():
+        fail("the other program's file stays as it is until it is saved over")
+    told("a file changed by both is asked about")
+    window.process.send_signal(signal.SIGKILL)
+    window.process.wait()
+
+
+test_attaching()
+print("all is so")
