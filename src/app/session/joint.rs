@@ -192,7 +192,9 @@ impl Session {
         let Some(present) = self.joint_angle() else { return };
         let Some(Drive { flexion, .. }) = self.driving().map(|driving| driving.at_contraction(per_cent)) else { return };
         let turned = self.state.turn.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
-        self.set_bend(if self.joint.on_top { flexion - (present - turned) } else { flexion });
+        // What the clip does by itself. The angle in the pose is known but for whole turns, and a hand may bend the joint past half of one.
+        let own = (present - turned + 180.0).rem_euclid(360.0) - 180.0;
+        self.set_bend(if self.joint.on_top { flexion - own } else { flexion });
     }
 
     /// The joint that was turned, to find it again in the same file read anew.
