@@ -56,14 +56,24 @@ impl Editor {
     }
 }
 
-/// Lets an entry take what was typed into it, with Enter and when the hand goes elsewhere.
-pub fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + Clone + 'static) {
-    let own = take.clone();
+/// Marks an entry whose text a person changed since it was shown.
+const TYPED: &str = "typed";
+
+/// Lets an entry take what was typed into it, with Enter and when the hand goes elsewhere. `take` marks with the class `error` what cannot be taken.
+pub fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + 'static) {
+    let commit = Rc::new(move |entry: &gtk::Entry| {
+        take(entry);
+        if !entry.has_css_class("error") {
+            entry.remove_css_class(TYPED);
+        }
+    });
+    entry.connect_changed(|entry| entry.add_css_class(TYPED));
+    let own = commit.clone();
     entry.connect_activate(move |entry| own(entry));
     let (focus, left) = (gtk::EventControllerFocus::new(), entry.downgrade());
     focus.connect_leave(move |_| {
-        if let Some(entry) = left.upgrade() {
-            take(&entry);
+        if let Some(entry) = left.upgrade().filter(|entry| entry.has_css_class(TYPED)) {
+            commit(&entry);
         }
     });
     entry.add_controller(focus);
@@ -71,9 +81,10 @@ pub fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + Clone + 's
 
 /// Shows a text in an entry. What somebody is typing stays while something else changes, and so does what was refused, unless all is `anew`.
 pub fn show_text(entry: &gtk::Entry, text: &str, anew: bool) {
-    let typing = entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN);
+    let typing = entry.has_css_class(TYPED) && entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN);
     if entry.text() != text && (anew || !entry.has_css_class("error")) && !typing {
         entry.set_text(text);
+        entry.remove_css_class(TYPED);
         entry.remove_css_class("error");
     }
 }

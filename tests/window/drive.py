@@ -12,7 +12,7 @@ import time
 import gi
 
 gi.require_version("Atspi", "2.0")
-from gi.repository import Atspi  # noqa: E402
+from gi.repository import Atspi, GLib  # noqa: E402
 
 PATIENCE = float(os.environ.get("SINEW_TEST_PATIENCE", "30"))
 program, folder, configs = sys.argv[1:4]
@@ -33,12 +33,24 @@ def wait(what, state):
     while time.monotonic() < end:
         try:
             value = state()
-        except Exception:  # the tree changes while it is walked
+        except Exception:  # what is looked at may go away meanwhile, or be there later
             value = None
         if value:
             return value
         time.sleep(0.03)
     fail(what)
+
+
+def steadily(look):
+    """What `look()` sees in the tree, looking again where something that it walked over went away meanwhile."""
+    end = time.monotonic() + PATIENCE
+    while True:
+        try:
+            return look()
+        except GLib.Error:
+            if time.monotonic() > end:
+                raise
+            time.sleep(0.03)
 
 
 def told(text):
@@ -82,11 +94,9 @@ class Window:
         return None
 
     def find(self, role, name):
-        for node in walk(self.root):
-            # A toggle button is a "push button" to some versions of GTK and a "toggle button" to others.
-            if node.get_name() == name and node.get_role_name().endswith(role):
-                return node
-        return None
+        # A toggle button is a "push button" to some versions of GTK and a "toggle button" to others.
+        fits = lambda node: node.get_name() == name and node.get_role_name().endswith(role)
+        return steadily(lambda: next(filter(fits, walk(self.root)), None))
 
     def get(self, role, name):
         return wait(f"there is a {role} named {name}", lambda: self.find(role, name))
@@ -101,12 +111,16 @@ class Window:
                 return True
             return any(within(node.get_child_at_index(index)) for index in range(node.get_child_count()))
 
-        self.root.clear_cache()
-        return any(within(self.root.get_child_at_index(index)) for index in range(self.root.get_child_count()))
+        def anywhere():
+            self.root.clear_cache()
+            return any(within(self.root.get_child_at_index(index)) for index in range(self.root.get_child_count()))
+
+        return steadily(anywhere)
 
     def count(self, name):
         """How many labels say exactly this."""
-        return sum(node.get_name() == name and node.get_role_name() == "label" for node in walk(self.root))
+        says = lambda node: node.get_name() == name and node.get_role_name() == "label"
+        return steadily(lambda: sum(map(says, walk(self.root))))
 
     def picture(self):
         """The middle of the viewport, without the labels over it."""
@@ -273,6 +287,8 @@ def test_clip():
 
 def test_muscle():
     window = Window(os.path.join(configs, "biceps-measured.yaml"))
+    # The window before left its size behind, and there the arm is elsewhere.
+    run("xdotool", "windowsize", "--sync", window.window, 1280, 800)
     contraction, elbow = window.get("slider", "Contraction"), window.get("slider", "Elbow angle")
     wait("the elbow can be bent", lambda: elbow.get_maximum_value() > 80)
     rest = still(window)

@@ -5,29 +5,19 @@ import shutil
 import signal
 
 from drive import Atspi, Window, configs, fail, folder, run, told, value, wait, walk
-from drive_hands import enter, named, text, title
-
-
-def center(node):
-    box = node.get_extents(Atspi.CoordType.WINDOW)
-    return box.x + box.width // 2, box.y + box.height // 2
-
-
-def click(node):
-    run("xdotool", "mousemove", *center(node), "click", 1)
+from drive_hands import click, enter, named, text, title
 
 
 def muscle_page(window):
     """The page of muscles, by the tab over it."""
+    roles = ("page tab", "toggle button", "radio button", "push button")
+    tab = lambda: next((node for node in walk(window.root) if node.get_name() == "Muscle" and node.get_role_name() in roles), None)
+    node = wait("there is a tab over the page of muscles", tab)
 
     def shown():
-        if window.shows("Elbow angle"):
-            return True
-        for node in walk(window.root):
-            if node.get_name() == "Muscle" and node.get_role_name() in ("page tab", "toggle button", "radio button", "push button"):
-                click(node)
-                break
-        return False
+        click(node)
+        states = node.get_state_set()
+        return any(states.contains(state) for state in (Atspi.StateType.SELECTED, Atspi.StateType.CHECKED, Atspi.StateType.PRESSED))
 
     wait("the page of muscles comes up", shown)
 

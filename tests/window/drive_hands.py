@@ -1,20 +1,60 @@
 """Hands for the entries of the muscle panel."""
 
-from drive import Atspi, run, walk
+import time
+
+from drive import Atspi, run, steadily, wait, walk
 
 
 def named(window, name):
     """The entries of this name, in their order."""
-    return [node for node in walk(window.root) if node.get_name() == name and node.get_role_name() in ("text", "entry")]
+    fits = lambda node: node.get_name() == name and node.get_role_name() in ("text", "entry")
+    return steadily(lambda: list(filter(fits, walk(window.root))))
 
 
 def text(node):
     return Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node))
 
 
-def enter(node, what):
+def center(node):
     box = node.get_extents(Atspi.CoordType.WINDOW)
-    run("xdotool", "mousemove", box.x + box.width // 2, box.y + box.height // 2, "click", 1)
+    return box.x + box.width // 2, box.y + box.height // 2
+
+
+def click(node):
+    run("xdotool", "mousemove", *center(node), "click", 1)
+
+
+def reveal(node):
+    """Turns the wheel over the page that a node lies on until it is seen."""
+    page, parent = None, node.get_parent()
+    while parent and parent.get_role_name() != "application":
+        page = parent if parent.get_role_name() == "scroll pane" else page
+        parent = parent.get_parent()
+    if not page:
+        return
+    box = page.get_extents(Atspi.CoordType.WINDOW)
+    run("xdotool", "mousemove", box.x + 9, box.y + box.height // 2)
+    for _ in range(40):
+        down = center(node)[1] - box.y
+        if 20 <= down <= box.height - 20:
+            return
+        run("xdotool", "click", 4 if down < 20 else 5)
+        time.sleep(0.1)
+
+
+def focused(node):
+    """Clicks an entry, and again where it moved on while the page was still laid out."""
+    reveal(node)
+    click(node)
+    for _ in range(20):
+        if node.get_state_set().contains(Atspi.StateType.FOCUSED):
+            return True
+        time.sleep(0.05)
+    return False
+
+
+def enter(node, what):
+    wait("an entry that is clicked takes what is typed", lambda: focused(node))
     run("xdotool", "key", "ctrl+a")
     run("xdotool", "type", "--", what)
     run("xdotool", "key", "Return")
