@@ -97,6 +97,10 @@ fn options_change_the_picture() {
     assert!(draw(&muscle, &[]) != draw(&muscle, &["--no-normals"]));
     assert!(draw(&muscle, &["--angle", "0"]) != draw(&muscle, &["--angle", "90"]));
     assert!(draw(&muscle, &["--contraction", "0"]) == draw(&muscle, &["--angle", "0"]));
+    // Muscles under the skin of a clip show through it; the rods of an arm cover nothing.
+    let covered = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl-muscles.yaml");
+    assert!(draw(&covered, &[]) != draw(&covered, &["--no-see-through"]));
+    assert!(draw(&muscle, &[]) == draw(&muscle, &["--no-see-through"]));
     // The default, said aloud.
     assert!(plain == draw(&file, &["--time", "1", "--background", "black", "--camera", "orbit", "--shading", "gouraud", "--samples", "4"]));
 }

@@ -230,6 +230,8 @@ commands! {
         Mesh = "mesh" [],
         /// Muscles.
         Muscle = "muscle" ["m"],
+        /// Muscles through the skin.
+        SeeThrough = "see-through" [],
         /// Materials and textures.
         Materials = "materials" ["t"],
         /// Normals in lighting.

@@ -83,16 +83,6 @@ fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
     }
 }
 
-/// Adds a ready muscle, and says so where the mesh had to be hidden for it to be seen.
-fn add(editor: &Editor, preset: Preset) {
-    let Some(window) = editor.window.upgrade() else { return };
-    let covered = window.look(|session| session.display().mesh);
-    editor.tell(|session| session.new_muscle(preset));
-    if covered && !window.look(|session| session.display().mesh) {
-        window.viewport.toast(&tr!("app-mesh-hidden"), None);
-    }
-}
-
 fn field_text(spec: &MuscleSpec, field: usize) -> String {
     let value = match field {
         0 => spec.profile.rest_length(),
@@ -209,7 +199,7 @@ impl MusclePanel {
             _ => Ok(()),
         });
         if command == Command::NewMuscle {
-            add(&editor, NEW);
+            editor.tell(|session| session.new_muscle(NEW));
         }
     }
 
@@ -268,7 +258,9 @@ impl MusclePanel {
             menu
         };
         let button: gtk::MenuButton = part(&self.builder, "new_muscle");
-        button.set_menu_model(Some(&list(&button, "new", add)));
+        button.set_menu_model(Some(&list(&button, "new", |editor, preset| {
+            editor.tell(|session| session.new_muscle(preset));
+        })));
         let button: gtk::MenuButton = part(&self.builder, "muscle_menu");
         let ready = list(&button, "ready", |own, preset| {
             let id = own.id();

@@ -141,6 +141,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::ContractMore | C::ContractLess | C::DuplicateMuscle | C::DeleteMuscle => session.document().muscle_count() > 0,
         C::ElbowMore | C::ElbowLess => session.bends_arm() || session.joint().is_some(),
         C::PickOrigin | C::PickInsertion => !session.bones_for(session.shown_muscle()).is_empty(),
+        C::SeeThrough => session.posed().surfaces.iter().any(|surface| surface.skin),
         C::Weights => session.selected().is_some() || session.display().weights.is_some(),
         C::ResetLight => session.light().is_some(),
         C::ResetModel => !session.model().is_identity(),

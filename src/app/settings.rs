@@ -119,7 +119,9 @@ impl Default for Settings {
             frame_times: false,
             shading: "gouraud".into(),
             smooth_edges: true,
-            shown: ["mesh", "muscle", "materials", "smooth-normals", "xray", "grid", "depth-test"].map(String::from).to_vec(),
+            shown: ["mesh", "muscle", "see-through", "materials", "smooth-normals", "xray", "grid", "depth-test"]
+                .map(String::from)
+                .to_vec(),
         }
     }
 }

@@ -111,6 +111,7 @@ fn render() -> Command {
     .arg(flag("bounding-box", "cli-arg-bounding-box", look))
     .arg(flag("no-materials", "cli-arg-no-materials", look))
     .arg(flag("no-normals", "cli-arg-no-normals", look))
+    .arg(flag("no-see-through", "cli-arg-no-see-through", look))
 }
 
 fn export() -> Command {

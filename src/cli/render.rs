@@ -183,6 +183,7 @@ fn display(given: &ArgMatches, usual: Display, only_bones: bool) -> Display {
             Some(_) => Samples::Four,
             None => usual.samples,
         },
+        see_through: usual.see_through && !given.get_flag("no-see-through"),
         materials: usual.materials && !given.get_flag("no-materials"),
         smooth_normals: usual.smooth_normals && !given.get_flag("no-normals"),
         wireframe: usual.wireframe || given.get_flag("wireframe"),
@@ -233,7 +234,7 @@ fn call_note(given: &ArgMatches, files: &[PathBuf], size: (u32, u32), scale: f32
             note.push_str(&format!(" --{id} {}", quoted(&text.to_string_lossy())));
         }
     }
-    for id in ["bones", "wireframe", "grid", "axes", "bounding-box", "no-materials", "no-normals"] {
+    for id in ["bones", "wireframe", "grid", "axes", "bounding-box", "no-materials", "no-normals", "no-see-through"] {
         if given.get_flag(id) {
             note.push_str(&format!(" --{id}"));
         }

@@ -5,6 +5,7 @@
 mod angle;
 mod built_in;
 mod companion;
+mod covering;
 mod deform;
 mod error;
 mod explain;

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use glam::{DMat4, Mat4};
 
+use super::covering::mark_skins;
 use super::deform::Bender;
 use super::{Document, PoseState, SourceKind};
 use crate::animation::Pose;
@@ -21,6 +22,8 @@ pub struct PoseBuffers {
     plans: Vec<Plan>,
     solved: Vec<Solved>,
     times: PoseTimes,
+    /// Whether the surfaces that cover muscles were looked for since the frame was laid out.
+    skins_marked: bool,
 }
 
 /// Milliseconds that the parts of the last pose took.
@@ -73,6 +76,9 @@ impl Document {
         self.solve_muscles(state, buffers, frame);
         let posed = Instant::now();
         self.place_surfaces(state, buffers, frame);
+        if !std::mem::replace(&mut buffers.skins_marked, true) {
+            mark_skins(frame);
+        }
         let milliseconds = |from: Instant, to: Instant| to.duration_since(from).as_secs_f64() * 1e3;
         buffers.times = PoseTimes { pose_ms: milliseconds(begun, posed), deform_ms: milliseconds(posed, Instant::now()) };
     }
@@ -200,6 +206,7 @@ impl Document {
                     muscle,
                     visible: true,
                     content,
+                    skin: false,
                     ghost: None,
                 };
                 match thing {

@@ -152,6 +152,7 @@ mod tests {
             ghost: None,
             visible: true,
             content: 0,
+            skin: false,
         }
     }
 

@@ -187,7 +187,11 @@ impl Buffers {
             let binding = surface.materials.get(part).and_then(Option::as_ref);
             let foreign = surface.ghost.is_some_and(|ghost| !ghost.materials);
             let material = binding.filter(|_| !foreign).and_then(|binding| frame.materials.get(binding.material.index()));
-            let style = style(cache, scene, display, surface, part, material, binding);
+            let mut style = style(cache, scene, display, surface, part, material, binding);
+            let veiled = veiled(display, surface) && style.layer == Layer::Opaque;
+            if veiled {
+                (style.opacity, style.layer) = (VEIL, Layer::Blended);
+            }
             if style.opacity <= 0.0 {
                 continue;
             }
@@ -196,8 +200,8 @@ impl Buffers {
             let expanded = (end.saturating_sub(first)) as usize > triangles.len() * 3;
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
             pending.push(Item {
-                // The far side of a ghost would only cloud the near one.
-                cull: (display.cull_back_faces || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
+                // The far side of a ghost, or of a skin that is seen through, would only cloud the near one.
+                cull: (display.cull_back_faces || veiled || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
                     && !mesh.double_sided
                     && !material.is_some_and(|material| material.double_sided),
                 vertices: 0..count,
@@ -215,6 +219,14 @@ impl Buffers {
 /// Whether a surface is drawn at all.
 pub(super) fn shown(display: &Display, surface: &Surface) -> bool {
     surface.visible && if surface.muscle.is_some() { display.muscle } else { display.mesh }
+}
+
+/// How much of a skin that is seen through is seen itself.
+const VEIL: f32 = 0.38;
+
+/// Whether a surface lets the muscles beneath it be seen.
+fn veiled(display: &Display, surface: &Surface) -> bool {
+    surface.skin && display.see_through && display.muscle && display.weights.is_none() && surface.ghost.is_none()
 }
 
 /// The colour of the lines that a mesh brings along: its material's.

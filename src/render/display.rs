@@ -100,6 +100,8 @@ pub struct Display {
     pub mesh: bool,
     /// Muscles.
     pub muscle: bool,
+    /// Meshes let the muscles beneath them be seen.
+    pub see_through: bool,
     /// Materials and textures; without, everything has the neutral skin colour.
     pub materials: bool,
     /// Smooth normals in lighting; without, each triangle is flat and its own.
@@ -158,6 +160,7 @@ impl Default for Display {
             samples: Samples::Four,
             mesh: true,
             muscle: true,
+            see_through: true,
             materials: true,
             smooth_normals: true,
             normal_glyphs: false,

@@ -69,6 +69,8 @@ pub struct Surface {
     pub visible: bool,
     /// Which of its node's contents it shows, so that skin, morph and weights can be found.
     pub content: u32,
+    /// Whether it is a mesh that muscles lie beneath.
+    pub skin: bool,
     /// How it is drawn if it only accompanies the scene. Such a one cannot be picked; its node and materials need not be the scene's.
     pub ghost: Option<Ghost>,
 }

@@ -8,9 +8,10 @@ use crate::render::{Background, Display, Palette, Shading, Theme};
 pub type Switch = (&'static str, fn(&mut Display) -> &mut bool);
 
 /// All switches of the display that are on or off and nothing else.
-pub const SWITCHES: [Switch; 14] = [
+pub const SWITCHES: [Switch; 15] = [
     ("mesh", |d| &mut d.mesh),
     ("muscle", |d| &mut d.muscle),
+    ("see-through", |d| &mut d.see_through),
     ("materials", |d| &mut d.materials),
     ("smooth-normals", |d| &mut d.smooth_normals),
     ("normal-glyphs", |d| &mut d.normal_glyphs),

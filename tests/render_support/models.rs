@@ -128,7 +128,18 @@ impl World {
         let materials = vec![material; mesh.parts.len()].into();
         let mirrored = matrix.determinant() < 0.0;
         let placement = Placement::Rigid(matrix);
-        self.frame.surfaces.push(Surface { node, mesh, materials, placement, mirrored, muscle, visible: true, content: 0, ghost: None });
+        self.frame.surfaces.push(Surface {
+            node,
+            mesh,
+            materials,
+            placement,
+            mirrored,
+            muscle,
+            visible: true,
+            content: 0,
+            skin: false,
+            ghost: None,
+        });
         node
     }
 
@@ -208,6 +219,7 @@ pub fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
         muscle: None,
         visible: true,
         content: 0,
+        skin: false,
         ghost: None,
     });
     [joints[0], joints[1], joints[2]]

@@ -55,6 +55,7 @@ cli-arg-shading = Where lighting is computed: once a triangle, a vertex (gouraud
 cli-arg-bones = Draw the bones
 cli-arg-wireframe = Draw the edges of triangles
 cli-arg-no-materials = Leave materials and textures out
+cli-arg-no-see-through = Hide the muscles that lie under the skin of a clip
 cli-arg-no-normals = Light each triangle by its own plane instead of the smooth normals
 cli-arg-angles = Elbow angles in degrees; 0,30,60,90 unless given
 cli-arg-sweep = Elbow angles from FROM to TO, both included, every STEP degrees

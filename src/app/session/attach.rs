@@ -79,11 +79,6 @@ impl Session {
             }
             self.put_muscle_files(&files);
         }
-        if joint.is_some() && self.display.mesh {
-            // It lies under the skin.
-            (self.display.mesh, self.display.bones) = (false, true);
-            self.changed(Changes::DISPLAY);
-        }
         self.shown_muscle = id;
         self.select(self.node_of_muscle(id));
         self.changed(Changes::MUSCLE);

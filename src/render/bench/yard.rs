@@ -39,6 +39,7 @@ impl Yard {
             ghost: None,
             visible: true,
             content: 0,
+            skin: false,
         };
         let bounds = Bounds { min: Vec3::NEG_ONE, max: Vec3::ONE };
         let frame = Frame { surfaces: vec![surface], materials: vec![material], bounds, ..Frame::default() };

@@ -75,6 +75,7 @@ fuzz_target!(|bytes: &[u8]| {
         ghost: None,
         visible: true,
         content: 0,
+        skin: false,
     };
     scene.materials.push(material.clone());
     let bounds = Bounds { min: from.point(), max: from.point() };
