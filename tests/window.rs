@@ -78,6 +78,11 @@ fn hands_on_timeline_camera_and_model_do_what_they_should() {
 }
 
 #[test]
+fn every_key_does_what_its_row_says() {
+    drive("bindings.py");
+}
+
+#[test]
 fn ghosts_and_comparisons_are_shown() {
     drive("ghosts.py");
 }
