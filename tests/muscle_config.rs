@@ -55,6 +55,14 @@ fn the_reports_form_says_what_it_says() {
     assert!(file.to_yaml().starts_with("muscle_config:"));
     // A leading document mark, a BOM and Windows line ends change nothing.
     assert_eq!(MuscleFile::parse(&format!("\u{feff}---\r\n{}", SHIPPED[1].replace('\n', "\r\n"))).unwrap(), file);
+    // A rod's part that vanishes beside the other stays a part, and the form the report's.
+    for data in ["[[8.9e82, 230.0], [30.0, 120.5]]", "[[30.0, 230.0], [8.9e82, 1.0]]"] {
+        let text = format!(
+            "muscle_config:\n  radiuses: [1.0, 2.0]\n  grow_mults: [1.0, 1.0]\n  len: 9.0\ncarcass_config:\n  data: {data}\n  thickness: 2.0\n"
+        );
+        let vanishing = MuscleFile::parse(&text).unwrap();
+        assert_eq!(MuscleFile::parse(&vanishing.to_yaml()).unwrap(), vanishing);
+    }
     // What the report's form cannot say is written in the richer one.
     let mut named = file;
     named.muscles[0].name = "Biceps: \"left\"\n#1 – сгибатель \u{7f}\u{2028}".to_owned();

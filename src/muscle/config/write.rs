@@ -34,8 +34,8 @@ fn report(file: &MuscleFile) -> Option<String> {
         return (muscle.origin.is_none() && muscle.insertion.is_none()).then_some(text);
     };
     let (upper, lower) = (depth(muscle.origin.as_ref()?, UPPER_ARM)?, depth(muscle.insertion.as_ref()?, FOREARM)?);
-    let (above, rest) = (rest_of(arm.upper, upper)?, rest_of(arm.lower, lower)?);
-    if arm.flexion.is_some() || above <= 0.0 || lower <= 0.0 {
+    let (above, rest) = (rest_of(arm.upper, upper, |above| above > 0.0)?, rest_of(arm.lower, lower, |rest| rest >= 0.0)?);
+    if arm.flexion.is_some() || lower <= 0.0 {
         return None;
     }
     text.push_str("\ncarcass_config:\n");
@@ -50,11 +50,12 @@ fn depth(anchor: &Anchor, bone: &str) -> Option<f64> {
     (anchor.bone == bone && x == 0.0 && z == 0.0 && y <= 0.0).then_some(-y + 0.0)
 }
 
-/// The number that, added to `part`, gives exactly `whole`: of those the roundest.
-fn rest_of(whole: f64, part: f64) -> Option<f64> {
+/// The number that is `allowed` and, added to `part`, gives exactly `whole`: of those the roundest, else one that vanishes beside `part`.
+fn rest_of(whole: f64, part: f64, allowed: impl Fn(f64) -> bool) -> Option<f64> {
     let plain = whole - part;
     let rounded = (0..=12).filter_map(|digits| format!("{plain:.digits$}").parse::<f64>().ok());
-    rounded.chain([plain, plain.next_up(), plain.next_down()]).find(|rest| *rest >= 0.0 && part + rest == whole)
+    let exact = [plain, plain.next_up(), plain.next_down(), part * f64::EPSILON / 4.0];
+    rounded.chain(exact).find(|rest| allowed(*rest) && part + rest == whole)
 }
 
 fn rich(file: &MuscleFile) -> String {
