@@ -81,6 +81,15 @@ pub fn narrow(list: &DropDown) {
     list.set_expression(Some(PropertyExpression::new(StringObject::static_type(), Expression::NONE, "string")));
 }
 
+/// Moves a slider to a value, unless that differs from its own by rounding alone. While a hand's value is being told, GTK tells of any other one after
+/// it; one that comes back from a pose rounded otherwise each time would be told of without end.
+pub fn show_value(slider: &gtk4::Scale, value: f64) {
+    let adjustment = slider.adjustment();
+    if (value - slider.value()).abs() > 1e-9 * (adjustment.upper() - adjustment.lower()) {
+        slider.set_value(value);
+    }
+}
+
 /// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed
 /// before its half second was over.
 fn hush(object: &Object) {

@@ -49,6 +49,17 @@ def test_attaching():
     wait("the contraction follows the elbow", lambda: value(contraction) > before + 5.0)
     told("a new muscle joins the bones of the elbow, and both sliders are one state")
 
+    box = contraction.get_extents(Atspi.CoordType.WINDOW)
+    across = lambda part: (box.x + round(box.width * part), box.y + box.height // 2)
+    run("xdotool", "mousemove", *across(value(contraction) / 100.0), "mousedown", 1)
+    for part in (0.6, 0.5, 0.45, 0.4):
+        run("xdotool", "mousemove", *across(part), "sleep", 0.05)
+    run("xdotool", "mouseup", 1)
+    wait("the contraction follows the hand", lambda: abs(value(contraction) - 40.0) < 6.0 and value(elbow) < 110.0)
+    elbow.set_current_value(120.0)
+    wait("the elbow is bent again", lambda: abs(value(elbow) - 120.0) < 1e-6)
+    told("the contraction is dragged")
+
     offset = lambda: named(window, "Insertion: offset along the bone’s Y axis")[0]
     was = wait("the offset of the insertion is shown", lambda: text(offset()))
     enter(offset(), "61.5")
