@@ -99,6 +99,8 @@ impl Recovery {
             #[weak]
             window,
             move |_, response| {
+                // Else the keyboard goes from the button that is hidden to the next widget, the search, and Ctrl+Z with it.
+                window.viewport.take_focus();
                 window.recovery.fold();
                 let Some((path, unsaved)) = window.recovery.offered.take() else { return };
                 match response {

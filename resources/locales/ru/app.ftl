@@ -168,7 +168,7 @@ app-mouse-fly = В полёте
 app-mouse-fly-how = W A S D Q E, Shift быстрее, Alt медленнее, колесо задаёт скорость, Esc завершает
 
 # Картинка
-app-hint = Мышь вращает · Shift сдвигает · колесо приближает · правая кнопка – свет
+app-hint = Мышь вращает · Shift сдвигает · колесо – масштаб · правая кнопка – свет
 app-hint-move = Тяните ось или где угодно · Ctrl – по шагам · средняя кнопка вращает вид · V – обратно
 app-hint-rotate = Тяните кольцо или где угодно · Ctrl – по 15° · средняя кнопка вращает вид · V – обратно
 app-hint-scale = Тяните кубик или вверх · Ctrl – по шагам · средняя кнопка вращает вид · V – обратно
@@ -308,7 +308,7 @@ app-do-pick-origin = Указать кость начала
 app-do-pick-insertion = Указать кость прикрепления
 app-muscle-replace = Поставить на её место
 app-muscle-name = Название
-app-fit-length = Взять нынешнюю длину как длину покоя
+app-fit-length = Принять нынешнюю длину
 app-fit-length-tip = В покое мышца будет такой длины, какая сейчас между её концами
 app-ends-heading = Концы
 app-ends-none = нет
@@ -469,7 +469,7 @@ app-measure-angle = Угол в локте, °
 app-measure-length = Длина, { $unit }
 app-measure-arm = Плечо силы, { $unit }
 app-measure-radius = Наибольший радиус, { $unit }
-app-measure-copy = Скопировать как CSV
+app-measure-copy = Копировать CSV
 app-measure-save = Сохранить…
 app-measure-save-title = Сохранить как .csv, .png или .svg
 app-measure-ending = Что сохраняется, говорит окончание имени: .csv – таблица, .png или .svg – графики.
