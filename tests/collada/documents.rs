@@ -160,6 +160,17 @@ fn numbers_are_read_however_they_are_written() {
 }
 
 #[test]
+fn arrays_of_truths_and_words_are_known_and_are_no_numbers() {
+    for (tag, values) in [("bool_array", "true false 1 0"), ("Name_array", "a b"), ("IDREF_array", "n g"), ("SIDREF_array", "n/t n")] {
+        let beside = document(&shown()).replace("<vertices", &(names("more", tag, "ON", values) + "<vertices"));
+        assert_eq!(corners(mesh(&load_clean(&beside))).len(), 1, "{tag}");
+        let instead = beside.replace("semantic=\"POSITION\" source=\"#g-p\"", "semantic=\"POSITION\" source=\"#more\"");
+        let loaded = load(&instead);
+        assert!(codes(&loaded).contains(&"no-positions"), "{tag}: {:?}", codes(&loaded));
+    }
+}
+
+#[test]
 fn decimal_commas_are_refused_with_their_line() {
     let text = document(&shown()).replace("0 0 0 1 0 0 0 1 0", "0 0 0\n1 0,5 0 0 1 0");
     let line = text.lines().position(|line| line.contains("0,5")).expect("it is there") as u32 + 1;
