@@ -132,7 +132,8 @@ mod by_retrofire {
         let context = Context::default();
         let took = median(|number| {
             target.color_buf.buf.fill(0);
-            target.depth_buf.fill(f32::INFINITY);
+            // It keeps the reciprocal of the depth: nothing is infinitely far.
+            target.depth_buf.fill(0.0);
             let (sin, cos) = (number as f32 * 0.01).sin_cos();
             let shader = shader::new(
                 move |v: Vertex3<()>, clip: &ProjMat3<Model>| {
