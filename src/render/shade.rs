@@ -157,12 +157,17 @@ impl Attributes<8> for Gouraud<'_> {
 pub(super) struct Textured<'a> {
     drawing: &'a Drawing<'a>,
     style: &'a Style,
+    /// Whether the colour is that of the texture times the light and nothing else: no shine, glow, opacity or mark.
+    plain: bool,
 }
 
 impl<'a> Shader<'a> for Textured<'a> {
     #[inline(always)]
     fn new(drawing: &'a Drawing<'a>, item: &'a Item) -> Self {
-        Self { drawing, style: &item.style }
+        let style = &item.style;
+        let colored = style.diffuse.is_some_and(|sampler| (sampler.texture as usize) < drawing.textures.len());
+        let bare = style.cutout.is_none() && style.glow.is_none() && style.opacity == 1.0 && style.mark_share == 0.0;
+        Self { drawing, style, plain: colored && bare && style.specular == [0.0; 3] && style.emission == [0.0; 3] }
     }
 }
 
@@ -186,6 +191,10 @@ impl Attributes<8> for Textured<'_> {
     fn shade<L: Lanes>(&self, l: L, values: &[L::F; 8], slopes: &Slopes<8>) -> [L::F; 4] {
         let uv = [values[1], values[2]];
         let texel = Texels::read(l, self.drawing, self.style, uv, slopes, values, 1);
+        if self.plain {
+            let lit = always!(|i: usize| texel.color[i] * values[3 + i]);
+            return [lit(0), lit(1), lit(2), l.splat(255.0)];
+        }
         let (one, full) = (l.splat(1.0), l.splat(255.0));
         let style = self.style;
         let channel = always!(|i: usize| {
