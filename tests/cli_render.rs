@@ -100,6 +100,9 @@ fn options_change_the_picture() {
     // Muscles under the skin of a clip show through it; the rods of an arm cover nothing.
     let covered = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl-muscles.yaml");
     assert!(draw(&covered, &[]) != draw(&covered, &["--no-see-through"]));
+    // On a clip the joint that the muscle crosses is bent; the biceps is longest at one end of its range and shortest at the other.
+    assert!(draw(&covered, &["--contraction", "0"]) == draw(&covered, &["--angle", "0"]));
+    assert!(draw(&covered, &["--contraction", "100"]) == draw(&covered, &["--angle", "140"]));
     assert!(draw(&muscle, &[]) == draw(&muscle, &["--no-see-through"]));
     // The default, said aloud.
     assert!(plain == draw(&file, &["--time", "1", "--background", "black", "--camera", "orbit", "--shading", "gouraud", "--samples", "4"]));

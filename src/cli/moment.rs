@@ -82,10 +82,13 @@ impl Moment {
         }
         if let Some(contraction) = self.contraction {
             let rig = document.driven_rig().ok_or_else(|| Failure::usage(tr!("cli-no-muscle-to-drive", file = display_name(file))))?;
-            if !rig.is_drivable() {
-                return Err(Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))));
+            if rig.is_drivable() {
+                state.drive = rig.at_contraction(contraction);
+            } else {
+                let turn = document.contracted(&state, contraction);
+                let turn = turn.ok_or_else(|| Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))))?;
+                state.turn = Some(turn);
             }
-            state.drive = rig.at_contraction(contraction);
         }
         Ok(state)
     }

@@ -5,6 +5,7 @@
 mod angle;
 mod built_in;
 mod companion;
+mod contraction;
 mod covering;
 mod deform;
 mod error;

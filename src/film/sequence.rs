@@ -122,7 +122,7 @@ impl Sequence {
                 (Course::Angle(from, to), 0.0, TURN_SECONDS)
             }
             (Motion::Contraction(from, to), _) => {
-                if !rig.is_some_and(Rig::is_drivable) {
+                if !rig.is_some_and(Rig::is_drivable) && document.contracted(&state, from).is_none() {
                     return Err(Refusal::NoMuscle);
                 }
                 (Course::Contraction(from, to), 0.0, TURN_SECONDS)
@@ -182,8 +182,10 @@ impl Sequence {
                 }
             }
             Course::Contraction(from, to) => {
-                if let Some(rig) = document.driven_rig() {
-                    state.drive = rig.at_contraction(from + (to - from) * part);
+                let per_cent = from + (to - from) * part;
+                match document.driven_rig().filter(|rig| rig.is_drivable()) {
+                    Some(rig) => state.drive = rig.at_contraction(per_cent),
+                    None => state.turn = document.contracted(&state, per_cent),
                 }
             }
             Course::Swing => {
