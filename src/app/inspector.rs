@@ -294,7 +294,7 @@ impl Inspector {
     fn show_turns(&self, session: &Session, node: NodeId) {
         let degrees = session.document().hand_turn(node);
         for ((scale, label), value) in self.turns.iter().zip(&self.turn_values).zip(degrees.to_array()) {
-            ui::show_value(scale, value);
+            ui::show_value(&scale.adjustment(), value);
             label.set_text(&format!("{}°", format::number(value, 1)));
         }
         part::<gtk::Button>(&self.builder, "reset").set_sensitive(degrees != DVec3::ZERO);

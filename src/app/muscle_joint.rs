@@ -103,7 +103,7 @@ impl MuscleJoint {
             show(id, there);
         }
         self.contraction.set_sensitive(contraction.is_some());
-        ui::show_value(&self.contraction, contraction.unwrap_or(0.0));
+        ui::show_value(&self.contraction.adjustment(), contraction.unwrap_or(0.0));
         text("contraction_value", contraction.map_or_else(|| "–".into(), |value| format::with_unit(value, 1, "%")));
         let of_clip = !session.bends_arm() && session.joint().is_some();
         for id in ["joint_label", "joint_box", "joint_more"] {
@@ -114,7 +114,7 @@ impl MuscleJoint {
         let (low, high) = bend.range.into_inner();
         // A clip can bend a joint farther than the slider's hand.
         self.flexion.set_range(low.min(bend.value), high.max(bend.value).max(low + 1e-9));
-        ui::show_value(&self.flexion, bend.value);
+        ui::show_value(&self.flexion.adjustment(), bend.value);
         let sign = if of_clip && session.is_on_top() && bend.value > 0.0 { "+" } else { "" };
         text("flexion_value", format!("{sign}{}°", format::number(bend.value, 1)));
         if of_clip {

@@ -81,12 +81,11 @@ pub fn narrow(list: &DropDown) {
     list.set_expression(Some(PropertyExpression::new(StringObject::static_type(), Expression::NONE, "string")));
 }
 
-/// Moves a slider to a value, unless that differs from its own by rounding alone. While a hand's value is being told, GTK tells of any other one after
-/// it; one that comes back from a pose rounded otherwise each time would be told of without end.
-pub fn show_value(slider: &gtk4::Scale, value: f64) {
-    let adjustment = slider.adjustment();
-    if (value - slider.value()).abs() > 1e-9 * (adjustment.upper() - adjustment.lower()) {
-        slider.set_value(value);
+/// Moves a slider or a box to a value, unless that differs from its own by rounding alone: by less than the hundred thousandth part of a step. While a
+/// hand's value is being told, GTK tells of any other one after it; one that comes back from a pose rounded otherwise each time would be told of without end.
+pub fn show_value(adjustment: &gtk4::Adjustment, value: f64) {
+    if (value - adjustment.value()).abs() > 1e-5 * adjustment.step_increment() {
+        adjustment.set_value(value);
     }
 }
 

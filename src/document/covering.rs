@@ -32,8 +32,11 @@ fn surrounds(surface: &Surface, point: Vec3) -> bool {
                 met[usize::from(depth > 0.0)] = true;
             }
         }
+        if met == [[true; 2]; 3] {
+            return true;
+        }
     }
-    met == [[true; 2]; 3]
+    false
 }
 
 /// Where the line through the origin along an axis meets a triangle; `None` where it passes by.

@@ -122,6 +122,11 @@ class Window:
         says = lambda node: node.get_name() == name and node.get_role_name() == "label"
         return steadily(lambda: sum(map(says, walk(self.root))))
 
+    def others(self):
+        """The other windows that the program shows: dialogs, questions."""
+        shown = run("xdotool", "search", "--onlyvisible", "--pid", self.process.pid).decode().split()
+        return [other for other in shown if other != self.window]
+
     def picture(self):
         """The middle of the viewport, without the labels over it."""
         return run("import", "-window", self.window, "-crop", "200x260+400+150", "-depth", "8", "rgb:-")
@@ -285,12 +290,18 @@ def test_clip():
     told("Ctrl+Q leaves with 0")
 
 
-def test_muscle():
+def open_arm():
+    """A window with an arm, and its sliders for contraction and elbow."""
     window = Window(os.path.join(configs, "biceps-measured.yaml"))
     # The window before left its size behind, and there the arm is elsewhere.
     run("xdotool", "windowsize", "--sync", window.window, 1280, 800)
     contraction, elbow = window.get("slider", "Contraction"), window.get("slider", "Elbow angle")
     wait("the elbow can be bent", lambda: elbow.get_maximum_value() > 80)
+    return window, contraction, elbow
+
+
+def test_muscle():
+    window, contraction, elbow = open_arm()
     rest = still(window)
     elbow.set_current_value(60.0)
     wait("the elbow bends", lambda: abs(value(elbow) - 60.0) < 1e-6)

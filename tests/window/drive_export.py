@@ -17,17 +17,11 @@ def files():
     return sorted(os.listdir(out))
 
 
-def dialogs(window):
-    """The windows of the program beside its own."""
-    shown = run("xdotool", "search", "--onlyvisible", "--pid", window.process.pid).decode().split()
-    return [other for other in shown if other != window.window]
-
-
 def dialog(window):
     """Opens the export dialog with its key."""
     run("xdotool", "mousemove", 500, 300, "click", 1)
     window.key("ctrl+e")
-    found = wait("Ctrl+E opens the dialog", lambda: dialogs(window))[0]
+    found = wait("Ctrl+E opens the dialog", lambda: window.others())[0]
     run("xdotool", "windowfocus", found)
     wait("the dialog has its list", lambda: window.find("combo box", "File") or window.find("button", "File"))
     return found
@@ -56,12 +50,12 @@ def choose(window, found, steps):
 def save_as(window, found, name):
     """Names the file in the chooser that Export… opens."""
     press(window, "Export…")
-    chooser = wait("the file chooser opens", lambda: [w for w in dialogs(window) if w != found])[0]
+    chooser = wait("the file chooser opens", lambda: [w for w in window.others() if w != found])[0]
     run("xdotool", "windowfocus", chooser)
     run("xdotool", "key", "ctrl+a")
     run("xdotool", "type", "--delay", "2", "--", os.path.join(out, name))
     run("xdotool", "key", "Return")
-    wait("the file chooser goes", lambda: chooser not in dialogs(window))
+    wait("the file chooser goes", lambda: chooser not in window.others())
 
 
 def texts(path):
@@ -112,7 +106,7 @@ def test_export():
     wait("one picture is offered", lambda: window.shows("One picture of"))
     save_as(window, found, "one.png")
     wait("the picture is there", lambda: files() == ["one.png"])
-    wait("the dialog goes when it is done", lambda: not dialogs(window))
+    wait("the dialog goes when it is done", lambda: not window.others())
     notes = texts(os.path.join(out, "one.png"))
     if not notes.get("Software", "").startswith("Sinew ") or "curl.dae" not in notes.get("Comment", ""):
         fail(f"the picture says how it was made: {notes}")
@@ -137,7 +131,7 @@ def test_export():
     seconds.set_current_value(0.2)
     save_as(window, found, "turn.png")
     wait("the pictures are there", lambda: files() == ["one.png"] + [f"turn-{n:04}.png" for n in range(5)])
-    wait("the dialog goes when it is done", lambda: not dialogs(window))
+    wait("the dialog goes when it is done", lambda: not window.others())
     if size(os.path.join(out, "turn-0004.png")) != size(os.path.join(out, "one.png")):
         fail("the pictures have the size that was set")
     if texts(os.path.join(out, "turn-0001.png")) == texts(os.path.join(out, "turn-0002.png")):
@@ -149,7 +143,7 @@ def test_export():
     wait("joint angles are offered", lambda: window.shows("flexion and turn"))
     save_as(window, found, "joints.csv")
     wait("the table is there", lambda: "joints.csv" in files())
-    wait("the dialog goes when it is done", lambda: not dialogs(window))
+    wait("the dialog goes when it is done", lambda: not window.others())
     command = subprocess.run([window.process.args[0], "measure", path, "--joints", "--csv"], check=True, stdout=subprocess.PIPE)
     with open(os.path.join(out, "joints.csv"), "rb") as file:
         if file.read() != command.stdout:
@@ -159,7 +153,7 @@ def test_export():
     # F12 asks for a name at once.
     run("xdotool", "mousemove", 500, 300, "click", 1)
     window.key("F12")
-    chooser = wait("F12 asks for a name", lambda: dialogs(window))[0]
+    chooser = wait("F12 asks for a name", lambda: window.others())[0]
     run("xdotool", "windowfocus", chooser)
     run("xdotool", "key", "ctrl+a")
     run("xdotool", "type", "--delay", "2", "--", os.path.join(out, "shot.png"))

@@ -2,6 +2,7 @@
 
 import time
 
+import hands
 from drive import Atspi, run, steadily, wait, walk
 
 
@@ -15,13 +16,8 @@ def text(node):
     return Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node))
 
 
-def center(node):
-    box = node.get_extents(Atspi.CoordType.WINDOW)
-    return box.x + box.width // 2, box.y + box.height // 2
-
-
 def click(node):
-    run("xdotool", "mousemove", *center(node), "click", 1)
+    hands.click(*hands.at(node))
 
 
 def reveal(node):
@@ -35,7 +31,7 @@ def reveal(node):
     box = page.get_extents(Atspi.CoordType.WINDOW)
     run("xdotool", "mousemove", box.x + 9, box.y + box.height // 2)
     for _ in range(40):
-        down = center(node)[1] - box.y
+        down = hands.at(node)[1] - box.y
         if 20 <= down <= box.height - 20:
             return
         run("xdotool", "click", 4 if down < 20 else 5)

@@ -59,12 +59,8 @@ def test_workshop():
         fail("the elbow stays where it is while the muscle is edited")
     window.key("ctrl+q")
 
-    def question():
-        windows = run("xdotool", "search", "--onlyvisible", "--pid", window.process.pid).decode().split()
-        return next((other for other in windows if other != window.window), None)
-
     # The question is a window of its own; its first button lets the changes go.
-    asked = wait("a question comes up", question)
+    asked = wait("a question comes up", window.others)[0]
     size = dict(line.split("=") for line in run("xdotool", "getwindowgeometry", "--shell", asked).decode().split())
     run("xdotool", "mousemove", "--window", asked, int(size["WIDTH"]) // 6, int(size["HEIGHT"]) - 18, "click", 1)
     wait("not saving lets the window close", lambda: window.process.poll() is not None)

@@ -3,14 +3,10 @@
 from drive import Atspi, run, still, wait
 
 
-def at(window, node, part=0.5, down=0.5):
+def at(node, part=0.5, down=0.5):
     """A point of a widget, in the window."""
     box = node.get_extents(Atspi.CoordType.WINDOW)
     return box.x + round(box.width * part), box.y + round(box.height * down)
-
-
-def move(x, y):
-    run("xdotool", "mousemove", x, y)
 
 
 def click(x, y, button=1):

@@ -40,7 +40,7 @@ def test_time(window, slider):
     told("marks from a drag bound what plays")
 
     # Space plays while a button has the focus.
-    click(*at(window, window.get("button", "To the start")))
+    click(*at(window.get("button", "To the start")))
     window.key("space")
     wait("Space plays though a button has the focus", lambda: pressed(play))
     window.key("space")
@@ -66,8 +66,8 @@ def test_time(window, slider):
     window.key("k")
     wait("K unfolds the keys", lambda: window.shows("Keys of each bone"))
     row = wait("the node has a row", lambda: next(
-        (node for node in walk_rows(window) if node.get_name() == "Node" and at(window, node)[1] > 600), None))
-    x, y = at(window, row)
+        (node for node in walk_rows(window) if node.get_name() == "Node" and at(node)[1] > 600), None))
+    x, y = at(row)
     click(x, y)
     wait("a row selects its node", lambda: window.count("Node") >= 2)
     run("xdotool", "mousemove", across(0.5), y, "click", 1)

@@ -45,7 +45,7 @@ impl Session {
     }
 
     /// Adds a ready muscle: on the arm of the muscle shown, else on the two bones that meet in the selected joint or in the elbow. Where there are none it
-    /// lies on its own. It is shown and selected; a mesh that would cover it is hidden, and bones are shown in its place.
+    /// lies on its own. It is shown and selected.
     ///
     /// # Errors
     /// [`EditError`] where there are too many; nothing is changed then.

@@ -9,6 +9,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use crate::app::session::{ModelTransform, Tool};
+use crate::app::ui;
 use crate::app::window::{Window, part};
 use crate::tr;
 
@@ -67,7 +68,7 @@ impl Numbers {
     pub fn refresh(&self, tool: Tool, model: &ModelTransform) {
         let other = self.tool.replace(tool) != tool;
         self.root.set_visible(tool != Tool::Navigate);
-        let [x, y, z] = &self.boxes;
+        let [_, y, z] = &self.boxes;
         if other {
             let (limit, step, digits, label) = match tool {
                 Tool::Navigate => return,
@@ -91,8 +92,8 @@ impl Numbers {
             Tool::Rotate => model.degrees(),
             Tool::Scale => DVec3::splat(model.scale),
         };
-        x.set_value(values.x);
-        y.set_value(values.y);
-        z.set_value(values.z);
+        for (number, value) in self.boxes.iter().zip(values.to_array()) {
+            ui::show_value(&number.adjustment(), value);
+        }
     }
 }
