@@ -1,34 +1,13 @@
-//! Muscles come, go and are attached: new ones on the arm or on the bones of a clip, ends picked and dragged. Each is one step of undo.
-
-use glam::DVec3;
+//! Muscles come and go: new ones on the arm or on the bones of a clip, copies. Each is one step of undo.
 
 use super::joint::bones;
 use super::workshop::Step;
 use super::{Changes, Session};
 use crate::document::{PoseBuffers, PoseState};
 use crate::muscle::presets::Preset;
-use crate::muscle::{Anchor, Edit, EditError, Form, Handhold, Joint, MuscleFile, MuscleSpec, Wrap};
-use crate::render::Pick;
+use crate::muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap};
 use crate::scene::{Content, Frame, MuscleId, NodeId};
 use crate::tr;
-
-/// Share of a bone's length from its beginning at which a bone chosen by name is held.
-const ALONG: f64 = 0.15;
-/// A point picked on the skin lies this share of the way from the bone to the skin.
-const UNDER_SKIN: f64 = 0.4;
-
-/// An end of a muscle that the next click gives a place.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Picking {
-    /// The muscle.
-    pub muscle: MuscleId,
-    /// Origin (0) or insertion (1).
-    pub end: usize,
-    /// The origin, of a muscle that had none, while its insertion is still to be picked.
-    first: Option<Anchor>,
-    /// How bones were shown before: bones, and through surfaces.
-    bones: [bool; 2],
-}
 
 impl Session {
     /// The muscle that panels and handles show.
@@ -164,75 +143,6 @@ impl Session {
         nodes.into_iter().filter_map(|node| Some((node, rig.bone_name(graph, node)?))).collect()
     }
 
-    /// Begins to pick the bone of an end: origin (0) or insertion (1). Bones show through everything meanwhile.
-    pub fn start_picking(&mut self, muscle: MuscleId, end: usize) {
-        self.stop_picking();
-        let Some((rig, index)) = self.document.muscle(muscle) else { return };
-        // A muscle that lies on its own needs both, its origin first.
-        let end = if rig.is_attached(index) { end } else { 0 };
-        self.picking = Some(Picking { muscle, end, first: None, bones: [self.display.bones, self.display.xray] });
-        (self.display.bones, self.display.xray) = (true, true);
-        self.changed(Changes::PICKING | Changes::DISPLAY);
-    }
-
-    /// Leaves picking; whether there was any.
-    pub fn stop_picking(&mut self) -> bool {
-        let Some(picking) = self.picking.take() else { return false };
-        [self.display.bones, self.display.xray] = picking.bones;
-        self.changed(Changes::PICKING | Changes::DISPLAY);
-        true
-    }
-
-    /// What is being picked.
-    pub fn picking(&self) -> Option<&Picking> {
-        self.picking.as_ref()
-    }
-
-    /// A click in the picture while an end is picked. A click beside everything changes nothing.
-    ///
-    /// # Errors
-    /// [`EditError`] where the end cannot be there.
-    pub fn pick_at(&mut self, pick: Option<Pick>) -> Result<(), EditError> {
-        let Some(pick) = pick else { return Ok(()) };
-        self.frame();
-        let Some((node, place)) = self.bone_under(&pick) else { return Ok(()) };
-        self.pick_place(node, place)
-    }
-
-    /// A bone chosen by name while an end is picked.
-    ///
-    /// # Errors
-    /// [`EditError`] where the end cannot be there.
-    pub fn pick_bone(&mut self, node: NodeId) -> Result<(), EditError> {
-        self.frame();
-        let place = self.place_along(node);
-        self.pick_place(node, place)
-    }
-
-    fn pick_place(&mut self, node: NodeId, place: DVec3) -> Result<(), EditError> {
-        let Some(Picking { muscle, end, first, .. }) = self.picking.clone() else { return Ok(()) };
-        let Some((rig, index)) = self.document.muscle(muscle) else { return Ok(()) };
-        let Some(anchor) = rig.anchor_at(&self.document.scene.graph, node, place, &self.frame.world) else { return Err(EditError::NoName) };
-        if rig.is_attached(index) {
-            self.stop_picking();
-            return self.edit_muscle(muscle, &Edit::End(end, anchor), Step::New);
-        }
-        match first {
-            None => {
-                if let Some(picking) = &mut self.picking {
-                    (picking.first, picking.end) = (Some(anchor), 1);
-                }
-                self.changed(Changes::PICKING);
-                Ok(())
-            }
-            Some(origin) => {
-                self.edit_muscle(muscle, &Edit::Ends(Some([origin, anchor])), Step::New)?;
-                self.stop_picking();
-                self.fit_length(muscle, Step::Same)
-            }
-        }
-    }
-
     /// The present length of muscle `id` becomes its rest length, its thickness stays.
     ///
     /// # Errors
@@ -244,67 +154,6 @@ impl Session {
         let tendons = rig.spec(index).map_or(0.0, MuscleSpec::tendon_length);
         let length = (1e3 * (solved.path_length - tendons)).round() / 1e3;
         self.edit_muscle(id, &Edit::RestLength(length), step)
-    }
-
-    /// Puts an end on another bone, or takes the muscle off all bones (`None`).
-    ///
-    /// # Errors
-    /// [`EditError`] where the end cannot be there.
-    pub fn attach_to(&mut self, id: MuscleId, end: usize, node: Option<NodeId>) -> Result<(), EditError> {
-        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
-        let attached = rig.is_attached(index);
-        let Some(node) = node else { return self.edit_muscle(id, &Edit::Ends(None), Step::New) };
-        if attached && rig.hold_bone(index, Handhold::End(end)) == Some(node) {
-            return Ok(());
-        }
-        let mut picking = self.picking.clone();
-        if !picking.as_ref().is_some_and(|picking| picking.muscle == id && picking.end == end) {
-            self.start_picking(id, end);
-            picking = self.picking.clone();
-        }
-        match picking {
-            Some(picking) if picking.end == end => self.pick_bone(node),
-            _ => Ok(()),
-        }
-    }
-
-    /// The bone that a picked point belongs to, and where on it an end goes: a bone itself, the arm's rods, or the joint that a skin follows most there.
-    fn bone_under(&self, pick: &Pick) -> Option<(NodeId, DVec3)> {
-        let point = pick.point.as_dvec3();
-        let (Some(index), Some(muscle)) = (pick.surface, self.picking.as_ref().map(|picking| picking.muscle)) else {
-            return Some((pick.node, point));
-        };
-        let (rig, _) = self.document.muscle(muscle)?;
-        if rig.arm_bones().is_some() {
-            return rig.bone_name(&self.document.scene.graph, pick.node).map(|_| (pick.node, point));
-        }
-        let surface = self.frame.surfaces.get(index as usize).filter(|surface| surface.muscle.is_none())?;
-        let node = self.strongest_joint(index as usize, &surface.mesh.triangles, pick).unwrap_or(pick.node);
-        let begin = self.frame.position(node).as_dvec3();
-        let along = self.way_along(node);
-        let on_bone = begin + along * ((point - begin).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        Some((node, on_bone + (point - on_bone) * UNDER_SKIN))
-    }
-
-    /// The joint that the corner nearest to a picked point follows most.
-    fn strongest_joint(&self, surface: usize, triangles: &[[u32; 3]], pick: &Pick) -> Option<NodeId> {
-        let shares = pick.barycentric.to_array();
-        let corners = triangles.get(pick.triangle as usize)?.iter().zip(shares);
-        let (vertex, _) = corners.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let explained = self.document.explain(&self.buffers, &self.frame, surface, *vertex)?;
-        explained.shares.iter().max_by(|a, b| a.weight.total_cmp(&b.weight))?.node
-    }
-
-    /// From where a bone begins to where the farthest bone on it does, metres; nothing for a last bone.
-    fn way_along(&self, node: NodeId) -> DVec3 {
-        let begin = self.frame.position(node);
-        let children = self.document.scene.graph.node(node).children();
-        let ways = children.iter().map(|child| self.frame.position(*child) - begin).filter(|way| way.is_finite());
-        ways.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared())).unwrap_or_default().as_dvec3()
-    }
-
-    fn place_along(&self, node: NodeId) -> DVec3 {
-        self.frame.position(node).as_dvec3() + self.way_along(node) * ALONG
     }
 
     pub(super) fn files_now(&self) -> Vec<MuscleFile> {
@@ -342,24 +191,9 @@ fn unused_name(file: &MuscleFile, name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collada::Progress;
+    use crate::app::session::tests::{biceps, clip, ends};
     use crate::document::Document;
     use crate::muscle::presets::PRESETS;
-
-    /// The demo's arm, whose elbow is the joint `forearm`.
-    fn clip() -> Session {
-        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/configs/curl.dae");
-        Session::new(Document::open(&[path], &Progress::default()).unwrap())
-    }
-
-    fn biceps() -> Preset {
-        Preset::by_id("biceps").unwrap()
-    }
-
-    fn ends(session: &Session, id: MuscleId) -> [Option<NodeId>; 2] {
-        let (rig, index) = session.document().muscle(id).unwrap();
-        [0, 1].map(|end| rig.hold_bone(index, Handhold::End(end)))
-    }
 
     #[test]
     fn a_new_muscle_joins_the_bones_of_the_elbow_and_goes_again() {
@@ -402,73 +236,6 @@ mod tests {
             };
             assert!((length(100.0) - length(10.0)) * sign > 5.0, "{id}");
         }
-    }
-
-    #[test]
-    fn contraction_and_the_joint_of_a_clip_are_one_state() {
-        let mut session = clip();
-        assert_eq!((session.contraction(), session.bend().map(|bend| bend.range)), (None, Some(0.0..=150.0)));
-        session.new_muscle(biceps()).unwrap();
-        for (on_top, time) in [(false, 0.0), (true, 0.0), (true, 1.3)] {
-            session.set_on_top(on_top);
-            session.time(|cursor| cursor.seek(time));
-            session.set_contraction(60.0);
-            let (angle, contraction) = (session.joint_angle().unwrap(), session.contraction().unwrap());
-            assert!((contraction - 60.0).abs() < 1e-6, "{contraction}");
-            session.set_contraction(10.0);
-            let bend = session.bend().unwrap().value + angle - session.joint_angle().unwrap();
-            session.set_flexion(bend);
-            assert!((session.contraction().unwrap() - 60.0).abs() < 1e-6);
-        }
-        let turned = session.joint_angle();
-        session.set_on_top(false);
-        assert!((session.joint_angle().unwrap() - turned.unwrap()).abs() < 1e-6, "the pose stays");
-        session.release_joint();
-        assert_eq!(session.state().turn, None);
-    }
-
-    #[test]
-    fn the_slider_does_what_the_command_line_does() {
-        let mut session = clip();
-        let joint = session.document().joint().unwrap();
-        session.set_flexion(75.0);
-        assert_eq!(session.state().turn, Some(joint.at(75.0)));
-        session.set_on_top(true);
-        session.set_flexion(-20.0);
-        assert_eq!(session.state().turn, Some(joint.by(-20.0)));
-    }
-
-    #[test]
-    fn another_joint_turns_about_its_own_axis() {
-        let mut session = clip();
-        let hand = session.document().scene.graph.find("hand").unwrap();
-        session.choose_joint(Some((hand, super::super::JointAxis::Own(0))));
-        session.set_flexion(40.0);
-        assert!((session.joint_angle().unwrap() - 40.0).abs() < 1e-9);
-        assert_eq!(session.bend().unwrap().range, -150.0..=150.0);
-        session.choose_joint(None);
-        assert_eq!((session.state().turn, session.chosen_joint()), (None, None));
-    }
-
-    #[test]
-    fn ends_are_picked_one_after_the_other() {
-        let mut session = clip();
-        session.new_muscle(biceps()).unwrap();
-        let id = session.shown_muscle();
-        session.edit_muscle(id, &Edit::Ends(None), Step::New).unwrap();
-        let bones = session.display().bones;
-        let find = |session: &Session, name: &str| session.document().scene.graph.find(name).unwrap();
-        session.start_picking(id, 1);
-        assert_eq!(session.picking().map(|picking| picking.end), Some(0), "a muscle on its own needs an origin first");
-        session.pick_bone(find(&session, "upper_arm")).unwrap();
-        assert_eq!(session.picking().map(|picking| picking.end), Some(1));
-        session.pick_bone(find(&session, "hand")).unwrap();
-        assert!(session.picking().is_none() && session.display().bones == bones);
-        assert_eq!(ends(&session, id), [Some(find(&session, "upper_arm")), Some(find(&session, "hand"))]);
-        session.undo();
-        assert_eq!(ends(&session, id), [None, None]);
-        session.start_picking(id, 0);
-        assert!(session.stop_picking() && !session.stop_picking());
     }
 
     #[test]

@@ -234,3 +234,55 @@ pub fn bones(document: &Document) -> Vec<NodeId> {
     let joints = of_kind(NodeKind::Joint);
     if joints.is_empty() { of_kind(NodeKind::Node) } else { joints }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::session::tests::{biceps, clip};
+
+    #[test]
+    fn contraction_and_the_joint_of_a_clip_are_one_state() {
+        let mut session = clip();
+        assert_eq!((session.contraction(), session.bend().map(|bend| bend.range)), (None, Some(0.0..=150.0)));
+        session.new_muscle(biceps()).unwrap();
+        for (on_top, time) in [(false, 0.0), (true, 0.0), (true, 1.3)] {
+            session.set_on_top(on_top);
+            session.time(|cursor| cursor.seek(time));
+            session.set_contraction(60.0);
+            let (angle, contraction) = (session.joint_angle().unwrap(), session.contraction().unwrap());
+            assert!((contraction - 60.0).abs() < 1e-6, "{contraction}");
+            session.set_contraction(10.0);
+            let bend = session.bend().unwrap().value + angle - session.joint_angle().unwrap();
+            session.set_flexion(bend);
+            assert!((session.contraction().unwrap() - 60.0).abs() < 1e-6);
+        }
+        let turned = session.joint_angle();
+        session.set_on_top(false);
+        assert!((session.joint_angle().unwrap() - turned.unwrap()).abs() < 1e-6, "the pose stays");
+        session.release_joint();
+        assert_eq!(session.state().turn, None);
+    }
+
+    #[test]
+    fn the_slider_does_what_the_command_line_does() {
+        let mut session = clip();
+        let joint = session.document().joint().unwrap();
+        session.set_flexion(75.0);
+        assert_eq!(session.state().turn, Some(joint.at(75.0)));
+        session.set_on_top(true);
+        session.set_flexion(-20.0);
+        assert_eq!(session.state().turn, Some(joint.by(-20.0)));
+    }
+
+    #[test]
+    fn another_joint_turns_about_its_own_axis() {
+        let mut session = clip();
+        let hand = session.document().scene.graph.find("hand").unwrap();
+        session.choose_joint(Some((hand, JointAxis::Own(0))));
+        session.set_flexion(40.0);
+        assert!((session.joint_angle().unwrap() - 40.0).abs() < 1e-9);
+        assert_eq!(session.bend().unwrap().range, -150.0..=150.0);
+        session.choose_joint(None);
+        assert_eq!((session.state().turn, session.chosen_joint()), (None, None));
+    }
+}

@@ -1,7 +1,27 @@
 use super::*;
 use crate::animation::Clip;
+use crate::collada::Progress;
+use crate::muscle::Handhold;
+use crate::muscle::presets::Preset;
 use crate::scene::Node;
 use glam::DVec3;
+
+/// The demo's arm, whose elbow is the joint `forearm`.
+pub(super) fn clip() -> Session {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/configs/curl.dae");
+    Session::new(Document::open(&[path], &Progress::default()).unwrap())
+}
+
+/// A ready muscle that bends the elbow.
+pub(super) fn biceps() -> Preset {
+    Preset::by_id("biceps").unwrap()
+}
+
+/// The bones that a muscle's ends are on.
+pub(super) fn ends(session: &Session, id: MuscleId) -> [Option<NodeId>; 2] {
+    let (rig, index) = session.document().muscle(id).unwrap();
+    [0, 1].map(|end| rig.hold_bone(index, Handhold::End(end)))
+}
 
 fn two_clips() -> Document {
     let mut document = Document::default();
