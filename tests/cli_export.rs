@@ -112,6 +112,24 @@ fn wrong_targets_are_refused_and_nothing_is_lost() {
 }
 
 #[test]
+fn a_time_without_a_clip_means_the_clip_that_holds_it() {
+    let folder = folder();
+    let text = models::column();
+    let id = text.split("<animation id=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("an animation with an id");
+    let clip = |name: &str, start: f64, end: f64| {
+        format!("<animation_clip id=\"{name}\" start=\"{start}\" end=\"{end}\"><instance_animation url=\"#{id}\"/></animation_clip>")
+    };
+    let clips = format!("<library_animation_clips>{}{}</library_animation_clips><scene>", clip("early", 0.5, 0.75), clip("late", 1.0, 1.5));
+    let file = models::write(folder.path(), "clips.dae", &text.replace("<scene>", &clips));
+    // Between the two the nearer one's end holds.
+    for (time, degrees) in [("0.625", 11.25), ("1.25", 67.5), ("0.9", 45.0), ("0.8", 22.5), ("9", 90.0)] {
+        has_corner(&whole(&export(&file, &["--time", time])), models::column_top(10.0, 10.0, degrees));
+    }
+    let early = whole(&export(&file, &["--clip", "early", "--time", "1.25"]));
+    has_corner(&early, models::column_top(10.0, 10.0, 22.5));
+}
+
+#[test]
 fn a_file_without_a_surface_has_nothing_to_export() {
     let folder = folder();
     let bare = models::cube("").replace("<instance_geometry url=\"#cube\"/>", "");

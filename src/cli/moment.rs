@@ -7,6 +7,7 @@ use clap::ArgMatches;
 use super::failure::{Failure, display_name, notice};
 use super::value;
 use super::values::plain;
+use crate::animation::Clip;
 use crate::document::{Document, PoseState};
 use crate::muscle::Rig;
 use crate::scene::NodeKind;
@@ -40,7 +41,7 @@ impl Moment {
         self.angle.is_some() || self.contraction.is_some()
     }
 
-    /// The state that poses `document` so. A time outside the clip is held at its ends.
+    /// The state that poses `document` so. A time without a clip means the first clip that holds it, else the nearest; there the ends are held.
     ///
     /// # Errors
     /// [`Failure::Usage`] for a clip that the document has not, or an angle where nothing follows it.
@@ -56,6 +57,8 @@ impl Moment {
         if let Some(name) = &self.clip {
             let found = document.clips.iter().position(|clip| clip.name == *name).ok_or_else(|| unknown_clip(document, file, name))?;
             state.clip = Some(found);
+        } else if let (Some(time), Some(_)) = (self.time, state.clip) {
+            state.clip = clip_at(&document.clips, time).or(state.clip);
         }
         if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
             let kept = if self.clip.is_some() { clip.start } else { state.time };
@@ -92,6 +95,15 @@ impl Moment {
         }
         Ok(state)
     }
+}
+
+/// The first of the clips that are nearest to `time`, seconds: those of a file share one time axis.
+fn clip_at(clips: &[Clip], time: f64) -> Option<usize> {
+    let away = |clip: &Clip| (clip.start - time).max(time - clip.end).max(0.0);
+    (0..clips.len()).min_by(|a, b| {
+        let away = |index: &usize| clips.get(*index).map_or(f64::INFINITY, away);
+        away(a).total_cmp(&away(b))
+    })
 }
 
 fn nothing_to_bend(document: &Document, file: &Path) -> Failure {

@@ -265,6 +265,12 @@ fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curv
     if !context.spend(element, aim.targets.len().saturating_mul(size)) {
         return;
     }
+    // Keys of the whole value where one number of it is moved: that number is meant.
+    let part = aim.among.filter(|(index, of)| *of > 1 && curve.dimension == *of && index < of);
+    if part.is_some() && !context.spend(element, curve.times.len().saturating_mul(KEY_BYTES)) {
+        return;
+    }
+    let curve = &part.map_or_else(|| Arc::clone(curve), |(index, _)| Arc::new(curve.component(index)));
     let curve = match aim.line {
         Some((start, slope)) => Arc::new(curve.mapped(start, slope)),
         None => Arc::clone(curve),

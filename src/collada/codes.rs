@@ -18,8 +18,10 @@ codes! {
     BAD_UNIT = "bad-unit";
     /// The up axis is none of X_UP, Y_UP, Z_UP; Y_UP is used.
     BAD_UP_AXIS = "bad-up-axis";
-    /// Two elements have the same id; references mean the first one that fits.
+    /// Two elements have the same id; references mean the nearest one that fits.
     REPEATED_ID = "repeated-id";
+    /// A namespace prefix is used that nobody declares; it is passed over.
+    UNDECLARED_PREFIX = "undeclared-prefix";
     /// A reference names an element that is not in the file, or one of the wrong kind.
     BROKEN_REFERENCE = "broken-reference";
     /// A reference names another document, which is not loaded.

@@ -81,7 +81,7 @@ impl<'a> Context<'a> {
     pub fn resolve(&mut self, from: El<'a>, url: &str, tags: &[&str]) -> Option<El<'a>> {
         match self.lookup.url(url) {
             Url::Local(id) => {
-                let found = self.lookup.by_id(&id, tags);
+                let found = self.lookup.by_id_near(from, &id, tags);
                 if found.is_none() {
                     let message = match self.lookup.by_id(&id, &[]) {
                         Some(other) => tr!("collada-wrong-reference", target = shortened(url), tag = other.tag_name().name()),

@@ -70,6 +70,12 @@ impl<'a> Shortened<'a> {
         &self.text
     }
 
+    /// Has the parser read `text` instead, in which every byte has the place it had.
+    pub fn reword(&mut self, text: String) {
+        debug_assert_eq!(text.len(), self.text.len());
+        self.text = Cow::Owned(text);
+    }
+
     /// The list whose stand-in is at `at` in the short text.
     pub fn list_at(&self, at: usize) -> Option<&'a str> {
         let found = self.lists.binary_search_by_key(&at, |list| list.at).ok()?;

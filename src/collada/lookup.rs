@@ -1,7 +1,8 @@
 //! Finds elements by id and by scoped id, and takes urls apart.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
 
 use roxmltree::NodeId;
 
@@ -20,8 +21,10 @@ pub enum Url<'a> {
 pub struct Lookup<'a> {
     document: &'a roxmltree::Document<'a>,
     ids: HashMap<&'a str, NodeId>,
-    /// Later elements with an id that was taken, in document order.
-    repeats: HashMap<&'a str, Vec<NodeId>>,
+    /// Ids that several elements have.
+    several: HashSet<&'a str>,
+    /// All elements of one tag with an id that several elements have, in document order.
+    repeats: HashMap<(&'a str, &'a str), Vec<NodeId>>,
     /// Elements by scoped id, in document order.
     sids: HashMap<&'a str, Vec<NodeId>>,
     found: HashMap<(NodeId, String), Option<NodeId>>,
@@ -34,6 +37,7 @@ impl<'a> Lookup<'a> {
         let mut lookup = Self {
             document,
             ids: HashMap::new(),
+            several: HashSet::new(),
             repeats: HashMap::new(),
             sids: HashMap::new(),
             found: HashMap::new(),
@@ -50,7 +54,7 @@ impl<'a> Lookup<'a> {
             for attribute in element.attributes() {
                 match attribute.name() {
                     "id" if range.start < extra_end => later.push((attribute.value(), element.id())),
-                    "id" => lookup.add(attribute.value(), element.id()),
+                    "id" => lookup.add(attribute.value(), element),
                     "sid" => lookup.sids.entry(attribute.value()).or_default().push(element.id()),
                     _ => {}
                 }
@@ -62,37 +66,76 @@ impl<'a> Lookup<'a> {
         lookup
     }
 
-    fn add(&mut self, id: &'a str, element: NodeId) {
+    fn add(&mut self, id: &'a str, element: El<'a>) {
         match self.ids.entry(id) {
-            std::collections::hash_map::Entry::Vacant(free) => {
-                free.insert(element);
+            Entry::Vacant(free) => {
+                free.insert(element.id());
             }
-            std::collections::hash_map::Entry::Occupied(_) => self.repeats.entry(id).or_default().push(element),
+            Entry::Occupied(first) => {
+                let first = *first.get();
+                if self.several.insert(id)
+                    && let Some(first) = self.document.get_node(first)
+                {
+                    self.repeats.entry((id, first.tag_name().name())).or_default().push(first.id());
+                }
+                self.repeats.entry((id, element.tag_name().name())).or_default().push(element.id());
+            }
         }
     }
 
     /// Elements whose id was taken already.
     pub fn repeated(&self) -> Vec<El<'a>> {
-        let mut repeated: Vec<NodeId> = self.repeats.values().flatten().copied().collect();
+        let later = |((id, _), all): (&(&'a str, &'a str), &Vec<NodeId>)| {
+            let first = self.ids.get(id).copied();
+            all.iter().copied().filter(move |element| Some(*element) != first).collect::<Vec<_>>()
+        };
+        let mut repeated: Vec<NodeId> = self.repeats.iter().flat_map(later).collect();
         repeated.sort_unstable_by_key(|id| id.get());
         repeated.into_iter().filter_map(|id| self.document.get_node(id)).collect()
     }
 
     /// The first element with this id whose tag is one of `tags`; with no tags, the first at all. Tried as written, then percent-decoded.
     pub fn by_id(&self, id: &str, tags: &[&str]) -> Option<El<'a>> {
-        self.by_exact_id(id, tags).or_else(|| match percent_decoded(id) {
-            Cow::Owned(decoded) => self.by_exact_id(&decoded, tags),
+        self.decoded(id, |id| self.by_exact_id(id, tags))
+    }
+
+    /// [`Lookup::by_id`] as `from` means it: where several elements have the id, the one that shares the innermost element with `from`, the first
+    /// among equals. Files put together from others repeat the ids of sources; each mesh and each sampler means its own.
+    pub fn by_id_near(&self, from: El<'a>, id: &str, tags: &[&str]) -> Option<El<'a>> {
+        self.decoded(id, |id| {
+            let near =
+                || from.ancestors().find_map(|around| tags.iter().find_map(|tag| self.within(around, self.repeats.get(&(id, *tag))?)));
+            if self.several.contains(id) { near() } else { None }.or_else(|| self.by_exact_id(id, tags))
+        })
+    }
+
+    /// What `find` says to an id as written, else percent-decoded.
+    fn decoded(&self, id: &str, find: impl Fn(&str) -> Option<El<'a>>) -> Option<El<'a>> {
+        find(id).or_else(|| match percent_decoded(id) {
+            Cow::Owned(decoded) => find(&decoded),
             Cow::Borrowed(_) => None,
         })
     }
 
     fn by_exact_id(&self, id: &str, tags: &[&str]) -> Option<El<'a>> {
-        let first = self.ids.get(id)?;
-        let repeats = self.repeats.get(id).map_or(&[][..], Vec::as_slice);
-        std::iter::once(first)
-            .chain(repeats)
-            .filter_map(|id| self.document.get_node(*id))
-            .find(|element| tags.is_empty() || tags.contains(&element.tag_name().name()))
+        let first = self.ids.get(id).and_then(|id| self.document.get_node(*id))?;
+        if tags.is_empty() || tags.contains(&first.tag_name().name()) {
+            return Some(first);
+        }
+        let firsts = tags.iter().filter_map(|tag| self.repeats.get(&(id, *tag))?.first().copied());
+        firsts.min_by_key(|id| id.get()).and_then(|id| self.document.get_node(id))
+    }
+
+    /// The first of `all`, which are in document order, that is inside `around`.
+    fn within(&self, around: El<'a>, all: &[NodeId]) -> Option<El<'a>> {
+        let from = all.partition_point(|id| self.start(*id) <= around.range().start);
+        let found = all.get(from).filter(|id| self.start(**id) < around.range().end)?;
+        self.document.get_node(*found)
+    }
+
+    /// Where an element begins.
+    fn start(&self, id: NodeId) -> usize {
+        self.document.get_node(id).map_or(usize::MAX, |node| node.range().start)
     }
 
     /// Takes a url apart. A url that names this very file is local; one without `#` that is an id here is taken for one.
@@ -123,9 +166,8 @@ impl<'a> Lookup<'a> {
         }
         let range = element.range();
         let all = self.sids.get(sid).map_or(&[][..], Vec::as_slice);
-        let start = |id: &NodeId| self.document.get_node(*id).map_or(usize::MAX, |node| node.range().start);
-        let from = all.partition_point(|id| start(id) <= range.start);
-        let below = all.get(from..).unwrap_or_default().iter().take_while(|id| start(id) < range.end);
+        let from = all.partition_point(|id| self.start(*id) <= range.start);
+        let below = all.get(from..).unwrap_or_default().iter().take_while(|id| self.start(**id) < range.end);
         let nearest = below
             .filter_map(|id| self.document.get_node(*id))
             .min_by_key(|found| found.ancestors().take_while(|above| *above != element).count())

@@ -34,6 +34,7 @@ mod morph;
 mod morph_shape;
 mod nodes;
 mod numbers;
+mod prefixes;
 mod primitive;
 mod report;
 mod skin;
@@ -163,6 +164,10 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress,
     }
     if let Some(named) = &decoded.misfit {
         report.warn_file(codes::ENCODING, tr!("collada-encoding", named = named.as_str()));
+    }
+    for undeclared in &surveyed.undeclared {
+        let message = tr!("collada-undeclared-prefix", prefix = context::shortened(&undeclared.prefix));
+        report.note_at(parsed.lists.place(undeclared.at), codes::UNDECLARED_PREFIX, message);
     }
     let mut context = Context::new(&parsed, report, file_name, progress);
     context.advance(0.2)?;

@@ -99,7 +99,7 @@ impl<'a> Lists<'a> {
             return Ok(None);
         };
         let method = match element.attribute("method") {
-            Some("RELATIVE") => MorphMethod::Relative,
+            Some(method) if method.trim().eq_ignore_ascii_case("RELATIVE") => MorphMethod::Relative,
             _ => MorphMethod::Normalized,
         };
         let values = match weights {

@@ -178,7 +178,7 @@ impl<'a> Tree<'a> {
             for skeleton in children(instance.element, "skeleton") {
                 let text = text_of(skeleton);
                 let Url::Local(id) = context.lookup.url(&text) else { continue };
-                let Some(node) = context.lookup.by_id(&id, &["node"]) else { continue };
+                let Some(node) = context.lookup.by_id_near(skeleton, &id, &["node"]) else { continue };
                 if self.by_element.contains_key(&node.id()) {
                     continue;
                 }
@@ -227,6 +227,16 @@ impl<'a> Tree<'a> {
     /// The graph nodes that a `node` element became.
     pub fn nodes_of(&self, element: El<'_>) -> &[NodeId] {
         self.by_element.get(&element.id()).map_or(&[], Vec::as_slice)
+    }
+
+    /// The only `node` element that goes by `name` as its sid, else as its name.
+    pub fn only_element(&self, name: &str) -> Option<El<'a>> {
+        let only = |found: &Vec<NodeId>| {
+            let mut elements = found.iter().map(|node| self.elements.get(node.index()).copied().flatten());
+            let first = elements.next().flatten()?;
+            elements.all(|element| element == Some(first)).then_some(first)
+        };
+        [&self.sids, &self.names].into_iter().find_map(|map| map.get(name).and_then(only))
     }
 
     /// Operations of this node that stand before those of the file.

@@ -50,6 +50,18 @@ impl<'a> Report<'a> {
         self.add(Some(element), code, Severity::Note, message);
     }
 
+    /// Something that was put right at a byte of the whole document.
+    pub fn note_at(&mut self, at: usize, code: &'static str, message: String) {
+        self.findings.push(Finding {
+            code,
+            severity: Severity::Note,
+            file: String::new(),
+            line: Some(self.line_of(at)),
+            element: String::new(),
+            message,
+        });
+    }
+
     /// A warning about the file as a whole.
     pub fn warn_file(&mut self, code: &'static str, message: String) {
         self.add(None, code, Severity::Warning, message);

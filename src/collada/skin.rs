@@ -6,7 +6,7 @@ use glam::DMat4;
 
 use super::context::{Context, Step, child, name_of};
 use super::nodes::{Key, Tree};
-use super::source::{Arrays, NameKind, inputs, name_list};
+use super::source::{Arrays, Input, NameKind, inputs, name_list};
 use super::{El, codes};
 use crate::scene::{Graph, Influence, NodeId, Skin, SkinJoint};
 use crate::tr;
@@ -46,7 +46,8 @@ pub fn read<'a>(
         return Ok(None);
     };
     let Some(kind) = joints(context, arrays, tree, element, weights, &mut skin)? else { return Ok(None) };
-    influences(context, arrays, weights, points, &mut skin)?;
+    let order = own_order(context, element, weights, &skin);
+    influences(context, arrays, weights, points, order.as_deref(), &mut skin)?;
     Ok(Some((skin, JointNames { kind })))
 }
 
@@ -116,6 +117,29 @@ fn joints<'a>(
     Ok(Some(list.kind))
 }
 
+/// The joints of the skin in the order in which the weights count them, where they name a source of their own that has another order.
+fn own_order<'a>(context: &mut Context<'a>, element: El<'a>, weights: El<'a>, skin: &Skin) -> Option<Vec<i32>> {
+    let source = |inputs: &[Input<'a>]| {
+        let joint = inputs.iter().find(|input| input.semantic == "JOINT")?;
+        Some((joint.element, joint.element.attribute("source")?))
+    };
+    let (_, first) = source(&inputs(child(element, "joints")?))?;
+    let (from, own) = source(&inputs(weights)).filter(|(_, own)| *own != first)?;
+    let own = context.resolve(from, own, &["source"])?;
+    let list = name_list(context, own)?;
+    let mut places: HashMap<&str, i32> = HashMap::new();
+    for (place, joint) in (0..).zip(&skin.joints) {
+        places.entry(&joint.name).or_insert(place);
+    }
+    let names: Vec<String> = list.entries().map(ToOwned::to_owned).collect();
+    let names = match rejoin(&names, skin.joints.len(), |name| places.contains_key(name)) {
+        Some(joined) => joined,
+        None => names,
+    };
+    // A list that names others than the skin has is of no use: then the places are those of the skin.
+    names.iter().map(|name| places.get(name.as_str()).copied()).collect()
+}
+
 /// Names with blanks in them were cut at the blanks: puts `parts` together into `count` names so that as many as possible are known.
 ///
 /// Dynamic programming over (parts used, names made); the cost of a name is 0 where it is known, 1 for a single unknown part, and more than all of
@@ -175,7 +199,16 @@ fn rejoin(parts: &[String], count: usize, known: impl Fn(&str) -> bool) -> Optio
 }
 
 /// Reads the weights of all points.
-fn influences<'a>(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: El<'a>, points: usize, skin: &mut Skin) -> Step<()> {
+///
+/// With `order`, joint i of the weights is joint `order[i]` of the skin.
+fn influences<'a>(
+    context: &mut Context<'a>,
+    arrays: &mut Arrays<f64>,
+    element: El<'a>,
+    points: usize,
+    order: Option<&[i32]>,
+    skin: &mut Skin,
+) -> Step<()> {
     let inputs = inputs(element);
     let find = |semantic| inputs.iter().find(|input| input.semantic == semantic);
     let (joint_at, weight_at) = (find("JOINT").map(|input| input.offset), find("WEIGHT").map(|input| input.offset));
@@ -218,6 +251,10 @@ fn influences<'a>(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: 
             };
             let joint = pair.get(joint_at).copied().unwrap_or(i32::MIN);
             let weight = pair.get(weight_at).and_then(|index| usize::try_from(*index).ok()).and_then(|index| weights.get(index, 0));
+            let joint = match (order, usize::try_from(joint)) {
+                (Some(order), Ok(place)) => order.get(place).copied().unwrap_or(i32::MIN),
+                _ => joint,
+            };
             let known = joint == -1 || usize::try_from(joint).is_ok_and(|joint| joint < skin.joints.len());
             match weight {
                 Some(weight) if known && weight.is_finite() => {
@@ -290,6 +327,8 @@ impl JointFinder<'_, '_> {
             NameKind::SidRef => self.path(name),
         }
         .or_else(|| anywhere(Key::Name))
+        // Some write references as urls.
+        .or_else(|| name.strip_prefix('#').map(|id| id.trim_start_matches('#')).and_then(|id| self.find(id, NameKind::IdRef)))
     }
 
     /// `id/sid/sid`, or a lone sid.

@@ -12,6 +12,9 @@ use super::nodes::{Tree, is_transform};
 use crate::animation::{Lane, MaterialSlot, Target};
 use crate::scene::MorphId;
 
+/// Most slashes that an id in an address may have.
+const MOST_SLASHES: usize = 16;
+
 /// What a channel moves, and what its keys have to be like.
 #[derive(Debug)]
 pub struct Aim {
@@ -25,6 +28,14 @@ pub struct Aim {
     pub line: Option<(f64, f64)>,
     /// What keys of one number mean where more are asked for: the angle of a rotation.
     pub lone: Option<Lane>,
+    /// Where one number is moved: which of how many it is, for keys that hold the whole value all the same.
+    pub among: Option<(usize, usize)>,
+}
+
+impl Aim {
+    fn new(targets: Vec<Target>, wanted: usize) -> Self {
+        Self { targets, wanted, matrix: false, line: None, lone: None, among: None }
+    }
 }
 
 /// Why a channel moves nothing.
@@ -93,7 +104,7 @@ impl<'s, 'a> Aims<'s, 'a> {
         {
             let light = self.lights.light_of(light).ok_or(Miss::Unsupported)?;
             let (lane, wanted) = lane(&member, 3).ok_or(Miss::Unknown)?;
-            return Ok(Aim { targets: vec![Target::LightColor { light, lane }], wanted, matrix: false, line: None, lone: None });
+            return Ok(Aim { among: among(lane, wanted, 3), ..Aim::new(vec![Target::LightColor { light, lane }], wanted) });
         }
         Err(Miss::Unsupported)
     }
@@ -120,7 +131,20 @@ impl<'s, 'a> Aims<'s, 'a> {
                 return Some(found);
             }
         }
-        None
+        // An id with slashes in it.
+        let mut id = first.to_owned();
+        for (taken, step) in middle.iter().enumerate().take(MOST_SLASHES) {
+            id.push('/');
+            id.push_str(step);
+            if let Some(start) = context.lookup.by_id(&id, &["node"])
+                && let Some(found) = self.below(context, start, middle.get(taken + 1..).unwrap_or_default(), last)
+            {
+                return Some(found);
+            }
+        }
+        // A node that the file calls by its sid or its name, where only one goes by it.
+        let start = self.tree.only_element(first)?;
+        self.below(context, start, middle, last)
     }
 
     fn below(&self, context: &mut Context<'a>, start: El<'a>, middle: &[&str], last: &str) -> Option<(El<'a>, Member, bool)> {
@@ -139,8 +163,9 @@ impl<'s, 'a> Aims<'s, 'a> {
         if self.morphs.contains_key(&element.id()) {
             return Some((element, member, true));
         }
-        // Without a sid the tag of the only transform of its kind will do.
-        let mut same = element.children().filter(|child| is_transform(sid) && child.tag_name().name() == sid);
+        // Without a sid the tag of the only transform of its kind will do, and `transform`, as most exporters call it, for the only matrix.
+        let tag = if sid == "transform" { "matrix" } else { sid };
+        let mut same = element.children().filter(|child| is_transform(tag) && child.tag_name().name() == tag);
         match (same.next(), same.next()) {
             (Some(only), None) => Some((only, member, false)),
             _ => None,
@@ -154,7 +179,8 @@ impl<'s, 'a> Aims<'s, 'a> {
             Member::All if count > 0 => ((0..count as u32).map(|target| Target::MorphWeight { morph, target }).collect(), count),
             _ => return Err(Miss::Unknown),
         };
-        Ok(Aim { targets, wanted, matrix: false, line: None, lone: None })
+        let among = if let Member::Index(index) = member { Some((*index, count)) } else { None };
+        Ok(Aim { among, ..Aim::new(targets, wanted) })
     }
 
     fn transform(&self, node: El<'a>, element: El<'a>, member: &Member) -> Result<Aim, Miss> {
@@ -183,13 +209,18 @@ impl<'s, 'a> Aims<'s, 'a> {
         }
         let lone = (tag == "rotate" && wanted == 4).then_some(Lane::Component(3));
         let target = |node: &crate::scene::NodeId| Target::Transform { node: *node, op: place + self.tree.lead(*node), lane };
-        Ok(Aim { targets: nodes.iter().map(target).collect(), wanted, matrix: wanted == 16, line: None, lone })
+        let among = match lane {
+            // Keys that hold whole matrices go row by row, as the text does.
+            Lane::Component(cell) if tag == "matrix" => Some((usize::from(cell % 4 * 4 + cell / 4), 16)),
+            lane => among(lane, wanted, size),
+        };
+        Ok(Aim { matrix: wanted == 16, lone, among, ..Aim::new(nodes.iter().map(target).collect(), wanted) })
     }
 
     fn material(&self, effect: El<'a>, element: El<'a>, member: &Member) -> Result<Aim, Miss> {
         let made = self.materials.made_by(effect);
         let owner = element.ancestors().find(|above| above.tag_name().name() == "newparam");
-        let (mut targets, mut wanted, mut line) = (Vec::new(), 0, None);
+        let (mut targets, mut wanted, mut line, mut part) = (Vec::new(), 0, None, None);
         for made in made {
             let slot = match owner {
                 Some(param) => param.attribute("sid").and_then(|sid| made.effect.slot_of_param(sid)),
@@ -199,14 +230,14 @@ impl<'s, 'a> Aims<'s, 'a> {
             let size = if matches!(slot, MaterialSlot::Shininess | MaterialSlot::Opacity) { 1 } else { 4 };
             // The alpha of a colour is read and dropped.
             let (lane, numbers) = lane(member, size).ok_or(Miss::Unknown)?;
-            wanted = numbers;
+            (wanted, part) = (numbers, among(lane, numbers, size));
             if slot == MaterialSlot::Opacity {
                 slot = made.opacity.slot;
                 line = Some(made.opacity.line);
             }
             targets.push(Target::Material { material: made.material, slot, lane });
         }
-        if targets.is_empty() { Err(Miss::Unsupported) } else { Ok(Aim { targets, wanted, matrix: false, line, lone: None }) }
+        if targets.is_empty() { Err(Miss::Unsupported) } else { Ok(Aim { line, among: part, ..Aim::new(targets, wanted) }) }
     }
 }
 
@@ -220,6 +251,14 @@ fn slot_of(tag: &str) -> Option<MaterialSlot> {
         "transparency" => MaterialSlot::Opacity,
         _ => return None,
     })
+}
+
+/// [`Aim::among`] for one number of a value of `size`.
+fn among(lane: Lane, wanted: usize, size: usize) -> Option<(usize, usize)> {
+    match lane {
+        Lane::Component(index) if wanted == 1 && size > 1 => Some((usize::from(index), size)),
+        _ => None,
+    }
 }
 
 /// The lane of a member in a value of `size` numbers, and how many numbers its keys have.

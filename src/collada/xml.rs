@@ -9,6 +9,7 @@ use memchr::{memchr, memchr_iter, memchr3, memmem};
 
 use super::ReadError;
 use super::lists::{LONG, Shortened, holds_list, is_plain};
+use super::prefixes::{self, Undeclared};
 use crate::{limits, tr};
 
 /// What the tree takes per node and per attribute, bytes: sizes in roxmltree 0.21, rounded up.
@@ -34,6 +35,8 @@ struct Survey {
 pub struct Surveyed<'a> {
     /// The document without its long lists.
     pub shortened: Shortened<'a>,
+    /// Prefixes that were taken out because nobody declares them.
+    pub undeclared: Vec<Undeclared>,
     /// What tree and scene may take together, bytes, and what of it the tree takes.
     budget: usize,
     tree: usize,
@@ -86,7 +89,16 @@ pub fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, ReadErro
     }
     // An entity could stand for the end of a list.
     let lists = if survey.entities > 0 { Vec::new() } else { std::mem::take(&mut survey.lists) };
-    Ok(Surveyed { shortened: Shortened::new(text, lists), budget, tree })
+    let mut shortened = Shortened::new(text, lists);
+    let mut undeclared = Vec::new();
+    // Nor is the text of an entity looked at.
+    if survey.entities == 0
+        && let Some((mended, found)) = prefixes::without(shortened.text(), &survey.prefixes, limits::XML_PREFIXES)
+    {
+        shortened.reword(mended);
+        undeclared = found;
+    }
+    Ok(Surveyed { shortened, undeclared, budget, tree })
 }
 
 /// How many numbers a text holds at most: words that blanks stand before.
@@ -104,7 +116,7 @@ pub fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<Parsed<'a>, ReadError> {
     let options = || roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
     let (short, whole) = (surveyed.shortened.text(), surveyed.shortened.whole());
     let document = roxmltree::Document::parse_with_options(short, options()).map_err(|error| {
-        // The whole document has the same fault, at the place where the user will find it.
+        // The whole document has the same fault, or that of a prefix, at the place where the user will find it.
         refused(&roxmltree::Document::parse_with_options(whole, options()).err().unwrap_or(error), whole)
     })?;
     Ok(Parsed { document, lists: &surveyed.shortened, budget: surveyed.budget - surveyed.tree })

@@ -217,6 +217,87 @@ fn a_transform_without_a_sid_is_found_by_its_tag() {
 }
 
 #[test]
+fn the_usual_name_of_a_matrix_finds_the_only_one() {
+    let text = |matrices: &str| {
+        let keys: Vec<DMat4> = [0.0, 4.0].map(|x| DMat4::from_translation(DVec3::X * x)).into();
+        document(&(animations(&keyed(&keys, "n/transform")) + &scene(&format!("<node id=\"n\" name=\"n\">{matrices}</node>"))))
+    };
+    let matrix = "<matrix>1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1</matrix>";
+    let loaded = load_clean(&text(matrix));
+    assert_eq!(op(&loaded, 0, 0.5), TransformOp::Matrix(DMat4::from_translation(DVec3::X * 2.0)));
+    // Of two nobody knows which.
+    assert_eq!(codes(&load(&text(&matrix.repeat(2)))), ["unknown-target"]);
+}
+
+/// An animation of whole matrices at 0 s and 1 s.
+fn keyed(keys: &[DMat4], target: &str) -> String {
+    format!(
+        "<animation id=\"k\">{}{}<sampler id=\"k-s\"><input semantic=\"INPUT\" source=\"#k-t\"/><input semantic=\"OUTPUT\" source=\"#k-v\"/></sampler>\
+         <channel source=\"#k-s\" target=\"{target}\"/></animation>",
+        floats("k-t", "TIME", "0 1"),
+        matrices("k-v", keys)
+    )
+}
+
+#[test]
+fn nodes_are_addressed_by_sid_or_name_where_no_id_fits_and_only_one_goes_by_it() {
+    let nodes = |third: &str| {
+        format!(
+            "<node id=\"i\" name=\"n\" sid=\"hip\"><translate sid=\"t\">0 0 0</translate></node>\
+             <node id=\"j\" sid=\"foot\" name=\"Left Foot\"><translate sid=\"t\">0 0 0</translate></node>{third}"
+        )
+    };
+    let text = |target: &str, third: &str| {
+        document(&(animations(&animation("a", target, "0 1", "X", "0 10", "LINEAR LINEAR")) + &scene(&nodes(third))))
+    };
+    for target in ["hip/t.X", "n/t.X"] {
+        assert_eq!(op(&load_clean(&text(target, "")), 0, 0.5), TransformOp::Translate(DVec3::X * 5.0), "{target}");
+    }
+    assert_eq!(load_clean(&text("Left Foot/t.X", "")).clips[0].channels.len(), 1);
+    // An id goes first, and what two go by is nobody's.
+    let other = "<node id=\"hip\" name=\"other\"><translate sid=\"t\">0 0 0</translate></node>";
+    assert_eq!(op(&load_clean(&text("hip/t.X", other)), 0, 0.5), TransformOp::Translate(DVec3::ZERO));
+    let twin = "<node id=\"k\" sid=\"hip\" name=\"twin\"><translate sid=\"t\">0 0 0</translate></node>";
+    assert_eq!(codes(&load(&text("hip/t.X", twin))), ["unknown-target"]);
+}
+
+#[test]
+fn ids_may_have_slashes_in_them() {
+    let nodes = "<node id=\"arm/left/low\" name=\"n\"><translate sid=\"t\">0 0 0</translate><node sid=\"hand\"><scale sid=\"s\">1 1 1</scale></node></node>";
+    for (target, moved) in [("arm/left/low/t.X", 5.0), ("arm/left/low/hand/s.X", 0.0)] {
+        let keys = animation("a", target, "0 1", "X", "0 10", "LINEAR LINEAR");
+        let loaded = load_clean(&document(&(animations(&keys) + &scene(nodes))));
+        assert_eq!(op(&loaded, 0, 0.5), TransformOp::Translate(DVec3::X * moved), "{target}");
+    }
+}
+
+#[test]
+fn keys_of_a_whole_value_give_the_one_number_that_is_addressed() {
+    for (target, params, values, index, wanted) in [
+        ("n/t.Y", "X Y Z", "7 0 8 9 10 11", 0, TransformOp::Translate(DVec3::new(1.0, 5.0, 3.0))),
+        ("n/r.ANGLE", "X Y Z ANGLE", "0 0 1 20 0 0 1 40", 1, TransformOp::Rotate { axis: DVec3::Z, angle: 30.0 }),
+        ("n/s(2)", "X Y Z", "7 7 0 9 9 10", 2, TransformOp::Scale(DVec3::new(1.0, 1.0, 5.0))),
+    ] {
+        let loaded = load_clean(&moved(&animation("a", target, "0 1", params, values, "LINEAR LINEAR")));
+        assert_eq!(op(&loaded, index, 0.5), wanted, "{target}");
+    }
+    // Matrices go row by row: column 3, row 0 is number 3.
+    let keys = [2.0, 4.0].map(|x| DMat4::from_translation(DVec3::new(x, 9.0, 9.0)));
+    for target in ["n/m(3)(0)", "n/m(3)"] {
+        let loaded = load_clean(&moved(&keyed(&keys, target)));
+        assert_eq!(op(&loaded, 3, 0.5), TransformOp::Matrix(DMat4::from_translation(DVec3::X * 3.0)), "{target}");
+    }
+}
+
+#[test]
+fn each_sampler_means_the_sources_of_its_own_animation_where_ids_repeat() {
+    let one = |target: &str, values: &str| animation("a", target, "0 1", "X", values, "LINEAR LINEAR");
+    let loaded = load(&moved(&(one("n/t.X", "0 10") + &one("n/t.Y", "20 30"))));
+    assert!(codes(&loaded).iter().all(|code| *code == "repeated-id"), "{:?}", codes(&loaded));
+    assert_eq!(op(&loaded, 0, 0.5), TransformOp::Translate(DVec3::new(5.0, 25.0, 3.0)));
+}
+
+#[test]
 fn every_instance_of_a_node_moves() {
     let library = "<library_nodes><node id=\"p\"><translate sid=\"t\">0 0 0</translate></node></library_nodes>";
     let text = document(

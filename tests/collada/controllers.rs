@@ -48,11 +48,13 @@ fn normalized_and_relative_targets_become_deltas() {
     assert_eq!(read.targets[1].position_deltas, [Vec3::ZERO, Vec3::X, Vec3::ZERO]);
     assert_eq!(read.targets[1].normal_deltas, [Vec3::ZERO; 3]);
     assert_eq!(read.targets[0].name, "high");
-    // A relative target is the delta itself.
-    let loaded = load_clean(&with(&morph("m", "g", " method=\"RELATIVE\"", "wide", "1"), "m", ""));
-    let read = &loaded.scene.morphs[0];
-    assert_eq!(read.method, MorphMethod::Relative);
-    assert_eq!(read.targets[0].position_deltas, [Vec3::ZERO, Vec3::X * 2.0, Vec3::Y]);
+    // A relative target is the delta itself, however the word is written.
+    for method in [" method=\"RELATIVE\"", " method=\"relative\""] {
+        let loaded = load_clean(&with(&morph("m", "g", method, "wide", "1"), "m", ""));
+        let read = &loaded.scene.morphs[0];
+        assert_eq!(read.method, MorphMethod::Relative);
+        assert_eq!(read.targets[0].position_deltas, [Vec3::ZERO, Vec3::X * 2.0, Vec3::Y]);
+    }
     // The shapes are not drawn themselves.
     assert_eq!(loaded.scene.meshes.len(), 1);
 }

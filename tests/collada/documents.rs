@@ -29,6 +29,19 @@ fn any_namespace_prefix_will_do() {
 }
 
 #[test]
+fn prefixes_that_nobody_declares_are_passed_over() {
+    let text = document(&shown())
+        .replace("<COLLADA ", "<COLLADA xsi:schemaLocation=\"a b:c\" ")
+        .replace("<library_geometries>", "<library_geometries>\n<extra><my:thing my:kind=\"x\"/></extra>");
+    let loaded = load(&text);
+    assert_eq!(codes(&loaded), ["undeclared-prefix", "undeclared-prefix"]);
+    let line_of = |what: &str| text.get(..text.find(what).unwrap_or_default()).map(|before| before.lines().count() as u32);
+    let lines: Vec<Option<u32>> = loaded.findings.iter().map(|finding| finding.line).collect();
+    assert_eq!(lines, [line_of("xsi:"), line_of("my:thing")]);
+    assert_eq!(mesh(&loaded).triangles.len(), 1);
+}
+
+#[test]
 fn marks_utf16_and_windows_line_ends_change_nothing() {
     let text = document(&shown()).replace("name=\"n\"", "name=\"Schräg и криво\"");
     let wanted = corners(mesh(&load_clean(&text)));

@@ -226,3 +226,15 @@ fn a_mesh_is_read_once_however_often_it_stands_in_the_scene() {
     ));
     assert_eq!((loaded.scene.meshes.len(), instances(&loaded).len()), (1, 3));
 }
+
+#[test]
+fn each_mesh_means_its_own_sources_where_ids_repeat() {
+    let one = |points: &str| geometry("g", points, &triangles("g", "0 1 2"));
+    let both = one("0 0 0 1 0 0 0 1 0").replace("geometry id=\"g\"", "geometry id=\"first\"")
+        + &one("0 0 0 3 0 0 0 3 0").replace("geometry id=\"g\"", "geometry id=\"second\"");
+    let nodes = "<node><instance_geometry url=\"#first\"/></node><node><instance_geometry url=\"#second\"/></node>";
+    let loaded = load(&document(&(geometries(&both) + &scene(nodes))));
+    assert!(codes(&loaded).iter().all(|code| *code == "repeated-id"), "{:?}", codes(&loaded));
+    let areas: Vec<f32> = loaded.scene.meshes.iter().map(|mesh| area(mesh)).collect();
+    assert_eq!(areas, [0.5, 4.5]);
+}

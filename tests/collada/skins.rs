@@ -267,3 +267,32 @@ fn without_a_bind_shape_matrix_the_mesh_stands_as_it_is() {
     let loaded = load_clean(&(text[..from].to_owned() + &text[to..]));
     assert_eq!(loaded.scene.skins[0].bind_shape, DMat4::IDENTITY);
 }
+
+#[test]
+fn weights_count_the_joints_of_their_own_source() {
+    // The joints are a and b; the weights call b the first and a the second.
+    let own = names("k", "Name_array", "JOINT", "b a");
+    let text = PLAIN.text(&(BONES.to_owned() + USE));
+    let at = text.find("<vertex_weights").unwrap_or_default();
+    let (before, after) = text.split_at(at);
+    let text = format!("{before}{own}{}", after.replacen("source=\"#j\"", "source=\"#k\"", 1));
+    let loaded = load_clean(&text);
+    let skin = &loaded.scene.skins[0];
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    assert_eq!(skin.influences_of(0), [Influence { joint: 1, weight: 1.0 }]);
+    assert_eq!(skin.influences_of(2), [Influence { joint: 0, weight: 1.0 }]);
+    // Names that the skin has not are of no use: its own order holds.
+    let loaded = load_clean(&text.replace(">b a<", ">b x<"));
+    assert_eq!(loaded.scene.skins[0].influences_of(0), [Influence { joint: 0, weight: 1.0 }]);
+}
+
+#[test]
+fn joints_written_as_urls_are_found() {
+    for (tag, written) in [("Name_array", "#A #B"), ("IDREF_array", "#A #B")] {
+        let loaded = load_clean(&Skin { tag, joints: written, ..PLAIN }.text(&(BONES.to_owned() + USE)));
+        assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]), "{tag}");
+    }
+    let signs = "#".repeat(1_000_000);
+    let loaded = load(&Skin { joints: &format!("a {signs}"), ..PLAIN }.text(&(BONES.to_owned() + USE)));
+    assert_eq!(codes(&loaded), ["joint-not-found"]);
+}
