@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering;
 
 use glam::DVec3;
 
+use super::ahead::Ahead;
 use super::lists::Shortened;
 use super::lookup::{Lookup, Url};
 use super::numbers::{Comma, Parsed, Real, integers, reals};
@@ -25,6 +26,7 @@ pub struct Context<'a> {
     /// The findings.
     pub report: Report<'a>,
     lists: &'a Shortened<'a>,
+    ahead: &'a Ahead<'a>,
     progress: &'a Progress,
     /// Bytes that may still be made out of references, which cost the file little.
     budget: usize,
@@ -32,14 +34,15 @@ pub struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    /// A context for a document that was parsed.
-    pub fn new(parsed: &'a Tree<'a>, report: Report<'a>, file_name: &str, progress: &'a Progress) -> Self {
+    /// A context for a document that was parsed and of which some lists may be read `ahead`.
+    pub fn new(parsed: &'a Tree<'a>, ahead: &'a Ahead<'a>, report: Report<'a>, file_name: &str, progress: &'a Progress) -> Self {
         let document = &parsed.document;
         Self {
             root: document.root_element(),
             lookup: Lookup::new(document, file_name),
             report,
             lists: parsed.lists,
+            ahead,
             progress,
             budget: parsed.budget,
             said_budget: false,
@@ -117,8 +120,10 @@ impl<'a> Context<'a> {
     /// # Errors
     /// Where decimal commas stand in the list.
     pub fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> Step<Vec<T>> {
-        let text = self.list_of(element);
-        let parsed = reals(&text, expected);
+        let parsed = match self.ahead.take(element.id()) {
+            Some(list) => list.map(Parsed::into_reals),
+            None => reals(&self.list_of(element), expected),
+        };
         self.checked(element, parsed)
     }
 

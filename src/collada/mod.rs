@@ -16,6 +16,7 @@
 //!
 //! A part that is broken is left out with a [`Finding`]; reading ends early only for what makes the whole file useless.
 
+mod ahead;
 mod animation;
 mod archive;
 mod asset;
@@ -54,6 +55,7 @@ use crate::health::Finding;
 use crate::scene::Scene;
 use crate::{limits, tr};
 
+use ahead::Ahead;
 use context::Context;
 use controller::Controllers;
 use geometry::Geometries;
@@ -169,9 +171,10 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress,
         let message = tr!("collada-undeclared-prefix", prefix = context::shortened(&undeclared.prefix));
         report.note_at(parsed.lists.place(undeclared.at), codes::UNDECLARED_PREFIX, message);
     }
-    let mut context = Context::new(&parsed, report, file_name, progress);
+    let ahead = Ahead::of(root, parsed.lists);
+    let mut context = Context::new(&parsed, &ahead, report, file_name, progress);
     context.advance(0.2)?;
-    assemble(&mut context, name)
+    ahead.while_doing(|| assemble(&mut context, name))
 }
 
 /// Reads the libraries in the order in which they need each other.

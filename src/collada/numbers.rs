@@ -23,17 +23,35 @@ pub struct Comma {
 pub trait Real: Copy {
     /// The nearest value.
     fn from_f64(value: f64) -> Self;
+
+    /// The nearest values.
+    fn all_from_f64(values: Vec<f64>) -> Vec<Self>;
 }
 
 impl Real for f32 {
     fn from_f64(value: f64) -> Self {
         value as Self
     }
+
+    fn all_from_f64(values: Vec<f64>) -> Vec<Self> {
+        values.into_iter().map(Self::from_f64).collect()
+    }
 }
 
 impl Real for f64 {
     fn from_f64(value: f64) -> Self {
         value
+    }
+
+    fn all_from_f64(values: Vec<f64>) -> Vec<Self> {
+        values
+    }
+}
+
+impl Parsed<f64> {
+    /// The same as another number type.
+    pub fn into_reals<T: Real>(self) -> Parsed<T> {
+        Parsed { values: T::all_from_f64(self.values), bad: self.bad, first_bad: self.first_bad }
     }
 }
 

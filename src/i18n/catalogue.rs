@@ -32,25 +32,22 @@ impl Language {
         }
     }
 
-    fn files(self) -> &'static [&'static str] {
+    /// The files of the catalogue: what they are called and what is in them.
+    fn files(self) -> &'static [(&'static str, &'static str); FILES] {
         macro_rules! files {
-            ($language:literal) => {
-                &[
-                    include_str!(concat!("../../resources/locales/", $language, "/app.ftl")),
-                    include_str!(concat!("../../resources/locales/", $language, "/cli.ftl")),
-                    include_str!(concat!("../../resources/locales/", $language, "/collada.ftl")),
-                    include_str!(concat!("../../resources/locales/", $language, "/document.ftl")),
-                    include_str!(concat!("../../resources/locales/", $language, "/muscle.ftl")),
-                    include_str!(concat!("../../resources/locales/", $language, "/render.ftl")),
-                ]
+            ($language:literal: $($name:literal),*) => {
+                &[$(($name, include_str!(concat!("../../resources/locales/", $language, "/", $name, ".ftl")))),*]
             };
         }
         match self {
-            Self::English => files!("en"),
-            Self::Russian => files!("ru"),
+            Self::English => files!("en": "cli", "render", "document", "collada", "muscle", "app"),
+            Self::Russian => files!("ru": "cli", "render", "document", "collada", "muscle", "app"),
         }
     }
 }
+
+/// Number of files in the catalogue.
+const FILES: usize = 6;
 
 type Bundle = FluentBundle<FluentResource>;
 
@@ -89,26 +86,33 @@ fn from_environment() -> Language {
         .map_or(Language::English, |name| Language::from_locale(&name))
 }
 
-fn bundle(language: Language) -> &'static Bundle {
-    static ENGLISH: OnceLock<Bundle> = OnceLock::new();
-    static RUSSIAN: OnceLock<Bundle> = OnceLock::new();
-    let slot = match language {
+/// One file of the catalogue, parsed when it is first asked for: a command needs few of them, and all together would take a good part of its start.
+fn bundle(language: Language, file: usize) -> Option<&'static Bundle> {
+    static ENGLISH: [OnceLock<Bundle>; FILES] = [const { OnceLock::new() }; FILES];
+    static RUSSIAN: [OnceLock<Bundle>; FILES] = [const { OnceLock::new() }; FILES];
+    let slots = match language {
         Language::English => &ENGLISH,
         Language::Russian => &RUSSIAN,
     };
-    slot.get_or_init(|| {
+    let (slot, (_, text)) = (slots.get(file)?, language.files().get(file)?);
+    Some(slot.get_or_init(|| {
         let mut bundle = Bundle::new_concurrent(vec![language.id()]);
         // Isolation marks are for mixed-direction text; on a terminal they are noise.
         bundle.set_use_isolating(false);
         // The function NUMBER; to add it fails only where it is there already.
         let _ = bundle.add_builtins();
-        for text in language.files() {
-            // A syntax slip loses its message only; the catalogue test refuses it.
-            let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|(partial, _)| partial);
-            bundle.add_resource_overriding(resource);
-        }
+        // A syntax slip loses its message only; the catalogue test refuses it.
+        let resource = FluentResource::try_new((*text).to_owned()).unwrap_or_else(|(partial, _)| partial);
+        bundle.add_resource_overriding(resource);
         bundle
-    })
+    }))
+}
+
+/// The files in which `key` may stand: first the one that its first word names.
+fn files_for(key: &str) -> impl Iterator<Item = usize> {
+    let word = key.split('-').next().unwrap_or_default();
+    let named = Language::English.files().iter().position(|(name, _)| *name == word);
+    named.into_iter().chain((0..FILES).filter(move |file| Some(*file) != named))
 }
 
 /// The message `key` in the present language with `arguments` filled in. Prefer the macro [`tr!`](crate::tr).
@@ -117,8 +121,10 @@ pub fn message(key: &str, arguments: &[(&str, FluentValue<'_>)]) -> String {
 }
 
 fn lookup(language: Language, key: &str, arguments: &[(&str, FluentValue<'_>)]) -> Option<String> {
-    let bundle = bundle(language);
-    let pattern = bundle.get_message(key)?.value()?;
+    let (bundle, pattern) = files_for(key).find_map(|file| {
+        let bundle = bundle(language, file)?;
+        Some((bundle, bundle.get_message(key)?.value()?))
+    })?;
     let mut given = FluentArgs::with_capacity(arguments.len());
     for (name, value) in arguments {
         given.set(*name, value.clone());
@@ -134,7 +140,7 @@ mod tests {
 
     fn keys(language: Language) -> BTreeSet<String> {
         let mut keys = BTreeSet::new();
-        for text in language.files() {
+        for (_, text) in language.files() {
             assert!(FluentResource::try_new((*text).to_owned()).is_ok(), "a catalogue file of {language:?} has a syntax error");
             for line in text.lines() {
                 if let Some((key, _)) = line.split_once(" =")
@@ -152,6 +158,16 @@ mod tests {
         let (english, russian) = (keys(Language::English), keys(Language::Russian));
         assert_eq!(english.difference(&russian).collect::<Vec<_>>(), Vec::<&String>::new(), "missing in Russian");
         assert_eq!(russian.difference(&english).collect::<Vec<_>>(), Vec::<&String>::new(), "missing in English");
+    }
+
+    #[test]
+    fn every_message_is_found_wherever_it_stands() {
+        for language in Language::ALL {
+            for key in keys(language) {
+                assert!(lookup(language, &key, &[]).is_some(), "{key}");
+            }
+        }
+        assert_eq!(lookup(Language::English, "nobody-says-this", &[]), None);
     }
 
     #[test]
