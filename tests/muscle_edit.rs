@@ -47,13 +47,20 @@ fn what_makes_no_muscle_is_refused_and_the_file_stays() {
     assert_eq!(refused(Edit::End(0, here)), EditError::EndsCoincide);
     assert_eq!(refused(Edit::End(0, anchor("hand", 0.0))), EditError::ArmBone("hand".to_owned()));
     assert_eq!(refused(Edit::End(1, anchor("forearm", f64::NAN))), EditError::Offset);
-    assert_eq!(refused(Edit::Via(vec![anchor("forearm", 0.0); 9])), EditError::TooManyVia(9));
+    let mut full = file.clone();
+    full.muscles[0].via = vec![anchor("forearm", 0.0); 8];
+    assert_eq!(full.edited(0, &Edit::AddVia(3, anchor("forearm", 0.0))).unwrap_err(), EditError::TooManyVia(9));
+    for edit in [Edit::Via(0, anchor("forearm", 0.0)), Edit::DeleteVia(0), Edit::SwapVia(0)] {
+        assert_eq!(refused(edit), EditError::NoVia(0));
+    }
+    assert_eq!(full.edited(0, &Edit::SwapVia(7)).unwrap_err(), EditError::NoVia(7));
+    assert_eq!(refused(Edit::AddVia(0, anchor("hand", 0.0))), EditError::ArmBone("hand".to_owned()));
     let wrap = Wrap { center: anchor("upper arm", -330.0), radius: 0.0, side: DVec3::X };
     assert_eq!(refused(Edit::Wrap(Some(wrap))), EditError::Wrap);
     assert_eq!(file.edited(2, &Edit::DeleteNode(0)).unwrap_err(), EditError::NoMuscle(2));
     let alone = file.edited(0, &Edit::Ends(None)).unwrap();
     assert!(alone.muscles[0].wrap.is_none());
-    assert_eq!(alone.edited(0, &Edit::Via(vec![anchor("forearm", 0.0)])).unwrap_err(), EditError::NoEnds);
+    assert_eq!(alone.edited(0, &Edit::AddVia(0, anchor("forearm", 0.0))).unwrap_err(), EditError::NoEnds);
     assert_eq!(alone.edited(0, &Edit::End(0, anchor("forearm", 0.0))).unwrap_err(), EditError::NoEnds);
     let one = file.without_muscle(0).unwrap();
     assert_eq!((one.without_muscle(0).unwrap_err(), one.without_muscle(1).unwrap_err()), (EditError::Count, EditError::NoMuscle(1)));

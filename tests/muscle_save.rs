@@ -134,6 +134,38 @@ fn keys_that_go_and_come_take_no_other_line() {
 }
 
 #[test]
+fn via_points_that_come_and_go_keep_the_comments_beside_them() {
+    let muscle =
+        "muscles:\n  - length: 30 # a\n    radii: [1, 2, 1]\n    growth: [0, 1, 0]\n    origin: {bone: b} # b\n    insertion: {bone: c}\n";
+    let block = "    via: # c\n      - {bone: b, offset: [1, 0, 0]} # d\n      - bone: c # e\n        offset: [2, 0, 0]\n";
+    let flow = "    via: [{bone: b, offset: [1, 0, 0]}, {bone: c, offset: [2, 0, 0]}] # c\n";
+    let point = |x: f64| Anchor { bone: "b".to_owned(), offset: glam::DVec3::new(x, 0.5, 0.0) };
+    for (via, tail) in [("", ""), (block, ""), (flow, "    name: N # f\n"), (block, "    name: N # f\n")] {
+        let text = format!("{muscle}{via}{tail}");
+        let file = parse(&text);
+        let change = |change: &dyn Fn(&mut Vec<Anchor>)| {
+            let mut changed = file.clone();
+            change(&mut changed.muscles[0].via);
+            let written = changed.to_yaml_keeping(&text);
+            assert_eq!(parse(&written.text).muscles, changed.muscles, "{}", written.text);
+            assert!(written.text.contains("# a") && written.text.contains("# b"), "{}", written.text);
+            assert_eq!(written.text.contains("# f"), !tail.is_empty(), "{}", written.text);
+            written
+        };
+        assert!(!change(&|via| via.push(point(3.0))).comments_lost);
+        change(&|via| via.insert(0, point(3.0)));
+        if !via.is_empty() {
+            assert!(!change(&|via| via[1].offset.x = 9.0).comments_lost);
+            // What stood beside the point that went goes with it, and so does what stood beside a whole list.
+            let gone = change(&|via| drop(via.remove(0))).text;
+            assert!(!gone.contains("[1, 0, 0]"), "{gone}");
+            assert!(!change(&Vec::clear).text.contains("via"));
+            change(&|via| via.swap(0, 1));
+        }
+    }
+}
+
+#[test]
 fn what_cannot_be_kept_is_written_anew_and_said() {
     // An alias: changing the one list would change the other.
     let text = "# x\nmuscles:\n  - {length: 30, radii: &r [1, 2, 1], growth: *r}\n";

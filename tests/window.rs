@@ -113,6 +113,11 @@ fn a_muscle_is_attached_to_a_clip_and_outlives_a_crash() {
     drive("drive_attach.py");
 }
 
+#[test]
+fn a_muscle_gets_via_points_and_a_ball_to_go_round() {
+    drive("drive_way.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {

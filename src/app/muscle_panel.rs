@@ -12,7 +12,9 @@ use super::actions::Command;
 use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::muscle_ends::MuscleEnds;
 use super::muscle_joint::MuscleJoint;
+use super::muscle_way::MuscleWay;
 use super::node_table::NodeTable;
+use super::place_field::Bones;
 use super::profile_view::{ProfileView, Shape};
 use super::session::{Changes, Session, Step};
 use super::window::{Window, part};
@@ -30,7 +32,9 @@ pub struct MusclePanel {
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
     joint: MuscleJoint,
+    bones: Bones,
     ends: MuscleEnds,
+    way: MuscleWay,
     name: gtk::Entry,
     which: gtk::DropDown,
     shown: Rc<Cell<u32>>,
@@ -133,6 +137,7 @@ impl MusclePanel {
     /// A panel of no muscle.
     pub fn new() -> Self {
         let builder = ui::builder(ui::MUSCLE_PANEL);
+        let bones = Bones::new();
         let profile = ProfileView::new();
         part::<gtk::Box>(&builder, "profile_slot").append(&profile.canvas);
         let ledger = rows(
@@ -154,7 +159,9 @@ impl MusclePanel {
         Self {
             root: part(&builder, "root"),
             joint: MuscleJoint::new(&builder),
-            ends: MuscleEnds::new(&builder),
+            ends: MuscleEnds::new(&builder, &bones),
+            way: MuscleWay::new(&builder, &bones),
+            bones,
             name: part(&builder, "name"),
             which: part(&builder, "which"),
             shown: Rc::default(),
@@ -222,6 +229,7 @@ impl MusclePanel {
             connect_entry(entry, move |entry| typed(&own, field, entry));
         }
         self.ends.connect(editor);
+        self.way.connect(editor);
         let own = editor.clone();
         connect_entry(&self.name, move |entry| {
             let name = entry.text().trim().to_owned();
@@ -289,6 +297,7 @@ impl MusclePanel {
         }
         if changes.any(Changes::HISTORY) {
             self.refused.set_visible(false);
+            self.way.forget_refusals();
         }
         let moves = Changes::DOCUMENT | Changes::DRIVE | Changes::TIME | Changes::MUSCLE | Changes::EDIT | Changes::HAND | Changes::PICKING;
         if changes.any(moves) && self.root.is_mapped() || changes.any(Changes::DOCUMENT | Changes::MUSCLE) {
@@ -370,9 +379,10 @@ impl MusclePanel {
         part::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
         show_text(&self.name, &spec.name, anew);
         if anew {
-            self.ends.list(session, id);
+            self.bones.list(session, id);
         }
         self.ends.show(session, id, &unit.length, anew);
+        self.way.show(session, id, &unit.length, anew);
         part::<gtk::Widget>(&self.builder, "fit_length").set_sensitive(rig.is_attached(index));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }

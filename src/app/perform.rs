@@ -8,10 +8,11 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::actions::Command;
-use super::session::{Preset, Session, Tool, With};
+use super::session::{Picked, Preset, Session, Tool, With};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
 use super::{about, compare_file, export_dialog, files, picture, save_session, saving, theme};
+use crate::muscle::Handhold;
 use crate::render::{Samples, Shading};
 use crate::scene::View;
 
@@ -301,8 +302,8 @@ fn change_session(command: Command, session: &mut Session) {
                 session.set_flexion(bend.value + if command == C::ElbowMore { 5.0 } else { -5.0 });
             }
         }
-        C::PickOrigin => session.start_picking(session.shown_muscle(), 0),
-        C::PickInsertion => session.start_picking(session.shown_muscle(), 1),
+        C::PickOrigin => session.start_picking(session.shown_muscle(), Picked::Point(Handhold::End(0))),
+        C::PickInsertion => session.start_picking(session.shown_muscle(), Picked::Point(Handhold::End(1))),
         C::PresetClean => session.take_preset(Preset::Clean),
         C::PresetSkeleton => session.take_preset(Preset::Skeleton),
         C::PresetInspection => session.take_preset(Preset::Inspection),

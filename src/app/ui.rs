@@ -1,4 +1,5 @@
-//! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, and `tip:command` for the label of a command with its shortcut.
+//! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, `tr:key#` for one that takes the argument `$number`, and
+//! `tip:command` for the label of a command with its shortcut.
 
 use gtk4::glib::{Object, markup_escape_text};
 use gtk4::prelude::*;
@@ -33,6 +34,7 @@ files! {
     MEASURE_PANEL = "measure_panel",
     HEALTH_PANEL = "health_panel",
     NODE_CELL = "node_cell",
+    VIA_POINT = "via_point",
     TREE_EYE = "tree_eye",
     ERROR_BAR = "error_bar",
     RECOVERY_BAR = "recovery_bar",
@@ -45,7 +47,12 @@ files! {
 
 /// A builder of one of the files, in the user's language.
 pub fn builder(text: &str) -> Builder {
-    let builder = Builder::from_string(&translate(text));
+    numbered(text, 1)
+}
+
+/// A builder of a file of which there are several, told apart by a number from 1.
+pub fn numbered(text: &str, number: usize) -> Builder {
+    let builder = Builder::from_string(&translate(text, number));
     builder.objects().iter().for_each(hush);
     builder
 }
@@ -115,7 +122,7 @@ fn hush(object: &Object) {
 }
 
 /// Puts the catalogue's text in place of each `>tr:key<` and `>tip:command<`.
-fn translate(text: &str) -> String {
+fn translate(text: &str, number: usize) -> String {
     let mut result = String::with_capacity(text.len() + 1024);
     let mut rest = text;
     while let Some(at) = rest.find('>') {
@@ -123,7 +130,7 @@ fn translate(text: &str) -> String {
         result.push_str(before);
         rest = after;
         let (placeholder, tail) = after.split_at(after.find('<').unwrap_or(after.len()));
-        if let Some(words) = meaning(placeholder) {
+        if let Some(words) = meaning(placeholder, number) {
             result.push_str(&markup_escape_text(&words));
             rest = tail;
         }
@@ -132,9 +139,10 @@ fn translate(text: &str) -> String {
     result
 }
 
-fn meaning(placeholder: &str) -> Option<String> {
+fn meaning(placeholder: &str, number: usize) -> Option<String> {
     let label_of = |id: &str| Command::from_id(id).map_or_else(|| id.to_owned(), Command::tooltip);
-    placeholder.strip_prefix("tr:").map(|key| tr!(key)).or_else(|| placeholder.strip_prefix("tip:").map(label_of))
+    let message = |key: &str| key.strip_suffix('#').map_or_else(|| tr!(key), |key| tr!(key, number = number));
+    placeholder.strip_prefix("tr:").map(message).or_else(|| placeholder.strip_prefix("tip:").map(label_of))
 }
 
 #[cfg(test)]
@@ -143,10 +151,11 @@ mod tests {
 
     #[test]
     fn placeholders_become_escaped_text() {
-        let translated = translate("<property name=\"label\">tr:app-no-such-key</property>\n<a>b</a>");
+        let translated = translate("<property name=\"label\">tr:app-no-such-key</property>\n<a>b</a>", 1);
         assert_eq!(translated, "<property name=\"label\">app-no-such-key</property>\n<a>b</a>");
-        assert_eq!(translate("<a>tr:a&b</a>"), "<a>a&amp;b</a>");
-        assert_eq!(translate("no markup"), "no markup");
+        assert_eq!(translate("<a>tr:a&b</a>", 1), "<a>a&amp;b</a>");
+        assert_eq!(translate("no markup", 1), "no markup");
+        assert_eq!(translate("<a>tr:app-via-number#</a>", 7), format!("<a>{}</a>", tr!("app-via-number", number = 7)));
     }
 
     #[test]
@@ -154,7 +163,7 @@ mod tests {
         for (file, text) in ALL {
             for piece in text.split('>') {
                 let piece = piece.split('<').next().unwrap_or_default();
-                if let Some(key) = piece.strip_prefix("tr:") {
+                if let Some(key) = piece.strip_prefix("tr:").map(|key| key.trim_end_matches('#')) {
                     assert_ne!(tr!(key), key, "{file}.ui asks for the message {key}, which the catalogue lacks");
                 }
                 if let Some(id) = piece.strip_prefix("tip:") {

@@ -15,6 +15,8 @@ pub enum Handhold {
     End(usize),
     /// A point on the way, from 0.
     Via(usize),
+    /// The middle of the ball that the muscle goes round.
+    Wrap,
 }
 
 /// What a muscle file calls `node`, so that it is found again: its name where that tells it from all others, else its id. `None` where neither does.
@@ -43,7 +45,7 @@ impl Rig {
     }
 
     /// The node whose axes an offset on `node` is along: on the arm, the upper rod's or the elbow's.
-    fn carrier(&self, graph: &Graph, node: NodeId) -> NodeId {
+    pub(super) fn carrier(&self, graph: &Graph, node: NodeId) -> NodeId {
         match &self.arm {
             Some((_, nodes)) if graph.subtree(nodes.elbow).contains(&node) => nodes.elbow,
             Some((_, nodes)) => nodes.upper,
@@ -103,6 +105,7 @@ impl Rig {
             Handhold::End(0) => Some(line.origin),
             Handhold::End(_) => Some(line.insertion),
             Handhold::Via(number) => line.via.get(number).copied(),
+            Handhold::Wrap => line.pulley.map(|pulley| pulley.center),
         }
     }
 
@@ -111,6 +114,7 @@ impl Rig {
         let line = self.muscles.get(index).and_then(|muscle| muscle.line.as_ref());
         let via = line.map_or(0, |line| line.via.len());
         let ends = if line.is_some() { 2 } else { 0 };
-        (0..ends).map(Handhold::End).chain((0..via).map(Handhold::Via))
+        let wrap = line.and_then(|line| line.pulley).map(|_| Handhold::Wrap);
+        (0..ends).map(Handhold::End).chain((0..via).map(Handhold::Via)).chain(wrap)
     }
 }

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::arm::{FOREARM, UPPER_ARM};
+use super::bones::Handhold;
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, Wrap};
 use super::profile::{LARGEST, Profile, ProfileError};
 use crate::{limits, tr};
@@ -39,8 +40,14 @@ pub enum Edit {
     Ends(Option<[Anchor; 2]>),
     /// One end: origin (0) or insertion (1).
     End(usize, Anchor),
-    /// The points that it passes.
-    Via(Vec<Anchor>),
+    /// One of the points that it passes, from 0.
+    Via(usize, Anchor),
+    /// A new point to pass before this one; at the end where there is no such point.
+    AddVia(usize, Anchor),
+    /// A point to pass less.
+    DeleteVia(usize),
+    /// This point to pass and the one after it change places.
+    SwapVia(usize),
     /// What it goes round.
     Wrap(Option<Wrap>),
 }
@@ -75,6 +82,9 @@ pub enum EditError {
     /// The arm has no bone of this name.
     #[error("{}", tr!("muscle-edit-arm-bone", bone = .0.clone()))]
     ArmBone(String),
+    /// The muscle has no such via point.
+    #[error("{}", tr!("muscle-edit-no-via", number = .0 + 1))]
+    NoVia(usize),
     /// More than [`VIA`] via points.
     #[error("{}", tr!("muscle-too-many-via", limit = VIA, count = *.0))]
     TooManyVia(usize),
@@ -108,9 +118,22 @@ impl Edit {
             Self::Ends(_) => tr!("muscle-edit-attach"),
             Self::End(0, _) => tr!("muscle-edit-origin"),
             Self::End(..) => tr!("muscle-edit-insertion"),
-            Self::Via(_) => tr!("muscle-edit-via"),
-            Self::Wrap(_) => tr!("muscle-edit-wrapping"),
+            Self::Via(number, _) => tr!("muscle-edit-via", number = number + 1),
+            Self::AddVia(..) => tr!("muscle-edit-via-add"),
+            Self::DeleteVia(number) => tr!("muscle-edit-via-delete", number = number + 1),
+            Self::SwapVia(_) => tr!("muscle-edit-via-order"),
+            Self::Wrap(Some(_)) => tr!("muscle-edit-wrapping"),
+            Self::Wrap(None) => tr!("muscle-edit-wrap-delete"),
         }
+    }
+
+    /// Puts the point `hold` of the muscle `spec` on `anchor`; `None` where it goes round nothing, whose middle could be put anywhere.
+    pub fn place(spec: &MuscleSpec, hold: Handhold, anchor: Anchor) -> Option<Self> {
+        Some(match hold {
+            Handhold::End(end) => Self::End(end, anchor),
+            Handhold::Via(number) => Self::Via(number, anchor),
+            Handhold::Wrap => Self::Wrap(Some(Wrap { center: anchor, ..spec.wrap.clone()? })),
+        })
     }
 }
 
@@ -154,6 +177,16 @@ impl MuscleFile {
 }
 
 impl MuscleSpec {
+    /// Where the point `hold` is; `None` where there is no such point.
+    pub fn place(&self, hold: Handhold) -> Option<&Anchor> {
+        match hold {
+            Handhold::End(0) => self.origin.as_ref(),
+            Handhold::End(_) => self.insertion.as_ref(),
+            Handhold::Via(number) => self.via.get(number),
+            Handhold::Wrap => self.wrap.as_ref().map(|wrap| &wrap.center),
+        }
+    }
+
     fn apply(&mut self, edit: &Edit) -> Result<(), EditError> {
         if !self.poses.is_empty() && self.apply_to_poses(edit)? {
             return Ok(());
@@ -201,7 +234,13 @@ impl MuscleSpec {
                 let slot = if *end == 0 { &mut self.origin } else { &mut self.insertion };
                 *slot = Some(anchor.clone());
             }
-            Edit::Via(points) => self.via.clone_from(points),
+            Edit::Via(number, anchor) => self.via.get_mut(*number).ok_or(EditError::NoVia(*number))?.clone_from(anchor),
+            Edit::AddVia(before, anchor) => self.via.insert((*before).min(self.via.len()), anchor.clone()),
+            Edit::DeleteVia(number) if *number < self.via.len() => {
+                self.via.remove(*number);
+            }
+            Edit::SwapVia(number) if number + 1 < self.via.len() => self.via.swap(*number, number + 1),
+            Edit::DeleteVia(number) | Edit::SwapVia(number) => return Err(EditError::NoVia(*number)),
             Edit::Wrap(wrap) => self.wrap.clone_from(wrap),
         }
         Ok(())

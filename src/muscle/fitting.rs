@@ -51,7 +51,7 @@ impl MuscleSpec {
 }
 
 /// Four digits are enough for a person, and for a muscle.
-fn neat(value: f64) -> f64 {
+pub(super) fn neat(value: f64) -> f64 {
     if value == 0.0 || !value.is_finite() {
         return value;
     }

@@ -55,6 +55,7 @@ mod rig;
 mod rods;
 mod surface;
 mod table;
+mod way;
 
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
 pub use bones::{Handhold, bone_name};
@@ -69,6 +70,7 @@ pub use poses::Pose;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use rig::Rig;
 pub use surface::SEGMENTS;
+pub use way::Ball;
 
 /// The state that the two sliders share; each follows the other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -5,29 +5,7 @@ import shutil
 import signal
 
 from drive import Atspi, Window, configs, fail, folder, run, told, value, wait, walk
-from drive_hands import click, enter, named, text, title
-
-
-def muscle_page(window):
-    """The page of muscles, by the tab over it."""
-    roles = ("page tab", "toggle button", "radio button", "push button")
-    tab = lambda: next((node for node in walk(window.root) if node.get_name() == "Muscle" and node.get_role_name() in roles), None)
-    node = wait("there is a tab over the page of muscles", tab)
-
-    def shown():
-        click(node)
-        states = node.get_state_set()
-        return any(states.contains(state) for state in (Atspi.StateType.SELECTED, Atspi.StateType.CHECKED, Atspi.StateType.PRESSED))
-
-    wait("the page of muscles comes up", shown)
-
-
-def new_muscle(window, name):
-    """Chooses a ready muscle from the menu of the button New."""
-    buttons = lambda: [node for node in walk(window.root) if node.get_name() == "New" and node.get_role_name().endswith("button")]
-    click(wait("there is a button New", buttons)[0])
-    items = lambda: [node for node in walk(window.root) if node.get_role_name() == "menu item" and name in node.get_name()]
-    click(wait(f"the menu offers {name}", items)[0])
+from drive_hands import click, enter, muscle_page, named, new_muscle, text, title
 
 
 def test_attaching():

@@ -1,4 +1,4 @@
-//! The ends of a muscle, and the points that it passes, as dots in the picture that can be dragged.
+//! The ends of a muscle, the points that it passes and the ball that it goes round, as dots in the picture that can be dragged.
 
 use glam::{DVec2, DVec3, Vec2};
 
@@ -30,6 +30,17 @@ pub struct GripDrag {
     pub grip: Grip,
     /// The pointer, logical pixels.
     pub from: DVec2,
+}
+
+/// The ball that a muscle goes round, as it is painted; logical pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ring {
+    /// Its middle.
+    pub middle: DVec2,
+    /// The point of its surface on the side on which the muscle passes.
+    pub top: DVec2,
+    /// Its radius.
+    pub radius: f64,
 }
 
 impl Session {
@@ -64,17 +75,20 @@ impl Session {
         let Some(node) = rig.hold_bone(index, drag.grip.hold) else { return Ok(()) };
         let graph = &self.document.scene.graph;
         let Some(anchor) = rig.anchor_at(graph, node, drag.grip.point + moved, &self.frame.world) else { return Err(EditError::NoName) };
-        let edit = match drag.grip.hold {
-            Handhold::End(end) => Edit::End(end, anchor),
-            Handhold::Via(number) => {
-                let mut via = rig.spec(index).map(|spec| spec.via.clone()).unwrap_or_default();
-                if let Some(slot) = via.get_mut(number) {
-                    *slot = anchor;
-                }
-                Edit::Via(via)
-            }
-        };
+        let Some(edit) = rig.spec(index).and_then(|spec| Edit::place(spec, drag.grip.hold, anchor)) else { return Ok(()) };
         self.edit_muscle(drag.muscle, &edit, step)
+    }
+
+    /// The outline of the ball that the muscle shown goes round, in a picture of this size (logical pixels); `None` where muscles are hidden.
+    pub fn ring(&mut self, size: DVec2) -> Option<Ring> {
+        self.frame();
+        let camera = self.eye.camera(&self.document.scene, &self.frame);
+        let (rig, index) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle)?;
+        let ball = rig.ball(index, &self.frame.world)?;
+        let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
+        let radius = ball.radius / f64::from(camera.height_at(ball.center.as_vec3())) * size.y;
+        let ring = Ring { middle: place(ball.center)?, top: place(ball.center + ball.side * ball.radius)?, radius };
+        (ring.middle.is_finite() && ring.top.is_finite() && radius.is_finite()).then_some(ring)
     }
 }
 

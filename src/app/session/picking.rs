@@ -1,4 +1,4 @@
-//! The ends of a muscle put on bones: picked in the picture, or chosen by name.
+//! The points of a muscle put on bones: picked in the picture, or chosen by name.
 
 use glam::DVec3;
 
@@ -10,16 +10,27 @@ use crate::scene::{MuscleId, NodeId};
 
 /// Share of a bone's length from its beginning at which a bone chosen by name is held.
 const ALONG: f64 = 0.15;
+const ORIGIN: Picked = Picked::Point(Handhold::End(0));
+const INSERTION: Picked = Picked::Point(Handhold::End(1));
 /// A point picked on the skin lies this share of the way from the bone to the skin.
 const UNDER_SKIN: f64 = 0.4;
 
-/// An end of a muscle that the next click gives a place.
+/// What the next click gives a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Picked {
+    /// A point that the muscle has; [`Handhold::Wrap`] also where it goes round nothing yet.
+    Point(Handhold),
+    /// A via point that it gets.
+    NewVia,
+}
+
+/// A point of a muscle that the next click gives a place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Picking {
     /// The muscle.
     pub muscle: MuscleId,
-    /// Origin (0) or insertion (1).
-    pub end: usize,
+    /// What is picked.
+    pub what: Picked,
     /// The origin, of a muscle that had none, while its insertion is still to be picked.
     first: Option<Anchor>,
     /// How bones were shown before: bones, and through surfaces.
@@ -27,13 +38,13 @@ pub struct Picking {
 }
 
 impl Session {
-    /// Begins to pick the bone of an end: origin (0) or insertion (1). Bones show through everything meanwhile.
-    pub fn start_picking(&mut self, muscle: MuscleId, end: usize) {
+    /// Begins to pick the bone of a point. Bones show through everything meanwhile.
+    pub fn start_picking(&mut self, muscle: MuscleId, what: Picked) {
         self.stop_picking();
         let Some((rig, index)) = self.document.muscle(muscle) else { return };
-        // A muscle that lies on its own needs both, its origin first.
-        let end = if rig.is_attached(index) { end } else { 0 };
-        self.picking = Some(Picking { muscle, end, first: None, bones: [self.display.bones, self.display.xray] });
+        // A muscle that lies on its own needs both ends first, of these the origin.
+        let what = if rig.is_attached(index) { what } else { ORIGIN };
+        self.picking = Some(Picking { muscle, what, first: None, bones: [self.display.bones, self.display.xray] });
         (self.display.bones, self.display.xray) = (true, true);
         self.changed(Changes::PICKING | Changes::DISPLAY);
     }
@@ -51,10 +62,10 @@ impl Session {
         self.picking.as_ref()
     }
 
-    /// A click in the picture while an end is picked. A click beside everything changes nothing.
+    /// A click in the picture while a point is picked. A click beside everything changes nothing.
     ///
     /// # Errors
-    /// [`EditError`] where the end cannot be there.
+    /// [`EditError`] where the point cannot be there.
     pub fn pick_at(&mut self, pick: Option<Pick>) -> Result<(), EditError> {
         let Some(pick) = pick else { return Ok(()) };
         self.frame();
@@ -62,10 +73,10 @@ impl Session {
         self.pick_place(node, place)
     }
 
-    /// A bone chosen by name while an end is picked.
+    /// A bone chosen by name while a point is picked.
     ///
     /// # Errors
-    /// [`EditError`] where the end cannot be there.
+    /// [`EditError`] where the point cannot be there.
     pub fn pick_bone(&mut self, node: NodeId) -> Result<(), EditError> {
         self.frame();
         let place = self.place_along(node);
@@ -73,17 +84,26 @@ impl Session {
     }
 
     fn pick_place(&mut self, node: NodeId, place: DVec3) -> Result<(), EditError> {
-        let Some(Picking { muscle, end, first, .. }) = self.picking.clone() else { return Ok(()) };
+        let Some(Picking { muscle, what, first, .. }) = self.picking.clone() else { return Ok(()) };
         let Some((rig, index)) = self.document.muscle(muscle) else { return Ok(()) };
         let Some(anchor) = rig.anchor_at(&self.document.scene.graph, node, place, &self.frame.world) else { return Err(EditError::NoName) };
         if rig.is_attached(index) {
+            let edit = match what {
+                // A ball goes into a joint, wherever on the bone was clicked.
+                Picked::Point(Handhold::Wrap) => None,
+                Picked::Point(hold) => rig.spec(index).and_then(|spec| Edit::place(spec, hold, anchor)),
+                Picked::NewVia => rig.via_number_at(index, place, &self.frame.world).map(|number| Edit::AddVia(number, anchor)),
+            };
             self.stop_picking();
-            return self.edit_muscle(muscle, &Edit::End(end, anchor), Step::New);
+            return match edit {
+                Some(edit) => self.edit_muscle(muscle, &edit, Step::New),
+                None => self.wrap_round(muscle, node),
+            };
         }
         match first {
             None => {
                 if let Some(picking) = &mut self.picking {
-                    (picking.first, picking.end) = (Some(anchor), 1);
+                    (picking.first, picking.what) = (Some(anchor), INSERTION);
                 }
                 self.changed(Changes::PICKING);
                 Ok(())
@@ -96,29 +116,46 @@ impl Session {
         }
     }
 
-    /// Puts an end on another bone, or takes the muscle off all bones (`None`).
+    /// Puts a point on another bone. `None` takes the muscle off all bones where the point is an end, and lets it go round nothing where it is the ball.
     ///
     /// # Errors
-    /// [`EditError`] where the end cannot be there.
-    pub fn attach_to(&mut self, id: MuscleId, end: usize, node: Option<NodeId>) -> Result<(), EditError> {
+    /// [`EditError`] where the point cannot be there.
+    pub fn put_on(&mut self, id: MuscleId, hold: Handhold, node: Option<NodeId>) -> Result<(), EditError> {
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
-        let attached = rig.is_attached(index);
-        let Some(node) = node else { return self.edit_muscle(id, &Edit::Ends(None), Step::New) };
-        if attached && rig.hold_bone(index, Handhold::End(end)) == Some(node) {
+        let there = rig.is_attached(index).then(|| rig.hold_bone(index, hold)).flatten();
+        let Some(node) = node else {
+            return match hold {
+                Handhold::End(_) => self.edit_muscle(id, &Edit::Ends(None), Step::New),
+                Handhold::Via(_) => Ok(()),
+                Handhold::Wrap => self.edit_muscle(id, &Edit::Wrap(None), Step::New),
+            };
+        };
+        if there == Some(node) {
             return Ok(());
         }
+        match hold {
+            Handhold::End(_) => self.put_end_on(id, hold, node),
+            Handhold::Via(_) | Handhold::Wrap => {
+                self.stop_picking();
+                if hold == Handhold::Wrap { self.wrap_round(id, node) } else { self.put_via_on(id, hold, node) }
+            }
+        }
+    }
+
+    fn put_end_on(&mut self, id: MuscleId, hold: Handhold, node: NodeId) -> Result<(), EditError> {
+        let what = Picked::Point(hold);
         let mut picking = self.picking.clone();
-        if !picking.as_ref().is_some_and(|picking| picking.muscle == id && picking.end == end) {
-            self.start_picking(id, end);
+        if !picking.as_ref().is_some_and(|picking| picking.muscle == id && picking.what == what) {
+            self.start_picking(id, what);
             picking = self.picking.clone();
         }
         match picking {
-            Some(picking) if picking.end == end => self.pick_bone(node),
+            Some(picking) if picking.what == what => self.pick_bone(node),
             _ => Ok(()),
         }
     }
 
-    /// The bone that a picked point belongs to, and where on it an end goes: a bone itself, the arm's rods, or the joint that a skin follows most there.
+    /// The bone that a picked point belongs to, and where on it the muscle's point goes: a bone itself, the arm's rods, or the joint that a skin follows most there.
     fn bone_under(&self, pick: &Pick) -> Option<(NodeId, DVec3)> {
         let point = pick.point.as_dvec3();
         let (Some(index), Some(muscle)) = (pick.surface, self.picking.as_ref().map(|picking| picking.muscle)) else {
@@ -153,7 +190,7 @@ impl Session {
         ways.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared())).unwrap_or_default().as_dvec3()
     }
 
-    fn place_along(&self, node: NodeId) -> DVec3 {
+    pub(super) fn place_along(&self, node: NodeId) -> DVec3 {
         self.frame.position(node).as_dvec3() + self.way_along(node) * ALONG
     }
 }
@@ -171,16 +208,16 @@ mod tests {
         session.edit_muscle(id, &Edit::Ends(None), Step::New).unwrap();
         let bones = session.display().bones;
         let find = |session: &Session, name: &str| session.document().scene.graph.find(name).unwrap();
-        session.start_picking(id, 1);
-        assert_eq!(session.picking().map(|picking| picking.end), Some(0), "a muscle on its own needs an origin first");
+        session.start_picking(id, INSERTION);
+        assert_eq!(session.picking().map(|picking| picking.what), Some(ORIGIN), "a muscle on its own needs an origin first");
         session.pick_bone(find(&session, "upper_arm")).unwrap();
-        assert_eq!(session.picking().map(|picking| picking.end), Some(1));
+        assert_eq!(session.picking().map(|picking| picking.what), Some(INSERTION));
         session.pick_bone(find(&session, "hand")).unwrap();
         assert!(session.picking().is_none() && session.display().bones == bones);
         assert_eq!(ends(&session, id), [Some(find(&session, "upper_arm")), Some(find(&session, "hand"))]);
         session.undo();
         assert_eq!(ends(&session, id), [None, None]);
-        session.start_picking(id, 0);
+        session.start_picking(id, ORIGIN);
         assert!(session.stop_picking() && !session.stop_picking());
     }
 }

@@ -1,23 +1,37 @@
-//! Paints the dots by which a muscle's ends, and the points that it passes, can be dragged.
+//! Paints the dots by which a muscle's ends, the points that it passes and the ball that it goes round can be dragged, and the outline of that ball.
 
 use gtk::cairo::Context;
 use gtk4 as gtk;
 
 use super::ignore;
 use crate::app::canvas::{Align, Canvas, cairo, rgb, set_color, write};
-use crate::app::session::Grip;
+use crate::app::session::{Grip, Ring};
 use crate::muscle::Handhold;
 use crate::tr;
 
 /// Radius, logical pixels.
 const RADIUS: f64 = 5.0;
 
-/// Paints them: the origin full, the insertion hollow, points on the way small. The one under the pointer (`lit`) says what it is.
-pub fn draw(grips: &[Grip], lit: Option<Handhold>, canvas: &Canvas, snapshot: &gtk::Snapshot, (width, height): (f64, f64)) {
+/// Lengths of a dash and of a gap in the outline of a ball, logical pixels.
+const DASHES: [f64; 2] = [6.0, 4.0];
+
+/// Paints them: the origin full, the insertion hollow, points on the way and the middle of a ball small. The one under the pointer (`lit`) says what
+/// it is.
+pub fn draw(
+    grips: &[Grip],
+    ring: Option<Ring>,
+    lit: Option<Handhold>,
+    canvas: &Canvas,
+    snapshot: &gtk::Snapshot,
+    (width, height): (f64, f64),
+) {
     let context = cairo(snapshot, width, height);
+    if let Some(ring) = ring {
+        outline(&context, &ring);
+    }
     for grip in grips {
         let held = lit == Some(grip.hold);
-        let radius = if let Handhold::Via(_) = grip.hold { 0.7 * RADIUS } else { RADIUS } + if held { 2.0 } else { 0.0 };
+        let radius = if let Handhold::End(_) = grip.hold { RADIUS } else { 0.7 * RADIUS } + if held { 2.0 } else { 0.0 };
         // A dark edge round a light dot is legible over anything.
         disc(&context, grip, radius + 2.0, 0x10_1010, 0.55);
         disc(&context, grip, radius, 0xFF_FFFF, 0.95);
@@ -31,10 +45,28 @@ pub fn draw(grips: &[Grip], lit: Option<Handhold>, canvas: &Canvas, snapshot: &g
             Handhold::End(0) => tr!("app-origin"),
             Handhold::End(_) => tr!("app-insertion"),
             Handhold::Via(number) => tr!("app-via-number", number = number + 1),
+            Handhold::Wrap => tr!("app-wrap-centre"),
         };
         for (dx, dy, color) in [(1.0, 1.0, 0x10_1010), (0.0, 0.0, 0xFF_FFFF)] {
             write(canvas, snapshot, &name, grip.place.x + 13.0 + dx, grip.place.y - 9.0 + dy, Align::Left, 0.9, &rgb(color));
         }
+    }
+}
+
+/// A ball: a broken circle, and the radius on the side on which the muscle passes.
+fn outline(context: &Context, ring: &Ring) {
+    // A dark line under a light one is legible over anything.
+    for (line, color, opacity) in [(3.5, 0x10_1010, 0.45), (1.5, 0xFF_FFFF, 0.9)] {
+        set_color(context, &rgb(color), opacity);
+        context.set_line_width(line);
+        context.set_dash(&DASHES, 0.0);
+        context.new_path();
+        context.arc(ring.middle.x, ring.middle.y, ring.radius, 0.0, std::f64::consts::TAU);
+        ignore(context.stroke());
+        context.set_dash(&[], 0.0);
+        context.move_to(ring.middle.x, ring.middle.y);
+        context.line_to(ring.top.x, ring.top.y);
+        ignore(context.stroke());
     }
 }
 

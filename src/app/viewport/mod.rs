@@ -24,9 +24,10 @@ use self::screen::Screen;
 use super::bone_names;
 use super::canvas::{Canvas, cairo as cairo_over};
 use super::glyph::{self, Glyph};
-use super::session::{Changes, Session, Tool};
+use super::session::{Changes, Picked, Session, Tool};
 use super::window::{Window, part};
 use super::{format, ui};
+use crate::muscle::Handhold;
 use crate::render::{Pick, Renderer, Stats};
 use crate::tr;
 
@@ -117,12 +118,16 @@ impl Viewport {
             self.draw_over();
         }
         if changes.any(Changes::TOOL | Changes::DOCUMENT | Changes::PICKING) {
-            let picking = session.picking().map(|picking| picking.end);
+            let picking = session.picking().map(|picking| picking.what);
             let name = if picking.is_some() { Some("crosshair") } else { None };
             self.canvas.set_cursor_from_name(name);
             self.hint(&match session.tool() {
-                _ if picking == Some(0) => tr!("app-hint-pick-origin"),
-                _ if picking.is_some() => tr!("app-hint-pick-insertion"),
+                _ if picking.is_some() => tr!(match picking {
+                    Some(Picked::Point(Handhold::End(0))) => "app-hint-pick-origin",
+                    Some(Picked::Point(Handhold::End(_))) => "app-hint-pick-insertion",
+                    Some(Picked::Point(Handhold::Wrap)) => "app-hint-pick-wrap",
+                    _ => "app-hint-pick-via",
+                }),
                 _ if session.is_empty() => String::new(),
                 Tool::Navigate => tr!("app-hint"),
                 Tool::Move => tr!("app-hint-move"),
@@ -299,7 +304,9 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
             let colors = session.display().palette.axes;
             session.with_handles(DVec2::new(width, height), |shown| handles::draw(shown, colors, hands.handle(), canvas, snapshot));
             if window.shows_muscles() && session.tool() == Tool::Navigate {
-                dots::draw(&session.grips(DVec2::new(width, height)), hands.dot(), canvas, snapshot, (width, height));
+                let size = DVec2::new(width, height);
+                let ring = session.ring(size);
+                dots::draw(&session.grips(size), ring, hands.dot(), canvas, snapshot, (width, height));
             }
         }
     });

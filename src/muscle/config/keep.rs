@@ -88,8 +88,14 @@ impl Patch<'_> {
                 }
                 Some(())
             }
-            (Yaml::List(here), Yaml::List(before), Yaml::List(after)) if before.iter().all(|item| matches!(item, Yaml::Map(_))) => {
-                self.change_items(path, here, before, after)
+            (Yaml::List(items), Yaml::List(before), Yaml::List(list)) if before.iter().all(|item| matches!(item, Yaml::Map(_))) => {
+                let (edits, lost) = (self.edits.len(), self.lost);
+                self.change_items(&mut path.clone(), items, before, list).or_else(|| {
+                    self.lost = lost;
+                    self.edits.truncate(edits);
+                    // What is in a muscle fits on a line; a list of muscles does not.
+                    if path.len() > 1 { self.replace(path, here, &flow(after)) } else { None }
+                })
             }
             _ => self.replace(path, here, &flow(after)),
         }
@@ -132,9 +138,10 @@ impl Patch<'_> {
 
     /// Items added and removed: those that stay are known by their name, or by being equal.
     fn change_items(&mut self, path: &mut Vec<Step>, here: &[Yaml], before: &[Yaml], after: &[Yaml]) -> Option<()> {
-        if here.len() != before.len() || !matches!(path.as_slice(), [Step::Value(_)]) {
+        if here.len() != before.len() {
             return None;
         }
+        let are_muscles = matches!(path.as_slice(), [Step::Value(_)]);
         let same = |a: &Yaml, b: &Yaml| a == b || matches!((name(a), name(b)), (Some(a), Some(b)) if a == b);
         let mut next = 0;
         let mut stays = vec![None; after.len()];
@@ -163,8 +170,7 @@ impl Patch<'_> {
             if stays.iter().skip(index).any(Option::is_some) {
                 return None;
             }
-            let muscle = self.new.muscles.get(index)?;
-            let lines = muscle_lines(muscle, indent + 2);
+            let lines = if are_muscles { muscle_lines(self.new.muscles.get(index)?, indent + 2) } else { flow(after.get(index)?) };
             let body = lines.trim_start().trim_end().replace('\n', line_end);
             self.edits.push((last, last, format!("{line_end}{:indent$}- {body}", "")));
         }

@@ -1,0 +1,202 @@
+//! The way of the shown muscle between its ends: the points that it passes, and the ball that it goes round.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::muscle_editor::{Editor, connect_entry, show_text};
+use super::place_field::{Bones, PlaceField, connect_pick, show_pick};
+use super::session::{Picked, Session, Step};
+use super::window::part;
+use super::{format, ui};
+use crate::muscle::edit::VIA;
+use crate::muscle::{Edit, Handhold, Wrap};
+use crate::scene::MuscleId;
+use crate::tr;
+
+/// The entries of the ball beside those of its middle, and the digits behind the mark of each: radius, and the side along each axis of the bone.
+const FIELDS: [(&str, usize); 4] = [("wrap_radius", 2), ("wrap_side_x", 3), ("wrap_side_y", 3), ("wrap_side_z", 3)];
+
+/// The widgets of a via point.
+struct ViaRow {
+    root: gtk::Grid,
+    place: PlaceField,
+    up: gtk::Button,
+    down: gtk::Button,
+    delete: gtk::Button,
+}
+
+/// What a row's buttons need to know: the rows, and where the keyboard goes when the last one is gone.
+#[derive(Clone)]
+struct Rows {
+    rows: Rc<RefCell<Vec<ViaRow>>>,
+    add: gtk::Button,
+}
+
+/// The whole.
+pub struct MuscleWay {
+    builder: gtk::Builder,
+    bones: Bones,
+    list: gtk::Box,
+    rows: Rows,
+    pick: gtk::ToggleButton,
+    ball: PlaceField,
+    fields: [gtk::Entry; 4],
+    refused: [gtk::Label; 2],
+    editor: RefCell<Option<Editor>>,
+}
+
+impl MuscleWay {
+    /// That of a panel.
+    pub fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
+        Self {
+            builder: builder.clone(),
+            bones: bones.clone(),
+            list: part(builder, "via_list"),
+            rows: Rows { rows: Rc::default(), add: part(builder, "via_add") },
+            pick: part(builder, "via_pick_new"),
+            ball: PlaceField::new(builder, "wrap", Handhold::Wrap, bones),
+            fields: FIELDS.map(|(id, _)| part(builder, id)),
+            refused: ["via_refused", "wrap_refused"].map(|id| part(builder, id)),
+            editor: RefCell::default(),
+        }
+    }
+
+    /// Lets hands add, choose, pick and type. What is refused is told beside the widget that it was asked of.
+    pub fn connect(&self, editor: &Editor) {
+        let [of_via, of_wrap] = self.refused.clone().map(|refused| Editor { refused, ..editor.clone() });
+        let own = of_via.clone();
+        self.rows.add.connect_clicked(move |_| {
+            let id = own.id();
+            own.tell(|session| session.add_via(id));
+        });
+        connect_pick(&self.pick, &of_via, Picked::NewVia);
+        self.editor.replace(Some(of_via));
+        self.ball.connect(&of_wrap);
+        for (field, entry) in self.fields.iter().enumerate() {
+            let own = of_wrap.clone();
+            connect_entry(entry, move |entry| typed(&own, field, entry));
+        }
+        part::<gtk::Button>(&self.builder, "wrap_flip").connect_clicked(move |_| {
+            let id = of_wrap.id();
+            of_wrap.tell(|session| session.flip_wrap(id));
+        });
+    }
+
+    /// What was refused is no longer of interest.
+    pub fn forget_refusals(&self) {
+        self.refused.iter().for_each(|refused| refused.set_visible(false));
+    }
+
+    /// Shows the way of a muscle.
+    pub fn show(&self, session: &Session, id: MuscleId, unit: &str, anew: bool) {
+        let Some((rig, index)) = session.document().muscle(id) else { return };
+        let Some(spec) = rig.spec(index) else { return };
+        let (held, has_ends) = (rig.is_attached(index), spec.origin.is_some());
+        let show = |id: &str, shown: bool| part::<gtk::Widget>(&self.builder, id).set_visible(shown);
+        show("way_no_ends", !has_ends);
+        show("via_buttons", has_ends);
+        show("wrap", has_ends);
+        self.show_rows(spec.via.len());
+        for row in self.rows.rows.borrow().iter().take(spec.via.len()) {
+            row.place.show(session, id, anew);
+        }
+        self.rows.add.set_sensitive(held && spec.via.len() < VIA);
+        self.pick.set_sensitive(held && spec.via.len() < VIA);
+        show_pick(&self.pick, session, id, Picked::NewVia);
+        let heading = part::<gtk::Label>(&self.builder, "via_heading");
+        heading.set_text(&if unit.is_empty() || spec.via.is_empty() { tr!("app-via") } else { tr!("app-via-unit", unit = unit) });
+        self.ball.show(session, id, anew);
+        for id in ["wrap_centre_label", "wrap_radius_label", "wrap_radius", "wrap_side_label", "wrap_side", "wrap_flip"] {
+            show(id, spec.wrap.is_some());
+        }
+        for id in ["wrap_unit", "wrap_radius_unit"] {
+            show(id, spec.wrap.is_some());
+            part::<gtk::Label>(&self.builder, id).set_text(unit);
+        }
+        for (field, entry) in self.fields.iter().enumerate() {
+            show_text(entry, &spec.wrap.as_ref().map_or_else(String::new, |wrap| field_text(wrap, field)), anew);
+        }
+    }
+
+    /// Lets as many rows be seen as there are points.
+    fn show_rows(&self, count: usize) {
+        while self.rows.rows.borrow().len() < count {
+            let Some(editor) = self.editor.borrow().clone() else { return };
+            let row = self.rows.make(&editor, &self.bones);
+            self.list.append(&row.root);
+            self.rows.rows.borrow_mut().push(row);
+        }
+        for (number, row) in self.rows.rows.borrow().iter().enumerate() {
+            row.root.set_visible(number < count);
+            row.up.set_sensitive(number > 0);
+            row.down.set_sensitive(number + 1 < count);
+        }
+        self.list.set_visible(count > 0);
+    }
+}
+
+impl Rows {
+    /// The row of the next via point.
+    fn make(&self, editor: &Editor, bones: &Bones) -> ViaRow {
+        let number = self.rows.borrow().len();
+        let builder = ui::numbered(ui::VIA_POINT, number + 1);
+        let place = PlaceField::new(&builder, "via", Handhold::Via(number), bones);
+        place.connect(editor);
+        let button = |id: &str| part::<gtk::Button>(&builder, id);
+        let (up, down, delete) = (button("via_up"), button("via_down"), button("via_delete"));
+        // A point that moves takes the keyboard with it.
+        for (arrow, swapped, goes_to) in [(&up, number.checked_sub(1), number.wrapping_sub(1)), (&down, Some(number), number + 1)] {
+            let (own, rows, is_up) = (editor.clone(), self.clone(), arrow == &up);
+            arrow.connect_clicked(move |_| {
+                if swapped.is_some_and(|swapped| own.edit(&Edit::SwapVia(swapped), Step::New)) {
+                    rows.focus(goes_to, |row| {
+                        let (wished, other) = if is_up { (&row.up, &row.down) } else { (&row.down, &row.up) };
+                        if wished.is_sensitive() { wished } else { other }
+                    });
+                }
+            });
+        }
+        let (own, rows) = (editor.clone(), self.clone());
+        delete.connect_clicked(move |_| {
+            if own.edit(&Edit::DeleteVia(number), Step::New) {
+                rows.focus(number, |row| &row.delete);
+            }
+        });
+        ViaRow { root: part(&builder, "via"), place, up, down, delete }
+    }
+
+    /// Gives the keyboard to a button of a row; where that is no longer there, to the last row's, else to the button that adds one.
+    fn focus(&self, number: usize, button: impl Fn(&ViaRow) -> &gtk::Button) {
+        let rows = self.rows.borrow();
+        let seen = rows.iter().take(number + 1).rfind(|row| row.root.is_visible());
+        seen.map_or(&self.add, button).grab_focus();
+    }
+}
+
+fn field_text(wrap: &Wrap, field: usize) -> String {
+    let value = if field == 0 { wrap.radius } else { wrap.side[field - 1] };
+    format::number(value, FIELDS[field].1)
+}
+
+/// Takes what was typed into a field of the ball.
+fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
+    let Some(mut wrap) = editor.spec().and_then(|spec| spec.wrap) else { return };
+    if entry.text() == field_text(&wrap, field) {
+        return entry.remove_css_class("error");
+    }
+    let value = format::typed(&entry.text()).unwrap_or(f64::NAN);
+    if field == 0 {
+        wrap.radius = value
+    } else {
+        wrap.side[field - 1] = value
+    }
+    if editor.edit(&Edit::Wrap(Some(wrap.clone())), Step::New) {
+        entry.remove_css_class("error");
+        entry.set_text(&field_text(&wrap, field));
+    } else {
+        entry.add_css_class("error");
+    }
+}
