@@ -93,6 +93,11 @@ fn files_come_as_a_desktop_brings_them() {
 }
 
 #[test]
+fn habits_of_a_desktop_are_kept() {
+    drive("habits.py");
+}
+
+#[test]
 #[ignore = "takes minutes; `make monkey` runs it"]
 fn ten_thousand_random_events_do_no_harm() {
     drive("monkey.py");

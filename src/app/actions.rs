@@ -302,8 +302,10 @@ commands! {
         ColoursDark = "colours-dark" [],
         /// The main menu.
         Menu = "menu" ["F10"],
+        /// What one can do and how.
+        Help = "help" ["F1"],
         /// This list.
-        Shortcuts = "shortcuts" ["<Control>question", "F1"],
+        Shortcuts = "shortcuts" ["<Control>question"],
         /// About.
         About = "about" [],
     }

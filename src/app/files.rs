@@ -93,6 +93,7 @@ pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<Musc
         if paths.is_empty() {
             window.files.stop();
             window.start_page(false);
+            window.give_looks_back();
             window.act(|session| {
                 session.show(Document::built_in(), Arrival::New);
                 session.carry(carried.muscles);
@@ -189,16 +190,19 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     window.files.failed.set(false);
     let news = (arrival == Arrival::Again).then(|| window.look(|session| what_changed(session.document(), &document)));
     let warnings = document.health.len();
-    window.act(|session| match &saved {
-        Some(saved) => {
+    if arrival == Arrival::New {
+        window.give_looks_back();
+    }
+    match &saved {
+        Some(saved) => window.borrow_looks(|session| {
             session.show_saved(document, saved);
             if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
                 session.compare(Some(With::File(Box::new(other), path.display().to_string())));
                 session.shift_compared(shift.later, shift.aside);
             }
-        }
-        None => session.show(document, arrival),
-    });
+        }),
+        None => window.act(|session| session.show(document, arrival)),
+    }
     if let Some(carried) = window.files.carried.take() {
         window.act(|session| session.carry(carried.muscles));
         (carried.then)();
@@ -331,6 +335,7 @@ fn close_now(window: &Rc<Window>) {
         return;
     }
     forget(window);
+    window.give_looks_back();
     window.act(|session| session.show(Document::default(), Arrival::New));
 }
 

@@ -71,7 +71,7 @@ fn main_menu() -> gio::Menu {
     more.append_submenu(Some(&tr!("app-menu-colours")), &colours);
     menu.append_section(None, &more);
     section(&menu, &[C::Sidebars, C::Fullscreen]);
-    section(&menu, &[C::Shortcuts, C::About, C::Quit]);
+    section(&menu, &[C::Help, C::Shortcuts, C::About, C::Quit]);
     menu
 }
 

@@ -27,6 +27,7 @@ mod files;
 mod ghosts_panel;
 mod glyph;
 mod health_panel;
+mod help;
 mod inspector;
 mod inspector_text;
 mod keyboard;

@@ -11,7 +11,7 @@ use super::actions::Command;
 use super::session::{Picked, Preset, Session, Tool, With};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
-use super::{about, compare_file, export_dialog, files, picture, save_session, saving, theme};
+use super::{about, compare_file, export_dialog, files, help, picture, save_session, saving, theme};
 use crate::muscle::Handhold;
 use crate::render::{Samples, Shading};
 use crate::scene::View;
@@ -229,6 +229,7 @@ pub fn perform(window: &Rc<Window>, command: Command) {
             window.show_states();
         }
         C::Menu => window.menu.popup(),
+        C::Help => help::show(window),
         C::Shortcuts => about::shortcuts(window),
         C::About => about::about(window),
         C::Fly => window.viewport.toggle_flight(window),

@@ -198,6 +198,44 @@ impl Settings {
     }
 }
 
+/// What a user's own looks are while a session file's are shown.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnLooks {
+    own: Settings,
+    file: Settings,
+}
+
+impl OwnLooks {
+    /// The looks before the session file came and those that it brought.
+    pub fn new(own: Settings, file: Settings) -> Self {
+        Self { own, file }
+    }
+
+    /// The user's own looks where `now` is shown: what the file brought is not theirs, what they changed since is.
+    pub fn among(&self, now: &Settings) -> Settings {
+        fn own<T: PartialEq + Clone>(now: &T, file: &T, own: &T) -> T {
+            if now == file { own.clone() } else { now.clone() }
+        }
+        let (mine, file) = (&self.own, &self.file);
+        let shown = SWITCHES.iter().map(|(name, _)| *name).filter(|name| {
+            let on = |settings: &Settings| settings.shown.iter().any(|shown| shown == name);
+            own(&on(now), &on(file), &on(mine))
+        });
+        Settings {
+            frame_rate: own(&now.frame_rate, &file.frame_rate, &mine.frame_rate),
+            bone_names: own(&now.bone_names, &file.bone_names, &mine.bone_names),
+            backdrop: own(&now.backdrop, &file.backdrop, &mine.backdrop),
+            grid_cell: own(&now.grid_cell, &file.grid_cell, &mine.grid_cell),
+            line_width: own(&now.line_width, &file.line_width, &mine.line_width),
+            ambient: own(&now.ambient, &file.ambient, &mine.ambient),
+            shading: own(&now.shading, &file.shading, &mine.shading),
+            smooth_edges: own(&now.smooth_edges, &file.smooth_edges, &mine.smooth_edges),
+            shown: shown.map(String::from).collect(),
+            ..now.clone()
+        }
+    }
+}
+
 fn broken(path: &Path, reason: &str) -> String {
     tr!("app-settings-broken", file = path.display().to_string(), reason = reason.lines().next().unwrap_or_default().to_owned())
 }
@@ -225,6 +263,21 @@ mod tests {
         let mut other = Session::default();
         loaded.apply(&mut other);
         assert_eq!(other.display(), session.display());
+    }
+
+    #[test]
+    fn looks_of_a_file_are_not_the_users_but_changes_to_them_are() {
+        let own = Settings { line_width: 2.0, shown: vec!["grid".into(), "mesh".into()], ..Settings::default() };
+        let file = Settings { line_width: 1.0, shading: "flat".into(), shown: vec!["bones".into(), "mesh".into()], ..own.clone() };
+        let held = OwnLooks::new(own.clone(), file.clone());
+        let back = held.among(&file);
+        assert_eq!((back.line_width, back.shading.as_str()), (2.0, "gouraud"));
+        assert!(back.shown.contains(&"grid".into()) && back.shown.contains(&"mesh".into()) && back.shown.len() == 2, "{:?}", back.shown);
+        let touched = Settings { shading: "phong".into(), shown: vec!["bones".into(), "axes".into()], ..file };
+        let back = held.among(&touched);
+        assert_eq!(back.shading, "phong");
+        let has = |name: &str| back.shown.iter().any(|shown| shown == name);
+        assert!(has("grid") && has("axes") && !has("mesh") && !has("bones"), "{:?}", back.shown);
     }
 
     #[test]

@@ -117,6 +117,7 @@ pub fn open_demo(window: &Rc<Window>, demo: Demo) {
         Ok(None) => saving::ask_first(window, |window| {
             window.start_page(false);
             files::forget(window);
+            window.give_looks_back();
             window.act(|session| session.show(Document::built_in(), Arrival::New));
         }),
         Err(error) => window.error_bar.show(Trouble {

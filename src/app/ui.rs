@@ -1,14 +1,15 @@
 //! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, `tr:key#` for one that takes the argument `$number`, and
 //! `tip:command` for the label of a command with its shortcut.
 
-use gtk4::glib::{Object, markup_escape_text};
+use gtk4::glib::{Object, Propagation, markup_escape_text};
 use gtk4::prelude::*;
 use gtk4::{
-    Builder, DropDown, Expression, Label, ListItem, MenuButton, Popover, PropertyExpression, SignalListItemFactory, StringObject,
-    ToggleButton, pango,
+    Builder, DropDown, Expression, Label, ListItem, MenuButton, Popover, PropertyExpression, SignalListItemFactory, SpinButton,
+    StringObject, ToggleButton, pango,
 };
 
 use super::actions::Command;
+use super::format;
 use crate::tr;
 
 /// The `.ui` files, by the name of the code that uses them.
@@ -53,7 +54,12 @@ pub fn builder(text: &str) -> Builder {
 /// A builder of a file of which there are several, told apart by a number from 1.
 pub fn numbered(text: &str, number: usize) -> Builder {
     let builder = Builder::from_string(&translate(text, number));
-    builder.objects().iter().for_each(hush);
+    for object in &builder.objects() {
+        hush(object);
+        if let Some(number) = object.downcast_ref::<SpinButton>() {
+            speak_numbers(number);
+        }
+    }
     builder
 }
 
@@ -94,6 +100,20 @@ pub fn show_value(adjustment: &gtk4::Adjustment, value: f64) {
     if (value - adjustment.value()).abs() > 1e-5 * adjustment.step_increment() {
         adjustment.set_value(value);
     }
+}
+
+/// Lets a box write and read numbers as the rest of the window does, in the language of the program; GTK's own way is that of the system's locale.
+fn speak_numbers(number: &SpinButton) {
+    // The filter of numeric boxes knows the locale's decimal mark only.
+    number.set_numeric(false);
+    number.connect_output(|number| {
+        let text = format::number(number.value(), number.digits() as usize);
+        if number.text() != text {
+            number.set_text(&text);
+        }
+        Propagation::Stop
+    });
+    number.connect_input(|number| Some(format::typed(&number.text()).ok_or(())));
 }
 
 /// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed

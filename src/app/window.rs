@@ -21,7 +21,7 @@ use super::muscle_panel::MusclePanel;
 use super::recovery::Recovery;
 use super::scene_tree::SceneTree;
 use super::session::{Arrival, Changes, Session};
-use super::settings::Settings;
+use super::settings::{OwnLooks, Settings};
 use super::sheet::Sheet;
 use super::start::StartPage;
 use super::timeline::Timeline;
@@ -62,6 +62,8 @@ pub struct Window {
     tree_gave_way: Cell<bool>,
     /// The right panel was folded for want of room, not by a hand.
     panel_gave_way: Cell<bool>,
+    /// The user's own looks while those of a session file are shown.
+    own_looks: RefCell<Option<OwnLooks>>,
     actions: HashMap<Command, gio::SimpleAction>,
     builder: gtk::Builder,
     timeline: Timeline,
@@ -115,6 +117,7 @@ impl Window {
             page_turned: Cell::new(false),
             tree_gave_way: Cell::new(false),
             panel_gave_way: Cell::new(false),
+            own_looks: RefCell::default(),
             actions: perform::make_actions(),
             timeline: Timeline::new(),
             tree: SceneTree::new(),
@@ -127,6 +130,10 @@ impl Window {
             builder,
         });
         window.put_together();
+        // Reading has begun before anything is shown, or the start page would flash.
+        if !files.is_empty() {
+            files::open(&window, files, Arrival::New);
+        }
         theme::follow(&window);
         window.refresh();
         if let Some(notice) = notice {
@@ -134,9 +141,6 @@ impl Window {
         }
         window.recovery.offer();
         window.widget.present();
-        if !files.is_empty() {
-            files::open(&window, files, Arrival::New);
-        }
     }
 
     fn put_together(self: &Rc<Self>) {
@@ -460,6 +464,30 @@ impl Window {
         self.muscle.change(self, command);
     }
 
+    /// `settings` with the looks that are the user's own: what a session file brought is left out.
+    fn looks_of_user(&self, settings: &Settings) -> Settings {
+        let mut now = settings.clone();
+        now.take(&self.session.borrow());
+        self.own_looks.borrow().as_ref().map_or(now.clone(), |held| held.among(&now))
+    }
+
+    /// Something else is about to be shown: the looks that a session file brought go with it.
+    pub fn give_looks_back(self: &Rc<Self>) {
+        let own = self.looks_of_user(&self.settings.borrow());
+        if self.own_looks.take().is_some() {
+            self.act(|session| own.apply(session));
+        }
+    }
+
+    /// Lets a session file's looks come; the user's own are kept aside.
+    pub fn borrow_looks(self: &Rc<Self>, show: impl FnOnce(&mut Session)) {
+        let own = self.looks_of_user(&self.settings.borrow());
+        self.act(show);
+        let mut file = own.clone();
+        file.take(&self.session.borrow());
+        self.own_looks.replace(Some(OwnLooks::new(own, file)));
+    }
+
     /// The actions, to connect them.
     pub fn actions(&self) -> &HashMap<Command, gio::SimpleAction> {
         &self.actions
@@ -479,7 +507,7 @@ impl Window {
         if let Some(page) = part::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }
-        settings.take(&self.session.borrow());
+        *settings = self.looks_of_user(&settings);
         if let Err(error) = settings.save(&Settings::path()) {
             eprintln!("{}", tr!("app-settings-unsaved", reason = error.to_string()));
         }

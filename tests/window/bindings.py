@@ -150,10 +150,11 @@ def test_panels(window):
     wait("F9 folds both panels away", lambda: not shown("Scene tree") and not shown("Right panel"))
     window.key("F9")
     wait("and brings them back", lambda: (shown("Scene tree"), shown("Right panel")) == before)
-    for key in ("F1", "ctrl+question"):
+    for key, words in (("F1", "When something is wrong"), ("ctrl+question", "Next clip")):
         window.key(key)
-        wait(f"{key} shows the shortcuts", lambda: window.others())
-        run("xdotool", "windowfocus", window.others()[0])
+        other = wait(f"{key} shows a window", lambda: window.others())[0]
+        wait(f"{key} shows: {words}", lambda: window.shows(words))
+        run("xdotool", "windowfocus", other)
         window.key("Escape")
         wait("Esc closes them", lambda: not window.others())
         run("xdotool", "windowfocus", window.window)
@@ -162,7 +163,7 @@ def test_panels(window):
     window.key("F10")
     wait("F10 opens the menu", lambda: window.find("menu item", "Keyboard shortcuts"))
     window.key("Escape")
-    told("F9, F1, Ctrl+?, F10")
+    told("F9, F1 with the help, Ctrl+? with the keys, F10")
 
 
 def test_pictures(window):

@@ -105,7 +105,7 @@ def test_camera_and_time():
     run("xdotool", "mousemove", 640, 380, "mousedown", 1, "mousemove", 660, 380, "mousemove", 700, 380, "mouseup", 1)
     wait("a drag goes back to the turntable", lambda: window.picture() != rolled)
     run("xdotool", "mousemove", 700, 90)
-    window.key("1")
+    window.key("Return", "1")
     wait("which is level", lambda: window.picture() == front)
     slider.set_current_value(0.5)
     told("a camera of the file is chosen and gives its own view; the turntable stays level")

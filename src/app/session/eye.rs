@@ -180,6 +180,35 @@ impl Eye {
         self.viewpoint = Viewpoint::File(node, camera);
     }
 
+    /// Puts the orbit, under what it is at present, where `camera` looks from, with the same size of what is as far ahead as `middle`, the middle of the
+    /// scene. The turntable has no roll: the horizon becomes level.
+    pub fn stand_at(&mut self, camera: &Camera, middle: Vec3) {
+        let (right, back) = (camera.rotation * Vec3::X, camera.rotation * Vec3::Z);
+        let ahead = (middle - camera.eye).dot(camera.forward());
+        let depth = if ahead.is_finite() && ahead > 0.0 { ahead } else { self.orbit.scene_radius };
+        let half = (OrbitCamera::FOV_Y * 0.5).tan();
+        let (distance, orthographic) = match camera.projection {
+            Projection::Perspective { fov_y } => (depth * (fov_y * 0.5).tan() / half, false),
+            Projection::Orthographic { height } => (height * 0.5 / half, true),
+        };
+        if !(distance.is_finite() && distance > 0.0) {
+            return;
+        }
+        // Straight up and down nothing is behind but what is beside still tells the yaw.
+        let upright = back.y.abs() > 0.9999;
+        let yaw = if upright { (-right.z).atan2(right.x) } else { back.x.atan2(back.z) };
+        self.orbit = OrbitCamera {
+            target: camera.eye + camera.forward() * depth,
+            yaw: yaw.to_degrees(),
+            pitch: back.y.clamp(-1.0, 1.0).asin().to_degrees(),
+            orthographic,
+            ..self.orbit
+        };
+        self.orbit.distance = distance;
+        self.orbit.zoom(1.0);
+        self.jump = None;
+    }
+
     /// The camera to draw with.
     pub fn camera(&self, scene: &Scene, frame: &Frame) -> Camera {
         match self.viewpoint {
@@ -218,6 +247,38 @@ mod tests {
         eye.look_from(View::Top);
         assert_eq!(eye.orbit().pitch, 90.0);
         assert!(!eye.is_jumping());
+    }
+
+    #[test]
+    fn the_orbit_goes_on_from_where_a_camera_looks() {
+        // Any orbit's own camera is taken over as it is, whatever the orbit was before.
+        for (yaw, pitch, distance, orthographic) in
+            [(200.0, -30.0, 3.0, false), (-75.0, 89.0, 0.7, false), (40.0, 90.0, 2.0, false), (130.0, 20.0, 5.0, true)]
+        {
+            let target = Vec3::new(1.0, 2.0, -0.5);
+            let wanted = OrbitCamera { target, yaw, pitch, distance, orthographic, scene_radius: 1.0 };
+            let camera = wanted.camera();
+            let mut eye = Eye::default();
+            eye.stand_at(&camera, target);
+            let taken = eye.orbit().camera();
+            assert!(taken.rotation.angle_between(camera.rotation) < 2e-3, "{wanted:?}: {:?}", eye.orbit());
+            assert!((eye.orbit().target - target).length() < 1e-3 && (eye.orbit().distance - distance).abs() < 1e-3, "{:?}", eye.orbit());
+            assert_eq!(eye.orbit().orthographic, orthographic);
+        }
+    }
+
+    #[test]
+    fn another_field_of_view_keeps_the_size_of_the_middle() {
+        let fov_y = 1.2_f32;
+        let projection = Projection::Perspective { fov_y };
+        let camera = Camera { eye: Vec3::new(0.0, 1.0, 6.0), rotation: Quat::from_rotation_z(0.4), projection, near: 0.1, far: 100.0 };
+        let mut eye = Eye::default();
+        eye.stand_at(&camera, Vec3::ZERO);
+        let seen = 2.0 * 6.0 * (fov_y * 0.5).tan();
+        let shown = 2.0 * eye.orbit().distance * (OrbitCamera::FOV_Y * 0.5).tan();
+        assert!((seen - shown).abs() < 1e-4 && (eye.orbit().target - Vec3::new(0.0, 1.0, 0.0)).length() < 1e-5);
+        // Level, though the camera was rolled.
+        assert!((eye.orbit().camera().rotation * Vec3::X).y.abs() < 1e-6);
     }
 
     #[test]

@@ -2,11 +2,11 @@
 
 use glam::Vec3;
 
-use super::{Changes, Eye, LightAim, Session};
+use super::{Changes, Eye, LightAim, Session, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Content, NodeId, View};
-use crate::stage::Backdrop;
+use crate::stage::{Backdrop, file_camera};
 
 impl Session {
     /// The selected node.
@@ -147,8 +147,15 @@ impl Session {
         self.changed(Changes::SURROUNDINGS);
     }
 
-    /// Changes the eye.
+    /// Changes the eye. What a hand makes of a camera of the file goes on from where that camera looks.
     pub fn change_eye(&mut self, change: impl FnOnce(&mut Eye)) {
+        if let Viewpoint::File(node, camera) = self.eye.viewpoint() {
+            self.frame();
+            if let Some(camera) = file_camera(&self.document.scene, &self.frame, node, camera) {
+                let middle = self.reach().center();
+                self.eye.stand_at(&camera, middle);
+            }
+        }
         change(&mut self.eye);
         self.fit_on_resize = false;
         self.changed(Changes::CAMERA);

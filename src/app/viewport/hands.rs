@@ -35,6 +35,30 @@ enum Grip {
     Dot,
 }
 
+/// How far two fingers are apart, against when they came down.
+struct Spread(Cell<f64>);
+
+impl Default for Spread {
+    fn default() -> Self {
+        Self(Cell::new(1.0))
+    }
+}
+
+impl Spread {
+    /// The fingers come down.
+    fn begin(&self) {
+        self.0.set(1.0);
+    }
+
+    /// What the picture grows by since the last time; `scale` counts from when the fingers came down.
+    fn factor(&self, scale: f64) -> f32 {
+        if !(scale.is_finite() && scale > 0.0) {
+            return 1.0;
+        }
+        (scale / self.0.replace(scale)) as f32
+    }
+}
+
 /// What the hands hold.
 #[derive(Default)]
 pub struct Hands {
@@ -319,19 +343,23 @@ fn connect_wheel(window: &Rc<Window>, canvas: &Canvas) {
     ));
     canvas.add_controller(wheel);
     let pinch = gtk::GestureZoom::new();
-    let before = Rc::new(Cell::new(1.0));
+    let spread = Rc::new(Spread::default());
     pinch.connect_begin(glib::clone!(
+        #[weak]
+        window,
         #[strong]
-        before,
-        move |_, _| before.set(1.0)
+        spread,
+        move |_, _| {
+            // The first finger had begun a drag; with the second it is none.
+            window.viewport.hands.grip.set(None);
+            window.viewport.hands.moved.set(true);
+            spread.begin();
+        }
     ));
     pinch.connect_scale_changed(glib::clone!(
         #[weak]
         window,
-        move |gesture, scale| {
-            let factor = scale / before.replace(scale);
-            zoom(&window, factor as f32, gesture.bounding_box_center());
-        }
+        move |gesture, scale| zoom(&window, spread.factor(scale), gesture.bounding_box_center())
     ));
     canvas.add_controller(pinch);
 }
@@ -403,4 +431,20 @@ fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
         }
     ));
     canvas.add_controller(motion);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pinch_grows_the_picture_by_what_the_fingers_spread() {
+        let spread = Spread::default();
+        for scales in [&[1.1, 1.5, 1.2, 2.0][..], &[0.9, 0.0, f64::NAN, f64::INFINITY, 0.5]] {
+            spread.begin();
+            let grown: f32 = scales.iter().map(|scale| spread.factor(*scale)).product();
+            let last = *scales.last().expect("some") as f32;
+            assert!((grown - last).abs() < 1e-5, "{scales:?}: {grown}");
+        }
+    }
 }

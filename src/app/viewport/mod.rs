@@ -95,11 +95,17 @@ impl Viewport {
         hands::connect(window, &self.canvas);
         self.show_times(window.settings.borrow().frame_times);
         let file = self.toast_file.clone();
-        part::<gtk::Button>(&self.builder, "toast_folder").connect_clicked(move |_| {
-            if let Some(folder) = file.borrow().as_deref().and_then(std::path::Path::parent) {
-                let uri = gio::File::for_path(folder).uri();
-                gio::AppInfo::launch_default_for_uri_async(&uri, gio::AppLaunchContext::NONE, gio::Cancellable::NONE, |_| ());
-            }
+        let weak = Rc::downgrade(window);
+        part::<gtk::Button>(&self.builder, "toast_folder").connect_clicked(move |button| {
+            let file = file.borrow().as_deref().and_then(|file| std::path::absolute(file).ok());
+            let Some(folder) = file.as_deref().and_then(std::path::Path::parent) else { return };
+            let (uri, weak) = (gio::File::for_path(folder).uri(), weak.clone());
+            let context = button.display().app_launch_context();
+            gio::AppInfo::launch_default_for_uri_async(&uri, Some(&context), gio::Cancellable::NONE, move |shown| {
+                if let (Err(error), Some(window)) = (shown, weak.upgrade()) {
+                    window.viewport.toast(&tr!("app-folder-failed", reason = error.message().to_owned()), None);
+                }
+            });
         });
     }
 

@@ -1,0 +1,87 @@
+//! The help window: what one can do, in a few paragraphs, with the keys of the table of commands.
+
+use std::rc::Rc;
+
+use gtk::prelude::*;
+use gtk::{gdk, glib};
+use gtk4 as gtk;
+
+use super::actions::Command;
+use super::window::Window;
+use crate::i18n::{FluentValue, message};
+use crate::tr;
+
+/// The paragraphs: the names of their headings and of their texts in the catalogue.
+const PARAGRAPHS: [(&str, &str); 7] = [
+    ("app-help-open", "app-help-open-text"),
+    ("app-help-look", "app-help-look-text"),
+    ("app-help-time", "app-help-time-text"),
+    ("app-help-inside", "app-help-inside-text"),
+    ("app-help-muscle", "app-help-muscle-text"),
+    ("app-help-keep", "app-help-keep-text"),
+    ("app-help-trouble", "app-help-trouble-text"),
+];
+
+/// A text of the catalogue, in which `$id` stands for the key of the command with that id.
+fn text(key: &str, key_of: impl Fn(Command) -> String) -> String {
+    let keys: Vec<_> = Command::ALL.iter().map(|command| (command.id(), FluentValue::from(key_of(*command)))).collect();
+    message(key, &keys)
+}
+
+/// Shows the help beside the window, so that it can be read while doing what it says.
+pub fn show(window: &Rc<Window>) {
+    let body = gtk::Box::new(gtk::Orientation::Vertical, 18);
+    for set in [gtk::Box::set_margin_start, gtk::Box::set_margin_end, gtk::Box::set_margin_top, gtk::Box::set_margin_bottom] {
+        set(&body, 18);
+    }
+    let label = |text: &str| gtk::Label::builder().label(text).xalign(0.0).wrap(true).max_width_chars(56);
+    for (heading, key) in PARAGRAPHS {
+        let paragraph = gtk::Box::new(gtk::Orientation::Vertical, 6);
+        paragraph.append(&label(&tr!(heading)).css_classes(["heading"]).build());
+        paragraph.append(&label(&text(key, Command::key_label)).build());
+        body.append(&paragraph);
+    }
+    let scrolled = gtk::ScrolledWindow::builder().hscrollbar_policy(gtk::PolicyType::Never).child(&body).build();
+    let help = gtk::Window::builder()
+        .title(tr!("app-help-title"))
+        .transient_for(&window.widget)
+        .destroy_with_parent(true)
+        .default_width(480)
+        .default_height(600)
+        .child(&scrolled)
+        .build();
+    let keys = gtk::EventControllerKey::new();
+    keys.connect_key_pressed(glib::clone!(
+        #[weak]
+        help,
+        #[upgrade_or]
+        glib::Propagation::Proceed,
+        move |_, key, _, _| {
+            if matches!(key, gdk::Key::Escape | gdk::Key::F1) {
+                help.close();
+                return glib::Propagation::Stop;
+            }
+            glib::Propagation::Proceed
+        }
+    ));
+    help.add_controller(keys);
+    help.present();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_in_the_help_is_one_of_the_table() {
+        let mut named = 0;
+        for (heading, key) in PARAGRAPHS {
+            assert_ne!(tr!(heading), heading);
+            // A name that is no command's would stay as it is.
+            let shown = text(key, |command| format!("‹{}›", command.keys()[0]));
+            assert!(shown != key && !shown.contains('$'), "{shown}");
+            named += shown.matches('‹').count();
+        }
+        assert!(named > 10);
+    }
+}
