@@ -78,7 +78,7 @@ mod tests {
         for (heading, key) in PARAGRAPHS {
             assert_ne!(tr!(heading), heading);
             // A name that is no command's would stay as it is.
-            let shown = text(key, |command| format!("‹{}›", command.keys()[0]));
+            let shown = text(key, |command| format!("‹{}›", command.keys().first().copied().unwrap_or_default()));
             assert!(shown != key && !shown.contains('$'), "{shown}");
             named += shown.matches('‹').count();
         }
