@@ -54,6 +54,16 @@ impl Rig {
         corners.windows(2).enumerate().min_by(|a, b| away(a.1).total_cmp(&away(b.1))).map(|(number, _)| number)
     }
 
+    /// Where a via point of muscle `index` goes for which a hand shows a place on the muscle itself: the bone of the point before it, and the place inside,
+    /// on the drawn centre line, in the world.
+    pub fn via_inside(&self, index: usize, place: DVec3, drive: Drive, world: &[DMat4]) -> Option<(NodeId, DVec3)> {
+        let line = self.line(index)?;
+        let number = self.via_number_at(index, place, world)?;
+        let before = number.checked_sub(1).and_then(|before| line.via.get(before)).unwrap_or(&line.origin);
+        let (inside, _) = self.nearest(index, drive, world, self.frames(world).from_world.transform_point3(place))?;
+        Some((*self.bones.get(before.bone)?, self.root_matrix(world).transform_point3(inside)))
+    }
+
     /// What muscle `index` goes round where a hand chooses `node` for it: a ball in the joint by which the muscle leaves that bone, on the side on which
     /// the muscle passes now. Radius and side of a ball that is there already stay. `None` where nothing holds the muscle or the file has no name for the
     /// bone.

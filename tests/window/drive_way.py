@@ -5,6 +5,7 @@ import shutil
 
 from drive import Atspi, Window, configs, fail, folder, run, steadily, still, told, wait, walk
 from drive_hands import click, enter, muscle_page, reveal, text, title
+from hands import click as click_at, drag
 
 
 def button(window, name):
@@ -70,9 +71,15 @@ def test_way():
     name = "Pass via point 2 earlier, nearer to the origin"
     press(window, name)
     wait("the points change places", lambda: (text(first("Y")), text(second("Y"))) == (two, one))
+    # The keyboard goes with the point: to the arrow of the first row that can be pressed.
+    window.key("Return")
+    wait("the keyboard goes with the point that moved", lambda: (text(first("Y")), text(second("Y"))) == (one, two))
+    window.key("Return")
+    wait("and back again", lambda: (text(first("Y")), text(second("Y"))) == (two, one))
     undo = lambda: window.get("button", "Undo").do_action(0)
     redo = lambda: window.get("button", "Redo").do_action(0)
-    undo()
+    for _ in range(3):
+        undo()
     wait("Undo puts them back", lambda: (text(first("Y")), text(second("Y"))) == (one, two))
     press(window, "Delete via point 1" if one != "−160.00" else "Delete via point 2")
     wait("a point is deleted", lambda: not shown(window, offset(2, "Y")) and text(first("Y")) == "−160.00")
@@ -117,9 +124,40 @@ def test_way():
     wait("a hint says what to click", lambda: window.shows("Click the place on a bone that the muscle passes"))
     window.key("Escape")
     wait("Esc leaves picking", lambda: not window.shows("Click the place on a bone that the muscle passes"))
+    told("what was saved is read again, and a picking left")
+
     press(window, "Delete via point 1")
     wait("the last via point goes", lambda: not shown(window, offset(1, "X")))
-    told("what was saved is read again, and a picking left")
+    window.key("Return")
+    wait("the keyboard is on the button that adds one", lambda: shown(window, offset(1, "X")))
+    press(window, "Delete via point 1")
+    wait("it goes again", lambda: not shown(window, offset(1, "X")))
+    press(window, pick)
+    wait("picking begins anew", lambda: window.shows("Click the place on a bone that the muscle passes"))
+    # Beside the arm a click changes nothing, so it is looked for from left to right, half-way up its upper rod.
+    for x in range(440, 660, 6):
+        click_at(x, 250)
+        if not window.shows("Click the place on a bone that the muscle passes"):
+            break
+    picked = float(wait("a click on the arm puts a via point there", lambda: text(first("X"))).replace("−", "-"))
+    drag(x, 250, x + 60, 250)
+    wait("its dot is dragged in the picture", lambda: float(text(first("X")).replace("−", "-")) > picked + 10.0)
+    undo()
+    wait("the drag is one step", lambda: float(text(first("X")).replace("−", "-")) == picked)
+    told("a via point is picked and dragged in the picture")
+
+    joint = "Pick the bone whose joint the muscle goes round"
+    press(window, "Pass the ball on its other side")
+    press(window, joint)
+    wait("a hint says what the click is for", lambda: window.shows("Click the bone whose joint the muscle goes round"))
+    for x in range(440, 660, 6):
+        click_at(x, 330)
+        if not window.shows("Click the bone whose joint the muscle goes round"):
+            break
+    wait("a click on a bone is taken", lambda: not window.shows("Click the bone whose joint the muscle goes round"))
+    if radius() != "21.50" or "1.000" not in side() or side() == "1.000":
+        fail("the ball keeps its radius and its side")
+    told("the joint to go round is picked")
     window.process.kill()
     window.process.wait()
 

@@ -155,17 +155,29 @@ impl Session {
         }
     }
 
-    /// The bone that a picked point belongs to, and where on it the muscle's point goes: a bone itself, the arm's rods, or the joint that a skin follows most there.
+    /// Whether what is picked is a point on the way, which may be picked on the muscle itself.
+    fn picks_via(&self) -> bool {
+        self.picking.as_ref().is_some_and(|picking| matches!(picking.what, Picked::NewVia | Picked::Point(Handhold::Via(_))))
+    }
+
+    /// The bone that a picked point belongs to, and where on it the muscle's point goes: a bone itself, the arm's rods, or the joint that a skin follows
+    /// most there; a point on the way goes where the muscle runs already, where the muscle itself was clicked.
     fn bone_under(&self, pick: &Pick) -> Option<(NodeId, DVec3)> {
         let point = pick.point.as_dvec3();
         let (Some(index), Some(muscle)) = (pick.surface, self.picking.as_ref().map(|picking| picking.muscle)) else {
             return Some((pick.node, point));
         };
-        let (rig, _) = self.document.muscle(muscle)?;
+        let (rig, own) = self.document.muscle(muscle)?;
+        let surface = self.frame.surfaces.get(index as usize)?;
+        if surface.muscle == Some(muscle) && self.picks_via() {
+            return rig.via_inside(own, point, self.state.drive, &self.frame.world);
+        }
         if rig.arm_bones().is_some() {
             return rig.bone_name(&self.document.scene.graph, pick.node).map(|_| (pick.node, point));
         }
-        let surface = self.frame.surfaces.get(index as usize).filter(|surface| surface.muscle.is_none())?;
+        if surface.muscle.is_some() {
+            return None;
+        }
         let node = self.strongest_joint(index as usize, &surface.mesh.triangles, pick).unwrap_or(pick.node);
         let begin = self.frame.position(node).as_dvec3();
         let along = self.way_along(node);

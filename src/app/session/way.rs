@@ -63,6 +63,7 @@ mod tests {
     use crate::app::session::{GripDrag, Picked};
     use crate::document::Document;
     use crate::muscle::{Anchor, MuscleFile, MuscleSpec};
+    use crate::render::Pick;
 
     /// The demo's clip with a ready muscle that goes round nothing.
     fn attached() -> (Session, MuscleId) {
@@ -232,6 +233,30 @@ mod tests {
         session.drag_grip(&drag, dot.place + DVec2::new(15.0, 0.0), size, Step::New).unwrap();
         let after = spec(&session, id).wrap.unwrap();
         assert!(after.center.offset != before.center.offset && (after.radius, after.side) == (before.radius, before.side));
+    }
+
+    #[test]
+    fn a_click_on_the_muscle_itself_puts_a_via_point_inside_it() {
+        let (mut session, id) = attached();
+        let before = length(&mut session, id);
+        let surface = session.posed().surfaces.iter().position(|surface| surface.muscle == Some(id)).unwrap();
+        let (mut skin, mut normals) = (Vec::new(), Vec::new());
+        let (rig, index) = session.document().muscle(id).unwrap();
+        let world = &session.posed().world;
+        rig.deform(index, &rig.solve(index, session.drive(), world), world, &mut skin, &mut normals);
+        let point = skin[skin.len() / 2];
+        let node = session.node_of_muscle(id).unwrap();
+        let pick = Pick { node, surface: Some(surface as u32), triangle: 0, barycentric: glam::Vec3::X, point };
+        session.start_picking(id, Picked::Point(Handhold::Wrap));
+        session.pick_at(Some(pick)).unwrap();
+        assert!(session.picking().is_some() && spec(&session, id).wrap.is_none(), "no joint is there");
+        session.start_picking(id, Picked::NewVia);
+        session.pick_at(Some(pick)).unwrap();
+        let inside = place(&mut session, id, Handhold::Via(0));
+        let thickest = spec(&session, id).profile.radii().iter().copied().fold(0.0, f64::max) * 1e-3;
+        let away = inside.distance(point.as_dvec3());
+        assert!(away > 0.1 * thickest && away < 2.0 * thickest, "{away} {thickest}");
+        assert!((length(&mut session, id) / before - 1.0).abs() < 0.01);
     }
 
     #[test]
