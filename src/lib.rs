@@ -17,8 +17,8 @@
 //! | [`document`] | any file to a [`document::Document`]; `Document::pose` makes a frame | all of the above but `render` |
 //! | [`export`] | pictures, films and surfaces as files; glTF of whole documents | `scene`, `render`, `document` |
 //! | [`plot`] | quantities as curves, on a widget, as SVG and as PNG | `i18n` |
-//! | [`film`] | pictures in a row: what moves, and how it becomes files | `document`, `render`, `export` |
-//! | [`stage`] | how a document is looked at, without a window: session files, looks by name | `document`, `render` |
+//! | [`stage`] | how a document is looked at, without a window: session files, looks by name, ghosts and comparisons | `document`, `render` |
+//! | [`film`] | pictures in a row: what moves, and how it becomes files | `document`, `render`, `export`, `stage` |
 //! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `film`, `stage` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
 //!

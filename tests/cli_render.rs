@@ -295,6 +295,18 @@ fn a_session_is_drawn_as_it_was_looked_at() {
     assert_eq!(render(&from_the_side, &small(&["--yaw", "30", "--pitch", "18"])).bytes, render(&write("c.session.yaml", ""), &SMALL).bytes);
     let hidden = write("d.session.yaml", "  hidden: [{node: 0, name: column}]\n  backdrop: black\n  smooth-edges: false\n");
     assert_eq!(render(&hidden, &SMALL).unlike(&[0, 0, 0]), 0);
+    // Other moments and what is compared are drawn as the window draws them: more than the scene alone, and all of it.
+    fs::copy(folder.path().join("column.dae"), folder.path().join("other.dae")).expect("copied");
+    let alone = render(&write("f.session.yaml", "  time: 0.5\n  backdrop: black\n"), &SMALL).unlike(&[0, 0, 0]);
+    for (name, text) in [
+        ("ghosts", "  ghosts: {shown: true, before: 1, after: 1, step: 12}\n  frame-rate: 24\n"),
+        ("file", "  compared: {file: other.dae, later: 0.5, aside: 0.0}\n"),
+        ("skinning", "  compared: {skinning: true, later: 0.0, aside: 0.4}\n"),
+    ] {
+        let session = write(&format!("{name}.session.yaml"), &format!("  time: 0.5\n  backdrop: black\n{text}"));
+        let shown = render(&session, &SMALL).unlike(&[0, 0, 0]);
+        assert!(shown > alone + alone / 20, "{name}: {shown} against {alone}");
+    }
     let out = folder.path().join("x.png");
     let line = sinew(["render", arg(&write("e.session.yaml", "  time: soon\n")), "-o", arg(&out)]).refused(1);
     assert!(line.contains("e.session.yaml") && line.contains('4'), "{line}");

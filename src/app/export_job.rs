@@ -13,6 +13,7 @@ use crate::export::{gif, video};
 use crate::film::{self, Motion, Pattern, Refusal, Sequence, Shot, Studio, Target, Wish};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
+use crate::stage::Company;
 use crate::tr;
 
 /// The kinds of file.
@@ -273,6 +274,8 @@ impl Options {
 /// One export, independent of the window.
 pub struct Job {
     document: Document,
+    /// What accompanies it, with its frame rate.
+    company: (Company, f64),
     state: PoseState,
     sequence: Sequence,
     eye: Eye,
@@ -305,7 +308,9 @@ impl Job {
                 *switch = false;
             }
         }
-        Ok(Self { document: session.document().clone(), state: session.state(), sequence, eye: session.eye().clone(), display, options })
+        let company = (session.company(), session.frame_rate());
+        let (document, state, eye) = (session.document().clone(), session.state(), session.eye().clone());
+        Ok(Self { document, company, state, sequence, eye, display, options })
     }
 
     /// How many frames it has.
@@ -333,13 +338,13 @@ impl Job {
             Kind::Muscles(form) => return self.table(Of::Muscles, form, file, work),
             Kind::Joints(form) => return self.table(Of::Joints, form, file, work),
         };
-        let Self { document, sequence, eye, display, options, .. } = self;
+        let Self { document, company: (company, rate), sequence, eye, display, options, .. } = self;
         let note = note(&document, &eye);
         let look = move |scene: &_, frame: &_, turn: f32| match eye.viewpoint() {
             Viewpoint::Orbit => OrbitCamera { yaw: eye.orbit().yaw + turn, ..*eye.orbit() }.camera(),
             Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
         };
-        let mut studio = Studio::new(&document, sequence, display, None, Box::new(look));
+        let mut studio = Studio::new(&document, sequence, display, None, Box::new(look)).accompanied(company, rate);
         film::save(&mut studio, options.size, &target, &note, work)
     }
 

@@ -198,7 +198,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
             session.show_saved(document, saved);
             if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
                 session.compare(Some(With::File(Box::new(other), path.display().to_string())));
-                session.shift_compared(shift.later, shift.aside);
+                session.shift_as(shift);
             }
         }),
         None => window.act(|session| session.show(document, arrival)),

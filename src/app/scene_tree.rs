@@ -207,7 +207,8 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         let content = gtk::Box::new(gtk::Orientation::Horizontal, 6);
         let icon = Canvas::new(16, 16);
         icon.set_valign(gtk::Align::Center);
-        let label = gtk::Label::builder().xalign(0.0).hexpand(true).ellipsize(gtk::pango::EllipsizeMode::End).build();
+        // Names of a skeleton begin alike and differ at their ends.
+        let label = gtk::Label::builder().xalign(0.0).hexpand(true).ellipsize(gtk::pango::EllipsizeMode::Middle).build();
         let eye: gtk::ToggleButton = part(&ui::builder(ui::TREE_EYE), "eye");
         content.append(&icon);
         content.append(&label);

@@ -45,6 +45,7 @@ impl StartPage {
         for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
             let card = gtk::Box::new(gtk::Orientation::Vertical, 6);
             let name = gtk::Label::builder().label(tr!(demo.name)).wrap(true).justify(gtk::Justification::Center).max_width_chars(16);
+            picture.set_halign(gtk::Align::Center);
             card.append(picture);
             card.append(&name.css_classes(["small"]).build());
             let button = gtk::Button::builder().child(&card).has_frame(false).build();

@@ -18,7 +18,7 @@ use crate::limits;
 use crate::muscle::Rig;
 use crate::render::{Background, Display, Samples, Shading};
 use crate::scene::{Bounds, OrbitCamera, View};
-use crate::stage::{self, Opened, Saved};
+use crate::stage::{self, Company, Opened, Saved};
 use crate::tr;
 
 /// Columns and rows where the call does not say.
@@ -34,7 +34,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let target = Target::of(&out).ok_or_else(|| Failure::usage(tr!("cli-render-ending", out = display_name(&out))))?;
     let (size, scale) = size(given)?;
     refuse_overwriting(&files, &out)?;
-    let Opened { document, saved, .. } = stage::open(&files, OpenOptions::default(), &Progress::default())?;
+    let Opened { document, saved, compared } = stage::open(&files, OpenOptions::default(), &Progress::default())?;
     remark(document.health.iter());
     let moment = Moment::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.state(&document));
@@ -53,12 +53,18 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
+    let other = compared.map(|(path, other)| (path.display().to_string(), other));
+    let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| Company::of_saved(saved, &document, other));
+    let mut wide = bounds;
+    if let Some(other) = company.reach(&document, &state) {
+        wide.merge(&other);
+    }
     let look = match saved.as_deref().filter(|_| !chooses_direction(given)) {
-        Some(saved) => saved_look(saved, &document, &bounds),
+        Some(saved) => saved_look(saved, &document, &wide),
         None => None,
     };
     let look = look.unwrap_or_else(|| {
-        let eye = Eye::fit(direction(given), &bounds, aspect, sequence.turning());
+        let eye = Eye::fit(direction(given), &wide, aspect, sequence.turning());
         Box::new(move |_, _, turn| eye.camera(turn))
     });
     // What is only a help on the screen, such as the ground grid, stays away unless it is asked for or a session shows it.
@@ -66,7 +72,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     // In a film the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
     let display = Display { scale, ground, ..display(given, usual, !document.shows_surface()) };
-    let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), look);
+    let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), look).accompanied(company, rate);
     let call = call_note(given, &files, size, scale);
     let note = |shot: &Shot| format!("{call}{}", shot_note(&document, shot));
     progress::watched(sequence.count, |work| film::save(&mut studio, size, &target, &note, work))?;

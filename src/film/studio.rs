@@ -4,6 +4,7 @@ use super::{Sequence, Shot};
 use crate::document::{Document, PoseBuffers};
 use crate::render::{Background, Display, Framebuffer, Renderer};
 use crate::scene::{Camera, Frame, Scene};
+use crate::stage::{Company, Host};
 
 /// Milliseconds of one frame's stages: pose, deform, vertex, raster, resolve.
 pub type Times = [f64; 5];
@@ -23,13 +24,22 @@ pub struct Studio<'a> {
     buffers: PoseBuffers,
     frame: Frame,
     times: Vec<Times>,
+    /// What accompanies the document, with the frame rate that it goes by.
+    company: Option<(Company, f64)>,
 }
 
 impl<'a> Studio<'a> {
     /// A studio that draws `sequence` through the camera that `look` gives, with `threads` threads (`None`: one a core).
     pub fn new(document: &'a Document, sequence: Sequence, display: Display, threads: Option<usize>, look: Look<'a>) -> Self {
         let renderer = Renderer::new(threads);
-        Self { document, sequence, look, display, renderer, buffers: PoseBuffers::default(), frame: Frame::default(), times: Vec::new() }
+        let (buffers, frame) = (PoseBuffers::default(), Frame::default());
+        Self { document, sequence, look, display, renderer, buffers, frame, times: Vec::new(), company: None }
+    }
+
+    /// Draws other moments, paths and what is compared too; `rate` = frames a second of the document's frame numbers.
+    pub fn accompanied(mut self, company: Company, rate: f64) -> Self {
+        self.company = Some((company, rate)).filter(|(company, _)| company.is_any());
+        self
     }
 
     /// The document.
@@ -45,7 +55,13 @@ impl<'a> Studio<'a> {
     /// Poses and draws picture `index` into `picture`, whose size it has.
     pub fn draw(&mut self, index: usize, picture: &mut Framebuffer) -> Shot {
         let shot = self.sequence.shot(self.document, index);
+        if let Some((company, _)) = &mut self.company {
+            company.recall(&mut self.frame);
+        }
         self.document.pose(&shot.state, &mut self.buffers, &mut self.frame);
+        if let Some((company, rate)) = &mut self.company {
+            company.invite(&Host::new(self.document, shot.state, *rate, &self.display), &mut self.frame);
+        }
         let camera = (self.look)(&self.document.scene, &self.frame, shot.turn);
         let Framebuffer { width, height, pixels } = picture;
         let target = bytemuck::cast_slice_mut(pixels);

@@ -1,15 +1,23 @@
-//! How a document is looked at, without a window: the light and the model that hands move, the switches of the display by their names, and the
-//! session files that keep all of it. The window's session and the subcommands stand on it.
+//! How a document is looked at, without a window: the light and the model that hands move, the switches of the display by their names, what
+//! accompanies it in the picture, and the session files that keep all of it. The window's session and the subcommands stand on it.
 
 mod cameras;
+mod company;
+mod comparison;
+mod frames;
 mod ghosts;
 mod light;
 mod looks;
 mod model;
+mod onion;
 mod open;
 mod saved;
+mod trail;
 
 pub use cameras::{file_camera, file_cameras};
+pub use company::{Company, Host};
+pub use comparison::{Comparison, TINT as COMPARED_TINT, With};
+pub use frames::{DEFAULT_RATE, guess_rate};
 pub use ghosts::Ghosts;
 pub use light::LightAim;
 pub use looks::{Backdrop, SHADINGS, SWITCHES, Switch};

@@ -95,6 +95,8 @@ pub struct SavedComparison {
     pub later: f64,
     /// Metres that it stands aside.
     pub aside: f64,
+    /// The direction that is aside; none = to the right as one looks.
+    pub toward: Option<[f64; 3]>,
 }
 
 /// A camera on its turntable.
@@ -286,6 +288,7 @@ impl Saved {
         display.light = self.light_aim().map(|aim| aim.position(bounds));
         let selected = self.selected.as_ref().and_then(|node| node.find(document));
         display.weights = selected.filter(|_| self.weights);
+        display.selected = selected;
         display
     }
 

@@ -6,7 +6,6 @@ mod changes;
 mod compare;
 mod edits;
 mod eye;
-mod frames;
 mod ghosts;
 mod grips;
 mod handles;
@@ -25,11 +24,10 @@ mod tool;
 mod way;
 mod workshop;
 
-pub use crate::stage::{Backdrop, Ghosts, LightAim, ModelTransform, file_cameras};
+pub use crate::stage::{Backdrop, COMPARED_TINT, DEFAULT_RATE, Ghosts, LightAim, ModelTransform, With, file_cameras};
 pub use changes::Changes;
-pub use compare::{Compared, TINT as COMPARED_TINT, With, top_of};
+pub use compare::{Compared, top_of};
 pub use eye::{Eye, FlyCamera, Viewpoint};
-pub use frames::DEFAULT_RATE;
 pub use grips::{Grip, GripDrag, Ring};
 pub use handles::{Handle, Handles, ModelDrag};
 pub use inspect::Matrices;
@@ -46,8 +44,6 @@ use std::cell::OnceCell;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use compare::Comparison;
-use ghosts::{Onion, Path};
 use history::History;
 use inspect::Pins;
 use joint::JointHand;
@@ -57,6 +53,7 @@ use crate::document::{Document, PoseBuffers, PoseState};
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
+use crate::stage::Company;
 
 /// How another document comes in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -99,10 +96,7 @@ pub struct Session {
     aspect: f32,
     fit_on_resize: bool,
     pins: Pins,
-    ghosts: Ghosts,
-    onion: Vec<Onion>,
-    path: Option<Path>,
-    comparison: Option<Box<Comparison>>,
+    company: Company,
     /// What was hidden before the selection was shown alone.
     isolated: Option<Vec<NodeId>>,
     frame: Frame,
@@ -146,10 +140,7 @@ impl Session {
             aspect: 1.5,
             fit_on_resize: true,
             pins: Pins::default(),
-            ghosts: Ghosts::default(),
-            onion: Vec::new(),
-            path: None,
-            comparison: None,
+            company: Company::default(),
             isolated: None,
             frame: Frame::default(),
             buffers: PoseBuffers::default(),
@@ -168,6 +159,10 @@ impl Session {
             node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.node(id).name.clone())
         };
         let selected = name_of(&self.document, self.display.selected);
+        let lens = match self.eye.viewpoint() {
+            Viewpoint::File(node, _) => name_of(&self.document, Some(node)),
+            Viewpoint::Orbit | Viewpoint::Fly(_) => None,
+        };
         let turned: Vec<_> =
             self.document.hand_turns().iter().map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees)).collect();
         let joint = self.kept_joint();
@@ -177,10 +172,8 @@ impl Session {
         self.pins = Pins::default();
         // Buffers made for another scene are of no use.
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
-        self.onion.clear();
-        self.path = None;
         self.isolated = None;
-        self.compare_anew(arrival);
+        self.company.renew(&self.document, arrival == Arrival::Again);
         (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
         self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
         self.history = History::default();
@@ -222,8 +215,12 @@ impl Session {
                     }
                 }
                 self.display.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
-                if let Viewpoint::File(..) = self.eye.viewpoint() {
-                    self.eye.handle(|_| ());
+                if let Some(lens) = lens {
+                    let same = |(node, _): &(NodeId, _)| self.document.scene.graph.node(*node).name == lens;
+                    match file_cameras(&self.document.scene).into_iter().find(same) {
+                        Some((node, camera)) => self.eye.look_through(node, camera),
+                        None => self.eye.handle(|_| ()),
+                    }
                 }
             }
         }
@@ -238,10 +235,10 @@ impl Session {
     fn changed(&mut self, what: Changes) {
         self.changes |= what;
         let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT | Changes::HAND | Changes::GHOSTS;
-        let accompanied = self.ghosts.shown || self.ghosts.path || self.comparison.is_some();
+        let accompanied = self.company.is_any();
         self.stale |= what.any(moves) || (accompanied && what.any(Changes::SELECTION | Changes::DISPLAY | Changes::PLAYBACK));
         if what.any(Changes::SELECTION | Changes::HAND | Changes::EDIT | Changes::PLAYBACK) {
-            self.path = None;
+            self.company.forget_path();
         }
     }
 

@@ -73,7 +73,8 @@ impl Session {
 
     fn saved_comparison(&self, beside: &dyn Fn(PathBuf) -> PathBuf) -> Option<SavedComparison> {
         let (later, aside) = self.compared_shift()?;
-        let blank = SavedComparison { later, aside, ..SavedComparison::default() };
+        let toward = self.company.comparison().map(|comparison| comparison.toward().to_array());
+        let blank = SavedComparison { later, aside, toward, ..SavedComparison::default() };
         Some(match self.compared_with()? {
             With::File(_, name) => SavedComparison { file: Some(beside(name.into())), ..blank },
             With::Clip(clip) => SavedComparison { clip: self.document().clips.get(*clip).map(|clip| clip.name.clone()), ..blank },
@@ -115,9 +116,18 @@ impl Session {
         if let Some(model) = saved.model {
             self.change_model(|ours| model.put(ours));
         }
-        let reach = self.reach();
-        if let Some(orbit) = saved.camera.and_then(|camera| camera.orbit(&reach)) {
-            self.change_eye(|eye| eye.handle(|ours| *ours = orbit));
+        self.stand_as(saved);
+        if let Some(compared) = &saved.compared {
+            let with = compared.within(self.document());
+            if with.is_some() {
+                // Aside is to the right as one looks; then the eye's reach is that of both.
+                self.put_beside(with);
+                self.shift_as(compared);
+                match saved.camera {
+                    Some(_) => self.stand_as(saved),
+                    None => self.fit(),
+                }
+            }
         }
         if let Some(node) = saved.file_camera.as_ref().and_then(|node| node.find(self.document())) {
             let found = file_cameras(&self.document().scene).into_iter().find(|(carrier, _)| *carrier == node);
@@ -128,13 +138,13 @@ impl Session {
         self.select(selected);
         self.set_weights(saved.weights);
         self.change_ghosts(|ghosts| *ghosts = saved.ghosts);
-        if let Some(compared) = &saved.compared {
-            let clip = compared.clip.as_ref().and_then(|name| self.document().clips.iter().position(|clip| clip.name == *name));
-            let with = clip.map(With::Clip).or(compared.skinning.then_some(With::Skinning));
-            if with.is_some() {
-                self.compare(with);
-                self.shift_compared(compared.later, compared.aside);
-            }
+    }
+
+    /// The orbit stands where a session file says.
+    fn stand_as(&mut self, saved: &Saved) {
+        let reach = self.reach();
+        if let Some(orbit) = saved.camera.and_then(|camera| camera.orbit(&reach)) {
+            self.change_eye(|eye| eye.handle(|ours| *ours = orbit));
         }
     }
 }
@@ -146,8 +156,10 @@ mod tests {
     use super::super::Ghosts;
     use super::super::tests::swinging;
     use super::*;
-    use crate::scene::NodeId;
-    use crate::stage::Backdrop;
+    use crate::document::PoseBuffers;
+    use crate::render::Display;
+    use crate::scene::{Bounds, Frame, NodeId};
+    use crate::stage::{Backdrop, Company, Host};
 
     #[test]
     fn a_session_comes_back_as_it_was_saved() {
@@ -188,6 +200,40 @@ mod tests {
         other.show_saved(swinging(), &read);
         assert_eq!(other.to_saved(Path::new("/somewhere")), saved);
         assert_eq!((other.ghosts(), other.compared_shift()), (session.ghosts(), Some((0.125, 2.0))));
+    }
+
+    #[test]
+    fn a_picture_of_the_file_has_the_company_of_the_window() {
+        let mut session = Session::new(swinging());
+        session.time(|time| time.seek(0.5));
+        session.choose_rate(Some(50.0));
+        session.select(session.document().scene.graph.find("arm"));
+        session.change_ghosts(|ghosts| *ghosts = Ghosts { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.compare(Some(With::Skinning));
+        session.shift_compared(0.0, 2.0);
+        session.fit();
+        session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(77.0, -4.0)));
+        let saved = session.to_saved(Path::new("/somewhere"));
+
+        let mut other = Session::default();
+        other.show_saved(swinging(), &saved);
+        assert_eq!(other.eye().orbit(), session.eye().orbit());
+
+        let document = swinging();
+        let (mut company, rate) = Company::of_saved(&saved, &document, None);
+        let (mut frame, state) = (Frame::default(), saved.state(&document));
+        let display = Display { palette: other.display().palette, ..saved.display(&document, &Bounds::EMPTY) };
+        for _ in 0..2 {
+            company.recall(&mut frame);
+            document.pose(&state, &mut PoseBuffers::default(), &mut frame);
+            company.invite(&Host::new(&document, state, rate, &display), &mut frame);
+        }
+        let shown = other.frame();
+        assert!(shown.marks.len() > 10 && frame.marks == shown.marks);
+        assert_eq!(frame.surfaces.len(), shown.surfaces.len());
+        for (a, b) in frame.surfaces.iter().zip(&shown.surfaces) {
+            assert_eq!((a.ghost, a.position(0), a.position(2)), (b.ghost, b.position(0), b.position(2)));
+        }
     }
 
     #[test]

@@ -54,6 +54,42 @@ fn every_change_is_told_once() {
     assert_eq!(session.take_changes(), Changes::DISPLAY);
 }
 
+/// A document with a camera, on a node of that name 6 m before the origin, and something to look at.
+fn filmed(name: &str) -> Document {
+    use crate::scene::{CameraId, Content, Projection, StoredCamera, Transform};
+    let mut document = swinging();
+    let mut node = Node::new(name);
+    node.contents.push(Content::Camera(CameraId(0)));
+    node.transform = Transform { ops: vec![crate::scene::TransformOp::Translate(DVec3::new(0.0, 1.0, 6.0))] };
+    document.scene.graph.add(None, node);
+    let projection = Projection::Perspective { fov_y: 0.7 };
+    document.scene.cameras.push(StoredCamera { name: String::new(), id: String::new(), projection, aspect: None, near: 0.1, far: 100.0 });
+    document
+}
+
+#[test]
+fn a_camera_of_the_file_outlives_a_reload_and_hands_go_on_from_it() {
+    let mut session = Session::new(filmed("lens"));
+    let (node, camera) = file_cameras(&session.document().scene)[0];
+    session.change_eye(|eye| eye.look_through(node, camera));
+    let seen = session.picture().2;
+    session.show(filmed("lens"), Arrival::Again);
+    assert!(matches!(session.eye().viewpoint(), Viewpoint::File(..)) && session.picture().2 == seen);
+    // A drag that turns nothing yet: the direction and the size of the middle are what they were.
+    session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(0.0, 0.0)));
+    let taken = session.picture().2;
+    assert!(matches!(session.eye().viewpoint(), Viewpoint::Orbit) && taken.rotation.angle_between(seen.rotation) < 2e-3);
+    let size = |camera: &Camera, depth: f32| match camera.projection {
+        crate::scene::Projection::Perspective { fov_y } => depth * (fov_y * 0.5).tan(),
+        crate::scene::Projection::Orthographic { height } => height * 0.5,
+    };
+    let depth = |camera: &Camera| (session.eye().orbit().target - camera.eye).dot(camera.forward());
+    assert!((size(&seen, depth(&seen)) - size(&taken, depth(&taken))).abs() < 1e-3);
+    session.change_eye(|eye| eye.look_through(node, camera));
+    session.show(filmed("another"), Arrival::Again);
+    assert!(matches!(session.eye().viewpoint(), Viewpoint::Orbit));
+}
+
 #[test]
 fn the_ground_lies_still_while_a_clip_plays() {
     let mut session = Session::new(Document::built_in());

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{Changes, Graph, Moved, Session, SheetRow, frames, sheet};
+use super::{Changes, Graph, Moved, Session, SheetRow, sheet};
 use crate::animation::{Clip, LoopMode, Playback};
+use crate::stage::guess_rate;
 
 /// One of the marks that bound what plays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,7 +43,7 @@ impl Session {
 
     /// The frame rate that the keys of the clip tell.
     pub fn own_rate(&self) -> f64 {
-        frames::guess_rate(&self.keys)
+        guess_rate(&self.keys)
     }
 
     /// Chooses the frame rate, above 0; `None` = the one that the keys tell.
