@@ -134,6 +134,11 @@ impl Lanes for Scalar {
         Int((low | (a >> 16).wrapping_mul(b >> 16) << 16) as i32)
     }
     #[inline(always)]
+    fn dot16(self, a: Int, b: Int) -> Int {
+        let product = |by: u32| i32::from((a.0 >> by) as i16).wrapping_mul(i32::from((b.0 >> by) as i16));
+        Int(product(0).wrapping_add(product(16)))
+    }
+    #[inline(always)]
     fn gather(self, from: &[u32], index: Int) -> Int {
         Int(from[(index.0 as u32 as usize).min(from.len() - 1)] as i32)
     }

@@ -211,6 +211,7 @@ vectors! {
             trunc(x: F4) -> I = I4(_mm_cvttps_epi32(x.0));
             float(x: I4) -> F = F4(_mm_cvtepi32_ps(x.0));
             mul16(a: I4, b: I4) -> I = I4(_mm_mullo_epi16(a.0, b.0));
+            dot16(a: I4, b: I4) -> I = I4(_mm_madd_epi16(a.0, b.0));
             bits(x: F4) -> I = I4(_mm_castps_si128(x.0));
             float_bits(x: I4) -> F = F4(_mm_castsi128_ps(x.0));
             // SSE2 multiplies two of four lanes; the odd ones are brought down, multiplied, and woven in again.
@@ -300,6 +301,7 @@ vectors! {
             trunc(x: F8) -> I = I8(_mm256_cvttps_epi32(x.0));
             float(x: I8) -> F = F8(_mm256_cvtepi32_ps(x.0));
             mul16(a: I8, b: I8) -> I = I8(_mm256_mullo_epi16(a.0, b.0));
+            dot16(a: I8, b: I8) -> I = I8(_mm256_madd_epi16(a.0, b.0));
             bits(x: F8) -> I = I8(_mm256_castps_si256(x.0));
             float_bits(x: I8) -> F = F8(_mm256_castsi256_ps(x.0));
             imul(a: I8, b: I8) -> I = I8(_mm256_mullo_epi32(a.0, b.0));

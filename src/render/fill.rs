@@ -6,7 +6,7 @@
 use super::drawing::{Drawing, Item, Unit};
 use super::plane::Plane;
 use super::setup::{BLOCK, Edges, Planes, Rect, Stepping, area};
-use super::shade::{Attributes, Corners, Gouraud, Phong, PhongTextured, Shader, Slopes, Textured};
+use super::shade::{Attributes, Corners, Gouraud, Phong, PhongTextured, Plain, Shader, Slopes, Textured, is_plain};
 use super::small::{Batch, bend};
 use super::style::Fill;
 use super::view::Screen;
@@ -36,6 +36,7 @@ kernels! {
     gouraud_4 = Gouraud, 4, 4;
     (narrow) glass = Gouraud, 8, 1;
     (narrow) glass_4 = Gouraud, 8, 4;
+    plain = Plain, 8, 1;
     textured = Textured, 8, 1;
     textured_4 = Textured, 8, 4;
     phong = Phong, 12, 1;
@@ -51,6 +52,7 @@ pub(super) fn fill(level: Level, stretch: &Stretch<'_>, plane: &mut Plane) {
         (Fill::Gouraud, _) if stretch.item.blended() => glass_4,
         (Fill::Gouraud, 1) => gouraud,
         (Fill::Gouraud, _) => gouraud_4,
+        (Fill::Textured, 1) if is_plain(stretch.drawing, &stretch.item.style) => plain,
         (Fill::Textured, 1) => textured,
         (Fill::Textured, _) => textured_4,
         (Fill::Phong, 1) => phong,
@@ -100,7 +102,7 @@ where
         if !blended && Batch::<K>::fits(&screen, size) {
             let rect = Rect::of(&screen, M > 1, drawing.view.size);
             if !rect.is_empty() {
-                batch.push(&screen, &values, &rect, curved);
+                batch.push(S::USED, &screen, &values, &rect, curved);
             }
             if batch.is_full() {
                 batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
@@ -236,11 +238,12 @@ where
                             unsafe { plane.set_depth(l, s, here, covered[s], sample(s)) };
                         }
                     }
-                    let mut values: [L::F; K] = each(always!(|k: usize| row[k] + right[k] * distance));
+                    let value = always!(|k: usize| if k < S::USED { row[k] + right[k] * distance } else { l.splat(0.0) });
+                    let mut values: [L::F; K] = each(value);
                     if triangle.curved {
                         let inverse = l.splat(1.0) / l.max(q, l.splat(1e-30));
                         values[0] = inverse;
-                        for value in &mut values[1..] {
+                        for value in &mut values[1..S::USED] {
                             *value = *value * inverse;
                         }
                     }

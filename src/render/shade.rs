@@ -17,6 +17,8 @@ pub(super) trait Attributes<const K: usize> {
     const BLENDED: Option<bool> = None;
     /// Whether a vector of pixels costs so much more to colour than to find that it should have few lanes outside the triangle.
     const COSTLY: bool = true;
+    /// How many of the attributes mean anything; those behind are not carried along.
+    const USED: usize = K;
     /// Values at the corners of triangle `t`.
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; K]; 3];
     /// Levels of the textures where the corners of a triangle agree about them, several triangles side by side: see [`Slopes::levels`].
@@ -141,6 +143,7 @@ impl Attributes<4> for Gouraud<'_> {
 impl Attributes<8> for Gouraud<'_> {
     const BLENDED: Option<bool> = Some(true);
     const COSTLY: bool = false;
+    const USED: usize = 5;
 
     #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
@@ -153,25 +156,34 @@ impl Attributes<8> for Gouraud<'_> {
     }
 }
 
-/// Light between the corners, colour from a texture.
-pub(super) struct Textured<'a> {
+/// Light between the corners, colour from a texture. `PLAIN` where the colour is that of the texture times the light and nothing else; see [`is_plain`].
+pub(super) struct LitTexture<'a, const PLAIN: bool> {
     drawing: &'a Drawing<'a>,
     style: &'a Style,
-    /// Whether the colour is that of the texture times the light and nothing else: no shine, glow, opacity or mark.
-    plain: bool,
 }
 
-impl<'a> Shader<'a> for Textured<'a> {
+/// Light between the corners, colour from a texture.
+pub(super) type Textured<'a> = LitTexture<'a, false>;
+/// Colour from a texture times light, and nothing else.
+pub(super) type Plain<'a> = LitTexture<'a, true>;
+
+/// Whether the texture times the light is all that a style wants: no shine, glow, opacity or mark.
+pub(super) fn is_plain(drawing: &Drawing<'_>, style: &Style) -> bool {
+    let colored = style.diffuse.is_some_and(|sampler| (sampler.texture as usize) < drawing.textures.len());
+    let bare = style.cutout.is_none() && style.glow.is_none() && style.opacity == 1.0 && style.mark_share == 0.0;
+    colored && bare && style.specular == [0.0; 3] && style.emission == [0.0; 3]
+}
+
+impl<'a, const PLAIN: bool> Shader<'a> for LitTexture<'a, PLAIN> {
     #[inline(always)]
     fn new(drawing: &'a Drawing<'a>, item: &'a Item) -> Self {
-        let style = &item.style;
-        let colored = style.diffuse.is_some_and(|sampler| (sampler.texture as usize) < drawing.textures.len());
-        let bare = style.cutout.is_none() && style.glow.is_none() && style.opacity == 1.0 && style.mark_share == 0.0;
-        Self { drawing, style, plain: colored && bare && style.specular == [0.0; 3] && style.emission == [0.0; 3] }
+        Self { drawing, style: &item.style }
     }
 }
 
-impl Attributes<8> for Textured<'_> {
+impl<const PLAIN: bool> Attributes<8> for LitTexture<'_, PLAIN> {
+    const USED: usize = if PLAIN { 6 } else { 7 };
+
     #[inline(always)]
     fn levels<L: Lanes>(&self, l: L, corners: &Corners<L, 8>) -> [L::I; 3] {
         corners.levels(l, textures(self.drawing, self.style), 1)
@@ -191,7 +203,7 @@ impl Attributes<8> for Textured<'_> {
     fn shade<L: Lanes>(&self, l: L, values: &[L::F; 8], slopes: &Slopes<8>) -> [L::F; 4] {
         let uv = [values[1], values[2]];
         let texel = Texels::read(l, self.drawing, self.style, uv, slopes, values, 1);
-        if self.plain {
+        if PLAIN {
             let lit = always!(|i: usize| texel.color[i] * values[3 + i]);
             return [lit(0), lit(1), lit(2), l.splat(255.0)];
         }
@@ -221,6 +233,8 @@ impl<'a> Shader<'a> for Phong<'a> {
 }
 
 impl Attributes<12> for Phong<'_> {
+    const USED: usize = 11;
+
     #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
         let (places, normals) = geometry(self.style, feed, t, other_side);

@@ -118,10 +118,11 @@ impl Texture {
         let (x, fx) = place(l, wrap[0], uv[0], mip.width);
         let (y, fy) = place(l, wrap[1], l.splat(1.0) - uv[1], mip.height);
         let pitch = mip.width + l.isplat(APRON as i32);
-        let at = mip.origin + l.imul(y, pitch) + x;
+        // Sides and places are below 2¹⁵, shares at most 256.
+        let at = mip.origin + l.dot16(y, pitch) + x;
         let ([a, b], [c, d]) = (l.pairs(&self.texels, at), l.pairs(&self.texels, at + pitch));
         let taps = [a, b, c, d];
-        let both = l.shr::<8>(l.imul(fx, fy) + l.isplat(128));
+        let both = l.shr::<8>(l.dot16(fx, fy) + l.isplat(128));
         let shares = [l.isplat(256) - fx - fy + both, fx - both, fy - both, both];
         let even = l.isplat(0x00FF_00FF);
         // Red and blue in one word, alpha and green in another, 8 bits of fraction each.

@@ -33,6 +33,7 @@ vectors! {
             float(x: I16) -> F = F16(_mm512_cvtepi32_ps(x.0));
             floor(x: F16) -> F = F16(_mm512_roundscale_ps::<_MM_FROUND_TO_NEG_INF>(x.0));
             mul16(a: I16, b: I16) -> I = I16(_mm512_mullo_epi16(a.0, b.0));
+            dot16(a: I16, b: I16) -> I = I16(_mm512_madd_epi16(a.0, b.0));
             bits(x: F16) -> I = I16(_mm512_castps_si512(x.0));
             float_bits(x: I16) -> F = F16(_mm512_castsi512_ps(x.0));
             imul(a: I16, b: I16) -> I = I16(_mm512_mullo_epi32(a.0, b.0));
