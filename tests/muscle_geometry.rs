@@ -380,3 +380,16 @@ fn the_human_biceps_keeps_to_the_published_figures() {
         }
     }
 }
+
+#[test]
+fn ready_muscles_have_the_published_volumes_and_say_so() {
+    use sinew::muscle::{presets::Preset, published::VOLUMES};
+    for (id, [mean, deviation]) in VOLUMES {
+        let file = Preset::by_id(id).unwrap().file();
+        let muscle = &file.muscles[0];
+        let cm3 = muscle.profile.volume() / 1000.0;
+        assert!((cm3 / mean - 1.0).abs() < 0.1, "{id}: {cm3} cm³ beside {mean}");
+        let says = format!("Volume {cm3:.0} cm³; mean of ten adults {mean} (SD {deviation}) cm³: Holzbaur");
+        assert!(muscle.source.starts_with(&says), "{} does not begin with “{says}”", muscle.source);
+    }
+}

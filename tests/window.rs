@@ -123,6 +123,11 @@ fn a_muscle_gets_via_points_and_a_ball_to_go_round() {
     drive("drive_way.py");
 }
 
+#[test]
+fn joints_of_a_clip_are_bent_about_any_axis_with_the_clip_or_without() {
+    drive("drive_joint.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {

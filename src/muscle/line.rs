@@ -10,6 +10,7 @@
 
 use glam::{DMat4, DVec3};
 
+use super::edit::VIA;
 use super::path::{Path, perpendicular};
 
 /// A point that moves with a bone.
@@ -71,6 +72,12 @@ pub struct Drawn {
     pub side: DVec3,
 }
 
+/// Most points of a line.
+const POINTS: usize = VIA + 2;
+/// Most times that via points are drawn in, each time for the places that their neighbours have got; what does not fit then is rounded with a smaller arc.
+const PASSES: usize = 12;
+/// Points that lie nearer to each other than this share of the line are one.
+const TINY: f64 = 1e-9;
 /// Share of the length in each shoulder of the arch: steep at the ends and flat along the belly.
 const SHOULDER: f64 = 0.36;
 
@@ -95,28 +102,8 @@ impl Line {
 
     /// The line of action itself, rounded.
     pub fn route(&self, frames: &(impl Frames + ?Sized)) -> Path {
-        let (first, last) = (frames.place(self.origin), frames.place(self.insertion));
         let side = self.pulley.map_or(DVec3::X, |pulley| frames.frame(pulley.center.bone).transform_vector3(pulley.side));
-        let mut path = Path::new(side);
-        // Walk from corner to corner: `from` is where the last arc ended.
-        let mut from = first;
-        for (index, via) in self.via.iter().enumerate() {
-            let before = index.checked_sub(1).and_then(|i| self.via.get(i)).map_or(first, |point| frames.place(*point));
-            let after = self.via.get(index + 1).map_or(last, |point| frames.place(*point));
-            let corner = Corner::new(before, frames.place(*via), after, self.rounding);
-            self.stretch(frames, index, from, corner.start, &mut path);
-            path.arc(corner.start, corner.tangent, corner.normal, corner.radius, corner.angle);
-            from = corner.end;
-        }
-        self.stretch(frames, self.via.len(), from, last, &mut path);
-        path
-    }
-
-    fn stretch(&self, frames: &(impl Frames + ?Sized), index: usize, from: DVec3, to: DVec3, path: &mut Path) {
-        match self.pulley.filter(|pulley| pulley.stretch == index) {
-            Some(pulley) => pulley.round(frames, from, to, path),
-            None => path.line(from, to),
-        }
+        Way::new(self, frames).path(side)
     }
 }
 
@@ -130,10 +117,10 @@ impl Drawn {
 }
 
 impl Pulley {
-    /// Adds the shortest way from `from` to `to` that passes the ball on its side. It lies in the plane of the two ends and the side: tangent, arc,
-    /// tangent. Where the straight line clears the ball, or an end lies within it, the way is straight.
-    fn round(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3, path: &mut Path) {
-        let Some(along) = (to - from).try_normalize() else { return };
+    /// The part of the shortest way from `from` to `to` past the ball, on its side, that lies on the ball. It lies in the plane of the two ends and the
+    /// side. `None` where the straight line clears the ball, or an end lies within it: then the way is straight.
+    fn between(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<Contact> {
+        let along = (to - from).try_normalize()?;
         let frame = frames.frame(self.center.bone);
         let up = perpendicular(frame.transform_vector3(self.side), along);
         let center = frame.transform_point3(self.center.local);
@@ -146,21 +133,126 @@ impl Pulley {
         let (p, q) = (px.hypot(py), qx.hypot(qy));
         let radius = squared.max(0.0).sqrt();
         if radius <= 0.0 || p <= radius || q <= radius || px >= 0.0 || qx <= 0.0 {
-            path.line(from, to);
-            return;
+            return None;
         }
         // Directions of the tangent points: the start's lies left of the top, the end's right of it.
         let leave = std::f64::consts::PI - (py / -px).atan() - (radius / p).acos();
         let arrive = (qy / qx).atan() + (radius / q).acos();
         if leave <= arrive {
-            path.line(from, to);
-            return;
+            return None;
         }
         let outward = |angle: f64| along * angle.cos() + up * angle.sin();
         let (touch, lift) = (middle + outward(leave) * radius, middle + outward(arrive) * radius);
-        path.line(from, touch);
-        path.arc(touch, along * leave.sin() - up * leave.cos(), -outward(leave), radius, leave - arrive);
-        path.line(lift, to);
+        Some(Contact {
+            touch,
+            lift,
+            tangent: along * leave.sin() - up * leave.cos(),
+            normal: -outward(leave),
+            radius,
+            angle: leave - arrive,
+        })
+    }
+}
+
+/// The arc of a line that lies on a ball.
+struct Contact {
+    touch: DVec3,
+    lift: DVec3,
+    tangent: DVec3,
+    normal: DVec3,
+    radius: f64,
+    angle: f64,
+}
+
+/// Origin, via points and insertion where they are, the via points drawn in until the line can be rounded at each.
+struct Way<'a, F: Frames + ?Sized> {
+    line: &'a Line,
+    frames: &'a F,
+    points: [DVec3; POINTS],
+    /// The number of each among all points of the line: points that fall together count once.
+    numbers: [usize; POINTS],
+    count: usize,
+}
+
+impl<'a, F: Frames + ?Sized> Way<'a, F> {
+    fn new(line: &'a Line, frames: &'a F) -> Self {
+        let mut way = Self { line, frames, points: [DVec3::ZERO; POINTS], numbers: [0; POINTS], count: 0 };
+        let via = line.via.len().min(POINTS - 2);
+        let all = [line.origin].into_iter().chain(line.via.iter().take(via).copied()).chain([line.insertion]);
+        for (number, point) in all.enumerate() {
+            (way.points[number], way.numbers[number]) = (frames.place(point), number);
+            way.count = number + 1;
+        }
+        if via > 0 {
+            way.draw_in();
+        }
+        way
+    }
+
+    /// Draws via points in, each towards the straight line between its neighbours, until the arcs at all of them fit: a thick muscle is not bent tighter
+    /// than its thickness allows. One that comes to lie on its neighbour is no corner any more.
+    fn draw_in(&mut self) {
+        let long: f64 = self.points[..self.count].windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+        let (tiny, mut fits) = (TINY * long, false);
+        for _ in 0..PASSES {
+            if std::mem::replace(&mut fits, true) {
+                break;
+            }
+            let mut index = 1;
+            while index + 1 < self.count {
+                let (before, after) = self.neighbours(index);
+                if let Some(drawn) = drawn_in(before, self.points[index], after, self.line.rounding) {
+                    (self.points[index], fits) = (drawn, false);
+                }
+                let near = |other: usize| self.points[index].distance(self.points[other]) <= tiny;
+                if near(index - 1) || near(index + 1) {
+                    self.points.copy_within(index + 1..self.count, index);
+                    self.numbers.copy_within(index + 1..self.count, index);
+                    (self.count, fits) = (self.count - 1, false);
+                } else {
+                    index += 1;
+                }
+            }
+        }
+    }
+
+    /// What a corner is between: the points beside it, or those where the line touches the ball on the way there.
+    fn neighbours(&self, index: usize) -> (DVec3, DVec3) {
+        let before = self.contact(index - 1).map_or(self.points[index - 1], |contact| contact.lift);
+        let after = self.contact(index).map_or(self.points[index + 1], |contact| contact.touch);
+        (before, after)
+    }
+
+    /// The ball on the way from a point to the next one.
+    fn contact(&self, index: usize) -> Option<Contact> {
+        let pulley = self.line.pulley.as_ref()?;
+        let there = (self.numbers[index]..self.numbers[index + 1]).contains(&pulley.stretch);
+        if there { pulley.between(self.frames, self.points[index], self.points[index + 1]) } else { None }
+    }
+
+    fn path(&self, side: DVec3) -> Path {
+        let (mut path, mut from) = (Path::new(side), self.points[0]);
+        for index in 1..self.count {
+            let corner = (index + 1 < self.count).then(|| {
+                let (before, after) = self.neighbours(index);
+                Corner::new(before, self.points[index], after, self.line.rounding)
+            });
+            let to = corner.as_ref().map_or(self.points[index], |corner| corner.start);
+            match self.contact(index - 1) {
+                Some(Contact { touch, lift, tangent, normal, radius, angle }) => {
+                    path.line(from, touch);
+                    path.arc(touch, tangent, normal, radius, angle);
+                    path.line(lift, to);
+                }
+                None => path.line(from, to),
+            }
+            from = to;
+            if let Some(Corner { start, end, tangent, normal, radius, angle }) = corner {
+                path.arc(start, tangent, normal, radius, angle);
+                from = end;
+            }
+        }
+        path
     }
 }
 
@@ -175,39 +267,40 @@ struct Corner {
 }
 
 impl Corner {
-    /// The corner at `via`. Where the arc would need more than half of a stretch beside it, the point is drawn towards the straight line between
-    /// its neighbours until the arc fits: a thick muscle is not bent tighter than its thickness allows.
+    /// The corner at `via`, with an arc of this radius, or of the largest that fits where that is smaller: so the line has no kink whatever happens.
     fn new(before: DVec3, via: DVec3, after: DVec3, radius: f64) -> Self {
-        let foot = {
-            let along = (after - before).normalize_or_zero();
-            before + along * (via - before).dot(along).clamp(0.0, before.distance(after))
-        };
-        let fits = |pull: f64| Self::fit(before, foot + (via - foot) * pull, after, radius);
-        let (full, ok) = fits(1.0);
-        if ok {
-            return full;
-        }
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..50 {
-            let middle = 0.5 * (low + high);
-            if fits(middle).1 { low = middle } else { high = middle }
-        }
-        fits(low).0
-    }
-
-    fn fit(before: DVec3, via: DVec3, after: DVec3, radius: f64) -> (Self, bool) {
         let (into, out) = ((via - before).normalize_or_zero(), (after - via).normalize_or_zero());
         let angle = into.angle_between(out);
-        let reach = radius * (0.5 * angle).tan();
-        let room = 0.5 * before.distance(via).min(via.distance(after));
-        let corner = Self {
-            start: via - into * reach,
-            end: via + out * reach,
-            tangent: into,
-            normal: perpendicular(out, into),
-            radius,
-            angle: if angle.is_finite() { angle } else { 0.0 },
-        };
-        (corner, reach <= room)
+        let (angle, tan) = if angle.is_finite() { (angle, (0.5 * angle).tan()) } else { (0.0, 0.0) };
+        let room = room(before, via, after);
+        let radius = if radius * tan > room { room / tan } else { radius };
+        let reach = radius * tan;
+        Self { start: via - into * reach, end: via + out * reach, tangent: into, normal: perpendicular(out, into), radius, angle }
     }
+}
+
+/// How much of the stretches beside a corner its arc may take.
+fn room(before: DVec3, via: DVec3, after: DVec3) -> f64 {
+    0.5 * before.distance(via).min(via.distance(after))
+}
+
+/// Where a corner must be for an arc of this radius; `None` where it may stay.
+fn drawn_in(before: DVec3, via: DVec3, after: DVec3, radius: f64) -> Option<DVec3> {
+    let foot = {
+        let along = (after - before).normalize_or_zero();
+        before + along * (via - before).dot(along).clamp(0.0, before.distance(after))
+    };
+    let fits = |via: DVec3| {
+        let angle = (via - before).normalize_or_zero().angle_between((after - via).normalize_or_zero());
+        radius * (0.5 * angle).tan() <= room(before, via, after) * (1.0 + 1e-9)
+    };
+    if fits(via) {
+        return None;
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if fits(foot + (via - foot) * middle) { low = middle } else { high = middle }
+    }
+    Some(foot + (via - foot) * low)
 }

@@ -40,6 +40,8 @@ pub const BICEPS_PEAK: [[f64; 2]; 2] = [[4.5, 5.0], [85.0, 110.0]];
 pub const BICEPS_SHORTENING: [f64; 2] = [7.0, 8.5];
 /// Range of a biceps' volume, cm³: about the mean of [`VOLUME_SOURCE`].
 pub const BICEPS_VOLUME: [f64; 2] = [130.0, 160.0];
+/// Mean and standard deviation of muscles' volumes in ten adults, cm³, by the preset that they belong to; of [`VOLUME_SOURCE`].
+pub const VOLUMES: [(&str, [f64; 2]); 3] = [("biceps", [144.0, 69.0]), ("triceps", [372.0, 177.0]), ("brachialis", [144.0, 64.0])];
 /// Where the volumes of muscles come from.
 pub const VOLUME_SOURCE: &str = "K. R. S. Holzbaur, W. M. Murray, G. E. Gold, S. L. Delp: Upper limb muscle volumes in adult subjects. \
                                  J. Biomech. 40 (2007) 742–749.";
