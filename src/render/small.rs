@@ -165,12 +165,6 @@ impl<const K: usize> Batch<K> {
         let [x10, y10, x20, y20] = map([x10, y10, x20, y20], always!(|d: L::I| l.float(d) * scale));
         let to_x = l.float(cx - x[0]) * l.splat(1.0 / 256.0);
         let to_y = l.float(cy - y[0]) * l.splat(1.0 / 256.0);
-        let (low, high) = self.nearness(l, from);
-        let middle = (low + high) * l.splat(0.5);
-        // Neither the square of a guess nor that of what it is a guess at may leave the range.
-        let usual = l.lt(l.splat(1e-15), middle) & l.lt(middle, l.splat(1e15));
-        let narrow = l.lt(high - middle, middle * l.splat(NARROW)) & usual;
-        l.store(l.select(narrow, l.splat(1.0) / middle, l.splat(0.0)), &mut self.guess[from..]);
         for k in 0..S::USED {
             let v = each::<_, 3>(always!(|c: usize| l.load(&self.values[k][c][from..])));
             let (d1, d2) = (v[1] - v[0], v[2] - v[0]);
@@ -181,6 +175,12 @@ impl<const K: usize> Batch<K> {
             l.store(v[0] + slope * to_x + fall * to_y, &mut self.base[k][from..]);
         }
         if S::COSTLY {
+            let (low, high) = self.nearness(l, from);
+            let middle = (low + high) * l.splat(0.5);
+            // Neither the square of a guess nor that of what it is a guess at may leave the range.
+            let usual = l.lt(l.splat(1e-15), middle) & l.lt(middle, l.splat(1e15));
+            let narrow = l.lt(high - middle, middle * l.splat(NARROW)) & usual;
+            l.store(l.select(narrow, l.splat(1.0) / middle, l.splat(0.0)), &mut self.guess[from..]);
             let corners = Corners {
                 values: each(always!(|c: usize| each(always!(|k: usize| l.load(&self.values[k][c][from..]))))),
                 right: each(always!(|k: usize| l.load(&self.slope[k][from..]))),
@@ -248,7 +248,7 @@ impl<const K: usize> Batch<K> {
             slopes.levels = each(always!(|t: usize| self.levels[t][i]));
         }
         let columns_f = l.float(column);
-        let guess = self.guess[i];
+        let guess = if S::COSTLY { self.guess[i] } else { 0.0 };
         let (twice, squared) = (l.splat(guess + guess), l.splat(guess * guess));
         let mut y = first;
         while y <= bottom {

@@ -37,7 +37,7 @@ const APRON: u32 = 3;
 #[derive(Debug, Default)]
 pub(super) struct Texture {
     texels: Vec<u32>,
-    /// Where texel (0, 0) of each level is.
+    /// Where the apron of each level begins: before and above its texel (0, 0).
     origin: [u32; LEVELS],
     width: [u32; LEVELS],
     height: [u32; LEVELS],
@@ -73,9 +73,8 @@ impl Texture {
         }
         let mut chain = Self::default();
         for k in 0..LEVELS {
-            let pitch = width + APRON;
             (chain.width[k], chain.height[k], chain.last) = (width, height, k as u32);
-            chain.origin[k] = chain.texels.len() as u32 + pitch + 1;
+            chain.origin[k] = chain.texels.len() as u32;
             for y in -1..height as i32 + 2 {
                 let row = beyond(wrap[1], y, height).map(|y| &level[y as usize * width as usize..][..width as usize]);
                 let texel = |x: i32| beyond(wrap[0], x, width).and_then(|x| row.map(|row| row[x as usize])).unwrap_or(0);
@@ -160,25 +159,31 @@ fn choose<L: Lanes>(l: L, texture: &Texture, across: [L::F; 2], down: [L::F; 2])
     l.iselect(l.ilt(last, level), last, level)
 }
 
-/// The texel on the lower side of a coordinate, and how far (0 to 256) it is from there to the next.
+/// The texel on the lower side of a coordinate, counted from the beginning of the apron, and how far (0 to 255) it is from there to the next.
+///
+/// All in 256ths of a texel: half a texel back to the middle of one, a whole one forward to the apron, half a 256th to round.
 #[inline(always)]
 fn place<L: Lanes>(l: L, wrap: Wrap, coordinate: L::F, size: L::I) -> (L::I, L::I) {
-    // Also turns NaN into a number.
-    let coordinate = l.clamp(coordinate, -1e6, 1e6);
-    let length = l.float(size);
-    let half = l.splat(0.5);
+    // What repeats is rounded down, which takes a number of moderate size; NaN becomes one too.
+    let moderate = always!(|| l.clamp(coordinate, -1e6, 1e6));
+    let length = l.float(l.shl::<8>(size));
+    let ahead = l.splat(128.5);
     let position = match wrap {
-        Wrap::Repeat => (coordinate - l.floor(coordinate)) * length - half,
-        Wrap::Mirror => {
-            let two = coordinate - l.splat(2.0) * l.floor(coordinate * half);
-            l.min(two, l.splat(2.0) - two) * length - half
+        Wrap::Repeat => {
+            let coordinate = moderate();
+            (coordinate - l.floor(coordinate)) * length + ahead
         }
-        Wrap::Clamp => l.clamp(coordinate, 0.0, 1.0) * length - half,
-        // From the last texel of the apron on the one side to that on the other.
-        Wrap::Border => l.min(l.max(coordinate * length - half, l.splat(-1.0)), length),
+        Wrap::Mirror => {
+            let coordinate = moderate();
+            let two = coordinate - l.splat(2.0) * l.floor(coordinate * l.splat(0.5));
+            l.min(two, l.splat(2.0) - two) * length + ahead
+        }
+        Wrap::Clamp => l.clamp(coordinate, 0.0, 1.0) * length + ahead,
+        // From the first texel of the apron on the one side to the last but one on the other.
+        Wrap::Border => l.min(l.max(coordinate * length + ahead, l.splat(0.5)), length + l.splat(256.5)),
     };
-    let below = l.floor(position);
-    (l.trunc(below), l.trunc((position - below) * l.splat(256.0) + half))
+    let position = l.trunc(position);
+    (l.shr::<8>(position), position & l.isplat(255))
 }
 
 /// Which texel stands at place `at` of an edge with `size` texels; `None` for the border's nothing.
