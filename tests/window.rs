@@ -128,6 +128,11 @@ fn joints_of_a_clip_are_bent_about_any_axis_with_the_clip_or_without() {
     drive("drive_joint.py");
 }
 
+#[test]
+fn muscles_are_copied_renamed_and_deleted() {
+    drive("drive_several.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {
