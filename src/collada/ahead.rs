@@ -75,11 +75,18 @@ pub struct Ahead<'a> {
 }
 
 impl<'a> Ahead<'a> {
-    /// The long lists of controllers and animations, in the order in which they are needed; none where there is little to read.
+    /// The long lists of geometries, controllers and animations; none where there is little to read.
+    ///
+    /// Those of geometries come first, from the last to the first: they are needed at once, and the other thread begins with the first. The rest is in the
+    /// order in which it is needed.
     pub fn of(root: El<'a>, lists: &'a Shortened<'a>) -> Self {
         let mut ahead = Self::default();
-        let libraries = ["library_controllers", "library_animations"].into_iter().flat_map(|tag| children(root, tag));
-        for array in libraries.flat_map(|library| library.descendants()).filter(|element| element.tag_name().name() == "float_array") {
+        let arrays_in = |tag| {
+            let inside = children(root, tag).flat_map(|library| library.descendants());
+            inside.filter(|element| element.tag_name().name() == "float_array").collect::<Vec<_>>()
+        };
+        let later = ["library_controllers", "library_animations"].into_iter().flat_map(arrays_in);
+        for array in arrays_in("library_geometries").into_iter().rev().chain(later) {
             if let Some(text) = array.first_child().and_then(|text| lists.list_at(text.range().start)) {
                 ahead.places.insert(array.id(), ahead.jobs.len());
                 let expected = number_attribute(array, "count").unwrap_or(0);
