@@ -26,6 +26,9 @@ const MOUSE: [(&str, &str); 8] = [
 
 /// Most rows of a group of the shortcuts window.
 const LONGEST_GROUP: usize = 13;
+/// The sections of the shortcuts window, each short enough for one page: GTK puts the groups of several pages into an order of its own. The one with the
+/// camera tells what the mouse does too.
+const SECTIONS: [&[Group]; 4] = [&[Group::Files, Group::Window], &[Group::Time], &[Group::Camera], &[Group::Model, Group::Display]];
 
 /// Shows all keys and what the mouse does.
 pub fn shortcuts(window: &Rc<Window>) {
@@ -36,36 +39,55 @@ pub fn shortcuts(window: &Rc<Window>) {
 
 /// The window as a `.ui` text.
 fn shortcuts_ui() -> String {
-    let mut text = String::from(
-        "<interface><object class=\"GtkShortcutsWindow\" id=\"shortcuts\"><property name=\"modal\">1</property>\
-         <child><object class=\"GtkShortcutsSection\"><property name=\"section-name\">all</property>\
-         <property name=\"max-height\">14</property>",
-    );
+    let mut text = String::from("<interface><object class=\"GtkShortcutsWindow\" id=\"shortcuts\"><property name=\"modal\">1</property>");
     let open_group = |text: &mut String, title: &str| {
         let title = markup_escape_text(title);
         // Writing to a string cannot fail.
         let _ = write!(text, "<child><object class=\"GtkShortcutsGroup\"><property name=\"title\">{title}</property>");
     };
-    for group in Group::ALL {
-        let commands: Vec<Command> =
-            Command::ALL.iter().copied().filter(|command| command.group() == group && !command.keys().is_empty()).collect();
-        // GTK breaks the page between groups only, and does not scroll: one that is too long would reach beyond the screen.
-        for part in commands.chunks(LONGEST_GROUP) {
-            open_group(&mut text, &group.label());
-            for command in part {
-                let (label, keys) = (command.label(), command.keys().join(" "));
-                let _ = write!(
-                    text,
-                    "<child><object class=\"GtkShortcutsShortcut\"><property name=\"title\">{}</property>\
-                     <property name=\"accelerator\">{}</property></object></child>",
-                    markup_escape_text(&label),
-                    markup_escape_text(&keys)
-                );
-            }
-            text.push_str("</object></child>");
+    for (number, groups) in SECTIONS.iter().enumerate() {
+        let mouse = groups.contains(&Group::Camera);
+        let mut names: Vec<String> = groups.iter().map(|group| group.label()).collect();
+        if mouse {
+            names.push(tr!("app-group-mouse"));
         }
+        let _ = write!(
+            text,
+            "<child><object class=\"GtkShortcutsSection\"><property name=\"section-name\">section-{number}</property>\
+             <property name=\"max-height\">16</property><property name=\"title\">{}</property>",
+            markup_escape_text(&names.join(" · "))
+        );
+        for group in *groups {
+            let commands: Vec<Command> =
+                Command::ALL.iter().copied().filter(|command| command.group() == *group && !command.keys().is_empty()).collect();
+            // GTK breaks the page between groups only, and does not scroll: one that is too long would reach beyond the screen.
+            for part in commands.chunks(LONGEST_GROUP) {
+                open_group(&mut text, &group.label());
+                for command in part {
+                    let (label, keys) = (command.label(), command.keys().join(" "));
+                    let _ = write!(
+                        text,
+                        "<child><object class=\"GtkShortcutsShortcut\"><property name=\"title\">{}</property>\
+                         <property name=\"accelerator\">{}</property></object></child>",
+                        markup_escape_text(&label),
+                        markup_escape_text(&keys)
+                    );
+                }
+                text.push_str("</object></child>");
+            }
+        }
+        if mouse {
+            write_mouse(&mut text, &open_group);
+        }
+        text.push_str("</object></child>");
     }
-    open_group(&mut text, &tr!("app-group-mouse"));
+    text.push_str("</object></interface>");
+    text
+}
+
+/// The group of what the mouse does.
+fn write_mouse(text: &mut String, open_group: &dyn Fn(&mut String, &str)) {
+    open_group(text, &tr!("app-group-mouse"));
     for (name, how) in MOUSE {
         let _ = write!(
             text,
@@ -75,8 +97,7 @@ fn shortcuts_ui() -> String {
             markup_escape_text(&tr!(how))
         );
     }
-    text.push_str("</object></child></object></child></object></interface>");
-    text
+    text.push_str("</object></child>");
 }
 
 /// Shows what the program is.

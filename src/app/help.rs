@@ -48,6 +48,7 @@ pub fn show(window: &Rc<Window>) {
         .destroy_with_parent(true)
         .default_width(480)
         .default_height(600)
+        .titlebar(&gtk::HeaderBar::new())
         .child(&scrolled)
         .build();
     let keys = gtk::EventControllerKey::new();
