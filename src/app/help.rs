@@ -11,6 +11,9 @@ use super::window::Window;
 use crate::i18n::{FluentValue, message};
 use crate::tr;
 
+/// What tells the window from others.
+const NAME: &str = "help";
+
 /// The paragraphs: the names of their headings and of their texts in the catalogue.
 const PARAGRAPHS: [(&str, &str); 7] = [
     ("app-help-open", "app-help-open-text"),
@@ -30,6 +33,10 @@ fn text(key: &str, key_of: impl Fn(Command) -> String) -> String {
 
 /// Shows the help beside the window, so that it can be read while doing what it says.
 pub fn show(window: &Rc<Window>) {
+    if let Some(open) = gtk::Window::list_toplevels().into_iter().find(|open| open.widget_name() == NAME) {
+        // A second one would hide the first.
+        return open.downcast::<gtk::Window>().map_or((), |open| open.present());
+    }
     let body = gtk::Box::new(gtk::Orientation::Vertical, 18);
     for set in [gtk::Box::set_margin_start, gtk::Box::set_margin_end, gtk::Box::set_margin_top, gtk::Box::set_margin_bottom] {
         set(&body, 18);
@@ -44,6 +51,7 @@ pub fn show(window: &Rc<Window>) {
     let scrolled = gtk::ScrolledWindow::builder().hscrollbar_policy(gtk::PolicyType::Never).child(&body).build();
     let help = gtk::Window::builder()
         .title(tr!("app-help-title"))
+        .name(NAME)
         .transient_for(&window.widget)
         .destroy_with_parent(true)
         .default_width(480)
