@@ -1,19 +1,14 @@
 """Attaches a muscle to the bones of a clip as a person would, edits and saves it, and comes back after a crash. Run as drive.py is, whose hands it uses."""
 
 import os
-import shutil
 import signal
 
-from drive import Atspi, Window, configs, fail, folder, run, told, value, wait, walk
-from drive_hands import click, enter, muscle_page, named, new_muscle, text, title
+from drive import Atspi, Window, fail, folder, run, told, value, wait, walk
+from drive_hands import click, enter, muscle_page, named, new_muscle, open_curl, text, title
 
 
 def test_attaching():
-    clip = os.path.join(folder, "curl.dae")
-    shutil.copy(os.path.join(configs, "curl.dae"), clip)
-    window = Window(clip)
-    muscle_page(window)
-    elbow = window.get("slider", "Elbow angle")
+    window, elbow = open_curl()
     elbow.set_current_value(80.0)
     wait("the joint found in the clip bends", lambda: window.shows("80.0°"))
     told("the elbow of a clip bends without a muscle file")

@@ -1,9 +1,11 @@
 """Hands for the muscle panel."""
 
+import os
+import shutil
 import time
 
 import hands
-from drive import Atspi, run, steadily, wait, walk
+from drive import Atspi, Window, configs, folder, run, steadily, wait, walk
 
 
 def named(window, name):
@@ -72,6 +74,15 @@ def muscle_page(window):
         return any(states.contains(state) for state in (Atspi.StateType.SELECTED, Atspi.StateType.CHECKED, Atspi.StateType.PRESSED))
 
     wait("the page of muscles comes up", shown)
+
+
+def open_curl():
+    """A copy of the curling arm in a window at the page of muscles, and the slider of its elbow."""
+    clip = os.path.join(folder, "curl.dae")
+    shutil.copy(os.path.join(configs, "curl.dae"), clip)
+    window = Window(clip)
+    muscle_page(window)
+    return window, window.get("slider", "Elbow angle")
 
 
 def new_muscle(window, name):

@@ -1,10 +1,7 @@
 """Bends a clip's joint about chosen axes, on top of the clip and instead of it. Run as drive.py is, whose hands it uses."""
 
-import os
-import shutil
-
-from drive import Atspi, Window, configs, fail, folder, run, steadily, still, told, value, wait, walk
-from drive_hands import click, muscle_page
+from drive import Atspi, fail, run, steadily, still, told, value, wait, walk
+from drive_hands import click, open_curl
 
 
 def one(window, name, *roles):
@@ -13,11 +10,7 @@ def one(window, name, *roles):
 
 
 def test_joint():
-    clip = os.path.join(folder, "curl.dae")
-    shutil.copy(os.path.join(configs, "curl.dae"), clip)
-    window = Window(clip)
-    muscle_page(window)
-    elbow = window.get("slider", "Elbow angle")
+    window, elbow = open_curl()
     on_top = one(window, "On top of the clip", "check box", "toggle button")
     release = window.get("button", "Let go")
     checked = lambda: on_top.get_state_set().contains(Atspi.StateType.CHECKED)

@@ -42,6 +42,15 @@ def offset(number, axis):
     return f"Via point {number}: offset along the bone’s {axis} axis"
 
 
+def click_along(window, y, hint):
+    """Clicks from left to right at this height until what was asked for is there and the hint goes: where the last click was."""
+    for x in range(440, 660, 6):
+        click_at(x, y)
+        if not window.shows(hint):
+            break
+    return x
+
+
 def test_way():
     path = os.path.join(folder, "way.yaml")
     shutil.copy(os.path.join(configs, "example.yaml"), path)
@@ -135,10 +144,7 @@ def test_way():
     press(window, pick)
     wait("picking begins anew", lambda: window.shows("Click the place on a bone that the muscle passes"))
     # Beside the arm a click changes nothing, so it is looked for from left to right, half-way up its upper rod.
-    for x in range(440, 660, 6):
-        click_at(x, 250)
-        if not window.shows("Click the place on a bone that the muscle passes"):
-            break
+    x = click_along(window, 250, "Click the place on a bone that the muscle passes")
     picked = float(wait("a click on the arm puts a via point there", lambda: text(first("X"))).replace("−", "-"))
     drag(x, 250, x + 60, 250)
     wait("its dot is dragged in the picture", lambda: float(text(first("X")).replace("−", "-")) > picked + 10.0)
@@ -150,10 +156,7 @@ def test_way():
     press(window, "Pass the ball on its other side")
     press(window, joint)
     wait("a hint says what the click is for", lambda: window.shows("Click the bone whose joint the muscle goes round"))
-    for x in range(440, 660, 6):
-        click_at(x, 330)
-        if not window.shows("Click the bone whose joint the muscle goes round"):
-            break
+    click_along(window, 330, "Click the bone whose joint the muscle goes round")
     wait("a click on a bone is taken", lambda: not window.shows("Click the bone whose joint the muscle goes round"))
     if radius() != "21.50" or "1.000" not in side() or side() == "1.000":
         fail("the ball keeps its radius and its side")

@@ -68,6 +68,19 @@ def test_looks_of_a_session(path):
     told("the looks of a session file stay with it")
 
 
+def save_picture(window, path):
+    """Saves the picture under a name that is typed into the dialog."""
+    window.key("F12")
+    dialog = wait("F12 asks for a name", lambda: window.others())[0]
+    run("xdotool", "windowfocus", dialog)
+    run("xdotool", "key", "ctrl+a")
+    run("xdotool", "type", "--", path)
+    run("xdotool", "key", "Return")
+    wait("the picture is written", lambda: os.path.getsize(path) > 0)
+    wait("the window is alone again", lambda: not window.others())
+    run("xdotool", "windowfocus", window.window)
+
+
 def test_folder_of_what_was_saved():
     """A file manager that writes down what it is asked to show."""
     asked = os.path.join(folder, "asked")
@@ -81,15 +94,7 @@ def test_folder_of_what_was_saved():
     focus_picture()
     path = os.path.join(folder, "saved", "arm.png")
     os.makedirs(os.path.dirname(path))
-    window.key("F12")
-    dialog = wait("F12 asks for a name", lambda: window.others())[0]
-    run("xdotool", "windowfocus", dialog)
-    run("xdotool", "key", "ctrl+a")
-    run("xdotool", "type", "--", path)
-    run("xdotool", "key", "Return")
-    wait("the picture is written", lambda: os.path.getsize(path) > 0)
-    wait("the window is alone again", lambda: not window.others())
-    run("xdotool", "windowfocus", window.window)
+    save_picture(window, path)
     wait("what was saved is told", lambda: window.shows("Open folder"))
     window.get("button", "Open folder").do_action(0)
     wait("the folder is shown", lambda: open(asked).read().rstrip("/").endswith("/saved"))
@@ -124,7 +129,6 @@ def test_weights():
 def focus_picture_without_choice(window):
     """The keyboard goes to the picture, and what is selected stays: the middle button selects nothing."""
     click(*at(window.get("button", "Undo"), 0.5, 4.0), button=2)
-    del window
 
 
 def test_fine_screen(path):
@@ -141,15 +145,7 @@ def test_fine_screen(path):
         run("xdotool", "mousemove", x, y, "click", 1)
         wait(f"a click at {x}, {y} selects: {more > 0}", lambda: window.count("Node") == unselected + more)
     picture = os.path.join(folder, "fine.png")
-    window.key("F12")
-    dialog = wait("F12 asks for a name", lambda: window.others())[0]
-    run("xdotool", "windowfocus", dialog)
-    run("xdotool", "key", "ctrl+a")
-    run("xdotool", "type", "--", picture)
-    run("xdotool", "key", "Return")
-    wait("the picture is written", lambda: os.path.getsize(picture) > 0)
-    wait("the window is alone again", lambda: not window.others())
-    run("xdotool", "windowfocus", window.window)
+    save_picture(window, picture)
     width = int(subprocess.run(["identify", "-format", "%w", picture], check=True, stdout=subprocess.PIPE, text=True).stdout)
     if width % 2 or width < 400:
         fail(f"the picture has all pixels of the screen: {width}")
