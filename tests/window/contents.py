@@ -96,7 +96,7 @@ def test_session_file():
     window.quit()
     with open(path, "w") as file:
         file.write("sinew_session:\n  time: soon\n")
-    window = Window(path)
+    window = Window(path, opens=False)
     wait("a broken session file is told with its line", lambda: window.shows("cannot be opened") and window.shows("ine 2"))
     told("a broken session file says where")
     window.quit()

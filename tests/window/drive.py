@@ -74,7 +74,7 @@ def walk(node, depth=0):
 class Window:
     """A running program."""
 
-    def __init__(self, *files):
+    def __init__(self, *files, opens=True):
         # For the program alone: this one's own library for the accessibility bus has critical messages of its own.
         environment = {"G_DEBUG": "fatal-criticals", **os.environ}
         self.process = subprocess.Popen([program, *files], stderr=subprocess.PIPE, text=True, env=environment)
@@ -82,6 +82,9 @@ class Window:
         self.window = wait("the window is there", lambda: run("xdotool", "search", "--onlyvisible", "--pid", self.process.pid).split()[0].decode())
         run("xdotool", "windowmove", self.window, 0, 0)
         run("xdotool", "windowfocus", self.window)
+        if files and opens:
+            # Widgets are there before their files are, and do nothing until then.
+            wait("the file is shown", lambda: run("xdotool", "getwindowname", self.window).decode().strip() not in ("", "Sinew"))
 
     def find_root(self):
         if self.process.poll() is not None:

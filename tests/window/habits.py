@@ -103,7 +103,7 @@ def test_folder_of_what_was_saved():
 
 
 def test_weights():
-    window = Window(os.path.join(configs, "..", "tests", "window", "no-such-file.dae"))
+    window = Window(os.path.join(configs, "..", "tests", "window", "no-such-file.dae"), opens=False)
     wait("a file that is not there is told", lambda: window.shows("cannot be opened"))
     window.quit()
     window = Window(os.path.join(configs, "biceps.yaml"))
