@@ -74,6 +74,7 @@ mod tests {
             materials: Arc::new([]),
             placement: Placement::Rigid(Mat4::from_translation(at)),
             mirrored: false,
+            solid: None,
             muscle,
             visible: true,
             content: 0,

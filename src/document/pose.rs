@@ -139,19 +139,20 @@ impl Document {
         for (surface, plan) in frame.surfaces.iter_mut().zip(&mut buffers.plans) {
             surface.visible = buffers.shown.get(surface.node.index()).copied().unwrap_or(true);
             let world = frame.world.get(surface.node.index()).copied().unwrap_or(DMat4::IDENTITY);
-            let bounds = match plan {
+            let (bounds, solid) = match plan {
                 Plan::Rigid { made_for } => {
                     let matrix = world.as_mat4();
                     surface.placement = Placement::Rigid(matrix);
                     surface.mirrored = world.determinant() < 0.0;
-                    match made_for {
+                    let bounds = match made_for {
                         Some((for_matrix, bounds)) if *for_matrix == matrix => *bounds,
                         _ => {
                             let bounds = Bounds::of(surface.mesh.positions.iter().map(|p| matrix.transform_point3(*p)));
                             *made_for = Some((matrix, bounds));
                             bounds
                         }
-                    }
+                    };
+                    (bounds, surface.mesh.solid)
                 }
                 Plan::Bent(bender) => {
                     let Placement::Deformed { positions, normals } = &mut surface.placement else { continue };
@@ -160,15 +161,17 @@ impl Document {
                     let (bounds, mirrored) =
                         bender.bend(&self.scene, (surface.node, instance), &surface.mesh, state, &frame.world, weights, into);
                     surface.mirrored = mirrored;
-                    bounds
+                    (bounds, false)
                 }
                 Plan::Muscle(id) => {
                     let Placement::Deformed { positions, normals } = &mut surface.placement else { continue };
                     let (Some((rig, index)), Some(solved)) = (self.muscle(*id), buffers.solved.get(id.index())) else { continue };
-                    rig.deform(index, solved, &frame.world, positions, normals);
-                    Bounds::of(positions.iter().copied())
+                    let Some(shape) = rig.deform(index, solved, &frame.world, positions, normals) else { continue };
+                    surface.mirrored = shape.mirrored;
+                    (Bounds::of(positions.iter().copied()), !shape.folded)
                 }
             };
+            surface.solid = solid.then_some(bounds);
             if surface.visible {
                 frame.bounds.merge(&bounds);
             }
@@ -203,6 +206,7 @@ impl Document {
                     materials,
                     placement,
                     mirrored: false,
+                    solid: None,
                     muscle,
                     visible: true,
                     content,

@@ -148,6 +148,7 @@ mod tests {
             materials: Arc::new([]),
             placement,
             mirrored,
+            solid: None,
             muscle: None,
             ghost: None,
             visible: true,

@@ -92,7 +92,12 @@ impl Arm {
         let wrist = graph.add(Some(elbow), joint(tr!("muscle-wrist"), "wrist", vec![down(self.lower)]));
 
         let r = self.thickness;
-        let rod = |length: f64| vec![(0.0, r, [0.0, 1.0]), (-length, r, [0.0, 1.0])];
+        // Closed by a disc at either end, so that nobody can look into it and its far side need not be drawn.
+        let rod = |length: f64| {
+            let disc = |height: f64, up: f64| [(height, 0.0, [up, 0.0]), (height, r, [up, 0.0])];
+            let ([top, rim], [bottom, foot]) = (disc(0.0, 1.0), disc(-length, -1.0));
+            vec![top, rim, (0.0, r, [0.0, 1.0]), (-length, r, [0.0, 1.0]), foot, bottom]
+        };
         for (node, name, profile) in [
             (upper, tr!("muscle-upper-arm"), rod(self.upper)),
             (upper, tr!("muscle-shoulder"), ball(END * r)),

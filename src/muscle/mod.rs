@@ -69,7 +69,7 @@ pub use path::{Path, Station};
 pub use poses::Pose;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use rig::Rig;
-pub use surface::SEGMENTS;
+pub use surface::{Cover, SEGMENTS};
 pub use way::Ball;
 
 /// The state that the two sliders share; each follows the other.

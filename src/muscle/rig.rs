@@ -14,7 +14,7 @@ use super::ledger::Ledger;
 use super::line::{Frames, Line};
 use super::path::Path;
 use super::profile::Profile;
-use super::surface::{Layout, ToWorld};
+use super::surface::{Cover, Layout, ToWorld};
 use super::{Drive, Sample, Solved, measure};
 use crate::animation::Pose;
 use crate::health::Finding;
@@ -227,12 +227,20 @@ impl Rig {
         self.muscles.get(index).map_or(&[], |muscle| &muscle.materials)
     }
 
-    /// Writes the surface of muscle `index` into the buffers, in the world (metres): one entry a vertex of [`Rig::mesh`].
-    pub fn deform(&self, index: usize, solved: &Solved, world: &[DMat4], positions: &mut Vec<Vec3>, normals: &mut Vec<Vec3>) {
-        let Some(muscle) = self.muscles.get(index) else { return };
+    /// Writes the surface of muscle `index` into the buffers, in the world (metres): one entry a vertex of [`Rig::mesh`]. `None` where there is no such
+    /// muscle; then the buffers stay as they are.
+    pub fn deform(
+        &self,
+        index: usize,
+        solved: &Solved,
+        world: &[DMat4],
+        positions: &mut Vec<Vec3>,
+        normals: &mut Vec<Vec3>,
+    ) -> Option<Cover> {
+        let muscle = self.muscles.get(index)?;
         let path = self.path(muscle, solved, world);
         let to_world = ToWorld::new(self.root_matrix(world));
-        muscle.layout.deform(solved, &muscle.spec.tendons, &path, &to_world, positions, normals);
+        Some(muscle.layout.deform(solved, &muscle.spec.tendons, &path, &to_world, positions, normals))
     }
 
     /// The centre line of muscle `index` as it is drawn, in the space of the rig's root and its unit, tendons included.

@@ -33,6 +33,8 @@ pub fn revolved(name: String, rows: &[Row]) -> Mesh {
     const SEGMENTS: u32 = 32;
     let mut mesh = Mesh { name, ..Mesh::default() };
     let mut uvs = Vec::new();
+    let widest = rows.iter().map(|(_, radius, _)| radius.abs()).fold(0.0, f64::max);
+    let is_point = |radius: f64| radius.abs() <= 1e-12 * widest;
     for (row, &(height, radius, [up, out])) in rows.iter().enumerate() {
         for segment in 0..=SEGMENTS {
             let turn = f64::from(segment) / f64::from(SEGMENTS);
@@ -42,13 +44,24 @@ pub fn revolved(name: String, rows: &[Row]) -> Mesh {
             uvs.push(glam::Vec2::new(turn as f32, 1.0 - row as f32 / rows.len() as f32));
         }
     }
-    for row in 1..rows.len() as u32 {
+    for (row, pair) in rows.windows(2).enumerate() {
+        let (above, below) = (pair[0], pair[1]);
+        // Two rows in one place have nothing between them: there the normal has a crease. A row that is a point has one triangle a segment.
+        if (above.0, above.1) == (below.0, below.1) {
+            continue;
+        }
         for segment in 0..SEGMENTS {
-            let (a, b) = ((row - 1) * (SEGMENTS + 1) + segment, row * (SEGMENTS + 1) + segment);
-            mesh.triangles.push([a, a + 1, b]);
-            mesh.triangles.push([a + 1, b + 1, b]);
+            let (a, b) = (row as u32 * (SEGMENTS + 1) + segment, (row as u32 + 1) * (SEGMENTS + 1) + segment);
+            if !is_point(above.1) {
+                mesh.triangles.push([a, a + 1, b]);
+            }
+            if !is_point(below.1) {
+                mesh.triangles.push([a + 1, b + 1, b]);
+            }
         }
     }
+    let closed = |row: Option<&Row>| row.is_some_and(|(_, radius, _)| is_point(*radius));
+    mesh.solid = closed(rows.first()) && closed(rows.last()) && mesh.positions.iter().all(|position| position.is_finite());
     mesh.source_count = mesh.positions.len() as u32;
     mesh.source_vertex = (0..mesh.source_count).collect();
     mesh.uv_sets = vec![uvs];

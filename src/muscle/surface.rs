@@ -33,6 +33,15 @@ pub struct Layout {
     tendons: [bool; 2],
 }
 
+/// What a muscle's surface turned out to be like in a pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cover {
+    /// Whether it may run backwards somewhere, as on the inner side of a bend that is tighter than it is thick: then its inside may be seen from outside.
+    pub folded: bool,
+    /// Whether the way to the world mirrors it, so that clockwise is outside.
+    pub mirrored: bool,
+}
+
 /// One ring to be written.
 struct Ring {
     station: Station,
@@ -127,10 +136,10 @@ impl Layout {
         to_world: &ToWorld,
         positions: &mut Vec<Vec3>,
         normals: &mut Vec<Vec3>,
-    ) {
+    ) -> Cover {
         positions.clear();
         normals.clear();
-        let mut out = Writer { to_world, circle: circle(), positions, normals };
+        let mut out = Writer { to_world, circle: circle(), positions, normals, before: None, folded: false };
         // Where a limit holds the length, the muscle lies in the middle of its line.
         let slack = path.length() - solved.length - tendons[0].length - tendons[1].length;
         let start = tendons[0].length + 0.5 * slack;
@@ -160,6 +169,7 @@ impl Layout {
             let from = start + solved.length;
             out.tendon(path.cursor(), from, from + tendons[1].length, [tendons[1].radius.min(radius(spans)), tendons[1].radius]);
         }
+        Cover { folded: out.folded, mirrored: to_world.matrix.determinant() < 0.0 }
     }
 }
 
@@ -187,14 +197,30 @@ struct Writer<'a> {
     circle: &'static [(f32, f32); RING],
     positions: &'a mut Vec<Vec3>,
     normals: &'a mut Vec<Vec3>,
+    /// Middle, tangent and radius of the ring before, in the same tube.
+    before: Option<(DVec3, DVec3, f64)>,
+    folded: bool,
 }
 
 impl Writer<'_> {
+    /// Compares a ring with the one before: no corner may lie behind the plane of the other's ring.
+    fn follow(&mut self, position: DVec3, tangent: DVec3, radius: f64) {
+        let ahead = self.before.is_none_or(|(from, along, wide)| {
+            let (step, turn) = (position - from, along.cross(tangent).length());
+            step.dot(along) >= radius * turn && step.dot(tangent) >= wide * turn
+        });
+        self.folded |= !ahead;
+        self.before = Some((position, tangent, radius));
+    }
+
     fn ring(&mut self, ring: &Ring) {
         let Station { position, tangent, u, v, .. } = ring.station;
+        self.follow(position, tangent, ring.radius);
         let matrix = &self.to_world.matrix;
         let centre = matrix.transform_point3(position).as_vec3();
         let [across_u, across_v] = [u, v].map(|axis| (matrix.transform_vector3(axis) * ring.radius).as_vec3());
+        // What is not a number is not drawn, and leaves a hole.
+        self.folded |= !(centre + across_u.abs() + across_v.abs()).is_finite();
         // Of length 1 where the matrix only turns.
         let scale = 1.0 / (1.0 + ring.slope * ring.slope).sqrt();
         let normal = |axis: DVec3| (self.to_world.normals * (axis * scale)).as_vec3();
@@ -223,6 +249,7 @@ impl Writer<'_> {
 
     /// A tube between two lengths of the path, closed by points.
     fn tendon(&mut self, mut cursor: Cursor<'_>, from: f64, to: f64, radii: [f64; 2]) {
+        self.before = None;
         for ring in 0..TENDON {
             // The first and last ring are points that close the tube.
             let share = ring.saturating_sub(1).min(TENDON - 3) as f64 / (TENDON - 3) as f64;
@@ -236,5 +263,43 @@ impl Writer<'_> {
             let radius = if closes == 0.0 { radii[0] + (radii[1] - radii[0]) * share } else { 0.0 };
             self.ring(&Ring { station: cursor.station(from + (to - from) * share), radius, slope: closes });
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NO_TENDONS: [Tendon; 2] = [Tendon { length: 0.0, radius: 0.0 }, Tendon { length: 0.0, radius: 0.0 }];
+
+    /// A muscle as thick as `radius` along a quarter of a circle of radius 10.
+    fn bent(radius: f64, world: DMat4) -> (Cover, Vec<Vec3>) {
+        let mut path = Path::new(DVec3::Z);
+        path.arc(DVec3::ZERO, DVec3::X, DVec3::Y, 10.0, std::f64::consts::FRAC_PI_2);
+        let solved = Solved { length: path.length(), radii: vec![radius; 6], ..Solved::default() };
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        let cover = Layout::new(6, &NO_TENDONS).deform(&solved, &NO_TENDONS, &path, &ToWorld::new(world), &mut positions, &mut normals);
+        (cover, positions)
+    }
+
+    #[test]
+    fn a_muscle_folds_where_it_is_thicker_than_its_bend() {
+        assert!(!bent(9.9, DMat4::IDENTITY).0.folded);
+        assert!(bent(10.1, DMat4::IDENTITY).0.folded);
+        // What cannot be drawn leaves a hole, and so is not closed.
+        assert!(bent(f64::NAN, DMat4::IDENTITY).0.folded && bent(9.0, DMat4::from_scale(DVec3::splat(1e38))).0.folded);
+    }
+
+    #[test]
+    fn a_mirror_turns_the_outside_round() {
+        let mirror = DMat4::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+        assert!(!bent(3.0, DMat4::IDENTITY).0.mirrored && bent(3.0, mirror).0.mirrored);
+        let volume = |world: DMat4| {
+            let (_, positions) = bent(3.0, world);
+            let mesh = Layout::new(6, &NO_TENDONS).mesh("");
+            let corner = |v: u32| positions[v as usize].as_dvec3();
+            mesh.triangles.iter().map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c))) / 6.0).sum::<f64>()
+        };
+        assert!(volume(DMat4::IDENTITY) > 0.0 && (volume(DMat4::IDENTITY) + volume(mirror)).abs() < 1e-2);
     }
 }

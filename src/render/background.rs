@@ -39,6 +39,11 @@ impl Backdrop {
         Self { kind, height: height as f32 }
     }
 
+    /// Whether all rows look alike.
+    pub(super) fn is_even(&self) -> bool {
+        !matches!(self.kind, Background::Gradient(..))
+    }
+
     /// Writes picture row `y`. A gradient over hundreds of rows has fewer steps than rows, so it is dithered lest it show bands.
     pub(super) fn row(&self, y: i32, out: &mut [u32]) {
         match self.kind {

@@ -116,7 +116,9 @@ pub(super) fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local:
             Piece::Kept(pixels) if lined => &pixels[y * width..][..width],
             _ if lined => ground.row(0, y),
             _ => {
-                canvas.backdrop.row(top + y as i32, row);
+                if y == 0 || !canvas.backdrop.is_even() {
+                    canvas.backdrop.row(top + y as i32, row);
+                }
                 &row[..]
             }
         };

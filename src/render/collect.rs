@@ -72,13 +72,20 @@ pub(super) fn rgb(color: u32) -> [f32; 3] {
 
 impl Buffers {
     /// Makes the list of items and numbers their vertices and triangles.
-    pub(super) fn collect(&mut self, cache: &mut Cache, scene: &Scene, frame: &Frame, display: &Display, without_ghosts: bool) {
+    pub(super) fn collect(
+        &mut self,
+        cache: &mut Cache,
+        (scene, frame): (&Scene, &Frame),
+        view: &View,
+        display: &Display,
+        without_ghosts: bool,
+    ) {
         let mut pending = std::mem::take(&mut self.collector.pending);
         pending.clear();
         self.heat.clear();
         for (index, surface) in frame.surfaces.iter().enumerate() {
             if shown(display, surface) && !(without_ghosts && surface.ghost.is_some()) {
-                self.surface(&mut pending, cache, scene, frame, display, index as u32, surface);
+                self.surface(&mut pending, cache, (scene, frame), view, display, index as u32, surface);
             }
         }
         if display.bones {
@@ -167,8 +174,8 @@ impl Buffers {
         &mut self,
         pending: &mut Vec<Item>,
         cache: &mut Cache,
-        scene: &Scene,
-        frame: &Frame,
+        (scene, frame): (&Scene, &Frame),
+        view: &View,
         display: &Display,
         index: u32,
         surface: &Surface,
@@ -192,6 +199,8 @@ impl Buffers {
             if veiled {
                 (style.opacity, style.layer) = (VEIL, Layer::Blended);
             }
+            let hides = style.layer == Layer::Opaque && hides_inside(view, surface, display);
+            style.both_sides &= !hides;
             if style.opacity <= 0.0 {
                 continue;
             }
@@ -201,9 +210,10 @@ impl Buffers {
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
             pending.push(Item {
                 // The far side of a ghost, or of a skin that is seen through, would only cloud the near one.
-                cull: (display.cull_back_faces || veiled || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
-                    && !mesh.double_sided
-                    && !material.is_some_and(|material| material.double_sided),
+                cull: hides
+                    || ((display.cull_back_faces || veiled || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
+                        && !mesh.double_sided
+                        && !material.is_some_and(|material| material.double_sided)),
                 vertices: 0..count,
                 first_vertex: first,
                 expanded,
@@ -219,6 +229,11 @@ impl Buffers {
 /// Whether a surface is drawn at all.
 pub(super) fn shown(display: &Display, surface: &Surface) -> bool {
     surface.visible && if surface.muscle.is_some() { display.muscle } else { display.mesh }
+}
+
+/// Whether back faces of an opaque surface cannot be seen anyway: it is solid, and all of it is before the eye.
+fn hides_inside(view: &View, surface: &Surface, display: &Display) -> bool {
+    surface.solid.is_some_and(|bounds| display.depth_test && bounds.corners().iter().all(|corner| view.reaches(*corner)))
 }
 
 /// How much of a skin that is seen through is seen itself.

@@ -217,7 +217,7 @@ impl Buffers {
         if seen {
             let mut cache = std::mem::take(&mut self.cache);
             cache.begin();
-            self.collect(&mut cache, scene, frame, display, picking);
+            self.collect(&mut cache, (scene, frame), &view, display, picking);
             self.cache = cache;
         }
         (view, Lights::new(position, display.ambient, &view))

@@ -18,7 +18,7 @@ use crate::lanes::{Lanes, always, each, map};
 /// Triangles that are set up together.
 const MANY: usize = 16;
 /// Most columns and rows of a small triangle.
-const SIDE: i32 = 32;
+const SIDE: i32 = 64;
 /// A box may have so many times the triangle's doubled area; beyond, differences of products lose what `f32` has.
 const SLIVER: i32 = 32;
 /// Where the nearness of the corners is no further than this share from the middle between them, two of Newton's steps from there give one over the nearness

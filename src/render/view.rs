@@ -97,6 +97,12 @@ impl View {
             .then_some(this)
     }
 
+    /// Whether a world point is beyond the near plane, by more than what rounding may do.
+    pub(super) fn reaches(&self, p: Vec3) -> bool {
+        let [_, _, _, distance, _] = self.clip(p);
+        distance > f64::from(self.near) * 1.001 + 1e-6 * f64::from(self.distance.truncate().abs().dot(p.abs()) + self.distance.w.abs())
+    }
+
     /// Clip coordinates of a world point: x, y, w, distance, nearness (the last only for a parallel camera).
     pub(super) fn clip(&self, p: Vec3) -> [f64; 5] {
         let point = p.extend(1.0).as_dvec4();

@@ -65,6 +65,8 @@ pub struct Surface {
     pub mirrored: bool,
     /// The muscle that it shows, if it does.
     pub muscle: Option<MuscleId>,
+    /// The box round it in the world where it is known to be closed, with its outside outward everywhere; who is not in that box cannot see its back faces.
+    pub solid: Option<Bounds>,
     /// Whether its node is shown.
     pub visible: bool,
     /// Which of its node's contents it shows, so that skin, morph and weights can be found.

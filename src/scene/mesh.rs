@@ -47,6 +47,8 @@ pub struct Mesh {
     pub parts: Vec<Part>,
     /// Whether the file says that both sides show.
     pub double_sided: bool,
+    /// Whether it is known to be closed as it stands, with its outside outward everywhere.
+    pub solid: bool,
 }
 
 impl Mesh {

@@ -35,6 +35,7 @@ impl Yard {
             materials: vec![Some(MaterialBinding::plain(MaterialId(0)))].into(),
             placement: Placement::Rigid(Mat4::IDENTITY),
             mirrored: false,
+            solid: None,
             muscle: None,
             ghost: None,
             visible: true,

@@ -65,12 +65,14 @@ fuzz_target!(|bytes: &[u8]| {
     } else {
         Placement::Rigid(Mat4::IDENTITY)
     };
+    let bounds = Bounds { min: from.point(), max: from.point() };
     let surface = Surface {
         node,
         mesh: Arc::new(mesh),
         materials: vec![Some(MaterialBinding::plain(MaterialId(0)))].into(),
         placement,
         mirrored: on(2),
+        solid: on(17).then_some(bounds),
         muscle: None,
         ghost: None,
         visible: true,
@@ -78,7 +80,6 @@ fuzz_target!(|bytes: &[u8]| {
         skin: false,
     };
     scene.materials.push(material.clone());
-    let bounds = Bounds { min: from.point(), max: from.point() };
     let frame = Frame { surfaces: vec![surface], materials: vec![material], bounds, ..Frame::default() };
     let projection =
         if on(3) { Projection::Orthographic { height: from.float() } } else { Projection::Perspective { fov_y: from.float() } };
