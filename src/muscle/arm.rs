@@ -12,7 +12,7 @@
 use glam::{DMat4, DVec3};
 
 use super::materials;
-use super::rods::{ball, hang, revolved};
+use super::rods::{ROUND, SLENDER, ball, hang, revolved};
 use crate::animation::Pose;
 use crate::scene::{Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::tr;
@@ -98,14 +98,14 @@ impl Arm {
             let ([top, rim], [bottom, foot]) = (disc(0.0, 1.0), disc(-length, -1.0));
             vec![top, rim, (0.0, r, [0.0, 1.0]), (-length, r, [0.0, 1.0]), foot, bottom]
         };
-        for (node, name, profile) in [
-            (upper, tr!("muscle-upper-arm"), rod(self.upper)),
-            (upper, tr!("muscle-shoulder"), ball(END * r)),
-            (elbow, tr!("muscle-elbow"), ball(ELBOW * r)),
-            (forearm, tr!("muscle-forearm"), rod(self.lower)),
-            (wrist, tr!("muscle-wrist"), ball(END * r)),
+        for (node, name, profile, segments) in [
+            (upper, tr!("muscle-upper-arm"), rod(self.upper), SLENDER),
+            (upper, tr!("muscle-shoulder"), ball(END * r), ROUND),
+            (elbow, tr!("muscle-elbow"), ball(ELBOW * r), ROUND),
+            (forearm, tr!("muscle-forearm"), rod(self.lower), SLENDER),
+            (wrist, tr!("muscle-wrist"), ball(END * r), ROUND),
         ] {
-            hang(scene, node, revolved(name, &profile), bone);
+            hang(scene, node, revolved(name, &profile, segments), bone);
         }
         ArmNodes { upper, elbow, forearm, turn: 1 }
     }

@@ -28,16 +28,20 @@ pub fn ball(radius: f64) -> Vec<Row> {
     (0..=ROWS).map(row).collect()
 }
 
-/// A surface of revolution about the Y axis. Heights fall from row to row.
-pub fn revolved(name: String, rows: &[Row]) -> Mesh {
-    const SEGMENTS: u32 = 32;
+/// Segments round a ball.
+pub const ROUND: u32 = 32;
+/// Segments round a rod, whose outline is straight however many there are.
+pub const SLENDER: u32 = 20;
+
+/// A surface of revolution about the Y axis, in so many segments round it. Heights fall from row to row.
+pub fn revolved(name: String, rows: &[Row], segments: u32) -> Mesh {
     let mut mesh = Mesh { name, ..Mesh::default() };
     let mut uvs = Vec::new();
     let widest = rows.iter().map(|(_, radius, _)| radius.abs()).fold(0.0, f64::max);
     let is_point = |radius: f64| radius.abs() <= 1e-12 * widest;
     for (row, &(height, radius, [up, out])) in rows.iter().enumerate() {
-        for segment in 0..=SEGMENTS {
-            let turn = f64::from(segment) / f64::from(SEGMENTS);
+        for segment in 0..=segments {
+            let turn = f64::from(segment) / f64::from(segments);
             let (sin, cos) = (turn * std::f64::consts::TAU).sin_cos();
             mesh.positions.push(DVec3::new(radius * cos, height, radius * sin).as_vec3());
             mesh.normals.push(DVec3::new(out * cos, up, out * sin).normalize_or(DVec3::Y).as_vec3());
@@ -50,8 +54,8 @@ pub fn revolved(name: String, rows: &[Row]) -> Mesh {
         if (above.0, above.1) == (below.0, below.1) {
             continue;
         }
-        for segment in 0..SEGMENTS {
-            let (a, b) = (row as u32 * (SEGMENTS + 1) + segment, (row as u32 + 1) * (SEGMENTS + 1) + segment);
+        for segment in 0..segments {
+            let (a, b) = (row as u32 * (segments + 1) + segment, (row as u32 + 1) * (segments + 1) + segment);
             if !is_point(above.1) {
                 mesh.triangles.push([a, a + 1, b]);
             }
@@ -73,7 +77,7 @@ pub fn revolved(name: String, rows: &[Row]) -> Mesh {
 pub fn root(name: String, from: DVec3, to: DVec3, radii: [f64; 2]) -> Mesh {
     let length = from.distance(to);
     let lean = [(radii[1] - radii[0]) / length.max(f64::MIN_POSITIVE), 1.0];
-    let mut mesh = revolved(name, &[(0.0, radii[0], lean), (-length, radii[1], lean)]);
+    let mut mesh = revolved(name, &[(0.0, radii[0], lean), (-length, radii[1], lean)], SLENDER);
     let down = (to - from).normalize_or(DVec3::NEG_Y);
     let side = down.any_orthonormal_vector();
     let place = DAffine3::from_mat3_translation(DMat3::from_cols(side, -down, side.cross(-down)), from);

@@ -6,7 +6,7 @@ use super::Background;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Backdrop {
     kind: Background,
-    height: f32,
+    height: u32,
 }
 
 /// Thresholds of an 8 × 8 ordered dither, from 0 to 63.
@@ -36,7 +36,7 @@ const fn bayer() -> [[u8; 8]; 8] {
 
 impl Backdrop {
     pub(super) fn new(kind: Background, height: u32) -> Self {
-        Self { kind, height: height as f32 }
+        Self { kind, height }
     }
 
     /// Whether all rows look alike.
@@ -50,13 +50,16 @@ impl Backdrop {
             Background::Transparent => out.fill(0),
             Background::Solid(color) => out.fill(0xFF00_0000 | color),
             Background::Gradient(top, bottom) => {
-                let t = (y as f32 + 0.5) / self.height;
-                let pattern: [u32; 8] = std::array::from_fn(|x| {
-                    let threshold = (f32::from(BAYER[y as usize & 7][x]) + 0.5) / 64.0;
-                    [16, 8, 0].into_iter().fold(0xFF00_0000, |pixel, shift| {
-                        let [from, to] = [top, bottom].map(|color| (color >> shift & 255) as f32);
-                        pixel | ((from + (to - from) * t + threshold) as u32) << shift
-                    })
+                // Colours with 16 bits of fraction, in whole numbers: eight thresholds side by side are a matter of a few instructions.
+                let (at, end) = (2 * i64::from(y) + 1, 2 * i64::from(self.height.max(1)));
+                let channels = [16, 8, 0].map(|shift| {
+                    let [from, to] = [top, bottom].map(|color| i64::from(color >> shift & 255));
+                    (((from * end + (to - from) * at) << 16) / end) as u32
+                });
+                let pattern = BAYER[y as usize & 7].map(|threshold| {
+                    let threshold = (2 * u32::from(threshold) + 1) << 9;
+                    let [red, green, blue] = channels.map(|channel| (channel + threshold) >> 16);
+                    0xFF00_0000 | red << 16 | green << 8 | blue
                 });
                 let (whole, rest) = out.as_chunks_mut::<8>();
                 whole.fill(pattern);
