@@ -204,7 +204,9 @@ impl Feed<'_> {
     #[inline(always)]
     pub(super) fn lit(&self, t: usize, other_side: bool) -> [Quad; 3] {
         let from = if other_side { self.back } else { self.front };
-        std::array::from_fn(|k| from.get(self.geometry.item_vertex(t, k)).copied().unwrap_or_default())
+        // One by one: an array that is filled in a loop goes through memory, and reading it back right after waits for the writes.
+        let at = |k: usize| from.get(self.geometry.item_vertex(t, k)).copied().unwrap_or_default();
+        [at(0), at(1), at(2)]
     }
 
     /// Corners in the world. Only where the vertex stage made [`super::style::Varying::Geometry`].

@@ -98,28 +98,31 @@ where
             screen.swap(1, 2);
             values.swap(1, 2);
         }
-        let curved = bend(drawing, &mut values, item.style.fill == Fill::Gouraud);
         if !blended && Batch::<K>::fits(&screen, size) {
             let rect = Rect::of(&screen, M > 1, drawing.view.size);
             if !rect.is_empty() {
-                batch.push(S::USED, &screen, &values, &rect, curved);
+                batch.push(S::USED, &screen, &values, &rect);
             }
             if batch.is_full() {
-                batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
+                batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
             }
             continue;
         }
         // What came before has to be drawn before.
         if !blended {
-            batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
+            batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
         }
+        let curved = bend(drawing, &mut values, item.style.fill == Fill::Gouraud);
         let triangle = Triangle { screen, area: size, values, curved, depth_test: item.style.depth_test, blended };
         raster::<L, S, K, M>(l, &shader, &triangle, plane, drawing.view.size);
     }
     if !blended {
-        batch.flush::<L, S, M>(l, &shader, item.style.depth_test, plane);
+        batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
     }
 }
+
+/// The straight way is good enough where the nearness's change times the colours' is no more than this share of the nearness: see [`bends`].
+pub(super) const STRAIGHT: f32 = 0.4;
 
 /// Whether straight interpolation on the picture would be off by more than a tenth of a 255th anywhere. Between corners whose nearness has the
 /// ratio k the two ways differ by at most (√k − 1)/(√k + 1) of the corners' difference, which is less than (k − 1)/4.
@@ -141,7 +144,7 @@ pub(super) fn bends<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> boo
         let (high, low) = spread(k);
         widest = if high - low > widest { high - low } else { widest };
     }
-    (near - far) * widest > 0.4 * far
+    (near - far) * widest > STRAIGHT * far
 }
 
 struct Triangle<const K: usize> {

@@ -113,11 +113,18 @@ impl<'a> Shader<'a> for Gouraud<'a> {
 }
 
 impl Gouraud<'_> {
+    /// The corners' colours, each turned into attributes: before the ways meet, so that they stay in registers.
     #[inline(always)]
-    fn colors(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
+    fn colors<const K: usize>(&self, feed: &Feed<'_>, t: usize, other_side: bool, to: impl Fn([f32; 4]) -> [f32; K]) -> [[f32; K]; 3] {
         match self.style.normals {
-            Normals::Smooth => feed.lit(t, other_side),
-            _ => face_colors(self.drawing, self.style, feed, t, other_side),
+            Normals::Smooth => {
+                let [a, b, c] = feed.lit(t, other_side);
+                [to(a), to(b), to(c)]
+            }
+            _ => {
+                let [a, b, c] = face_colors(self.drawing, self.style, feed, t, other_side);
+                [to(a), to(b), to(c)]
+            }
         }
     }
 }
@@ -130,7 +137,7 @@ impl Attributes<4> for Gouraud<'_> {
 
     #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
-        map(self.colors(feed, t, other_side), always!(|[r, g, b, _]: [f32; 4]| [0.0, r, g, b]))
+        self.colors(feed, t, other_side, always!(|[r, g, b, _]: [f32; 4]| [0.0, r, g, b]))
     }
 
     #[inline(always)]
@@ -147,7 +154,7 @@ impl Attributes<8> for Gouraud<'_> {
 
     #[inline(always)]
     fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
-        map(self.colors(feed, t, other_side), always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a, 0.0, 0.0, 0.0]))
+        self.colors(feed, t, other_side, always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a, 0.0, 0.0, 0.0]))
     }
 
     #[inline(always)]

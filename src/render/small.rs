@@ -8,7 +8,7 @@
 #![allow(clippy::needless_range_loop)]
 
 use super::drawing::Drawing;
-use super::fill::bends;
+use super::fill::{STRAIGHT, bends};
 use super::plane::{Plane, pack};
 use super::setup::{Rect, SAMPLES};
 use super::shade::{Attributes, Corners, Shader, Slopes};
@@ -94,9 +94,9 @@ impl<const K: usize> Batch<K> {
         w < (SIDE - 1) * 256 && h < (SIDE - 1) * 256 && i64::from(w * h) <= area * i64::from(SLIVER)
     }
 
-    /// Adds a triangle that fits, with the first `used` of its attributes. Corners clockwise as seen; where attributes are `curved` they are multiplied with the nearness already.
+    /// Adds a triangle that fits, with the first `used` of its attributes. Corners clockwise as seen.
     #[inline(always)]
-    pub(super) fn push(&mut self, used: usize, screen: &[Screen; 3], values: &[[f32; K]; 3], rect: &Rect, curved: bool) {
+    pub(super) fn push(&mut self, used: usize, screen: &[Screen; 3], values: &[[f32; K]; 3], rect: &Rect) {
         let i = self.count;
         if i >= MANY {
             return;
@@ -109,19 +109,27 @@ impl<const K: usize> Batch<K> {
             }
         }
         (self.left[i], self.top[i], self.right[i], self.bottom[i]) = (rect.x0, rect.y0, rect.x1, rect.y1);
-        self.curved[i] = i32::from(curved);
         self.count = i + 1;
     }
 
-    /// Fills all that wait into the rows of `plane`.
+    /// Fills all that wait into the rows of `plane`; `perspective` as in the view.
     #[inline(always)]
-    pub(super) fn flush<'a, L: Lanes, S, const M: usize>(&mut self, l: L, shader: &S, depth_test: bool, plane: &mut Plane)
-    where
+    pub(super) fn flush<'a, L: Lanes, S, const M: usize>(
+        &mut self,
+        l: L,
+        shader: &S,
+        perspective: bool,
+        depth_test: bool,
+        plane: &mut Plane,
+    ) where
         S: Shader<'a> + Attributes<K>,
     {
         let count = std::mem::take(&mut self.count).min(MANY);
         let mut from = 0;
         while from < count {
+            if perspective {
+                self.bend::<L, S>(l, from);
+            }
             self.set_up(l, shader, from);
             from += L::N;
         }
@@ -131,6 +139,33 @@ impl<const K: usize> Batch<K> {
                 self.one::<L, S, M, true>(l, shader, i, depth_test, plane);
             } else if !(L::TALL && S::COSTLY) {
                 self.one::<L, S, M, false>(l, shader, i, depth_test, plane);
+            }
+        }
+    }
+
+    /// The same as [`bend`] for the triangles from number `from` on, one a lane.
+    #[inline(always)]
+    fn bend<'a, L: Lanes, S>(&mut self, l: L, from: usize)
+    where
+        S: Shader<'a> + Attributes<K>,
+    {
+        let (far, near) = self.spread(l, 0, from);
+        let curved = if S::BOUNDED {
+            let mut widest = l.splat(0.0);
+            for k in 1..S::USED {
+                let (low, high) = self.spread(l, k, from);
+                widest = l.max(widest, high - low);
+            }
+            l.lt(far * l.splat(STRAIGHT), (near - far) * widest)
+        } else {
+            l.lt(far, near)
+        };
+        l.istore(l.iselect(curved, l.isplat(1), l.isplat(0)), bytemuck::cast_slice_mut(&mut self.curved[from..]));
+        let factors: [L::F; 3] = each(always!(|c: usize| l.select(curved, l.load(&self.values[0][c][from..]), l.splat(1.0))));
+        for k in 1..S::USED {
+            for c in 0..3 {
+                let slot = &mut self.values[k][c][from..];
+                l.store(l.load(slot) * factors[c], slot);
             }
         }
     }
@@ -175,7 +210,7 @@ impl<const K: usize> Batch<K> {
             l.store(v[0] + slope * to_x + fall * to_y, &mut self.base[k][from..]);
         }
         if S::COSTLY {
-            let (low, high) = self.nearness(l, from);
+            let (low, high) = self.spread(l, 0, from);
             let middle = (low + high) * l.splat(0.5);
             // Neither the square of a guess nor that of what it is a guess at may leave the range.
             let usual = l.lt(l.splat(1e-15), middle) & l.lt(middle, l.splat(1e15));
@@ -194,10 +229,10 @@ impl<const K: usize> Batch<K> {
         }
     }
 
-    /// Least and greatest nearness of the triangles from number `from` on.
+    /// Least and greatest value of attribute `k` at the corners of the triangles from number `from` on.
     #[inline(always)]
-    fn nearness<L: Lanes>(&self, l: L, from: usize) -> (L::F, L::F) {
-        let [a, b, c]: [L::F; 3] = each(always!(|corner: usize| l.load(&self.values[0][corner][from..])));
+    fn spread<L: Lanes>(&self, l: L, k: usize, from: usize) -> (L::F, L::F) {
+        let [a, b, c]: [L::F; 3] = each(always!(|corner: usize| l.load(&self.values[k][corner][from..])));
         (l.min(l.min(a, b), c), l.max(l.max(a, b), c))
     }
 
