@@ -294,14 +294,31 @@ impl<const K: usize> Batch<K> {
             while x <= right {
                 let here = plane.index(y, x);
                 let dx = columns_f + l.splat((x - left) as f32);
+                x += columns as i32;
+                let e = inside_of;
+                let within: [L::M; M] = each(always!(|s: usize| {
+                    let outside =
+                        if M == 1 { e[0] | e[1] | e[2] } else { (e[0] + shift[s][0]) | (e[1] + shift[s][1]) | (e[2] + shift[s][2]) };
+                    l.ilt(l.isplat(-1), outside)
+                }));
+                for e in 0..3 {
+                    inside_of[e] = inside_of[e] + right_by[e];
+                }
+                // A tile's depth takes several loads: about half of them in a box are beside the triangle.
+                if TILED {
+                    let mut any = 0;
+                    for inside in within {
+                        any |= l.mask_bits(inside);
+                    }
+                    if any == 0 {
+                        continue;
+                    }
+                }
                 let q = at(0, dx);
                 let sample = always!(|s: usize| if M == 1 { q } else { q + lift[s] });
                 let mut any = 0;
                 let covered: [L::M; M] = each(always!(|s: usize| {
-                    let e = inside_of;
-                    let outside =
-                        if M == 1 { e[0] | e[1] | e[2] } else { (e[0] + shift[s][0]) | (e[1] + shift[s][1]) | (e[2] + shift[s][2]) };
-                    let mut inside = l.ilt(l.isplat(-1), outside);
+                    let mut inside = within[s];
                     if depth_test {
                         // SAFETY: the plane holds this stretch in its last row and so in those before; tiles may reach into rows that it keeps beyond.
                         inside = inside & l.lt(unsafe { plane.depth_at::<L, TILED>(l, s, here) }, sample(s));
@@ -309,10 +326,6 @@ impl<const K: usize> Batch<K> {
                     any |= l.mask_bits(inside);
                     inside
                 }));
-                for e in 0..3 {
-                    inside_of[e] = inside_of[e] + right_by[e];
-                }
-                x += columns as i32;
                 if any == 0 {
                     continue;
                 }
