@@ -137,3 +137,13 @@ fn a_file_without_a_surface_has_nothing_to_export() {
     let said = sinew(["export", arg(&file), "-o", arg(&folder.path().join("bare.obj"))]).refused(1);
     assert!(said.contains("no surface"), "{said}");
 }
+
+#[test]
+fn a_dash_is_no_name_to_write_to_and_is_not_taken_for_standard_input() {
+    let clip = config("lamp.dae");
+    for call in [&["export", arg(&clip), "-o", "-"][..], &["render", arg(&clip), "-o", "-"], &["convert", arg(&clip), "-"]] {
+        let ended = sinew(call);
+        assert_eq!(ended.code, 2, "{}", ended.err);
+        assert!(ended.err.starts_with("sinew: -: the ending must be"), "{}", ended.err);
+    }
+}

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 
 use super::export::{allow_overwriting, refuse_overwriting};
-use super::failure::{Failure, display_name, notice, remark};
+use super::failure::{Failure, notice, output_name, remark};
 use super::progress::leave_nothing;
 use super::{files, value};
 use crate::collada::Progress;
@@ -18,14 +18,14 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Required by the parser.
     let Some(out) = value::<PathBuf>(given, "out") else { return Err(Failure::usage(tr!("cli-call-wrong"))) };
-    let form = Form::of(&out).ok_or_else(|| Failure::usage(tr!("cli-convert-ending", out = display_name(&out))))?;
+    let form = Form::of(&out).ok_or_else(|| Failure::usage(tr!("cli-convert-ending", out = output_name(&out))))?;
     refuse_overwriting(&files, &out)?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
     remark(document.health.iter());
     allow_overwriting(given, std::iter::once(out.clone()))?;
     leave_nothing();
     for loss in save(&out, form, &document)? {
-        notice(&format!("{}: {loss}", display_name(&out)));
+        notice(&format!("{}: {loss}", output_name(&out)));
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 
-use super::failure::{Failure, complain_part, display_name, is_quiet, remark};
+use super::failure::{Failure, complain_part, is_quiet, output_name, remark};
 use super::moment::Moment;
 use super::progress::leave_nothing;
 use super::{files, value};
@@ -23,7 +23,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(file), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let format = SurfaceFormat::of(&out).ok_or_else(|| Failure::usage(tr!("cli-export-ending", out = display_name(&out))))?;
+    let format = SurfaceFormat::of(&out).ok_or_else(|| Failure::usage(tr!("cli-export-ending", out = output_name(&out))))?;
     let library = (format == SurfaceFormat::Obj).then(|| mtl::library(&out));
     let outs = || std::iter::once(out.clone()).chain(library.clone());
     outs().try_for_each(|out| refuse_overwriting(&files, &out))?;
@@ -40,7 +40,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
     leave_nothing();
     format.save(&out, &document.scene, &frame)?;
-    remark([tr!("cli-export-written", out = display_name(&out))]);
+    remark([tr!("cli-export-written", out = output_name(&out))]);
     Ok(())
 }
 
@@ -58,7 +58,7 @@ pub fn refuse_overwriting(inputs: &[PathBuf], out: &Path) -> Result<(), Failure>
         (Ok(input), Ok(out)) => input == out,
         _ => false,
     };
-    if inputs.iter().any(same) { Err(Failure::usage(tr!("cli-out-is-input", out = display_name(out)))) } else { Ok(()) }
+    if inputs.iter().any(same) { Err(Failure::usage(tr!("cli-out-is-input", out = output_name(out)))) } else { Ok(()) }
 }
 
 /// What is there already is asked about where somebody sits at a terminal; scripts and desktops, which cannot be asked, replace it as they mean to,
@@ -72,7 +72,7 @@ pub fn allow_overwriting(given: &ArgMatches, outs: impl Iterator<Item = PathBuf>
     }
     let there: Vec<PathBuf> = outs.filter(|out| out.is_file()).collect();
     let Some(first) = there.first() else { return Ok(()) };
-    complain_part(&tr!("cli-ask-overwrite", out = display_name(first), more = there.len() - 1));
+    complain_part(&tr!("cli-ask-overwrite", out = output_name(first), more = there.len() - 1));
     let mut answer = String::new();
     // No answer is a no.
     let _ = io::stdin().lock().read_line(&mut answer);

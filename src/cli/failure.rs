@@ -77,6 +77,11 @@ pub fn display_name(file: &Path) -> String {
     if file.as_os_str() == "-" {
         return crate::tr!("document-standard-input");
     }
+    output_name(file)
+}
+
+/// The name of a file that is written: `-` has no other meaning there.
+pub fn output_name(file: &Path) -> String {
     one_line(&file.to_string_lossy())
 }
 

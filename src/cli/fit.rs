@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::compare::rms_lines;
 use super::export::{allow_overwriting, ending, refuse_overwriting};
-use super::failure::{Failure, answer, answer_json, display_name};
+use super::failure::{Failure, answer, answer_json, display_name, output_name};
 use super::progress::leave_nothing;
 use super::{files, measured, value};
 use crate::collada::Progress;
@@ -48,7 +48,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
     if !matches!(ending(&out).as_str(), "yaml" | "yml") {
-        return Err(Failure::usage(tr!("cli-fit-ending", out = display_name(&out))));
+        return Err(Failure::usage(tr!("cli-fit-ending", out = output_name(&out))));
     }
     let like = value::<PathBuf>(given, "like");
     let inputs: Vec<PathBuf> = files.iter().chain(&like).cloned().collect();
@@ -77,7 +77,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let rms = Rms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
     if given.get_flag("json") {
         let model = if model == Model::Poses { "poses" } else { "growth" };
-        answer_json(&Report { file: display_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
+        answer_json(&Report { file: output_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
     } else {
         answer(rms_lines(rms.own_growth, rms.fitted_growth, rms.measured_poses, &unit_for_people(&unit)).trim_start())
     }

@@ -7,7 +7,7 @@ use clap::ArgMatches;
 
 use super::compare::Comparison;
 use super::export::{allow_overwriting, refuse_overwriting};
-use super::failure::{Failure, answer, answer_json, display_name, notice, remark};
+use super::failure::{Failure, answer, answer_json, display_name, notice, output_name, remark};
 use super::moment::unknown_clip;
 use super::progress::leave_nothing;
 use super::values::{Angles, plain};
@@ -87,12 +87,12 @@ impl Sheet<'_> {
     }
 
     fn draw(&self, table: &Table, out: &Path) -> Result<(), Failure> {
-        let form = Form::of_plot(out).ok_or_else(|| Failure::usage(tr!("cli-plot-ending", out = display_name(out))))?;
+        let form = Form::of_plot(out).ok_or_else(|| Failure::usage(tr!("cli-plot-ending", out = output_name(out))))?;
         refuse_overwriting(self.files, out)?;
         allow_overwriting(self.given, std::iter::once(out.to_owned()))?;
         leave_nothing();
         table.save(out, form, value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE))?;
-        remark([tr!("cli-export-written", out = display_name(out))]);
+        remark([tr!("cli-export-written", out = output_name(out))]);
         Ok(())
     }
 }

@@ -6,7 +6,7 @@ use clap::ArgMatches;
 use glam::Vec3;
 
 use super::export::{allow_overwriting, refuse_overwriting};
-use super::failure::{Failure, complain, display_name, remark};
+use super::failure::{Failure, complain, display_name, output_name, remark};
 use super::moment::Moment;
 use super::values::{Backdrop, Span, plain};
 use super::{files, progress, value};
@@ -31,7 +31,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(first), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let target = Target::of(&out).ok_or_else(|| Failure::usage(tr!("cli-render-ending", out = display_name(&out))))?;
+    let target = Target::of(&out).ok_or_else(|| Failure::usage(tr!("cli-render-ending", out = output_name(&out))))?;
     let (size, scale) = size(given)?;
     refuse_overwriting(&files, &out)?;
     let Opened { document, saved, compared } = stage::open(&files, OpenOptions::default(), &Progress::default())?;
@@ -78,7 +78,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     progress::watched(sequence.count, |work| film::save(&mut studio, size, &target, &note, work))?;
     remark([tr!(
         "cli-written",
-        out = display_name(&out),
+        out = output_name(&out),
         count = sequence.count,
         width = plain(size.0.into()),
         height = plain(size.1.into())
