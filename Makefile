@@ -6,7 +6,9 @@ DESTDIR ?=
 CARGO ?= cargo
 
 ID := io.github.sinew.Sinew
-BINARY := target/release/sinew
+# Where cargo builds, should the user have said so.
+TARGET := $(or $(CARGO_TARGET_DIR),target)
+BINARY := $(TARGET)/release/sinew
 SHARE = $(DESTDIR)$(PREFIX)/share
 ICONS = $(SHARE)/icons/hicolor
 MIME_CACHES := XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses treemagic types version
@@ -52,7 +54,7 @@ monkey:
 	$(CARGO) test --locked --test window -- --ignored --nocapture
 
 # Set beside two rasterizers in Rust, beside assimp and f3d where they are installed, and beside Mesa's llvmpipe where Mesa and Python are.
-PEERS := target/peers
+PEERS := $(TARGET)/peers
 SCENES ?= configs/walker.dae
 bench: build
 	$(CARGO) bench --locked

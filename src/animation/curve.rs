@@ -5,6 +5,8 @@
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
+use crate::scene::affine;
+
 /// How the values go from one key to the next. A segment uses the mode of its first key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Interpolation {
@@ -198,7 +200,7 @@ impl Curve {
 
     fn matrix_key(&self, key: usize) -> DMat4 {
         let values = self.values.get(key * 16..).and_then(|values| values.first_chunk::<16>());
-        upright(values.map_or(DMat4::IDENTITY, DMat4::from_cols_array))
+        affine(values.map_or(DMat4::IDENTITY, DMat4::from_cols_array))
     }
 
     /// The segment that `time` falls into and how far along it is; the second is 0 on a key and outside of the keys.
@@ -277,7 +279,7 @@ impl Curve {
         for (component, value) in values.iter_mut().enumerate() {
             *value = self.blend(segment, part, component);
         }
-        upright(DMat4::from_cols_array(&values))
+        affine(DMat4::from_cols_array(&values))
     }
 
     fn translation_key(&self, key: usize) -> DVec3 {
@@ -363,15 +365,6 @@ fn solve(x1: f64, x2: f64, x: f64) -> f64 {
         }
     }
     s
-}
-
-/// A matrix with a bottom row of 0 0 0 1, whatever the file animates it to.
-fn upright(mut matrix: DMat4) -> DMat4 {
-    matrix.x_axis.w = 0.0;
-    matrix.y_axis.w = 0.0;
-    matrix.z_axis.w = 0.0;
-    matrix.w_axis.w = 1.0;
-    matrix
 }
 
 /// Rotation and scale of a matrix; `None` where it shears (which sets `sheared`) or has an axis without length. A mirror goes into the x scale.

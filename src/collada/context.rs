@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::atomic::Ordering;
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 use super::ahead::Ahead;
 use super::lists::Shortened;
@@ -12,6 +12,7 @@ use super::numbers::{Comma, Parsed, Real, integers, reals};
 use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
 use super::{El, Progress, ReadError, codes};
+use crate::scene::affine;
 use crate::tr;
 
 /// The result of a step that may end the reading.
@@ -171,6 +172,18 @@ impl<'a> Context<'a> {
         Ok(Some(values))
     }
 
+    /// The matrix in an element's text, which goes row by row; reported and `None` where it is none.
+    ///
+    /// # Errors
+    /// Where decimal commas stand in the list.
+    pub fn matrix(&mut self, element: El<'a>) -> Step<Option<DMat4>> {
+        let Some(rows) = self.exactly::<16>(element)? else { return Ok(None) };
+        if !ends_upright(&rows) {
+            self.report.warn(element, codes::BAD_TRANSFORM, tr!("collada-bottom-row"));
+        }
+        Ok(Some(from_rows(&rows)))
+    }
+
     /// The first finite number in the text of a child of `parent`; `None` where there is none.
     ///
     /// # Errors
@@ -181,6 +194,17 @@ impl<'a> Context<'a> {
             None => Ok(None),
         }
     }
+}
+
+/// Numbers that go row by row as a matrix that places something in space: with a bottom row of 0 0 0 1.
+pub fn from_rows(rows: &[f64; 16]) -> DMat4 {
+    affine(DMat4::from_cols_array(rows).transpose())
+}
+
+/// Whether the bottom row of a matrix that goes row by row is 0 0 0 1, but for what printing costs.
+pub fn ends_upright(rows: &[f64; 16]) -> bool {
+    let [.., x, y, z, w] = rows;
+    [x, y, z, &(w - 1.0)].iter().all(|value| value.abs() < 1e-4)
 }
 
 /// Three numbers as a vector.

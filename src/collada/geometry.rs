@@ -180,11 +180,11 @@ impl Geometries {
             context.report.warn(raw.element, codes::NO_POSITIONS, tr!("collada-no-positions"));
             return Ok(None);
         };
-        let normal = self.stream(context, raw.normal, 3)?;
-        let color = self.stream(context, raw.color, 4)?;
+        let normal = self.optional(context, raw.normal, 3)?;
+        let color = self.optional(context, raw.color, 4)?;
         let mut uvs = Vec::new();
         for (set, at) in &raw.uvs {
-            if let (Ok(place), Some(stream)) = (sets.binary_search(set), self.stream(context, Some(*at), 2)?) {
+            if let (Ok(place), Some(stream)) = (sets.binary_search(set), self.optional(context, Some(*at), 2)?) {
                 uvs.push((place, stream));
             }
         }
@@ -194,6 +194,18 @@ impl Geometries {
     fn stream<'a>(&mut self, context: &mut Context<'a>, at: Option<(usize, El<'a>)>, width: usize) -> Step<Option<Stream>> {
         let Some((offset, source)) = at else { return Ok(None) };
         Ok(self.arrays.accessor(context, source, width)?.map(|values| Stream { offset, values }))
+    }
+
+    /// [`Self::stream`] of what a face can do without: an empty list, which some exporters write and point into, counts as none.
+    fn optional<'a>(&mut self, context: &mut Context<'a>, at: Option<(usize, El<'a>)>, width: usize) -> Step<Option<Stream>> {
+        let stream = self.stream(context, at, width)?;
+        if let (Some((_, source)), Some(Stream { values, .. })) = (at, &stream)
+            && values.available == 0
+        {
+            context.report.note(source, codes::INDEX_OUT_OF_RANGE, tr!("collada-empty-list"));
+            return Ok(None);
+        }
+        Ok(stream)
     }
 }
 

@@ -68,8 +68,12 @@ impl<'a> Libraries<'_, 'a> {
             "instance_controller" => self.controlled(context, scene, instance)?.map(Content::Mesh),
             // A geometry that is shown without a scene.
             "geometry" => self.plain(context, scene, element, element)?.map(Content::Mesh),
-            _ => match context.follow(element, "url", &["geometry"]) {
-                Some(geometry) => self.plain(context, scene, element, geometry)?.map(Content::Mesh),
+            // A controller under `instance_geometry` is met as well.
+            _ => match context.follow(element, "url", &["geometry", "controller"]) {
+                Some(geometry) if geometry.tag_name().name() == "geometry" => {
+                    self.plain(context, scene, element, geometry)?.map(Content::Mesh)
+                }
+                Some(_) => self.controlled(context, scene, instance)?.map(Content::Mesh),
                 None => None,
             },
         })

@@ -1,5 +1,6 @@
 //! `library_visual_scenes` and `library_nodes`: the tree of nodes.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use glam::{DMat4, DVec3};
@@ -260,14 +261,26 @@ impl<'a> Tree<'a> {
         found.get(from).copied().filter(|node| node.0 < end)
     }
 
-    /// The node with this sid, id or name anywhere; the one nearest to `near` where there are several.
-    pub fn anywhere(&self, graph: &Graph, near: NodeId, key: Key, name: &str) -> Option<NodeId> {
+    /// The node with this sid, id or name anywhere but `apart`; where there are several a joint, and of these the one nearest to `near`.
+    pub fn anywhere(&self, graph: &Graph, near: NodeId, key: Key, name: &str, apart: Option<NodeId>) -> Option<NodeId> {
         let map = match key {
             Key::Sid => &self.sids,
             Key::Id => &self.ids,
             Key::Name => &self.names,
         };
-        self.nearest(graph, near, map.get(name)?)
+        let mut found = Cow::from(map.get(name)?);
+        if found.iter().any(|node| Some(*node) == apart) {
+            found.to_mut().retain(|node| Some(*node) != apart);
+        }
+        if found.len() > 1 && found.iter().any(|node| self.is_joint(*node)) {
+            found.to_mut().retain(|node| self.is_joint(*node));
+        }
+        self.nearest(graph, near, &found)
+    }
+
+    /// Whether the file calls a node a joint.
+    pub fn is_joint(&self, node: NodeId) -> bool {
+        self.elements.get(node.index()).copied().flatten().is_some_and(|element| element.attribute("type") == Some("JOINT"))
     }
 
     /// Whether any node goes by this name in any way.
@@ -359,8 +372,7 @@ fn transform<'a>(context: &mut Context<'a>, node: El<'a>) -> Step<Vec<TransformO
             "translate" => context.exactly(element)?.map(|by| TransformOp::Translate(vector(by))),
             "scale" => context.exactly(element)?.map(|by| TransformOp::Scale(vector(by))),
             "rotate" => context.exactly(element)?.map(|[x, y, z, angle]| TransformOp::Rotate { axis: DVec3::new(x, y, z), angle }),
-            // Written row by row.
-            "matrix" => context.exactly(element)?.map(|rows| TransformOp::Matrix(DMat4::from_cols_array(&rows).transpose())),
+            "matrix" => context.matrix(element)?.map(TransformOp::Matrix),
             "lookat" => context.exactly(element)?.map(|[a, b, c, d, e, f, g, h, i]| TransformOp::LookAt {
                 eye: DVec3::new(a, b, c),
                 target: DVec3::new(d, e, f),

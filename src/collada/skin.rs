@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DMat4;
 
-use super::context::{Context, Step, child, name_of};
+use super::context::{Context, Step, child, ends_upright, from_rows, name_of};
 use super::nodes::{Key, Tree};
 use super::source::{Arrays, Input, NameKind, inputs, name_list};
 use super::{El, codes};
@@ -39,7 +39,7 @@ pub fn read<'a>(
         ..Skin::default()
     };
     if let Some(matrix) = child(element, "bind_shape_matrix") {
-        skin.bind_shape = context.exactly(matrix)?.map_or(DMat4::IDENTITY, |rows| DMat4::from_cols_array(&rows).transpose());
+        skin.bind_shape = context.matrix(matrix)?.unwrap_or(DMat4::IDENTITY);
     }
     let Some(weights) = child(element, "vertex_weights") else {
         context.report.warn(element, codes::BAD_SKIN, tr!("collada-bad-skin", what = "vertex_weights"));
@@ -84,7 +84,12 @@ fn joints<'a>(
     let mut names: Vec<String> = list.entries().map(ToOwned::to_owned).collect();
     // Without matrices the accessor tells where names have blanks in them.
     let said = list.said.filter(|said| *said < names.len());
-    let count = matrices.as_ref().map_or(said.unwrap_or(names.len()), |matrices| matrices.available);
+    // An array may hold the matrices of several skins; a count is believed where the names agree with it.
+    let count = match &matrices {
+        Some(matrices) if matrices.count == names.len() => matrices.count,
+        Some(matrices) => matrices.available,
+        None => said.unwrap_or(names.len()),
+    };
     if matrices.is_none() {
         context.report.warn(element, codes::BAD_SKIN, tr!("collada-no-inverse-bind"));
     }
@@ -98,11 +103,14 @@ fn joints<'a>(
         context.report.warn(element, codes::COUNT_MISMATCH, tr!("collada-joint-count", names = names.len(), matrices = count));
         names.resize(count, String::new());
     }
-    let mut bad = false;
+    let (mut bad, mut tilted) = (false, false);
     for (i, name) in names.into_iter().enumerate() {
         let rows = matrices.as_ref().map(|matrices| matrices.row(i, [0.0; 16]));
         let inverse_bind = match rows {
-            Some(rows) if rows.iter().all(|value| value.is_finite()) => DMat4::from_cols_array(&rows).transpose(),
+            Some(rows) if rows.iter().all(|value| value.is_finite()) => {
+                tilted |= !ends_upright(&rows);
+                from_rows(&rows)
+            }
             Some(_) => {
                 bad = true;
                 DMat4::IDENTITY
@@ -113,6 +121,9 @@ fn joints<'a>(
     }
     if bad {
         context.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite"));
+    }
+    if tilted {
+        context.report.warn(element, codes::BAD_TRANSFORM, tr!("collada-bottom-row"));
     }
     Ok(Some(list.kind))
 }
@@ -170,6 +181,8 @@ fn rejoin(parts: &[String], count: usize, known: impl Fn(&str) -> bool) -> Optio
                 (true, _) => 0,
                 (false, 1) => 1,
                 (false, _) if known(&name.replace(' ', "_")) => 0,
+                // Names that all stand for themselves were not cut out of one.
+                (false, length) if parts.get(from..from + length)?.iter().all(|part| known(part)) => continue,
                 (false, length) => unknown_run * length as u32,
             };
             for taken in 0..width - (length - 1) {
@@ -319,7 +332,10 @@ impl JointFinder<'_, '_> {
     fn find(&self, name: &str, kind: NameKind) -> Option<NodeId> {
         let by_sid = || self.roots.iter().find_map(|root| self.tree.sid_below(*root, name));
         let by_id = || self.roots.iter().find_map(|root| self.tree.id_below(*root, name));
-        let anywhere = |key| self.tree.anywhere(self.graph, self.near(), key, name);
+        // Meshes are called as bones are ("Head"): a bone comes first, and the mesh that it moves last.
+        let skin = Some(self.instance).filter(|node| kind == NameKind::Name && !self.tree.is_joint(*node));
+        let anywhere = |key| self.tree.anywhere(self.graph, self.near(), key, name, skin);
+        let itself = || [Key::Sid, Key::Id, Key::Name].iter().find_map(|key| self.tree.anywhere(self.graph, self.near(), *key, name, None));
         match kind {
             _ if name.is_empty() => None,
             NameKind::Name => by_sid().or_else(|| anywhere(Key::Sid)).or_else(by_id).or_else(|| anywhere(Key::Id)),
@@ -327,6 +343,7 @@ impl JointFinder<'_, '_> {
             NameKind::SidRef => self.path(name),
         }
         .or_else(|| anywhere(Key::Name))
+        .or_else(itself)
         // Some write references as urls.
         .or_else(|| name.strip_prefix('#').map(|id| id.trim_start_matches('#')).and_then(|id| self.find(id, NameKind::IdRef)))
     }
@@ -335,7 +352,7 @@ impl JointFinder<'_, '_> {
     fn path(&self, path: &str) -> Option<NodeId> {
         let mut segments = path.split('/');
         let first = segments.next().unwrap_or_default();
-        let start = self.tree.anywhere(self.graph, self.near(), Key::Id, first).or_else(|| self.find(first, NameKind::Name));
+        let start = self.tree.anywhere(self.graph, self.near(), Key::Id, first, None).or_else(|| self.find(first, NameKind::Name));
         segments.try_fold(start?, |node, sid| self.tree.sid_below(node, sid))
     }
 }
@@ -358,6 +375,7 @@ mod tests {
         );
         assert_eq!(joined("Bip01 Head Bip01", 2, &known).unwrap_or_default(), ["Bip01 Head", "Bip01"]);
         assert_eq!(joined("Bip01 Head Bip01", 2, &["Bip01_Head", "Bip01"]).unwrap_or_default(), ["Bip01_Head", "Bip01"]);
+        assert_eq!(joined("Bip01 Tail", 1, &known), None);
         assert_eq!(joined("a b c", 4, &known), None);
         assert_eq!(joined("a b c", 0, &known), None);
     }

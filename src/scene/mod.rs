@@ -21,7 +21,7 @@ pub use light::{Light, LightKind};
 pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, Wrap};
 pub use mesh::{Mesh, Part, smooth_normals};
 pub use skin::{Deformer, Influence, MeshInstance, Morph, MorphMethod, MorphTarget, Skin, SkinJoint};
-pub use transform::{Transform, TransformOp, compose};
+pub use transform::{Transform, TransformOp, affine, compose};
 
 use std::sync::Arc;
 

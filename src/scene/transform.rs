@@ -55,6 +55,15 @@ impl TransformOp {
     }
 }
 
+/// A matrix with a bottom row of 0 0 0 1: all that places something in space has that row, whatever a file says.
+pub fn affine(mut matrix: DMat4) -> DMat4 {
+    matrix.x_axis.w = 0.0;
+    matrix.y_axis.w = 0.0;
+    matrix.z_axis.w = 0.0;
+    matrix.w_axis.w = 1.0;
+    matrix
+}
+
 fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> DMat4 {
     let Some(forward) = (target - eye).try_normalize() else {
         return DMat4::from_translation(eye);

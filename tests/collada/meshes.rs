@@ -175,6 +175,18 @@ fn indices_out_of_range_cost_their_primitive_alone() {
 }
 
 #[test]
+fn lists_that_are_empty_cost_no_face() {
+    for (semantic, names) in [("NORMAL", "X Y Z"), ("TEXCOORD", "S T"), ("COLOR", "R G B")] {
+        let primitive = format!(
+            "<triangles count=\"2\">{VERTEX}<input semantic=\"{semantic}\" source=\"#t\" offset=\"1\"/><p>0 0 1 0 2 0  0 0 2 0 3 0</p></triangles>"
+        );
+        let loaded = load(&with_sources(SQUARE, &floats("t", names, ""), &primitive));
+        assert_eq!((codes(&loaded), mesh(&loaded).triangles.len()), (vec!["index-out-of-range"], 2), "{semantic}");
+        assert!(mesh(&loaded).normals.iter().all(|normal| normal.z.abs() > 0.99), "{semantic}");
+    }
+}
+
+#[test]
 fn empty_and_cut_off_primitives_are_harmless() {
     load_clean(&shown(SQUARE, &format!("<triangles count=\"0\">{VERTEX}<p></p></triangles><triangles count=\"0\">{VERTEX}</triangles>")));
     for primitive in [

@@ -296,3 +296,69 @@ fn joints_written_as_urls_are_found() {
     let loaded = load(&Skin { joints: &format!("a {signs}"), ..PLAIN }.text(&(BONES.to_owned() + USE)));
     assert_eq!(codes(&loaded), ["joint-not-found"]);
 }
+
+#[test]
+fn a_mesh_called_like_a_bone_is_not_taken_for_it() {
+    // As the FBX converter writes it: no skeleton, and the mesh of the head is called as the bone is.
+    let bare = "<instance_controller url=\"#c\"/>";
+    let bone = "<node id=\"A\" name=\"bone a\" sid=\"a\" type=\"JOINT\"/>";
+    for (mesh, bone_b) in [
+        ("sid=\"b\"", "id=\"B\" name=\"bone b\" sid=\"b\" type=\"JOINT\""),
+        ("id=\"b\"", "id=\"B\" name=\"bone b\" sid=\"b\""),
+        ("id=\"b\"", "name=\"b\" type=\"JOINT\""),
+        ("name=\"b\"", "name=\"b\""),
+    ] {
+        let loaded = load_clean(&PLAIN.text(&format!("<node {mesh}>{bare}</node>{bone}<node {bone_b}/>")));
+        let last = loaded.scene.graph.iter().last().map(|(id, _)| id);
+        assert_eq!(joints(&loaded, 0), [Some(node(&loaded, "bone a")), last], "{mesh} {bone_b}");
+    }
+    // Other meshes than its own, too, where the file says which of them is a joint.
+    let decoy = "<node name=\"decoy\" sid=\"b\"/>";
+    let loaded = load_clean(&PLAIN.text(&format!("<node>{decoy}<node>{bare}</node></node>{BONES}")));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    // A mesh that hangs on its own bone stays there.
+    let own = format!("<node name=\"bone b\" sid=\"b\">{bare}</node>");
+    let loaded = load_clean(&PLAIN.text(&(bone.to_owned() + &own)));
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+}
+
+#[test]
+fn names_that_stand_for_themselves_are_not_joined() {
+    let skin = Skin { joints: "a b", count: 1, vcount: "1 1 1", v: "0 0 0 0 0 0", ..PLAIN };
+    let loaded = load(&skin.text(&(BONES.to_owned() + USE)));
+    assert_eq!((codes(&loaded), joints(&loaded, 0)), (vec!["count-mismatch"], nodes(&loaded, &["bone a"])));
+}
+
+#[test]
+fn skins_that_share_an_array_of_matrices_have_their_own_number_of_joints() {
+    let text = Skin { count: 3, ..PLAIN }.text(&(BONES.to_owned() + USE));
+    let shared = text.replace("source=\"#m-a\" count=\"3\"", "source=\"#m-a\" count=\"2\" offset=\"16\"");
+    assert_ne!(shared, text);
+    let loaded = load_clean(&shared);
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+    assert_eq!(loaded.scene.skins[0].joints[1].inverse_bind, DMat4::from_translation(DVec3::X * -2.0));
+}
+
+#[test]
+fn the_bottom_row_of_every_matrix_is_0_0_0_1() {
+    let flat = "1 0 0 1 0 1 0 2 0 0 1 3 0 0 0 0";
+    let moved = DMat4::from_translation(DVec3::new(1.0, 2.0, 3.0));
+    let text = PLAIN.text(&(BONES.to_owned() + USE));
+    let shape = rows(&DMat4::from_translation(DVec3::new(0.0, 5.0, 0.0)));
+    let loaded = load(&text.replace(&shape, flat));
+    assert_eq!((codes(&loaded), loaded.scene.skins[0].bind_shape), (vec!["bad-transform"], moved));
+    let first = rows(&DMat4::from_translation(DVec3::X * -0.0));
+    let loaded = load(&text.replace(&format!(">{first}"), &format!(">{flat}")));
+    assert_eq!((codes(&loaded), loaded.scene.skins[0].joints[0].inverse_bind), (vec!["bad-transform"], moved));
+    let nodes = format!("<node><translate>5 0 0</translate><node name=\"n\"><matrix>{flat}</matrix></node></node>");
+    let loaded = load(&document(&(triangle() + &scene(&nodes))));
+    assert_eq!(codes(&loaded), ["bad-transform"]);
+    near(rest_world(&loaded)[node(&loaded, "n").index()].w_axis.truncate(), DVec3::new(6.0, 2.0, 3.0));
+}
+
+#[test]
+fn a_controller_hangs_on_either_kind_of_instance() {
+    let text = PLAIN.text(&(BONES.to_owned() + USE)).replace("instance_controller", "instance_geometry");
+    let loaded = load_clean(&text);
+    assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+}

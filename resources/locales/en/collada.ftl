@@ -45,6 +45,7 @@ collada-index-out-of-range = { $count ->
     [one] One face points outside of its lists; it is left out.
    *[other] { $count } faces point outside of their lists; they are left out.
 }
+collada-empty-list = The list is empty; what points into it goes without.
 collada-incomplete-primitive = { $count ->
     [one] One face has too few corners; it is left out.
    *[other] { $count } faces have too few corners; they are left out.
@@ -58,6 +59,7 @@ collada-unsupported-geometry = Geometry of the kind <{ $kind }> is not shown.
 collada-too-many-uv-sets = More than { $limit } sets of texture coordinates; the others are left out.
 collada-no-scene-named = The file does not say which scene to show; the first one is shown.
 collada-no-scene = The file has no scene; its parts are shown as they stand.
+collada-bottom-row = The last row of a matrix is not 0 0 0 1; these numbers are taken instead.
 collada-bad-transform = Needs { $wanted } numbers and has { $found }; left out.
 collada-unsupported-element = <{ $element }> is not shown: kinematics and formulas move nothing here.
 collada-limit-nodes = The scene has more than { $nodes } nodes or is more than { $depth } levels deep; the rest is left out.

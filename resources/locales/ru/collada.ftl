@@ -47,6 +47,7 @@ collada-index-out-of-range = { $count ->
     [few] { $count } грани указывают за пределы своих списков; они пропущены.
    *[other] { $count } граней указывают за пределы своих списков; они пропущены.
 }
+collada-empty-list = Список пуст; то, что на него ссылается, обходится без него.
 collada-incomplete-primitive = { $count ->
     [one] У { $count } грани слишком мало вершин; она пропущена.
    *[other] У { $count } граней слишком мало вершин; они пропущены.
@@ -61,6 +62,7 @@ collada-unsupported-geometry = Геометрия вида <{ $kind }> не по
 collada-too-many-uv-sets = Наборов текстурных координат больше { $limit }; остальные пропущены.
 collada-no-scene-named = Файл не указывает, какую сцену показать; показана первая.
 collada-no-scene = В файле нет сцены; его части показаны как есть.
+collada-bottom-row = Последняя строка матрицы отличается от 0 0 0 1; вместо неё взяты эти числа.
 collada-bad-transform = Нужно чисел: { $wanted }, а есть { $found }; пропущено.
 collada-unsupported-element = <{ $element }> не показывается: кинематика и формулы здесь ничего не двигают.
 collada-limit-nodes = В сцене больше { $nodes } узлов или больше { $depth } уровней; остальное пропущено.
