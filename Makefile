@@ -116,7 +116,7 @@ uninstall:
 	if none "$(SHARE)"/applications/*.desktop; then rm -f "$(SHARE)/applications/mimeinfo.cache"; fi; \
 	if none "$(ICONS)"/*/*/*; then rm -f "$(ICONS)/icon-theme.cache"; fi
 
-# A Debian package in out/, from what is built.
+# A Debian package in out/deb/, from what is built.
 deb: build
 	rm -rf out/deb
 	$(MAKE) --no-print-directory install DESTDIR="$(CURDIR)/out/deb/root" PREFIX=/usr

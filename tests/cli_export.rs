@@ -147,3 +147,16 @@ fn a_dash_is_no_name_to_write_to_and_is_not_taken_for_standard_input() {
         assert!(ended.err.starts_with("sinew: -: the ending must be"), "{}", ended.err);
     }
 }
+
+#[test]
+fn clips_are_called_by_their_name_or_their_id() {
+    let folder = folder();
+    let text = std::fs::read_to_string(config("lamp.dae")).expect("it is shipped");
+    let renamed = text.replace("id=\"settle\" name=\"settle\"", "id=\"take-2\" name=\"settle down\"");
+    assert_ne!(renamed, text);
+    let file = models::write(folder.path(), "lamp.dae", &renamed);
+    let at = |clip: &str| export(&file, &["--clip", clip, "--time", "3"]).iter().map(Group::volume).collect::<Vec<_>>();
+    assert_eq!(at("settle down"), at("take-2"));
+    let out = folder.path().join("out.obj");
+    assert_eq!(sinew(["export", arg(&file), "-o", arg(&out), "--clip", "settle"]).code, 2);
+}

@@ -1,39 +1,14 @@
 //! A pose allocates nothing after the first: counted, not believed.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::path::Path;
-use std::sync::atomic::{AtomicUsize, Ordering};
+#[path = "support/counting.rs"]
+mod counting;
 
+use std::path::Path;
+
+use counting::allocations;
 use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
 use sinew::scene::Frame;
-
-struct Counting;
-
-static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: every call is handed on unchanged to the system's allocator; only a counter goes up.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller keeps the contract of `alloc`.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller keeps the contract of `dealloc`.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller keeps the contract of `realloc`.
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
 
 // One test, since the counter belongs to the whole process.
 #[test]
@@ -51,11 +26,11 @@ fn posing_again_allocates_nothing() {
         for skinning in [Skinning::Linear, Skinning::DualQuaternion] {
             document.pose(&moment(0, skinning), &mut buffers, &mut frame);
             document.pose(&moment(1, skinning), &mut buffers, &mut frame);
-            let before = ALLOCATIONS.load(Ordering::Relaxed);
+            let before = allocations();
             for step in 0..16 {
                 document.pose(&moment(step, skinning), &mut buffers, &mut frame);
             }
-            assert_eq!(ALLOCATIONS.load(Ordering::Relaxed) - before, 0, "{name}, {skinning:?}");
+            assert_eq!(allocations() - before, 0, "{name}, {skinning:?}");
         }
     }
 }

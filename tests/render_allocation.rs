@@ -1,39 +1,15 @@
 //! A frame allocates nothing after the first ones. Alone in its file: the allocator counts for the whole process.
 
+#[path = "support/counting.rs"]
+mod counting;
 mod render_support;
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering};
-
+use counting::allocations;
 use glam::{Mat4, Vec3};
 use render_support::World;
 use render_support::models::{self, belly, profile, sphere};
 use sinew::render::{Display, Renderer, Samples, Shading};
 use sinew::scene::{Material, OrbitCamera};
-
-struct Counting;
-static ALLOCATIONS: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: everything is handed on to the system's allocator.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: the caller's promise is handed on.
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
-        // SAFETY: as above.
-        unsafe { System.dealloc(at, layout) }
-    }
-    unsafe fn realloc(&self, at: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
-        // SAFETY: as above.
-        unsafe { System.realloc(at, layout, size) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 #[test]
 fn frames_after_the_first_allocate_nothing() {
@@ -58,11 +34,11 @@ fn frames_after_the_first_allocate_nothing() {
             for _ in 0..2 {
                 renderer.draw(&world.scene, &world.frame, &camera, &display, 300, 200);
             }
-            let before = ALLOCATIONS.load(Ordering::Relaxed);
+            let before = allocations();
             for _ in 0..5 {
                 renderer.draw(&world.scene, &world.frame, &camera, &display, 300, 200);
             }
-            assert_eq!(ALLOCATIONS.load(Ordering::Relaxed) - before, 0, "{shading:?}");
+            assert_eq!(allocations() - before, 0, "{shading:?}");
         }
     }
 }

@@ -86,6 +86,8 @@ pub struct Channel {
 pub struct Clip {
     /// What a person calls it.
     pub name: String,
+    /// The id that the file gives it; empty where it gives none.
+    pub id: String,
     /// First moment, seconds on the file's own time axis.
     pub start: f64,
     /// Last moment, seconds.

@@ -101,8 +101,7 @@ impl Sheet<'_> {
 fn times(given: &ArgMatches, document: &Document, file: &Path) -> Result<(PoseState, Vec<f64>), Failure> {
     let mut state = document.start_state();
     if let Some(name) = value::<String>(given, "clip") {
-        let found = document.clips.iter().position(|clip| clip.name == name);
-        state.clip = Some(found.ok_or_else(|| unknown_clip(document, file, &name))?);
+        state.clip = Some(document.clip_named(&name).ok_or_else(|| unknown_clip(document, file, &name))?);
     }
     let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or_else(|| no_table(NoTable::NoClip, file))?;
     let Some(Angles(times)) = value::<Angles>(given, "times") else {

@@ -55,7 +55,7 @@ impl Moment {
     /// As there.
     pub fn over(&self, mut state: PoseState, document: &Document, file: &Path) -> Result<PoseState, Failure> {
         if let Some(name) = &self.clip {
-            let found = document.clips.iter().position(|clip| clip.name == *name).ok_or_else(|| unknown_clip(document, file, name))?;
+            let found = document.clip_named(name).ok_or_else(|| unknown_clip(document, file, name))?;
             state.clip = Some(found);
         } else if let (Some(time), Some(_)) = (self.time, state.clip) {
             state.clip = clip_at(&document.clips, time).or(state.clip);

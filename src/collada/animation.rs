@@ -5,7 +5,7 @@ use std::sync::Arc;
 use roxmltree::NodeId as ElementId;
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, children, name_of, shortened};
+use super::context::{Context, Step, children, id_of, name_of, shortened};
 use super::source::{Arrays, inputs, name_list};
 use super::target::{Aim, Aims, Miss};
 use super::{El, codes};
@@ -41,7 +41,7 @@ pub fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip
     }
     let channels: Vec<Channel> = placed.into_iter().map(|placed| placed.channel).collect();
     let (start, end) = span(&channels);
-    Ok(vec![Clip { name: whole_name(context), start, end, channels }])
+    Ok(vec![Clip { name: whole_name(context), start, end, channels, ..Clip::default() }])
 }
 
 /// First and last key of all channels.
@@ -86,7 +86,7 @@ fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
         // The format's own default for the start is 0, for the end the last key.
         let start = number("start").unwrap_or(0.0);
         let end = number("end").unwrap_or(keys.1).max(start);
-        clips.push(Clip { name, start, end, channels });
+        clips.push(Clip { name, id: id_of(element), start, end, channels });
     }
     clips
 }

@@ -210,6 +210,12 @@ impl Document {
         })
     }
 
+    /// The first clip of this name, else of this id.
+    pub fn clip_named(&self, name: &str) -> Option<usize> {
+        let by = |key: fn(&Clip) -> &str| self.clips.iter().position(|clip| key(clip) == name);
+        by(|clip| &clip.name).or_else(|| by(|clip| &clip.id))
+    }
+
     /// Number of muscles of all rigs.
     pub fn muscle_count(&self) -> usize {
         self.rigs().map(|(rig, _)| rig.len()).sum()

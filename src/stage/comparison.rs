@@ -247,7 +247,7 @@ fn pairs(own: &Document, other: &Document) -> Vec<(NodeId, NodeId)> {
 impl SavedComparison {
     /// What a session file compares with that is in the document itself: a clip, the other way to bend a skin.
     pub fn within(&self, document: &Document) -> Option<With> {
-        let clip = self.clip.as_ref().and_then(|name| document.clips.iter().position(|clip| clip.name == *name));
+        let clip = self.clip.as_ref().and_then(|name| document.clip_named(name));
         clip.map(With::Clip).or(self.skinning.then_some(With::Skinning))
     }
 }

@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn ghosts_are_the_moments_that_the_clip_has() {
-        let clip = Clip { name: "swing".into(), start: 0.0, end: 1.0, channels: Vec::new() };
+        let clip = Clip { name: "swing".into(), end: 1.0, ..Clip::default() };
         let ghosts = Ghosts { shown: true, before: 3, after: 2, step: 2, path: false };
         let times =
             |clip, ghosts| moments(clip, 0.5, 10.0, ghosts).iter().map(|(time, ..)| (time * 10.0).round() as i32).collect::<Vec<_>>();

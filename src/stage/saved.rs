@@ -246,7 +246,7 @@ impl Saved {
     /// The moment of a document that [`Saved::prepare`] has seen.
     pub fn state(&self, document: &Document) -> PoseState {
         let mut state = document.start_state();
-        let clip = self.clip.as_ref().and_then(|name| document.clips.iter().position(|clip| clip.name == *name));
+        let clip = self.clip.as_ref().and_then(|name| document.clip_named(name));
         state.clip = clip.or(state.clip);
         if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
             let time = if self.time.is_finite() { self.time } else { clip.start };

@@ -91,7 +91,7 @@ impl Session {
         self.set_backdrop(saved.backdrop);
         self.choose_rate(saved.frame_rate.filter(|rate| (1.0..=1000.0).contains(rate)));
         self.set_bone_names(saved.bone_names);
-        let clip = saved.clip.as_ref().and_then(|name| self.document().clips.iter().position(|clip| clip.name == *name));
+        let clip = saved.clip.as_ref().and_then(|name| self.document().clip_named(name));
         if clip.is_some() {
             self.set_clip(clip);
         }

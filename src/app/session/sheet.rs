@@ -280,6 +280,7 @@ mod tests {
                 channel(0, 1, Lane::Component(3), keys(&[0.0, 1.0, 5.0], 1, vec![0.0, 90.0, 0.0])),
                 channel(1, 1, Lane::Component(3), keys(&[0.0, 1.0], 1, vec![0.0, 45.0])),
             ],
+            ..Clip::default()
         };
         let rows = rows(&scene(), &clip);
         let told: Vec<_> = rows.iter().map(|row| (row.name.as_str(), row.keys.as_slice())).collect();
@@ -297,7 +298,7 @@ mod tests {
         };
         let values = [matrix(0.0, 0.0), matrix(1.0, 4.0)].iter().flat_map(|matrix| matrix.to_cols_array()).collect();
         let keys = Keys { matrix: true, ..keys(&[0.0, 1.0], 16, values) };
-        let clip = Clip { name: String::new(), start: 0.0, end: 1.0, channels: vec![channel(0, 2, Lane::Whole, keys)] };
+        let clip = Clip { end: 1.0, channels: vec![channel(0, 2, Lane::Whole, keys)], ..Clip::default() };
         let graphs = graphs(&scene(), &clip, Moved::Node(NodeId(0)));
         let at = |kind, axis: usize| {
             graphs.iter().find(|graph| graph.kind == kind).map(|graph| graph.lines[axis].value(0.5)).expect("the graph is there")
@@ -316,7 +317,7 @@ mod tests {
             in_tangents: tangents(vec![0.0, 0.0, 0.5, 7.0]),
             ..keys(&[0.0, 1.0], 1, vec![1.0, 5.0])
         };
-        let clip = Clip { name: String::new(), start: 0.0, end: 1.0, channels: vec![channel(0, 0, Lane::Component(0), keys)] };
+        let clip = Clip { end: 1.0, channels: vec![channel(0, 0, Lane::Component(0), keys)], ..Clip::default() };
         let graphs = graphs(&scene(), &clip, Moved::Node(NodeId(0)));
         assert_eq!(graphs[0].lines[0].tangents(0), Some([(0.25, 3.0), (0.5, 7.0)]));
         assert_eq!(graphs[0].lines[0].tangents(1), None);

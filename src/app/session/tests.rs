@@ -28,7 +28,7 @@ fn two_clips() -> Document {
     document.scene.graph.add(None, Node::new("root"));
     document.scene.graph.add(Some(NodeId(0)), Node::new("arm"));
     for (name, start, end) in [("walk", 0.5, 2.5), ("run", 0.0, 1.0)] {
-        document.clips.push(Clip { name: name.into(), start, end, channels: Vec::new() });
+        document.clips.push(Clip { name: name.into(), start, end, ..Clip::default() });
     }
     document
 }
@@ -221,7 +221,7 @@ pub(super) fn swinging() -> Document {
     let keys = Keys { times: vec![0.0, 0.5, 1.0], dimension: 1, values: vec![0.0, 60.0, 90.0], ..Keys::default() };
     let target = Target::Transform { node: arm, op: 0, lane: Lane::Component(3) };
     let channels = vec![Channel { target, curve: Arc::new(Curve::new(keys)) }];
-    document.clips.push(Clip { name: "swing".into(), start: 0.0, end: 1.0, channels });
+    document.clips.push(Clip { name: "swing".into(), start: 0.0, end: 1.0, channels, ..Clip::default() });
     document.touch();
     document
 }
