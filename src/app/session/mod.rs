@@ -102,6 +102,7 @@ pub struct Session {
     frame: Frame,
     buffers: PoseBuffers,
     stale: bool,
+    posing_ms: f64,
     changes: Changes,
 }
 
@@ -145,6 +146,7 @@ impl Session {
             frame: Frame::default(),
             buffers: PoseBuffers::default(),
             stale: true,
+            posing_ms: 0.0,
             changes: Changes::ALL,
         };
         session.show(document, Arrival::New);
@@ -265,11 +267,18 @@ impl Session {
     /// The scene posed at the present moment.
     pub fn frame(&mut self) -> &Frame {
         if std::mem::take(&mut self.stale) {
+            let begun = std::time::Instant::now();
             self.recall_company();
             self.document.pose(&self.state(), &mut self.buffers, &mut self.frame);
             self.invite_company();
+            self.posing_ms += begun.elapsed().as_secs_f64() * 1e3;
         }
         &self.frame
+    }
+
+    /// Milliseconds that posing has taken since this was last asked, whoever wanted the scene posed.
+    pub fn take_posing_ms(&mut self) -> f64 {
+        std::mem::take(&mut self.posing_ms)
     }
 
     /// The frame as it was last posed; [`Session::frame`] makes it true.

@@ -54,6 +54,19 @@ fn every_change_is_told_once() {
     assert_eq!(session.take_changes(), Changes::DISPLAY);
 }
 
+#[test]
+fn posing_counts_once_whoever_asks_for_it() {
+    let mut session = session();
+    session.frame();
+    session.frame();
+    assert!(session.take_posing_ms() > 0.0);
+    session.frame();
+    assert_eq!(session.take_posing_ms(), 0.0, "nothing was posed anew");
+    session.time(|time| time.seek(1.0));
+    session.frame();
+    assert!(session.take_posing_ms() > 0.0);
+}
+
 /// A document with a camera, on a node of that name 6 m before the origin, and something to look at.
 fn filmed(name: &str) -> Document {
     use crate::scene::{CameraId, Content, Projection, StoredCamera, Transform};

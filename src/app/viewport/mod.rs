@@ -269,15 +269,16 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
     let (pixel_width, pixel_height) = (width as i32 * scale, height as i32 * scale);
     let was_fresh = screen.borrow().is_fresh(pixel_width, pixel_height);
     if !was_fresh {
-        let begun = Instant::now();
+        // Most frames were posed before they are painted: the panels show the moment too.
         let pose_ms = window.look(|session| {
             session.frame();
-            begun.elapsed().as_secs_f64() * 1e3
+            session.take_posing_ms()
         });
+        let begun = Instant::now();
         let mut screen = screen.borrow_mut();
         let coarse = screen.full_ms > HEAVY_MS && window.viewport.hands.is_dragging();
         let drawn = window.look(|session| screen.draw(session, pixel_width, pixel_height, scale, coarse));
-        let total_ms = begun.elapsed().as_secs_f64() * 1e3;
+        let total_ms = pose_ms + begun.elapsed().as_secs_f64() * 1e3;
         if let Some(stats) = drawn {
             if !coarse {
                 screen.full_ms = total_ms;

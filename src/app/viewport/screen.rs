@@ -1,4 +1,7 @@
-//! The surface that the picture is drawn into: kept, used again, and filled by the renderer without a copy.
+//! The surfaces that pictures are drawn into: kept, used again, and filled by the renderer without a copy.
+//!
+//! There are three, in turn: GTK holds on to the last two pictures, and cairo would copy a surface that is drawn into while
+//! somebody holds it.
 
 use std::collections::VecDeque;
 use std::time::Instant;
@@ -13,7 +16,7 @@ use crate::render::{Renderer, Stats};
 /// How many frames the frame rate is taken over.
 const FRAMES: usize = 30;
 
-/// A kept surface and what draws into it.
+/// The kept surfaces and what draws into them.
 pub struct Screen {
     /// The rasterizer.
     pub renderer: Renderer,
@@ -21,7 +24,8 @@ pub struct Screen {
     pub fresh: bool,
     /// Milliseconds that the last frame in full took.
     pub full_ms: f64,
-    surface: Option<ImageSurface>,
+    /// The one that is shown, and those before it.
+    surfaces: [Option<ImageSurface>; 3],
     /// Width and height that were asked for, device pixels.
     size: (i32, i32),
     times: VecDeque<Instant>,
@@ -34,7 +38,7 @@ impl Screen {
             renderer: Renderer::new(None),
             fresh: false,
             full_ms: 0.0,
-            surface: None,
+            surfaces: [None, None, None],
             size: (0, 0),
             times: VecDeque::with_capacity(FRAMES),
         }
@@ -61,8 +65,8 @@ impl Screen {
         let (drawn_width, drawn_height) = ((width / part).max(1), (height / part).max(1));
         let fits = |surface: &ImageSurface| surface.width() == drawn_width && surface.height() == drawn_height;
         let mut surface =
-            self.surface.take().filter(fits).or_else(|| ImageSurface::create(Format::Rgb24, drawn_width, drawn_height).ok())?;
-        // GTK may still hold the last picture; then this one gets a surface of its own.
+            self.surfaces[2].take().filter(fits).or_else(|| ImageSurface::create(Format::Rgb24, drawn_width, drawn_height).ok())?;
+        // GTK may hold more than the last two pictures; then this one gets a surface of its own.
         if surface.data().is_err() {
             surface = ImageSurface::create(Format::Rgb24, drawn_width, drawn_height).ok()?;
         }
@@ -73,7 +77,8 @@ impl Screen {
             display.scale = scale as f32 / part as f32;
             self.renderer.draw_into(scene, frame, &camera, &display, drawn_width as u32, drawn_height as u32, &mut data, stride);
         }
-        self.surface = Some(surface);
+        self.surfaces.rotate_right(1);
+        self.surfaces[0] = Some(surface);
         self.size = (width, height);
         self.fresh = true;
         let now = Instant::now();
@@ -89,7 +94,7 @@ impl Screen {
 
     /// Puts the surface on the screen, pixel for pixel.
     pub fn show(&self, context: &Context, scale: i32) {
-        let Some(surface) = &self.surface else { return };
+        let [Some(surface), ..] = &self.surfaces else { return };
         let (width, height) = (f64::from(self.size.0) / f64::from(scale), f64::from(self.size.1) / f64::from(scale));
         context.scale(width / f64::from(surface.width()), height / f64::from(surface.height()));
         ignore(context.set_source_surface(surface, 0.0, 0.0));
