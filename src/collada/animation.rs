@@ -31,7 +31,9 @@ pub fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip
     let mut reader = Reader { arrays: Arrays::default(), curves: FxHashMap::default() };
     let mut placed = Vec::new();
     for library in children(context.root, "library_animations") {
-        for element in library.descendants().filter(|element| element.tag_name().name() == "channel") {
+        // What stands under `extra` means something to one program only.
+        let is_extra = |element: El<'a>| element.ancestors().any(|above| above.tag_name().name() == "extra");
+        for element in library.descendants().filter(|element| element.tag_name().name() == "channel" && !is_extra(*element)) {
             reader.channel(context, aims, element, &mut placed)?;
         }
     }

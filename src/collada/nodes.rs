@@ -230,6 +230,15 @@ impl<'a> Tree<'a> {
         self.by_element.get(&element.id()).map_or(&[], Vec::as_slice)
     }
 
+    /// A `node` element, or where the scene doesn't show it the first of its id that it shows: files with several scenes repeat ids.
+    pub fn shown(&self, element: El<'a>) -> El<'a> {
+        let first_of = |id| self.ids.get(id).and_then(|nodes| self.elements.get(nodes.first()?.index()).copied().flatten());
+        match element.attribute("id").and_then(first_of) {
+            Some(other) if element.tag_name().name() == "node" && self.nodes_of(element).is_empty() => other,
+            _ => element,
+        }
+    }
+
     /// The only `node` element that goes by `name` as its sid, else as its name.
     pub fn only_element(&self, name: &str) -> Option<El<'a>> {
         let only = |found: &Vec<NodeId>| {

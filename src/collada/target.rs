@@ -126,7 +126,7 @@ impl<'s, 'a> Aims<'s, 'a> {
         // Exporters give one id to a node and to what hangs on it; what is animated is the node, mostly.
         for tags in [&["node"][..], &["controller", "source", "effect", "material", "light", "camera"], &[]] {
             if let Some(start) = context.lookup.by_id(first, tags)
-                && let Some(found) = self.below(context, start, middle, last)
+                && let Some(found) = self.below(context, self.tree.shown(start), middle, last)
             {
                 return Some(found);
             }

@@ -419,3 +419,21 @@ fn the_pivots_of_maya_are_composed_in_their_order() {
     near(world.transform_point3(DVec3::X), DVec3::new(1.0, 0.0, 5.0));
     near(world.transform_point3(DVec3::X * 2.0), DVec3::new(1.0, 1.0, 5.0));
 }
+
+#[test]
+fn of_several_scenes_that_repeat_ids_the_one_that_is_shown_moves() {
+    let other = "<library_visual_scenes><visual_scene id=\"other\"><node id=\"n\"><translate sid=\"t\">9 9 9</translate></node></visual_scene></library_visual_scenes>";
+    let text = moved(&animation("a", "n/t.X", "0 1", "X", "0 10", "LINEAR LINEAR")).replacen("<library_", &format!("{other}<library_"), 1);
+    let loaded = load(&text);
+    assert_eq!(codes(&loaded), ["repeated-id"]);
+    assert!(matches!(op(&loaded, 0, 0.5), TransformOp::Translate(by) if by.x == 5.0));
+}
+
+#[test]
+fn channels_of_one_program_alone_move_nothing() {
+    let hidden = animation("b", "n/t.X", "0 1", "X", "0 90", "LINEAR LINEAR");
+    let all = animation("a", "n/t.X", "0 1", "X", "0 10", "LINEAR LINEAR")
+        + &format!("<animation id=\"c\"><extra><technique profile=\"OTHER\">{hidden}</technique></extra></animation>");
+    let loaded = load_clean(&moved(&all));
+    assert_eq!(loaded.clips[0].channels.len(), 1);
+}
