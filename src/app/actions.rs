@@ -7,7 +7,11 @@ use crate::tr;
 pub enum Group {
     /// Files and the program.
     Files,
-    /// Time.
+    /// Pictures, films, surfaces.
+    Pictures,
+    /// Playing.
+    Playback,
+    /// Going to a moment.
     Time,
     /// Camera and light.
     Camera,
@@ -15,22 +19,28 @@ pub enum Group {
     Model,
     /// What is shown.
     Display,
+    /// The selection, looked at closely.
+    Inspection,
     /// Panels, help.
     Window,
 }
 
 impl Group {
     /// All groups, in the order of the shortcuts window.
-    pub const ALL: [Self; 6] = [Self::Files, Self::Time, Self::Camera, Self::Model, Self::Display, Self::Window];
+    pub const ALL: [Self; 9] =
+        [Self::Files, Self::Pictures, Self::Playback, Self::Time, Self::Camera, Self::Model, Self::Display, Self::Inspection, Self::Window];
 
     /// The key of its name in the catalogue.
     pub fn label(self) -> String {
         tr!(match self {
             Self::Files => "app-group-files",
+            Self::Pictures => "app-group-pictures",
+            Self::Playback => "app-group-playback",
             Self::Time => "app-group-time",
             Self::Camera => "app-group-camera",
             Self::Model => "app-group-model",
             Self::Display => "app-group-display",
+            Self::Inspection => "app-group-inspection",
             Self::Window => "app-group-window",
         })
     }
@@ -94,6 +104,12 @@ commands! {
         SaveSession = "save-session" ["<Control><Alt>s"],
         /// The page with demos and recent files.
         StartPage = "start-page" ["<Alt>Home"],
+        /// Close the files.
+        Close = "close" ["<Control>w"],
+        /// Leave.
+        Quit = "quit" ["<Control>q"],
+    }
+    Pictures {
         /// Save the picture.
         Picture = "picture" ["F12"],
         /// Save the picture without background.
@@ -102,16 +118,36 @@ commands! {
         CopyPicture = "copy-picture" ["<Control>c"],
         /// Save pictures, films, surfaces.
         Export = "export" ["<Control>e"],
-        /// Close the files.
-        Close = "close" ["<Control>w"],
-        /// Leave.
-        Quit = "quit" ["<Control>q"],
     }
-    Time {
+    Playback {
         /// Play or pause.
         Play = "play" ["space"],
         /// Play backwards or forwards.
         Reverse = "reverse" ["<Control><Shift>space"],
+        /// Slower.
+        Slower = "slower" ["bracketleft"],
+        /// Faster.
+        Faster = "faster" ["bracketright"],
+        /// Normal speed.
+        NormalSpeed = "normal-speed" ["backslash"],
+        /// Next loop mode.
+        LoopMode = "loop-mode" ["l"],
+        /// Mark A here.
+        MarkA = "mark-a" ["i"],
+        /// Mark B here.
+        MarkB = "mark-b" ["o"],
+        /// No marks.
+        ClearMarks = "clear-marks" [],
+        /// Previous clip.
+        PreviousClip = "previous-clip" ["Page_Up"],
+        /// Next clip.
+        NextClip = "next-clip" ["Page_Down"],
+        /// The dope sheet.
+        Sheet = "sheet" ["k"],
+        /// The curve view.
+        Curves = "curves" ["<Shift>k"],
+    }
+    Time {
         /// One frame back.
         FrameBack = "frame-back" ["Left"],
         /// One frame on.
@@ -128,28 +164,6 @@ commands! {
         PreviousKey = "previous-key" ["Up"],
         /// Next key.
         NextKey = "next-key" ["Down"],
-        /// Slower.
-        Slower = "slower" ["bracketleft"],
-        /// Faster.
-        Faster = "faster" ["bracketright"],
-        /// Normal speed.
-        NormalSpeed = "normal-speed" ["backslash"],
-        /// Next loop mode.
-        LoopMode = "loop-mode" ["l"],
-        /// Mark A here.
-        MarkA = "mark-a" ["i"],
-        /// Mark B here.
-        MarkB = "mark-b" ["o"],
-        /// No marks.
-        ClearMarks = "clear-marks" [],
-        /// The dope sheet.
-        Sheet = "sheet" ["k"],
-        /// The curve view.
-        Curves = "curves" ["<Shift>k"],
-        /// Previous clip.
-        PreviousClip = "previous-clip" ["Page_Up"],
-        /// Next clip.
-        NextClip = "next-clip" ["Page_Down"],
     }
     Camera {
         /// Fit everything into the picture.
@@ -240,22 +254,6 @@ commands! {
         NormalGlyphs = "normal-glyphs" ["<Shift>n"],
         /// Edges of triangles.
         Wireframe = "wireframe" ["e"],
-        /// Weights of the selected bone.
-        Weights = "weights" ["w"],
-        /// The moments before and after this one.
-        Ghosts = "ghosts" ["h"],
-        /// The path of the selection.
-        BonePath = "bone-path" ["p"],
-        /// Both ways to bend a skin.
-        CompareSkinning = "compare-skinning" ["d"],
-        /// No comparison any more.
-        StopComparing = "stop-comparing" [],
-        /// The selection alone.
-        Isolate = "isolate" ["slash"],
-        /// Hide the selection.
-        Hide = "hide" ["<Shift>h"],
-        /// Show everything.
-        ShowAll = "show-all" ["<Alt>h"],
         /// Ground grid.
         Grid = "grid" ["c"],
         /// World axes.
@@ -282,6 +280,24 @@ commands! {
         Gouraud = "gouraud" [],
         /// Phong shading.
         Phong = "phong" [],
+    }
+    Inspection {
+        /// Weights of the selected bone.
+        Weights = "weights" ["w"],
+        /// The moments before and after this one.
+        Ghosts = "ghosts" ["h"],
+        /// The path of the selection.
+        BonePath = "bone-path" ["p"],
+        /// Both ways to bend a skin.
+        CompareSkinning = "compare-skinning" ["d"],
+        /// No comparison any more.
+        StopComparing = "stop-comparing" [],
+        /// The selection alone.
+        Isolate = "isolate" ["slash"],
+        /// Hide the selection.
+        Hide = "hide" ["<Shift>h"],
+        /// Show everything.
+        ShowAll = "show-all" ["<Alt>h"],
     }
     Window {
         /// Both side panels.

@@ -347,6 +347,11 @@ impl MusclePanel {
         let [taken, other] = solved.roots;
         set_all(&self.quadratic, &[a, b, c, solved.discriminant, taken, other].map(|value| format::significant(value, 7)));
         part::<gtk::Label>(&self.builder, "held").set_visible(solved.held);
+        let (alone, why) = (part::<gtk::Label>(&self.builder, "alone"), session.why_alone());
+        alone.set_visible(why.is_some());
+        if let Some(why) = why.filter(|why| alone.text() != *why) {
+            alone.set_text(&why);
+        }
         let sign = |value: f64| if value < 0.0 { '−' } else { '+' };
         part::<gtk::Label>(&self.builder, "equation").set_text(&format!(
             "{} δ² {} {} δ {} {} = 0",

@@ -143,7 +143,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::ElbowMore | C::ElbowLess => session.bends_arm() || session.joint().is_some(),
         C::PickOrigin | C::PickInsertion => !session.bones_for(session.shown_muscle()).is_empty(),
         C::SeeThrough => session.posed().surfaces.iter().any(|surface| surface.skin),
-        C::Weights => session.selected().is_some() || session.display().weights.is_some(),
+        C::Weights => session.selected().is_some_and(|node| session.is_bone(node)) || session.display().weights.is_some(),
         C::ResetLight => session.light().is_some(),
         C::ResetModel => !session.model().is_identity(),
         C::Save | C::SaveAs => session.document().muscle_count() > 0,

@@ -23,18 +23,16 @@ use super::scene_tree::SceneTree;
 use super::session::{Arrival, Changes, Session};
 use super::settings::{OwnLooks, Settings};
 use super::sheet::Sheet;
+use super::sides::Sides;
 use super::start::StartPage;
 use super::timeline::Timeline;
 use super::tree_rows::Row;
 use super::viewport::Viewport;
-use super::{files, format, ghosts_panel, keyboard, memory, menus, perform, saving, theme, ui};
-use crate::document::{Document, Missing};
+use super::{files, ghosts_panel, heading, keyboard, menus, perform, saving, sides, theme, ui};
+use crate::document::Document;
 use crate::muscle::EditError;
 use crate::scene::NodeId;
 use crate::tr;
-
-/// Below this width there is room for one side panel only: the tree with the inspector, or the right one.
-const ROOM_FOR_BOTH: i32 = 1000;
 
 /// The main window.
 pub struct Window {
@@ -58,10 +56,7 @@ pub struct Window {
     refreshing: Cell<bool>,
     ticking: Cell<bool>,
     page_turned: Cell<bool>,
-    /// The tree was folded for want of room, not by a hand.
-    tree_gave_way: Cell<bool>,
-    /// The right panel was folded for want of room, not by a hand.
-    panel_gave_way: Cell<bool>,
+    sides: Sides,
     /// The user's own looks while those of a session file are shown.
     own_looks: RefCell<Option<OwnLooks>>,
     actions: HashMap<Command, gio::SimpleAction>,
@@ -92,7 +87,8 @@ impl Window {
         let builder = ui::builder(ui::WINDOW);
         let widget: gtk::ApplicationWindow = part(&builder, "window");
         widget.set_application(Some(application));
-        widget.set_default_size(settings.width, settings.height);
+        let (width, height) = sides::on_screen(settings.width, settings.height);
+        widget.set_default_size(width, height);
         if settings.maximised {
             widget.maximize();
         }
@@ -115,8 +111,7 @@ impl Window {
             refreshing: Cell::new(false),
             ticking: Cell::new(false),
             page_turned: Cell::new(false),
-            tree_gave_way: Cell::new(false),
-            panel_gave_way: Cell::new(false),
+            sides: Sides::new(&builder),
             own_looks: RefCell::default(),
             actions: perform::make_actions(),
             timeline: Timeline::new(),
@@ -199,17 +194,13 @@ impl Window {
                 glib::Propagation::Proceed
             }
         ));
+        self.sides.keep_width(&stack);
         self.widget.connect_default_width_notify(glib::clone!(
             #[weak(rename_to = window)]
             self,
             move |widget| {
-                let (tree, panel) = window.sides();
-                let narrow = window.is_narrow();
-                if narrow && tree && panel && widget.is_visible() {
-                    window.show_side(false, panel);
-                    window.tree_gave_way.set(true);
-                } else if !narrow && (window.tree_gave_way.get() || window.panel_gave_way.get()) {
-                    window.show_side(true, true);
+                if window.sides.follow(widget) {
+                    window.show_states();
                 }
             }
         ));
@@ -261,13 +252,13 @@ impl Window {
                 self.start.refresh(session, self.files.is_loading());
             }
             if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::EDIT) {
-                self.name(session);
+                heading::name(&self.builder, &self.widget, session);
             }
             if changes.any(Changes::DOCUMENT | Changes::EDIT) {
                 self.recovery.note(self, session);
             }
             if changes.any(Changes::HISTORY | Changes::DOCUMENT) {
-                self.name_steps(session);
+                heading::name_steps(&self.builder, session);
             }
             if changes.any(Changes::SELECTION | Changes::DOCUMENT) {
                 let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
@@ -338,62 +329,9 @@ impl Window {
         }
     }
 
-    fn name(&self, session: &Session) {
-        let sources = session.document().sources.iter();
-        let names = sources.map(|source| match &source.path {
-            Some(path) => path.file_name().map_or_else(|| source.name.clone(), |name| name.to_string_lossy().into_owned()),
-            None => source.name.clone(),
-        });
-        let mut title = names.collect::<Vec<_>>().join(" + ");
-        if title.is_empty() {
-            title = tr!("app-name");
-        }
-        if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
-            title = format!("{title} / {}", clip.name);
-        }
-        if session.is_unsaved() {
-            title = format!("• {title}");
-        }
-        let missing = session.document().missing();
-        let lacks = |what| missing.contains(&what);
-        let subtitle = if session.is_empty() || missing.is_empty() {
-            String::new()
-        } else {
-            let words = [
-                (Missing::Mesh, "app-missing-mesh"),
-                (Missing::Skeleton, "app-missing-skeleton"),
-                (Missing::Animation, "app-missing-animation"),
-            ];
-            let what = words.iter().filter(|(what, _)| lacks(*what)).map(|(_, key)| tr!(key)).collect::<Vec<_>>().join(", ");
-            if lacks(Missing::Animation) { tr!("app-missing-still", what = what) } else { tr!("app-missing", what = what) }
-        };
-        part::<gtk::Label>(&self.builder, "title").set_text(&title);
-        self.widget.set_title(Some(&title));
-        let label = part::<gtk::Label>(&self.builder, "subtitle");
-        label.set_text(&subtitle);
-        label.set_tooltip_text(Some(&subtitle));
-        label.set_visible(!subtitle.is_empty());
-    }
-
-    /// Says at the buttons what undo and redo would do.
-    fn name_steps(&self, session: &Session) {
-        let (back, forward) = session.step_names();
-        for (id, command, step) in [("undo", Command::Undo, back), ("redo", Command::Redo, forward)] {
-            let text = match step {
-                Some(step) => tr!("app-step", what = command.label(), step = step, key = command.key_label()),
-                None => command.tooltip(),
-            };
-            part::<gtk::Button>(&self.builder, id).set_tooltip_text(Some(&text));
-        }
-    }
-
     /// Says what is drawn: triangles in the status line, times over the picture.
     pub fn show_stats(&self, triangles: u64) {
-        let text = tr!("app-status-triangles", count = triangles, shown = format::count(triangles));
-        part::<gtk::Label>(&self.builder, "status_triangles").set_text(&text);
-        if let Some(megabytes) = memory::resident() {
-            part::<gtk::Label>(&self.builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));
-        }
+        heading::tell_size(&self.builder, triangles);
     }
 
     /// Says where the pointer is in the world.
@@ -403,31 +341,12 @@ impl Window {
 
     /// Whether the tree and the right panel are shown.
     pub fn sides(&self) -> (bool, bool) {
-        let shown = |id: &str| part::<gtk::Box>(&self.builder, id).is_visible();
-        (shown("tree_slot"), shown("panel_slot"))
-    }
-
-    /// Whether there is room for one side panel only.
-    fn is_narrow(&self) -> bool {
-        self.widget.default_width() < ROOM_FOR_BOTH && !self.widget.is_maximized() && !self.widget.is_fullscreen()
+        self.sides.shown()
     }
 
     /// Shows or folds away the tree and the right panel. Where there is no room for both, the one that comes takes the other's place.
-    pub fn show_side(self: &Rc<Self>, mut tree: bool, mut panel: bool) {
-        self.tree_gave_way.set(false);
-        self.panel_gave_way.set(false);
-        let tree_before = self.sides().0;
-        if tree && panel && self.widget.is_visible() && self.is_narrow() {
-            if tree_before {
-                tree = false
-            } else {
-                panel = false
-            }
-            self.tree_gave_way.set(!tree);
-            self.panel_gave_way.set(!panel);
-        }
-        part::<gtk::Box>(&self.builder, "tree_slot").set_visible(tree);
-        part::<gtk::Box>(&self.builder, "panel_slot").set_visible(panel);
+    pub fn show_side(self: &Rc<Self>, tree: bool, panel: bool) {
+        self.sides.show(&self.widget, tree, panel);
         self.show_states();
     }
 
@@ -501,9 +420,7 @@ impl Window {
             (settings.width, settings.height) = (self.widget.width(), self.widget.height());
         }
         settings.maximised = self.widget.is_maximized();
-        (settings.tree_shown, settings.panel_shown) = self.sides();
-        settings.tree_shown |= self.tree_gave_way.get();
-        settings.panel_shown |= self.panel_gave_way.get();
+        (settings.tree_shown, settings.panel_shown) = self.sides.wanted();
         if let Some(page) = part::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }

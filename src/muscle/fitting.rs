@@ -59,6 +59,24 @@ pub(super) fn neat(value: f64) -> f64 {
     (value * step).round() / step
 }
 
+/// Sine of the angle between a joint's axis and a bone below which the joint turns that bone about itself: two degrees.
+const TWISTS: f64 = 0.035;
+
+impl Joint {
+    /// Whether the joint turns one of its bones about that bone itself, so that no side of it turns to the other; `world` is the scene in some pose.
+    pub fn twists(&self, scene: &Scene, world: &[DMat4]) -> bool {
+        let Some(nodes) = Self::limbs(scene, self.node) else { return false };
+        let [above, node, below] = nodes.map(|id| world.get(id.index()).map(|matrix| matrix.w_axis.truncate()));
+        let parent = scene.graph.node(self.node).parent().and_then(|id| world.get(id.index())).copied().unwrap_or(DMat4::IDENTITY);
+        let axis = parent.transform_vector3(self.axis).normalize_or_zero();
+        let along = |from: Option<DVec3>, to: Option<DVec3>| {
+            let way = to? - from?;
+            (way.length() > 0.0 && axis != DVec3::ZERO).then(|| axis.cross(way).length() <= way.length() * TWISTS)
+        };
+        along(above, node) == Some(true) || along(node, below) == Some(true)
+    }
+}
+
 /// Two limbs that meet in a joint, with the joint straight.
 struct Limbs {
     /// The bones that carry the upper and the lower end.
@@ -80,6 +98,9 @@ impl Limbs {
         let lower = if below == node { upper } else { wrist - elbow };
         let parent = scene.graph.node(joint.node).parent().and_then(|id| world.get(id.index())).copied().unwrap_or(DMat4::IDENTITY);
         let axis = parent.transform_vector3(joint.axis).try_normalize()?;
+        if [upper, lower].iter().any(|along| axis.cross(*along).length() <= along.length() * TWISTS) {
+            return None;
+        }
         let front = axis.cross(lower);
         let across = |along: DVec3| (front - along * (front.dot(along) / along.length_squared())).try_normalize();
         let front = [across(upper)?, across(lower)?];

@@ -90,6 +90,20 @@ impl Camera {
         self.view_projection(size.x / size.y).inverse().project_point3(ndc)
     }
 
+    /// The same view of `bounds` where rays are parallel and some of it would be behind the eye: from farther back. Nothing in the picture moves.
+    pub fn before(mut self, bounds: &Bounds) -> Self {
+        if matches!(self.projection, Projection::Orthographic { .. }) && !bounds.is_empty() {
+            let forward = self.forward();
+            let nearest = bounds.corners().iter().map(|corner| (*corner - self.eye).dot(forward)).fold(f32::INFINITY, f32::min);
+            let back = (self.near - nearest) * 1.01;
+            if back.is_finite() && back > 0.0 {
+                self.eye -= forward * back;
+                self.far += back;
+            }
+        }
+        self
+    }
+
     /// Direction to the right of the picture.
     pub fn right(&self) -> Vec3 {
         self.rotation * Vec3::X

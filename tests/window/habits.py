@@ -154,12 +154,36 @@ def test_fine_screen(path):
     told("a fine screen: pixels and clicks")
 
 
+def test_nothing_to_draw():
+    """A file that can be read and holds nothing to look at says so where one looks; another file takes the words away."""
+    path = write(os.path.join(folder, "bare.dae"), BARE)
+    window = Window(path)
+    words = "Nothing in this file can be drawn"
+    wait("a bare file says so in the picture", lambda: window.shows(words))
+    window.quit()
+    window = Window(os.path.join(configs, "walker.dae"))
+    window.get("slider", "Time")
+    wait("one with a mesh does not", lambda: window.shows("robot") and not window.shows(words))
+    window.quit()
+    told("a file with nothing to draw says so")
+
+
+BARE = """<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><created>2026-01-01T00:00:00Z</created><modified>2026-01-01T00:00:00Z</modified></asset>
+  <library_visual_scenes><visual_scene id="s"><node id="n" name="n"/></visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+"""
+
+
 def main():
     path = write(os.path.join(folder, "turn.dae"), CLIP)
     test_russian_numbers(path)
     test_looks_of_a_session(path)
     test_folder_of_what_was_saved()
     test_weights()
+    test_nothing_to_draw()
     test_fine_screen(path)
     print("all is so")
 

@@ -51,7 +51,11 @@ impl Session {
         let id = id_of(&files, place, usize::MAX);
         self.change_files(&files, tr!("muscle-edit-new"), Step::New);
         // Only now that its file is in the scene has the muscle axes to be laid in.
-        if let Some(fitted) = joint.and_then(|joint| self.fitted(id, model, &ready, &joint)) {
+        let fitted = joint.and_then(|joint| self.fitted(id, model, &ready, &joint));
+        if fitted.is_none() {
+            self.joint.twisted = joint.filter(|joint| self.twists(joint)).map(|joint| (id, joint.node));
+        }
+        if let Some(fitted) = fitted {
             let name = files.get(place).and_then(|file| file.muscles.last()).map(|muscle| muscle.name.clone()).unwrap_or_default();
             if let Some(slot) = files.get_mut(place).and_then(|file| file.muscles.last_mut()) {
                 *slot = MuscleSpec { name, ..fitted };
@@ -76,12 +80,33 @@ impl Session {
         }
     }
 
+    fn twists(&self, joint: &Joint) -> bool {
+        joint.twists(&self.document.scene, &self.straight(joint).world)
+    }
+
+    /// Why the muscle that is shown lies on its own although there are bones that could carry it; `None` where it does not.
+    pub fn why_alone(&self) -> Option<String> {
+        let (rig, index) = self.document.muscle(self.shown_muscle)?;
+        let alone = !rig.is_attached(index) && rig.flexion_range().is_none() && !bones(&self.document).is_empty();
+        let twisted = self.joint.twisted.filter(|(id, _)| *id == self.shown_muscle);
+        let graph = &self.document.scene.graph;
+        alone.then(|| match twisted.filter(|(_, node)| node.index() < graph.len()) {
+            Some((_, node)) => tr!("app-alone-twisted", joint = graph.node(node).name.clone()),
+            None => tr!("app-alone"),
+        })
+    }
+
     fn fitted(&self, id: MuscleId, model: &MuscleSpec, ready: &MuscleFile, joint: &Joint) -> Option<MuscleSpec> {
         let (rig, _) = self.document.muscle(id)?;
+        rig.fitted(model, ready, joint, &self.document.scene, &self.straight(joint).world)
+    }
+
+    /// The nodes of the scene with a joint straight.
+    fn straight(&self, joint: &Joint) -> Frame {
         let straight = PoseState { turn: Some(joint.at(0.0)), ..PoseState::default() };
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose_nodes(&straight, &mut buffers, &mut frame);
-        rig.fitted(model, ready, joint, &self.document.scene, &frame.world)
+        frame
     }
 
     /// Adds a copy of muscle `id` and shows it.
@@ -191,6 +216,7 @@ fn unused_name(file: &MuscleFile, name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::app::session::JointAxis;
     use crate::app::session::tests::{biceps, clip, ends};
     use crate::document::Document;
     use crate::muscle::presets::PRESETS;
@@ -221,6 +247,28 @@ mod tests {
         assert!(!session.is_unsaved());
         session.redo();
         assert!(session.is_unsaved() && session.document().muscle_count() == 1);
+    }
+
+    #[test]
+    fn a_muscle_on_its_own_says_why() {
+        let mut session = clip();
+        let node = session.joint().unwrap().node;
+        let mut twisted = 0;
+        for axis in 0..3 {
+            session.choose_joint(Some((node, JointAxis::Own(axis))));
+            session.new_muscle(biceps()).unwrap();
+            let (rig, index) = session.document().muscle(session.shown_muscle()).unwrap();
+            let attached = rig.is_attached(index);
+            let why = session.why_alone();
+            assert_eq!(why.is_none(), attached, "{axis}");
+            twisted += usize::from(why.is_some_and(|why| why.contains("forearm") && why != tr!("app-alone")));
+            session.undo();
+        }
+        assert_eq!(twisted, 1, "one of a bone's own axes runs along it");
+        session.choose_joint(None);
+        session.new_muscle(biceps()).unwrap();
+        assert_eq!(session.why_alone(), None);
+        assert_eq!(Session::new(Document::built_in()).why_alone(), None, "an arm carries it");
     }
 
     #[test]

@@ -111,6 +111,26 @@ mod tests {
     use super::*;
 
     #[test]
+    fn what_stands_far_aside_is_before_the_eye() {
+        let mut session = Session::new(swinging());
+        session.change_eye(|eye| {
+            eye.look_from(crate::scene::View::Front);
+            eye.handle(|orbit| orbit.orthographic = true);
+        });
+        session.compare(Some(With::File(Box::new(swinging()), "other.dae".into())));
+        session.change_eye(|eye| eye.handle(|orbit| orbit.yaw = 90.0));
+        for aside in [0.0, 1.0, 1e3, -1e3] {
+            session.shift_compared(0.0, aside);
+            let (_, _, camera, _) = session.picture();
+            let boxes = session.compared().expect("compared").boxes;
+            for corner in boxes.iter().flat_map(Bounds::corners) {
+                let ahead = (corner - camera.eye).dot(camera.forward());
+                assert!(ahead >= camera.near && ahead <= camera.far * 1.001 + 1e3, "{aside}: {ahead}");
+            }
+        }
+    }
+
+    #[test]
     fn the_farthest_joint_of_another_file_is_named() {
         let mut other = swinging();
         let arm = other.scene.graph.find("arm").expect("an arm");

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::{Changes, Session};
 use crate::document::Document;
 use crate::muscle::{Drive, Driving, Joint};
-use crate::scene::{NodeId, NodeKind};
+use crate::scene::{MuscleId, NodeId, NodeKind};
 
 /// Which axis a chosen joint turns about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -27,6 +27,8 @@ pub struct JointHand {
     elbow: OnceCell<Option<Joint>>,
     chosen: Option<(NodeId, JointAxis)>,
     joint: OnceCell<Option<Joint>>,
+    /// The muscle that was added last and found no place, and the joint that turns about its own bone: that is why.
+    pub(super) twisted: Option<(MuscleId, NodeId)>,
     on_top: bool,
 }
 

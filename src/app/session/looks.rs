@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::{Changes, Eye, LightAim, Session, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
-use crate::scene::{Bounds, Content, NodeId, View};
+use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, View};
 use crate::stage::{Backdrop, file_camera};
 
 impl Session {
@@ -19,7 +19,8 @@ impl Session {
         let node = node.filter(|id| id.index() < self.document.scene.graph.len());
         if node != self.display.selected {
             self.display.selected = node;
-            if self.display.weights.is_some() {
+            // A mesh that is selected has no weights to show: those of the bone stay.
+            if self.display.weights.is_some() && node.is_none_or(|node| self.is_bone(node)) {
                 self.display.weights = node;
             }
             let carried = node.and_then(|node| {
@@ -128,8 +129,19 @@ impl Session {
 
     /// Paints the weights of the selected node, or no longer.
     pub fn set_weights(&mut self, shown: bool) {
-        let selected = self.display.selected;
+        let selected = self.display.selected.filter(|node| self.is_bone(*node));
         self.change_display(|display| display.weights = selected.filter(|_| shown));
+    }
+
+    /// Whether a node is a bone, or moves a skin.
+    pub fn is_bone(&self, node: NodeId) -> bool {
+        let graph = &self.document.scene.graph;
+        let mut moved = graph.iter().flat_map(|(_, node)| &node.contents).filter_map(|content| match content {
+            Content::Mesh(instance) => Some(&instance.deformers),
+            _ => None,
+        });
+        let by_it = |deformer: &Deformer| matches!(deformer, Deformer::Skin { joints, .. } if joints.contains(&Some(node)));
+        graph.node(node).kind == NodeKind::Joint || moved.any(|deformers| deformers.iter().any(by_it))
     }
 
     /// The eye.

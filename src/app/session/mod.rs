@@ -259,6 +259,14 @@ impl Session {
         self.document.sources.is_empty() && self.document.scene.graph.is_empty()
     }
 
+    /// Whether something is open of which nothing can be drawn, hidden or not: no bone, no triangle, no line.
+    pub fn draws_nothing(&mut self) -> bool {
+        let frame = self.frame();
+        let bare = frame.joints.is_empty()
+            && frame.surfaces.iter().all(|surface| surface.mesh.triangles.is_empty() && surface.mesh.lines.is_empty());
+        bare && !self.is_empty()
+    }
+
     /// The moment that is shown.
     pub fn state(&self) -> PoseState {
         PoseState { time: self.playback.time, model: self.model.matrix(), ..self.state }
@@ -289,7 +297,14 @@ impl Session {
     /// Everything that a picture is made of.
     pub fn picture(&mut self) -> (&Scene, &Frame, Camera, Display) {
         self.frame();
-        let camera = self.eye.camera(&self.document.scene, &self.frame);
+        let mut camera = self.eye.camera(&self.document.scene, &self.frame);
+        if matches!(self.eye.viewpoint(), Viewpoint::Orbit) {
+            let mut shown = self.frame.bounds;
+            if let Some(comparison) = self.company.comparison() {
+                shown.merge(&comparison.bounds());
+            }
+            camera = camera.before(&shown);
+        }
         let light = self.light.map(|aim| aim.position(&self.frame.bounds));
         (&self.document.scene, &self.frame, camera, Display { light, ground: self.ground, ..self.display.clone() })
     }

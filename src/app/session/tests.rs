@@ -238,3 +238,31 @@ pub(super) fn swinging() -> Document {
     document.touch();
     document
 }
+
+#[test]
+fn weights_are_those_of_a_bone_whatever_else_is_selected() {
+    let mut session = clip();
+    let node = |session: &Session, name: &str| session.document().scene.graph.find(name);
+    let (bone, other, mesh) = (node(&session, "forearm"), node(&session, "hand"), node(&session, "arm"));
+    assert!(bone.is_some() && other.is_some() && mesh.is_some());
+    session.select(mesh);
+    session.set_weights(true);
+    assert_eq!(session.display().weights, None, "a mesh has none");
+    session.select(bone);
+    session.set_weights(true);
+    assert_eq!(session.display().weights, bone);
+    session.select(mesh);
+    assert_eq!(session.display().weights, bone);
+    session.select(other);
+    assert_eq!(session.display().weights, other);
+    session.select(None);
+    assert_eq!(session.display().weights, None);
+}
+
+#[test]
+fn a_file_without_anything_to_draw_is_known() {
+    assert!(!clip().draws_nothing());
+    assert!(!Session::new(Document::built_in()).draws_nothing());
+    assert!(!Session::default().draws_nothing(), "nothing is open");
+    assert!(session().draws_nothing(), "two nodes and nothing on them");
+}

@@ -58,10 +58,13 @@ impl Numbers {
 
     /// Takes less room where the picture is this narrow, logical pixels.
     pub fn fit(&self, width: i32) {
-        let narrow = width < 540;
+        let (narrow, tight) = (width < 540, width < 400);
         self.label.set_visible(!narrow);
-        self.boxes.iter().for_each(|number| number.set_width_chars(if narrow { 4 } else { 6 }));
-        if narrow { self.root.add_css_class("narrow") } else { self.root.remove_css_class("narrow") }
+        let letters = if tight || !narrow { 6 } else { 4 };
+        self.boxes.iter().for_each(|number| number.set_width_chars(letters));
+        for (class, wanted) in [("narrow", narrow), ("tight", tight)] {
+            if wanted { self.root.add_css_class(class) } else { self.root.remove_css_class(class) }
+        }
     }
 
     /// Shows the numbers of a tool.

@@ -95,8 +95,24 @@ fn broken(error: &serde_yaml::Error, too_many: bool) -> ConfigError {
     // The parser ends its sentence with the place, which the error carries already.
     let text = error.to_string();
     let reason = text.split(" at line ").next().unwrap_or(&text);
-    ConfigError::at(place, tr!("muscle-yaml-syntax", reason = reason.to_owned()))
+    let known = REASONS.iter().find(|(theirs, _)| *theirs == reason);
+    ConfigError::at(place, tr!("muscle-yaml-syntax", reason = known.map_or_else(|| reason.to_owned(), |(_, key)| tr!(key))))
 }
+
+/// What the parser says of the slips that hands make, and the key of how a person would say it.
+const REASONS: [(&str, &str); 11] = [
+    ("mapping values are not allowed in this context", "muscle-yaml-reason-colon"),
+    ("could not find expected ':'", "muscle-yaml-reason-no-colon"),
+    ("did not find expected key", "muscle-yaml-reason-key"),
+    ("did not find expected ',' or ']'", "muscle-yaml-reason-list"),
+    ("did not find expected ',' or '}'", "muscle-yaml-reason-map"),
+    ("did not find expected '-' indicator", "muscle-yaml-reason-dash"),
+    ("block sequence entries are not allowed in this context", "muscle-yaml-reason-dash-here"),
+    ("found character that cannot start any token", "muscle-yaml-reason-character"),
+    ("found unexpected end of stream", "muscle-yaml-reason-end"),
+    ("control characters are not allowed", "muscle-yaml-reason-control"),
+    ("did not find expected node content", "muscle-yaml-reason-content"),
+];
 
 /// Line and column, both from 1, of the value or key at `path` in the first document.
 pub fn locate(text: &str, path: &[Step]) -> Option<(usize, usize)> {
@@ -273,5 +289,30 @@ impl<'de> Visitor<'de> for StopSeed<'_> {
 
     fn visit_enum<A: EnumAccess<'de>>(self, _: A) -> Result<(), A::Error> {
         self.here()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_of_the_hand_are_told_in_the_users_language() {
+        for (text, key) in [
+            ("a: b: c", "muscle-yaml-reason-colon"),
+            ("a: 1\nb\nc: 2", "muscle-yaml-reason-no-colon"),
+            ("a: 1\n b: 2\n  - c", "muscle-yaml-reason-colon"),
+            ("a:\n  - 1\n  b: 2", "muscle-yaml-reason-dash"),
+            ("a: [1, 2\nb: 3", "muscle-yaml-reason-list"),
+            ("a: {b: 1\nc: [", "muscle-yaml-reason-map"),
+            ("a: - 1", "muscle-yaml-reason-dash-here"),
+            ("a:\n\t- 1", "muscle-yaml-reason-character"),
+            ("a: \"b", "muscle-yaml-reason-end"),
+            ("a: 1\n- c", "muscle-yaml-reason-key"),
+            ("a: [", "muscle-yaml-reason-content"),
+        ] {
+            let error = read(text).expect_err(text);
+            assert!(error.to_string().contains(&tr!(key)), "{text:?}: {error}");
+        }
     }
 }

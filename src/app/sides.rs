@@ -1,0 +1,96 @@
+//! The panels beside the picture: how wide they are, and which of them gives way where there is no room for both.
+
+use std::cell::Cell;
+
+use gtk::gdk;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::window::part;
+
+/// Below this width of the window there is room for one side panel only: the tree with the inspector, or the right one.
+const ROOM_FOR_BOTH: i32 = 1000;
+
+/// Both sides.
+pub struct Sides {
+    tree: gtk::Box,
+    panel: gtk::Box,
+    /// The tree was folded for want of room, not by a hand.
+    tree_gave_way: Cell<bool>,
+    /// The right panel was folded for want of room, not by a hand.
+    panel_gave_way: Cell<bool>,
+}
+
+impl Sides {
+    /// Those of a window.
+    pub fn new(builder: &gtk::Builder) -> Self {
+        Self {
+            tree: part(builder, "tree_slot"),
+            panel: part(builder, "panel_slot"),
+            tree_gave_way: Cell::new(false),
+            panel_gave_way: Cell::new(false),
+        }
+    }
+
+    /// Whether the tree and the right panel are shown.
+    pub fn shown(&self) -> (bool, bool) {
+        (self.tree.is_visible(), self.panel.is_visible())
+    }
+
+    /// Whether the tree and the right panel would be shown if there were room.
+    pub fn wanted(&self) -> (bool, bool) {
+        let (tree, panel) = self.shown();
+        (tree || self.tree_gave_way.get(), panel || self.panel_gave_way.get())
+    }
+
+    /// Shows or folds away both. Where there is no room for both, the one that comes takes the other's place.
+    pub fn show(&self, window: &gtk::ApplicationWindow, mut tree: bool, mut panel: bool) {
+        self.tree_gave_way.set(false);
+        self.panel_gave_way.set(false);
+        if tree && panel && window.is_visible() && is_narrow(window) {
+            if self.tree.is_visible() {
+                tree = false;
+            } else {
+                panel = false;
+            }
+            self.tree_gave_way.set(!tree);
+            self.panel_gave_way.set(!panel);
+        }
+        self.tree.set_visible(tree);
+        self.panel.set_visible(panel);
+    }
+
+    /// Folds the tree away in a window that has become too narrow for both, and brings back what gave way when it is wide again; whether it did either.
+    pub fn follow(&self, window: &gtk::ApplicationWindow) -> bool {
+        let ((tree, panel), narrow) = (self.shown(), is_narrow(window));
+        if narrow && tree && panel && window.is_visible() {
+            self.show(window, false, panel);
+            self.tree_gave_way.set(true);
+            true
+        } else if !narrow && (self.tree_gave_way.get() || self.panel_gave_way.get()) {
+            self.show(window, true, true);
+            true
+        } else {
+            false
+        }
+    }
+
+    /// Makes the right panel as wide from the start as its widest page can get: what a scene brings up or hides must not move the picture.
+    pub fn keep_width(&self, pages: &gtk::Stack) {
+        let (widest, ..) = pages.measure(gtk::Orientation::Horizontal, -1);
+        self.panel.set_width_request(widest.max(self.panel.width_request()));
+    }
+}
+
+/// Whether there is room for one side panel only.
+fn is_narrow(window: &gtk::ApplicationWindow) -> bool {
+    window.default_width() < ROOM_FOR_BOTH && !window.is_maximized() && !window.is_fullscreen()
+}
+
+/// A size of the window that fits on the largest screen there is.
+pub fn on_screen(width: i32, height: i32) -> (i32, i32) {
+    let monitors = gdk::Display::default().map(|display| display.monitors());
+    let sizes = monitors.iter().flat_map(|list| (0..list.n_items()).filter_map(|at| list.item(at).and_downcast::<gdk::Monitor>()));
+    let largest = sizes.map(|monitor| monitor.geometry()).max_by_key(|area| i64::from(area.width()) * i64::from(area.height()));
+    largest.map_or((width, height), |area| (width.min(area.width().max(640)), height.min(area.height().max(480))))
+}
