@@ -199,6 +199,9 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
             if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
                 session.compare(Some(With::File(Box::new(other), path.display().to_string())));
                 session.shift_as(shift);
+                if saved.camera.is_none() && saved.file_camera.is_none() {
+                    session.fit();
+                }
             }
         }),
         None => window.act(|session| session.show(document, arrival)),

@@ -46,8 +46,10 @@ pub struct Saved {
     /// `flat`, `gouraud` or `phong`.
     pub shading: String,
     /// Anti-aliasing.
+    #[serde(default = "usual_edges")]
     pub smooth_edges: bool,
     /// Switches of the display that are on, as in the settings.
+    #[serde(default = "usual_switches")]
     pub shown: Vec<String>,
     /// Numbers of the hidden nodes, in the order of the tree, with their names.
     pub hidden: Vec<SavedNode>,
@@ -79,6 +81,17 @@ pub struct Saved {
     pub file_camera: Option<SavedNode>,
     /// What is compared with.
     pub compared: Option<SavedComparison>,
+}
+
+/// Whether a fresh start smooths edges.
+fn usual_edges() -> bool {
+    Display::default().samples == Samples::Four
+}
+
+/// The switches that are on at a fresh start.
+fn usual_switches() -> Vec<String> {
+    let mut usual = Display::default();
+    SWITCHES.iter().filter(|(_, switch)| *switch(&mut usual)).map(|(name, _)| (*name).to_owned()).collect()
 }
 
 /// What is compared with what is open: one of file, clip and skinning.
@@ -305,6 +318,17 @@ impl Saved {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_key_that_is_missing_means_a_fresh_start() {
+        let file: SessionFile = serde_yaml::from_str("sinew_session: {time: 1}").expect("a session");
+        let (mut looks, usual) = (Display { wireframe: true, mesh: false, ..Display::default() }, Display::default());
+        file.sinew_session.put_looks(&mut looks);
+        assert_eq!((looks.mesh, looks.wireframe, looks.samples), (usual.mesh, usual.wireframe, usual.samples));
+        let bare: SessionFile = serde_yaml::from_str("sinew_session: {shown: [], smooth-edges: false}").expect("a session");
+        bare.sinew_session.put_looks(&mut looks);
+        assert!(!looks.mesh && looks.samples == Samples::One);
+    }
 
     #[test]
     fn files_beside_the_session_are_named_without_their_folder() {

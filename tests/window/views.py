@@ -98,7 +98,9 @@ def test_cameras(window):
     window.key("1")
     still(window)
     tools = window.get("button", "Navigate: drag moves the camera").get_extents(Atspi.CoordType.WINDOW)
-    hint = next(node for node in walk_rows(window) if (node.get_name() or "").startswith("Drag to orbit")).get_extents(Atspi.CoordType.WINDOW)
+    # Spaces within a thought of the hint are such as do not break.
+    is_hint = lambda node: (node.get_name() or "").replace("\u00a0", " ").startswith("Drag to orbit")
+    hint = wait("the hint is there", lambda: next(filter(is_hint, walk_rows(window)), None)).get_extents(Atspi.CoordType.WINDOW)
     left, bottom = tools.x - 13, hint.y + hint.height + 12
     changes(window, "a click on the Y axis looks from above", lambda: click(left + 44, bottom - 44 - 27))
     told("the axes in the corner are clicked")
