@@ -13,6 +13,7 @@
 
 mod about;
 pub mod actions;
+mod bare;
 mod bone_names;
 mod canvas;
 mod compare_file;

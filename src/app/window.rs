@@ -10,6 +10,7 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::actions::Command;
+use super::bare::Bare;
 use super::display_panel::DisplayPanel;
 use super::error_bar::ErrorBar;
 use super::files::Files;
@@ -68,6 +69,7 @@ pub struct Window {
     pub(super) measure: MeasurePanel,
     health: HealthPanel,
     inspector: Inspector,
+    bare: Bare,
     start: StartPage,
 }
 
@@ -121,6 +123,7 @@ impl Window {
             measure: MeasurePanel::new(),
             health: HealthPanel::new(),
             inspector: Inspector::new(),
+            bare: Bare::new(),
             start: StartPage::new(),
             builder,
         });
@@ -147,6 +150,7 @@ impl Window {
         left.set_end_child(Some(&self.inspector.root));
         slot("viewport_slot").append(&self.viewport.root);
         slot("timeline_slot").append(&self.timeline.root);
+        self.viewport.root.add_overlay(&self.bare.root);
         self.viewport.root.add_overlay(&self.start.root);
         let stack: gtk::Stack = part(&self.builder, "stack");
         stack.add_titled(&self.muscle.root, Some("muscle"), &tr!("app-page-muscle"));
@@ -247,6 +251,7 @@ impl Window {
             }
             if changes.any(Changes::DOCUMENT) {
                 self.turn_page(session);
+                self.bare.refresh(session);
             }
             if changes.any(Changes::DOCUMENT | Changes::SURROUNDINGS) {
                 self.start.refresh(session, self.files.is_loading());

@@ -141,7 +141,6 @@ impl Viewport {
                 Tool::Scale => tr!("app-hint-scale"),
             });
             part::<gtk::Box>(&self.builder, "tools").set_visible(!session.is_empty());
-            part::<gtk::Label>(&self.builder, "nothing").set_visible(session.draws_nothing());
         }
     }
 

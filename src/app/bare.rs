@@ -1,0 +1,37 @@
+//! What stands in the middle of the picture where a file holds nothing to draw.
+
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::session::Session;
+use crate::tr;
+
+/// A few words over an empty picture.
+pub struct Bare {
+    /// The words.
+    pub root: gtk::Label,
+}
+
+impl Bare {
+    /// Hidden until they are true.
+    pub fn new() -> Self {
+        let root = gtk::Label::builder()
+            .label(tr!("app-nothing-drawn"))
+            .halign(gtk::Align::Center)
+            .valign(gtk::Align::Center)
+            .margin_start(60)
+            .margin_end(60)
+            .wrap(true)
+            .justify(gtk::Justification::Center)
+            .can_target(false)
+            .visible(false)
+            .css_classes(["floating"])
+            .build();
+        Self { root }
+    }
+
+    /// Shows them where they are true of what is open.
+    pub fn refresh(&self, session: &mut Session) {
+        self.root.set_visible(session.draws_nothing());
+    }
+}
