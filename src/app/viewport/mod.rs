@@ -6,6 +6,7 @@ mod handles;
 mod hands;
 mod labels;
 mod legend;
+mod lent;
 mod numbers;
 mod screen;
 
