@@ -232,6 +232,19 @@ fn a_kept_ground_is_the_ground() {
 }
 
 #[test]
+fn a_kept_ground_does_not_outlive_a_change_of_samples() {
+    let (world, camera, size) = (World::sphere(24, 13, [0.6, 0.7, 0.9]), camera_at(4.0), [200, 150]);
+    let mut renderer = Renderer::new(Some(2));
+    for samples in [Samples::One, Samples::Four, Samples::One] {
+        let display = Display { samples, grid: true, ..Display::default() };
+        let anew = world.draw(&mut Renderer::new(Some(1)), &camera, &display, size);
+        for turn in 0..4 {
+            assert!(world.draw(&mut renderer, &camera, &display, size) == anew, "{samples:?}, turn {turn}");
+        }
+    }
+}
+
+#[test]
 fn a_ground_beyond_what_numbers_tell_apart_has_no_grid() {
     // A box far off that is not large for it: its lines would have numbers beyond any integer.
     let mut world = World::sphere(8, 5, [0.5; 3]);

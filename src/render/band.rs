@@ -5,13 +5,14 @@
 
 use std::time::Instant;
 
+use super::bin::Bands;
 use super::bins::{Bins, Columns};
 use super::drawing::{Drawing, Item, Unit};
 use super::fill::{Stretch, fill};
 use super::ground::Piece;
 use super::line::{self, Onto, Stage, Strokes};
 use super::plane::Plane;
-use super::renderer::{BAND_ROWS, Canvas, Sorted};
+use super::renderer::{Canvas, Sorted};
 use super::resolve::{Rows, copy_row, lay_over, resolve};
 use super::style::Layer;
 use crate::lanes::Level;
@@ -48,16 +49,16 @@ pub(super) struct Local {
 impl Local {
     /// Makes room for any band of a picture.
     pub(super) fn reserve(&mut self, picture: &Picture<'_>) {
-        let Canvas { width, samples, .. } = *picture.canvas;
+        let Canvas { width, samples, bands: Bands { rows, .. }, .. } = *picture.canvas;
         let bands = 0..picture.canvas.bands.count;
         let any = |stage: Stage| bands.clone().any(|band| !picture.strokes.is_empty(stage, band));
         self.row.resize(width as usize, 0);
-        self.plane.reserve(BAND_ROWS, width as usize, samples);
+        self.plane.reserve(rows, width as usize, samples);
         if any(Stage::Under) {
-            self.ground.reserve(BAND_ROWS, width as usize, 1);
+            self.ground.reserve(rows, width as usize, 1);
         }
         if any(Stage::Overlay) || picture.units.iter().any(|unit| picture.is_overlay(unit)) {
-            self.overlay.reserve(BAND_ROWS, width as usize, samples);
+            self.overlay.reserve(rows, width as usize, samples);
         }
         self.entries.clear();
         self.entries.reserve(picture.units.iter().map(|unit| unit.bins.longest()).max().unwrap_or(0));
@@ -93,8 +94,8 @@ impl Picture<'_> {
 /// Draws one band from the background to the finished rows.
 pub(super) fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local: &mut Local, mut piece: Piece<'_>, mut target: Rows<'_>) {
     let Picture { drawing, canvas, units, sorted, sorted_bins, strokes, xray } = *picture;
-    let (top, width) = ((band * BAND_ROWS) as i32, canvas.width as usize);
-    let rows = BAND_ROWS.min(canvas.height as usize - top as usize);
+    let (top, width) = ((band * canvas.bands.rows) as i32, canvas.width as usize);
+    let rows = canvas.bands.rows.min(canvas.height as usize - top as usize);
     let Local { plane, overlay, ground, entries, row, resolve_ms } = local;
     let lined = !strokes.is_empty(Stage::Under, band);
     if lined && !matches!(piece, Piece::Kept(_)) {

@@ -14,8 +14,8 @@ const MOST: usize = 9 << 20;
 struct Key {
     camera: Camera,
     size: [u32; 2],
-    /// Bands that the target has room for: no others are drawn.
-    bands: usize,
+    /// Rows of a band, and how many bands the target has room for: no others are drawn.
+    bands: [usize; 2],
     background: Background,
     /// Box, cell, colour and opacity.
     grid: Option<(Bounds, Option<f32>, (u32, f32))>,
@@ -56,7 +56,7 @@ pub(super) enum Piece<'a> {
 
 impl Ground {
     /// Begins a frame; `bounds` are the frame's.
-    pub(super) fn begin(&mut self, camera: &Camera, display: &Display, bounds: Bounds, size: [u32; 2], bands: usize) {
+    pub(super) fn begin(&mut self, camera: &Camera, display: &Display, bounds: Bounds, size: [u32; 2], bands: [usize; 2]) {
         let grid = display.grid.then_some((display.ground.unwrap_or(bounds), display.grid_cell, display.palette.grid));
         let widths = [display.scale, display.line_width];
         let key = Key { camera: *camera, size, bands, background: display.background, grid, widths, depth_test: display.depth_test };
@@ -80,9 +80,9 @@ impl Ground {
         self.state == State::New
     }
 
-    /// The bands' parts, each `rows` rows but the last.
-    pub(super) fn pieces(&mut self, rows: usize) -> impl Iterator<Item = Piece<'_>> {
-        let (width, height) = self.key.map_or((0, 0), |key| (key.size[0] as usize, key.size[1] as usize));
+    /// The bands' parts.
+    pub(super) fn pieces(&mut self) -> impl Iterator<Item = Piece<'_>> {
+        let (width, height, rows) = self.key.map_or((0, 0, 0), |key| (key.size[0] as usize, key.size[1] as usize, key.bands[0]));
         let (state, room) = (self.state, width * height);
         let grid = self.key.is_some_and(|key| key.grid.is_some());
         let end = if state == State::New || !grid { 0 } else { room.min(self.pixels.len()) };

@@ -26,8 +26,10 @@ use crate::limits;
 use crate::scene::{Camera, Frame, Scene};
 
 /// Rows of a band: enough for a small triangle to touch one band mostly, few enough for its pixels to stay in the second-level cache.
-pub(super) const BAND_ROWS: usize = 32;
-const _: () = assert!(BAND_ROWS <= super::setup::ROWS);
+const BAND_ROWS: usize = 48;
+/// The same with four samples a pixel.
+const BAND_ROWS_MULTI: usize = 32;
+const _: () = assert!(BAND_ROWS <= super::setup::ROWS && BAND_ROWS_MULTI <= super::setup::ROWS);
 /// Triangles in a unit of binning, at least.
 const UNIT: u32 = 2048;
 /// Most units a layer, so that the lists of a picture stay few.
@@ -111,7 +113,8 @@ pub(super) struct Canvas {
 impl Canvas {
     pub(super) fn new(display: &Display, width: u32, height: u32) -> Self {
         let multi = display.samples == Samples::Four;
-        let bands = Bands { rows: BAND_ROWS, count: (height as usize).div_ceil(BAND_ROWS).max(1), multi };
+        let rows = if multi { BAND_ROWS_MULTI } else { BAND_ROWS };
+        let bands = Bands { rows, count: (height as usize).div_ceil(rows).max(1), multi };
         Self { width, height, samples: if multi { 4 } else { 1 }, bands, backdrop: Backdrop::new(display.background, height) }
     }
 }
@@ -136,8 +139,9 @@ impl Buffers {
         let canvas = Canvas::new(display, width, height);
         let start = Instant::now();
         let (view, lights) = self.prepare(scene, frame, camera, display, &canvas, false);
-        let bands = target.len().div_ceil(stride * BAND_ROWS).min(canvas.bands.count);
-        self.ground.begin(camera, display, frame.bounds, [width, height], bands);
+        let band_rows = canvas.bands.rows;
+        let bands = target.len().div_ceil(stride * band_rows).min(canvas.bands.count);
+        self.ground.begin(camera, display, frame.bounds, [width, height], [band_rows, bands]);
         self.lines(scene, frame, &view, &canvas.bands, display, &lights);
         self.vertex_stage(pool, level, frame, &view, &lights);
         stats.vertex_ms = milliseconds(start);
@@ -178,7 +182,7 @@ impl Buffers {
         for local in &mut locals {
             local.get_mut().unwrap_or_else(PoisonError::into_inner).reserve(&picture);
         }
-        let rows = Mutex::new(target.chunks_mut(stride * BAND_ROWS).take(bands).zip(ground.pieces(BAND_ROWS)).enumerate());
+        let rows = Mutex::new(target.chunks_mut(stride * band_rows).take(bands).zip(ground.pieces()).enumerate());
         pool.run(&|worker| {
             // Each worker has its own, so the lock is free.
             let mut local = locals[worker].lock().unwrap_or_else(PoisonError::into_inner);
