@@ -128,7 +128,7 @@ impl<const K: usize> Batch<K> {
         let mut from = 0;
         while from < count {
             if perspective {
-                self.bend::<L, S>(l, from);
+                self.bend::<L, S>(l, from, count);
             }
             self.set_up(l, shader, from);
             from += L::N;
@@ -143,9 +143,10 @@ impl<const K: usize> Batch<K> {
         }
     }
 
-    /// The same as [`bend`] for the triangles from number `from` on, one a lane.
+    /// The same as [`bend`] for the triangles from number `from` on, one a lane. What is left in the lanes behind the last of `count` stays as it is:
+    /// multiplied again and again it would become too small to be quick.
     #[inline(always)]
-    fn bend<'a, L: Lanes, S>(&mut self, l: L, from: usize)
+    fn bend<'a, L: Lanes, S>(&mut self, l: L, from: usize, count: usize)
     where
         S: Shader<'a> + Attributes<K>,
     {
@@ -160,6 +161,7 @@ impl<const K: usize> Batch<K> {
         } else {
             l.lt(far, near)
         };
+        let curved = curved & l.ilt(l.iota() + l.isplat(from as i32), l.isplat(count as i32));
         l.istore(l.iselect(curved, l.isplat(1), l.isplat(0)), bytemuck::cast_slice_mut(&mut self.curved[from..]));
         let factors: [L::F; 3] = each(always!(|c: usize| l.select(curved, l.load(&self.values[0][c][from..]), l.splat(1.0))));
         for k in 1..S::USED {
