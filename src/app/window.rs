@@ -248,8 +248,6 @@ impl Window {
             self.viewport.refresh(session, changes);
             if changes.any(Changes::DOCUMENT) {
                 menus::list_cameras(&part(&self.builder, "camera_menu"), session);
-            }
-            if changes.any(Changes::DOCUMENT) {
                 self.turn_page(session);
                 self.bare.refresh(session);
             }
