@@ -14,7 +14,7 @@ use gtk4 as gtk;
 use super::error_bar::Trouble;
 use super::session::{Arrival, With};
 use super::window::Window;
-use super::{recent, saving};
+use super::{muscle_panel, recent, saving};
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::muscle::MuscleFile;
@@ -40,6 +40,8 @@ pub struct Files {
     /// Muscles that are put into what is being read, and what is done then.
     carried: RefCell<Option<Carried>>,
     asking: Cell<bool>,
+    /// Whether muscles on an arm of their own are hung on the clip that they come with.
+    hang: Cell<bool>,
 }
 
 /// Muscle files that go over to the scene that is being read.
@@ -104,8 +106,30 @@ pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<Musc
     });
 }
 
+/// Opens files that were dropped. Muscles that are dropped on a clip, or with one, come to it and are hung on its bones.
+fn open_dropped(window: &Rc<Window>, dropped: Vec<PathBuf>) {
+    if dropped.is_empty() {
+        return;
+    }
+    let clips = if dropped.iter().all(|path| brings_no_clip(path)) { window.look(|session| session.clip_files()) } else { Vec::new() };
+    let paths: Vec<PathBuf> = clips.into_iter().chain(dropped).collect();
+    saving::ask_first(window, move |window| {
+        open_now(window, paths, Arrival::New, None);
+        window.files.hang.set(true);
+    });
+}
+
+/// Whether a file is one of muscles that names no clip of its own.
+fn brings_no_clip(path: &Path) -> bool {
+    let is_muscles = path.extension().is_some_and(|ending| ["yaml", "yml"].iter().any(|ours| ending.eq_ignore_ascii_case(ours)));
+    let small = || std::fs::metadata(path).is_ok_and(|about| about.len() <= crate::limits::YAML_BYTES);
+    let parse = || MuscleFile::parse(&std::fs::read_to_string(path).ok()?).ok();
+    is_muscles && small() && parse().is_some_and(|file| file.clip.is_none())
+}
+
 fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival, carried: Option<Carried>) {
     window.files.stop();
+    window.files.hang.set(false);
     window.files.carried.replace(carried);
     let progress = Arc::new(Progress::default());
     window.files.reading.replace(Some(progress.clone()));
@@ -218,11 +242,12 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     {
         window.settings.borrow_mut().folder = Some(folder);
     }
+    let hung = window.files.hang.take() && saved.is_none() && muscle_panel::hang_all(window);
     match news {
         Some(news) => window.viewport.toast(&news, None),
         None => {
             paths.iter().for_each(|path| recent::remember(path));
-            if warnings > 0 {
+            if warnings > 0 && !hung {
                 window.viewport.toast(&tr!("app-findings", count = warnings), None);
             }
         }
@@ -445,7 +470,7 @@ pub fn accept_drops(window: &Rc<Window>) {
             let Ok(files) = value.get::<gdk::FileList>() else { return false };
             let paths: Vec<PathBuf> = files.files().iter().filter_map(gio::prelude::FileExt::path).collect();
             let any = !paths.is_empty();
-            open(&window, paths, Arrival::New);
+            open_dropped(&window, paths);
             any
         }
     ));

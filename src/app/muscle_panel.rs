@@ -16,7 +16,7 @@ use super::muscle_way::MuscleWay;
 use super::node_table::NodeTable;
 use super::place_field::Bones;
 use super::profile_view::{ProfileView, Shape};
-use super::session::{Changes, Session, Step};
+use super::session::{Changes, Hung, Session, Step};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
@@ -248,6 +248,13 @@ impl MusclePanel {
             let byte = |part: f32| (part * 255.0).round().clamp(0.0, 255.0) as u8;
             own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), Step::New);
         });
+        let weak = editor.window.clone();
+        part::<gtk::Button>(&self.builder, "hang").connect_clicked(move |_| {
+            if let Some(window) = weak.upgrade() {
+                let file = window.look(|session| session.shown_file());
+                hang(&window, file);
+            }
+        });
         self.connect_menus(editor);
     }
 
@@ -295,6 +302,9 @@ impl MusclePanel {
         if changes.any(Changes::DOCUMENT | bends) || changes.any(Changes::TIME) && self.root.is_mapped() {
             self.joint.refresh(session, changes);
         }
+        if changes.any(Changes::DOCUMENT | Changes::MUSCLE | Changes::SELECTION | Changes::EDIT) {
+            self.refresh_hang(session);
+        }
         if changes.any(Changes::HISTORY) {
             self.refused.set_visible(false);
             self.way.forget_refusals();
@@ -302,6 +312,20 @@ impl MusclePanel {
         let moves = Changes::DOCUMENT | Changes::DRIVE | Changes::TIME | Changes::MUSCLE | Changes::EDIT | Changes::HAND | Changes::PICKING;
         if changes.any(moves) && self.root.is_mapped() || changes.any(Changes::DOCUMENT | Changes::MUSCLE) {
             self.refresh_ledger(session, changes.any(Changes::DOCUMENT | Changes::MUSCLE));
+        }
+    }
+
+    /// Offers to hang muscles that are on an arm of their own on the clip that is open with them.
+    fn refresh_hang(&self, session: &Session) {
+        let joint = session.shown_file().and_then(|place| session.joint_to_hang_on(place));
+        part::<gtk::Widget>(&self.builder, "hang_box").set_visible(joint.is_some());
+        if let Some(joint) = joint {
+            let name = &session.document().scene.graph.node(joint.node).name;
+            let button: gtk::Button = part(&self.builder, "hang");
+            button.set_label(&tr!("app-hang", joint = name.clone()));
+            if let Some(label) = button.child().and_downcast::<gtk::Label>() {
+                label.set_ellipsize(gtk::pango::EllipsizeMode::Middle);
+            }
         }
     }
 
@@ -391,6 +415,28 @@ impl MusclePanel {
         part::<gtk::Widget>(&self.builder, "fit_length").set_sensitive(rig.is_attached(index));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
+}
+
+/// Hangs the muscles of all files that are on an arm of their own on the clip that is open with them; whether there were any.
+pub fn hang_all(window: &Rc<Window>) -> bool {
+    let files = window.look(|session| session.document().muscle_files().count());
+    hang(window, 0..files)
+}
+
+/// Hangs the muscles of these files on the clip, and says where they went.
+fn hang(window: &Rc<Window>, files: impl IntoIterator<Item = usize>) -> bool {
+    let mut hung: Option<Hung> = None;
+    window.act(|session| {
+        for new in files.into_iter().filter_map(|place| session.hang_on_clip(place)) {
+            let before = hung.take().map_or(0, |hung| hung.muscles);
+            hung = Some(Hung { muscles: before + new.muscles, ..new });
+        }
+    });
+    let told = hung.map(|Hung { muscles, joint }| tr!("app-hung", count = muscles, joint = joint));
+    if let Some(told) = &told {
+        window.viewport.toast(told, None);
+    }
+    told.is_some()
 }
 
 /// How short and how long the muscle can get, and what sets that.

@@ -3,6 +3,7 @@
 //! [`Document::open`] reads files and puts them side by side into one scene; [`Document::pose`] makes a [`crate::scene::Frame`] of any moment of it.
 
 mod angle;
+mod beside;
 mod built_in;
 mod companion;
 mod contraction;

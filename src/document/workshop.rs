@@ -5,10 +5,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Document, Source, SourceKind};
+use super::beside::Beside;
+use super::{Document, PoseBuffers, Source, SourceKind};
 use crate::health::Finding;
 use crate::muscle::{MuscleFile, Rig};
-use crate::scene::MuscleId;
+use crate::scene::{Bounds, Frame, MuscleId, TransformOp};
 use crate::tr;
 
 /// Lengths of the scene's lists without muscles.
@@ -17,18 +18,27 @@ pub(super) struct Bare {
     nodes: usize,
     meshes: usize,
     materials: usize,
+    /// The box round the scene at its start; empty where no arm has to keep clear of it.
+    bounds: Bounds,
 }
 
 impl Document {
     /// Puts the muscles of all files into the scene, once everything else is there, and attaches them to the bones that they name.
     pub(super) fn place_muscles(&mut self) {
         let scene = &self.scene;
-        self.bare = Bare { nodes: scene.graph.len(), meshes: scene.meshes.len(), materials: scene.materials.len() };
+        self.bare = Bare { nodes: scene.graph.len(), meshes: scene.meshes.len(), materials: scene.materials.len(), bounds: Bounds::EMPTY };
+        if self.bare.nodes > 0 && self.muscle_files().any(|file| file.arm.is_some()) {
+            self.touch();
+            let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+            self.pose(&self.start_state(), &mut buffers, &mut frame);
+            self.bare.bounds = frame.bounds;
+        }
         self.build_muscles();
     }
 
     fn build_muscles(&mut self) {
         let mut first = MuscleId(0);
+        let mut beside = Beside::of(&self.bare.bounds);
         for source in &mut self.sources {
             let SourceKind::Muscles(file, rig) = &mut source.kind else { continue };
             let title = match &source.path {
@@ -36,6 +46,11 @@ impl Document {
                 None => source.name.clone(),
             };
             **rig = Rig::build(file, &title, &mut self.scene, first);
+            if let (Some(arm), Some(root)) = (file.arm, rig.root)
+                && let Some(place) = beside.take(&arm, file)
+            {
+                self.scene.graph.node_mut(root).transform.ops.insert(0, TransformOp::Translate(place));
+            }
             first.0 += rig.len() as u32;
             source.root = rig.root;
         }

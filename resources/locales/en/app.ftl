@@ -368,6 +368,13 @@ app-no-muscle = There is no muscle in this scene. Add one with New, or open a mu
 app-held = The muscle cannot get this long or short and keep its volume. Its length is held at the limit.
 app-alone = The muscle lies on its own. Give it an origin and an insertion below.
 app-alone-twisted = “{ $joint }” turns about the bone itself, so no side of it is for a muscle to cross, and this one lies on its own. Choose another axis for the joint and add it again, or give it an origin and an insertion below.
+app-on-own-arm = These muscles are on an arm of their own, beside the clip.
+app-hang = Attach to “{ $joint }” of the clip
+app-hang-tip = Hangs the muscles of this file on the bones that meet in this joint, as long and as thick as those bones are. Select another bone to choose another joint; Undo puts them back on their arm.
+app-hung = { $count ->
+    [one] The muscle hangs on “{ $joint }” now. Undo puts it back on its arm.
+   *[other] { $count } muscles hang on “{ $joint }” now. Undo puts them back on their arm.
+}
 app-profile = Profile
 app-profile-tip = The muscle from the side: now (red) and at rest (dashed). Drag a handle to change the radius, with Shift the growth.
 app-profile-legend = red: now · dashed: at rest

@@ -101,6 +101,7 @@ muscle-edit-delete-node = Delete node { $node }
 muscle-edit-tendon-origin = Change the tendon at the origin
 muscle-edit-tendon-insertion = Change the tendon at the insertion
 muscle-edit-attach = Attach muscle
+muscle-edit-hang = Attach to “{ $joint }”
 muscle-edit-origin = Move the origin
 muscle-edit-insertion = Move the insertion
 muscle-edit-via = Move via point { $number }

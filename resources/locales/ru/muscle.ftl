@@ -101,6 +101,7 @@ muscle-edit-delete-node = Удаление узла { $node }
 muscle-edit-tendon-origin = Изменение сухожилия у начала
 muscle-edit-tendon-insertion = Изменение сухожилия у прикрепления
 muscle-edit-attach = Крепление мышцы
+muscle-edit-hang = Крепление к «{ $joint }»
 muscle-edit-origin = Перемещение начала
 muscle-edit-insertion = Перемещение прикрепления
 muscle-edit-via = Перемещение промежуточной точки { $number }

@@ -80,7 +80,7 @@ impl Session {
         }
     }
 
-    fn twists(&self, joint: &Joint) -> bool {
+    pub(super) fn twists(&self, joint: &Joint) -> bool {
         joint.twists(&self.document.scene, &self.straight(joint).world)
     }
 
@@ -102,7 +102,7 @@ impl Session {
     }
 
     /// The nodes of the scene with a joint straight.
-    fn straight(&self, joint: &Joint) -> Frame {
+    pub(super) fn straight(&self, joint: &Joint) -> Frame {
         let straight = PoseState { turn: Some(joint.at(0.0)), ..PoseState::default() };
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose_nodes(&straight, &mut buffers, &mut frame);

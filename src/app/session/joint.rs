@@ -60,9 +60,14 @@ impl Session {
     pub fn joint(&self) -> Option<Joint> {
         let find = || match self.joint.chosen {
             Some((node, axis)) => self.joint_at(node, axis),
-            None => self.document.muscles_joint().or_else(|| *self.joint.elbow.get_or_init(|| self.document.elbow())),
+            None => self.document.muscles_joint().or_else(|| self.found_elbow()),
         };
         *self.joint.joint.get_or_init(find)
+    }
+
+    /// The elbow that is found in the clip's skeleton, whatever was chosen.
+    pub(super) fn found_elbow(&self) -> Option<Joint> {
+        *self.joint.elbow.get_or_init(|| self.document.elbow())
     }
 
     fn joint_at(&self, node: NodeId, axis: JointAxis) -> Option<Joint> {

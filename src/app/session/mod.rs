@@ -9,6 +9,7 @@ mod eye;
 mod ghosts;
 mod grips;
 mod handles;
+mod hang;
 mod history;
 mod inspect;
 mod isolate;
@@ -30,6 +31,7 @@ pub use compare::{Compared, top_of};
 pub use eye::{Eye, FlyCamera, Viewpoint};
 pub use grips::{Grip, GripDrag, Ring};
 pub use handles::{Handle, Handles, ModelDrag};
+pub use hang::Hung;
 pub use inspect::Matrices;
 pub use joint::{Bend, JointAxis};
 pub use measure::{Against, Reading, csv};
@@ -49,7 +51,7 @@ use inspect::Pins;
 use joint::JointHand;
 
 use crate::animation::Playback;
-use crate::document::{Document, PoseBuffers, PoseState};
+use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
@@ -252,6 +254,12 @@ impl Session {
     /// The files that are open, in their order; empty for the built-in scene.
     pub fn files(&self) -> Vec<PathBuf> {
         self.document.sources.iter().filter_map(|source| source.path.clone()).collect()
+    }
+
+    /// Those of the open files that are clips.
+    pub fn clip_files(&self) -> Vec<PathBuf> {
+        let clips = self.document.sources.iter().filter(|source| matches!(source.kind, SourceKind::Collada(_)));
+        clips.filter_map(|source| source.path.clone()).collect()
     }
 
     /// Whether there is nothing to look at.
