@@ -43,6 +43,7 @@ use glam::DMat4;
 use crate::animation::Clip;
 use crate::collada::Asset;
 use crate::health::Finding;
+use crate::i18n;
 use crate::muscle::{Drive, Joint, MuscleFile, Rig, Turn};
 use crate::scene::{Content, MuscleId, NodeId, NodeKind, Scene};
 
@@ -211,10 +212,21 @@ impl Document {
         })
     }
 
-    /// The first clip of this name, else of this id.
+    /// The first clip of this name, else of this id; `#2` is the second clip. The name of a clip that the file gives none is known in any language.
     pub fn clip_named(&self, name: &str) -> Option<usize> {
-        let by = |key: fn(&Clip) -> &str| self.clips.iter().position(|clip| key(clip) == name);
-        by(|clip| &clip.name).or_else(|| by(|clip| &clip.id))
+        let by = |key: fn(&Clip) -> &str, name: &str| self.clips.iter().position(|clip| key(clip) == name);
+        let numbered = || name.strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1).filter(|index| *index < self.clips.len());
+        by(|clip| &clip.name, name)
+            .or_else(|| by(|clip| &clip.id, name).filter(|_| !name.is_empty()))
+            .or_else(numbered)
+            .or_else(|| by(|clip| &clip.name, &made_up(name)?))
+    }
+
+    /// What [`Document::clip_named`] finds this clip by, in whatever language: its name where that is its own, else `#` and its place from 1.
+    pub fn clip_key(&self, index: usize) -> Option<String> {
+        let name = &self.clips.get(index)?.name;
+        let own = made_up(name).is_none() && self.clip_named(name) == Some(index);
+        Some(if own { name.clone() } else { format!("#{}", index + 1) })
     }
 
     /// Number of muscles of all rigs.
@@ -227,4 +239,9 @@ impl Document {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         self.revision = NEXT.fetch_add(1, Ordering::Relaxed);
     }
+}
+
+/// The present language's form of a name that a reader made up for a clip without one; `None` for any other.
+fn made_up(name: &str) -> Option<String> {
+    ["collada-clip-number", "collada-clip-default"].iter().find_map(|key| i18n::translated(key, "number", name))
 }

@@ -7,7 +7,7 @@ mod catalogue;
 mod number;
 pub mod quantity;
 
-pub use catalogue::{Language, language, message, set_language};
+pub use catalogue::{Language, language, message, set_language, translated};
 /// The value type of a message argument.
 pub use fluent_bundle::FluentValue;
 pub use number::{decimal, localise_decimal_mark};

@@ -14,7 +14,7 @@ use super::{Solved, clearance, materials, rods};
 use crate::animation::Clip;
 use crate::health::Finding;
 use crate::scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
-use crate::tr;
+use crate::{i18n, tr};
 
 /// Radius of the arcs at via points over the muscle's thickest radius.
 const ROUNDING: f64 = 1.25;
@@ -290,11 +290,13 @@ pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<us
 pub(super) fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Option<NodeId> {
     let own = own.map(|root| graph.subtree(root)).unwrap_or_default();
     let fields: [fn(&Node) -> &str; 3] = [|node| &node.id, |node| &node.sid, |node| &node.name];
-    let find = |joints: bool, field: fn(&Node) -> &str| {
+    let find = |joints: bool, field: fn(&Node) -> &str, name: &str| {
         let matches = |node: &Node| (node.kind == NodeKind::Joint || !joints) && field(node) == name;
         graph.iter().find(|(id, node)| matches(node) && !own.contains(id)).map(|(id, _)| id)
     };
-    [true, false].into_iter().find_map(|joints| fields.iter().find_map(|field| find(joints, *field)))
+    let among = |name: &str| [true, false].into_iter().find_map(|joints| fields.iter().find_map(|field| find(joints, *field, name)));
+    // A node without a name is called by one in the language of the program that wrote the file.
+    among(name).or_else(|| among(&i18n::translated("collada-unnamed-node", "number", name)?))
 }
 
 /// Roots of tendon, fixed to the rods, from the drawn ends of a muscle to the rods' axes.

@@ -27,6 +27,8 @@ pub enum With {
 #[derive(Debug)]
 pub struct Comparison {
     with: With,
+    /// What the compared clip is found by after the file came again.
+    key: Option<String>,
     /// The clip of another file that plays.
     clip: Option<usize>,
     later: f64,
@@ -55,7 +57,11 @@ impl Comparison {
         // Along the nearer axis.
         let right = DVec3::new(yaw.cos(), 0.0, -yaw.sin());
         let direction = if right.x.abs() >= right.z.abs() { DVec3::X * right.x.signum() } else { DVec3::Z * right.z.signum() };
-        Some(Self { with, clip, later: 0.0, aside: 0.0, direction, companion: Companion::default(), pairs, farthest: None })
+        let key = match &with {
+            With::Clip(clip) => own.clip_key(*clip),
+            With::File(..) | With::Skinning => None,
+        };
+        Some(Self { with, key, clip, later: 0.0, aside: 0.0, direction, companion: Companion::default(), pairs, farthest: None })
     }
 
     /// What is compared with.
@@ -117,17 +123,28 @@ impl Comparison {
 
     /// The same for another frame.
     pub(super) fn anew(&self) -> Self {
-        let Self { with, clip, later, aside, direction, pairs, .. } = self;
+        let Self { with, key, clip, later, aside, direction, pairs, .. } = self;
         let (companion, farthest) = (Companion::default(), None);
-        let (with, pairs) = (with.clone(), pairs.clone());
-        Self { with, clip: *clip, later: *later, aside: *aside, direction: *direction, companion, pairs, farthest }
+        let (with, key, pairs) = (with.clone(), key.clone(), pairs.clone());
+        Self { with, key, clip: *clip, later: *later, aside: *aside, direction: *direction, companion, pairs, farthest }
+    }
+
+    /// Compares with what the other file holds now; anything else than a file stays.
+    pub fn take_file(&mut self, document: Document, own: &Document) {
+        if let With::File(other, _) = &mut self.with {
+            (self.clip, self.pairs) = (document.start_state().clip, pairs(own, &document));
+            **other = document;
+            (self.companion, self.farthest) = (Companion::default(), None);
+        }
     }
 
     /// The same comparison after the same files came again as `own`; `None` where its clip is lost.
-    pub(super) fn renewed(self, own: &Document) -> Option<Self> {
-        let lost = matches!(self.with, With::Clip(clip) if clip >= own.clips.len());
+    pub(super) fn renewed(mut self, own: &Document) -> Option<Self> {
+        if let (With::Clip(clip), Some(key)) = (&mut self.with, &self.key) {
+            *clip = own.clip_named(key)?;
+        }
         let pairs = pairs(own, self.other(own));
-        (!lost).then(|| Self { companion: Companion::default(), pairs, ..self })
+        Some(Self { companion: Companion::default(), pairs, ..self })
     }
 
     /// Takes surfaces back from the main frame.

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::{Backdrop, Ghosts, LightAim, ModelTransform, SHADINGS, SWITCHES};
 use crate::document::{Document, PoseBuffers, PoseState, Skinning};
-use crate::limits;
 use crate::render::{Display, Samples, Shading, Theme};
 use crate::scene::{Bounds, Frame, NodeId, OrbitCamera};
+use crate::{i18n, limits};
 
 /// The key that tells a session file from a muscle file.
 const KEY: &str = "sinew_session";
@@ -209,12 +209,16 @@ pub fn name_of(document: &Document, node: NodeId) -> SavedNode {
 }
 
 impl SavedNode {
-    /// The node that is meant: at its place if the name is still the same, else the first one of that name.
+    /// The node that is meant: at its place if the name is still the same, else the first one of that name. The name of a node that the file gives none is
+    /// known in any language.
     pub fn find(&self, document: &Document) -> Option<NodeId> {
         let there = NodeId(self.node);
         let graph = &document.scene.graph;
-        let same = there.index() < graph.len() && graph.node(there).name == self.name;
-        if same { Some(there) } else { graph.find(&self.name) }
+        let named = |name: &str| {
+            let same = there.index() < graph.len() && graph.node(there).name == name;
+            if same { Some(there) } else { graph.find(name) }
+        };
+        named(&self.name).or_else(|| named(&i18n::translated("collada-unnamed-node", "number", &self.name)?))
     }
 }
 

@@ -38,7 +38,7 @@ cli-arg-background = What stands behind: #rrggbb, #rgb, a name such as white, or
 cli-arg-threads = Number of worker threads; one a core unless given. The picture is the same for any number
 cli-arg-stats = Print to standard error how many milliseconds each stage took (median over the frames)
 cli-arg-time = The moment, in seconds on the file's own time axis; held at the ends of the clip. The clip's start unless given
-cli-arg-clip = The clip to play, by its name or id; the first unless given
+cli-arg-clip = The clip to play, by its name, its id or its place (#2 = the second); the first unless given
 cli-arg-angle = Elbow angle in degrees, 0 = straight arm; of a clip: the elbow that is found in its skeleton, or the joint that a muscle file names
 cli-arg-on-top = Add --angle to what the clip does with the joint, instead of replacing it
 cli-arg-contraction = Contraction of the muscle, 0 to 100 per cent

@@ -1,8 +1,11 @@
 //! Two things in one view, as hands choose and move them.
 
+use std::path::PathBuf;
+
 use glam::Vec3;
 
 use super::{Changes, Session};
+use crate::document::Document;
 use crate::scene::{Bounds, NodeId};
 use crate::stage::{Comparison, SavedComparison, With};
 
@@ -25,6 +28,23 @@ impl Session {
     pub fn compare(&mut self, with: Option<With>) {
         if self.put_beside(with) {
             self.fit();
+        }
+        self.changed(Changes::GHOSTS);
+    }
+
+    /// The file that is compared with, if one is.
+    pub fn compared_file(&self) -> Option<PathBuf> {
+        match self.compared_with()? {
+            With::File(_, name) => Some(name.into()),
+            With::Clip(_) | With::Skinning => None,
+        }
+    }
+
+    /// The file that is compared with was read again; where it stands and how far ahead it is stay.
+    pub fn compare_again(&mut self, document: Document) {
+        self.recall_company();
+        if let Some(comparison) = self.company.comparison_mut() {
+            comparison.take_file(document, &self.document);
         }
         self.changed(Changes::GHOSTS);
     }

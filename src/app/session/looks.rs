@@ -181,16 +181,16 @@ impl Session {
                 let eased = std::mem::take(&mut self.eye.eased);
                 self.fit();
                 self.eye.eased = eased;
-                self.fit_on_resize = true;
             }
         }
     }
 
-    /// Fits everything into the picture.
+    /// Fits everything into the picture, and into that of another size too until a hand is on the camera.
     pub fn fit(&mut self) {
         let (bounds, aspect) = (self.reach(), self.aspect);
         self.ground = Some(bounds);
         self.change_eye(|eye| eye.fit(&bounds, aspect));
+        self.fit_on_resize = true;
     }
 
     /// Back to the start view, fitted.
@@ -204,6 +204,7 @@ impl Session {
                 orbit.fit(&bounds, aspect);
             });
         });
+        self.fit_on_resize = true;
     }
 
     /// Puts a node into the middle of the picture.

@@ -72,6 +72,8 @@ pub struct Session {
     document: Document,
     state: PoseState,
     playback: Playback,
+    /// Whether a hand holds the present moment.
+    time_held: bool,
     frame_rate: f64,
     /// The frame rate that a person chose; `None` = the one that the keys tell.
     chosen_rate: Option<f64>,
@@ -121,6 +123,7 @@ impl Session {
             document: Document::default(),
             state: PoseState::default(),
             playback: Playback::default(),
+            time_held: false,
             frame_rate: DEFAULT_RATE,
             chosen_rate: None,
             sheet: OnceCell::new(),
@@ -158,7 +161,7 @@ impl Session {
     /// Shows another document.
     pub fn show(&mut self, document: Document, arrival: Arrival) {
         let (old_state, old_playback, old_model) = (self.state, self.playback, self.model);
-        let old_clip = self.clip().map(|clip| clip.name.clone());
+        let old_clip = self.clip_index().and_then(|index| self.document.clip_key(index));
         let name_of = |document: &Document, node: Option<NodeId>| {
             node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.node(id).name.clone())
         };
@@ -196,10 +199,9 @@ impl Session {
                 self.eye.jump(|orbit| orbit.look_from(View::Start));
                 self.fit();
                 self.eye.eased = eased;
-                self.fit_on_resize = true;
             }
             Arrival::Again => {
-                let same = self.document.clips.iter().position(|clip| Some(&clip.name) == old_clip.as_ref());
+                let same = old_clip.and_then(|key| self.document.clip_named(&key));
                 self.take_clip(same.or(self.state.clip));
                 let range = Playback { start: self.playback.start, end: self.playback.end, ..old_playback };
                 self.playback = range;

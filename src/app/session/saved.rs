@@ -25,7 +25,7 @@ impl Session {
         let model = self.model();
         Saved {
             files: self.files().into_iter().map(beside).collect(),
-            clip: self.clip().map(|clip| clip.name.clone()),
+            clip: self.clip_index().and_then(|index| document.clip_key(index)),
             time: self.playback().time,
             flexion: document.driven_rig().map(|_| self.drive().flexion),
             camera: Some(SavedCamera {
@@ -77,7 +77,7 @@ impl Session {
         let blank = SavedComparison { later, aside, toward, ..SavedComparison::default() };
         Some(match self.compared_with()? {
             With::File(_, name) => SavedComparison { file: Some(beside(name.into())), ..blank },
-            With::Clip(clip) => SavedComparison { clip: self.document().clips.get(*clip).map(|clip| clip.name.clone()), ..blank },
+            With::Clip(clip) => SavedComparison { clip: self.document().clip_key(*clip), ..blank },
             With::Skinning => SavedComparison { skinning: true, ..blank },
         })
     }

@@ -200,6 +200,81 @@ fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
     session.take_changes();
     session.set_aspect(2.0);
     assert!(!session.take_changes().any(Changes::CAMERA));
+    for fit in [Session::fit, Session::reset_camera] {
+        fit(&mut session);
+        session.take_changes();
+        session.set_aspect(session.aspect * 1.5);
+        assert!(session.take_changes().any(Changes::CAMERA), "what was fitted stays fitted");
+    }
+}
+
+#[test]
+fn a_session_file_without_a_camera_is_fitted_whatever_the_window_becomes() {
+    let saved = crate::stage::Saved::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
+    let mut session = Session::default();
+    session.show_saved(clip().document().clone(), &saved);
+    assert!(session.compared().is_some());
+    session.take_changes();
+    session.set_aspect(0.4);
+    assert!(session.take_changes().any(Changes::CAMERA));
+}
+
+#[test]
+fn a_moment_in_a_hand_stays_there_while_it_plays() {
+    let mut session = session();
+    session.toggle_playing();
+    session.time(|time| time.seek(1.0));
+    session.hold_time(true);
+    session.advance(0.5);
+    assert_eq!((session.playback().time, session.playback().playing), (1.0, true));
+    session.hold_time(false);
+    session.advance(0.5);
+    assert_eq!(session.playback().time, 1.5);
+}
+
+/// Clips as readers make them of a file that names none, in the present language or the other one.
+fn nameless(names: [&str; 3]) -> Document {
+    let mut document = swinging();
+    document.clips = names.map(|name| Clip { name: name.into(), end: 1.0, ..Clip::default() }).into();
+    document
+}
+
+#[test]
+fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
+    let made = |number: u32| crate::tr!("collada-clip-number", number = number);
+    let document = nameless([&made(1), &made(2), &made(3)]);
+    for name in ["Clip 2", "Клип 2", "#2"] {
+        assert_eq!(document.clip_named(name), Some(1), "{name}");
+    }
+    assert_eq!((document.clip_key(1).as_deref(), document.clip_key(9)), (Some("#2"), None));
+    for wrong in ["#0", "#4", "#", "#-1", "Clip 4", "Clip", ""] {
+        assert_eq!(document.clip_named(wrong), None, "{wrong}");
+    }
+    // A name of the file's own is kept; the second of two that are the same is told by its place.
+    let document = nameless(["walk", "run", "walk"]);
+    assert_eq!([0, 1, 2].map(|index| document.clip_key(index).unwrap()), ["walk", "run", "#3"]);
+    let mut session = Session::new(document);
+    session.set_clip(Some(2));
+    session.compare(Some(With::Clip(1)));
+    let saved = session.to_saved(std::path::Path::new("/somewhere"));
+    assert_eq!((saved.clip.as_deref(), saved.compared.and_then(|compared| compared.clip).as_deref()), (Some("#3"), Some("run")));
+    session.show(nameless(["walk", "walk", "run"]), Arrival::Again);
+    assert_eq!((session.clip_index(), session.compared_with().map(|with| matches!(with, With::Clip(2)))), (Some(2), Some(true)));
+    session.show(nameless(["walk", "walk", "jump"]), Arrival::Again);
+    assert!(session.compared_with().is_none(), "the clip that was compared with is gone");
+}
+
+#[test]
+fn a_compared_file_that_was_written_again_keeps_its_place() {
+    let mut session = Session::new(swinging());
+    session.compare(Some(With::File(Box::new(swinging()), "other.dae".into())));
+    session.shift_compared(0.25, 2.0);
+    let mut other = swinging();
+    other.scene.graph.add(None, Node::new("more"));
+    session.compare_again(other);
+    assert_eq!((session.compared_shift(), session.compared_file()), (Some((0.25, 2.0)), Some("other.dae".into())));
+    assert!(matches!(session.compared_with(), Some(With::File(other, _)) if other.scene.graph.find("more").is_some()));
+    assert!(session.compared().and_then(|told| told.farthest).is_some());
 }
 
 /// A root with an arm that swings for a second and carries a triangle and a hand; beside it another joint.

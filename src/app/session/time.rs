@@ -190,11 +190,18 @@ impl Session {
         });
     }
 
+    /// Takes the present moment into a hand, or lets it go: meanwhile the clock does not move it.
+    pub fn hold_time(&mut self, held: bool) {
+        self.time_held = held;
+    }
+
     /// Lets `seconds` of the display's clock go by.
     pub fn advance(&mut self, seconds: f64) {
-        self.time(|time| {
-            time.advance(seconds);
-        });
+        if !self.time_held {
+            self.time(|time| {
+                time.advance(seconds);
+            });
+        }
         if self.eye.advance(seconds) {
             self.changed(Changes::CAMERA);
         }
