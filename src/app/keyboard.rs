@@ -48,6 +48,15 @@ pub fn connect(window: &Rc<Window>) {
         }
     ));
     window.widget.add_controller(keys);
+    window.widget.connect_is_active_notify(glib::clone!(
+        #[weak]
+        window,
+        move |widget| {
+            if !widget.is_active() {
+                window.viewport.let_go();
+            }
+        }
+    ));
 }
 
 /// Only what can be done now is done.
@@ -97,7 +106,7 @@ fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierTyp
     }
     let arrows = matches!(key, K::Left | K::Right | K::Up | K::Down | K::Home | K::End | K::Page_Up | K::Page_Down);
     if widget.is::<gtk::Range>() {
-        return arrows && plain;
+        return arrows && plain && !window.is_track(&widget);
     }
     let enter = matches!(key, K::Return | K::KP_Enter);
     let in_list = std::iter::successors(Some(widget.clone()), |widget| widget.parent())

@@ -13,6 +13,7 @@ use super::canvas::{Canvas, cairo, rgb, set_color};
 use super::curve_plot::{CurvePlot, diamond};
 use super::session::{Changes, Graph, GraphKind, Moved, Session, SheetRow};
 use super::settings::SheetPage;
+use super::timeline::hold_while;
 use super::track::Track;
 use super::window::{Window, part};
 use super::{format, ui};
@@ -64,6 +65,7 @@ pub struct Sheet {
     graphs: RefCell<Vec<Graph>>,
     /// The row whose curves are shown.
     moved: Cell<Option<Moved>>,
+    /// The kind that a hand chose.
     kind: Cell<Option<GraphKind>>,
     page: Cell<SheetPage>,
 }
@@ -98,6 +100,7 @@ impl Sheet {
         selection.set_can_unselect(true);
         let list: gtk::ListView = part(&builder, "list");
         list.set_model(Some(&selection));
+        ui::narrow(&part(&builder, "row"), 24);
         Self {
             root: part(&builder, "root"),
             stack: part(&builder, "stack"),
@@ -134,7 +137,10 @@ impl Sheet {
             window,
             move |list| {
                 let place = list.selected() as usize;
-                window.sheet(|sheet, session| sheet.show_graph(session, place));
+                window.sheet(|sheet, session| {
+                    sheet.kind.set(sheet.graphs.borrow().get(place).map(|graph| graph.kind));
+                    sheet.show_graph(session, place);
+                });
             }
         ));
         seek_by_hand(window, &self.curves, &self.shown, None);
@@ -227,7 +233,9 @@ impl Sheet {
         let names: Vec<String> = graphs.iter().map(|graph| kind_name(graph.kind)).collect();
         self.graph.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
         self.graph.set_sensitive(!names.is_empty());
-        let kept = graphs.iter().position(|graph| Some(graph.kind) == self.kind.get()).unwrap_or(0);
+        // What a hand chose before, else the first that shows anything happen.
+        let chosen = graphs.iter().position(|graph| Some(graph.kind) == self.kind.get());
+        let kept = chosen.or_else(|| graphs.iter().position(Graph::moves)).unwrap_or(0);
         self.graphs.replace(graphs);
         if !names.is_empty() {
             self.graph.set_selected(kept as u32);
@@ -237,9 +245,6 @@ impl Sheet {
 
     fn show_graph(&self, session: &Session, place: usize) {
         let graph = self.graphs.borrow().get(place).cloned();
-        if let Some(graph) = &graph {
-            self.kind.set(Some(graph.kind));
-        }
         let playback = session.playback();
         self.shown.plot.borrow_mut().set(graph, (playback.start, playback.end));
         self.curves.queue_draw();
@@ -375,6 +380,7 @@ fn seek_by_hand(window: &Rc<Window>, canvas: &Canvas, shown: &Rc<Shown>, item: O
             seek(gesture, x + dx);
         }
     });
+    hold_while(&drag, window);
     canvas.add_controller(drag);
 }
 

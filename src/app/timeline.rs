@@ -72,6 +72,8 @@ impl Timeline {
         let painted = track.clone();
         canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
         let root: gtk::Box = part(&builder, "root");
+        // Exporters make clip names that are longer than the window is wide.
+        ui::narrow(&part(&builder, "clip"), 12);
         let sheet = Sheet::new(track.clone(), &canvas);
         root.append(&sheet.root);
         Self {
@@ -88,6 +90,11 @@ impl Timeline {
             play_image: part(&builder, "play_image"),
             loop_mode: part(&builder, "loop_mode"),
         }
+    }
+
+    /// Whether a widget is the timeline itself, on which the keys of playing mean what they mean everywhere.
+    pub fn is_track(&self, widget: &gtk::Widget) -> bool {
+        self.time.upcast_ref::<gtk::Widget>() == widget
     }
 
     /// Lets hands seek and choose.
@@ -171,6 +178,7 @@ impl Timeline {
                 }
             }
         ));
+        hold_while(&drag, window);
         drag.connect_drag_update(glib::clone!(
             #[weak]
             window,
@@ -317,6 +325,22 @@ impl Timeline {
             self.canvas.queue_draw();
         }
     }
+}
+
+/// While a hand holds the present moment it stays in the hand; what plays goes on from where it is let go.
+pub fn hold_while(drag: &gtk::GestureDrag, window: &Rc<Window>) {
+    let hold = |held: bool| {
+        let weak = Rc::downgrade(window);
+        move || {
+            if let Some(window) = weak.upgrade() {
+                window.look(|session| session.hold_time(held));
+            }
+        }
+    };
+    let (taken, left, lost) = (hold(true), hold(false), hold(false));
+    drag.connect_drag_begin(move |_, _, _| taken());
+    drag.connect_drag_end(move |_, _, _| left());
+    drag.connect_cancel(move |_, _| lost());
 }
 
 fn seek(window: &Rc<Window>, track: &Rc<RefCell<Track>>, gesture: &gtk::GestureDrag, x: f64) {

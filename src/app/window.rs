@@ -274,6 +274,10 @@ impl Window {
             perform::show_states(self, session, &self.actions);
         }
         self.refreshing.set(false);
+        let moves = Changes::CAMERA | Changes::TIME | Changes::DOCUMENT | Changes::MODEL | Changes::HAND | Changes::EDIT | Changes::DRIVE;
+        if changes.any(moves) {
+            self.viewport.point_again(self);
+        }
         if self.session.borrow().is_moving() {
             self.tick();
         }
@@ -313,6 +317,11 @@ impl Window {
             work(&self.timeline.sheet, &self.session.borrow());
             self.refreshing.set(false);
         }
+    }
+
+    /// Whether a widget is the timeline.
+    pub fn is_track(&self, widget: &gtk::Widget) -> bool {
+        self.timeline.is_track(widget)
     }
 
     /// Starts the clock for something that the session does not know of, such as a key held in flight.

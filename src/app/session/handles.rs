@@ -9,6 +9,8 @@ use crate::stage::ModelTransform;
 
 /// Length of an axis and radius of a ring, logical pixels.
 const REACH: f64 = 84.0;
+/// Where the square between two axes starts and ends, in parts of their length.
+const SQUARE: [f64; 2] = [0.3, 0.52];
 /// How near to a handle the pointer takes it, logical pixels.
 const NEAR: f64 = 8.0;
 /// Pieces of a ring.
@@ -22,6 +24,8 @@ const SNAP_SCALE: f64 = 0.1;
 pub enum Handle {
     /// The axis, ring or box of X, Y or Z.
     Axis(usize),
+    /// The square between the other two axes: the model moves across X, Y or Z.
+    Plane(usize),
     /// Everywhere else: the model follows the pointer freely.
     Free,
 }
@@ -86,6 +90,17 @@ impl Handles<'_> {
         pieces.filter_map(|out| self.place(self.middle + out * reach)).collect()
     }
 
+    /// The corners of the square across an axis, logical pixels; `None` where it is seen from its edge.
+    pub fn square(&self, axis: usize) -> Option<[DVec2; 4]> {
+        if self.tool != Tool::Move || AXES[axis].dot(self.towards()).abs() < 0.2 {
+            return None;
+        }
+        let (one, other) = (AXES[(axis + 1) % 3], AXES[(axis + 2) % 3]);
+        let [near, far] = SQUARE.map(|part| part * self.reach());
+        let corner = |a: f64, b: f64| self.place(self.middle + one * a + other * b);
+        Some([corner(near, near)?, corner(far, near)?, corner(far, far)?, corner(near, far)?])
+    }
+
     /// From the middle to the eye.
     fn towards(&self) -> DVec3 {
         match self.camera.projection {
@@ -106,6 +121,12 @@ impl Handles<'_> {
                 _ => f64::INFINITY,
             },
         };
+        // The square that is nearer to the eye lies over the others.
+        let over = (0..3).filter(|axis| self.square(*axis).is_some_and(|corners| is_inside(pointer, &corners)));
+        let facing = |axis: &usize| AXES[*axis].dot(self.towards()).abs();
+        if let Some(axis) = over.max_by(|a, b| facing(a).total_cmp(&facing(b))) {
+            return Some(Handle::Plane(axis));
+        }
         let nearest = (0..3).map(|axis| (axis, distance(axis))).min_by(|a, b| a.1.total_cmp(&b.1));
         nearest.filter(|(_, distance)| *distance <= NEAR).map(|(axis, _)| Handle::Axis(axis))
     }
@@ -129,6 +150,7 @@ impl Handles<'_> {
                     }
                 }
             },
+            Handle::Plane(axis) => model.shift(self.across(axis, drag.from, to)),
             Handle::Free => {
                 let part = (to - drag.from) / self.size.y.max(1.0);
                 let step = SNAP_DEGREES / 180.0;
@@ -173,6 +195,20 @@ impl Handles<'_> {
         if way.is_finite() { way.clamp(-1e6, 1e6) } else { 0.0 }
     }
 
+    /// Metres across an axis, in the plane through the middle, from one line of sight to another.
+    fn across(&self, axis: usize, from: DVec2, to: DVec2) -> DVec3 {
+        let hit = |pointer: DVec2| {
+            let (origin, way) = self.ray(pointer);
+            let facing = way.dot(AXES[axis]);
+            // Beyond the horizon of the plane there is no place.
+            let depth = (self.middle - origin).dot(AXES[axis]) / facing;
+            (facing.abs() > 1e-2 && depth > 0.0).then(|| origin + way * depth)
+        };
+        let way = hit(to).zip(hit(from)).map_or(DVec3::ZERO, |(to, from)| to - from);
+        let way = way - AXES[axis] * way.dot(AXES[axis]);
+        if way.is_finite() { way.clamp_length_max(1e6) } else { DVec3::ZERO }
+    }
+
     /// Radians about an axis that a drag over its ring turns: as the ring's own tangent goes under the pointer.
     fn about(&self, axis: usize, from: DVec2, to: DVec2) -> f64 {
         let Some(middle) = self.place(self.middle) else { return 0.0 };
@@ -194,6 +230,13 @@ impl Handles<'_> {
         let rolling = DVec2::new(-up.y, up.x);
         (to - from).dot(rolling) / REACH
     }
+}
+
+/// Whether a point lies in a convex shape, whichever way round.
+fn is_inside(point: DVec2, corners: &[DVec2; 4]) -> bool {
+    let side = |i: usize| (corners[(i + 1) % 4] - corners[i]).perp_dot(point - corners[i]);
+    let sides = [side(0), side(1), side(2), side(3)];
+    sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
 }
 
 /// How far a point is from a line of places.
@@ -249,6 +292,34 @@ mod tests {
                 assert!((place - to).length() < 1.0, "{place} {to}");
             }
         }
+    }
+
+    #[test]
+    fn a_square_moves_across_its_axis_and_follows_the_pointer() {
+        for orthographic in [false, true] {
+            let camera = camera(View::Iso, orthographic);
+            let start = model();
+            let handles = handles(Tool::Move, &camera, &start);
+            for (axis, normal) in AXES.into_iter().enumerate() {
+                let corners = handles.square(axis).expect("it faces the eye");
+                let from = corners.iter().sum::<DVec2>() / 4.0;
+                assert_eq!(handles.at(from), Some(Handle::Plane(axis)));
+                let to = from + DVec2::new(37.0, -21.0);
+                let drag = ModelDrag { handle: Handle::Plane(axis), start, from };
+                let moved = handles.dragged(&drag, to, false).translation;
+                assert!(moved.dot(normal).abs() < 1e-9 && moved.length() > 0.0, "{moved}");
+                let centre = |part: f64| handles.middle + (AXES[(axis + 1) % 3] + AXES[(axis + 2) % 3]) * part * handles.reach();
+                let place = handles.place(centre(0.41) + moved).expect("before the eye");
+                assert!((place - to).length() < 2.0, "{place} {to}");
+                let stepped = handles.dragged(&drag, to, true).translation / handles.step();
+                assert!((stepped - stepped.round()).length() < 1e-9, "{stepped}");
+            }
+        }
+        // From the front one square is seen, the others only from their edges; other tools have none.
+        let camera = camera(View::Front, false);
+        let front = handles(Tool::Move, &camera, &model());
+        assert_eq!([0, 1, 2].map(|axis| front.square(axis).is_some()), [false, false, true]);
+        assert!(handles(Tool::Scale, &camera, &model()).square(2).is_none());
     }
 
     #[test]

@@ -82,6 +82,16 @@ pub struct Graph {
     pub lines: Vec<Line>,
 }
 
+impl Graph {
+    /// Whether a line of it has not the same value at all its keys.
+    pub fn moves(&self) -> bool {
+        self.lines.iter().any(|line| {
+            let first = line.keys().first().map_or(0.0, |key| line.value(*key));
+            line.keys().iter().any(|key| (line.value(*key) - first).abs() > 1e-4)
+        })
+    }
+}
+
 impl Line {
     /// The value at a moment, seconds.
     pub fn value(&self, time: f64) -> f64 {

@@ -31,6 +31,17 @@ pub fn draw(handles: &Handles, colors: [u32; 3], lit: Option<Handle>, canvas: &C
             }
         }
     }
+    for (axis, color) in colors.into_iter().enumerate() {
+        let Some(corners) = handles.square(axis) else { continue };
+        let held = lit == Some(Handle::Plane(axis));
+        corners.iter().for_each(|corner| context.line_to(corner.x, corner.y));
+        context.close_path();
+        set_color(&context, &rgb(color), if held { 0.75 } else { 0.4 });
+        ignore(context.fill_preserve());
+        set_color(&context, &rgb(color), 0.95);
+        context.set_line_width(if held { 2.0 } else { 1.0 });
+        ignore(context.stroke());
+    }
     set_color(&context, &rgb(0xFF_FFFF), 0.9);
     context.arc(middle.x, middle.y, 3.5, 0.0, std::f64::consts::TAU);
     ignore(context.fill());

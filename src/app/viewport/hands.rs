@@ -3,6 +3,7 @@
 use std::cell::{Cell, RefCell};
 use std::collections::HashSet;
 use std::rc::Rc;
+use std::time::Duration;
 
 use glam::{DVec2, Vec3};
 use gtk::prelude::*;
@@ -21,6 +22,9 @@ use crate::tr;
 const DEGREES: f32 = 0.4;
 /// What one notch of the wheel zooms.
 const NOTCH: f64 = 1.12;
+
+/// How long the picture must rest before it is asked what lies under a pointer that rests.
+const AT_REST: Duration = Duration::from_millis(120);
 
 /// What a drag does, decided when it begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,6 +76,8 @@ pub struct Hands {
     /// The dot of a muscle that is under the pointer or held.
     dot: Cell<Option<Handhold>>,
     dragged: Cell<Option<GripDrag>>,
+    /// Counts changes of what is under the pointer.
+    pictures: Cell<u32>,
     held: RefCell<HashSet<char>>,
     pace: Cell<(bool, bool)>,
 }
@@ -101,8 +107,12 @@ impl Hands {
     pub fn toggle_flight(&self, window: &Rc<Window>) {
         self.held.borrow_mut().clear();
         window.act(|session| session.change_eye(|eye| if eye.flying().is_some() { eye.land() } else { eye.fly() }));
-        let flying = window.look(|session| matches!(session.eye().viewpoint(), Viewpoint::Fly(_)));
-        window.viewport.hint(&tr!(if flying { "app-hint-fly" } else { "app-hint" }));
+    }
+
+    /// Lets go of all keys of flight: nobody tells of those that are released elsewhere.
+    pub fn let_go(&self) {
+        self.held.borrow_mut().clear();
+        self.pace.set((false, false));
     }
 
     /// Takes a key in flight; whether it was one of flight's.
@@ -130,10 +140,15 @@ impl Hands {
 
     /// Flies on for `seconds`; whether a key is held.
     pub fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
-        let held = self.held.borrow();
-        if held.is_empty() {
+        if self.held.borrow().is_empty() {
             return false;
         }
+        // A flight that ended otherwise than by landing left its keys held.
+        if !window.look(|session| matches!(session.eye().viewpoint(), Viewpoint::Fly(_))) {
+            self.let_go();
+            return false;
+        }
+        let held = self.held.borrow();
         let along = |plus: char, minus: char| f32::from(u8::from(held.contains(&plus))) - f32::from(u8::from(held.contains(&minus)));
         let direction = Vec3::new(along('d', 'a'), along('e', 'q'), along('w', 's'));
         let (fast, slow) = self.pace.get();
@@ -408,17 +423,7 @@ fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
             if hands.handle.get() != before || x < 100.0 && y > size.y - 100.0 {
                 window.viewport.draw_over();
             }
-            let mut text = String::new();
-            window.act(|session| {
-                let found = window.viewport.pick(session, x, y);
-                session.hover(found.map(|pick| pick.node));
-                if let Some(pick) = found {
-                    let [x, y, z] = pick.point.to_array().map(|value| format::number(f64::from(value), 3));
-                    let name = session.document().scene.graph.node(pick.node).name.clone();
-                    text = tr!("app-status-position", x = x, y = y, z = z, name = name);
-                }
-            });
-            window.show_position(&text);
+            point(&window, x, y);
         }
     ));
     motion.connect_leave(glib::clone!(
@@ -431,6 +436,40 @@ fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
         }
     ));
     canvas.add_controller(motion);
+}
+
+/// Highlights what is under the pointer, and says what and where it is.
+fn point(window: &Rc<Window>, x: f64, y: f64) {
+    let mut text = String::new();
+    window.act(|session| {
+        let found = window.viewport.pick(session, x, y);
+        session.hover(found.map(|pick| pick.node));
+        if let Some(pick) = found {
+            let [x, y, z] = pick.point.to_array().map(|value| format::number(f64::from(value), 3));
+            let name = session.document().scene.graph.node(pick.node).name.clone();
+            text = tr!("app-status-position", x = x, y = y, z = z, name = name);
+        }
+    });
+    window.show_position(&text);
+}
+
+/// Something else is under a pointer that rests: what was said of it is no longer true, and is said anew once the picture rests too.
+pub fn point_again(window: &Rc<Window>) {
+    let hands = &window.viewport.hands;
+    if hands.pointer.get().is_none() {
+        return;
+    }
+    window.show_position("");
+    let number = hands.pictures.get().wrapping_add(1);
+    hands.pictures.set(number);
+    let weak = Rc::downgrade(window);
+    glib::timeout_add_local_once(AT_REST, move || {
+        let Some(window) = weak.upgrade() else { return };
+        let hands = &window.viewport.hands;
+        if let Some((x, y)) = hands.pointer.get().filter(|_| hands.pictures.get() == number && !hands.is_dragging()) {
+            point(&window, x, y);
+        }
+    });
 }
 
 #[cfg(test)]

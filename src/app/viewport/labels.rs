@@ -4,9 +4,9 @@ use glam::Vec2;
 use gtk4 as gtk;
 
 use crate::app::canvas::{Canvas, rgb, write_on};
-use crate::app::format;
 use crate::app::ghosts_panel::file_name;
 use crate::app::session::{COMPARED_TINT, Session, With, top_of};
+use crate::app::{format, heading};
 use crate::document::Skinning;
 use crate::tr;
 
@@ -37,16 +37,18 @@ pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, wi
 }
 
 fn names(session: &Session) -> Option<[String; 2]> {
-    let own = || {
-        let sources = &session.document().sources;
-        sources.first().map_or_else(|| tr!("app-name"), |source| file_name(&source.name))
-    };
+    let own_path = || heading::sources(session.document()).first().map(|source| source.name.clone());
+    let own = || own_path().map_or_else(|| tr!("app-name"), |path| file_name(&path));
     let ahead = |name: String, later: f64| {
         if later == 0.0 { name } else { tr!("app-compare-ahead", name = name, seconds = format::number(later, 2)) }
     };
     let later = session.compared_later();
     Some(match session.compared_with()? {
-        With::File(_, name) => [own(), ahead(file_name(name), later)],
+        With::File(_, name) => {
+            // Two exports of one name are told apart by their folders.
+            let (one, other) = own_path().map_or_else(|| (own(), file_name(name)), |path| told_apart(&path, name));
+            [one, ahead(other, later)]
+        }
         With::Clip(clip) => {
             let now = session.clip().map_or_else(own, |clip| clip.name.clone());
             [now, ahead(session.document().clips.get(*clip)?.name.clone(), later)]
@@ -56,4 +58,37 @@ fn names(session: &Session) -> Option<[String; 2]> {
             if session.state().skinning == Skinning::Linear { [linear, dual] } else { [dual, linear] }
         }
     })
+}
+
+/// The names of two files, with as many of their folders as it takes to tell them apart.
+fn told_apart(one: &str, other: &str) -> (String, String) {
+    let parts = |path: &str| {
+        let whole = std::path::absolute(path).unwrap_or_else(|_| path.into());
+        whole.components().rev().map(|part| part.as_os_str().to_string_lossy().into_owned()).collect::<Vec<_>>()
+    };
+    let (one, other) = (parts(one), parts(other));
+    let differ = one.iter().zip(&other).position(|(a, b)| a != b).unwrap_or(0) + 1;
+    let name = |parts: &[String]| {
+        let mut taken: Vec<&str> = parts.iter().take(differ).map(String::as_str).collect();
+        taken.reverse();
+        taken.join("/")
+    };
+    (name(&one), name(&other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_one_name_are_told_apart_by_their_folders() {
+        let named = |one: &str, other: &str| {
+            let (one, other) = told_apart(one, other);
+            format!("{one} {other}")
+        };
+        assert_eq!(named("/a/walk.dae", "/b/run.dae"), "walk.dae run.dae");
+        assert_eq!(named("/a/old/walk.dae", "/a/new/walk.dae"), "old/walk.dae new/walk.dae");
+        assert_eq!(named("/x/clips/walk.dae", "/y/clips/walk.dae"), "x/clips/walk.dae y/clips/walk.dae");
+        assert_eq!(named("/a/walk.dae", "/a/walk.dae"), "walk.dae walk.dae");
+    }
 }

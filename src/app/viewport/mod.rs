@@ -5,6 +5,7 @@ mod gizmo;
 mod handles;
 mod hands;
 mod labels;
+mod lamp;
 mod legend;
 mod lent;
 mod numbers;
@@ -25,7 +26,7 @@ use self::screen::Screen;
 use super::bone_names;
 use super::canvas::{Canvas, cairo as cairo_over};
 use super::glyph::{self, Glyph};
-use super::session::{Changes, Picked, Session, Tool};
+use super::session::{Changes, Picked, Session, Tool, Viewpoint};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::muscle::Handhold;
@@ -124,23 +125,12 @@ impl Viewport {
         if changes.any(Changes::MUSCLE) {
             self.draw_over();
         }
+        if changes.any(Changes::TOOL | Changes::DOCUMENT | Changes::PICKING | Changes::CAMERA) {
+            self.hint(&hint(session));
+        }
         if changes.any(Changes::TOOL | Changes::DOCUMENT | Changes::PICKING) {
-            let picking = session.picking().map(|picking| picking.what);
-            let name = if picking.is_some() { Some("crosshair") } else { None };
+            let name = if session.picking().is_some() { Some("crosshair") } else { None };
             self.canvas.set_cursor_from_name(name);
-            self.hint(&match session.tool() {
-                _ if picking.is_some() => tr!(match picking {
-                    Some(Picked::Point(Handhold::End(0))) => "app-hint-pick-origin",
-                    Some(Picked::Point(Handhold::End(_))) => "app-hint-pick-insertion",
-                    Some(Picked::Point(Handhold::Wrap)) => "app-hint-pick-wrap",
-                    _ => "app-hint-pick-via",
-                }),
-                _ if session.is_empty() => String::new(),
-                Tool::Navigate => tr!("app-hint"),
-                Tool::Move => tr!("app-hint-move"),
-                Tool::Rotate => tr!("app-hint-rotate"),
-                Tool::Scale => tr!("app-hint-scale"),
-            });
             part::<gtk::Box>(&self.builder, "tools").set_visible(!session.is_empty());
         }
     }
@@ -253,6 +243,16 @@ impl Viewport {
         self.hands.toggle_flight(window);
     }
 
+    /// Lets go of all keys of flight.
+    pub fn let_go(&self) {
+        self.hands.let_go();
+    }
+
+    /// Says anew what is under a pointer that rests, where that is another thing now.
+    pub fn point_again(&self, window: &Rc<Window>) {
+        hands::point_again(window);
+    }
+
     /// Takes a key in flight; whether it was one of flight's.
     pub fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
         self.hands.flight_key(window, letter, key, pressed)
@@ -261,6 +261,28 @@ impl Viewport {
     /// Flies on for `seconds`; whether a key is held.
     pub fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
         self.hands.fly(window, seconds)
+    }
+}
+
+/// What drags and keys do at present.
+fn hint(session: &Session) -> String {
+    if let Some(picking) = session.picking() {
+        return tr!(match picking.what {
+            Picked::Point(Handhold::End(0)) => "app-hint-pick-origin",
+            Picked::Point(Handhold::End(_)) => "app-hint-pick-insertion",
+            Picked::Point(Handhold::Wrap) => "app-hint-pick-wrap",
+            _ => "app-hint-pick-via",
+        });
+    }
+    if session.is_empty() {
+        return String::new();
+    }
+    match (session.eye().viewpoint(), session.tool()) {
+        (Viewpoint::Fly(fly), _) => tr!("app-hint-fly", speed = format::significant(f64::from(fly.speed), 2)),
+        (_, Tool::Navigate) => tr!("app-hint"),
+        (_, Tool::Move) => tr!("app-hint-move"),
+        (_, Tool::Rotate) => tr!("app-hint-rotate"),
+        (_, Tool::Scale) => tr!("app-hint-scale"),
     }
 }
 
@@ -309,6 +331,9 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
             gizmo::draw(session, canvas, snapshot, height, hands.pointer());
             legend::draw(session, canvas, snapshot, width, height);
             labels::draw(session, canvas, snapshot, width, height);
+            if session.display().light_marker {
+                lamp::draw(session, snapshot, width, height);
+            }
             let colors = session.display().palette.axes;
             session.with_handles(DVec2::new(width, height), |shown| handles::draw(shown, colors, hands.handle(), canvas, snapshot));
             if window.shows_muscles() && session.tool() == Tool::Navigate {
