@@ -1,11 +1,17 @@
 //! Opens a file beside what is open, to compare the two.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use super::files;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
 use super::session::With;
 use super::window::Window;
+use super::{files, ghosts_panel, news};
+use crate::collada::Progress;
+use crate::document::Document;
+use crate::tr;
 
 /// Asks for a file and compares what is open with it.
 pub fn choose(window: &Rc<Window>) {
@@ -21,5 +27,26 @@ pub fn open(window: &Rc<Window>, path: PathBuf) {
     let name = path.display().to_string();
     files::read_apart(window, path, move |window, document| {
         window.act(|session| session.compare(Some(With::File(Box::new(document), name))));
+        files::watch(window);
+    });
+}
+
+/// Reads the file that is compared with again, where it is that one still. One that cannot be read now, as while it is being written, leaves what is shown.
+pub fn read_again(window: &Rc<Window>, path: &Path) {
+    let (window, path) = (window.clone(), path.to_path_buf());
+    glib::spawn_future_local(async move {
+        let wanted = path.clone();
+        let read = gio::spawn_blocking(move || Document::open(&[wanted], &Progress::default())).await;
+        if let Ok(Ok(document)) = read
+            && window.look(|session| session.compared_file()).as_ref() == Some(&path)
+        {
+            let news = window.look(|session| match session.compared_with() {
+                Some(With::File(old, _)) => news::what_changed(old, &document),
+                _ => String::new(),
+            });
+            window.act(|session| session.compare_again(document));
+            let file = ghosts_panel::file_name(&path.display().to_string());
+            window.viewport.toast(&tr!("app-compared-again", file = file, news = news), None);
+        }
     });
 }

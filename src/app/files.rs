@@ -14,7 +14,7 @@ use gtk4 as gtk;
 use super::error_bar::Trouble;
 use super::session::{Arrival, With};
 use super::window::Window;
-use super::{muscle_panel, recent, saving};
+use super::{compare_file, heading, muscle_panel, news, recent, saving};
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::muscle::MuscleFile;
@@ -33,7 +33,6 @@ const SETTLED: Duration = Duration::from_millis(300);
 pub struct Files {
     reading: RefCell<Option<Arc<Progress>>>,
     monitors: RefCell<Vec<gio::FileMonitor>>,
-    changes: Rc<Cell<u32>>,
     /// What this program wrote last, and where: no news.
     written: RefCell<Option<(PathBuf, String)>>,
     failed: Cell<bool>,
@@ -212,7 +211,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     window.error_bar.hide();
     window.start_page(false);
     window.files.failed.set(false);
-    let news = (arrival == Arrival::Again).then(|| window.look(|session| what_changed(session.document(), &document)));
+    let news = (arrival == Arrival::Again).then(|| window.look(|session| news::what_changed(session.document(), &document)));
     let warnings = document.health.len();
     if arrival == Arrival::New {
         window.give_looks_back();
@@ -234,7 +233,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
         window.act(|session| session.carry(carried.muscles));
         (carried.then)();
     }
-    watch(window, &window.look(|session| session.files()));
+    watch(window);
     let demos = super::demos::folder();
     let paths: Vec<&PathBuf> = paths.iter().filter(|path| path.as_os_str() != "-" && !path.starts_with(&demos)).collect();
     if let Some(folder) =
@@ -273,57 +272,46 @@ fn tell_refusal(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathB
     window.act(|session| session.touch());
 }
 
-/// What is different after a reload, in one sentence.
-fn what_changed(before: &Document, after: &Document) -> String {
-    let counts = |document: &Document| {
-        let triangles: usize = document.scene.meshes.iter().map(|mesh| mesh.triangles.len()).sum();
-        let seconds: f64 = document.clips.iter().map(crate::animation::Clip::duration).sum();
-        [document.scene.graph.len() as f64, triangles as f64, document.clips.len() as f64, seconds]
-    };
-    let names = ["app-changed-nodes", "app-changed-triangles", "app-changed-clips", "app-changed-seconds"];
-    let changes: Vec<String> = counts(before)
-        .into_iter()
-        .zip(counts(after))
-        .zip(names)
-        .filter(|((old, new), _)| (old - new).abs() > 1e-9)
-        .map(|((old, new), key)| {
-            let digits = if key == "app-changed-seconds" { 2 } else { 0 };
-            tr!(key, old = super::format::number(old, digits), new = super::format::number(new, digits))
-        })
-        .collect();
-    if changes.is_empty() { tr!("app-reloaded") } else { tr!("app-reloaded-changes", changes = changes.join(", ")) }
-}
-
-/// Watches the files: when one is written again, all are read again.
-pub fn watch(window: &Rc<Window>, paths: &[PathBuf]) {
-    let make = |path: &PathBuf| {
-        let monitor = gio::File::for_path(path).monitor_file(gio::FileMonitorFlags::WATCH_MOVES, gio::Cancellable::NONE).ok()?;
-        let (weak, path) = (Rc::downgrade(window), path.clone());
+/// Watches the files: when one is written again, all are read again; the one that is compared with, for itself.
+pub fn watch(window: &Rc<Window>) {
+    let (paths, compared) = window.look(|session| (session.files(), session.compared_file()));
+    let make = |path: PathBuf, again: fn(&Rc<Window>, &Path)| {
+        let monitor = gio::File::for_path(&path).monitor_file(gio::FileMonitorFlags::WATCH_MOVES, gio::Cancellable::NONE).ok()?;
+        let (weak, changes) = (Rc::downgrade(window), Rc::new(Cell::new(0_u32)));
         monitor.connect_changed(move |_, _, _, event| {
             use gio::FileMonitorEvent as E;
             if !matches!(event, E::Changed | E::ChangesDoneHint | E::Created | E::Renamed | E::MovedIn) {
                 return;
             }
-            let Some(window) = weak.upgrade() else { return };
-            let number = window.files.changes.get().wrapping_add(1);
-            window.files.changes.set(number);
-            let (weak, path) = (weak.clone(), path.clone());
+            let number = changes.get().wrapping_add(1);
+            changes.set(number);
+            let (weak, path, changes) = (weak.clone(), path.clone(), changes.clone());
             glib::timeout_add_local_once(SETTLED, move || {
                 if let Some(window) = weak.upgrade()
-                    && window.files.changes.get() == number
+                    && changes.get() == number
                     && !window.files.is_ours_still(&path)
                 {
-                    reload(&window);
+                    again(&window, &path);
                 }
             });
         });
         Some(monitor)
     };
-    window.files.monitors.replace(paths.iter().filter_map(make).collect());
+    let own = paths.into_iter().filter_map(|path| make(path, |window, _| reload_own(window)));
+    let other = compared.and_then(|path| make(path, compare_file::read_again));
+    window.files.monitors.replace(own.chain(other).collect());
+}
+
+/// Reads the open files again, and the one that is compared with.
+pub fn reload(window: &Rc<Window>) {
+    if let Some(path) = window.look(|session| session.compared_file()) {
+        compare_file::read_again(window, &path);
+    }
+    reload_own(window);
 }
 
 /// Reads the open files again. Muscles that are not saved stay as they are; where their file has changed too, a person says which of both is to be.
-pub fn reload(window: &Rc<Window>) {
+fn reload_own(window: &Rc<Window>) {
     let (paths, unsaved, both) = window.look(|session| {
         let unsaved = session.is_unsaved();
         (session.files(), unsaved, unsaved && session.is_changed_outside())
@@ -378,9 +366,8 @@ pub fn forget(window: &Rc<Window>) {
 
 /// Opens the next (or previous) file of the folder, by name.
 pub fn neighbour(window: &Rc<Window>, by: isize) {
-    let Some(open_now) = window.look(|session| session.files()).into_iter().next().and_then(|path| std::path::absolute(path).ok()) else {
-        return;
-    };
+    let main = window.look(|session| heading::sources(session.document()).first().and_then(|source| source.path.clone()));
+    let Some(open_now) = main.and_then(|path| std::path::absolute(path).ok()) else { return };
     let Some(entries) = open_now.parent().and_then(|folder| std::fs::read_dir(folder).ok()) else { return };
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(|path| is_ours(path) && path.is_file()).collect();
     files.sort();
@@ -490,17 +477,6 @@ pub fn accept_drops(window: &Rc<Window>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Node;
-
-    #[test]
-    fn a_reload_says_what_changed() {
-        let before = Document::default();
-        let mut after = Document::default();
-        assert_eq!(what_changed(&before, &after), tr!("app-reloaded"));
-        after.scene.graph.add(None, Node::new("new"));
-        let told = what_changed(&before, &after);
-        assert!(told.contains('0') && told.contains('1'), "{told}");
-    }
 
     #[test]
     fn endings_are_known_in_any_case() {

@@ -30,6 +30,7 @@ impl GhostsPanel {
     /// One that is not connected yet.
     pub fn new() -> Self {
         let builder = ui::builder(ui::GHOSTS);
+        ui::narrow(&part(&builder, "with"), 18);
         Self {
             root: part(&builder, "root"),
             before: part(&builder, "before"),

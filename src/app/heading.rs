@@ -7,20 +7,13 @@ use super::actions::Command;
 use super::session::Session;
 use super::window::part;
 use super::{format, memory};
-use crate::document::Missing;
+use crate::document::{Document, Missing, Source, SourceKind};
 use crate::tr;
 
 /// Names what is open in the header bar and in the title of the window, with what it lacks.
 pub fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &Session) {
-    let sources = session.document().sources.iter();
-    let names = sources.map(|source| match &source.path {
-        Some(path) => path.file_name().map_or_else(|| source.name.clone(), |name| name.to_string_lossy().into_owned()),
-        None => source.name.clone(),
-    });
-    let mut title = names.collect::<Vec<_>>().join(" + ");
-    if title.is_empty() {
-        title = tr!("app-name");
-    }
+    let names = names(session.document());
+    let mut title = title_of(&names).unwrap_or_else(|| tr!("app-name"));
     if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
         title = format!("{title} / {}", clip.name);
     }
@@ -40,12 +33,40 @@ pub fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &S
         let what = words.iter().filter(|(what, _)| lacks(*what)).map(|(_, key)| tr!(key)).collect::<Vec<_>>().join(", ");
         if lacks(Missing::Animation) { tr!("app-missing-still", what = what) } else { tr!("app-missing", what = what) }
     };
-    part::<gtk::Label>(builder, "title").set_text(&title);
+    let heading = part::<gtk::Label>(builder, "title");
+    heading.set_text(&title);
+    heading.set_tooltip_text(Some(&names.join("\n")).filter(|_| names.len() > 1).map(String::as_str));
     window.set_title(Some(&title));
     let label = part::<gtk::Label>(builder, "subtitle");
     label.set_text(&subtitle);
     label.set_tooltip_text(Some(&subtitle));
     label.set_visible(!subtitle.is_empty());
+}
+
+/// The open files, the one that the others belong to first: clips before muscles, else as they were named.
+pub fn sources(document: &Document) -> Vec<&Source> {
+    let mut sources: Vec<&Source> = document.sources.iter().collect();
+    sources.sort_by_key(|source| !matches!(source.kind, SourceKind::Collada(_)));
+    sources
+}
+
+/// Their names.
+fn names(document: &Document) -> Vec<String> {
+    let name = |source: &Source| match &source.path {
+        Some(path) => path.file_name().map_or_else(|| source.name.clone(), |name| name.to_string_lossy().into_owned()),
+        None => source.name.clone(),
+    };
+    sources(document).into_iter().map(name).collect()
+}
+
+/// One or two files by name, more as the first one and their number; `None` without any.
+fn title_of(names: &[String]) -> Option<String> {
+    match names {
+        [] => None,
+        [only] => Some(only.clone()),
+        [one, other] => Some(format!("{one} + {other}")),
+        [first, others @ ..] => Some(tr!("app-title-more", file = first.clone(), count = others.len())),
+    }
 }
 
 /// Says at the buttons what undo and redo would do.
@@ -66,5 +87,21 @@ pub fn tell_size(builder: &gtk::Builder, triangles: u64) {
     part::<gtk::Label>(builder, "status_triangles").set_text(&text);
     if let Some(megabytes) = memory::resident() {
         part::<gtk::Label>(builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collada::Progress;
+
+    #[test]
+    fn the_title_names_the_clip_first_and_counts_the_rest() {
+        let file = |name: &str| format!("{}/configs/{name}", env!("CARGO_MANIFEST_DIR"));
+        let document = Document::open(&[file("biceps.yaml"), file("curl.dae")], &Progress::default()).expect("both open");
+        assert_eq!(title_of(&names(&document)).as_deref(), Some("curl.dae + biceps.yaml"));
+        let names = ["a.dae", "b.yaml", "c.yaml"].map(str::to_owned);
+        assert_eq!(title_of(&names), Some(tr!("app-title-more", file = "a.dae", count = 2)));
+        assert_eq!((title_of(&names[..1]).as_deref(), title_of(&[])), (Some("a.dae"), None));
     }
 }

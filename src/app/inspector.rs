@@ -11,7 +11,7 @@ use gtk4 as gtk;
 
 use super::inspector_text::{self, Space};
 use super::plot_view;
-use super::session::{Changes, Session};
+use super::session::{Changes, Matrices, Session};
 use super::window::{Window, part};
 use super::{canvas::Canvas, format, swatch, ui};
 use crate::document::{Skinning, angle_at};
@@ -32,6 +32,8 @@ pub struct Inspector {
     pub root: gtk::Box,
     builder: gtk::Builder,
     space: gtk::DropDown,
+    /// The space that a hand chose.
+    wanted: Rc<Cell<Space>>,
     transform: [[gtk::Label; 3]; 3],
     matrix: [[gtk::Label; 4]; 4],
     turns: [gtk::Scale; 3],
@@ -85,10 +87,7 @@ impl Inspector {
         let space: gtk::DropDown = part(&builder, "space");
         let (dual, root) = (part(&builder, "dual"), part(&builder, "root"));
         let corners = ["angle_from", "angle_corner", "angle_to"].map(|id| part::<gtk::DropDown>(&builder, id));
-        for list in &corners {
-            let name = gtk::PropertyExpression::new(gtk::StringObject::static_type(), gtk::Expression::NONE, "string");
-            list.set_expression(Some(&name));
-        }
+        corners.iter().for_each(|list| ui::narrow(list, 12));
         let joints = Rc::default();
         Self {
             corners,
@@ -96,6 +95,7 @@ impl Inspector {
             root,
             builder,
             space,
+            wanted: Rc::new(Cell::new(Space::World)),
             transform: labels,
             matrix,
             turns: scales,
@@ -109,13 +109,14 @@ impl Inspector {
 
     /// Lets hands choose, copy and turn.
     pub fn connect(&self, window: &Rc<Window>) {
-        let words: Vec<String> = Space::ALL.iter().map(|space| space.label()).collect();
-        self.space.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
-        self.space.set_selected(1);
+        let wanted = self.wanted.clone();
         self.space.connect_selected_notify(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(|session| session.inspect_anew())
+            move |list| window.act(|session| {
+                wanted.set(Space::ALL.get(list.selected() as usize).copied().unwrap_or(Space::World));
+                session.inspect_anew();
+            })
         ));
         part::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
             #[weak]
@@ -275,9 +276,8 @@ impl Inspector {
 
     fn show_transform(&self, session: &mut Session, node: NodeId) {
         let Some(matrices) = session.matrices(node) else { return };
-        let space = Space::ALL.get(self.space.selected() as usize).copied().unwrap_or(Space::World);
-        let matrix = space.of(&matrices);
-        let (scale, rotation, place) = matrix.unwrap_or(DMat4::NAN).to_scale_rotation_translation();
+        let matrix = self.choose_space(&matrices);
+        let (scale, rotation, place) = matrix.to_scale_rotation_translation();
         let degrees = inspector_text::degrees(rotation);
         for (labels, (values, digits)) in self.transform.iter().zip([(place, 4), (degrees, 2), (scale, 4)]) {
             for (label, value) in labels.iter().zip(values.to_array()) {
@@ -286,9 +286,22 @@ impl Inspector {
         }
         for (row, labels) in self.matrix.iter().enumerate() {
             for (column, label) in labels.iter().enumerate() {
-                label.set_text(&format::number(matrix.map_or(f64::NAN, |matrix| matrix.col(column)[row]), 4));
+                label.set_text(&format::number(matrix.col(column)[row], 4));
             }
         }
+    }
+
+    /// The matrix in the space that a hand chose, where the node has one there; else in the world. The list names what there is.
+    fn choose_space(&self, matrices: &Matrices) -> DMat4 {
+        let there: Vec<Space> = Space::ALL.into_iter().filter(|space| space.of(matrices).is_some()).collect();
+        if self.space.model().map_or(0, |list| list.n_items() as usize) != there.len() {
+            let words: Vec<String> = there.iter().map(|space| space.label()).collect();
+            self.space.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+        }
+        let wanted = there.iter().position(|space| *space == self.wanted.get());
+        let world = || there.iter().position(|space| *space == Space::World);
+        self.space.set_selected(wanted.or_else(world).unwrap_or(0) as u32);
+        self.wanted.get().of(matrices).unwrap_or(matrices.world)
     }
 
     fn show_turns(&self, session: &Session, node: NodeId) {

@@ -62,14 +62,20 @@ pub fn report(session: &mut Session) -> String {
         let (scale, rotation, place) = matrix.to_scale_rotation_translation();
         text += &format!("\n{}\n", space.label());
         for (name, values) in [("translation", place), ("rotation XYZ, degrees", degrees(rotation)), ("scale", scale)] {
-            text += &format!("{name}: {} {} {}\n", values.x, values.y, values.z);
+            let [x, y, z] = values.to_array().map(unsigned);
+            text += &format!("{name}: {x} {y} {z}\n");
         }
         for row in 0..4 {
-            let row = matrix.row(row);
-            text += &format!("{} {} {} {}\n", row.x, row.y, row.z, row.w);
+            let [x, y, z, w] = matrix.row(row).to_array().map(unsigned);
+            text += &format!("{x} {y} {z} {w}\n");
         }
     }
     text
+}
+
+/// The number, zero without a sign.
+fn unsigned(value: f64) -> f64 {
+    value + 0.0
 }
 
 /// How large a mesh is, and what bends it.

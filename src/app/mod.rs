@@ -42,6 +42,7 @@ mod muscle_ends;
 mod muscle_joint;
 mod muscle_panel;
 mod muscle_way;
+mod news;
 mod node_table;
 mod perform;
 mod picture;

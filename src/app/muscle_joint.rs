@@ -32,7 +32,7 @@ impl MuscleJoint {
     /// Those of a panel.
     pub fn new(builder: &gtk::Builder) -> Self {
         let (joint, axis): (gtk::DropDown, gtk::DropDown) = (part(builder, "joint"), part(builder, "joint_axis"));
-        ui::narrow(&joint);
+        ui::narrow(&joint, 12);
         let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
         axis.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
         Self {

@@ -77,7 +77,7 @@ impl PlaceField {
     pub fn new(builder: &gtk::Builder, name: &str, hold: Handhold, bones: &Bones) -> Self {
         let bone: gtk::DropDown = part(builder, &format!("{name}_bone"));
         let or_none = !matches!(hold, Handhold::Via(_));
-        ui::narrow(&bone);
+        ui::narrow(&bone, 12);
         bone.set_model(Some(if or_none { &bones.or_none } else { &bones.names }));
         Self {
             hold,

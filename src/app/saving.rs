@@ -68,7 +68,7 @@ fn write(window: &Rc<Window>, index: usize, path: PathBuf) -> bool {
         Ok(()) => {
             window.error_bar.hide();
             window.act(|session| session.was_saved(index, path.clone(), file));
-            files::watch(window, &window.look(|session| session.files()));
+            files::watch(window);
             let key = if saved.comments_lost { "app-saved-without-comments" } else { "app-saved" };
             window.viewport.toast(&tr!(key, file = save_as::name_of(&path)), Some(path));
             true

@@ -4,8 +4,8 @@
 use gtk4::glib::{Object, Propagation, markup_escape_text};
 use gtk4::prelude::*;
 use gtk4::{
-    Builder, DropDown, Expression, Label, ListItem, MenuButton, Popover, PropertyExpression, SignalListItemFactory, SpinButton,
-    StringObject, ToggleButton, pango,
+    Builder, DropDown, EventControllerScroll, Expression, Label, ListItem, MenuButton, Popover, PropagationPhase, PropertyExpression,
+    Scale, ScrolledWindow, SignalListItemFactory, SpinButton, StringObject, ToggleButton, Widget, pango,
 };
 
 use super::actions::Command;
@@ -56,6 +56,7 @@ pub fn numbered(text: &str, number: usize) -> Builder {
     let builder = Builder::from_string(&translate(text, number));
     for object in &builder.objects() {
         hush(object);
+        let_scroll(object);
         if let Some(number) = object.downcast_ref::<SpinButton>() {
             speak_numbers(number);
         }
@@ -63,16 +64,16 @@ pub fn numbered(text: &str, number: usize) -> Builder {
     builder
 }
 
-/// Lets a list be as narrow as there is room: its button shortens the name that is chosen; its rows show names in full.
-pub fn narrow(list: &DropDown) {
-    let factory = |short: bool| {
+/// Lets a list be as narrow as there is room: its button shortens the name that is chosen to some `chars` characters; its rows show names in full.
+pub fn narrow(list: &DropDown, chars: i32) {
+    let factory = move |short: bool| {
         let factory = SignalListItemFactory::new();
         factory.connect_setup(move |_, item| {
             let label = Label::builder().xalign(0.0).build();
             if short {
                 label.set_ellipsize(pango::EllipsizeMode::Middle);
                 label.set_width_chars(4);
-                label.set_max_width_chars(12);
+                label.set_max_width_chars(chars);
                 label.set_hexpand(true);
             }
             if let Some(item) = item.downcast_ref::<ListItem>() {
@@ -113,7 +114,20 @@ fn speak_numbers(number: &SpinButton) {
         }
         Propagation::Stop
     });
-    number.connect_input(|number| Some(format::typed(&number.text()).ok_or(())));
+    // What is no number changes nothing; GTK would take it for 0.
+    number.connect_input(|number| Some(Ok(format::typed(&number.text()).unwrap_or_else(|| number.value()))));
+}
+
+/// In a panel that scrolls, the wheel scrolls: a slider or a box that happens to come under the pointer is not turned by it.
+fn let_scroll(object: &Object) {
+    let Some(widget) = object.downcast_ref::<Widget>().filter(|widget| widget.is::<Scale>() || widget.is::<SpinButton>()) else { return };
+    widget.connect_map(|widget| {
+        if widget.ancestor(ScrolledWindow::static_type()).is_some() {
+            let controllers = widget.observe_controllers();
+            let wheels = (0..controllers.n_items()).filter_map(|place| controllers.item(place).and_downcast::<EventControllerScroll>());
+            wheels.for_each(|wheel| wheel.set_propagation_phase(PropagationPhase::None));
+        }
+    });
 }
 
 /// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed

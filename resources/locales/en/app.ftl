@@ -1,5 +1,6 @@
 # The window.
 app-name = Sinew
+app-title-more = { $file } and { $count } more
 app-about = Skeletal animation clips and muscles that keep their volume, in one scene, drawn without a GPU.
 app-no-display = There is no display to open a window on. To make a picture without one: sinew render FILE -o picture.png
 app-open = Open
@@ -174,10 +175,10 @@ app-mouse-fly-how = W A S D Q E, Shift faster, Alt slower, wheel sets the speed,
 # Picture
 app-nothing-drawn = Nothing in this file can be drawn: see Health.
 app-hint = Drag to orbit · Shift+drag to pan · wheel to zoom · right-drag moves the light
-app-hint-move = Drag an axis, or anywhere to move freely · Ctrl snaps · middle button orbits · V goes back
+app-hint-move = Drag an axis or a square, or anywhere to move freely · Ctrl snaps · middle button orbits · V goes back
 app-hint-rotate = Drag a ring, or anywhere to turn freely · Ctrl snaps to 15° · middle button orbits · V goes back
 app-hint-scale = Drag a box, or up to enlarge · Ctrl snaps · middle button orbits · V goes back
-app-hint-fly = W A S D and Q E to fly · drag to look · wheel sets the speed · Esc lands
+app-hint-fly = W A S D and Q E to fly · drag to look · wheel: { $speed } m/s · Esc lands
 app-times = { $rate } fps · { $total } ms
     pose { $pose } · vertices { $vertex }
     raster { $raster } · resolve { $resolve }
@@ -208,12 +209,25 @@ app-loading-progress = Reading
 app-refused = { $file } cannot be opened
 app-kept = What was open stays open.
 app-reader-broke = The reader failed on this file. Please report it together with the file.
-app-reloaded = Read again, nothing changed in number.
+app-reloaded = Read again: nothing changed.
 app-reloaded-changes = Read again: { $changes }.
-app-changed-nodes = { $old } → { $new } nodes
+app-compared-again = { $file }: { $news }
+app-changed-gone = gone: { $names }
+app-changed-new = new: { $names }
+app-changed-clips-gone = clips gone: { $names }
+app-changed-clips-new = new clips: { $names }
+app-changed-more = { $names } and { $count } more
 app-changed-triangles = { $old } → { $new } triangles
-app-changed-clips = { $old } → { $new } clips
 app-changed-seconds = { $old } → { $new } s
+app-changed-findings = { $old } → { $new } findings
+app-changed-shapes = { $count ->
+    [one] { $count } mesh reshaped
+   *[other] { $count } meshes reshaped
+}
+app-changed-curves = { $count ->
+    [one] other keys in { $count } channel
+   *[other] other keys in { $count } channels
+}
 app-findings = { $count ->
     [one] One oddity was found while reading; see Health.
    *[other] { $count } oddities were found while reading; see Health.
@@ -602,6 +616,7 @@ app-inspect-copy = Copy the matrices as text
 app-position = Position, m
 app-rotation = Rotation, °
 app-scale = Scale
+app-transform = Transform
 app-matrix = Matrix
 app-hand = Turn by hand
 app-hand-reset = Reset

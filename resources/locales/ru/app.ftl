@@ -1,5 +1,6 @@
 # Окно.
 app-name = Sinew
+app-title-more = { $file } и ещё { $count }
 app-about = Клипы скелетной анимации и мышцы постоянного объёма в одной сцене. Рисует без видеокарты.
 app-no-display = Нет экрана, на котором можно открыть окно. Картинку можно получить и без него: sinew render ФАЙЛ -o picture.png
 app-open = Открыть
@@ -174,10 +175,10 @@ app-mouse-fly-how = W A S D Q E, Shift быстрее, Alt медленнее, �
 # Картинка
 app-nothing-drawn = Рисовать в этом файле нечего – см. «Проверка».
 app-hint = Мышь вращает · Shift сдвигает · колесо –⁠ масштаб · правая кнопка –⁠ свет
-app-hint-move = Тяните ось или где угодно · Ctrl –⁠ по шагам · средняя кнопка вращает вид · V –⁠ обратно
+app-hint-move = Тяните ось, квадрат или где угодно · Ctrl –⁠ по шагам · средняя кнопка вращает вид · V –⁠ обратно
 app-hint-rotate = Тяните кольцо или где угодно · Ctrl –⁠ по 15° · средняя кнопка вращает вид · V –⁠ обратно
 app-hint-scale = Тяните кубик или вверх · Ctrl –⁠ по шагам · средняя кнопка вращает вид · V –⁠ обратно
-app-hint-fly = W A S D и Q E –⁠ полёт · мышь –⁠ взгляд · колесо –⁠ скорость · Esc завершает
+app-hint-fly = W A S D и Q E –⁠ полёт · мышь –⁠ взгляд · колесо –⁠ { $speed } м/с · Esc завершает
 app-times = { $rate } кадр/с · { $total } мс
     поза { $pose } · вершины { $vertex }
     растр { $raster } · сведение { $resolve }
@@ -209,12 +210,19 @@ app-loading-progress = Чтение
 app-refused = Не удалось открыть { $file }
 app-kept = То, что было открыто, осталось.
 app-reader-broke = Этот файл не удалось прочитать из-за ошибки в программе. Пожалуйста, сообщите о ней и приложите файл.
-app-reloaded = Прочитано заново, числа те же.
+app-reloaded = Прочитано заново: ничего не изменилось.
 app-reloaded-changes = Прочитано заново: { $changes }.
-app-changed-nodes = узлов { $old } → { $new }
+app-compared-again = { $file }: { $news }
+app-changed-gone = пропало: { $names }
+app-changed-new = новое: { $names }
+app-changed-clips-gone = пропали клипы: { $names }
+app-changed-clips-new = новые клипы: { $names }
+app-changed-more = { $names } и ещё { $count }
 app-changed-triangles = треугольников { $old } → { $new }
-app-changed-clips = клипов { $old } → { $new }
 app-changed-seconds = секунд { $old } → { $new }
+app-changed-findings = замечаний { $old } → { $new }
+app-changed-shapes = изменилась форма сеток: { $count }
+app-changed-curves = изменились ключи каналов: { $count }
 app-findings = { $count ->
     [one] При чтении найдена { $count } странность – см. «Проверка».
     [few] При чтении найдены { $count } странности – см. «Проверка».
@@ -600,6 +608,7 @@ app-inspect-copy = Скопировать матрицы как текст
 app-position = Место, м
 app-rotation = Поворот, °
 app-scale = Масштаб
+app-transform = Преобразование
 app-matrix = Матрица
 app-hand = Повернуть рукой
 app-hand-reset = Сбросить
