@@ -175,7 +175,7 @@ app-mouse-fly-how = W A S D Q E, Shift faster, Alt slower, wheel sets the speed,
 # Picture
 app-nothing-drawn = Nothing in this file can be drawn: see Health.
 app-hint = Drag to orbit · Shift+drag to pan · wheel to zoom · right-drag moves the light
-app-hint-move = Drag an axis or a square, or anywhere to move freely · Ctrl snaps · middle button orbits · V goes back
+app-hint-move = Drag an axis, a square or anywhere · Ctrl snaps · middle button orbits · V goes back
 app-hint-rotate = Drag a ring, or anywhere to turn freely · Ctrl snaps to 15° · middle button orbits · V goes back
 app-hint-scale = Drag a box, or up to enlarge · Ctrl snaps · middle button orbits · V goes back
 app-hint-fly = W A S D and Q E to fly · drag to look · wheel: { $speed } m/s · Esc lands
