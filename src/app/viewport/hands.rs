@@ -39,19 +39,18 @@ enum Grip {
     Dot,
 }
 
-/// How far two fingers are apart, against when they came down.
-struct Spread(Cell<f64>);
-
-impl Default for Spread {
-    fn default() -> Self {
-        Self(Cell::new(1.0))
-    }
+/// Two fingers on the picture: how far apart they are against when they came down, and where their middle was last.
+#[derive(Default)]
+struct Fingers {
+    spread: Cell<f64>,
+    middle: Cell<Option<(f64, f64)>>,
 }
 
-impl Spread {
+impl Fingers {
     /// The fingers come down.
     fn begin(&self) {
-        self.0.set(1.0);
+        self.spread.set(1.0);
+        self.middle.set(None);
     }
 
     /// What the picture grows by since the last time; `scale` counts from when the fingers came down.
@@ -59,7 +58,15 @@ impl Spread {
         if !(scale.is_finite() && scale > 0.0) {
             return 1.0;
         }
-        (scale / self.0.replace(scale)) as f32
+        (scale / self.spread.replace(scale)) as f32
+    }
+
+    /// How far the middle went since the last time.
+    fn shift(&self, middle: Option<(f64, f64)>) -> (f64, f64) {
+        match (self.middle.replace(middle), middle) {
+            (Some((x, y)), Some((to_x, to_y))) => (to_x - x, to_y - y),
+            _ => (0.0, 0.0),
+        }
     }
 }
 
@@ -358,23 +365,36 @@ fn connect_wheel(window: &Rc<Window>, canvas: &Canvas) {
     ));
     canvas.add_controller(wheel);
     let pinch = gtk::GestureZoom::new();
-    let spread = Rc::new(Spread::default());
+    let fingers = Rc::new(Fingers::default());
     pinch.connect_begin(glib::clone!(
         #[weak]
         window,
         #[strong]
-        spread,
+        fingers,
         move |_, _| {
             // The first finger had begun a drag; with the second it is none.
             window.viewport.hands.grip.set(None);
             window.viewport.hands.moved.set(true);
-            spread.begin();
+            fingers.begin();
         }
     ));
     pinch.connect_scale_changed(glib::clone!(
         #[weak]
         window,
-        move |gesture, scale| zoom(&window, spread.factor(scale), gesture.bounding_box_center())
+        move |gesture, scale| {
+            let middle = gesture.bounding_box_center();
+            let (dx, dy) = fingers.shift(middle);
+            if (dx, dy) != (0.0, 0.0) {
+                let height = f64::from(window.viewport.size().1.max(1));
+                window.act(|session| {
+                    session.change_eye(|eye| match eye.flying() {
+                        Some(_) => {}
+                        None => eye.handle(|orbit| orbit.pan((-dx / height) as f32, (dy / height) as f32)),
+                    });
+                });
+            }
+            zoom(&window, fingers.factor(scale), middle);
+        }
     ));
     canvas.add_controller(pinch);
 }
@@ -478,12 +498,24 @@ mod tests {
 
     #[test]
     fn a_pinch_grows_the_picture_by_what_the_fingers_spread() {
-        let spread = Spread::default();
+        let fingers = Fingers::default();
         for scales in [&[1.1, 1.5, 1.2, 2.0][..], &[0.9, 0.0, f64::NAN, f64::INFINITY, 0.5]] {
-            spread.begin();
-            let grown: f32 = scales.iter().map(|scale| spread.factor(*scale)).product();
+            fingers.begin();
+            let grown: f32 = scales.iter().map(|scale| fingers.factor(*scale)).product();
             let last = *scales.last().expect("some") as f32;
             assert!((grown - last).abs() < 1e-5, "{scales:?}: {grown}");
         }
+    }
+
+    #[test]
+    fn two_fingers_move_the_picture_by_the_way_of_their_middle() {
+        let fingers = Fingers::default();
+        for way in [&[(10.0, 20.0), (13.0, 18.0), (20.0, 18.0)][..], &[(500.0, 1.0), (490.0, 41.0)]] {
+            fingers.begin();
+            let sum = way.iter().map(|place| fingers.shift(Some(*place))).fold((0.0, 0.0), |sum, by| (sum.0 + by.0, sum.1 + by.1));
+            let (first, last) = (way[0], way[way.len() - 1]);
+            assert_eq!(sum, (last.0 - first.0, last.1 - first.1));
+        }
+        assert_eq!((fingers.shift(None), fingers.shift(Some((1.0, 1.0)))), ((0.0, 0.0), (0.0, 0.0)));
     }
 }
