@@ -10,10 +10,11 @@ use gtk4 as gtk;
 use super::canvas::Canvas;
 use super::glyph;
 use super::session::{Changes, Session};
-use super::tree_rows::{Row, path_to, search};
+use super::tree_rows::{Row, path_to, search, steps};
 use super::ui;
 use super::window::{Window, part};
 use crate::scene::{NodeId, Scene};
+use crate::tr;
 
 /// Trees of at most this many nodes are shown unfolded.
 const UNFOLDED: usize = 300;
@@ -24,6 +25,7 @@ pub struct SceneTree {
     pub root: gtk::Box,
     list: gtk::ListView,
     search: gtk::SearchEntry,
+    scroller: gtk::ScrolledWindow,
     nothing: gtk::Label,
     selection: RefCell<gtk::SingleSelection>,
     rows: Rc<RefCell<Vec<Row>>>,
@@ -38,6 +40,7 @@ impl SceneTree {
             root: part(&builder, "root"),
             list: part(&builder, "list"),
             search: part(&builder, "search"),
+            scroller: part(&builder, "scroller"),
             nothing: part(&builder, "nothing"),
             selection: RefCell::new(gtk::SingleSelection::new(None::<gio::ListModel>)),
             rows: Rc::default(),
@@ -82,8 +85,13 @@ impl SceneTree {
             let wanted = self.search.text();
             let (roots, flat) =
                 if wanted.trim().is_empty() { (scene.graph.roots().to_vec(), false) } else { (search(scene, &wanted), true) };
-            self.nothing.set_visible(flat && roots.is_empty());
+            self.nothing.set_text(&tr!(if scene.graph.is_empty() { "app-tree-nothing" } else { "app-search-nothing" }));
+            self.nothing.set_visible(roots.is_empty());
+            self.scroller.set_visible(!roots.is_empty());
             let unfolded = scene.graph.len() <= UNFOLDED;
+            let steps = if flat { "" } else { steps(scene) };
+            let classes = ["navigation-sidebar", "tree", steps];
+            self.list.set_css_classes(if steps.is_empty() { &classes[..2] } else { &classes });
             self.set_model(&roots, flat, unfolded);
             if !unfolded && !flat {
                 self.unfold_first();

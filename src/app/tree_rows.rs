@@ -42,6 +42,22 @@ fn glyph(node: &Node) -> Glyph {
     }
 }
 
+/// How small the steps of a tree are: the class in `style.css` for one of so many levels, such that all its steps take about 100 pixels. Empty = the usual ones.
+pub fn steps(scene: &Scene) -> &'static str {
+    let mut levels: Vec<usize> = Vec::with_capacity(scene.graph.len());
+    for (_, node) in scene.graph.iter() {
+        // A parent stands before what is below it.
+        let above = node.parent().and_then(|parent| levels.get(parent.index()).copied()).unwrap_or(0);
+        levels.push(above + 1);
+    }
+    match levels.into_iter().max().unwrap_or(0) {
+        0..=9 => "",
+        10..=15 => "deep",
+        16..=26 => "deeper",
+        _ => "deepest",
+    }
+}
+
 /// The nodes whose name or id holds `text`, letter case aside, in file order.
 pub fn search(scene: &Scene, text: &str) -> Vec<NodeId> {
     let text = text.trim().to_lowercase();
@@ -80,6 +96,19 @@ mod tests {
         assert_eq!(search(&scene, "ARMATURE"), [NodeId(1)]);
         assert_eq!(search(&scene, "КОЛЕНО"), [NodeId(2)]);
         assert!(search(&scene, "foot").is_empty());
+    }
+
+    #[test]
+    fn steps_get_smaller_with_the_depth() {
+        let mut scene = scene();
+        assert_eq!(steps(&scene), "");
+        let mut last = NodeId(1);
+        for (levels, class) in [(9, ""), (10, "deep"), (15, "deep"), (16, "deeper"), (27, "deepest"), (90, "deepest")] {
+            while path_to(&scene, last).len() < levels {
+                last = scene.graph.add(Some(last), Node::new("bone"));
+            }
+            assert_eq!(steps(&scene), class, "{levels} levels");
+        }
     }
 
     #[test]

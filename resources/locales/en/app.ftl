@@ -8,6 +8,7 @@ app-cancel = Cancel
 app-save = Save
 app-retry = Try again
 app-details = Details
+app-bar-close = Close this bar
 app-copied = Copied.
 app-warning = Warning
 app-note = Note
@@ -174,6 +175,7 @@ app-mouse-fly-how = W A S D Q E, Shift faster, Alt slower, wheel sets the speed,
 
 # Picture
 app-nothing-drawn = Nothing in this file can be drawn: see Health.
+app-viewport = The scene
 app-hint = Drag to orbit · Shift+drag to pan · wheel to zoom · right-drag moves the light
 app-hint-move = Drag an axis, a square or anywhere · Ctrl snaps · middle button orbits · V goes back
 app-hint-rotate = Drag a ring, or anywhere to turn freely · Ctrl snaps to 15° · middle button orbits · V goes back
@@ -267,6 +269,7 @@ app-session-saved = Session saved to { $file }
 # Timeline
 app-play = Play
 app-time = Time
+app-time-tip = Time in seconds
 app-clip = Clip
 app-speed = Speed; below 0 plays backwards
 app-seconds = Time
@@ -297,15 +300,16 @@ app-graph-opacity = Opacity
 # Scene tree
 app-tree = Scene tree
 app-search = Find a node
+app-tree-nothing = Nothing is open.
 app-search-nothing = Nothing is called that.
 app-hide-node = Show or hide
 
 # Muscle
 app-contraction = Contraction
-app-contraction-tip = Contraction; the elbow follows
+app-contraction-tip = Contraction in percent; the elbow follows
 app-elbow = Elbow angle
-app-elbow-tip = Elbow angle; the contraction follows
-app-elbow-clip-tip = Bends this joint by hand, instead of the clip or on top of it
+app-elbow-tip = Elbow angle in degrees; the contraction follows
+app-elbow-clip-tip = Bends this joint by hand, in degrees, instead of the clip or on top of it
 app-joint = Joint
 app-joint-tip = Which joint the slider bends
 app-joint-found = { $name } (found)
@@ -424,8 +428,8 @@ app-root-larger = Taken is the root that goes to 0 as L goes to L₀: the larger
 app-root-smaller = Taken is the root that goes to 0 as L goes to L₀: the smaller one, because B is negative.
 app-root-double = Both roots are the same: the length is at its limit.
 app-node-radius = Radius at rest
-app-node-radius-tip = Radius at rest; Enter takes it
-app-node-growth-tip = How much this node grows, compared with the others; Enter takes it
+app-node-radius-tip = Radius of node { $number } at rest; Enter takes it
+app-node-growth-tip = How much node { $number } grows, compared with the others; Enter takes it
 app-node-add = Add node
 app-node-add-tip = A new node behind the one at hand; the length stays
 app-node-delete = Delete node
@@ -502,12 +506,13 @@ app-light-position = At x { $x }, y { $y }, z { $z } m
 
 # Health
 app-health-none = Nothing odd was found.
-app-health-some = { $warnings ->
-    [one] One warning
-   *[other] { $warnings } warnings
-}, { $notes ->
-    [one] one note
-   *[other] { $notes } notes
+app-health-warnings = { $count ->
+    [one] { $count } warning
+   *[other] { $count } warnings
+}
+app-health-notes = { $count ->
+    [one] { $count } note
+   *[other] { $count } notes
 }
 app-health-copy = Copy as text
 app-facts-collada = COLLADA { $version }, { $axis }, unit { $unit } m

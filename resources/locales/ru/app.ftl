@@ -8,6 +8,7 @@ app-cancel = Отмена
 app-save = Сохранить
 app-retry = Повторить
 app-details = Подробности
+app-bar-close = Убрать эту строку
 app-copied = Скопировано.
 app-warning = Предупреждение
 app-note = Примечание
@@ -174,6 +175,7 @@ app-mouse-fly-how = W A S D Q E, Shift быстрее, Alt медленнее, �
 
 # Картинка
 app-nothing-drawn = Рисовать в этом файле нечего – см. «Проверка».
+app-viewport = Сцена
 app-hint = Мышь вращает · Shift сдвигает · колесо –⁠ масштаб · правая кнопка –⁠ свет
 app-hint-move = Тяните ось, квадрат или где угодно · Ctrl –⁠ по шагам · средняя кнопка вращает вид · V –⁠ обратно
 app-hint-rotate = Тяните кольцо или где угодно · Ctrl –⁠ по 15° · средняя кнопка вращает вид · V –⁠ обратно
@@ -263,6 +265,7 @@ app-session-saved = Сеанс сохранён в { $file }
 # Шкала времени
 app-play = Воспроизвести
 app-time = Время
+app-time-tip = Время в секундах
 app-clip = Клип
 app-speed = Скорость; меньше 0 – назад
 app-seconds = Время
@@ -293,15 +296,16 @@ app-graph-opacity = Непрозрачность
 # Дерево сцены
 app-tree = Дерево сцены
 app-search = Найти узел
+app-tree-nothing = Ничего не открыто.
 app-search-nothing = Ничего не найдено.
 app-hide-node = Показать или скрыть
 
 # Мышца
 app-contraction = Сокращение
-app-contraction-tip = Сокращение; угол в локте меняется вместе с ним
+app-contraction-tip = Сокращение в процентах; угол в локте меняется вместе с ним
 app-elbow = Угол в локте
-app-elbow-tip = Угол в локте; сокращение меняется вместе с ним
-app-elbow-clip-tip = Сгибает этот сустав вручную – вместо клипа или поверх него
+app-elbow-tip = Угол в локте в градусах; сокращение меняется вместе с ним
+app-elbow-clip-tip = Сгибает этот сустав вручную, в градусах – вместо клипа или поверх него
 app-joint = Сустав
 app-joint-tip = Какой сустав сгибает ползунок
 app-joint-found = { $name } (найден)
@@ -421,8 +425,8 @@ app-root-larger = Взят корень, который стремится к 0,
 app-root-smaller = Взят корень, который стремится к 0, когда L стремится к L₀: меньший, потому что B отрицательно.
 app-root-double = Корни совпадают: длина на пределе.
 app-node-radius = Радиус в покое
-app-node-radius-tip = Радиус в покое; Enter – применить
-app-node-growth-tip = Насколько этот узел растёт по сравнению с другими; Enter – применить
+app-node-radius-tip = Радиус узла { $number } в покое; Enter – применить
+app-node-growth-tip = Насколько узел { $number } растёт по сравнению с другими; Enter – применить
 app-node-add = Добавить узел
 app-node-add-tip = Новый узел за выбранным; длина не меняется
 app-node-delete = Удалить узел
@@ -499,14 +503,15 @@ app-light-position = Положение: x { $x }; y { $y }; z { $z } м
 
 # Проверка
 app-health-none = Ничего необычного не найдено.
-app-health-some = { $warnings ->
-    [one] { $warnings } предупреждение
-    [few] { $warnings } предупреждения
-   *[other] { $warnings } предупреждений
-}, { $notes ->
-    [one] { $notes } примечание
-    [few] { $notes } примечания
-   *[other] { $notes } примечаний
+app-health-warnings = { $count ->
+    [one] { $count } предупреждение
+    [few] { $count } предупреждения
+   *[other] { $count } предупреждений
+}
+app-health-notes = { $count ->
+    [one] { $count } примечание
+    [few] { $count } примечания
+   *[other] { $count } примечаний
 }
 app-health-copy = Скопировать как текст
 app-facts-collada = COLLADA { $version }, { $axis }, единица { $unit } м
@@ -515,7 +520,19 @@ app-facts-muscles = { $count ->
     [few] { $count } мышцы
    *[other] { $count } мышц
 }
-app-facts-nodes = узлов { $nodes }, сеток { $meshes }, клипов { $clips }
+app-facts-nodes = { $nodes ->
+        [one] { $nodes } узел
+        [few] { $nodes } узла
+       *[other] { $nodes } узлов
+    }, { $meshes ->
+        [one] { $meshes } сетка
+        [few] { $meshes } сетки
+       *[other] { $meshes } сеток
+    }, { $clips ->
+        [one] { $clips } клип
+        [few] { $clips } клипа
+       *[other] { $clips } клипов
+    }
 
 # Замеры
 app-page-measure = Замеры
