@@ -352,6 +352,12 @@ impl Command {
         if key.is_empty() { label } else { format!("{label} ({key})") }
     }
 
+    /// A text with the keys of the commands that do the same: `Clip (Page Up, Page Down)`.
+    pub fn with_keys(text: &str, commands: &[Self]) -> String {
+        let keys = commands.iter().map(|command| command.key_label()).filter(|key| !key.is_empty()).collect::<Vec<_>>().join(", ");
+        if keys.is_empty() { text.to_owned() } else { format!("{text} ({keys})") }
+    }
+
     /// The switch of the display that it turns, if it is one.
     pub fn switch(self) -> Option<fn(&mut crate::render::Display) -> &mut bool> {
         super::settings::SWITCHES.iter().find(|(name, _)| *name == self.id()).map(|(_, switch)| *switch)

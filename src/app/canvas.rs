@@ -5,6 +5,8 @@ use gtk::subclass::prelude::*;
 use gtk::{cairo, gdk, glib, graphene};
 use gtk4 as gtk;
 
+use super::ui;
+
 mod imp {
     use std::cell::{Cell, RefCell};
 
@@ -78,6 +80,14 @@ impl Canvas {
         canvas
     }
 
+    /// One that tells those who do not see it what it shows.
+    pub fn named(name: &str, width: i32, height: i32) -> Self {
+        Self::ensure_type();
+        let canvas: Self = ui::named(Self::static_type().name(), name);
+        canvas.imp().natural.set((width, height));
+        canvas
+    }
+
     /// Sets what paints it: the canvas, the snapshot, width and height.
     pub fn set_painter(&self, painter: impl Fn(&Self, &gtk::Snapshot, f64, f64) + 'static) {
         self.imp().painter.replace(Some(Box::new(painter)));
@@ -127,6 +137,23 @@ pub enum Align {
     Centre,
     /// The point is the upper right corner.
     Right,
+}
+
+/// Writes a letter or two such that what is seen of them has its middle at a point.
+pub fn write_amid(canvas: &Canvas, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
+    let layout = canvas.create_pango_layout(Some(text));
+    let attributes = gtk::pango::AttrList::new();
+    attributes.insert(gtk::pango::AttrFloat::new_scale(size));
+    layout.set_attributes(Some(&attributes));
+    let (ink, _) = layout.pixel_extents();
+    // On whole pixels of the device, where letters are sharp.
+    let scale = f64::from(canvas.scale_factor());
+    let whole = |middle: f64, start: i32, length: i32| ((middle - f64::from(start) - f64::from(length) / 2.0) * scale).round() / scale;
+    let corner = graphene::Point::new(whole(x, ink.x(), ink.width()) as f32, whole(y, ink.y(), ink.height()) as f32);
+    snapshot.save();
+    snapshot.translate(&corner);
+    snapshot.append_layout(&layout, color);
+    snapshot.restore();
 }
 
 /// Writes text as [`write`] does, on a ground that keeps it legible over anything; returns its width.

@@ -3,7 +3,7 @@
 use gtk::cairo::Context;
 use gtk4 as gtk;
 
-use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
+use super::canvas::{Align, Canvas, cairo, rgb, set_color, write, write_amid};
 use super::format;
 use super::session::Mark;
 
@@ -91,7 +91,7 @@ impl Track {
             context.rectangle(x, TOP, TAB, TAB);
             fill(&context);
             drop(context);
-            write(canvas, snapshot, letter, x + TAB / 2.0, TOP - 1.0, Align::Centre, 0.75, &rgb(0xFF_FFFF));
+            write_amid(canvas, snapshot, letter, (x + TAB / 2.0, TOP + TAB / 2.0), 0.75, &rgb(0xFF_FFFF));
         }
     }
 

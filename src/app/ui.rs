@@ -1,5 +1,5 @@
-//! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, `tr:key#` for one that takes the argument `$number`, and
-//! `tip:command` for the label of a command with its shortcut.
+//! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, `tr:key#` for one that takes the argument `$number`,
+//! `tr:key@command,command` for one with the shortcuts of commands that do the same, and `tip:command` for the label of a command with its shortcut.
 
 use gtk4::glib::{Object, Propagation, markup_escape_text};
 use gtk4::prelude::*;
@@ -62,6 +62,13 @@ pub fn numbered(text: &str, number: usize) -> Builder {
         }
     }
     builder
+}
+
+/// A widget of a class that GTK or this program has, with the name that those are told who do not see it. GTK before 4.10 takes such names from `.ui` texts only.
+pub fn named<T: IsA<Object>>(class: &str, name: &str) -> T {
+    let label = format!("<accessibility><property name=\"label\">{}</property></accessibility>", markup_escape_text(name));
+    let builder = Builder::from_string(&format!("<interface><object class=\"{class}\" id=\"named\">{label}</object></interface>"));
+    super::window::part(&builder, "named")
 }
 
 /// Lets a list be as narrow as there is room: its button shortens the name that is chosen to some `chars` characters; its rows show names in full.
@@ -175,7 +182,11 @@ fn translate(text: &str, number: usize) -> String {
 
 fn meaning(placeholder: &str, number: usize) -> Option<String> {
     let label_of = |id: &str| Command::from_id(id).map_or_else(|| id.to_owned(), Command::tooltip);
-    let message = |key: &str| key.strip_suffix('#').map_or_else(|| tr!(key), |key| tr!(key, number = number));
+    let plain = |key: &str| key.strip_suffix('#').map_or_else(|| tr!(key), |key| tr!(key, number = number));
+    let message = |text: &str| match text.split_once('@') {
+        Some((key, commands)) => Command::with_keys(&plain(key), &commands.split(',').filter_map(Command::from_id).collect::<Vec<_>>()),
+        None => plain(text),
+    };
     placeholder.strip_prefix("tr:").map(message).or_else(|| placeholder.strip_prefix("tip:").map(label_of))
 }
 
@@ -197,7 +208,11 @@ mod tests {
         for (file, text) in ALL {
             for piece in text.split('>') {
                 let piece = piece.split('<').next().unwrap_or_default();
-                if let Some(key) = piece.strip_prefix("tr:").map(|key| key.trim_end_matches('#')) {
+                if let Some(text) = piece.strip_prefix("tr:") {
+                    let (key, commands) = text.split_once('@').unwrap_or((text.trim_end_matches('#'), ""));
+                    for id in commands.split(',').filter(|id| !id.is_empty()) {
+                        assert!(Command::from_id(id).is_some(), "{file}.ui asks for the keys of {id}, which is not in the table");
+                    }
                     assert_ne!(tr!(key), key, "{file}.ui asks for the message {key}, which the catalogue lacks");
                 }
                 if let Some(id) = piece.strip_prefix("tip:") {

@@ -4,7 +4,7 @@ use gtk::cairo::LineCap;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::canvas::{Align, Canvas, cairo, rgb, set_color, write};
+use crate::app::canvas::{Canvas, cairo, rgb, set_color, write_amid};
 use crate::app::session::Session;
 use crate::scene::{Camera, View};
 use glam::{DVec2, Vec3};
@@ -71,7 +71,7 @@ pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, he
         ignore(context.fill());
         drop(context);
         if let Some(name) = name {
-            write(canvas, snapshot, name, tip.x, tip.y - 8.0, Align::Centre, 0.75, &rgb(0x10_1010));
+            write_amid(canvas, snapshot, name, (tip.x, tip.y), 0.75, &rgb(0x10_1010));
         }
     }
 }

@@ -56,8 +56,9 @@ impl Viewport {
     pub fn new() -> Self {
         let builder = ui::builder(ui::VIEWPORT);
         let root: gtk::Overlay = part(&builder, "root");
-        let canvas = Canvas::new(150, 150);
+        let canvas = Canvas::named(&tr!("app-viewport"), 150, 150);
         canvas.set_focusable(true);
+        canvas.add_css_class("scene");
         root.set_child(Some(&canvas));
         for (id, glyph) in
             [("tool_navigate", Glyph::Navigate), ("tool_move", Glyph::Move), ("tool_rotate", Glyph::Rotate), ("tool_scale", Glyph::Scale)]
@@ -120,9 +121,9 @@ impl Viewport {
             self.numbers.refresh(session.tool(), session.model());
         }
         if changes.any(Changes::TOOL) {
-            self.draw_over();
+            self.numbers.fit(self.canvas.width());
         }
-        if changes.any(Changes::MUSCLE) {
+        if changes.any(Changes::TOOL | Changes::MUSCLE) {
             self.draw_over();
         }
         if changes.any(Changes::TOOL | Changes::DOCUMENT | Changes::PICKING | Changes::CAMERA) {

@@ -13,12 +13,21 @@ use crate::app::ui;
 use crate::app::window::{Window, part};
 use crate::tr;
 
+/// Room right of the numbers, logical pixels.
+const MARGIN: i32 = 12;
+/// Padding and border of what floats over the picture, both sides together.
+const FRAME: i32 = 26;
+
 /// Three boxes, of which Scale uses one.
 #[derive(Clone)]
 pub struct Numbers {
     root: gtk::Box,
     label: gtk::Label,
     boxes: [gtk::SpinButton; 3],
+    /// Each box with the letter of its axis.
+    axes: [gtk::Box; 3],
+    /// The letter of the first, which Scale does without.
+    letter: gtk::Label,
     tool: Rc<Cell<Tool>>,
 }
 
@@ -29,6 +38,8 @@ impl Numbers {
             root: part(builder, "numbers"),
             label: part(builder, "numbers_label"),
             boxes: ["number_x", "number_y", "number_z"].map(|id| part(builder, id)),
+            axes: ["axis_x", "axis_y", "axis_z"].map(|id| part(builder, id)),
+            letter: part(builder, "letter_x"),
             tool: Rc::default(),
         }
     }
@@ -56,22 +67,40 @@ impl Numbers {
         }
     }
 
-    /// Takes less room where the picture is this narrow, logical pixels.
+    /// Takes no more room than a picture of this width has, logical pixels: does without the buttons of the boxes, then without the name of the whole, and
+    /// at last stands upright. Typing, the wheel and keys change numbers without buttons too.
     pub fn fit(&self, width: i32) {
-        let (narrow, tight) = (width < 540, width < 400);
-        self.label.set_visible(!narrow);
-        let letters = if tight || !narrow { 6 } else { 4 };
-        self.boxes.iter().for_each(|number| number.set_width_chars(letters));
-        for (class, wanted) in [("narrow", narrow), ("tight", tight)] {
-            if wanted { self.root.add_css_class(class) } else { self.root.remove_css_class(class) }
+        let room = width - self.root.margin_start() - MARGIN;
+        for (buttons, named, upright) in [(true, true, false), (false, true, false), (false, false, false), (true, true, true)] {
+            for number in &self.boxes {
+                let parts = std::iter::successors(number.first_child(), WidgetExt::next_sibling);
+                parts.filter(|part| part.is::<gtk::Button>()).for_each(|button| button.set_visible(buttons));
+            }
+            self.label.set_visible(named);
+            self.root.set_orientation(if upright { gtk::Orientation::Vertical } else { gtk::Orientation::Horizontal });
+            if upright {
+                self.root.add_css_class("upright")
+            } else {
+                self.root.remove_css_class("upright")
+            }
+            if self.width() <= room {
+                break;
+            }
         }
+    }
+
+    /// The width that all that is visible takes.
+    fn width(&self) -> i32 {
+        let parts = std::iter::successors(self.root.first_child(), WidgetExt::next_sibling).filter(WidgetExt::is_visible);
+        let (widths, count) = parts.fold((0, 0), |(sum, count), part| (sum + part.measure(gtk::Orientation::Horizontal, -1).0, count + 1));
+        widths + self.root.spacing() * (count - 1) + FRAME
     }
 
     /// Shows the numbers of a tool.
     pub fn refresh(&self, tool: Tool, model: &ModelTransform) {
         let other = self.tool.replace(tool) != tool;
         self.root.set_visible(tool != Tool::Navigate);
-        let [_, y, z] = &self.boxes;
+        let [_, y, z] = &self.axes;
         if other {
             let (limit, step, digits, label) = match tool {
                 Tool::Navigate => return,
@@ -81,6 +110,7 @@ impl Numbers {
             };
             let lowest = if tool == Tool::Scale { ModelTransform::SMALLEST } else { -limit };
             self.label.set_text(&label);
+            self.boxes.iter().for_each(|number| number.set_tooltip_text(Some(&label)));
             for number in &self.boxes {
                 number.set_range(lowest, limit);
                 number.set_increments(step, step * 10.0);
@@ -88,6 +118,7 @@ impl Numbers {
             }
             y.set_visible(tool != Tool::Scale);
             z.set_visible(tool != Tool::Scale);
+            self.letter.set_visible(tool != Tool::Scale);
         }
         let values = match tool {
             Tool::Navigate => return,
