@@ -98,6 +98,11 @@ fn habits_of_a_desktop_are_kept() {
 }
 
 #[test]
+fn keyboard_and_names_reach_everything() {
+    drive("finish.py");
+}
+
+#[test]
 #[ignore = "takes minutes; `make monkey` runs it"]
 fn ten_thousand_random_events_do_no_harm() {
     drive("monkey.py");

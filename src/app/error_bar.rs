@@ -21,6 +21,7 @@ pub struct ErrorBar {
     details: gtk::Label,
     more: gtk::ToggleButton,
     retry: gtk::Button,
+    close: gtk::Button,
     again: RefCell<Option<(Vec<PathBuf>, Arrival)>>,
 }
 
@@ -47,6 +48,7 @@ impl ErrorBar {
             details: part(&builder, "details"),
             more: part(&builder, "more"),
             retry: part(&builder, "retry"),
+            close: part(&builder, "close"),
             again: RefCell::new(None),
         }
     }
@@ -56,11 +58,12 @@ impl ErrorBar {
         self.root.connect_response(glib::clone!(
             #[weak]
             window,
-            move |bar, _| {
-                bar.set_revealed(false);
-                bar.set_visible(false);
-                window.error_bar.again.replace(None);
-            }
+            move |_, _| window.error_bar.hide()
+        ));
+        self.close.connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| window.error_bar.hide()
         ));
         self.root.set_visible(false);
         self.more.connect_toggled(glib::clone!(

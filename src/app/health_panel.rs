@@ -79,11 +79,9 @@ impl HealthPanel {
         store.extend_from_slice(&items);
         self.list.set_model(Some(&gtk::NoSelection::new(Some(store))));
         let count = |severity| document.health.iter().filter(|finding| finding.severity == severity).count();
-        let (warnings, notes) = (count(Severity::Warning), count(Severity::Note));
-        self.summary.set_text(&match (warnings, notes) {
-            (0, 0) => tr!("app-health-none"),
-            _ => tr!("app-health-some", warnings = warnings, notes = notes),
-        });
+        let counts = [("app-health-warnings", count(Severity::Warning)), ("app-health-notes", count(Severity::Note))];
+        let told: Vec<String> = counts.into_iter().filter(|(_, count)| *count > 0).map(|(key, count)| tr!(key, count = count)).collect();
+        self.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
         self.scroller.set_visible(!document.health.is_empty());
         self.copy.set_sensitive(!document.health.is_empty());
         self.facts.set_text(&facts(document));
@@ -102,7 +100,7 @@ fn facts(document: &Document) -> String {
         lines.push(source.name.clone());
         match &source.kind {
             SourceKind::Collada(asset) => {
-                let unit = format::significant(asset.unit_metres, 4);
+                let unit = format::shortest(asset.unit_metres, 4);
                 lines.push(tr!("app-facts-collada", version = asset.version.as_str(), axis = asset.up_axis.as_str(), unit = unit));
                 if !asset.authoring_tool.is_empty() {
                     lines.push(asset.authoring_tool.clone());

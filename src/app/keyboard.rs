@@ -24,11 +24,13 @@ pub fn connect(window: &Rc<Window>) {
             if !is_typing(&window) && window.viewport.flight_key(&window, letter(key, hardware), key, true) {
                 return glib::Propagation::Stop;
             }
-            // Esc leaves what has been begun, whatever has the focus.
-            if key == gdk::Key::Escape && window.look(|session| session.picking().is_some()) {
-                window.act(|session| {
-                    session.stop_picking();
-                });
+            if key == gdk::Key::Escape && leave(&window) {
+                return glib::Propagation::Stop;
+            }
+            if matches!(key, gdk::Key::Tab | gdk::Key::ISO_Left_Tab)
+                && !modifiers.intersects(gdk::ModifierType::CONTROL_MASK | gdk::ModifierType::ALT_MASK)
+                && leave_list(&window, key == gdk::Key::Tab)
+            {
                 return glib::Propagation::Stop;
             }
             match window.keys.command(key, hardware, modifiers) {
@@ -57,6 +59,37 @@ pub fn connect(window: &Rc<Window>) {
             }
         }
     ));
+}
+
+/// Esc leaves what has been begun, whatever has the focus; else it sends away what has come up over the scene, but not from under a menu or a text that is
+/// being typed, which have an Esc of their own. Whether there was any of that.
+fn leave(window: &Rc<Window>) -> bool {
+    if window.look(|session| session.picking().is_some()) {
+        window.act(|session| {
+            session.stop_picking();
+        });
+        return true;
+    }
+    if is_typing(window) || focus(window).and_then(|widget| widget.native()).is_some_and(|native| native != window.widget) {
+        return false;
+    }
+    if window.error_bar.root.is_visible() {
+        window.error_bar.hide();
+        return true;
+    }
+    window.leave_start_page()
+}
+
+/// Tab leaves a list as one thing, instead of going through its rows, of which there may be hundreds: arrows do that. Whether the focus was in one.
+fn leave_list(window: &Rc<Window>, forward: bool) -> bool {
+    let list = focus(window).and_then(|widget| widget.ancestor(gtk::ListView::static_type()));
+    // Those of menus are left to the menus.
+    let Some(list) = list.filter(|list| list.root().is_some_and(|root| root == window.widget)) else { return false };
+    let direction = if forward { gtk::DirectionType::TabForward } else { gtk::DirectionType::TabBackward };
+    list.set_can_focus(false);
+    window.widget.emit_move_focus(direction);
+    list.set_can_focus(true);
+    true
 }
 
 /// Only what can be done now is done.
@@ -114,6 +147,13 @@ fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierTyp
     if in_list {
         return (arrows || enter) && plain;
     }
+    // What is selected in a text is copied, not the picture.
+    let selected = |label: &gtk::Label| label.selection_bounds().is_some();
+    if !plain && matches!(key, K::c | K::C | K::Cyrillic_es | K::Cyrillic_ES) && widget.downcast_ref().is_some_and(selected) {
+        return true;
+    }
     // Enter presses a button; Space plays, whatever has the focus.
-    (widget.is::<gtk::Button>() || widget.is::<gtk::CheckButton>() || widget.is::<gtk::MenuButton>()) && enter && plain
+    (widget.is::<gtk::Button>() || widget.is::<gtk::Expander>() || widget.is::<gtk::CheckButton>() || widget.is::<gtk::MenuButton>())
+        && enter
+        && plain
 }

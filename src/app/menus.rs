@@ -7,9 +7,9 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::actions::Command;
-use super::recent;
 use super::session::{Session, file_cameras};
 use super::window::{Window, part};
+use super::{recent, ui};
 use crate::tr;
 
 /// The action that looks through a camera of the file, by its place in the list.
@@ -113,7 +113,10 @@ pub fn list_cameras(button: &gtk::MenuButton, session: &Session) {
 fn add_compare(slot: &gtk::Box, done: impl Fn() + 'static) {
     slot.append(&gtk::Separator::new(gtk::Orientation::Horizontal));
     let label = gtk::Label::builder().label(Command::CompareFile.label()).xalign(0.0).build();
-    let button = gtk::Button::builder().child(&label).has_frame(false).tooltip_text(Command::CompareFile.tooltip()).build();
+    let button: gtk::Button = ui::named("GtkButton", &label.text());
+    button.set_child(Some(&label));
+    button.set_has_frame(false);
+    button.set_tooltip_text(Some(&Command::CompareFile.tooltip()));
     button.set_action_name(Some(&format!("win.{}", Command::CompareFile.id())));
     button.connect_clicked(move |_| done());
     slot.append(&button);

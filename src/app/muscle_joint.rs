@@ -7,6 +7,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::actions::Command;
 use super::session::{Changes, JointAxis, Session};
 use super::window::{Window, part};
 use super::{format, ui};
@@ -118,7 +119,6 @@ impl MuscleJoint {
         let sign = if of_clip && session.is_on_top() && bend.value > 0.0 { "+" } else { "" };
         text("flexion_value", format!("{sign}{}°", format::number(bend.value, 1)));
         if of_clip {
-            self.flexion.set_tooltip_text(Some(&tr!("app-elbow-clip-tip")));
             self.on_top.set_active(session.is_on_top());
             self.on_top.set_visible(!session.document().clips.is_empty());
             part::<gtk::Button>(&self.builder, "joint_release").set_sensitive(bend.by_hand);
@@ -126,9 +126,9 @@ impl MuscleJoint {
             let (bone, axis) = session.chosen_joint().map_or((0, JointAxis::Hinge), |(node, axis)| (row(node), axis));
             self.joint.set_selected(bone);
             self.axis.set_selected(AXES.iter().position(|own| *own == axis).unwrap_or(0) as u32);
-        } else {
-            self.flexion.set_tooltip_text(Some(&tr!("app-elbow-tip")));
         }
+        let tip = if of_clip { tr!("app-elbow-clip-tip") } else { tr!("app-elbow-tip") };
+        self.flexion.set_tooltip_text(Some(&Command::with_keys(&tip, &[Command::ElbowMore, Command::ElbowLess])));
         text("flexion_label", if of_clip && session.chosen_joint().is_some() { tr!("app-joint-angle") } else { tr!("app-elbow") });
     }
 

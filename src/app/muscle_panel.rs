@@ -53,6 +53,14 @@ const NEW: Preset = PRESETS[2];
 
 /// The entries of the shape, rest length first.
 const FIELDS: [&str; 5] = ["rest_length", "tendon_0_length", "tendon_0_radius", "tendon_1_length", "tendon_1_radius"];
+/// What a person calls them, in the same order.
+const FIELD_NAMES: [&str; 5] = [
+    "app-rest-length",
+    "app-tendon-origin-length",
+    "app-tendon-origin-radius",
+    "app-tendon-insertion-length",
+    "app-tendon-insertion-radius",
+];
 
 /// Takes what was typed into a field of the shape.
 fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
@@ -403,6 +411,9 @@ impl MusclePanel {
             let text = field_text(spec, field);
             show_text(entry, &text, anew);
             part::<gtk::Label>(&self.builder, &format!("{}_unit", FIELDS[field])).set_text(&unit.length);
+            if anew {
+                entry.set_tooltip_text(Some(&format!("{}, {}", tr!(FIELD_NAMES[field]), unit.length)));
+            }
         }
         let [red, green, blue] = spec.color.unwrap_or([0xB8, 0x32, 0x2E]).map(|part| f32::from(part) / 255.0);
         part::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));

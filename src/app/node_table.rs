@@ -82,6 +82,7 @@ impl NodeTable {
             if let Some(widget) = item.child() {
                 let (row, shown) = (item.position(), values.text(item.position(), column));
                 show(&widget, &shown);
+                explain(&widget, row, column);
                 values.cells.borrow_mut().push(Shown { widget, row, column, shown });
             }
         });
@@ -120,6 +121,16 @@ impl NodeTable {
             }
         }
     }
+}
+
+/// Says which number stands in a cell.
+fn explain(widget: &gtk::Widget, row: u32, column: usize) {
+    let key = match column {
+        1 => "app-node-radius-tip",
+        2 => "app-node-growth-tip",
+        _ => return,
+    };
+    widget.set_tooltip_text(Some(&tr!(key, number = row + 1)));
 }
 
 fn show(widget: &gtk::Widget, text: &str) {

@@ -59,7 +59,7 @@ pub struct ProfileView {
 impl ProfileView {
     /// A drawing of nothing.
     pub fn new() -> Self {
-        let canvas = Canvas::new(120, 130);
+        let canvas = Canvas::named(&tr!("app-profile"), 120, 130);
         canvas.set_hexpand(true);
         let shape = Rc::new(RefCell::new(Shape::default()));
         let pointer = Rc::new(Cell::new(None::<f64>));

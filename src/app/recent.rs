@@ -10,7 +10,7 @@ use gtk4 as gtk;
 use super::demos::DEMOS;
 use super::session::Arrival;
 use super::window::Window;
-use super::{files, start};
+use super::{files, start, ui};
 use crate::tr;
 
 /// Most files that are listed.
@@ -62,7 +62,10 @@ pub fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'sta
         place.add_css_class("dim-label");
         place.add_css_class("small");
         words.append(&place);
-        let button = gtk::Button::builder().child(&words).has_frame(false).tooltip_text(path.display().to_string()).build();
+        let button: gtk::Button = ui::named("GtkButton", &name);
+        button.set_child(Some(&words));
+        button.set_has_frame(false);
+        button.set_tooltip_text(Some(&path.display().to_string()));
         let done = done.clone();
         button.connect_clicked(glib::clone!(
             #[weak]
@@ -81,7 +84,9 @@ pub fn add_demos(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone +
     slot.append(&gtk::Label::builder().label(tr!("app-start-demos")).xalign(0.0).css_classes(["heading"]).build());
     for demo in DEMOS {
         let label = gtk::Label::builder().label(tr!(demo.name)).xalign(0.0).build();
-        let button = gtk::Button::builder().child(&label).has_frame(false).build();
+        let button: gtk::Button = ui::named("GtkButton", &label.text());
+        button.set_child(Some(&label));
+        button.set_has_frame(false);
         let done = done.clone();
         button.connect_clicked(glib::clone!(
             #[weak]

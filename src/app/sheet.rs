@@ -55,6 +55,8 @@ pub struct Sheet {
     pub root: gtk::Box,
     stack: gtk::Stack,
     list: gtk::ListView,
+    scroller: gtk::ScrolledWindow,
+    nothing: gtk::Label,
     selection: gtk::SingleSelection,
     row: gtk::DropDown,
     graph: gtk::DropDown,
@@ -89,7 +91,7 @@ impl Sheet {
             canvas.set_painter(move |canvas, snapshot, width, height| paint_cursor(&shown, canvas, snapshot, width, height));
             canvas
         };
-        let curves = Canvas::new(100, 100);
+        let curves = Canvas::named(&tr!("app-do-curves"), 100, 100);
         part::<gtk::Overlay>(&builder, "curves_overlay").set_child(Some(&curves));
         let painted = shown.clone();
         curves.set_painter(move |canvas, snapshot, width, height| {
@@ -105,6 +107,8 @@ impl Sheet {
             root: part(&builder, "root"),
             stack: part(&builder, "stack"),
             list,
+            scroller: part(&builder, "scroller"),
+            nothing: part(&builder, "nothing"),
             selection,
             row: part(&builder, "row"),
             graph: part(&builder, "graph"),
@@ -162,9 +166,6 @@ impl Sheet {
     pub fn show(&self, session: &Session, page: SheetPage) {
         self.page.set(page);
         self.root.set_visible(page != SheetPage::None);
-        for list in [&self.row, &self.graph] {
-            list.set_visible(page == SheetPage::Curves);
-        }
         self.stack.set_visible_child_name(if page == SheetPage::Curves { "curves" } else { "keys" });
         self.list_rows(session);
     }
@@ -199,9 +200,14 @@ impl Sheet {
             self.shown.rows.replace(rows.clone());
             self.selection.set_model(Some(&model));
             self.row.set_model(Some(&model));
-            self.row.set_sensitive(!rows.is_empty());
             self.moved.set(None);
         }
+        for list in [&self.row, &self.graph] {
+            list.set_visible(self.page.get() == SheetPage::Curves && !rows.is_empty());
+        }
+        // Nothing to scroll, nothing for the keyboard.
+        self.scroller.set_focusable(!rows.is_empty());
+        self.nothing.set_visible(rows.is_empty());
         self.shown.plot.borrow_mut().colors = session.display().palette.axes;
         self.follow_selection(session);
         self.show_values(session);

@@ -48,7 +48,9 @@ impl StartPage {
             picture.set_halign(gtk::Align::Center);
             card.append(picture);
             card.append(&name.css_classes(["small"]).build());
-            let button = gtk::Button::builder().child(&card).has_frame(false).build();
+            let button: gtk::Button = ui::named("GtkButton", &tr!(demo.name));
+            button.set_child(Some(&card));
+            button.set_has_frame(false);
             button.connect_clicked(glib::clone!(
                 #[weak]
                 window,
@@ -75,6 +77,11 @@ impl StartPage {
     /// Asks for the page, or sends it away.
     pub fn want(&self, wanted: bool) {
         self.wanted.set(wanted);
+    }
+
+    /// Gives the keyboard to the page.
+    pub fn take_focus(&self) {
+        part::<gtk::Button>(&self.builder, "open").grab_focus();
     }
 
     /// Shows the page where it belongs: wanted, or nothing is open and nothing on its way.

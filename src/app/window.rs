@@ -371,8 +371,24 @@ impl Window {
 
     /// Brings the start page up over what is open, or sends it away.
     pub fn start_page(self: &Rc<Self>, wanted: bool) {
+        let was_there = self.start.root.is_visible();
         self.start.want(wanted);
         self.act(Session::touch);
+        // The keyboard goes with what is seen.
+        if wanted {
+            self.start.take_focus();
+        } else if was_there {
+            self.viewport.take_focus();
+        }
+    }
+
+    /// Sends the start page away where it came up over a scene; whether it did.
+    pub fn leave_start_page(self: &Rc<Self>) -> bool {
+        let came = self.start.root.is_visible() && !self.session.borrow().is_empty();
+        if came {
+            self.start_page(false);
+        }
+        came
     }
 
     /// What the scene tree shows of a node.

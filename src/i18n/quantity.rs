@@ -56,6 +56,15 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// As [`significant`], without zeros at the end that say nothing: `0.01`, not `0.01000`.
+pub fn shortest(value: f64, digits: usize) -> String {
+    let text = significant(value, digits);
+    if text.contains('·') || !text.contains([',', '.']) {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches([',', '.']).to_owned()
+}
+
 /// A count with a thin space between groups of three digits.
 pub fn count(value: u64) -> String {
     let digits = value.to_string();
@@ -102,6 +111,8 @@ mod tests {
         assert_eq!(significant(1234.567, 6), "1234.57");
         assert_eq!(significant(-3.25e-13, 3), "−3.25·10⁻¹³");
         assert_eq!(significant(12_345_678.0, 3), "1.23·10⁷");
+        assert_eq!((shortest(0.01, 4), shortest(0.0254, 4), shortest(1.0, 4)), ("0.01".into(), "0.0254".into(), "1".into()));
+        assert_eq!((shortest(100.0, 2), shortest(1e-9, 2), shortest(0.0, 4)), ("100".into(), "1.0·10⁻⁹".into(), "0".into()));
         assert_eq!(
             (count(999), count(9999), count(15_600), count(1_234_567)),
             ("999".into(), "9999".into(), "15\u{2009}600".into(), "1\u{2009}234\u{2009}567".into())

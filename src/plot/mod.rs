@@ -12,7 +12,7 @@ pub use page::{Page, PlotError};
 use ticks::{label, ticks};
 
 /// Room left of the plot for numbers, and on its other sides, logical pixels.
-const LEFT: f64 = 46.0;
+const LEFT: f64 = 54.0;
 const RIGHT: f64 = 10.0;
 const TOP: f64 = 22.0;
 const BOTTOM: f64 = 36.0;
