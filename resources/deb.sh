@@ -50,6 +50,8 @@ mkdir "$work/debian"
 printf 'Source: sinew\n\nPackage: sinew\nArchitecture: any\n' >"$work/debian/control"
 depends=$(cd "$work" && dpkg-shlibdeps -O "$root"/usr/bin/* 2>/dev/null | sed -n 's/^shlibs:Depends=//p')
 [ -n "$depends" ] || { echo "dpkg-shlibdeps found no libraries" >&2; exit 1; }
+# The symbols used are older than the version that the interface files ask for when they are loaded.
+depends=$(printf '%s' "$depends" | sed 's/libgtk-4-1 ([^)]*)/libgtk-4-1 (>= 4.8)/')
 
 mkdir -p "$root/DEBIAN"
 cat >"$root/DEBIAN/control" <<END
