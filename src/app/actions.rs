@@ -172,6 +172,8 @@ commands! {
         ResetCamera = "reset-camera" ["Return"],
         /// Centre on the selection.
         Centre = "centre" ["period"],
+        /// Go along with the selection while a clip plays.
+        Follow = "follow" ["<Shift>f"],
         /// From the front.
         Front = "view-front" ["1"],
         /// From behind.

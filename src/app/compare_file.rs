@@ -15,7 +15,7 @@ use crate::tr;
 
 /// Asks for a file and compares what is open with it.
 pub fn choose(window: &Rc<Window>) {
-    files::ask_for_files(window, false, |window, mut paths| {
+    files::ask_for_files(window, &tr!("app-choose-compared"), false, |window, mut paths| {
         if let Some(path) = paths.pop() {
             open(window, path);
         }

@@ -213,6 +213,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     window.files.failed.set(false);
     let news = (arrival == Arrival::Again).then(|| window.look(|session| news::what_changed(session.document(), &document)));
     let warnings = document.health.len();
+    let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
     if arrival == Arrival::New {
         window.give_looks_back();
     }
@@ -246,7 +247,9 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
         Some(news) => window.viewport.toast(&news, None),
         None => {
             paths.iter().for_each(|path| recent::remember(path));
-            if warnings > 0 && !hung {
+            if let Some(lost) = wanted {
+                window.viewport.toast(&tr!("app-compared-lost", file = lost.display().to_string()), None);
+            } else if warnings > 0 && !hung {
                 window.viewport.toast(&tr!("app-findings", count = warnings), None);
             }
         }
@@ -385,13 +388,13 @@ fn is_ours(path: &Path) -> bool {
 
 /// Lets the user choose files to open.
 pub fn choose(window: &Rc<Window>) {
-    ask_for_files(window, true, |window, paths| open(window, paths, Arrival::New));
+    ask_for_files(window, &tr!("app-choose-title"), true, |window, paths| open(window, paths, Arrival::New));
 }
 
 /// Lets the user choose files, one or several, and hands them on.
-pub fn ask_for_files(window: &Rc<Window>, several: bool, then: impl Fn(&Rc<Window>, Vec<PathBuf>) + 'static) {
+pub fn ask_for_files(window: &Rc<Window>, title: &str, several: bool, then: impl Fn(&Rc<Window>, Vec<PathBuf>) + 'static) {
     let dialog = gtk::FileChooserNative::new(
-        Some(&tr!("app-choose-title")),
+        Some(title),
         Some(&window.widget),
         gtk::FileChooserAction::Open,
         Some(&tr!("app-choose-open")),

@@ -92,7 +92,7 @@ fn display_menu() -> gio::Menu {
 pub fn list_cameras(button: &gtk::MenuButton, session: &Session) {
     use Command as C;
     let menu = gio::Menu::new();
-    section(&menu, &[C::Fit, C::ResetCamera, C::Centre]);
+    section(&menu, &[C::Fit, C::ResetCamera, C::Centre, C::Follow]);
     section(&menu, &[C::Front, C::Right, C::Top, C::Iso]);
     section(&menu, &[C::Back, C::Left, C::Bottom, C::IsoOpposite]);
     section(&menu, &[C::Orthographic, C::Fly, C::SmoothCamera]);

@@ -96,6 +96,7 @@ fn switch_state(command: Command, session: &Session) -> Option<bool> {
         Command::BoneNames => Some(session.bone_names()),
         Command::Ghosts => Some(session.ghosts().shown),
         Command::BonePath => Some(session.ghosts().path),
+        Command::Follow => Some(session.followed().is_some()),
         Command::CompareSkinning => Some(matches!(session.compared_with(), Some(With::Skinning))),
         Command::Isolate => Some(session.is_isolated()),
         _ => None,
@@ -136,6 +137,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::ShowAll => session.hides_something(),
         C::Ghosts => has_time || session.ghosts().shown,
         C::BonePath => has_time || session.ghosts().path,
+        C::Follow => session.can_follow() || session.followed().is_some(),
         C::StopComparing => session.compared_with().is_some(),
         C::CompareFile => !session.is_empty(),
         C::CompareSkinning => session.has_skins() || session.compared_with().is_some(),
@@ -269,13 +271,15 @@ fn change_session(command: Command, session: &mut Session) {
         C::Faster => session.time(|time| time.set_pace(pace * 1.25)),
         C::NormalSpeed => session.time(|time| time.speed = 1.0),
         C::LoopMode => session.next_loop_mode(),
-        C::MarkA => session.time(|time| time.mark_a = Some(here)),
-        C::MarkB => session.time(|time| time.mark_b = Some(here)),
+        // A mark on the wrong side of the other one begins a new stretch.
+        C::MarkA => session.time(|time| (time.mark_a, time.mark_b) = (Some(here), time.mark_b.filter(|b| *b > here))),
+        C::MarkB => session.time(|time| (time.mark_a, time.mark_b) = (time.mark_a.filter(|a| *a < here), Some(here))),
         C::ClearMarks => session.time(|time| (time.mark_a, time.mark_b) = (None, None)),
         C::PreviousClip => session.next_clip(-1),
         C::NextClip => session.next_clip(1),
         C::Fit => session.fit(),
         C::ResetCamera => session.reset_camera(),
+        C::Follow => session.toggle_follow(),
         C::Centre => {
             if let Some(node) = session.selected() {
                 session.centre_on(node);

@@ -24,6 +24,9 @@ use crate::tr;
 /// The frame rates to choose from, beside the one that the keys tell.
 const RATES: [f64; 9] = [12.0, 15.0, 24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 120.0];
 
+/// A menu of more clips than this can be searched.
+const MANY: usize = 12;
+
 /// What a drag on the track moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Grip {
@@ -272,6 +275,7 @@ impl Timeline {
                 names.push("–");
             }
             self.clip.set_model(Some(&gtk::StringList::new(&names)));
+            self.clip.set_enable_search(names.len() > MANY);
         }
         if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
             self.list_rates(session);

@@ -12,6 +12,9 @@ use crate::scene::{Bounds, Frame, Ghost, NodeId, NodeKind};
 /// The tint of the second one.
 pub const TINT: u32 = 0x53_9BF5;
 
+/// Thousandths of its distance by which the second one is pushed back in depth.
+const BEHIND: f32 = 0.1;
+
 /// What is compared with what is open.
 #[derive(Debug, Clone)]
 pub enum With {
@@ -191,7 +194,9 @@ impl Comparison {
             self.companion.sketch_bones(&other.scene, tint, 0.9, &mut frame.marks);
         }
         let bounds = self.companion.bounds();
-        self.companion.lend(frame, Ghost { tint, share, opacity, materials, behind: 0.0 });
+        // Where both are the same the first one is seen, clean.
+        let behind = if beside { 0.0 } else { BEHIND };
+        self.companion.lend(frame, Ghost { tint, share, opacity, materials, behind });
         if !bounds.is_empty() {
             frame.bounds.merge(&bounds);
         }

@@ -79,6 +79,8 @@ pub struct Saved {
     pub marks: [Option<f64>; 2],
     /// The camera of the file through which one looks, by its node.
     pub file_camera: Option<SavedNode>,
+    /// What the camera goes along with, by its node.
+    pub follow: Option<SavedNode>,
     /// What is compared with.
     pub compared: Option<SavedComparison>,
 }

@@ -86,6 +86,7 @@ app-do-view-iso = Isometric
 app-do-view-iso-opposite = Isometric from behind
 app-do-orthographic = Parallel projection
 app-do-fly = Fly
+app-do-follow = Follow the selection
 app-do-smooth-camera = Smooth camera jumps
 app-do-reset-light = Reset light
 app-do-tool-navigate = Navigate: drag moves the camera
@@ -213,6 +214,7 @@ app-kept = What was open stays open.
 app-reader-broke = The reader failed on this file. Please report it together with the file.
 app-reloaded = Read again: nothing changed.
 app-reloaded-changes = Read again: { $changes }.
+app-compared-lost = { $file }, which the session compares with, cannot be opened.
 app-compared-again = { $file }: { $news }
 app-changed-gone = gone: { $names }
 app-changed-new = new: { $names }
@@ -234,6 +236,7 @@ app-findings = { $count ->
     [one] One oddity was found while reading; see Health.
    *[other] { $count } oddities were found while reading; see Health.
 }
+app-choose-compared = Compare with a file
 app-choose-title = Open files
 app-choose-open = Open
 app-choose-ours = Animation clips and muscles

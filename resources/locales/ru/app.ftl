@@ -86,6 +86,7 @@ app-do-view-iso = Изометрия
 app-do-view-iso-opposite = Изометрия сзади
 app-do-orthographic = Параллельная проекция
 app-do-fly = Полёт
+app-do-follow = Следовать за выделенным
 app-do-smooth-camera = Плавный переход камеры
 app-do-reset-light = Вернуть свет на место
 app-do-tool-navigate = Осмотр: мышь двигает камеру
@@ -177,7 +178,7 @@ app-mouse-fly-how = W A S D Q E, Shift быстрее, Alt медленнее, �
 app-nothing-drawn = Рисовать в этом файле нечего – см. «Проверка».
 app-viewport = Сцена
 app-hint = Мышь вращает · Shift сдвигает · колесо –⁠ масштаб · правая кнопка –⁠ свет
-app-hint-move = Тяните ось, квадрат или где угодно · Ctrl –⁠ по шагам · средняя кнопка вращает вид · V –⁠ обратно
+app-hint-move = Тяните ось, квадрат или где угодно · Ctrl –⁠ по шагам · средняя кнопка –⁠ вид · V –⁠ обратно
 app-hint-rotate = Тяните кольцо или где угодно · Ctrl –⁠ по 15° · средняя кнопка вращает вид · V –⁠ обратно
 app-hint-scale = Тяните кубик или вверх · Ctrl –⁠ по шагам · средняя кнопка вращает вид · V –⁠ обратно
 app-hint-fly = W A S D и Q E –⁠ полёт · мышь –⁠ взгляд · колесо –⁠ { $speed } м/с · Esc завершает
@@ -214,6 +215,7 @@ app-kept = То, что было открыто, осталось.
 app-reader-broke = Этот файл не удалось прочитать из-за ошибки в программе. Пожалуйста, сообщите о ней и приложите файл.
 app-reloaded = Прочитано заново: ничего не изменилось.
 app-reloaded-changes = Прочитано заново: { $changes }.
+app-compared-lost = Файл { $file }, с которым сравнивает сеанс, не открывается.
 app-compared-again = { $file }: { $news }
 app-changed-gone = пропало: { $names }
 app-changed-new = новое: { $names }
@@ -230,6 +232,7 @@ app-findings = { $count ->
     [few] При чтении найдены { $count } странности – см. «Проверка».
    *[other] При чтении найдено { $count } странностей – см. «Проверка».
 }
+app-choose-compared = Сравнить с файлом
 app-choose-title = Открыть файлы
 app-choose-open = Открыть
 app-choose-ours = Клипы и мышцы

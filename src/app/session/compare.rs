@@ -26,7 +26,9 @@ pub struct Compared {
 impl Session {
     /// Compares with something; `None` ends it. A clip that is not there is none.
     pub fn compare(&mut self, with: Option<With>) {
-        if self.put_beside(with) {
+        // A view that shows both, and that no hand has touched since, goes back to the first one.
+        let alone = self.fit_on_resize && self.compared_shift().is_some_and(|(_, aside)| aside != 0.0);
+        if self.put_beside(with) || alone {
             self.fit();
         }
         self.changed(Changes::GHOSTS);
@@ -174,6 +176,22 @@ mod tests {
         assert!(expected > 0.1 && (far - expected).abs() < 1e-9, "{far} {expected}");
         session.compare(None);
         assert_eq!((session.frame().surfaces.len(), session.compared()), (own, None));
+    }
+
+    #[test]
+    fn a_file_compared_with_itself_looks_as_without_it() {
+        use crate::render::Renderer;
+        let mut session = super::super::tests::clip();
+        let mut renderer = Renderer::new(Some(1));
+        let mut pixels = |session: &mut Session| {
+            let (scene, frame, camera, display) = session.picture();
+            renderer.draw(scene, frame, &camera, &display, 320, 240).pixels.clone()
+        };
+        let alone = pixels(&mut session);
+        session.compare(Some(With::File(Box::new(session.document().clone()), "same.dae".into())));
+        assert!(pixels(&mut session) == alone, "no stripes where both are the same");
+        session.shift_compared(0.5, 0.0);
+        assert!(pixels(&mut session) != alone);
     }
 
     #[test]

@@ -108,6 +108,15 @@ impl Eye {
         }
     }
 
+    /// Moves the orbit, and a jump under way, by metres of the world; a hand is on neither.
+    pub fn shift(&mut self, way: Vec3) {
+        self.orbit.target += way;
+        if let Some(jump) = &mut self.jump {
+            jump.from.target += way;
+            jump.to.target += way;
+        }
+    }
+
     /// Lets time go by for a jump; whether anything moved.
     pub fn advance(&mut self, seconds: f64) -> bool {
         let Some(jump) = &mut self.jump else { return false };
@@ -144,8 +153,9 @@ impl Eye {
         self.jump(|orbit| orbit.look_from(view));
     }
 
-    /// Takes off from where the eye is.
+    /// Takes off from where the eye is; where rays were parallel, from where they meet with the middle as large as it was.
     pub fn fly(&mut self) {
+        self.orbit.orthographic = false;
         let camera = self.orbit.camera();
         self.jump = None;
         self.viewpoint = Viewpoint::Fly(FlyCamera {
@@ -279,6 +289,18 @@ mod tests {
         assert!((seen - shown).abs() < 1e-4 && (eye.orbit().target - Vec3::new(0.0, 1.0, 0.0)).length() < 1e-5);
         // Level, though the camera was rolled.
         assert!((eye.orbit().camera().rotation * Vec3::X).y.abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_flight_from_parallel_rays_begins_with_the_middle_as_large_as_it_was() {
+        let (scene, frame) = (Scene::default(), Frame::default());
+        let mut eye = Eye::default();
+        eye.handle(|orbit| (orbit.orthographic, orbit.distance) = (true, 5.0));
+        let seen = eye.camera(&scene, &frame).height_at(eye.orbit().target);
+        eye.fly();
+        assert!((eye.camera(&scene, &frame).height_at(eye.orbit().target) - seen).abs() < 1e-4 * seen);
+        eye.land();
+        assert!((eye.camera(&scene, &frame).height_at(eye.orbit().target) - seen).abs() < 1e-4 * seen);
     }
 
     #[test]

@@ -210,6 +210,11 @@ impl Session {
     /// Puts a node into the middle of the picture.
     pub fn centre_on(&mut self, node: NodeId) {
         let target = self.node_centre(node);
+        self.centre_at(target);
+    }
+
+    /// Puts a point of the world, metres, into the middle of the picture; the camera orbits round it from then on.
+    pub fn centre_at(&mut self, target: Vec3) {
         if target.is_finite() {
             self.change_eye(|eye| eye.jump(|orbit| orbit.target = target));
         }

@@ -6,6 +6,7 @@ mod changes;
 mod compare;
 mod edits;
 mod eye;
+mod follow;
 mod ghosts;
 mod grips;
 mod handles;
@@ -46,6 +47,7 @@ use std::cell::OnceCell;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use follow::Follow;
 use history::History;
 use inspect::Pins;
 use joint::JointHand;
@@ -87,6 +89,7 @@ pub struct Session {
     backdrop: Backdrop,
     bone_names: bool,
     eye: Eye,
+    follow: Option<Follow>,
     light: Option<LightAim>,
     model: ModelTransform,
     tool: Tool,
@@ -135,6 +138,7 @@ impl Session {
             backdrop: Backdrop::default(),
             bone_names: false,
             eye: Eye::default(),
+            follow: None,
             light: None,
             model: ModelTransform::default(),
             tool: Tool::default(),
@@ -173,7 +177,10 @@ impl Session {
         let turned: Vec<_> =
             self.document.hand_turns().iter().map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees)).collect();
         let joint = self.kept_joint();
+        let followed = name_of(&self.document, self.followed());
+        self.follow = None;
         self.stop_picking();
+        self.time_held = false;
         self.document = document;
         self.forget_joint();
         self.pins = Pins::default();
@@ -221,6 +228,7 @@ impl Session {
                     }
                 }
                 self.display.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
+                self.follow_node(followed.and_then(|name| self.document.scene.graph.find(&name)));
                 if let Some(lens) = lens {
                     let same = |(node, _): &(NodeId, _)| self.document.scene.graph.node(*node).name == lens;
                     match file_cameras(&self.document.scene).into_iter().find(same) {
@@ -288,6 +296,7 @@ impl Session {
             let begun = std::time::Instant::now();
             self.recall_company();
             self.document.pose(&self.state(), &mut self.buffers, &mut self.frame);
+            self.follow_on();
             self.invite_company();
             self.posing_ms += begun.elapsed().as_secs_f64() * 1e3;
         }

@@ -62,6 +62,7 @@ impl Session {
                 Viewpoint::File(node, _) => Some(name_of(document, node)),
                 Viewpoint::Orbit | Viewpoint::Fly(_) => None,
             },
+            follow: self.followed().map(|node| name_of(document, node)),
             compared: self.saved_comparison(&beside),
             turned: document
                 .hand_turns()
@@ -135,6 +136,7 @@ impl Session {
                 self.change_eye(|eye| eye.look_through(node, camera));
             }
         }
+        self.follow_node(saved.follow.as_ref().and_then(|node| node.find(self.document())));
         self.select(selected);
         self.set_weights(saved.weights);
         self.change_ghosts(|ghosts| *ghosts = saved.ghosts);
@@ -194,6 +196,7 @@ mod tests {
         session.change_ghosts(|ghosts| *ghosts = Ghosts { shown: true, before: 1, after: 4, step: 3, path: true });
         session.compare(Some(With::Clip(0)));
         session.shift_compared(0.125, 2.0);
+        session.toggle_follow();
         let saved = session.to_saved(Path::new("/somewhere"));
         let read = Saved::parse(&saved.text().expect("written")).expect("a session file").expect("sound");
         let mut other = Session::default();

@@ -155,6 +155,8 @@ impl Session {
 
     /// Plays, or stops.
     pub fn toggle_playing(&mut self) {
+        // Should a hand have been lost with the widget that it was on, what plays must not stand still.
+        self.time_held = false;
         self.time(|time| if time.playing { time.pause() } else { time.play() });
     }
 

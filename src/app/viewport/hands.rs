@@ -338,10 +338,10 @@ fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
             }
             window.act(|session| {
                 let pick = window.viewport.pick(session, x, y);
-                let found = pick.map(|pick| pick.node);
+                let place = pick.map(|pick| pick.point);
                 session.point_at(pick);
-                if let (true, Some(node)) = (presses == 2, found) {
-                    session.centre_on(node);
+                if let (true, Some(place)) = (presses == 2, place) {
+                    session.centre_at(place);
                 }
             });
         }

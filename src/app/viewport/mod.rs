@@ -1,5 +1,6 @@
 //! The picture: draws the session into a kept surface and shows what stands over it. The hands on it are in [`hands`].
 
+mod dimensions;
 mod dots;
 mod gizmo;
 mod handles;
@@ -331,6 +332,7 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
             let hands = &window.viewport.hands;
             gizmo::draw(session, canvas, snapshot, height, hands.pointer());
             legend::draw(session, canvas, snapshot, width, height);
+            dimensions::draw(session, canvas, snapshot, width, height);
             labels::draw(session, canvas, snapshot, width, height);
             if session.display().light_marker {
                 lamp::draw(session, snapshot, width, height);
