@@ -142,6 +142,12 @@ commands! {
         PreviousClip = "previous-clip" ["Page_Up"],
         /// Next clip.
         NextClip = "next-clip" ["Page_Down"],
+        /// A closer look at the timeline.
+        TimeCloser = "time-closer" ["<Control>plus", "<Control>equal", "<Control>KP_Add"],
+        /// A wider look.
+        TimeWider = "time-wider" ["<Control>minus", "<Control>KP_Subtract"],
+        /// All of the timeline.
+        TimeWhole = "time-whole" ["<Control>0"],
         /// The dope sheet.
         Sheet = "sheet" ["k"],
         /// The curve view.

@@ -129,7 +129,8 @@ impl CurvePlot {
     fn keys(&self, context: &Context, line: &Line, height: f64, track: &Track, (left, width): (f64, f64)) {
         let times = line.keys();
         let (start, end) = track.range;
-        let spread = (track.x(end, width) - track.x(start, width)) / times.len().max(1) as f64;
+        let shown = times.iter().filter(|time| (start..=end).contains(*time)).count();
+        let spread = (track.x(end, width) - track.x(start, width)) / shown.max(1) as f64;
         let place = |(time, value): (f64, f64)| (left + track.x(time, width), self.y(value, height));
         let mut last = f64::NEG_INFINITY;
         for (index, time) in times.iter().enumerate().filter(|(_, time)| (start..=end).contains(*time)) {

@@ -63,6 +63,7 @@ fn main_menu() -> gio::Menu {
     section(&time, &[C::Reverse, C::MarkA, C::MarkB, C::ClearMarks]);
     section(&time, &[C::Slower, C::Faster, C::NormalSpeed]);
     section(&time, &[C::PreviousClip, C::NextClip]);
+    section(&time, &[C::TimeCloser, C::TimeWider, C::TimeWhole]);
     section(&time, &[C::Sheet, C::Curves]);
     let colours = gio::Menu::new();
     section(&colours, &[C::ColoursSystem, C::ColoursLight, C::ColoursDark]);

@@ -129,7 +129,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::Undo => session.steps().0,
         C::Redo => session.steps().1,
         C::Play | C::Reverse | C::FrameBack | C::FrameForward | C::SecondBack | C::SecondForward | C::First | C::Last => has_time,
-        C::PreviousKey | C::NextKey | C::MarkA | C::MarkB => has_time,
+        C::PreviousKey | C::NextKey | C::MarkA | C::MarkB | C::TimeCloser | C::TimeWider | C::TimeWhole => has_time,
         C::ClearMarks => session.playback().mark_a.is_some() || session.playback().mark_b.is_some(),
         C::PreviousClip | C::NextClip => session.document().clips.len() > 1,
         C::Centre | C::Hide => session.selected().is_some(),
@@ -222,6 +222,9 @@ pub fn perform(window: &Rc<Window>, command: Command) {
             window.viewport.show_times(shown);
             window.show_states();
         }
+        C::TimeCloser => window.look_at_time(|track| track.zoom(1.5, track.time)),
+        C::TimeWider => window.look_at_time(|track| track.zoom(1.0 / 1.5, track.time)),
+        C::TimeWhole => window.look_at_time(|track| track.range = track.whole),
         C::Sheet => unfold(window, SheetPage::Keys),
         C::Curves => unfold(window, SheetPage::Curves),
         C::SmoothCamera => {

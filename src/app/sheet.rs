@@ -13,7 +13,7 @@ use super::canvas::{Canvas, cairo, rgb, set_color};
 use super::curve_plot::{CurvePlot, diamond};
 use super::session::{Changes, Graph, GraphKind, Moved, Session, SheetRow};
 use super::settings::SheetPage;
-use super::timeline::hold_while;
+use super::timeline::{self, hold_while};
 use super::track::Track;
 use super::window::{Window, part};
 use super::{format, ui};
@@ -160,6 +160,30 @@ impl Sheet {
         motion.connect_motion(move |_, x, _| moved(Some(x)));
         motion.connect_leave(move |_| point(None));
         self.curves.add_controller(motion);
+        let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL | gtk::EventControllerScrollFlags::DISCRETE);
+        let shown = self.shown.clone();
+        wheel.connect_scroll(glib::clone!(
+            #[weak]
+            window,
+            #[weak(rename_to = curves)]
+            self.curves,
+            #[upgrade_or]
+            glib::Propagation::Proceed,
+            move |controller, _, dy| {
+                let about = shown.pointer.get().map(|x| shown.time_at(&curves, x));
+                timeline::look_about(&window, controller.current_event_state(), dy, about)
+            }
+        ));
+        self.curves.add_controller(wheel);
+    }
+
+    /// The time axis is another one.
+    pub fn draw_anew(&self) {
+        self.curves.queue_draw();
+        self.cursors.iter().for_each(Canvas::queue_draw);
+        let rows = std::iter::successors(self.list.first_child(), WidgetExt::next_sibling);
+        // In each row the keys stand last.
+        rows.filter_map(|row| row.first_child()?.last_child()).for_each(|keys| keys.queue_draw());
     }
 
     /// Folds it away or shows one of its pages.
@@ -406,9 +430,11 @@ fn paint_row(shown: &Shown, place: usize, canvas: &Canvas, snapshot: &gtk::Snaps
     // Cairo fails only where memory is gone, and the next change draws again.
     let _ = context.fill();
     set_color(&context, &text, 0.85);
-    let spread = track_width / row.keys.len().max(1) as f64;
+    let (from, to) = track.range;
+    let keys = row.keys.iter().filter(|key| (from..=to).contains(*key));
+    let spread = track_width / keys.clone().count().max(1) as f64;
     let mut last = f64::NEG_INFINITY;
-    for key in &row.keys {
+    for key in keys {
         let x = (left + track.x(*key, track_width)).round() + 0.5;
         if x < last + 1.5 {
             continue;
@@ -435,6 +461,9 @@ fn paint_cursor(shown: &Shown, canvas: &Canvas, snapshot: &gtk::Snapshot, width:
         set_color(&context, &canvas.text_color(), 0.35);
         context.rectangle(left + track.x(track.time_at(x - left, track_width), track_width).round(), 0.0, 1.0, height);
         let _ = context.fill();
+    }
+    if !(track.range.0..=track.range.1).contains(&track.time) {
+        return;
     }
     set_color(&context, &rgb(track.accent), 0.9);
     context.rectangle((left + track.x(track.time, track_width)).round() - 1.0, 0.0, 2.0, height);

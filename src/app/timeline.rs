@@ -24,6 +24,8 @@ use crate::tr;
 /// The frame rates to choose from, beside the one that the keys tell.
 const RATES: [f64; 9] = [12.0, 15.0, 24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 120.0];
 
+/// How much closer one looks by a notch of the wheel.
+const CLOSER: f64 = 1.25;
 /// A menu of more clips than this can be searched.
 const MANY: usize = 12;
 
@@ -93,6 +95,13 @@ impl Timeline {
             play_image: part(&builder, "play_image"),
             loop_mode: part(&builder, "loop_mode"),
         }
+    }
+
+    /// Shows another part of the clip.
+    pub fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
+        look(&mut self.track.borrow_mut());
+        self.canvas.queue_draw();
+        self.sheet.draw_anew();
     }
 
     /// Whether a widget is the timeline itself, on which the keys of playing mean what they mean everywhere.
@@ -226,10 +235,19 @@ impl Timeline {
         wheel.connect_scroll(glib::clone!(
             #[weak]
             window,
+            #[strong]
+            track,
             #[upgrade_or]
             glib::Propagation::Proceed,
-            move |_, _, dy| {
-                window.act(|session| session.step_frames(if dy > 0.0 { 1 } else { -1 }));
+            move |controller, _, dy| {
+                let width = controller.widget().map_or(1.0, |canvas| f64::from(canvas.width()));
+                let about = {
+                    let track = track.borrow();
+                    track.pointer.map(|x| track.time_at(x, width))
+                };
+                if look_about(&window, controller.current_event_state(), dy, about) == glib::Propagation::Proceed {
+                    window.act(|session| session.step_frames(if dy > 0.0 { 1 } else { -1 }));
+                }
                 glib::Propagation::Stop
             }
         ));
@@ -319,16 +337,38 @@ impl Timeline {
         let shown = Changes::DOCUMENT | Changes::PLAYBACK | Changes::TIME | Changes::SELECTION | Changes::DISPLAY;
         if changes.any(shown) {
             let mut track = self.track.borrow_mut();
-            track.range = (playback.start, playback.end);
-            (track.time, track.rate, track.accent) = (playback.time, rate, session.display().palette.selected);
+            let before = track.range;
+            (track.rate, track.accent) = (rate, session.display().palette.selected);
+            track.show((playback.start, playback.end));
+            if track.time != playback.time {
+                track.time = playback.time;
+                track.keep(playback.time);
+            }
             track.marks = (playback.mark_a, playback.mark_b);
             if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::SELECTION) {
                 track.keys = session.all_keys().to_vec();
                 track.own_keys = session.own_keys().to_vec();
             }
+            let turned = track.range != before;
+            drop(track);
             self.canvas.queue_draw();
+            if turned {
+                self.sheet.draw_anew();
+            }
         }
     }
+}
+
+/// The wheel over a time axis: with Ctrl it looks closer at a moment, with Shift it slides what is shown.
+pub fn look_about(window: &Rc<Window>, held: gdk::ModifierType, notches: f64, about: Option<f64>) -> glib::Propagation {
+    if held.contains(gdk::ModifierType::CONTROL_MASK) {
+        window.look_at_time(|track| track.zoom(CLOSER.powf(-notches), about.unwrap_or(track.time)));
+    } else if held.contains(gdk::ModifierType::SHIFT_MASK) {
+        window.look_at_time(|track| track.slide(0.1 * notches));
+    } else {
+        return glib::Propagation::Proceed;
+    }
+    glib::Propagation::Stop
 }
 
 /// While a hand holds the present moment it stays in the hand; what plays goes on from where it is let go.

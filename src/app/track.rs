@@ -18,13 +18,18 @@ const FRAMES: [f64; 13] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0,
 /// Keys nearer than this are drawn as ticks, not as diamonds.
 const DENSE: f64 = 9.0;
 
+/// Frames that are shown at the closest look.
+const FEWEST: f64 = 4.0;
+
 /// Side of the tab of a mark, logical pixels.
 const TAB: f64 = 14.0;
 
 /// What the track shows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Track {
-    /// First and last moment, seconds.
+    /// First and last moment of the clip, seconds.
+    pub whole: (f64, f64),
+    /// First and last moment that are shown, seconds.
     pub range: (f64, f64),
     /// The present moment.
     pub time: f64,
@@ -49,6 +54,58 @@ pub struct Track {
 }
 
 impl Track {
+    /// Shows another stretch of time, all of it; the same one stays as closely looked at as it is.
+    pub fn show(&mut self, whole: (f64, f64)) {
+        if self.whole != whole {
+            (self.whole, self.range) = (whole, whole);
+        }
+    }
+
+    /// Whether not all of it is shown.
+    pub fn is_close(&self) -> bool {
+        self.range != self.whole
+    }
+
+    /// Looks `factor` times as closely, a moment staying where it is; at most all of it, at least a few frames.
+    pub fn zoom(&mut self, factor: f64, about: f64) {
+        let (start, end) = self.range;
+        let all = self.whole.1 - self.whole.0;
+        if all <= 0.0 || factor.is_nan() || factor <= 0.0 || self.rate <= 0.0 {
+            return;
+        }
+        let about = about.clamp(start, end);
+        let span = ((end - start) / factor).clamp((FEWEST / self.rate).min(all), all);
+        let part = if end > start { (about - start) / (end - start) } else { 0.0 };
+        self.begin(about - part * span, span);
+    }
+
+    /// Moves what is shown by a part of it.
+    pub fn slide(&mut self, part: f64) {
+        let span = self.range.1 - self.range.0;
+        self.begin(self.range.0 + part * span, span);
+    }
+
+    /// Lets a moment that is not shown come in at the near end.
+    pub fn keep(&mut self, time: f64) {
+        let (start, end) = self.range;
+        if time > end {
+            self.begin(time - 0.1 * (end - start), end - start);
+        } else if time < start {
+            self.begin(time - 0.9 * (end - start), end - start);
+        }
+    }
+
+    fn begin(&mut self, start: f64, span: f64) {
+        let (first, last) = self.whole;
+        // Of all there is no rounded start.
+        self.range = if span >= last - first {
+            self.whole
+        } else {
+            let start = start.clamp(first, last - span);
+            (start, start + span)
+        };
+    }
+
     /// Where a moment stands on a track of this width.
     pub fn x(&self, time: f64, width: f64) -> f64 {
         let (start, end) = self.range;
@@ -84,7 +141,8 @@ impl Track {
 
     /// The tabs by which the marks are dragged.
     fn tabs(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
-        let tabs = [(self.marks.0, 0.0, "A"), (self.marks.1, -TAB, "B")].into_iter();
+        let shown = |mark: Option<f64>| mark.filter(|mark| (self.range.0..=self.range.1).contains(mark));
+        let tabs = [(shown(self.marks.0), 0.0, "A"), (shown(self.marks.1), -TAB, "B")].into_iter();
         for (x, letter) in tabs.filter_map(|(mark, shift, letter)| mark.map(|mark| (self.x(mark, width).round() + shift, letter))) {
             let context = cairo(snapshot, width, height);
             set_color(&context, &rgb(self.accent), 0.95);
@@ -108,7 +166,9 @@ impl Track {
             write(canvas, snapshot, &self.empty, width / 2.0, height / 2.0 - 9.0, Align::Centre, 1.0, &text.with_alpha(0.55));
             return;
         }
-        if let (from, to) = (self.marks.0.unwrap_or(self.range.0), self.marks.1.unwrap_or(self.range.1))
+        rounded(&context, 0.5, top - 2.0, width - 1.0, bottom - top + 4.0, 4.0);
+        context.clip();
+        if let (from, to) = (self.marks.0.unwrap_or(self.whole.0), self.marks.1.unwrap_or(self.whole.1))
             && self.marks != (None, None)
         {
             set_color(&context, &rgb(self.accent), 0.18);
@@ -150,6 +210,15 @@ impl Track {
         set_color(&context, &rgb(self.accent), 1.0);
         context.rectangle(cursor.round() - 1.0, top - 2.0, 2.0, bottom - top + 4.0);
         fill(&context);
+        if self.is_close() {
+            // Which part of the whole it is.
+            let all = (self.whole.1 - self.whole.0).max(1e-9);
+            let [from, to] = [self.range.0, self.range.1].map(|time| (time - self.whole.0) / all * width);
+            set_color(&context, &text, 0.45);
+            context.rectangle(from, bottom - 3.0, (to - from).max(6.0), 3.0);
+            fill(&context);
+        }
+        context.reset_clip();
         if self.focused {
             set_color(&context, &rgb(self.accent), 0.6);
             rounded(&context, 1.5, top - 1.0, width - 3.0, bottom - top + 2.0, 5.0);
@@ -167,7 +236,7 @@ impl Track {
             _ => f64::INFINITY,
         };
         let mut last_x = f64::NEG_INFINITY;
-        for key in keys {
+        for key in keys.iter().filter(|key| (self.range.0..=self.range.1).contains(*key)) {
             let x = self.x(*key, width).round() + 0.5;
             if x < last_x + 1.5 {
                 continue;
@@ -215,7 +284,9 @@ impl Track {
             let time = self.time_at(x, width);
             self.flag(canvas, snapshot, time, width, height, &canvas.text_color().with_alpha(0.8));
         }
-        self.flag(canvas, snapshot, self.time, width, height, &rgb(self.accent));
+        if (self.range.0..=self.range.1).contains(&self.time) {
+            self.flag(canvas, snapshot, self.time, width, height, &rgb(self.accent));
+        }
     }
 
     /// The moment in seconds below and as a frame above.
@@ -258,7 +329,37 @@ mod tests {
     use super::*;
 
     fn track() -> Track {
-        Track { range: (0.5, 4.5), rate: 24.0, ..Track::default() }
+        let mut track = Track { rate: 24.0, ..Track::default() };
+        track.show((0.5, 4.5));
+        track
+    }
+
+    #[test]
+    fn a_closer_look_keeps_the_moment_and_stays_within_the_clip() {
+        let mut track = track();
+        let before = track.x(1.5, 800.0);
+        track.zoom(2.0, 1.5);
+        assert!(track.is_close() && (track.x(1.5, 800.0) - before).abs() < 1e-9);
+        assert!((track.range.1 - track.range.0 - 2.0).abs() < 1e-12);
+        track.zoom(1e9, 1.5);
+        assert!((track.range.1 - track.range.0 - FEWEST / 24.0).abs() < 1e-9, "{:?}", track.range);
+        track.slide(1e9);
+        assert_eq!(track.range.1, 4.5);
+        track.keep(1.0);
+        assert!(track.range.0 <= 1.0 && track.range.1 >= 1.0);
+        // The same clip stays as close; all of it is all of it to the bit; another clip is shown whole.
+        track.show((0.5, 4.5));
+        assert!(track.is_close());
+        track.zoom(1e-9, 1.0);
+        assert_eq!((track.range, track.is_close()), ((0.5, 4.5), false));
+        track.zoom(4.0, 2.0);
+        track.show((0.0, 1.0));
+        assert_eq!(track.range, (0.0, 1.0));
+        for factor in [0.0, -1.0, f64::NAN] {
+            track.zoom(factor, 0.5);
+        }
+        Track::default().zoom(2.0, 0.0);
+        assert_eq!(track.range, (0.0, 1.0));
     }
 
     #[test]

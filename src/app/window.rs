@@ -27,6 +27,7 @@ use super::sheet::Sheet;
 use super::sides::Sides;
 use super::start::StartPage;
 use super::timeline::Timeline;
+use super::track::Track;
 use super::tree_rows::Row;
 use super::viewport::Viewport;
 use super::{files, ghosts_panel, heading, keyboard, menus, perform, saving, sides, theme, ui};
@@ -317,6 +318,11 @@ impl Window {
             work(&self.timeline.sheet, &self.session.borrow());
             self.refreshing.set(false);
         }
+    }
+
+    /// Shows another part of the clip on the timeline.
+    pub fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
+        self.timeline.look_at_time(look);
     }
 
     /// Whether a widget is the timeline.
