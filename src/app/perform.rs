@@ -132,6 +132,8 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::PreviousKey | C::NextKey | C::MarkA | C::MarkB | C::TimeCloser | C::TimeWider | C::TimeWhole => has_time,
         C::ClearMarks => session.playback().mark_a.is_some() || session.playback().mark_b.is_some(),
         C::PreviousClip | C::NextClip => session.document().clips.len() > 1,
+        // Where the desktop asks for no animation there is none, whatever is chosen here.
+        C::SmoothCamera => theme::animates(),
         C::Centre | C::Hide => session.selected().is_some(),
         C::Isolate => session.selected().is_some() || session.is_isolated(),
         C::ShowAll => session.hides_something(),

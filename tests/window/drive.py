@@ -220,7 +220,9 @@ def test_clip():
     for part in (0.25, 0.75):
         run("xdotool", "mousemove", box.x + round(box.width * part), box.y + box.height // 2, "click", 1)
         wait(f"a click at {part} of the timeline goes there", lambda: abs(value(slider) - 2.0 * part) < 0.08)
-    told("a click on the timeline seeks")
+    window.key("Up")
+    wait("Up goes to the key before with the keyboard on the timeline", lambda: abs(value(slider) - 1.0) < 1e-6)
+    told("a click on the timeline seeks and leaves the keys what they are")
 
     run("xdotool", "mousemove", 500, 300, "click", 1)  # the keyboard goes to the picture
     slider.set_current_value(0.5)
