@@ -142,12 +142,6 @@ commands! {
         PreviousClip = "previous-clip" ["Page_Up"],
         /// Next clip.
         NextClip = "next-clip" ["Page_Down"],
-        /// A closer look at the timeline.
-        TimeCloser = "time-closer" ["<Control>plus", "<Control>equal", "<Control>KP_Add"],
-        /// A wider look.
-        TimeWider = "time-wider" ["<Control>minus", "<Control>KP_Subtract"],
-        /// All of the timeline.
-        TimeWhole = "time-whole" ["<Control>0"],
         /// The dope sheet.
         Sheet = "sheet" ["k"],
         /// The curve view.
@@ -170,6 +164,12 @@ commands! {
         PreviousKey = "previous-key" ["Up"],
         /// Next key.
         NextKey = "next-key" ["Down"],
+        /// A closer look at the timeline.
+        TimeCloser = "time-closer" ["<Control>plus", "<Control>equal", "<Control>KP_Add"],
+        /// A wider look.
+        TimeWider = "time-wider" ["<Control>minus", "<Control>KP_Subtract"],
+        /// All of the timeline.
+        TimeWhole = "time-whole" ["<Control>0"],
     }
     Camera {
         /// Fit everything into the picture.
@@ -178,8 +178,6 @@ commands! {
         ResetCamera = "reset-camera" ["Return"],
         /// Centre on the selection.
         Centre = "centre" ["period"],
-        /// Go along with the selection while a clip plays.
-        Follow = "follow" ["<Shift>f"],
         /// From the front.
         Front = "view-front" ["1"],
         /// From behind.
@@ -294,6 +292,8 @@ commands! {
         Weights = "weights" ["w"],
         /// The moments before and after this one.
         Ghosts = "ghosts" ["h"],
+        /// Go along with the selection while a clip plays.
+        Follow = "follow" ["<Shift>f"],
         /// The path of the selection.
         BonePath = "bone-path" ["p"],
         /// Both ways to bend a skin.
