@@ -13,7 +13,7 @@ use super::window::{Window, part};
 use crate::tr;
 
 /// What the mouse does: the keys of its names and of its gestures in the catalogue.
-const MOUSE: [(&str, &str); 8] = [
+const MOUSE: [(&str, &str); 9] = [
     ("app-mouse-orbit", "app-mouse-orbit-how"),
     ("app-mouse-pan", "app-mouse-pan-how"),
     ("app-mouse-zoom", "app-mouse-zoom-how"),
@@ -22,6 +22,7 @@ const MOUSE: [(&str, &str); 8] = [
     ("app-mouse-pick", "app-mouse-pick-how"),
     ("app-mouse-centre", "app-mouse-centre-how"),
     ("app-mouse-fly", "app-mouse-fly-how"),
+    ("app-mouse-time", "app-mouse-time-how"),
 ];
 
 /// The sections of the shortcuts window, each short enough for one page: GTK puts the groups of several pages into an order of its own. The one with the

@@ -79,12 +79,22 @@ class Window:
         environment = {"G_DEBUG": "fatal-criticals", **os.environ}
         self.process = subprocess.Popen([program, *files], stderr=subprocess.PIPE, text=True, env=environment)
         self.root = wait("the program appears in the accessibility tree", self.find_root)
-        self.window = wait("the window is there", lambda: run("xdotool", "search", "--onlyvisible", "--pid", self.process.pid).split()[0].decode())
+        self.window = wait("the window is there", self.find_window)
         run("xdotool", "windowmove", self.window, 0, 0)
         run("xdotool", "windowfocus", self.window)
         if files and opens:
             # Widgets are there before their files are, and do nothing until then.
             wait("the file is shown", lambda: run("xdotool", "getwindowname", self.window).decode().strip() not in ("", "Sinew"))
+
+    def find_window(self):
+        """The program's largest window: under a pointer that rests a tooltip may have come up already, which is a window too."""
+        def area(window):
+            size = dict(line.split("=") for line in run("xdotool", "getwindowgeometry", "--shell", window).decode().split())
+            return int(size["WIDTH"]) * int(size["HEIGHT"])
+
+        windows = run("xdotool", "search", "--onlyvisible", "--pid", self.process.pid).decode().split()
+        window = max(windows, key=area)
+        return window if area(window) > 90_000 else None
 
     def find_root(self):
         if self.process.poll() is not None:

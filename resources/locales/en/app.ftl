@@ -176,6 +176,8 @@ app-mouse-centre = Centre
 app-mouse-centre-how = Double-click
 app-mouse-fly = In flight
 app-mouse-fly-how = W A S D Q E, Shift faster, Alt slower, wheel sets the speed, Esc lands
+app-mouse-time = On the timeline
+app-mouse-time-how = Shift + drag marks A and B, wheel steps, Ctrl + wheel looks closer, Shift + wheel slides it
 
 # Picture
 app-nothing-drawn = Nothing in this file can be drawn: see Health.
@@ -683,7 +685,7 @@ app-help-open-text = Open a COLLADA clip (.dae, .zae) or a muscle (.yaml) with {
 app-help-look = Look round
 app-help-look-text = Drag to orbit, drag with Shift to pan, turn the wheel to zoom, drag with the right button to move the light. { $fit } fits everything, { $view-front }, { $view-right } and { $view-top } look along the axes, { $fly } flies with W A S D until Esc. With { $tool-move }, { $tool-rotate } and { $tool-scale } a drag moves, turns and scales the model instead, { $tool-navigate } goes back to the camera.
 app-help-time = Play
-app-help-time-text = { $play } plays. A click or a drag on the timeline goes to that moment, { $frame-back } and { $frame-forward } step a frame, { $previous-key } and { $next-key } go from key to key. { $mark-a } and { $mark-b } bound what plays. { $sheet } unfolds the keys of each bone, { $curves } the curves.
+app-help-time-text = { $play } plays. A click or a drag on the timeline goes to that moment, { $frame-back } and { $frame-forward } step a frame, { $previous-key } and { $next-key } go from key to key. { $mark-a } and { $mark-b } bound what plays. { $sheet } unfolds the keys of each bone, { $curves } the curves; { $time-closer } looks closer at them all. { $follow } lets the camera go along with the selection.
 app-help-inside = Look inside
 app-help-inside-text = A click selects, in the picture or in the tree. Below the tree stands where the selection is, what its mesh holds and, after a click on a skin, which bones hold that point. { $bones } shows bones, { $weights } the weights of the selected one, { $ghosts } the moments before and after.
 app-help-muscle = Muscles
