@@ -165,9 +165,9 @@ commands! {
         /// Next key.
         NextKey = "next-key" ["Down"],
         /// A closer look at the timeline.
-        TimeCloser = "time-closer" ["<Control>plus", "<Control>equal", "<Control>KP_Add"],
+        TimeCloser = "time-closer" ["<Control>plus"],
         /// A wider look.
-        TimeWider = "time-wider" ["<Control>minus", "<Control>KP_Subtract"],
+        TimeWider = "time-wider" ["<Control>minus"],
         /// All of the timeline.
         TimeWhole = "time-whole" ["<Control>0"],
     }

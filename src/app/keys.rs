@@ -64,7 +64,12 @@ fn held(modifiers: gdk::ModifierType) -> u8 {
 
 fn name(key: gdk::Key) -> String {
     let name = key.to_lower().name().map(String::from).unwrap_or_default();
+    // Plus needs Shift on many keyboards, and stands on the number block too.
+    if ["equal", "KP_Add"].contains(&name.as_str()) {
+        return "plus".into();
+    }
     match name.strip_prefix("KP_") {
+        Some("Subtract") => "minus".into(),
         Some("Enter") => "Return".into(),
         Some(digit) if digit.len() == 1 => digit.into(),
         _ => name,
@@ -153,6 +158,13 @@ mod tests {
         assert_eq!(keys.command(Key::asciitilde, Some(49), M::SHIFT_MASK), Some(Command::Fly));
         assert_eq!(keys.command(Key::N, Some(57), M::SHIFT_MASK), Some(Command::NormalGlyphs));
         assert_eq!(keys.command(Key::space, Some(65), M::SUPER_MASK), None);
+        for (plus, code, shift) in [(Key::plus, 21, M::SHIFT_MASK), (Key::equal, 21, M::empty()), (Key::KP_Add, 86, M::empty())] {
+            assert_eq!(keys.command(plus, Some(code), M::CONTROL_MASK | shift), Some(Command::TimeCloser));
+        }
+        // Minus stands where the six is elsewhere on a French keyboard.
+        for (minus, code) in [(Key::minus, 20), (Key::minus, 15), (Key::KP_Subtract, 82)] {
+            assert_eq!(keys.command(minus, Some(code), M::CONTROL_MASK), Some(Command::TimeWider));
+        }
         assert_eq!(keys.command(Key::F9, Some(75), M::LOCK_MASK), Some(Command::Sidebars));
     }
 }
