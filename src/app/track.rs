@@ -101,7 +101,7 @@ impl Track {
         self.range = if span >= last - first {
             self.whole
         } else {
-            let start = start.clamp(first, last - span);
+            let start = start.min(last - span).max(first);
             (start, start + span)
         };
     }

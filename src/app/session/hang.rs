@@ -47,9 +47,11 @@ impl Session {
         // Only a file that is in the scene without its arm has axes to lay a muscle in; what it looks like meanwhile nobody sees.
         let mut files = before.clone();
         files[place] = loose;
+        let (drive, selected) = (self.state.drive, self.display.selected);
         self.put_muscle_files(&files);
         let hung: Option<Vec<MuscleSpec>> = on_arm.muscles.iter().map(|muscle| self.hung(place, muscle, &on_arm, &joint)).collect();
         self.put_muscle_files(&before);
+        (self.state.drive, self.display.selected) = (drive, selected);
         files[place].muscles = hung?;
         let name = self.document.scene.graph.node(joint.node).name.clone();
         self.change_files(&files, tr!("muscle-edit-hang", joint = name.clone()), Step::New);
@@ -73,7 +75,7 @@ mod tests {
     use crate::app::session::tests::ends;
     use crate::collada::Progress;
     use crate::document::Document;
-    use crate::scene::MuscleId;
+    use crate::scene::{MuscleId, NodeId, NodeKind};
 
     fn both(clip: &str, muscles: &str) -> Session {
         let config = |name: &str| format!("{}/configs/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -115,6 +117,27 @@ mod tests {
         assert!(session.files_now() == before && !session.is_unsaved() && session.step_names().0.is_none());
         let mut alone = Session::new(Document::built_in());
         assert_eq!(alone.hang_on_clip(0), None);
+    }
+
+    #[test]
+    fn bones_that_no_file_can_name_leave_everything_as_it_was() {
+        let named = both("curl.dae", "biceps.yaml");
+        let elbow = named.joint_to_hang_on(0).unwrap().node;
+        let mut document = named.document().clone();
+        for bone in 0..document.scene.graph.len() as u32 {
+            let node = document.scene.graph.node_mut(NodeId(bone));
+            if node.kind == NodeKind::Joint && node.id != "elbow" && node.id != "upper arm" {
+                (node.name, node.id, node.sid) = (String::new(), String::new(), String::new());
+            }
+        }
+        let mut session = Session::new(document);
+        session.set_flexion(40.0);
+        session.select(Some(elbow));
+        let look = |session: &Session| (session.files_now(), session.drive(), session.selected(), session.is_unsaved());
+        let before = look(&session);
+        assert_eq!(session.joint_to_hang_on(0).map(|joint| joint.node), Some(elbow));
+        assert_eq!(session.hang_on_clip(0), None);
+        assert_eq!(look(&session), before);
     }
 
     #[test]
