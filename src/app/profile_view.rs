@@ -16,6 +16,8 @@ use crate::tr;
 const INSET: f64 = 10.0;
 /// Growth that one pixel of a drag with Shift changes.
 const GROWTH_A_PIXEL: f64 = 0.01;
+/// Height of the caption with the air above it, logical pixels.
+const CAPTION: i32 = 26;
 /// Muscle red, in light and dark.
 const MUSCLE: u32 = 0xB8322E;
 
@@ -84,6 +86,12 @@ impl ProfileView {
             }
         });
         canvas.add_controller(motion);
+        // Over the caption alone: elsewhere the explanation would stand over the handle that is about to be dragged.
+        canvas.connect_query_tooltip(|canvas, _, y, _, tooltip| {
+            tooltip.set_text(Some(&tr!("app-profile-tip")));
+            y > canvas.height() - CAPTION
+        });
+        canvas.set_has_tooltip(true);
         Self { canvas, shape, grip }
     }
 

@@ -1,7 +1,8 @@
 //! The scene tree: nodes, bones, meshes and muscles, with search; selection goes both ways.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::time::Duration;
 
 use gtk::prelude::*;
 use gtk::{gio, glib};
@@ -19,6 +20,9 @@ use crate::tr;
 /// Trees of at most this many nodes are shown unfolded.
 const UNFOLDED: usize = 300;
 
+/// After this time panels have their heights.
+const SETTLED: Duration = Duration::from_millis(300);
+
 /// The tree.
 pub struct SceneTree {
     /// The whole.
@@ -29,6 +33,8 @@ pub struct SceneTree {
     nothing: gtk::Label,
     selection: RefCell<gtk::SingleSelection>,
     rows: Rc<RefCell<Vec<Row>>>,
+    /// How far it is scrolled while a hand has just chosen the row at this position, until the list has another height.
+    chosen: Rc<Cell<Option<(f64, u32)>>>,
     window: RefCell<std::rc::Weak<Window>>,
 }
 
@@ -44,6 +50,7 @@ impl SceneTree {
             nothing: part(&builder, "nothing"),
             selection: RefCell::new(gtk::SingleSelection::new(None::<gio::ListModel>)),
             rows: Rc::default(),
+            chosen: Rc::default(),
             window: RefCell::default(),
         }
     }
@@ -52,6 +59,17 @@ impl SceneTree {
     pub fn connect(&self, window: &Rc<Window>) {
         self.window.replace(Rc::downgrade(window));
         self.list.set_factory(Some(&factory(window)));
+        // The inspector comes up below with the first selection; the row stays under the pointer that chose it, for a second click.
+        let (chosen, list) = (self.chosen.clone(), self.list.downgrade());
+        self.scroller.vadjustment().connect_page_size_notify(move |scrolled| {
+            let rows = list.upgrade().and_then(|list| list.model()).map_or(0, |model| model.n_items());
+            if let Some((value, position)) = chosen.take().filter(|_| rows > 0) {
+                let bottom = f64::from(position + 1) * scrolled.upper() / f64::from(rows);
+                let (scrolled, value) = (scrolled.clone(), value.max(bottom - scrolled.page_size()));
+                // The list is being laid out: it would not hear of another value now.
+                glib::idle_add_local_once(move || scrolled.set_value(value));
+            }
+        });
         self.search.connect_search_changed(glib::clone!(
             #[weak]
             window,
@@ -168,8 +186,14 @@ impl SceneTree {
             return;
         };
         if selection.selected_item().and_then(|item| node_of(&item)) == Some(node) {
+            self.chosen.set(Some((self.scroller.vadjustment().value(), selection.selected())));
+            let chosen = self.chosen.clone();
+            glib::timeout_add_local_once(SETTLED, move || {
+                chosen.take();
+            });
             return;
         }
+        self.chosen.take();
         // Unfolds everything above it; each row found lies below the one before.
         let mut position = None;
         for step in path_to(&session.document().scene, node) {

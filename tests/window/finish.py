@@ -85,6 +85,29 @@ def test_unfolding(window):
     told("Enter unfolds what is folded; Tab goes on from there")
 
 
+def test_deep_tree():
+    """Thirty bones one below the other: their names are legible, and the row that is clicked stays where it is."""
+    above = "".join(f'<node id="deep{level}" name="Bone {level:02}">' for level in range(30))
+    node = next(line for line in CLIP.splitlines() if 'id="Node"' in line)
+    window = Window(write("deep.dae", CLIP.replace(node, above + node + "</node>" * 30)))
+    label = lambda name: next((node for node in walk(window.root) if node.get_name() == name and node.get_role_name() == "label"), None)
+    row = wait("a bone has a row", lambda: label("Bone 05"))
+    place = at(row)
+    click(*place)
+    wait("the inspector comes up", lambda: window.find("button", "Selection alone"))
+    wait("the row stays under the pointer", lambda: abs(at(label("Bone 05"))[1] - place[1]) <= 2)
+    window.key("End")
+    search = window.get("entry", "Find a node").get_extents(Atspi.CoordType.WINDOW)
+
+    def legible():
+        box = label("Bone 29").get_extents(Atspi.CoordType.WINDOW)
+        return box.width > 60 and box.x + box.width <= search.x + search.width + 12
+
+    wait("the deepest name has room within the pane", legible)
+    window.quit()
+    told("deep trees are legible and stand still")
+
+
 def test_leaving(window, broken):
     focus_picture()
     window.key("alt+Home")
@@ -135,6 +158,8 @@ def main():
     test_order(window)
     test_unfolding(window)
     test_leaving(window, broken)
+    test_deep_tree()
+    # The size of the window is remembered, so what needs a small one comes last.
     test_small(path)
     print("all is so")
 
