@@ -35,7 +35,7 @@ pub fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &S
     };
     let heading = part::<gtk::Label>(builder, "title");
     heading.set_text(&title);
-    heading.set_tooltip_text(Some(&if names.len() > 1 { names.join("\n") } else { title.clone() }));
+    heading.set_tooltip_text(Some(&names.join("\n")).filter(|_| names.len() > 1).map(String::as_str));
     window.set_title(Some(&title));
     let label = part::<gtk::Label>(builder, "subtitle");
     label.set_text(&subtitle);
