@@ -14,7 +14,7 @@ ICONS = $(SHARE)/icons/hicolor
 MIME_CACHES := XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses treemagic types version
 COMPLETIONS = "$(SHARE)/bash-completion/completions/sinew" "$(SHARE)/zsh/site-functions/_sinew" "$(SHARE)/fish/vendor_completions.d/sinew.fish"
 
-.PHONY: run build test monkey bench fuzz install uninstall deb clean refresh clips
+.PHONY: run build test monkey shots bench fuzz install uninstall deb clean refresh clips
 
 # The window starts with this biceps; without a display it is drawn instead.
 START := configs/biceps-measured.yaml
@@ -51,7 +51,13 @@ test:
 # Ten thousand random keys, clicks and drags on the window; takes minutes.
 monkey:
 	@resources/setup.sh test
-	$(CARGO) test --locked --test window -- --ignored --nocapture
+	$(CARGO) test --locked --test window -- --ignored --nocapture ten_thousand
+
+# Pictures of the main views in both languages and both styles, to look at: out/shots.
+shots:
+	@resources/setup.sh test
+	SINEW_SHOTS="$(CURDIR)/out/shots" $(CARGO) test --locked --test window -- --ignored --nocapture main_views
+	@echo "The pictures are in $(CURDIR)/out/shots"
 
 # Set beside two rasterizers in Rust, beside assimp and f3d where they are installed, and beside Mesa's llvmpipe where Mesa and Python are.
 PEERS := $(TARGET)/peers

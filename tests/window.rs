@@ -109,6 +109,12 @@ fn ten_thousand_random_events_do_no_harm() {
 }
 
 #[test]
+#[ignore = "makes pictures to look at; `make shots` runs it"]
+fn main_views_come_up_in_both_languages_and_styles() {
+    drive("shots.py");
+}
+
+#[test]
 fn a_muscle_is_edited_saved_and_read_again() {
     drive("drive_muscle.py");
 }

@@ -237,7 +237,7 @@ impl Sheet {
         self.show_values(session);
     }
 
-    /// The row of the selected node; without one the curves stay where they are, or show the first row.
+    /// The row of the selected node; without one the curves stay where they are, or show the first row in which anything happens.
     fn follow_selection(&self, session: &Session) {
         let rows = self.shown.rows.borrow();
         let selected = session.selected().and_then(|node| rows.iter().position(|row| row.moved == Moved::Node(node)));
@@ -247,7 +247,9 @@ impl Sheet {
             let _ = self.list.activate_action("list.scroll-to-item", Some(&(place as u32).to_variant()));
         }
         let kept = self.moved.get().and_then(|moved| rows.iter().position(|row| row.moved == moved));
-        let place = selected.or(kept).or(if rows.is_empty() { None } else { Some(0) });
+        let moves = |row: &SheetRow| session.sheet_graphs(row.moved).iter().any(Graph::moves);
+        let first = || rows.iter().position(moves).or(if rows.is_empty() { None } else { Some(0) });
+        let place = selected.or(kept).or_else(first);
         drop(rows);
         self.show_row(session, place);
     }

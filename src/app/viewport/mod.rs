@@ -60,6 +60,7 @@ impl Viewport {
         let canvas = Canvas::named(&tr!("app-viewport"), 150, 150);
         canvas.set_focusable(true);
         canvas.add_css_class("scene");
+        frame_when_reached(&canvas);
         root.set_child(Some(&canvas));
         for (id, glyph) in
             [("tool_navigate", Glyph::Navigate), ("tool_move", Glyph::Move), ("tool_rotate", Glyph::Rotate), ("tool_scale", Glyph::Scale)]
@@ -169,9 +170,10 @@ impl Viewport {
         self.root.add_controller(controller.clone());
     }
 
-    /// Gives the keyboard to the picture.
+    /// Gives the keyboard to the picture. A hand that did so knows where it is: nothing frames the picture then.
     pub fn take_focus(&self) {
         self.canvas.grab_focus();
+        self.canvas.remove_css_class(REACHED);
     }
 
     /// What lies under a point, logical pixels.
@@ -264,6 +266,21 @@ impl Viewport {
     pub fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
         self.hands.fly(window, seconds)
     }
+}
+
+/// Marks the picture that the keyboard has come to by itself.
+const REACHED: &str = "reached";
+
+/// Frames the picture while the keyboard is there, once it has come by Tab. A key such as Space alone is no reason to.
+fn frame_when_reached(canvas: &Canvas) {
+    let focus = gtk::EventControllerFocus::new();
+    let weak = canvas.downgrade();
+    focus.connect_enter(move |_| {
+        if let Some(canvas) = weak.upgrade() {
+            canvas.add_css_class(REACHED);
+        }
+    });
+    canvas.add_controller(focus);
 }
 
 /// What drags and keys do at present.
