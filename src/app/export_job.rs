@@ -13,7 +13,7 @@ use crate::export::{gif, video};
 use crate::film::{self, Motion, Pattern, Refusal, Sequence, Shot, Studio, Target, Wish};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
-use crate::stage::Company;
+use crate::stage::{Along, Company};
 use crate::tr;
 
 /// The kinds of file.
@@ -279,6 +279,7 @@ pub struct Job {
     state: PoseState,
     sequence: Sequence,
     eye: Eye,
+    along: Option<Along>,
     display: Display,
     options: Options,
 }
@@ -310,7 +311,8 @@ impl Job {
         }
         let company = (session.company(), session.frame_rate());
         let (document, state, eye) = (session.document().clone(), session.state(), session.eye().clone());
-        Ok(Self { document, company, state, sequence, eye, display, options })
+        let along = session.along();
+        Ok(Self { document, company, state, sequence, eye, along, display, options })
     }
 
     /// How many frames it has.
@@ -338,10 +340,13 @@ impl Job {
             Kind::Muscles(form) => return self.table(Of::Muscles, form, file, work),
             Kind::Joints(form) => return self.table(Of::Joints, form, file, work),
         };
-        let Self { document, company: (company, rate), sequence, eye, display, options, .. } = self;
+        let Self { document, company: (company, rate), sequence, eye, along, display, options, .. } = self;
         let note = note(&document, &eye);
         let look = move |scene: &_, frame: &_, turn: f32| match eye.viewpoint() {
-            Viewpoint::Orbit => OrbitCamera { yaw: eye.orbit().yaw + turn, ..*eye.orbit() }.camera(),
+            Viewpoint::Orbit => {
+                let camera = OrbitCamera { yaw: eye.orbit().yaw + turn, ..*eye.orbit() }.camera();
+                along.map_or(camera, |along| along.moved(camera, frame))
+            }
             Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
         };
         let mut studio = Studio::new(&document, sequence, display, None, Box::new(look)).accompanied(company, rate);

@@ -177,6 +177,8 @@ impl Timeline {
             grip,
             move |gesture, x, y| {
                 time.grab_focus();
+                // A hand that is on it needs no frame round it.
+                track.borrow_mut().focused = false;
                 let width = gesture.widget().map_or(0.0, |canvas| f64::from(canvas.width()));
                 let mark = track.borrow().mark_at(x, y, width);
                 let shift = gesture.current_event_state().contains(gdk::ModifierType::SHIFT_MASK);

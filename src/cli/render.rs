@@ -17,8 +17,8 @@ use crate::film::{self, Direction, Eye, Look, Motion, Refusal, Sequence, Shot, S
 use crate::limits;
 use crate::muscle::Rig;
 use crate::render::{Background, Display, Samples, Shading};
-use crate::scene::{Bounds, OrbitCamera, View};
-use crate::stage::{self, Company, Opened, Saved};
+use crate::scene::{Bounds, Frame, OrbitCamera, View};
+use crate::stage::{self, Along, Company, Opened, Saved};
 use crate::tr;
 
 /// Columns and rows where the call does not say.
@@ -60,7 +60,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         wide.merge(&other);
     }
     let look = match saved.as_deref().filter(|_| !chooses_direction(given)) {
-        Some(saved) => saved_look(saved, &document, &wide),
+        Some(saved) => saved_look(saved, &document, &wide, Along::of_saved(saved, &document, &start)),
         None => None,
     };
     let look = look.unwrap_or_else(|| {
@@ -160,18 +160,21 @@ fn chooses_direction(given: &ArgMatches) -> bool {
     ["camera", "yaw", "pitch", "zoom"].into_iter().any(|id| given.contains_id(id))
 }
 
-/// Where a session looks from: its camera of the file, else its orbit; `None` where it has neither.
-fn saved_look(saved: &Saved, document: &Document, bounds: &Bounds) -> Option<Look<'static>> {
+/// Where a session looks from: its camera of the file, else its orbit, which may go along with something; `None` where it has neither.
+fn saved_look(saved: &Saved, document: &Document, bounds: &Bounds, along: Option<Along>) -> Option<Look<'static>> {
     let orbit = saved.camera.and_then(|camera| camera.orbit(bounds));
     let node = saved.file_camera.as_ref().and_then(|node| node.find(document));
     let of_file = node.and_then(|node| stage::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
     let usual = orbit.unwrap_or_default();
-    let round = move |turn: f32| OrbitCamera { yaw: usual.yaw + turn, ..usual }.camera();
+    let round = move |frame: &Frame, turn: f32| {
+        let camera = OrbitCamera { yaw: usual.yaw + turn, ..usual }.camera();
+        along.map_or(camera, |along| along.moved(camera, frame))
+    };
     match of_file {
         Some((node, id)) => {
-            Some(Box::new(move |scene, frame, turn| stage::file_camera(scene, frame, node, id).unwrap_or_else(|| round(turn))))
+            Some(Box::new(move |scene, frame, turn| stage::file_camera(scene, frame, node, id).unwrap_or_else(|| round(frame, turn))))
         }
-        None => orbit.map(|_| -> Look<'static> { Box::new(move |_, _, turn| round(turn)) }),
+        None => orbit.map(|_| -> Look<'static> { Box::new(move |_, frame, turn| round(frame, turn)) }),
     }
 }
 

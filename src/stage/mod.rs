@@ -1,6 +1,7 @@
 //! How a document is looked at, without a window: the light and the model that hands move, the switches of the display by their names, what
 //! accompanies it in the picture, and the session files that keep all of it. The window's session and the subcommands stand on it.
 
+mod along;
 mod cameras;
 mod company;
 mod comparison;
@@ -14,6 +15,7 @@ mod open;
 mod saved;
 mod trail;
 
+pub use along::Along;
 pub use cameras::{file_camera, file_cameras};
 pub use company::{Company, Host};
 pub use comparison::{Comparison, TINT as COMPARED_TINT, With};

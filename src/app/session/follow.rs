@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use super::{Changes, Session};
 use crate::scene::{NodeId, NodeKind};
+use crate::stage::Along;
 
 /// What the camera goes along with, and where that was when it was last looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +18,12 @@ impl Session {
     /// What the camera goes along with.
     pub fn followed(&self) -> Option<NodeId> {
         self.follow.map(|follow| follow.node)
+    }
+
+    /// The same for films: the camera as it stands now, and what it goes along with from here.
+    pub fn along(&mut self) -> Option<Along> {
+        let node = self.followed()?;
+        Some(Along { node, from: self.frame().position(node) })
     }
 
     /// Whether there is something to go along with.
