@@ -310,7 +310,7 @@ impl MusclePanel {
         if changes.any(Changes::DOCUMENT | bends) || changes.any(Changes::TIME) && self.root.is_mapped() {
             self.joint.refresh(session, changes);
         }
-        if changes.any(Changes::DOCUMENT | Changes::MUSCLE | Changes::SELECTION | Changes::EDIT) {
+        if changes.any(Changes::DOCUMENT | Changes::MUSCLE | Changes::SELECTION) {
             self.refresh_hang(session);
         }
         if changes.any(Changes::HISTORY) {

@@ -6,18 +6,11 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
-from drive import CLIP, Atspi, Window, configs, fail, folder, pressed, run, still, told, value, wait  # noqa: E402,F401
+from drive import CLIP, Atspi, Window, configs, fail, pressed, run, still, told, value, wait, write  # noqa: E402,F401
 
 CAMERA = """<library_cameras><camera id="lens" name="Lens"><optics><technique_common><perspective><xfov>40</xfov><aspect_ratio>1.5</aspect_ratio>
   <znear>0.1</znear><zfar>100</zfar></perspective></technique_common></optics></camera></library_cameras>"""
 EYE = """<node id="Eye" name="Eye"><matrix>0.8 -0.6 0 0 0.6 0.8 0 0 0 0 1 6 0 0 0 1</matrix><instance_camera url="#lens"/></node>"""
-
-
-def write(name, text):
-    path = os.path.join(folder, name)
-    with open(path, "w") as file:
-        file.write(text)
-    return path
 
 
 def title(window):

@@ -57,6 +57,14 @@ def told(text):
     print("ok:", text, flush=True)
 
 
+def write(name, text):
+    """A file of this name and text in the folder of the test; its path."""
+    path = os.path.join(folder, name)
+    with open(path, "w") as file:
+        file.write(text)
+    return path
+
+
 def run(*command):
     return subprocess.run([str(part) for part in command], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
 

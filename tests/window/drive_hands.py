@@ -63,17 +63,21 @@ def title(window):
 
 
 def muscle_page(window):
-    """The page of muscles, by the tab over it."""
+    page(window, "Muscle")
+
+
+def page(window, *names):
+    """A page of the right-hand side, by the tab over it that has one of these names."""
     roles = ("page tab", "toggle button", "radio button", "push button")
-    tab = lambda: next((node for node in walk(window.root) if node.get_name() == "Muscle" and node.get_role_name() in roles), None)
-    node = wait("there is a tab over the page of muscles", tab)
+    tab = lambda: next((node for node in walk(window.root) if node.get_name() in names and node.get_role_name() in roles), None)
+    node = wait(f"there is a tab over the page {names[0]}", tab)
 
     def shown():
         click(node)
         states = node.get_state_set()
         return any(states.contains(state) for state in (Atspi.StateType.SELECTED, Atspi.StateType.CHECKED, Atspi.StateType.PRESSED))
 
-    wait("the page of muscles comes up", shown)
+    wait(f"the page {names[0]} comes up", shown)
 
 
 def open_curl():

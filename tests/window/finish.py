@@ -2,18 +2,11 @@
 
 import os
 
-from drive import CLIP, Atspi, GLib, Window, fail, folder, run, steadily, told, value, wait, walk
+from drive import CLIP, Atspi, GLib, Window, fail, run, steadily, told, value, wait, walk, write
 from hands import at, click, focus_picture
 
 # What GTK before 4.10 lets nobody name: the button within a list that unfolds, and the rows of lists.
 NAMELESS = ("combo box", "list", "table", "table row")
-
-
-def write(name, text):
-    path = os.path.join(folder, name)
-    with open(path, "w") as file:
-        file.write(text)
-    return path
 
 
 def focused(window):

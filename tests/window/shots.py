@@ -3,7 +3,8 @@ SINEW_SHOTS names. Asks only that each view comes up without a critical message.
 
 import os
 
-from drive import Atspi, Window, configs, run, steadily, told, wait, walk
+from drive import Window, configs, run, told
+from drive_hands import page
 
 TO = os.environ.get("SINEW_SHOTS", "out/shots")
 SIZE = 1280, 860
@@ -22,22 +23,13 @@ VIEWS = {
 }
 
 
-def page(window, names):
-    """Shows a page of the right-hand side by the tab over it, in whatever language."""
-    roles = ("page tab", "toggle button", "radio button", "push button")
-    fits = lambda node: node.get_name() in names and node.get_role_name() in roles
-    tab = wait(f"there is a page {names}", lambda: steadily(lambda: next(filter(fits, walk(window.root)), None)))
-    box = tab.get_extents(Atspi.CoordType.WINDOW)
-    run("xdotool", "mousemove", box.x + box.width // 2, box.y + box.height // 2, "click", 1)
-
-
 def shoot(view, language, style):
     files, names, keys = VIEWS[view]
     os.environ.update(LANG=LANGUAGES[language], LC_ALL=LANGUAGES[language], LANGUAGE=language, GTK_THEME=STYLES[style])
     window = Window(*(os.path.join(configs, name) for name in files))
     run("xdotool", "windowsize", window.window, *SIZE)
     if names:
-        page(window, names)
+        page(window, *names)
     # The picture has the keys; the pointer rests where it covers nothing.
     run("xdotool", "mousemove", SIZE[0] // 2, 90, "sleep", 0.3, "click", 1)
     for key in keys:

@@ -10,7 +10,7 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use super::gizmo;
+use super::{gizmo, zoom};
 use crate::app::canvas::Canvas;
 use crate::app::format;
 use crate::app::session::{Grip as Dot, GripDrag, Handle, ModelDrag, Session, Step, Tool, Viewpoint};
@@ -20,9 +20,6 @@ use crate::tr;
 
 /// Degrees that a drag over one logical pixel turns.
 const DEGREES: f32 = 0.4;
-/// What one notch of the wheel zooms.
-const NOTCH: f64 = 1.12;
-
 /// How long the picture must rest before it is asked what lies under a pointer that rests.
 const AT_REST: Duration = Duration::from_millis(120);
 
@@ -37,37 +34,6 @@ enum Grip {
     Look,
     /// A dot of a muscle.
     Dot,
-}
-
-/// Two fingers on the picture: how far apart they are against when they came down, and where their middle was last.
-#[derive(Default)]
-struct Fingers {
-    spread: Cell<f64>,
-    middle: Cell<Option<(f64, f64)>>,
-}
-
-impl Fingers {
-    /// The fingers come down.
-    fn begin(&self) {
-        self.spread.set(1.0);
-        self.middle.set(None);
-    }
-
-    /// What the picture grows by since the last time; `scale` counts from when the fingers came down.
-    fn factor(&self, scale: f64) -> f32 {
-        if !(scale.is_finite() && scale > 0.0) {
-            return 1.0;
-        }
-        (scale / self.spread.replace(scale)) as f32
-    }
-
-    /// How far the middle went since the last time.
-    fn shift(&self, middle: Option<(f64, f64)>) -> (f64, f64) {
-        match (self.middle.replace(middle), middle) {
-            (Some((x, y)), Some((to_x, to_y))) => (to_x - x, to_y - y),
-            _ => (0.0, 0.0),
-        }
-    }
 }
 
 /// What the hands hold.
@@ -85,6 +51,8 @@ pub struct Hands {
     dragged: Cell<Option<GripDrag>>,
     /// Counts changes of what is under the pointer.
     pictures: Cell<u32>,
+    /// Whether it is waited for the picture to rest.
+    waiting: Cell<bool>,
     held: RefCell<HashSet<char>>,
     pace: Cell<(bool, bool)>,
 }
@@ -114,6 +82,12 @@ impl Hands {
     pub fn toggle_flight(&self, window: &Rc<Window>) {
         self.held.borrow_mut().clear();
         window.act(|session| session.change_eye(|eye| if eye.flying().is_some() { eye.land() } else { eye.fly() }));
+    }
+
+    /// Lets go of a drag that turned out to be none: the first of two fingers had begun it.
+    pub(super) fn drop_drag(&self) {
+        self.grip.set(None);
+        self.moved.set(true);
     }
 
     /// Lets go of all keys of flight: nobody tells of those that are released elsewhere.
@@ -175,7 +149,7 @@ impl Hands {
 pub fn connect(window: &Rc<Window>, canvas: &Canvas) {
     connect_drag(window, canvas);
     connect_clicks(window, canvas);
-    connect_wheel(window, canvas);
+    zoom::connect(window, canvas);
     connect_pointer(window, canvas);
 }
 
@@ -284,7 +258,7 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
     let (degrees_x, degrees_y) = (dx as f32 * DEGREES, dy as f32 * DEGREES);
     window.act(|session| match grip {
         Grip::Orbit => session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(-degrees_x, degrees_y))),
-        Grip::Pan => session.change_eye(|eye| eye.handle(|orbit| orbit.pan((-dx / height) as f32, (dy / height) as f32))),
+        Grip::Pan => session.change_eye(|eye| eye.handle(|orbit| zoom::pan(orbit, (dx, dy), height))),
         Grip::Zoom => session.change_eye(|eye| eye.handle(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
         Grip::Look => session.change_eye(|eye| {
             if let Some(fly) = eye.flying() {
@@ -349,78 +323,6 @@ fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
     canvas.add_controller(click);
 }
 
-fn connect_wheel(window: &Rc<Window>, canvas: &Canvas) {
-    let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL);
-    wheel.connect_scroll(glib::clone!(
-        #[weak]
-        window,
-        #[upgrade_or]
-        glib::Propagation::Proceed,
-        move |controller, _, dy| {
-            let factor = NOTCH.powf(-dy) as f32;
-            let to_pointer = controller.current_event_state().contains(gdk::ModifierType::CONTROL_MASK);
-            zoom(&window, factor, if to_pointer { window.viewport.hands.pointer.get() } else { None });
-            glib::Propagation::Stop
-        }
-    ));
-    canvas.add_controller(wheel);
-    let pinch = gtk::GestureZoom::new();
-    let fingers = Rc::new(Fingers::default());
-    pinch.connect_begin(glib::clone!(
-        #[weak]
-        window,
-        #[strong]
-        fingers,
-        move |_, _| {
-            // The first finger had begun a drag; with the second it is none.
-            window.viewport.hands.grip.set(None);
-            window.viewport.hands.moved.set(true);
-            fingers.begin();
-        }
-    ));
-    pinch.connect_scale_changed(glib::clone!(
-        #[weak]
-        window,
-        move |gesture, scale| {
-            let middle = gesture.bounding_box_center();
-            let (dx, dy) = fingers.shift(middle);
-            if (dx, dy) != (0.0, 0.0) {
-                let height = f64::from(window.viewport.size().1.max(1));
-                window.act(|session| {
-                    session.change_eye(|eye| match eye.flying() {
-                        Some(_) => {}
-                        None => eye.handle(|orbit| orbit.pan((-dx / height) as f32, (dy / height) as f32)),
-                    });
-                });
-            }
-            zoom(&window, fingers.factor(scale), middle);
-        }
-    ));
-    canvas.add_controller(pinch);
-}
-
-/// Zooms by a factor; what lies under `point` (logical pixels) stays there.
-fn zoom(window: &Rc<Window>, factor: f32, point: Option<(f64, f64)>) {
-    let (width, height) = window.viewport.size();
-    let (width, height) = (f64::from(width), f64::from(height.max(1)));
-    window.act(|session| {
-        session.change_eye(|eye| {
-            if let Some(fly) = eye.flying() {
-                fly.speed = (fly.speed * factor).clamp(1e-4, 1e4);
-                return;
-            }
-            eye.handle(|orbit| {
-                let before = orbit.distance;
-                orbit.zoom(factor);
-                if let Some((x, y)) = point {
-                    let part = before / orbit.distance - 1.0;
-                    orbit.pan(((x - width / 2.0) / height) as f32 * part, ((height / 2.0 - y) / height) as f32 * part);
-                }
-            });
-        });
-    });
-}
-
 fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
     let motion = gtk::EventControllerMotion::new();
     motion.connect_motion(glib::clone!(
@@ -480,42 +382,24 @@ pub fn point_again(window: &Rc<Window>) {
         return;
     }
     window.show_position("");
-    let number = hands.pictures.get().wrapping_add(1);
-    hands.pictures.set(number);
-    let weak = Rc::downgrade(window);
+    hands.pictures.set(hands.pictures.get().wrapping_add(1));
+    // One wait at a time, however many pictures go by.
+    if !hands.waiting.replace(true) {
+        wait_for_rest(window);
+    }
+}
+
+fn wait_for_rest(window: &Rc<Window>) {
+    let (weak, number) = (Rc::downgrade(window), window.viewport.hands.pictures.get());
     glib::timeout_add_local_once(AT_REST, move || {
         let Some(window) = weak.upgrade() else { return };
         let hands = &window.viewport.hands;
-        if let Some((x, y)) = hands.pointer.get().filter(|_| hands.pictures.get() == number && !hands.is_dragging()) {
+        if hands.pictures.get() != number {
+            return wait_for_rest(&window);
+        }
+        hands.waiting.set(false);
+        if let Some((x, y)) = hands.pointer.get().filter(|_| !hands.is_dragging()) {
             point(&window, x, y);
         }
     });
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_pinch_grows_the_picture_by_what_the_fingers_spread() {
-        let fingers = Fingers::default();
-        for scales in [&[1.1, 1.5, 1.2, 2.0][..], &[0.9, 0.0, f64::NAN, f64::INFINITY, 0.5]] {
-            fingers.begin();
-            let grown: f32 = scales.iter().map(|scale| fingers.factor(*scale)).product();
-            let last = *scales.last().expect("some") as f32;
-            assert!((grown - last).abs() < 1e-5, "{scales:?}: {grown}");
-        }
-    }
-
-    #[test]
-    fn two_fingers_move_the_picture_by_the_way_of_their_middle() {
-        let fingers = Fingers::default();
-        for way in [&[(10.0, 20.0), (13.0, 18.0), (20.0, 18.0)][..], &[(500.0, 1.0), (490.0, 41.0)]] {
-            fingers.begin();
-            let sum = way.iter().map(|place| fingers.shift(Some(*place))).fold((0.0, 0.0), |sum, by| (sum.0 + by.0, sum.1 + by.1));
-            let (first, last) = (way[0], way[way.len() - 1]);
-            assert_eq!(sum, (last.0 - first.0, last.1 - first.1));
-        }
-        assert_eq!((fingers.shift(None), fingers.shift(Some((1.0, 1.0)))), ((0.0, 0.0), (0.0, 0.0)));
-    }
 }

@@ -11,6 +11,7 @@ mod legend;
 mod lent;
 mod numbers;
 mod screen;
+mod zoom;
 
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
