@@ -26,6 +26,7 @@ mod resolve;
 mod setup;
 mod shade;
 mod small;
+mod srgb;
 mod style;
 mod texture;
 mod vertex;

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::muscle::Pattern;
+use super::srgb::Srgb;
 use crate::lanes::{Lanes, always};
 use crate::scene::{AlphaSource, Pixels, Wrap};
 
@@ -200,24 +201,52 @@ fn beyond(wrap: Wrap, at: i32, size: u32) -> Option<i32> {
     }
 }
 
-/// The next level: averages of two by two texels.
+/// The next level: what the texels beneath send out together in light, and the mean of their opacities. An odd side is shared out evenly,
+/// three texels to one, so that none is left out.
 fn halve(level: &[u32], width: u32, height: u32) -> (Vec<u32>, u32, u32) {
     let to = [(width / 2).max(1), (height / 2).max(1)];
+    let tables = Srgb::tables();
+    let columns: Vec<[(usize, u32); 3]> = (0..to[0]).map(|x| beneath(x, width)).collect();
     let mut texels = Vec::with_capacity(to[0] as usize * to[1] as usize);
+    let all = u64::from(shares(width)) * u64::from(shares(height));
+    // A division of such numbers takes longer than all the rest, and most sides are even.
+    let part = |sum: u64| (if all == 4 { sum >> 2 } else { sum / all }) as u32;
     for y in 0..to[1] {
-        for x in 0..to[0] {
-            let mut sum = [0u32; 4];
-            for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
-                let (sx, sy) = ((x * 2 + dx).min(width - 1), (y * 2 + dy).min(height - 1));
-                let texel = level[sy as usize * width as usize + sx as usize];
-                for (sum, byte) in sum.iter_mut().zip(texel.to_be_bytes()) {
-                    *sum += u32::from(byte);
+        let rows = beneath(y, height).map(|(y, share)| (&level[y * width as usize..][..width as usize], u64::from(share)));
+        for column in &columns {
+            let mut sums = [all / 2; 4];
+            for (row, below) in rows.iter().filter(|(_, share)| *share > 0) {
+                for (x, share) in column.iter().filter(|(_, share)| *share > 0) {
+                    let [a, r, g, b] = row[*x].to_be_bytes().map(u32::from);
+                    let values = [a, tables.light(r), tables.light(g), tables.light(b)];
+                    for (sum, value) in sums.iter_mut().zip(values) {
+                        *sum += u64::from(value) * u64::from(*share) * below;
+                    }
                 }
             }
-            texels.push(u32::from_be_bytes(sum.map(|s| ((s + 2) / 4) as u8)));
+            let [a, r, g, b] = sums.map(part);
+            texels.push(a << 24 | tables.byte(r) << 16 | tables.byte(g) << 8 | tables.byte(b));
         }
     }
     (texels, to[0], to[1])
+}
+
+/// Into how many shares a texel's place on the next level is divided along a side.
+fn shares(side: u32) -> u32 {
+    if side == 1 || side.is_multiple_of(2) { 2 } else { side }
+}
+
+/// Which texels of a side lie beneath texel `at` of the next level, and with what shares.
+fn beneath(at: u32, side: u32) -> [(usize, u32); 3] {
+    let first = at as usize * 2;
+    if side == 1 {
+        return [(0, 2), (0, 0), (0, 0)];
+    }
+    if side.is_multiple_of(2) {
+        return [(first, 1), (first + 1, 1), (0, 0)];
+    }
+    let half = side / 2;
+    [(first, half - at), (first + 1, half), (first + 2, at + 1)]
 }
 
 /// The textures of a renderer: made when first used, kept while they are.

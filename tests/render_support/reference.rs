@@ -75,3 +75,14 @@ pub fn random(rng: &mut Rng, width: u32, height: u32) -> [Corner; 3] {
         color: std::array::from_fn(|_| rng.between(0.0, 255.0).round()),
     })
 }
+
+/// The light of a byte of colour, 0 to 1 (IEC 61966-2-1), and back.
+pub fn light(byte: f64) -> f64 {
+    let c = byte / 255.0;
+    if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
+}
+
+/// See [`light`].
+pub fn byte(light: f64) -> f64 {
+    (if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }) * 255.0
+}
