@@ -28,6 +28,7 @@ mod shade;
 mod small;
 mod srgb;
 mod style;
+mod texels;
 mod texture;
 mod vertex;
 mod view;

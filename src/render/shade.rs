@@ -5,7 +5,8 @@ use glam::Vec3;
 use super::drawing::{Drawing, Feed, Item};
 use super::light::{normalize, see, shine};
 use super::style::{Normals, Style};
-use super::texture::{Sampler, Texture};
+use super::texels::{Texels, textures};
+use super::texture::Texture;
 use super::vertex::finish;
 use crate::lanes::{Lanes, Scalar, always, each, map};
 
@@ -42,7 +43,8 @@ pub(super) struct Slopes<const K: usize> {
     pub below: [f32; K],
     /// Whether they are slopes of attributes times nearness.
     pub curved: bool,
-    /// Levels of the material's textures where all corners of the triangle agree; [`Slopes::MIXED`] where they don't or there is none.
+    /// Levels of the material's textures, as [`super::texture::Detail::half`] counts them, where all corners of the triangle agree; [`Slopes::MIXED`] where they
+    /// don't or there is none.
     pub levels: [i32; 3],
 }
 
@@ -52,7 +54,7 @@ impl<const K: usize> Slopes<K> {
 
     /// Change of the attributes `first` and `first + 1` a pixel to the right and downward.
     #[inline(always)]
-    fn of<L: Lanes>(&self, l: L, values: &[L::F; K], first: usize) -> [[L::F; 2]; 2] {
+    pub(super) fn of<L: Lanes>(&self, l: L, values: &[L::F; K], first: usize) -> [[L::F; 2]; 2] {
         let along = always!(|slope: &[f32; K], k: usize| {
             let straight = l.splat(slope[k]);
             // Quotient rule, with values[0] = 1 / nearness.
@@ -88,7 +90,7 @@ impl<L: Lanes, const K: usize> Corners<L, K> {
                         l.select(self.curved, exact, slope[k])
                     });
                     let across = [along(&self.right, first), along(&self.right, first + 1)];
-                    texture.level(l, across, [along(&self.below, first), along(&self.below, first + 1)])
+                    texture.detail(l, across, [along(&self.below, first), along(&self.below, first + 1)]).half
                 });
                 let [a, b, c] = [at(0), at(1), at(2)];
                 // Levels are small and not negative: what they are apart is 0 only where they are equal.
@@ -304,67 +306,6 @@ impl Attributes<12> for PhongTextured<'_> {
         let full = l.splat(255.0);
         [r * full, g * full, b * full, texel.opacity * full]
     }
-}
-
-/// What the textures of a material say at a pixel.
-struct Texels<L: Lanes> {
-    /// 0 to 1; multiplies the material's colour.
-    color: [L::F; 3],
-    /// 0 to 1, the material's own opacity included.
-    opacity: L::F,
-    /// 0 to 1.
-    glow: [L::F; 3],
-}
-
-impl<L: Lanes> Texels<L> {
-    #[inline(always)]
-    #[allow(clippy::too_many_arguments)]
-    fn read<const K: usize>(
-        l: L,
-        drawing: &Drawing<'_>,
-        style: &Style,
-        uv: [L::F; 2],
-        slopes: &Slopes<K>,
-        values: &[L::F; K],
-        first: usize,
-    ) -> Self {
-        let glow = map(style.emission, always!(|emission| l.splat(emission)));
-        let mut texels = Self { color: [l.splat(1.0); 3], opacity: l.splat(style.opacity), glow };
-        // A loop, so that the long way through a texture is compiled once.
-        let samplers = [&style.diffuse, &style.cutout, &style.glow];
-        let mut which = 0;
-        while which < samplers.len() {
-            if let Some(sampler) = samplers[which]
-                && let Some(texture) = drawing.textures.get(sampler.texture as usize)
-            {
-                let level = slopes.levels[which];
-                let mip = if level == Slopes::<K>::MIXED {
-                    let [across, down] = slopes.of(l, values, first);
-                    texture.levels(l, across, down)
-                } else {
-                    texture.mip(l, level)
-                };
-                let [r, g, b, a] = texture.sample(l, sampler.wrap, uv, mip);
-                match which {
-                    0 => texels.color = [r, g, b],
-                    1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
-                    _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
-                }
-            }
-            which += 1;
-            // By far the most materials have a colour texture alone.
-            if which == 1 && style.cutout.is_none() && style.glow.is_none() {
-                break;
-            }
-        }
-        texels
-    }
-}
-
-/// The textures of a material: colour, opacity, glow.
-#[inline(always)]
-fn textures<'a>(drawing: &'a Drawing<'a>, style: &Style) -> [Option<&'a Texture>; 3] {
-    map([style.diffuse, style.cutout, style.glow], always!(|sampler: Option<Sampler>| drawing.textures.get(sampler?.texture as usize)))
 }
 
 /// Places and normals of a triangle's corners, the normals on the side that is seen.

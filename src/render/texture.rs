@@ -89,16 +89,25 @@ impl Texture {
         chain
     }
 
-    /// The level for a change of (u, v) a pixel to the right and a pixel downward.
+    /// How much is to be seen, for a change of (u, v) a pixel to the right and a pixel downward: see [`Detail`].
     #[inline(always)]
-    pub(super) fn level<L: Lanes>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> L::I {
-        choose(l, self, across, down)
+    pub(super) fn detail<L: Lanes>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> Detail<L> {
+        let (w, h) = (l.splat(self.width[0] as f32), l.splat(self.height[0] as f32));
+        let size = always!(|d: [L::F; 2]| {
+            let (x, y) = (d[0] * w, d[1] * h);
+            x * x + y * y
+        });
+        let squared = l.clamp(l.max(size(across), size(down)), 1.0, 1e9);
+        // The bits of a float are its logarithm in 2⁻²³ths, but for a bend between two powers that nobody sees; the root halves it.
+        let octaves = l.bits(squared) - l.isplat(1.0f32.to_bits() as i32);
+        let last = l.isplat((self.last << 24) as i32);
+        let octaves = l.iselect(l.ilt(last, octaves), last, octaves);
+        Detail { octaves, half: l.shr::<23>(octaves + l.isplat((1 << 23) - 1)) }
     }
 
-    /// The levels for changes of (u, v) a pixel to the right and a pixel downward.
+    /// A level for each lane.
     #[inline(always)]
-    pub(super) fn levels<L: Lanes>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> Mip<L> {
-        let level = self.level(l, across, down);
+    pub(super) fn mips<L: Lanes>(&self, l: L, level: L::I) -> Mip<L> {
         Mip { origin: l.gather(&self.origin, level), width: l.gather(&self.width, level), height: l.gather(&self.height, level) }
     }
 
@@ -146,18 +155,37 @@ pub(super) struct Mip<L: Lanes> {
     height: L::I,
 }
 
-/// The nearest level: floor(log2 ρ + ½), read off the exponent of ρ².
-#[inline(always)]
-fn choose<L: Lanes>(l: L, texture: &Texture, across: [L::F; 2], down: [L::F; 2]) -> L::I {
-    let (w, h) = (l.splat(texture.width[0] as f32), l.splat(texture.height[0] as f32));
-    let size = always!(|d: [L::F; 2]| {
-        let (x, y) = (d[0] * w, d[1] * h);
-        x * x + y * y
-    });
-    let squared = l.clamp(l.max(size(across), size(down)), 1.0, 1e9);
-    let level = l.shr::<1>(l.shr::<23>(l.bits(squared)) - l.isplat(126));
-    let last = l.isplat(texture.last as i32);
-    l.iselect(l.ilt(last, level), last, level)
+/// How many texels go into a pixel, as the logarithm to base 2 of their number along a side.
+///
+/// From one whole number to the next, the first half of the way passes from level to level; on the second half the coarser one stands alone, so that half
+/// of all pixels pay for one level only. Half numbers of levels therefore say it all: `half` is even where level `half / 2` stands alone, odd where level
+/// `half / 2`, rounded down, passes into the next.
+#[derive(Clone, Copy)]
+pub(super) struct Detail<L: Lanes> {
+    /// In 2⁻²⁴ths, never negative.
+    octaves: L::I,
+    pub half: L::I,
+}
+
+impl<L: Lanes> Detail<L> {
+    /// Share of the level after `finer`; it starts and ends gently, so that neither end shows as a line. 0 where `finer` stands alone.
+    #[inline(always)]
+    pub(super) fn share(self, l: L, finer: L::I) -> L::F {
+        let within = l.clamp(l.float(self.octaves - l.shl::<24>(finer)) * l.splat(1.0 / (1 << 23) as f32), 0.0, 1.0);
+        within * within * (l.splat(3.0) - (within + within))
+    }
+
+    /// Where two levels meet.
+    #[inline(always)]
+    pub(super) fn passes(self, l: L) -> L::M {
+        l.ilt(l.isplat(0), self.half & l.isplat(1))
+    }
+
+    /// The finer and the coarser level; the same one twice where it stands alone.
+    #[inline(always)]
+    pub(super) fn levels(self, l: L) -> [L::I; 2] {
+        [l.shr::<1>(self.half), l.shr::<1>(self.half + l.isplat(1))]
+    }
 }
 
 /// The texel on the lower side of a coordinate, counted from the beginning of the apron, and how far (0 to 255) it is from there to the next.

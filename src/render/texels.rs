@@ -1,0 +1,107 @@
+//! What a pixel gets from the textures of its material: which levels of them, and how they are mixed.
+
+use super::drawing::Drawing;
+use super::shade::Slopes;
+use super::style::Style;
+use super::texture::{Sampler, Texture};
+use crate::lanes::{Lanes, always, each, map};
+use crate::scene::Wrap;
+
+/// What the textures of a material say at a pixel.
+pub(super) struct Texels<L: Lanes> {
+    /// 0 to 1; multiplies the material's colour.
+    pub color: [L::F; 3],
+    /// 0 to 1, the material's own opacity included.
+    pub opacity: L::F,
+    /// 0 to 1.
+    pub glow: [L::F; 3],
+}
+
+impl<L: Lanes> Texels<L> {
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    pub(super) fn read<const K: usize>(
+        l: L,
+        drawing: &Drawing<'_>,
+        style: &Style,
+        uv: [L::F; 2],
+        slopes: &Slopes<K>,
+        values: &[L::F; K],
+        first: usize,
+    ) -> Self {
+        let glow = map(style.emission, always!(|emission| l.splat(emission)));
+        let mut texels = Self { color: [l.splat(1.0); 3], opacity: l.splat(style.opacity), glow };
+        // A loop, so that the long way through a texture is compiled once.
+        let samplers = [&style.diffuse, &style.cutout, &style.glow];
+        let mut which = 0;
+        while which < samplers.len() {
+            if let Some(sampler) = samplers[which]
+                && let Some(texture) = drawing.textures.get(sampler.texture as usize)
+            {
+                let [r, g, b, a] = filtered(l, texture, sampler.wrap, uv, slopes, slopes.levels[which], values, first);
+                match which {
+                    0 => texels.color = [r, g, b],
+                    1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
+                    _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
+                }
+            }
+            which += 1;
+            // By far the most materials have a colour texture alone.
+            if which == 1 && style.cutout.is_none() && style.glow.is_none() {
+                break;
+            }
+        }
+        texels
+    }
+}
+
+/// A texture where a pixel sees it: from one level of its mip chain, or from two that pass into each other.
+#[inline(always)]
+#[allow(clippy::too_many_arguments)]
+fn filtered<L: Lanes, const K: usize>(
+    l: L,
+    texture: &Texture,
+    wrap: [Wrap; 2],
+    uv: [L::F; 2],
+    slopes: &Slopes<K>,
+    half: i32,
+    values: &[L::F; K],
+    first: usize,
+) -> [L::F; 4] {
+    let mut mips = [texture.mip(l, half >> 1), texture.mip(l, (half + 1) >> 1)];
+    let mut share = l.splat(0.0);
+    // Odd, or everything that is mixed.
+    let mut two = half & 1 != 0;
+    if two {
+        let [across, down] = slopes.of(l, values, first);
+        let detail = texture.detail(l, across, down);
+        let mut finer = l.isplat(half >> 1);
+        if half == Slopes::<K>::MIXED {
+            two = l.any(detail.passes(l));
+            let levels = detail.levels(l);
+            finer = levels[0];
+            mips = map(levels, always!(|level: L::I| texture.mips(l, level)));
+        }
+        share = detail.share(l, finer);
+    }
+    // A loop, so that reading is compiled once.
+    let mut found = [l.splat(0.0); 4];
+    let mut pass = 0;
+    loop {
+        let read = texture.sample(l, wrap, uv, mips[pass]);
+        if pass == 1 {
+            return each(always!(|k: usize| found[k] + (read[k] - found[k]) * share));
+        }
+        if !two {
+            return read;
+        }
+        found = read;
+        pass = 1;
+    }
+}
+
+/// The textures of a material: colour, opacity, glow.
+#[inline(always)]
+pub(super) fn textures<'a>(drawing: &'a Drawing<'a>, style: &Style) -> [Option<&'a Texture>; 3] {
+    map([style.diffuse, style.cutout, style.glow], always!(|sampler: Option<Sampler>| drawing.textures.get(sampler?.texture as usize)))
+}
