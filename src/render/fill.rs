@@ -217,6 +217,7 @@ where
                         }
                     }
                     let here = first + x as usize;
+                    let ours = l.isplat(width - x);
                     let distance = offset;
                     offset = offset + stride;
                     x += L::N as i32;
@@ -225,6 +226,11 @@ where
                     let mut any = 0;
                     let covered: [L::M; M] = each(always!(|s: usize| {
                         let mut inside = l.ilt(l.isplat(-1), outside[s]);
+                        // The last vector of a block reaches into the next one, which comes to the same pixels again: the depth test keeps an opaque
+                        // surface from being drawn twice there, but nothing would keep a blended one.
+                        if triangle.blended {
+                            inside = inside & l.ilt(l.iota(), ours);
+                        }
                         if triangle.depth_test {
                             // SAFETY: `x` was below `width`, and the plane holds that many from `first` on.
                             inside = inside & l.lt(unsafe { plane.depth(l, s, here) }, sample(s));

@@ -86,3 +86,35 @@ pub fn light(byte: f64) -> f64 {
 pub fn byte(light: f64) -> f64 {
     (if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }) * 255.0
 }
+
+/// Colours 0 to 255 of a picture of glass before black: every triangle is laid over all that is farther, once a sample, its colour that of its first corner.
+/// The samples of a pixel are averaged as light.
+pub fn draw_glass(triangles: &[[Corner; 3]], opacity: f64, samples: usize, [width, height]: [u32; 2]) -> Vec<[f64; 3]> {
+    let nearness = |triangle: &&[Corner; 3]| triangle.iter().map(|corner| 1.0 / corner.distance).sum::<f64>();
+    let mut order: Vec<&[Corner; 3]> = triangles.iter().collect();
+    order.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+    let grid = if samples == 1 { &[[0, 0]][..] } else { &GRID[..] };
+    let mut pixels = vec![[[0.0; 3]; 4]; (width * height) as usize];
+    for triangle in order {
+        let [left, right] = [i64::min, i64::max].map(|pick| triangle.iter().map(|corner| corner.x / 256).reduce(pick).unwrap_or(0));
+        for (y, x) in (0..i64::from(height)).flat_map(|y| (left - 1..right + 2).map(move |x| (y, x))) {
+            if !(0..i64::from(width)).contains(&x) {
+                continue;
+            }
+            for (pixel, [dx, dy]) in pixels[(y * i64::from(width) + x) as usize].iter_mut().zip(grid) {
+                if inside(triangle, x * 256 + 128 + dx, y * 256 + 128 + dy).is_some() {
+                    for (channel, color) in pixel.iter_mut().zip(triangle[0].color) {
+                        *channel += (color - *channel) * opacity;
+                    }
+                }
+            }
+        }
+    }
+    let together = |pixel: &[[f64; 3]; 4]| -> [f64; 3] {
+        std::array::from_fn(|k| match samples {
+            1 => pixel[0][k],
+            _ => byte(pixel.iter().map(|sample| light(sample[k])).sum::<f64>() / 4.0),
+        })
+    };
+    pixels.iter().map(together).collect()
+}
