@@ -44,10 +44,8 @@ pub(super) fn bin(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit) {
 fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, numbers: std::ops::Range<u32>) {
     let feed = drawing.feed(item);
     let size = drawing.view.size;
-    let keep = |screen: &[Screen; 3]| -> Option<Rect> {
-        let area = area(screen);
-        // Positive is clockwise as seen: the other side, unless the surface is mirrored.
-        if area == 0 || (item.cull && (area > 0) != item.style.mirrored) {
+    let keep = |t: usize, screen: &[Screen; 3]| -> Option<Rect> {
+        if item.hides(t, area(screen)) {
             return None;
         }
         let rect = Rect::of(screen, bands.multi, size);
@@ -58,7 +56,7 @@ fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, n
         let Some(screen) = feed.screens(t) else { continue };
         let [a, b, c] = [screen[0].code, screen[1].code, screen[2].code];
         if a | b | c == 0 {
-            if let Some(rect) = keep(&screen) {
+            if let Some(rect) = keep(t, &screen) {
                 emit(unit, bands, item, &rect, &screen, number);
             }
             continue;
@@ -69,7 +67,7 @@ fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, n
         }
         let corners = feed.geometry.triangles[t].map(|v| feed.geometry.world(v as usize));
         clip(&drawing.view, corners, number, |piece| {
-            if let Some(rect) = keep(&piece.screen) {
+            if let Some(rect) = keep(t, &piece.screen) {
                 let entry = CUT | unit.clipped.len() as u32;
                 unit.clipped.push(piece);
                 emit(unit, bands, item, &rect, &piece.screen, entry);

@@ -15,7 +15,9 @@ use super::style::{Fill, Layer, Normals, Style, Varying};
 use super::texture::{Alpha, Cache, Sampler};
 use super::view::View;
 use super::{Display, Shading};
-use crate::scene::{AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef};
+use crate::scene::{
+    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef, backed_triangles,
+};
 
 /// What was found out about meshes, kept from frame to frame.
 #[derive(Debug, Default)]
@@ -35,6 +37,8 @@ struct Facts {
     /// For each part the mesh vertices it uses: first and one past the last.
     ranges: Vec<(u32, u32)>,
     edges: Option<Vec<Edge>>,
+    /// See [`Item::backed`], for the whole mesh; found when it is first drawn.
+    backed: Option<Option<Arc<[bool]>>>,
 }
 
 impl Collector {
@@ -48,9 +52,22 @@ impl Collector {
                 let corners = || triangles.iter().flatten().copied().filter(|v| (*v as usize) < mesh.positions.len());
                 (corners().min().unwrap_or(0), corners().max().map_or(0, |v| v + 1))
             };
-            self.known.push(Facts { mesh: Arc::downgrade(mesh), ranges: mesh.parts.iter().map(range).collect(), edges: None });
+            self.known.push(Facts {
+                mesh: Arc::downgrade(mesh),
+                ranges: mesh.parts.iter().map(range).collect(),
+                edges: None,
+                backed: None,
+            });
             self.known.len() - 1
         })
+    }
+}
+
+impl Facts {
+    /// Which triangles lie on others of the opposite winding; `None` where none does.
+    fn backed(&mut self, mesh: &Mesh) -> Option<Arc<[bool]>> {
+        let find = || Some(backed_triangles(mesh)).filter(|backed| !backed.is_empty()).map(Arc::from);
+        self.backed.get_or_insert_with(find).clone()
     }
 }
 
@@ -98,6 +115,7 @@ impl Buffers {
                 first_vertex: 0,
                 expanded: false,
                 triangles: 0..self.bones.triangles.len() as u32,
+                backed: None,
                 heat: None,
             });
         }
@@ -205,7 +223,10 @@ impl Buffers {
                 continue;
             }
             let facts = self.collector.facts(mesh);
-            let (first, end) = self.collector.known[facts].ranges[part];
+            let facts = &mut self.collector.known[facts];
+            let (first, end) = facts.ranges[part];
+            // A muscle has no second surface, and its mesh is another one with every edit.
+            let backed = if surface.muscle.is_none() { facts.backed(mesh) } else { None };
             let expanded = (end.saturating_sub(first)) as usize > triangles.len() * 3;
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
             pending.push(Item {
@@ -219,6 +240,7 @@ impl Buffers {
                 expanded,
                 triangles: 0..triangles.len() as u32,
                 source: Source::Surface { index, triangles },
+                backed,
                 heat,
                 style,
             });

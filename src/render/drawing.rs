@@ -1,6 +1,7 @@
 //! Everything about one frame that the stages share, and how a triangle's number leads to its corners.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 
@@ -34,6 +35,9 @@ pub(super) struct Item {
     pub style: Style,
     /// Leaves out what faces away.
     pub cull: bool,
+    /// For each triangle of its mesh whether another one of the opposite winding lies on it, which is seen from the other side in its stead; `None` where
+    /// none does. See [`crate::scene::backed_triangles`].
+    pub backed: Option<Arc<[bool]>>,
     /// Its vertices in the flat arrays.
     pub vertices: Range<usize>,
     /// See [`Geometry::first`] and [`Geometry::expanded`].
@@ -46,6 +50,20 @@ pub(super) struct Item {
 }
 
 impl Item {
+    /// Whether its triangle `t` does not show where its area on the picture is this: it is nothing, or it faces away and is not seen from behind.
+    #[inline(always)]
+    pub(super) fn hides(&self, t: usize, area: i64) -> bool {
+        // Positive is clockwise as seen: the other side, unless the surface is mirrored.
+        let away = (area > 0) != self.style.mirrored;
+        area == 0 || (away && (self.cull || self.is_backed(t)))
+    }
+
+    #[inline(always)]
+    fn is_backed(&self, t: usize) -> bool {
+        let (Some(backed), Source::Surface { triangles, .. }) = (&self.backed, &self.source) else { return false };
+        backed.get(triangles.start as usize + t).copied().unwrap_or(false)
+    }
+
     /// Whether it is laid over what is there instead of replacing it.
     pub(super) fn blended(&self) -> bool {
         self.style.layer == Layer::Blended

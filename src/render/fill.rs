@@ -101,7 +101,7 @@ where
         if !blended && Batch::<K>::fits(&screen, size) {
             let rect = Rect::of(&screen, M > 1, drawing.view.size);
             if !rect.is_empty() {
-                batch.push(S::USED, &screen, &values, &rect);
+                batch.push(S::USED, &screen, &values, &rect, other_side);
             }
             if batch.is_full() {
                 batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
@@ -113,7 +113,7 @@ where
             batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
         }
         let curved = bend(drawing, &mut values, item.style.fill == Fill::Gouraud);
-        let triangle = Triangle { screen, area: size, values, curved, depth_test: item.style.depth_test, blended };
+        let triangle = Triangle { screen, area: size, values, curved, away: other_side, depth_test: item.style.depth_test, blended };
         raster::<L, S, K, M>(l, &shader, &triangle, plane, drawing.view.size);
     }
     if !blended {
@@ -153,6 +153,8 @@ struct Triangle<const K: usize> {
     values: [[f32; K]; 3],
     /// Whether attributes were multiplied with the nearness and have to be divided again.
     curved: bool,
+    /// Whether it faces away.
+    away: bool,
     depth_test: bool,
     blended: bool,
 }
@@ -177,14 +179,15 @@ where
     // Pixel centres inside cannot get values beyond the corners', but for the rounding of steep slopes; samples reach outside.
     let tame = M == 1 && S::BOUNDED && !triangle.curved && planes.gentle(rect.x1 - rect.x0);
     let right = map(planes.right, always!(|slope: f32| l.splat(slope)));
-    // How the nearness changes from the centre to each sample.
-    let mut lift = [l.splat(0.0); M];
-    if M > 1 {
-        for s in 0..M {
-            let [x, y] = super::setup::SAMPLES[s];
-            lift[s] = l.splat(planes.right[0] * (x as f32 / 256.0) + planes.below[0] * (y as f32 / 256.0));
+    let retreat = if triangle.away { planes.retreat(map(triangle.screen, always!(|corner: Screen| corner.q))) } else { 0.0 };
+    // From the nearness at the centre to the depth of each sample.
+    let lift: [L::F; M] = each(always!(|s: usize| {
+        if M == 1 {
+            return l.splat(-retreat);
         }
-    }
+        let [x, y] = super::setup::SAMPLES[s];
+        l.splat(planes.right[0] * (x as f32 / 256.0) + planes.below[0] * (y as f32 / 256.0) - retreat)
+    }));
     let ramp = l.float(l.iota());
     let stride = l.splat(L::N as f32);
     let mut left = rect.x0;
@@ -222,7 +225,7 @@ where
                     offset = offset + stride;
                     x += L::N as i32;
                     let q = row[0] + right[0] * distance;
-                    let sample = always!(|s: usize| if M == 1 { q } else { q + lift[s] });
+                    let sample = always!(|s: usize| q + lift[s]);
                     let mut any = 0;
                     let covered: [L::M; M] = each(always!(|s: usize| {
                         let mut inside = l.ilt(l.isplat(-1), outside[s]);

@@ -64,7 +64,7 @@ fn look(drawing: &Drawing<'_>, item: &Item, owners: &[NodeId], at: (i32, i32), b
         let (any, all) = (codes[0] | codes[1] | codes[2], codes[0] & codes[1] & codes[2]);
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let mut one = |screen: [Screen; 3], mixture: [[f32; 3]; 3]| {
-            let Some((q, shares)) = touch(drawing, item, screen, at) else { return };
+            let Some((q, shares)) = touch(drawing, item, t, screen, at) else { return };
             // The picture keeps the first of two that are equally near; without a depth test the last.
             if !item.style.depth_test || best.is_none_or(|best| q > best.q) {
                 *best = Some(Hit { q, pick: describe(drawing, item, owners, t, shares, mixture) });
@@ -80,9 +80,10 @@ fn look(drawing: &Drawing<'_>, item: &Item, owners: &[NodeId], at: (i32, i32), b
 }
 
 /// Whether the pixel is drawn by this triangle: its nearness there, and the corners' shares in the point.
-fn touch(drawing: &Drawing<'_>, item: &Item, mut screen: [Screen; 3], (px, py): (i32, i32)) -> Option<(f32, DVec3)> {
+fn touch(drawing: &Drawing<'_>, item: &Item, t: usize, mut screen: [Screen; 3], (px, py): (i32, i32)) -> Option<(f32, DVec3)> {
     let mut size = area(&screen);
-    if size == 0 || (item.cull && (size > 0) != item.style.mirrored) {
+    let away = (size > 0) != item.style.mirrored;
+    if item.hides(t, size) {
         return None;
     }
     let swapped = size < 0;
@@ -96,7 +97,8 @@ fn touch(drawing: &Drawing<'_>, item: &Item, mut screen: [Screen; 3], (px, py): 
         return None;
     }
     let planes = Planes::new(&screen, size, &screen.map(|corner| [corner.q]), rect.x0, rect.y0);
-    let q = planes.row(py - rect.y0)[0] + planes.right[0] * (px - rect.x0) as f32;
+    let retreat = if away { planes.retreat(screen.map(|corner| corner.q)) } else { 0.0 };
+    let q = planes.row(py - rect.y0)[0] + planes.right[0] * (px - rect.x0) as f32 - retreat;
     let (cx, cy) = (f64::from(px) * 256.0 + 128.0, f64::from(py) * 256.0 + 128.0);
     let side = |i: usize| {
         let (p, q) = (&screen[(i + 1) % 3], &screen[(i + 2) % 3]);

@@ -144,6 +144,16 @@ pub(super) struct Stepping<const S: usize> {
     pub b: [i32; 3],
 }
 
+/// What faces away is moved back by this share of what its nearness changes from pixel to pixel, and by [`ROUNDING`] of the nearness itself.
+///
+/// Of two faces that lie on each other the one that faces the viewer is to win. They need not have the same depth to the bit: along another diagonal, planes
+/// go through other corners, and each corner was moved by up to half a sub-pixel when it was snapped. Between the corners two planes so differ by no
+/// more than the change over a sub-pixel, a 256th of a pixel, to the right and one downward. A quarter more is for rounding. On the picture this is as
+/// if what faces away were moved aside by as little, which cannot be seen, and it never comes to the front by it.
+pub(super) const SNAPPED: f32 = 1.25 / 256.0;
+/// See [`SNAPPED`]: four times what a float rounds by.
+pub(super) const ROUNDING: f32 = 1.0 / (1 << 21) as f32;
+
 /// Attributes as planes over the picture; attribute 0 is the nearness.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Planes<const K: usize> {
@@ -187,6 +197,14 @@ impl<const K: usize> Planes<K> {
         }
         // Half a unit in the last place of the product and of the sum, and the slope's own rounding.
         steepest * (width + 16) as f32 * f32::EPSILON < 0.05
+    }
+
+    /// How far a triangle that faces away is moved back, for the nearness of its corners: see [`SNAPPED`].
+    #[inline(always)]
+    pub(super) fn retreat(&self, corners: [f32; 3]) -> f32 {
+        let [a, b, c] = corners;
+        let (near, far) = (a.max(b).max(c), a.min(b).min(c));
+        ((self.right[0].abs() + self.below[0].abs()) * SNAPPED).min(near - far) + near.abs() * ROUNDING
     }
 
     /// Values in the first column, `row` rows below the first.

@@ -10,7 +10,7 @@
 use super::drawing::Drawing;
 use super::fill::{STRAIGHT, bends};
 use super::plane::{Plane, pack};
-use super::setup::{Rect, SAMPLES};
+use super::setup::{ROUNDING, Rect, SAMPLES, SNAPPED};
 use super::shade::{Attributes, Corners, Shader, Slopes};
 use super::view::Screen;
 use crate::lanes::{Lanes, always, each, map};
@@ -40,6 +40,10 @@ pub(super) struct Batch<const K: usize> {
     bottom: Ints,
     /// 1 for yes.
     curved: Ints,
+    /// 1 for what faces away.
+    away: Ints,
+    /// How far that is moved back.
+    retreat: Floats,
     /// Change of each edge function a pixel to the right and a pixel downward, and its value at the centre of the box's first pixel, with the fill rule's bias.
     across: [Ints; 3],
     down: [Ints; 3],
@@ -68,6 +72,8 @@ impl<const K: usize> Batch<K> {
             right: ints,
             bottom: ints,
             curved: ints,
+            away: ints,
+            retreat: floats,
             across: [ints; 3],
             down: [ints; 3],
             start: [ints; 3],
@@ -96,7 +102,7 @@ impl<const K: usize> Batch<K> {
 
     /// Adds a triangle that fits, with the first `used` of its attributes. Corners clockwise as seen.
     #[inline(always)]
-    pub(super) fn push(&mut self, used: usize, screen: &[Screen; 3], values: &[[f32; K]; 3], rect: &Rect) {
+    pub(super) fn push(&mut self, used: usize, screen: &[Screen; 3], values: &[[f32; K]; 3], rect: &Rect, away: bool) {
         let i = self.count;
         if i >= MANY {
             return;
@@ -109,6 +115,7 @@ impl<const K: usize> Batch<K> {
             }
         }
         (self.left[i], self.top[i], self.right[i], self.bottom[i]) = (rect.x0, rect.y0, rect.x1, rect.y1);
+        self.away[i] = i32::from(away);
         self.count = i + 1;
     }
 
@@ -211,8 +218,11 @@ impl<const K: usize> Batch<K> {
             l.store(fall, &mut self.fall[k][from..]);
             l.store(v[0] + slope * to_x + fall * to_y, &mut self.base[k][from..]);
         }
+        let (low, high) = self.spread(l, 0, from);
+        let slant = l.abs(l.load(&self.slope[0][from..])) + l.abs(l.load(&self.fall[0][from..]));
+        let retreat = l.min(slant * l.splat(SNAPPED), high - low) + l.abs(high) * l.splat(ROUNDING);
+        l.store(l.select(l.ilt(zero, load(&self.away)), retreat, l.splat(0.0)), &mut self.retreat[from..]);
         if S::COSTLY {
-            let (low, high) = self.spread(l, 0, from);
             let middle = (low + high) * l.splat(0.5);
             // Neither the square of a guess nor that of what it is a guess at may leave the range.
             let usual = l.lt(l.splat(1e-15), middle) & l.lt(middle, l.splat(1e15));
@@ -273,8 +283,11 @@ impl<const K: usize> Batch<K> {
         let down_by: [L::I; 3] = each(always!(|e: usize| l.isplat(self.down[e][i] * rows as i32)));
         let slope = always!(|k: usize| l.splat(self.slope[k][i]));
         let lift: [L::F; M] = each(always!(|s: usize| {
-            let [x, y] = if M == 1 { [0, 0] } else { SAMPLES[s] };
-            l.splat(self.slope[0][i] * (x as f32 / 256.0) + self.fall[0][i] * (y as f32 / 256.0))
+            if M == 1 {
+                return l.splat(-self.retreat[i]);
+            }
+            let [x, y] = SAMPLES[s];
+            l.splat(self.slope[0][i] * (x as f32 / 256.0) + self.fall[0][i] * (y as f32 / 256.0) - self.retreat[i])
         }));
         let curved = self.curved[i] != 0;
         let tame = M == 1 && S::BOUNDED && !curved;
@@ -317,7 +330,7 @@ impl<const K: usize> Batch<K> {
                     }
                 }
                 let q = at(0, dx);
-                let sample = always!(|s: usize| if M == 1 { q } else { q + lift[s] });
+                let sample = always!(|s: usize| q + lift[s]);
                 let mut any = 0;
                 let covered: [L::M; M] = each(always!(|s: usize| {
                     let mut inside = within[s];

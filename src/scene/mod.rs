@@ -3,6 +3,7 @@
 //! World: right-handed, +Y up, metres. A loaded file hangs under an *asset* node that carries its unit and up axis, so local values
 //! stay as the file wrote them. Transforms are composed in `f64`; geometry is `f32`.
 
+mod backing;
 mod bounds;
 mod camera;
 mod frame;
@@ -13,6 +14,7 @@ mod mesh;
 mod skin;
 mod transform;
 
+pub use backing::backed_triangles;
 pub use bounds::Bounds;
 pub use camera::{Camera, OrbitCamera, Projection, StoredCamera, View};
 pub use frame::{Frame, Ghost, Joint, Mark, Placement, Surface};
