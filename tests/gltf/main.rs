@@ -6,6 +6,7 @@ mod node;
 mod reader;
 #[path = "../support/mod.rs"]
 mod support;
+mod two_sided;
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

@@ -18,11 +18,14 @@ pub(super) struct Materials {
     pub textures: Vec<Value>,
     pub samplers: Vec<Value>,
     pub images: Vec<Value>,
-    known: FxHashMap<(u32, Vec<(String, u32)>), usize>,
+    known: FxHashMap<Use, usize>,
     pictures: FxHashMap<Picture, Option<usize>>,
     by_sampler: FxHashMap<(usize, u32, u32), usize>,
     unlit: bool,
 }
+
+/// How a material is used: its number, its sets of texture coordinates, and whether it is seen from both sides.
+type Use = (u32, Vec<(String, u32)>, bool);
 
 /// What an image is made from: colours, and opacity from the same or another image.
 type Picture = (Option<u32>, Option<(u32, u8)>);
@@ -33,14 +36,25 @@ impl Materials {
         self.unlit
     }
 
-    /// The number of the material that `binding` means, written if it is not yet.
-    pub fn number(&mut self, scene: &Scene, binding: &MaterialBinding, buffer: &mut Buffer, losses: &mut Vec<Loss>) -> Option<usize> {
+    /// The number of the material that `binding` means, written if it is not yet; with `both_sides` it is seen from behind too.
+    pub fn number(
+        &mut self,
+        scene: &Scene,
+        binding: &MaterialBinding,
+        both_sides: bool,
+        buffer: &mut Buffer,
+        losses: &mut Vec<Loss>,
+    ) -> Option<usize> {
         let material = scene.materials.get(binding.material.index())?;
-        let key = (binding.material.0, binding.uv_sets.clone());
+        let key = (binding.material.0, binding.uv_sets.clone(), both_sides);
         if let Some(number) = self.known.get(&key) {
             return Some(*number);
         }
-        let value = self.describe(scene, material, binding, buffer, losses);
+        let mut value = self.describe(scene, material, binding, buffer, losses);
+        // Sinew draws both sides of every surface, and COLLADA has no word on it. Where another face lies on the back, that one is seen from there.
+        if both_sides {
+            value["doubleSided"] = true.into();
+        }
         self.materials.push(value);
         self.known.insert(key, self.materials.len() - 1);
         Some(self.materials.len() - 1)
@@ -68,8 +82,7 @@ impl Materials {
                 surface["baseColorTexture"] = json!({"index": texture, "texCoord": binding.uv_set(used)});
             }
         }
-        // Sinew draws both sides of every surface, and COLLADA has no word on it.
-        let mut value = json!({"name": material.name, "pbrMetallicRoughness": surface, "doubleSided": true});
+        let mut value = json!({"name": material.name, "pbrMetallicRoughness": surface});
         if material.opacity < 1.0 || opacity.is_some() {
             value["alphaMode"] = "BLEND".into();
         }

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::buffer::{Buffer, Usage};
 use super::loss::Loss;
 use super::materials::Materials;
-use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, NodeId, Scene, Skin, SkinId};
+use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, NodeId, Scene, Skin, SkinId, backed_triangles};
 
 /// Vertex attributes by name.
 type Attributes = serde_json::Map<String, Value>;
@@ -19,6 +19,8 @@ pub(super) struct Surfaces {
     pub skins: Vec<Value>,
     shapes: FxHashMap<MeshId, Attributes>,
     bindings: FxHashMap<(MeshId, SkinId), Attributes>,
+    /// Which triangles of a mesh lie on others of the opposite winding.
+    backed: FxHashMap<MeshId, Vec<bool>>,
 }
 
 /// A joint of a skin as it is written: a node, and the matrix that takes the mesh into its space.
@@ -80,7 +82,8 @@ impl Surfaces {
                 }
             }
         }
-        let sides = Sides { mirrored };
+        let backed = self.backed.entry(instance.mesh).or_insert_with(|| backed_triangles(mesh));
+        let sides = Sides { mirrored, backed };
         let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, sides, materials, buffer, losses);
         if primitives.is_empty() {
             return None;
@@ -202,12 +205,14 @@ fn morph_targets(morph: &Morph, mesh: &Mesh, buffer: &mut Buffer) -> Vec<Value> 
 
 /// Which side of a surface is outside.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Sides {
+pub(super) struct Sides<'a> {
     /// A skin turns the surface inside out. A player sees that of nodes, whose matrices it knows, but a skinned mesh stands at the root.
     pub mirrored: bool,
+    /// For each triangle whether it is to be seen from its own side only, because another one lies on its back; empty where that is so for none.
+    pub backed: &'a [bool],
 }
 
-/// One primitive a part of the mesh for its triangles, one for its lines.
+/// One primitive a part of the mesh for its triangles, one for those of them that are seen from one side only, one for its lines.
 #[allow(clippy::too_many_arguments)]
 pub(super) fn primitives(
     scene: &Scene,
@@ -215,7 +220,7 @@ pub(super) fn primitives(
     bindings: &[Option<MaterialBinding>],
     attributes: &Attributes,
     targets: &[Value],
-    sides: Sides,
+    sides: Sides<'_>,
     materials: &mut Materials,
     buffer: &mut Buffer,
     losses: &mut Vec<Loss>,
@@ -224,18 +229,22 @@ pub(super) fn primitives(
     let good = |vertex: &u32| mesh.positions.get(*vertex as usize).is_some_and(|position| position.is_finite());
     let mut written = Vec::new();
     for (number, part) in mesh.parts.iter().enumerate() {
-        let material = bindings.get(number).and_then(Option::as_ref).and_then(|binding| materials.number(scene, binding, buffer, losses));
         let triangles = mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]);
         let lines = mesh.lines.get(part.lines.start as usize..part.lines.end as usize).unwrap_or(&[]);
         let turn = |&[a, b, c]: &[u32; 3]| if sides.mirrored { [a, c, b] } else { [a, b, c] };
-        let corners: Vec<u32> = triangles.iter().filter(|corners| corners.iter().all(good)).flat_map(turn).collect();
+        let is_backed = |t: usize| sides.backed.get(part.triangles.start as usize + t).copied().unwrap_or(false);
+        let corners = |backed: bool| -> Vec<u32> {
+            let wanted = triangles.iter().enumerate().filter(|(t, corners)| is_backed(*t) == backed && corners.iter().all(good));
+            wanted.flat_map(|(_, corners)| turn(corners)).collect()
+        };
         let ends: Vec<u32> = lines.iter().filter(|ends| ends.iter().all(good)).flatten().copied().collect();
-        for (indices, mode) in [(corners, 4), (ends, 1)] {
+        for (indices, mode, both_sides) in [(corners(false), 4, true), (corners(true), 4, false), (ends, 1, true)] {
             if indices.is_empty() || attributes.is_empty() {
                 continue;
             }
             let mut primitive = json!({"attributes": attributes, "indices": buffer.indices(&indices, count), "mode": mode});
-            if let Some(material) = material {
+            let binding = bindings.get(number).and_then(Option::as_ref);
+            if let Some(material) = binding.and_then(|binding| materials.number(scene, binding, both_sides, buffer, losses)) {
                 primitive["material"] = material.into();
             }
             if !targets.is_empty() {
