@@ -30,6 +30,8 @@ use std::process::ExitCode;
 use clap::ArgMatches;
 use clap::error::ErrorKind;
 
+use crate::render::{Renderer, SimdError};
+use crate::tr;
 use failure::{Failure, answer};
 
 pub use command::command;
@@ -53,6 +55,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> Exi
     if let Some((_, given)) = matches.subcommand() {
         failure::set_loudness(given);
     }
+    if !matches!(matches.subcommand_name(), Some("completions" | "help"))
+        && let Err(error) = Renderer::asked_simd()
+    {
+        return Failure::usage(simd(error)).report();
+    }
     match matches.subcommand() {
         Some(("info", given)) => finish(info::run(given)),
         Some(("check", given)) => finish(check::run(given)),
@@ -65,6 +72,15 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> Exi
         Some(("completions", given)) => finish(completions::run(given)),
         Some(("help", given)) => finish(help(given)),
         _ => window::open(files(&matches), opener),
+    }
+}
+
+/// What is wrong with the environment variable that names an instruction set.
+fn simd(error: SimdError) -> String {
+    match error {
+        SimdError::Empty => tr!("cli-simd-empty", names = Renderer::known_simd().join(", ")),
+        SimdError::Unknown(name) => tr!("cli-simd-unknown", name = name, names = Renderer::known_simd().join(", ")),
+        SimdError::Missing(name) => tr!("cli-simd-missing", name = name, names = Renderer::simd_names().join(", ")),
     }
 }
 
@@ -81,7 +97,7 @@ fn help(given: &ArgMatches) -> Result<(), Failure> {
         None => all.render_help(),
         Some(name) => match all.find_subcommand_mut(name) {
             Some(found) => found.render_help(),
-            None => return Err(Failure::usage(crate::tr!("cli-no-such-command", name = name.clone()))),
+            None => return Err(Failure::usage(tr!("cli-no-such-command", name = name.clone()))),
         },
     };
     answer(&page.to_string())

@@ -198,10 +198,20 @@ impl Level {
         Self::all().into_iter().find(|level| level.name() == name)
     }
 
-    /// The one that the environment variable `SINEW_SIMD` asks for, else the widest.
+    /// The names of all that there are, on any processor.
+    pub(crate) const NAMES: [&str; 4] = ["scalar", "sse2", "avx2", "avx512"];
+
+    /// The one that the environment variable `SINEW_SIMD` asks for, else the widest. [`Level::asked`] tells whether what it asks for is there.
     pub(crate) fn detect() -> Self {
-        let asked = std::env::var("SINEW_SIMD").ok().and_then(|name| Self::named(&name));
+        let asked = Self::asked().ok().flatten();
         asked.or_else(|| Self::all().pop()).unwrap_or(Self::Scalar(Scalar))
+    }
+
+    /// What the environment variable `SINEW_SIMD` asks for; `None` where it is not set, and its value as an error where it names nothing that is there.
+    pub(crate) fn asked() -> Result<Option<Self>, String> {
+        let Some(value) = std::env::var_os("SINEW_SIMD") else { return Ok(None) };
+        let name = value.to_string_lossy().into_owned();
+        Self::named(&name).map(Some).ok_or(name)
     }
 }
 

@@ -83,6 +83,17 @@ pub struct Stats {
     pub triangles: u64,
 }
 
+/// Why the environment variable `SINEW_SIMD` cannot be followed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SimdError {
+    /// It is set, to nothing.
+    Empty,
+    /// This is no instruction set.
+    Unknown(String),
+    /// This is one, but the processor does not have it.
+    Missing(String),
+}
+
 /// Draws frames. Keeps its buffers and worker threads between frames.
 #[derive(Debug)]
 pub struct Renderer {
@@ -160,6 +171,24 @@ impl Renderer {
     /// The instruction set that the kernels use: `scalar`, `sse2`, `avx2` or `avx512`.
     pub fn simd(&self) -> &'static str {
         self.level.name()
+    }
+
+    /// Whether this processor has the instruction set that the environment variable `SINEW_SIMD` asks for; a renderer takes the widest where it has not.
+    ///
+    /// # Errors
+    /// [`SimdError`] says what is wrong with the value.
+    pub fn asked_simd() -> Result<(), SimdError> {
+        let Err(value) = Level::asked() else { return Ok(()) };
+        Err(match &value[..] {
+            "" => SimdError::Empty,
+            name if Level::NAMES.contains(&name) => SimdError::Missing(value),
+            _ => SimdError::Unknown(value),
+        })
+    }
+
+    /// The instruction sets that there are, whether this processor has them or not.
+    pub fn known_simd() -> [&'static str; 4] {
+        Level::NAMES
     }
 
     /// Chooses an instruction set by that name; whether this processor has it.
