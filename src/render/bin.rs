@@ -66,7 +66,7 @@ fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, n
             continue;
         }
         let corners = feed.geometry.triangles[t].map(|v| feed.geometry.world(v as usize));
-        clip(&drawing.view, corners, number, |piece| {
+        clip(&drawing.view, corners, &screen, number, |piece| {
             if let Some(rect) = keep(t, &piece.screen) {
                 let entry = CUT | unit.clipped.len() as u32;
                 unit.clipped.push(piece);

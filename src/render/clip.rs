@@ -1,7 +1,8 @@
 //! Clipping of the few triangles that reach beyond the near plane or the guard band.
 //!
 //! Works on homogeneous coordinates in `f64`, one plane after the other (Sutherland and Hodgman, 1974). A new corner is always computed from
-//! the end of its edge that is inside, so two triangles that share the edge get the same corner and no gap opens between them.
+//! the end of its edge that is inside, so two triangles that share the edge get the same corner and no gap opens between them. A corner that stays is
+//! where the vertex stage put it, to the bit: its other triangles may be whole, and would else part from this one, or lie over it, by a sub-pixel.
 
 use glam::Vec3;
 
@@ -22,6 +23,8 @@ pub(super) struct Clipped {
 struct Corner {
     clip: [f64; 5],
     mixture: [f64; 3],
+    /// Where the vertex stage put it, if it is a corner of the whole that can be used as it is.
+    whole: Option<Screen>,
 }
 
 /// Three corners and one more for each plane.
@@ -37,11 +40,15 @@ fn planes(view: &View) -> impl Fn(&[f64; 5]) -> [f64; PLANES] {
     move |c| [c[3] - near, gx * c[2] + c[0], gx * c[2] - c[0], gy * c[2] - c[1], gy * c[2] + c[1]]
 }
 
-/// Cuts the triangle with these corners in the world, and hands each piece to `emit`.
-pub(super) fn clip(view: &View, corners: [Vec3; 3], triangle: u32, mut emit: impl FnMut(Clipped)) {
+/// Cuts the triangle with these corners in the world, which are on the picture as `whole` says, and hands each piece to `emit`.
+pub(super) fn clip(view: &View, corners: [Vec3; 3], whole: &[Screen; 3], triangle: u32, mut emit: impl FnMut(Clipped)) {
     let mut polygon = [Corner::default(); MOST];
     for (k, corner) in corners.into_iter().enumerate() {
-        polygon[k] = Corner { clip: view.clip(corner), mixture: std::array::from_fn(|i| f64::from(u8::from(i == k))) };
+        polygon[k] = Corner {
+            clip: view.clip(corner),
+            mixture: std::array::from_fn(|i| f64::from(u8::from(i == k))),
+            whole: Some(whole[k]).filter(|screen| screen.code == 0),
+        };
         if !polygon[k].clip.iter().all(|x| x.is_finite()) {
             return;
         }
@@ -64,6 +71,7 @@ pub(super) fn clip(view: &View, corners: [Vec3; 3], triangle: u32, mut emit: imp
                 kept[n] = Corner {
                     clip: std::array::from_fn(|i| from.clip[i] + (to.clip[i] - from.clip[i]) * t),
                     mixture: std::array::from_fn(|i| from.mixture[i] + (to.mixture[i] - from.mixture[i]) * t),
+                    whole: None,
                 };
                 n += 1;
             }
@@ -75,7 +83,7 @@ pub(super) fn clip(view: &View, corners: [Vec3; 3], triangle: u32, mut emit: imp
     }
     let mut screen = [Screen::default(); MOST];
     for (screen, corner) in screen.iter_mut().zip(&polygon[..count]) {
-        let Some(point) = view.snap(corner.clip) else { return };
+        let Some(point) = corner.whole.or_else(|| view.snap(corner.clip)) else { return };
         *screen = point;
     }
     for k in 1..count - 1 {

@@ -74,7 +74,7 @@ fn look(drawing: &Drawing<'_>, item: &Item, owners: &[NodeId], at: (i32, i32), b
             one(screen, identity);
         } else if all == 0 && any & BAD == 0 {
             let corners = feed.geometry.triangles[t].map(|v| feed.geometry.world(v as usize));
-            clip(&drawing.view, corners, 0, |piece| one(piece.screen, piece.mixture));
+            clip(&drawing.view, corners, &screen, 0, |piece| one(piece.screen, piece.mixture));
         }
     }
 }
