@@ -1,9 +1,10 @@
 # Sinew: `make run` to try it, `make test` to check it, `make install PREFIX=…` to keep it.
-# `run` and `test` install the system packages that are missing (Debian and its kin; resources/setup.sh says which and why).
+# `run` and `test` install what is missing: Rust, and on Debian and its kin the system packages (resources/setup.sh says which and why). They say so
+# first, and ask about Rust at a terminal; with SINEW_NO_INSTALL=1 they install nothing.
 
 PREFIX ?= /usr/local
 DESTDIR ?=
-CARGO ?= cargo
+CARGO ?= resources/cargo.sh
 
 ID := io.github.sinew.Sinew
 # Where cargo builds, should the user have said so.
