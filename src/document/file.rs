@@ -67,8 +67,12 @@ pub(super) fn format(path: &Path, bytes: &[u8]) -> Format {
     }
     let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let first = start.iter().find(|byte| !byte.is_ascii_whitespace());
-    let utf16 = bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.starts_with(b"\0<") || bytes.starts_with(b"<\0");
-    if first == Some(&b'<') || utf16 || bytes.starts_with(b"PK") { Format::Collada } else { Format::Muscles }
+    if first == Some(&b'<') || is_utf16(bytes) || bytes.starts_with(b"PK") { Format::Collada } else { Format::Muscles }
+}
+
+/// Whether these are the first bytes of XML in UTF-16.
+pub(super) fn is_utf16(bytes: &[u8]) -> bool {
+    [&b"\xFF\xFE"[..], b"\xFE\xFF", b"\0<", b"<\0"].iter().any(|mark| bytes.starts_with(mark))
 }
 
 #[cfg(test)]

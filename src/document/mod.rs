@@ -12,6 +12,7 @@ mod deform;
 mod error;
 mod explain;
 mod file;
+mod foreign;
 mod hand;
 mod images;
 mod joint_angles;

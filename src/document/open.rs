@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::file::{self, Format};
+use super::foreign::Foreign;
 use super::{Document, OpenError, Source, SourceKind, images, merge};
 use crate::collada::{self, Progress};
 use crate::health::Finding;
@@ -55,12 +56,7 @@ impl Document {
         for index in 0..self.sources.len() {
             let source = &self.sources[index];
             let SourceKind::Muscles(file, _) = &source.kind else { continue };
-            let Some(clip) = &file.clip else { continue };
-            // Relative to the muscle file; of an absolute path the name alone.
-            let clip = Path::new(clip);
-            let relative = if clip.is_relative() { Some(clip) } else { clip.file_name().map(Path::new) };
-            let folder = source.path.as_deref().and_then(Path::parent).unwrap_or(Path::new(""));
-            let Some(path) = relative.map(|relative| folder.join(relative)) else { continue };
+            let Some(path) = named_clip(source, file) else { continue };
             let same = |other: &Path| match (other.canonicalize(), path.canonicalize()) {
                 (Ok(other), Ok(path)) => other == path,
                 _ => other == path,
@@ -78,9 +74,23 @@ impl Document {
         }
     }
 
+    /// Every file that it was made from: those that were opened, the clips that muscle files name, whether they could be opened or not, and images.
+    pub fn files(&self) -> Vec<PathBuf> {
+        let opened = self.sources.iter().filter_map(|source| source.path.clone());
+        let clips = self.sources.iter().filter_map(|source| match &source.kind {
+            SourceKind::Muscles(file, _) => named_clip(source, file),
+            SourceKind::Collada(_) => None,
+        });
+        let images = self.scene.images.iter().filter_map(|image| image.path.clone());
+        opened.chain(clips).chain(images).collect()
+    }
+
     fn add_file(&mut self, path: &Path, options: OpenOptions, progress: &Progress) -> Result<(), OpenError> {
         let name = if path.as_os_str() == "-" { tr!("document-standard-input") } else { path.display().to_string() };
         let bytes = file::read(path, &name, limits::FILE_BYTES)?;
+        if let Some(foreign) = Foreign::of(path, &bytes) {
+            return Err(OpenError::whole(&name, foreign.sentence()));
+        }
         let format = file::format(path, &bytes);
         if bytes.len() as u64 > format.limit() {
             return Err(OpenError::whole(&name, tr!("document-too-large", limit = format.limit() >> 20)));
@@ -129,6 +139,13 @@ pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, pat
         kind: SourceKind::Muscles(Box::new(file), Box::default()),
     });
     Ok(())
+}
+
+/// The file of the clip that a muscle file names: relative to the muscle file; of an absolute path the name alone.
+fn named_clip(source: &Source, file: &MuscleFile) -> Option<PathBuf> {
+    let clip = Path::new(file.clip.as_ref()?);
+    let relative = if clip.is_relative() { clip } else { Path::new(clip.file_name()?) };
+    Some(source.path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")).join(relative))
 }
 
 fn real_path(path: &Path) -> Option<PathBuf> {
