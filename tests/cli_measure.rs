@@ -165,7 +165,7 @@ fn measured_radii_stand_beside_the_model() {
 #[test]
 fn the_reports_own_measurement_does_not_keep_its_volume() {
     let Some(shared) = support::shared() else {
-        eprintln!("SKIPPED: the folder of real-world data is not there (set SINEW_SHARED)");
+        support::left_out("the folder of real-world data is not there (set SINEW_SHARED)");
         return;
     };
     let compare = |csv: &str| {

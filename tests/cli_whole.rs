@@ -41,7 +41,7 @@ fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
 fn kinds() -> impl Iterator<Item = &'static (&'static [&'static str], &'static str, &'static str)> {
     let films = Command::new("ffmpeg").arg("-version").output().is_ok_and(|output| output.status.success());
     if !films {
-        eprintln!("ffmpeg is not here: films are left out");
+        support::left_out("ffmpeg is not here, so films are not made");
     }
     KINDS.iter().filter(move |(_, name, _)| films || !(name.ends_with(".mp4") || name.ends_with(".webm")))
 }
@@ -66,7 +66,7 @@ impl Disk {
         let folder = folder();
         let mounted = Command::new("mount").args(["-t", "tmpfs", "-o", &format!("size={size}"), "tmpfs"]).arg(folder.path()).output();
         if !mounted.is_ok_and(|output| output.status.success()) {
-            eprintln!("left out: only root can mount a small disk");
+            support::left_out("only root can mount a small disk");
             return None;
         }
         Some(Self(folder))

@@ -52,7 +52,7 @@ fn exported(model: &Path, sample: &Value) -> Option<Group> {
 #[test]
 fn real_clips_agree_with_their_references() {
     let Some(shared) = shared() else {
-        eprintln!("SKIPPED: the folder of real-world models is not there (set SINEW_SHARED)");
+        support::left_out("the folder of real-world models is not there (set SINEW_SHARED)");
         return;
     };
     let text = std::fs::read_to_string(shared.join("conformance/expected.json")).expect("the reference figures");
@@ -83,7 +83,7 @@ fn real_clips_agree_with_their_references() {
 #[test]
 fn every_command_survives_every_real_model() {
     let Some(shared) = shared() else {
-        eprintln!("SKIPPED: the folder of real-world models is not there (set SINEW_SHARED)");
+        support::left_out("the folder of real-world models is not there (set SINEW_SHARED)");
         return;
     };
     let folder = folder();

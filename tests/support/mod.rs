@@ -24,6 +24,18 @@ pub fn shared() -> Option<PathBuf> {
     folder.join("models").is_dir().then_some(folder)
 }
 
+/// Says that something is not tested here, for want of what a person may well do without.
+pub fn left_out(why: &str) {
+    eprintln!("SKIPPED: {why}");
+}
+
+/// Says that something is not tested here, for want of what `resources/setup.sh` installs. Where `CI` is set it must not be wanting.
+#[track_caller]
+pub fn left_out_by_hand(why: &str) {
+    left_out(why);
+    assert!(std::env::var_os("CI").is_none_or(|ci| ci.is_empty()), "left out, which no check by machine may do: {why}");
+}
+
 /// A file of `configs/`.
 pub fn config(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("configs").join(name)
