@@ -105,6 +105,9 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
             }
         }
     }
+    if let Some(text) = only.filter(|_| rows.is_empty()) {
+        return Err(Failure::usage(tr!("cli-bench-no-scene", text = text)));
+    }
     let floor = bench::floor(&renderer, budget);
     let report = Report {
         simd: renderer.simd(),

@@ -76,7 +76,7 @@ fn render() -> Command {
     )
     .arg(files("cli-arg-render-files").num_args(1..).required(true))
     .arg(output("cli-arg-render-output"))
-    .arg(option("size", "WxH", values::size, "cli-arg-size", "cli-heading-output"))
+    .arg(option("size", "WxH", values::size, "cli-arg-size", "cli-heading-output").allow_hyphen_values(true))
     .arg(number("scale", "K", values::number_within(0.1, 16.0), "cli-arg-scale", "cli-heading-output"))
     .arg(choice("samples", &["1", "4"], "cli-arg-samples", "cli-heading-output"))
     .arg(option("background", "COLOUR", values::backdrop, "cli-arg-background", "cli-heading-output"))
@@ -94,6 +94,7 @@ fn render() -> Command {
     )
     .arg(
         option("sweep-contraction", "FROM:TO", values::span(0.0, 100.0), "cli-arg-sweep-contraction", "cli-heading-moment")
+            .allow_hyphen_values(true)
             .conflicts_with_all(["angle", "contraction", "from", "to"]),
     )
     .arg(number("fps", "N", values::number_within(0.01, 1000.0), "cli-arg-fps", "cli-heading-moment"))
@@ -295,7 +296,8 @@ fn moment() -> [Arg; 5] {
     [
         number("time", "S", values::number, "cli-arg-time", heading),
         option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading),
-        number("angle", "DEG", values::number, "cli-arg-angle", heading).conflicts_with("contraction"),
+        number("angle", "DEG", values::number_within(-values::MOST_DEGREES, values::MOST_DEGREES), "cli-arg-angle", heading)
+            .conflicts_with("contraction"),
         flag("on-top", "cli-arg-on-top", heading).requires("angle"),
         number("contraction", "PCT", values::number_within(0.0, 100.0), "cli-arg-contraction", heading),
     ]
@@ -327,7 +329,9 @@ fn output(help: &str) -> Arg {
 }
 
 fn option(id: &'static str, value: &'static str, parser: impl Into<ValueParser>, help: &str, heading: &str) -> Arg {
-    Arg::new(id).long(id).value_name(value).value_parser(parser).help(tr!(help)).help_heading(tr!(heading))
+    // A negative number is a wrong value, not an unknown option.
+    let arg = Arg::new(id).long(id).value_name(value).value_parser(parser).allow_negative_numbers(true);
+    arg.help(tr!(help)).help_heading(tr!(heading))
 }
 
 /// An option with a number, which may be negative.

@@ -16,6 +16,7 @@ mod info;
 mod joints;
 mod measure;
 mod measured;
+mod mistyped;
 mod moment;
 mod progress;
 mod render;
@@ -45,6 +46,10 @@ pub fn main(opener: Opener) -> ExitCode {
 
 /// Runs the program with these arguments, the first of which is its own name.
 pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if let Some(sentence) = mistyped::first_word(&arguments, &command()) {
+        return Failure::Usage(sentence).report();
+    }
     let matches = match command().try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
@@ -54,6 +59,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> Exi
     };
     if let Some((_, given)) = matches.subcommand() {
         failure::set_loudness(given);
+        if inputs(given).filter(|file| file.as_os_str() == "-").count() > 1 {
+            return Failure::Usage(tr!("cli-stdin-twice")).report();
+        }
     }
     if !matches!(matches.subcommand_name(), Some("completions" | "help"))
         && let Err(error) = Renderer::asked_simd()
@@ -97,7 +105,13 @@ fn help(given: &ArgMatches) -> Result<(), Failure> {
         None => all.render_help(),
         Some(name) => match all.find_subcommand_mut(name) {
             Some(found) => found.render_help(),
-            None => return Err(Failure::usage(tr!("cli-no-such-command", name = name.clone()))),
+            None => {
+                let like = mistyped::like(name, &command()).map(str::to_owned);
+                return Err(Failure::usage(match like {
+                    Some(like) => tr!("cli-no-such-command-similar", name = name.clone(), similar = like),
+                    None => tr!("cli-no-such-command", name = name.clone()),
+                }));
+            }
         },
     };
     answer(&page.to_string())
@@ -106,6 +120,12 @@ fn help(given: &ArgMatches) -> Result<(), Failure> {
 /// The value of `--option`, where it was given.
 fn value<T: Clone + Send + Sync + 'static>(given: &ArgMatches, id: &str) -> Option<T> {
     given.get_one::<T>(id).cloned()
+}
+
+/// Every file that a call is to read.
+fn inputs(given: &ArgMatches) -> impl Iterator<Item = &PathBuf> {
+    let of = |id| given.try_get_many::<PathBuf>(id).ok().flatten().into_iter().flatten();
+    ["file", "like", "compare"].into_iter().flat_map(of)
 }
 
 /// All files that were given.

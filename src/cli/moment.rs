@@ -13,6 +13,9 @@ use crate::muscle::Rig;
 use crate::scene::NodeKind;
 use crate::tr;
 
+/// Seconds: a time that lies farther outside a clip than this is a slip of the hand, which is told; one that lies nearer is held at the end in silence.
+const FAR: f64 = 3600.0;
+
 /// What the options say.
 #[derive(Debug, Clone, Default)]
 pub struct Moment {
@@ -63,6 +66,10 @@ impl Moment {
         if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
             let kept = if self.clip.is_some() { clip.start } else { state.time };
             state.time = self.time.unwrap_or(kept).max(clip.start).min(clip.end.max(clip.start));
+            if self.time.is_some_and(|time| (time - state.time).abs() > FAR) {
+                let (start, end) = (plain(clip.start), plain(clip.end));
+                notice(&tr!("cli-measure-time-held", file = display_name(file), start = start, end = end));
+            }
         }
         if let Some(angle) = self.angle {
             match document.driven_rig().filter(|rig| rig.flexion_range().is_some()) {

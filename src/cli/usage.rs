@@ -10,6 +10,7 @@ pub fn sentence(error: &clap::Error) -> String {
     let given = text(error, ContextKind::InvalidValue);
     match error.kind() {
         ErrorKind::UnknownArgument | ErrorKind::InvalidSubcommand => unknown(error, &option),
+        ErrorKind::InvalidValue if given.is_empty() && !option.starts_with('-') => tr!("cli-argument-empty", what = bare(&option)),
         ErrorKind::InvalidValue if given.is_empty() => tr!("cli-value-missing", option = bare(&option)),
         ErrorKind::InvalidValue => {
             tr!("cli-value-not-one-of", option = bare(&option), value = given, choices = list(error, ContextKind::ValidValue))
@@ -46,8 +47,11 @@ fn conflict(error: &clap::Error, option: &str) -> String {
     }
 }
 
-/// `--size <WxH>` without the value's name.
+/// `--size <WxH>` without the value's name, `<--times <T>|--joints>` as `--times|--joints`.
 fn bare(option: &str) -> String {
+    if let Some(group) = option.strip_prefix('<').and_then(|group| group.strip_suffix('>')).filter(|group| group.starts_with("--")) {
+        return group.split('|').map(bare).collect::<Vec<_>>().join("|");
+    }
     option.split([' ', '=']).next().unwrap_or(option).trim_end_matches("...").trim_matches(['<', '>', '[', ']']).to_owned()
 }
 

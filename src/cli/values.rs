@@ -8,6 +8,9 @@ use crate::tr;
 /// The longest list that `--angles` and `--sweep` make.
 const ANGLES: usize = 100_000;
 
+/// Beyond so many degrees an angle is a slip of the hand: its sine would have few digits left.
+pub const MOST_DEGREES: f64 = 1e6;
+
 /// A finite number with a decimal point.
 pub fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
@@ -140,11 +143,12 @@ pub struct Span(pub f64, pub f64);
 /// `FROM:TO`, each within a range.
 pub fn span(low: f64, high: f64) -> impl Fn(&str) -> Result<Span, String> + Clone + Send + Sync + 'static {
     move |text| {
-        let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| tr!("cli-value-not-span"))?;
+        let wrong = || tr!("cli-value-not-span", example = format!("0:{}", plain(high.min(130.0))));
+        let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| wrong())?;
         match parts[..] {
             [from, to] if (low..=high).contains(&from) && (low..=high).contains(&to) => Ok(Span(from, to)),
             [_, _] => Err(tr!("cli-value-out-of-range", low = plain(low), high = plain(high))),
-            _ => Err(tr!("cli-value-not-span")),
+            _ => Err(wrong()),
         }
     }
 }
