@@ -162,3 +162,36 @@ fn shipped_clips_are_well_formed_small_and_ours() {
     }
     assert!(clips > 0, "no clip is shipped");
 }
+
+#[test]
+fn nothing_is_written_but_through_the_guard() {
+    // What a temporary file becomes is decided by `export::atomic`, which asks for a guard; nothing else may make, rename or fill files.
+    let words = [
+        "File::create",
+        "create_new(",
+        "fs::write(",
+        "fs::rename(",
+        "fs::copy(",
+        "NamedTempFile",
+        "tempfile_in(",
+        "replace_contents",
+        "File::options(",
+    ];
+    let mut found = Vec::new();
+    for path in
+        files().into_iter().filter(|path| path.starts_with(root().join("src")) && path.extension().is_some_and(|ending| ending == "rs"))
+    {
+        if path.ends_with("export/temporary.rs") {
+            continue;
+        }
+        let text = std::fs::read_to_string(&path).expect("source is UTF-8");
+        // Tests stand at the end and make their own files.
+        let program = text.split("#[cfg(test)]").next().unwrap_or_default();
+        for (number, line) in program.lines().enumerate() {
+            if words.iter().any(|word| line.contains(word)) {
+                found.push(format!("{}:{}", path.display(), number + 1));
+            }
+        }
+    }
+    assert!(found.is_empty(), "written past the guard: {found:#?}");
+}

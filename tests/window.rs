@@ -144,6 +144,11 @@ fn muscles_are_copied_renamed_and_deleted() {
     drive("drive_several.py");
 }
 
+#[test]
+fn what_is_open_is_never_replaced() {
+    drive("guard.py");
+}
+
 /// Runs a driver of `tests/window` on a display, a bus and a home of its own.
 fn drive(script: &str) {
     if let Some(what) = missing() {

@@ -1,9 +1,12 @@
 //! The clips and muscles that the program ships: written to the user's cache folder when one is opened, and drawn for the start page.
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers};
+use crate::export::atomic::write_whole;
+use crate::export::guard::Output;
 use crate::render::{Background, Display, Palette, Renderer, Theme};
 use crate::scene::{Frame, OrbitCamera, View};
 
@@ -41,9 +44,7 @@ impl Demo {
             let path = folder.join(name);
             if std::fs::read(&path).ok().as_deref() != Some(*bytes) {
                 std::fs::create_dir_all(folder)?;
-                let mut file = tempfile::NamedTempFile::new_in(folder)?;
-                std::io::Write::write_all(&mut file, bytes)?;
-                file.persist(path)?;
+                write_whole(&Output::of_program(&path), |file| file.write_all(bytes)).map_err(std::io::Error::other)?;
             }
         }
         Ok(self.files.first().map(|(name, _)| folder.join(name)))

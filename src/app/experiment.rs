@@ -111,6 +111,7 @@ impl Experiment {
                 match read(&path) {
                     Ok(data) => {
                         experiment.data.replace(data);
+                        window.files.compares_table(path);
                         experiment.refresh(&window);
                     }
                     Err(message) => window.error_bar.show(Trouble {

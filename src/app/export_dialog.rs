@@ -13,8 +13,9 @@ use gtk4 as gtk;
 
 use super::export_job::{Course, Job, Kind, Options, first_numbered};
 use super::window::{Window, part};
-use super::{format, ui};
+use super::{files, format, save_as, ui};
 use crate::export::ExportError;
+use crate::export::ending::completed;
 use crate::export::pipeline::Work;
 use crate::export::{gltf, video};
 use crate::tr;
@@ -234,28 +235,31 @@ impl Dialog {
         chooser.connect_response(move |chooser, response| {
             keep.take();
             if let (gtk::ResponseType::Accept, Some(path)) = (response, chooser.file().and_then(|file| file.path())) {
-                let ending = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(options.kind.ending()));
-                let path = if ending { path } else { PathBuf::from(format!("{}.{}", path.display(), options.kind.ending())) };
-                dialog.start(options, path);
+                dialog.prepare(options, path);
             }
         });
         chooser.show();
     }
 
-    /// Runs the export beside the interface.
-    fn start(self: &Rc<Self>, options: Options, file: PathBuf) {
-        // A result never replaces what it was made from, textures included.
-        let sources = self.window.look(|session| {
-            let images = session.document().scene.images.iter().filter_map(|image| image.path.clone());
-            session.files().into_iter().chain(images).collect::<Vec<_>>()
-        });
-        if file.canonicalize().is_ok_and(|file| sources.iter().any(|source| source.canonicalize().is_ok_and(|source| source == file))) {
-            return self.say(&tr!("app-export-own"));
-        }
-        let job = match self.window.look(|session| Job::new(session, options)) {
+    /// Completes the name, refuses files that are open, and asks about those that are there and that the chooser did not ask about.
+    fn prepare(self: &Rc<Self>, options: Options, chosen: PathBuf) {
+        let file = completed(&chosen, &[options.kind.ending()]);
+        let guard = files::guard(&self.window);
+        let job = match self.window.look(|session| Job::new(session, options, guard.clone())) {
             Ok(job) => job,
             Err(cannot) => return self.say(&cannot.to_string()),
         };
+        let written = job.files(&file);
+        if let Some(error) = written.iter().find_map(|file| guard.output(file).err()) {
+            return self.say(&error.to_string());
+        }
+        let unasked = written.into_iter().filter(|file| *file != chosen).collect();
+        let dialog = self.clone();
+        save_as::ask_to_replace(&self.part("root"), unasked, move || dialog.start(job, options.kind, file));
+    }
+
+    /// Runs the export beside the interface.
+    fn start(self: &Rc<Self>, job: Job, kind: Kind, file: PathBuf) {
         let (count, work) = (job.count(), Arc::new(Work::default()));
         self.work.replace(Some(work.clone()));
         self.show_running(true);
@@ -268,7 +272,7 @@ impl Dialog {
             dialog.show_running(false);
             match result {
                 Ok(Ok(())) => {
-                    let file = if options.kind == Kind::Pictures { first_numbered(&file).unwrap_or(file) } else { file };
+                    let file = if kind == Kind::Pictures { first_numbered(&file).unwrap_or(file) } else { file };
                     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
                     dialog.window.viewport.toast(&tr!("app-saved", file = name), Some(file));
                     dialog.part::<gtk::Window>("root").close();

@@ -6,6 +6,8 @@ use super::session::{Eye, Session, Viewpoint};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::export::ExportError;
 use crate::export::gltf::{self, Form};
+use crate::export::guard::Guard;
+use crate::export::mtl;
 use crate::export::pipeline::Work;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, NoTable, Of, Table};
@@ -282,14 +284,15 @@ pub struct Job {
     along: Option<Along>,
     display: Display,
     options: Options,
+    guard: Guard,
 }
 
 impl Job {
-    /// Takes what the session shows.
+    /// Takes what the session shows. None of the files that `guard` holds is replaced.
     ///
     /// # Errors
     /// As [`Options::check`].
-    pub fn new(session: &mut Session, options: Options) -> Result<Self, Cannot> {
+    pub fn new(session: &mut Session, options: Options, guard: Guard) -> Result<Self, Cannot> {
         let sequence = options.check(session)?;
         let (_, _, _, mut display) = session.picture();
         display.scale = options.scale;
@@ -312,12 +315,23 @@ impl Job {
         let company = (session.company(), session.frame_rate());
         let (document, state, eye) = (session.document().clone(), session.state(), session.eye().clone());
         let along = session.along();
-        Ok(Self { document, company, state, sequence, eye, along, display, options })
+        Ok(Self { document, company, state, sequence, eye, along, display, options, guard })
     }
 
     /// How many frames it has.
     pub fn count(&self) -> usize {
         self.sequence.count
+    }
+
+    /// The files that would be written to `file` and beside it.
+    pub fn files(&self, file: &Path) -> Vec<PathBuf> {
+        match self.options.kind {
+            Kind::Pictures => {
+                numbered(file).map_or_else(|| vec![file.to_owned()], |pattern| Target::Pictures(pattern).files(&self.sequence).collect())
+            }
+            Kind::Obj => vec![file.to_owned(), mtl::library(file)],
+            _ => vec![file.to_owned()],
+        }
     }
 
     /// Makes the files; numbered pictures get their numbers between name and ending.
@@ -340,7 +354,7 @@ impl Job {
             Kind::Muscles(form) => return self.table(Of::Muscles, form, file, work),
             Kind::Joints(form) => return self.table(Of::Joints, form, file, work),
         };
-        let Self { document, company: (company, rate), sequence, eye, along, display, options, .. } = self;
+        let Self { document, company: (company, rate), sequence, eye, along, display, options, guard, .. } = self;
         let note = note(&document, &eye);
         let look = move |scene: &_, frame: &_, turn: f32| match eye.viewpoint() {
             Viewpoint::Orbit => {
@@ -350,18 +364,18 @@ impl Job {
             Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
         };
         let mut studio = Studio::new(&document, sequence, display, None, Box::new(look)).accompanied(company, rate);
-        film::save(&mut studio, options.size, &target, &note, work)
+        film::save(&mut studio, options.size, (&target, &guard), &note, work)
     }
 
     fn scene(&self, form: Form, file: &Path, work: &Work) -> Result<(), ExportError> {
-        let (pending, _) = gltf::prepare(file, form, &self.document)?;
+        let (pending, _) = gltf::prepare(&self.guard.output(file)?, form, &self.document)?;
         if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.put_in_place() }
     }
 
     fn table(&self, of: Of, form: tables::Form, file: &Path, work: &Work) -> Result<(), ExportError> {
         // The document is the one that was checked, so nothing is refused now.
         match Table::measure(of, &self.document, &self.state, self.options.fps) {
-            Ok(table) if !work.is_cancelled() => table.save(file, form, tables::PLOT_SCALE),
+            Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE),
             _ => Err(ExportError::Cancelled),
         }
     }
@@ -369,14 +383,14 @@ impl Job {
     fn surface(&self, format: SurfaceFormat, file: &Path) -> Result<(), ExportError> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose(&self.state, &mut buffers, &mut frame);
-        format.save(file, &self.document.scene, &frame)
+        format.save(&self.guard.output(file)?, &self.document.scene, &frame)
     }
 }
 
 /// `name-%04d.png` for `name.png`, whatever percent signs the name has.
 fn numbered(file: &Path) -> Option<Pattern> {
-    let plain = file.with_extension("").to_str()?.replace('%', "%%");
-    Pattern::of(&format!("{plain}-%04d.png"))
+    let plain = file.file_stem()?.to_str()?.replace('%', "%%");
+    Pattern::of(&file.with_file_name(format!("{plain}-%04d.png")))
 }
 
 /// The first file that numbered pictures are written to.
@@ -417,7 +431,7 @@ mod tests {
         for kind in Kind::ALL.into_iter().filter(|kind| !matches!(kind, Kind::Mp4 | Kind::Webm | Kind::Joints(_))) {
             assert!(!kind.label().starts_with("app-export"), "{kind:?} has no name");
             let file = folder.path().join(format!("50%d.{}", kind.ending()));
-            let job = Job::new(&mut session, options(kind, Course::Elbow)).expect("the arm bends");
+            let job = Job::new(&mut session, options(kind, Course::Elbow), Guard::default()).expect("the arm bends");
             assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
             job.run(&file, &Work::default()).expect("written");
             let first = if kind == Kind::Pictures { first_numbered(&file).expect("a name") } else { file };

@@ -17,6 +17,7 @@ use super::window::Window;
 use super::{compare_file, heading, muscle_panel, news, recent, saving};
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
+use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
 use crate::stage::{self, Opened};
 use crate::tr;
@@ -39,6 +40,10 @@ pub struct Files {
     /// Muscles that are put into what is being read, and what is done then.
     carried: RefCell<Option<Carried>>,
     asking: Cell<bool>,
+    /// The session file that what is open came from, or was saved to.
+    session_file: RefCell<Option<PathBuf>>,
+    /// The measured radii that muscles are compared with.
+    table: RefCell<Option<PathBuf>>,
     /// Whether muscles on an arm of their own are hung on the clip that they come with.
     hang: Cell<bool>,
 }
@@ -73,10 +78,31 @@ impl Files {
         written.as_ref().is_some_and(|(ours, text)| ours == path && std::fs::read_to_string(path).is_ok_and(|now| now == *text))
     }
 
+    /// The session file that what is open came from, or was saved to last.
+    pub fn session_file(&self) -> Option<PathBuf> {
+        self.session_file.borrow().clone()
+    }
+
+    /// What is open was saved as this session file.
+    pub fn saved_session(&self, path: PathBuf) {
+        self.session_file.replace(Some(path));
+    }
+
+    /// Muscles are compared with the measured radii of this file.
+    pub fn compares_table(&self, path: PathBuf) {
+        self.table.replace(Some(path));
+    }
+
     /// Whether there is a file that could not be opened.
     pub fn can_retry(&self) -> bool {
         self.failed.get()
     }
+}
+
+/// Holds every file that is open in a window, with what belongs to it: no result replaces one of them.
+pub fn guard(window: &Rc<Window>) -> Guard {
+    let files = &window.files;
+    window.look(|session| session.guard()).and(files.session_file()).and(files.table.borrow().clone())
 }
 
 /// Opens files side by side into one scene. What is open stays until they are read; whatever was being read is given up.
@@ -95,6 +121,7 @@ pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<Musc
             window.files.stop();
             window.start_page(false);
             window.give_looks_back();
+            window.files.session_file.replace(None);
             window.act(|session| {
                 session.show(Document::built_in(), Arrival::New);
                 session.carry(carried.muscles);
@@ -216,6 +243,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
     if arrival == Arrival::New {
         window.give_looks_back();
+        window.files.session_file.replace(saved.is_some().then(|| paths.first().cloned()).flatten());
     }
     match &saved {
         Some(saved) => window.borrow_looks(|session| {
@@ -363,6 +391,7 @@ pub fn forget(window: &Rc<Window>) {
     window.files.stop();
     window.files.reading.replace(None);
     window.files.monitors.replace(Vec::new());
+    window.files.session_file.replace(None);
     window.viewport.loading(None);
     window.error_bar.hide();
 }

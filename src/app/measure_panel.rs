@@ -13,11 +13,12 @@ use super::canvas::Canvas;
 use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;
-use super::save_as;
+use super::save_as::{self, Wanted};
 use super::session::{Against, Changes, Reading, Session, csv};
 use super::ui;
 use super::window::{Window, part};
 use crate::export::atomic::write_whole;
+use crate::export::ending::ending;
 use crate::muscle::published;
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
@@ -273,28 +274,28 @@ impl MeasurePanel {
         Page { sections: vec![(name, plots.collect())] }
     }
 
-    /// The file that a name's ending asks for.
+    /// The file that a name's ending asks for: the table, or the plots.
     fn bytes(&self, path: &Path) -> Result<Vec<u8>, String> {
-        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-        match ending.as_str() {
-            "csv" => Ok(csv(&self.readings.borrow()).into_bytes()),
+        match ending(path).as_str() {
             "svg" => Ok(self.page().svg().into_bytes()),
             "png" => self.page().png(PICTURE_SCALE).map_err(|error| error.to_string()),
-            _ => Err(tr!("app-measure-ending")),
+            _ => Ok(csv(&self.readings.borrow()).into_bytes()),
         }
     }
 }
 
 /// Asks where to and saves the table or the plots.
 fn save(window: &Rc<Window>) {
-    save_as::ask(window, &tr!("app-measure-save-title"), "measure.csv", None, |window, path| {
+    let (title, name) = (tr!("app-measure-save-title"), "measure.csv".to_owned());
+    save_as::ask(window, Wanted { title, name, folder: None, endings: &["csv", "svg", "png"], own: None }, |window, output| {
+        let path = output.file();
         let written = window
             .measure
-            .bytes(&path)
-            .and_then(|bytes| write_whole(&path, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
+            .bytes(path)
+            .and_then(|bytes| write_whole(output, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
         match written {
-            Ok(()) => window.viewport.toast(&tr!("app-saved", file = save_as::name_of(&path)), Some(path)),
-            Err(message) => save_as::failed(window, &path, message),
+            Ok(()) => save_as::done(window, path),
+            Err(message) => save_as::failed(window, path, message),
         }
     });
 }

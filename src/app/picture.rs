@@ -7,7 +7,7 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use super::export_job::note;
-use super::save_as;
+use super::save_as::{self, Wanted};
 use super::window::Window;
 use crate::export::png::{self, SOFTWARE};
 use crate::film::Shot;
@@ -60,11 +60,14 @@ pub fn copy(window: &Rc<Window>) {
 /// Asks where to and saves the picture.
 pub fn save(window: &Rc<Window>, transparent: bool) {
     let picture = take(window, transparent);
-    save_as::ask(window, &tr!("app-picture-title"), &save_as::name_like_open(window, "png"), None, move |window, path| {
+    let name = save_as::name_like_open(window, "png");
+    let wanted = Wanted { title: tr!("app-picture-title"), name, folder: None, endings: &["png"], own: None };
+    save_as::ask(window, wanted, move |window, output| {
+        let path = output.file();
         let notes = [("Software", SOFTWARE), ("Comment", picture.note.as_str())];
-        match png::save(&path, &picture.pixels, picture.transparent, &notes) {
-            Ok(()) => window.viewport.toast(&tr!("app-saved", file = save_as::name_of(&path)), Some(path)),
-            Err(error) => save_as::failed(window, &path, error.to_string()),
+        match png::save(output, &picture.pixels, picture.transparent, &notes) {
+            Ok(()) => save_as::done(window, path),
+            Err(error) => save_as::failed(window, path, error.to_string()),
         }
     });
 }

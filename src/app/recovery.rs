@@ -16,6 +16,7 @@ use super::session::Session;
 use super::window::{Window, part};
 use super::{files, ui};
 use crate::export::atomic::write_whole;
+use crate::export::guard::Output;
 use crate::limits;
 use crate::muscle::MuscleFile;
 use crate::tr;
@@ -59,7 +60,7 @@ impl Unsaved {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
         }
-        write_whole(path, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
+        write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
     }
 }
 

@@ -2,16 +2,18 @@
 
 use std::cell::RefCell;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::rc::Rc;
 
 use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::save_as::{self, Wanted};
 use super::window::Window;
-use super::{files, save_as};
+use super::{demos, files};
 use crate::export::atomic::write_whole;
+use crate::export::guard::Output;
 use crate::tr;
 
 /// Saves the muscle files that changed, each over the file it came from; one that has none asks for a name. `then` runs once all are saved.
@@ -26,12 +28,16 @@ fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()
     let Some(index) = wanted.pop() else { return then() };
     let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
     match path {
-        Some(path) => {
-            if write(window, index, path) {
-                save_each(window, wanted, then);
+        // A demo is written anew when it is opened again.
+        Some(path) if !path.starts_with(demos::folder()) => match files::guard(window).but(Some(&path)).output(&path) {
+            Ok(output) => {
+                if write(window, index, &output) {
+                    save_each(window, wanted, then);
+                }
             }
-        }
-        None => {
+            Err(error) => save_as::failed(window, &path, error.to_string()),
+        },
+        _ => {
             let again = window.clone();
             choose(window, index, move || save_each(&again, wanted, then));
         }
@@ -47,15 +53,19 @@ pub fn save_as(window: &Rc<Window>) {
 fn choose(window: &Rc<Window>, index: usize, then: impl FnOnce() + 'static) {
     let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
     let name = path.as_deref().map_or_else(|| "muscle.yaml".into(), save_as::name_of);
-    save_as::ask(window, &tr!("app-save-title"), &name, path.as_deref().and_then(Path::parent), move |window, path| {
-        if write(window, index, path) {
+    let own = path.filter(|path| !path.starts_with(demos::folder()));
+    let folder = own.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+    let wanted = Wanted { title: tr!("app-save-title"), name, folder, endings: &["yaml", "yml"], own };
+    save_as::ask(window, wanted, move |window, output| {
+        if write(window, index, output) {
             then();
         }
     });
 }
 
 /// Writes muscle file `index` whole or not at all, keeping the comments of the text that is there; says what came of it.
-fn write(window: &Rc<Window>, index: usize, path: PathBuf) -> bool {
+fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
+    let path = output.file().to_owned();
     let Some((file, source)) =
         window.look(|session| Some((session.file_for(index, &path)?, session.document().muscle_file_path(index).map(Path::to_path_buf))))
     else {
@@ -64,7 +74,7 @@ fn write(window: &Rc<Window>, index: usize, path: PathBuf) -> bool {
     let original = source.and_then(|source| std::fs::read_to_string(source).ok()).unwrap_or_default();
     let saved = file.to_yaml_keeping(&original);
     window.files.wrote(path.clone(), saved.text.clone());
-    match write_whole(&path, |out| out.write_all(saved.text.as_bytes())) {
+    match write_whole(output, |out| out.write_all(saved.text.as_bytes())) {
         Ok(()) => {
             window.error_bar.hide();
             window.act(|session| session.was_saved(index, path.clone(), file));

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::app::session::{Session, Tool};
+use crate::export::atomic::write_whole;
+use crate::export::guard::Output;
 use crate::render::{Display, Samples, Shading};
 use crate::stage::Backdrop;
 pub use crate::stage::{SHADINGS, SWITCHES};
@@ -153,10 +155,7 @@ impl Settings {
         let folder = path.parent().unwrap_or(Path::new("."));
         std::fs::create_dir_all(folder)?;
         let text = serde_yaml::to_string(self).map_err(std::io::Error::other)?;
-        let mut file = tempfile::NamedTempFile::new_in(folder)?;
-        file.write_all(text.as_bytes())?;
-        file.persist(path)?;
-        Ok(())
+        write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(std::io::Error::other)
     }
 
     fn sane(mut self) -> Self {

@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use clap::ArgMatches;
 
-use super::export::{allow_overwriting, refuse_overwriting};
-use super::failure::{Failure, notice, output_name, remark};
+use super::export::allow_overwriting;
+use super::failure::{Failure, notice, output_name, remark, wrong_ending};
 use super::progress::leave_nothing;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions};
 use crate::export::gltf::{Form, save};
+use crate::export::guard::Guard;
 use crate::tr;
 
 /// Runs the subcommand.
@@ -18,13 +19,15 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Required by the parser.
     let Some(out) = value::<PathBuf>(given, "out") else { return Err(Failure::usage(tr!("cli-call-wrong"))) };
-    let form = Form::of(&out).ok_or_else(|| Failure::usage(tr!("cli-convert-ending", out = output_name(&out))))?;
-    refuse_overwriting(&files, &out)?;
+    let form = Form::of(&out).ok_or_else(|| wrong_ending(&out, "cli-convert-ending"))?;
+    let guard = Guard::of_files(&files);
+    guard.output(&out)?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
     remark(document.health.iter());
+    let target = guard.and(document.files()).output(&out)?;
     allow_overwriting(given, std::iter::once(out.clone()))?;
     leave_nothing();
-    for loss in save(&out, form, &document)? {
+    for loss in save(&target, form, &document)? {
         notice(&format!("{}: {loss}", output_name(&out)));
     }
     Ok(())

@@ -1,16 +1,17 @@
 //! `sinew export`: the posed surface as a file.
 
 use std::io::{self, BufRead, IsTerminal};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::ArgMatches;
 
-use super::failure::{Failure, complain_part, is_quiet, output_name, remark};
+use super::failure::{Failure, complain_part, is_quiet, output_name, remark, wrong_ending};
 use super::moment::Moment;
 use super::progress::leave_nothing;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseBuffers};
+use crate::export::guard::Guard;
 use crate::export::mtl;
 use crate::export::surface::{self, SurfaceFormat};
 use crate::scene::Frame;
@@ -23,14 +24,15 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(file), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let format = SurfaceFormat::of(&out).ok_or_else(|| Failure::usage(tr!("cli-export-ending", out = output_name(&out))))?;
+    let format = SurfaceFormat::of(&out).ok_or_else(|| wrong_ending(&out, "cli-export-ending"))?;
     let library = (format == SurfaceFormat::Obj).then(|| mtl::library(&out));
     let outs = || std::iter::once(out.clone()).chain(library.clone());
-    outs().try_for_each(|out| refuse_overwriting(&files, &out))?;
+    let guard = Guard::of_files(&files);
+    outs().try_for_each(|out| guard.output(&out).map(drop))?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
     remark(document.health.iter());
-    let images: Vec<PathBuf> = document.scene.images.iter().filter_map(|image| image.path.clone()).collect();
-    outs().try_for_each(|out| refuse_overwriting(&images, &out))?;
+    let guard = guard.and(document.files());
+    outs().try_for_each(|out| guard.output(&out).map(drop))?;
     allow_overwriting(given, outs())?;
     let state = Moment::given(given).state(&document, file)?;
     let mut frame = Frame::default();
@@ -39,26 +41,9 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::file(file, tr!("cli-export-nothing")));
     }
     leave_nothing();
-    format.save(&out, &document.scene, &frame)?;
+    format.save(&guard.output(&out)?, &document.scene, &frame)?;
     remark([tr!("cli-export-written", out = output_name(&out))]);
     Ok(())
-}
-
-/// The ending of a file name in lower case, empty where it has none.
-pub fn ending(file: &Path) -> String {
-    file.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
-}
-
-/// A result never replaces the file that it was made from.
-///
-/// # Errors
-/// [`Failure::Usage`] where `out` is one of `inputs`, by whatever path.
-pub fn refuse_overwriting(inputs: &[PathBuf], out: &Path) -> Result<(), Failure> {
-    let same = |input: &PathBuf| match (input.canonicalize(), out.canonicalize()) {
-        (Ok(input), Ok(out)) => input == out,
-        _ => false,
-    };
-    if inputs.iter().any(same) { Err(Failure::usage(tr!("cli-out-is-input", out = output_name(out)))) } else { Ok(()) }
 }
 
 /// What is there already is asked about where somebody sits at a terminal; scripts and desktops, which cannot be asked, replace it as they mean to,

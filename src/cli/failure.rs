@@ -68,6 +68,9 @@ impl From<ExportError> for Failure {
         if matches!(error, ExportError::Cancelled) {
             return Self::Stopped;
         }
+        if let ExportError::Held { file } = &error {
+            return Self::Usage(crate::tr!("cli-out-is-input", out = output_name(file)));
+        }
         Self::Files(vec![one_line(&error.to_string())])
     }
 }
@@ -83,6 +86,12 @@ pub fn display_name(file: &Path) -> String {
 /// The name of a file that is written: `-` has no other meaning there.
 pub fn output_name(file: &Path) -> String {
     one_line(&file.to_string_lossy())
+}
+
+/// A result whose name has not one of the endings that it may have: `key` is the sentence that lists them.
+pub fn wrong_ending(out: &Path, key: &str) -> Failure {
+    let has_name = out.file_name().is_none_or(|name| out.extension().is_some() || !name.as_encoded_bytes().starts_with(b"."));
+    Failure::usage(if has_name { crate::tr!(key, out = output_name(out)) } else { crate::tr!("cli-ending-alone", out = output_name(out)) })
 }
 
 /// Writes one line to standard error; a closed one is nothing to stop for.

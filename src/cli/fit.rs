@@ -7,14 +7,16 @@ use clap::ArgMatches;
 use serde::Serialize;
 
 use super::compare::rms_lines;
-use super::export::{allow_overwriting, ending, refuse_overwriting};
-use super::failure::{Failure, answer, answer_json, display_name, output_name};
+use super::export::allow_overwriting;
+use super::failure::{Failure, answer, answer_json, display_name, output_name, wrong_ending};
 use super::progress::leave_nothing;
 use super::{files, measured, value};
 use crate::collada::Progress;
 use crate::document::{Document, SourceKind};
 use crate::export::atomic::write_whole;
-use crate::export::tables::{NoTable, unit_for_people, unit_name};
+use crate::export::ending::ending;
+use crate::export::guard::Guard;
+use crate::export::tables::{unit_for_people, unit_name};
 use crate::i18n::decimal;
 use crate::muscle::experiment::Table;
 use crate::muscle::fit::{Fitted, Model, fitted_file};
@@ -48,16 +50,17 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
     if !matches!(ending(&out).as_str(), "yaml" | "yml") {
-        return Err(Failure::usage(tr!("cli-fit-ending", out = output_name(&out))));
+        return Err(wrong_ending(&out, "cli-fit-ending"));
     }
     let like = value::<PathBuf>(given, "like");
-    let inputs: Vec<PathBuf> = files.iter().chain(&like).cloned().collect();
-    refuse_overwriting(&inputs, &out)?;
+    let guard = Guard::of_files(files.iter().chain(&like));
+    guard.output(&out)?;
     let table = measured::read(csv)?;
     let document = match &like {
         Some(file) => Document::open(std::slice::from_ref(file), &Progress::default())?,
         None => Document::built_in(),
     };
+    let target = guard.and(document.files()).output(&out)?;
     let model = if value::<String>(given, "model").as_deref() == Some("poses") { Model::Poses } else { Model::Growth };
     let (file, rig) = muscles(&document, like.as_deref().unwrap_or(csv))?;
     let mut fitted = fit_first(file, rig, &table, model).map_err(|error| Failure::file(csv, error))?;
@@ -73,7 +76,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     };
     allow_overwriting(given, std::iter::once(out.clone()))?;
     leave_nothing();
-    write_whole(&out, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
+    write_whole(&target, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
     let rms = Rms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
     if given.get_flag("json") {
         let model = if model == Model::Poses { "poses" } else { "growth" };
@@ -88,7 +91,7 @@ fn muscles<'a>(document: &'a Document, file: &Path) -> Result<(&'a MuscleFile, &
         SourceKind::Muscles(muscles, rig) => Some((&**muscles, &**rig)),
         SourceKind::Collada(_) => None,
     });
-    found.ok_or_else(|| Failure::file(file, NoTable::NoMuscle))
+    found.ok_or_else(|| Failure::file(file, tr!("cli-like-no-muscle")))
 }
 
 /// Fits the first muscle that hangs on a joint, and leaves the others out: the table speaks of one.

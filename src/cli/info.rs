@@ -128,7 +128,7 @@ impl Info {
             images: scene
                 .images
                 .iter()
-                .map(|image| ImageInfo { uri: image.uri.clone(), found: image.path.is_some() || image.pixels.is_some() })
+                .map(|image| ImageInfo { uri: image.uri.clone(), found: image.path.is_some() || image.archived || image.pixels.is_some() })
                 .collect(),
             muscles: muscles(document),
             bounds: (!frame.bounds.is_empty()).then(|| BoundsInfo { min: frame.bounds.min.to_array(), max: frame.bounds.max.to_array() }),

@@ -6,14 +6,15 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 
 use super::compare::Comparison;
-use super::export::{allow_overwriting, refuse_overwriting};
-use super::failure::{Failure, answer, answer_json, display_name, notice, output_name, remark};
+use super::export::allow_overwriting;
+use super::failure::{Failure, answer, answer_json, display_name, notice, output_name, remark, wrong_ending};
 use super::moment::unknown_clip;
 use super::progress::leave_nothing;
-use super::values::{Angles, plain};
+use super::values::{Angles, MOST_DEGREES, plain};
 use super::{files, joints, value};
 use crate::collada::Progress;
 use crate::document::{Document, PoseState};
+use crate::export::guard::Guard;
 use crate::export::tables::{Form, JointTable, MuscleTable, NoTable, Of, PLOT_SCALE, Table, even_times, unit_for_people};
 use crate::film::FPS;
 use crate::i18n::decimal;
@@ -23,11 +24,19 @@ use crate::tr;
 pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     let document = Document::open(&files, &Progress::default())?;
+    let sheet = Sheet { given, guard: Guard::of_files(&files).and(document.files()) };
     let file = files.first().cloned().unwrap_or_default();
     if given.get_flag("joints") {
+        // A file without joints is to be told so, whether it has a clip or not.
+        if NoTable::check(Of::Joints, &document, &document.start_state(), FPS) == Err(NoTable::NoJoint) {
+            return Err(match document.clips.is_empty() {
+                true => Failure::usage(tr!("cli-measure-no-joint-no-clip", file = display_name(&file))),
+                false => no_table(NoTable::NoJoint, &file),
+            });
+        }
         let (state, times) = times(given, &document, &file)?;
         let table = JointTable::over_time(&document, display_name(&file), &state, &times);
-        return Sheet { given, files: &files }.answer(&Table::Joints(table.map_err(|why| no_table(why, &file))?));
+        return sheet.answer(&Table::Joints(table.map_err(|why| no_table(why, &file))?));
     }
     if document.muscle_count() == 0 {
         return Err(Failure::file(&file, NoTable::NoMuscle));
@@ -45,26 +54,31 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     if given.contains_id("times") {
         let (state, times) = times(given, &document, &file)?;
         let table = MuscleTable::over_time(&document, display_name(&file), &state, &times);
-        return Sheet { given, files: &files }.answer(&Table::Muscles(table.map_err(|why| no_table(why, &file))?));
+        return sheet.answer(&Table::Muscles(table.map_err(|why| no_table(why, &file))?));
     }
     let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
     if let Some(angles) = &angles {
+        if let Some(angle) = angles.iter().find(|angle| angle.abs() > MOST_DEGREES) {
+            let option = if given.contains_id("sweep") { "--sweep" } else { "--angles" };
+            let why = tr!("cli-value-out-of-range", low = plain(-MOST_DEGREES), high = plain(MOST_DEGREES));
+            return Err(Failure::usage(tr!("cli-value-wrong", option = option, value = plain(*angle), why = why)));
+        }
         say_what_no_joint_does(&document, angles, &file);
     }
     if angles.is_none() && given.contains_id("plot") {
         // Four angles are a table, but no curve.
         let table = Table::measure(Of::Muscles, &document, &document.start_state(), FPS).map_err(|why| no_table(why, &file))?;
-        return Sheet { given, files: &files }.answer(&table);
+        return sheet.answer(&table);
     }
     let table = MuscleTable::over_angles(&document, display_name(&file), angles.as_deref());
     let table = table.ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-measure", file = display_name(&file))))?;
-    Sheet { given, files: &files }.answer(&Table::Muscles(table))
+    sheet.answer(&Table::Muscles(table))
 }
 
 /// How a table is to be answered.
 struct Sheet<'a> {
     given: &'a ArgMatches,
-    files: &'a [PathBuf],
+    guard: Guard,
 }
 
 impl Sheet<'_> {
@@ -87,11 +101,11 @@ impl Sheet<'_> {
     }
 
     fn draw(&self, table: &Table, out: &Path) -> Result<(), Failure> {
-        let form = Form::of_plot(out).ok_or_else(|| Failure::usage(tr!("cli-plot-ending", out = output_name(out))))?;
-        refuse_overwriting(self.files, out)?;
+        let form = Form::of_plot(out).ok_or_else(|| wrong_ending(out, "cli-plot-ending"))?;
+        let target = self.guard.output(out)?;
         allow_overwriting(self.given, std::iter::once(out.to_owned()))?;
         leave_nothing();
-        table.save(out, form, value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE))?;
+        table.save(&target, form, value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE))?;
         remark([tr!("cli-export-written", out = output_name(out))]);
         Ok(())
     }

@@ -1,18 +1,19 @@
 //! `sinew render`: pictures without a window.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 use glam::Vec3;
 
-use super::export::{allow_overwriting, refuse_overwriting};
-use super::failure::{Failure, complain, display_name, output_name, remark};
+use super::export::allow_overwriting;
+use super::failure::{Failure, complain, display_name, output_name, remark, wrong_ending};
 use super::moment::Moment;
 use super::values::{Backdrop, Span, plain};
 use super::{files, progress, value};
 use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
+use crate::export::guard::Guard;
 use crate::film::{self, Direction, Eye, Look, Motion, Refusal, Sequence, Shot, Studio, Target, Times, Wish, posed_bounds};
 use crate::limits;
 use crate::muscle::Rig;
@@ -31,9 +32,13 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(first), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let target = Target::of(&out).ok_or_else(|| Failure::usage(tr!("cli-render-ending", out = output_name(&out))))?;
+    let target = Target::of(&out).ok_or_else(|| wrong_ending(&out, "cli-render-ending"))?;
+    if matches!(&target, Target::Pictures(pattern) if pattern.has_second()) {
+        return Err(Failure::usage(tr!("cli-pattern-twice", out = output_name(&out))));
+    }
     let (size, scale) = size(given)?;
-    refuse_overwriting(&files, &out)?;
+    let guard = Guard::of_files(&files);
+    guard.output(&out)?;
     let Opened { document, saved, compared } = stage::open(&files, OpenOptions::default(), &Progress::default())?;
     remark(document.health.iter());
     let moment = Moment::given(given);
@@ -41,15 +46,14 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let state = moment.over(start, &document, first)?;
     let sequence = match target {
         Target::Picture(_) => single(given, state)?,
-        _ => sequence(given, &moment, &document, state).map_err(|refusal| refused(refusal, &display_name(first)))?,
+        _ => sequence(given, &moment, &document, state).map_err(|refusal| refused(refusal, given, &display_name(first)))?,
     };
     if matches!(target, Target::Gif(_)) && sequence.fps > gif::MOST_FPS {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
     }
-    let images = document.scene.images.iter().filter_map(|image| image.path.clone());
-    let sources = document.sources.iter().filter_map(|source| source.path.clone());
-    let protected: Vec<PathBuf> = files.iter().cloned().chain(sources).chain(images).collect();
-    target.files(&sequence).try_for_each(|file| refuse_overwriting(&protected, &file))?;
+    let of_session = saved.iter().flat_map(|saved| saved.every_file(first.parent().unwrap_or(Path::new(""))));
+    let guard = guard.and(document.files()).and(of_session);
+    target.files(&sequence).try_for_each(|file| guard.output(&file).map(drop))?;
     allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
@@ -75,7 +79,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), look).accompanied(company, rate);
     let call = call_note(given, &files, size, scale);
     let note = |shot: &Shot| format!("{call}{}", shot_note(&document, shot));
-    progress::watched(sequence.count, |work| film::save(&mut studio, size, &target, &note, work))?;
+    progress::watched(sequence.count, |work| film::save(&mut studio, size, (&target, &guard), &note, work))?;
     remark([tr!(
         "cli-written",
         out = output_name(&out),
@@ -127,8 +131,13 @@ fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: Pos
     Sequence::new(&wish, document, state)
 }
 
-fn refused(refusal: Refusal, file: &str) -> Failure {
+fn refused(refusal: Refusal, given: &ArgMatches, file: &str) -> Failure {
     Failure::usage(match refusal {
+        // Of an end that was not given, the movement's own is meant.
+        Refusal::Empty { from, to } if !given.contains_id("to") => tr!("cli-range-late", file = file, from = plain(from), end = plain(to)),
+        Refusal::Empty { from, to } if !given.contains_id("from") => {
+            tr!("cli-range-early", file = file, start = plain(from), to = plain(to))
+        }
         Refusal::Empty { from, to } => tr!("cli-range-empty", from = plain(from), to = plain(to)),
         Refusal::TooMany => tr!("cli-too-many-frames", limit = plain(film::FRAMES as f64)),
         Refusal::NoElbow => tr!("cli-no-elbow-to-bend", file = file),

@@ -47,7 +47,7 @@ impl Images {
         }
         let line = Some(context.report.line(reference.unwrap_or(element)));
         let name = name_of(element, || tr!("collada-unnamed-image"));
-        scene.images.push(Image { name, id: id_of(element), uri, line, path: None, pixels: None });
+        scene.images.push(Image { name, id: id_of(element), uri, line, ..Image::default() });
         self.by_element.insert(element.id(), id);
         id
     }

@@ -49,7 +49,8 @@ pub(super) fn load(loaded: &mut Loaded, folder: &Path, what: Images, progress: &
                 findings.push(Finding::warning(BROKEN, image.line, element, message));
             }
         }
-        image.path = Some(path);
+        image.archived = archived_bytes.is_some();
+        image.path = (!image.archived).then_some(path);
     }
     findings.sort_by_key(|finding| finding.line);
 }

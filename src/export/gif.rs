@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
 
 use ::gif::{DisposalMethod, Encoder, Frame, Repeat};
 
+use super::guard::Output;
 use super::palette::{COLORS, Palette, is_solid};
 use super::png::straight;
 use super::{ExportError, atomic::write_whole};
@@ -36,13 +36,13 @@ pub struct Settings {
 /// # Errors
 /// [`ExportError`] where the file cannot be written or the size does not fit the format; what `draw` returns.
 pub fn save(
-    file: &Path,
+    file: &Output,
     settings: Settings,
     draw: impl FnOnce(&mut Sink<'_, BufWriter<&mut File>>) -> io::Result<()>,
 ) -> Result<(), ExportError> {
     let (width, height) = settings.size;
     let (Ok(width), Ok(height)) = (u16::try_from(width), u16::try_from(height)) else {
-        return Err(ExportError::TooLarge { file: file.to_owned(), limit: u16::MAX.into() });
+        return Err(ExportError::TooLarge { file: file.file().to_owned(), limit: u16::MAX.into() });
     };
     write_whole(file, |out| draw(&mut Sink::begin(out, width, height, settings)?))
 }
@@ -244,6 +244,9 @@ mod tests {
     fn a_side_beyond_the_format_is_refused() {
         let palette = Sampler::new(1).palette();
         let settings = Settings { size: (65_536, 1), fps: 10.0, alpha: false, palette };
-        assert!(matches!(save(Path::new("never.gif"), settings, |_| Ok(())), Err(ExportError::TooLarge { .. })));
+        assert!(matches!(
+            save(&Output::of_program(std::path::Path::new("never.gif")), settings, |_| Ok(())),
+            Err(ExportError::TooLarge { .. })
+        ));
     }
 }

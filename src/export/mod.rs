@@ -1,12 +1,15 @@
 //! Files to take away: pictures, films and posed surfaces.
 //!
 //! Every file is written beside its final place under a temporary name and renamed when it is complete, so a failed save leaves what was
-//! there.
+//! there. No result replaces a file that it is made from or that is open: what writes takes an [`guard::Output`], which only a [`guard::Guard`]
+//! gives out.
 
 pub mod apng;
 pub mod atomic;
+pub mod ending;
 pub mod gif;
 pub mod gltf;
+pub mod guard;
 pub mod mtl;
 pub mod obj;
 pub mod palette;
@@ -16,6 +19,7 @@ pub mod png;
 pub mod stl;
 pub mod surface;
 pub mod tables;
+mod temporary;
 pub mod video;
 
 use std::io;
@@ -38,6 +42,12 @@ pub enum ExportError {
     /// The target is there and is no ordinary file.
     #[error("{}: {}", .file.display(), tr!("export-not-a-file"))]
     NotAFile {
+        /// The target.
+        file: PathBuf,
+    },
+    /// The target is one of the files that are open or that the result is made from.
+    #[error("{}: {}", .file.display(), tr!("export-held"))]
+    Held {
         /// The target.
         file: PathBuf,
     },

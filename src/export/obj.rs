@@ -2,11 +2,11 @@
 
 use std::collections::HashSet;
 use std::io::{self, Write};
-use std::path::Path;
 
 use glam::{Vec2, Vec3};
 
 use super::atomic::{prepare, write_whole};
+use super::guard::Output;
 use super::surface::{Posed, visible};
 use super::{ExportError, mtl};
 use crate::scene::{Frame, Scene, Surface};
@@ -16,14 +16,14 @@ use crate::scene::{Frame, Scene, Surface};
 ///
 /// # Errors
 /// [`ExportError`] where a file cannot be written.
-pub fn save(file: &Path, scene: &Scene, frame: &Frame) -> Result<(), ExportError> {
+pub fn save(file: &Output, scene: &Scene, frame: &Frame) -> Result<(), ExportError> {
     let materials = mtl::Materials::of(frame);
     if materials.is_empty() {
         return write_whole(file, |out| write(out, scene, frame, &materials, None));
     }
-    let library = mtl::library(file);
-    let name = library.file_name().map(|name| name.to_string_lossy().into_owned());
-    let beside = prepare(&library, |out| materials.write(out, scene, frame, file))?;
+    let library = file.with(&mtl::library(file.file()))?;
+    let name = library.file().file_name().map(|name| name.to_string_lossy().into_owned());
+    let beside = prepare(&library, |out| materials.write(out, scene, frame, file.file()))?;
     prepare(file, |out| write(out, scene, frame, &materials, name.as_deref()))?.put_in_place()?;
     beside.put_in_place()
 }

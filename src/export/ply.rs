@@ -1,10 +1,10 @@
 //! The posed surface as PLY (binary, little-endian): one list of vertices with normals, and colours where a surface has them.
 
 use std::io::{self, Write};
-use std::path::Path;
 
 use glam::Vec3;
 
+use super::guard::Output;
 use super::surface::{Posed, visible};
 use super::{ExportError, atomic::write_whole};
 use crate::scene::Frame;
@@ -13,7 +13,7 @@ use crate::scene::Frame;
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written.
-pub fn save(file: &Path, frame: &Frame) -> Result<(), ExportError> {
+pub fn save(file: &Output, frame: &Frame) -> Result<(), ExportError> {
     write_whole(file, |out| write(out, frame))
 }
 

@@ -1,8 +1,8 @@
 //! Pictures as PNG, with the parameters that made them.
 
 use std::io::{self, Write};
-use std::path::Path;
 
+use super::guard::Output;
 use super::{ExportError, atomic::write_whole};
 use crate::render::Framebuffer;
 
@@ -24,7 +24,7 @@ pub enum Effort {
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written.
-pub fn save(file: &Path, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> Result<(), ExportError> {
+pub fn save(file: &Output, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> Result<(), ExportError> {
     write_whole(file, |out| encode(out, picture, alpha, notes, Effort::Small))
 }
 

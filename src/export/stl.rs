@@ -1,8 +1,8 @@
 //! The posed surface as binary STL, for printers: triangles alone.
 
 use std::io::{self, Write};
-use std::path::Path;
 
+use super::guard::Output;
 use super::surface::{Posed, visible};
 use super::{ExportError, atomic::write_whole};
 use crate::scene::Frame;
@@ -11,7 +11,7 @@ use crate::scene::Frame;
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written.
-pub fn save(file: &Path, frame: &Frame) -> Result<(), ExportError> {
+pub fn save(file: &Output, frame: &Frame) -> Result<(), ExportError> {
     write_whole(file, |out| write(out, frame))
 }
 

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use glam::{Mat3, Vec3};
 
+use super::guard::Output;
 use super::{ExportError, obj, ply, stl};
 use crate::scene::{Frame, Placement, Scene, Surface};
 
@@ -33,7 +34,7 @@ impl SurfaceFormat {
     ///
     /// # Errors
     /// [`ExportError`] where a file cannot be written.
-    pub fn save(self, file: &Path, scene: &Scene, frame: &Frame) -> Result<(), ExportError> {
+    pub fn save(self, file: &Output, scene: &Scene, frame: &Frame) -> Result<(), ExportError> {
         match self {
             Self::Obj => obj::save(file, scene, frame),
             Self::Ply => ply::save(file, frame),

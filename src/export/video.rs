@@ -7,6 +7,7 @@ use std::thread::JoinHandle;
 
 use super::ExportError;
 use super::atomic::Pending;
+use super::guard::Output;
 
 /// The kinds of film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,8 +71,8 @@ impl Sink {
     ///
     /// # Errors
     /// [`ExportError`] where there is no `ffmpeg`, it has no encoder for this kind, or the folder cannot be written.
-    pub fn begin(target: &Path, kind: Kind, (width, height): (u32, u32), fps: f64, alpha: bool, note: &str) -> Result<Self, ExportError> {
-        let encoder = encoder(target, kind)?;
+    pub fn begin(target: &Output, kind: Kind, (width, height): (u32, u32), fps: f64, alpha: bool, note: &str) -> Result<Self, ExportError> {
+        let encoder = encoder(target.file(), kind)?;
         let pending = Pending::begin(target)?;
         let mut command = ffmpeg();
         let pixels = if alpha { "rgba" } else { "rgb24" };
@@ -107,7 +108,7 @@ impl Sink {
         }
         command.args(["-metadata", &format!("comment={note}"), "-f", kind.container(), "-y"]).arg(pending.file());
         command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
-        let mut child = command.spawn().map_err(|_| ExportError::NoEncoder { file: target.to_owned() })?;
+        let mut child = command.spawn().map_err(|_| ExportError::NoEncoder { file: target.file().to_owned() })?;
         let words = child.stderr.take().map(|mut words| {
             std::thread::spawn(move || {
                 let mut text = Vec::new();
@@ -118,7 +119,7 @@ impl Sink {
             })
         });
         let pipe = child.stdin.take();
-        Ok(Self { child, pipe, words, said: String::new(), pending: Some(pending), target: target.to_owned() })
+        Ok(Self { child, pipe, words, said: String::new(), pending: Some(pending), target: target.file().to_owned() })
     }
 
     /// Adds a frame, rows of bytes as [`super::apng::rows`] makes them.

@@ -5,6 +5,7 @@ use std::thread;
 
 use super::{Pattern, Sequence, Shot, Studio};
 use crate::export::atomic::{prepare, write_whole};
+use crate::export::guard::{Guard, Output};
 use crate::export::palette::Sampler;
 use crate::export::pipeline::{self, Work};
 use crate::export::png::{Effort, SOFTWARE};
@@ -35,7 +36,7 @@ impl Target {
     pub fn of(out: &std::path::Path) -> Option<Self> {
         let ending = out.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
         Some(match ending.as_str() {
-            "png" => out.to_str().and_then(Pattern::of).map_or_else(|| Self::Picture(out.to_owned()), Self::Pictures),
+            "png" => Pattern::of(out).map_or_else(|| Self::Picture(out.to_owned()), Self::Pictures),
             "gif" => Self::Gif(out.to_owned()),
             "apng" => Self::Apng(out.to_owned()),
             "mp4" => Self::Video(out.to_owned(), Kind::Mp4),
@@ -53,7 +54,7 @@ impl Target {
     }
 }
 
-/// Draws the studio's sequence in `size` and writes it to `target`. `note` says how a picture was made; it is kept in the file. Drawing and
+/// Draws the studio's sequence in `size` and writes it to `target`, but over none of the files that `guard` holds. `note` says how a picture was made; it is kept in the file. Drawing and
 /// writing go on at the same time, the frames are in order, and each is to the bit what it is as a single picture.
 ///
 /// # Errors
@@ -62,11 +63,11 @@ impl Target {
 pub fn save(
     studio: &mut Studio<'_>,
     size: (u32, u32),
-    target: &Target,
+    (target, guard): (&Target, &Guard),
     note: &(dyn Fn(&Shot) -> String + Sync),
     work: &Work,
 ) -> Result<(), ExportError> {
-    let result = write(studio, size, target, note, work);
+    let result = write(studio, size, (target, guard), note, work);
     // Whatever broke off then broke off for that reason.
     if result.is_err() && work.is_cancelled() { Err(ExportError::Cancelled) } else { result }
 }
@@ -74,7 +75,7 @@ pub fn save(
 fn write(
     studio: &mut Studio<'_>,
     size: (u32, u32),
-    target: &Target,
+    (target, guard): (&Target, &Guard),
     note: &(dyn Fn(&Shot) -> String + Sync),
     work: &Work,
 ) -> Result<(), ExportError> {
@@ -84,16 +85,16 @@ fn write(
             let shot = studio.draw(0, &mut picture);
             let (alpha, comment) = (studio.is_transparent(), note(&shot));
             let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
-            write_whole(file, |out| png::encode(work.guard(out), &picture, alpha, &notes, Effort::Small))?;
+            write_whole(&guard.output(file)?, |out| png::encode(work.guard(out), &picture, alpha, &notes, Effort::Small))?;
             work.done.store(1, std::sync::atomic::Ordering::Relaxed);
             Ok(())
         }
-        Target::Pictures(pattern) => save_pictures(studio, size, pattern, note, work),
-        Target::Gif(file) => save_gif(studio, size, file, work),
+        Target::Pictures(pattern) => save_pictures(studio, size, (pattern, guard), note, work),
+        Target::Gif(file) => save_gif(studio, size, &guard.output(file)?, work),
         Target::Apng(file) => {
             let (alpha, fps, count) = (studio.is_transparent(), studio.sequence.fps, studio.sequence.count);
             let comment = note(&studio.sequence.shot(studio.document(), 0));
-            write_whole(file, |out| {
+            write_whole(&guard.output(file)?, |out| {
                 let mut sink = apng::Sink::begin(out, size, count, fps, alpha, &[("Software", SOFTWARE), ("Comment", &comment)])?;
                 roll(studio, size, work, || (), |(), _, picture| Ok(apng::rows(picture, alpha)), |rows| sink.frame(rows))?;
                 sink.finish()
@@ -102,7 +103,7 @@ fn write(
         Target::Video(file, kind) => {
             let (alpha, fps) = (studio.is_transparent(), studio.sequence.fps);
             let comment = note(&studio.sequence.shot(studio.document(), 0));
-            let mut sink = video::Sink::begin(file, *kind, size, fps, alpha, &comment)?;
+            let mut sink = video::Sink::begin(&guard.output(file)?, *kind, size, fps, alpha, &comment)?;
             roll(studio, size, work, || (), |(), _, picture| Ok(apng::rows(picture, alpha)), |rows| sink.frame(&rows))
                 .map_err(|error| ExportError::io(file, error))?;
             sink.finish()
@@ -113,7 +114,7 @@ fn write(
 fn save_pictures(
     studio: &mut Studio<'_>,
     size: (u32, u32),
-    pattern: &Pattern,
+    (pattern, guard): (&Pattern, &Guard),
     note: &(dyn Fn(&Shot) -> String + Sync),
     work: &Work,
 ) -> Result<(), ExportError> {
@@ -123,7 +124,9 @@ fn save_pictures(
         let comment = note(&sequence.shot(document, index));
         let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
         let file = pattern.file(index);
-        prepare(&file, |out| png::encode(work.guard(out), picture, alpha, &notes, Effort::Quick)).map_err(std::io::Error::other)
+        let prepared =
+            guard.output(&file).and_then(|file| prepare(&file, |out| png::encode(work.guard(out), picture, alpha, &notes, Effort::Quick)));
+        prepared.map_err(std::io::Error::other)
     };
     roll(
         studio,
@@ -140,7 +143,7 @@ fn save_pictures(
     pending.into_iter().try_for_each(|file| file.put_in_place())
 }
 
-fn save_gif(studio: &mut Studio<'_>, size: (u32, u32), file: &std::path::Path, work: &Work) -> Result<(), ExportError> {
+fn save_gif(studio: &mut Studio<'_>, size: (u32, u32), file: &Output, work: &Work) -> Result<(), ExportError> {
     let count = studio.sequence.count;
     let tries = count.min(PALETTE_FRAMES);
     let mut sampler = Sampler::new(tries);

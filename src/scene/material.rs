@@ -182,8 +182,10 @@ pub struct Image {
     pub uri: String,
     /// Line of the reference in the file.
     pub line: Option<u32>,
-    /// The file that was found.
+    /// The file that was found on the disk.
     pub path: Option<PathBuf>,
+    /// Whether it was found inside the document's own file.
+    pub archived: bool,
     /// The picture; `None` where it is missing or broken, and a neutral colour is drawn.
     pub pixels: Option<Arc<Pixels>>,
 }

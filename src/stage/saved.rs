@@ -203,6 +203,12 @@ impl Saved {
     pub fn paths(&self, folder: &Path) -> Vec<PathBuf> {
         self.files.iter().map(|file| folder.join(file)).collect()
     }
+
+    /// The files and the one that is compared with, whether they can be opened or not; `folder` as in [`Saved::paths`].
+    pub fn every_file(&self, folder: &Path) -> Vec<PathBuf> {
+        let compared = self.compared.as_ref().and_then(|compared| compared.file.as_ref());
+        self.files.iter().chain(compared).map(|file| folder.join(file)).collect()
+    }
 }
 
 /// A node as a session file names it.

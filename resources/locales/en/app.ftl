@@ -571,7 +571,6 @@ app-measure-radius = Largest radius, { $unit }
 app-measure-copy = Copy as CSV
 app-measure-save = Save…
 app-measure-save-title = Save as .csv, .png or .svg
-app-measure-ending = The name's ending says what is saved: .csv for the table, .png or .svg for the plots.
 app-measure-against = Against
 app-measure-axis-angle = elbow angle
 app-measure-axis-time = time of the clip
@@ -634,7 +633,12 @@ app-export-one = One picture of { $width } × { $height } pixels
 app-export-surface = The surface as it stands now: world space, metres, Y up
 app-export-scene = Nodes, skins, clips, materials; muscles bulge in any viewer
 app-export-gif-fps = A GIF shows at most { $limit } frames a second.
-app-export-own = This is one of the files that are open; choose another name.
+app-ask-replace = “{ $file }” is there already{ $more ->
+        [0] {""}
+       *[other] , and { NUMBER($more, useGrouping: 0) } more
+    }. Replace?
+app-ask-replace-why = The file dialog did not ask about this name.
+app-replace = Replace
 app-export-broke = Something went wrong inside Sinew; nothing was written.
 app-export-empty = There is nothing between these moments.
 app-export-too-many = This makes more than { NUMBER($limit, useGrouping: 0) } frames; take fewer a second or a shorter stretch.

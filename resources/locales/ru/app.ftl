@@ -574,7 +574,6 @@ app-measure-radius = Наибольший радиус, { $unit }
 app-measure-copy = Копировать CSV
 app-measure-save = Сохранить…
 app-measure-save-title = Сохранить как .csv, .png или .svg
-app-measure-ending = Что сохраняется, говорит окончание имени: .csv – таблица, .png или .svg – графики.
 app-measure-against = По оси
 app-measure-axis-angle = угол в локте
 app-measure-axis-time = время клипа
@@ -638,7 +637,14 @@ app-export-one = Одна картинка { $width } × { $height } пиксе�
 app-export-surface = Поверхность, как она стоит сейчас: мировые координаты, метры, ось Y вверх
 app-export-scene = Узлы, привязки, клипы, материалы; мышцы вздуваются в любой программе
 app-export-gif-fps = GIF показывает не больше { $limit } кадров в секунду.
-app-export-own = Это один из открытых файлов; выберите другое имя.
+app-ask-replace = «{ $file }» уже есть{ $more ->
+        [0] {""}
+        [one] , и ещё { NUMBER($more, useGrouping: 0) } файл
+        [few] , и ещё { NUMBER($more, useGrouping: 0) } файла
+       *[other] , и ещё { NUMBER($more, useGrouping: 0) } файлов
+    }. Заменить?
+app-ask-replace-why = Об этом имени окно выбора файла не спрашивало.
+app-replace = Заменить
 app-export-broke = Внутри Sinew что-то пошло не так; ничего не записано.
 app-export-empty = Между этими моментами ничего нет.
 app-export-too-many = Получится больше { NUMBER($limit, useGrouping: 0) } кадров; возьмите меньше кадров в секунду или отрезок короче.

@@ -54,6 +54,7 @@ use joint::JointHand;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
+use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
@@ -264,6 +265,15 @@ impl Session {
     /// The files that are open, in their order; empty for the built-in scene.
     pub fn files(&self) -> Vec<PathBuf> {
         self.document.sources.iter().filter_map(|source| source.path.clone()).collect()
+    }
+
+    /// Holds every file that is open, with what belongs to it: clips that muscles name, images, the file that is compared with and what belongs to that.
+    pub fn guard(&self) -> Guard {
+        let compared = match self.compared_with() {
+            Some(With::File(document, _)) => document.files(),
+            _ => Vec::new(),
+        };
+        Guard::of_document(&self.document).and(self.compared_file()).and(compared)
     }
 
     /// Those of the open files that are clips.

@@ -30,6 +30,7 @@ use self::surfaces::{Bone, Surfaces, bones};
 use self::takes::{Animation, Stage, Take, Weights};
 use super::ExportError;
 use super::atomic::{self, Pending};
+use super::guard::Output;
 use crate::document::{Document, PoseBuffers};
 use crate::scene::{Content, Deformer, Frame, LightKind, MeshInstance, MorphId, NodeId, Projection};
 
@@ -61,7 +62,7 @@ impl Form {
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written, or would be larger than the 4 GiB that the binary form can be.
-pub fn save(file: &Path, form: Form, document: &Document) -> Result<Vec<Loss>, ExportError> {
+pub fn save(file: &Output, form: Form, document: &Document) -> Result<Vec<Loss>, ExportError> {
     let (pending, losses) = prepare(file, form, document)?;
     pending.put_in_place()?;
     Ok(losses)
@@ -71,7 +72,7 @@ pub fn save(file: &Path, form: Form, document: &Document) -> Result<Vec<Loss>, E
 ///
 /// # Errors
 /// As [`save`].
-pub fn prepare(file: &Path, form: Form, document: &Document) -> Result<(Pending, Vec<Loss>), ExportError> {
+pub fn prepare(file: &Output, form: Form, document: &Document) -> Result<(Pending, Vec<Loss>), ExportError> {
     let (mut root, bytes, losses) = Writer::new(document).write();
     let pending = atomic::prepare(file, |out| match form {
         Form::Binary => container::binary(out, &root, &bytes),

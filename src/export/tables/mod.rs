@@ -7,6 +7,7 @@ mod plots;
 use std::io::{self, Write};
 use std::path::Path;
 
+use super::guard::Output;
 use super::{ExportError, atomic::write_whole};
 use crate::document::{Document, PoseState};
 use crate::muscle::Rig;
@@ -85,9 +86,9 @@ impl Table {
     ///
     /// # Errors
     /// [`ExportError`] where the file cannot be written, or a plot in pixels cannot be drawn.
-    pub fn save(&self, file: &Path, form: Form, scale: f64) -> Result<(), ExportError> {
+    pub fn save(&self, file: &Output, form: Form, scale: f64) -> Result<(), ExportError> {
         let drawn = match form {
-            Form::Png => self.page().png(scale).map_err(|why| ExportError::Plot { file: file.to_owned(), why })?,
+            Form::Png => self.page().png(scale).map_err(|why| ExportError::Plot { file: file.file().to_owned(), why })?,
             Form::Svg => self.page().svg().into_bytes(),
             Form::Csv | Form::Json => Vec::new(),
         };
@@ -133,6 +134,7 @@ impl NoTable {
     pub fn check(of: Of, document: &Document, state: &PoseState, fps: f64) -> Result<(), Self> {
         let times = times(document, state, fps).map(|times| times.len());
         match (of, times) {
+            (Of::Joints, _) if joints::count(document) == 0 => Err(Self::NoJoint),
             (Of::Joints, None) => Err(Self::NoClip),
             (Of::Joints, Some(times)) => Self::hold(joints::count(document), times, Self::NoJoint),
             (Of::Muscles, times) => Self::hold(document.muscle_count(), times.unwrap_or(1), Self::NoMuscle),

@@ -1,0 +1,194 @@
+//! What no result may replace: the files that it is made from and those that are open.
+//!
+//! Whatever writes a file takes an [`Output`], and only a [`Guard`] gives one out. So nobody can forget to ask.
+
+use std::collections::HashSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use super::ExportError;
+use crate::document::Document;
+
+/// How many symbolic links are followed to a file that is not there yet; systems give up at about as many.
+const LINKS: usize = 40;
+
+/// Files that no result may replace, by whatever name: through symbolic and hard links, `./a/../b`, another mount or, where the file system does not
+/// tell them apart, capital letters.
+#[derive(Debug, Clone, Default)]
+pub struct Guard {
+    held: Arc<Vec<PathBuf>>,
+    /// Where they lie, so that one that has gone since does not come back as a result.
+    places: Arc<HashSet<PathBuf>>,
+}
+
+/// A file that may be written.
+#[derive(Debug, Clone)]
+pub struct Output {
+    file: PathBuf,
+    guard: Guard,
+}
+
+impl Guard {
+    /// Holds these files; `-` is what standard input reads.
+    pub fn of_files<P: Into<PathBuf>>(files: impl IntoIterator<Item = P>) -> Self {
+        Self::default().and(files)
+    }
+
+    /// Holds every file that a document was made from.
+    pub fn of_document(document: &Document) -> Self {
+        Self::of_files(document.files())
+    }
+
+    /// Holds these files too.
+    #[must_use]
+    pub fn and<P: Into<PathBuf>>(&self, files: impl IntoIterator<Item = P>) -> Self {
+        let named = |file: PathBuf| if file.as_os_str() == "-" { PathBuf::from("/dev/stdin") } else { file };
+        let held = self.held.iter().cloned().chain(files.into_iter().map(|file| named(file.into()))).collect();
+        Self::holding(held)
+    }
+
+    /// Holds all but this file: what is saved where it came from replaces itself.
+    #[must_use]
+    pub fn but(&self, own: Option<&Path>) -> Self {
+        let Some(own) = own else { return self.clone() };
+        Self::holding(self.held.iter().filter(|held| !is_same(held, own)).cloned().collect())
+    }
+
+    fn holding(held: Vec<PathBuf>) -> Self {
+        let places = held.iter().map(|file| place(file)).collect();
+        Self { held: Arc::new(held), places: Arc::new(places) }
+    }
+
+    /// `file` as one that may be written.
+    ///
+    /// # Errors
+    /// [`ExportError::Held`] where it is one of the files that are held.
+    pub fn output(&self, file: &Path) -> Result<Output, ExportError> {
+        let output = Output { file: file.to_owned(), guard: self.clone() };
+        output.check()?;
+        Ok(output)
+    }
+
+    fn holds(&self, file: &Path) -> bool {
+        if self.places.contains(&place(file)) {
+            return true;
+        }
+        // What is not there is no other name of anything.
+        identity(file).is_some_and(|there| self.held.iter().any(|held| identity(held).as_ref() == Some(&there)))
+    }
+}
+
+impl Output {
+    /// A file of the program's own, such as its settings, which no person chooses and nothing is made from.
+    pub fn of_program(file: &Path) -> Self {
+        Self { file: file.to_owned(), guard: Guard::default() }
+    }
+
+    /// The file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// Another file that belongs to the same result.
+    ///
+    /// # Errors
+    /// As [`Guard::output`].
+    pub fn with(&self, file: &Path) -> Result<Self, ExportError> {
+        self.guard.output(file)
+    }
+
+    /// Whether it may be written still: a link may have been laid since.
+    ///
+    /// # Errors
+    /// As [`Guard::output`].
+    pub(super) fn check(&self) -> Result<(), ExportError> {
+        if self.guard.holds(&self.file) { Err(ExportError::Held { file: self.file.clone() }) } else { Ok(()) }
+    }
+}
+
+/// Whether two names mean one file.
+pub fn is_same(one: &Path, other: &Path) -> bool {
+    place(one) == place(other) || identity(one).is_some_and(|one| Some(one) == identity(other))
+}
+
+/// What tells a file that is there from every other one.
+#[cfg(unix)]
+fn identity(file: &Path) -> Option<(u64, u64)> {
+    use std::os::unix::fs::MetadataExt;
+    fs::metadata(file).ok().map(|found| (found.dev(), found.ino()))
+}
+
+/// What tells a file that is there from every other one.
+#[cfg(not(unix))]
+fn identity(file: &Path) -> Option<PathBuf> {
+    file.canonicalize().ok()
+}
+
+/// Where a file lies, or would lie: symbolic links are followed, also to a file that is not there.
+pub(super) fn place(file: &Path) -> PathBuf {
+    let mut file = file.to_owned();
+    for _ in 0..LINKS {
+        if let Ok(place) = fs::canonicalize(&file) {
+            return place;
+        }
+        let folder = match file.parent() {
+            Some(folder) if !folder.as_os_str().is_empty() => folder,
+            _ => Path::new("."),
+        };
+        match fs::read_link(&file) {
+            Ok(target) => file = folder.join(target),
+            Err(_) => {
+                let folder = fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned());
+                return file.file_name().map_or_else(|| file.clone(), |name| folder.join(name));
+            }
+        }
+    }
+    file
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_held_by_every_name() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir(at("sub")).expect("made");
+        fs::write(at("clip.dae"), "x").expect("written");
+        let mut names = vec![at("clip.dae"), at("./sub/../clip.dae")];
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::symlink;
+            symlink(at("clip.dae"), at("soft.png")).expect("links work");
+            symlink("soft.png", at("soft-of-soft.png")).expect("links work");
+            symlink(folder.path(), at("sub/back")).expect("links work");
+            fs::hard_link(at("clip.dae"), at("hard.png")).expect("links work");
+            names.extend(["soft.png", "soft-of-soft.png", "sub/back/clip.dae", "hard.png"].map(at));
+        }
+        let guard = Guard::of_files([at("sub/../clip.dae")]);
+        for name in &names {
+            assert!(matches!(guard.output(name), Err(ExportError::Held { .. })), "{}", name.display());
+            assert!(guard.but(Some(name)).output(&at("clip.dae")).is_ok(), "{}", name.display());
+        }
+        for other in ["clip.png", "sub/clip.dae", "new/clip.dae"] {
+            assert!(guard.output(&at(other)).is_ok(), "{other}");
+        }
+    }
+
+    #[test]
+    fn a_file_that_has_gone_is_held_still() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let clip = folder.path().join("clip.dae");
+        let guard = Guard::of_files([&clip]);
+        assert!(guard.output(&clip).is_err());
+        #[cfg(unix)]
+        {
+            let link = folder.path().join("link.png");
+            std::os::unix::fs::symlink("clip.dae", &link).expect("links work");
+            assert!(guard.output(&link).is_err());
+        }
+        assert!(guard.output(&folder.path().join("other.dae")).is_ok());
+    }
+}
