@@ -62,7 +62,7 @@ apt_install() {
 
 # Whether the system has a package of this name that can be installed here.
 offers() {
-  [ -n "$may_root" ] && has apt-get && has apt-cache && apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'
+  [ -n "$may_root" ] && has apt-get && has apt-cache && LC_ALL=C apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'
 }
 
 # Says what would be installed and asks at a terminal; elsewhere saying is all.

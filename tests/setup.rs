@@ -65,7 +65,8 @@ impl Machine {
     /// apt-get and what it knows; installing rustup brings a rustup.
     fn apt(self, offers: &[&str]) -> Self {
         let known = offers.join(" ");
-        self.put("apt-cache", &format!("case ' {known} ' in *\" $2 \"*) echo '  Candidate: 1.0';; *) echo '  Candidate: (none)';; esac"))
+        // In another language it says another word.
+        self.put("apt-cache", &format!("[ \"$LC_ALL\" = C ] || exit 0; case ' {known} ' in *\" $2 \"*) echo '  Candidate: 1.0';; *) echo '  Candidate: (none)';; esac"))
             .put(
                 "apt-get",
                 "echo apt-get \"$@\" >>\"$CALLS\"

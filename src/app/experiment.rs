@@ -74,6 +74,16 @@ impl Experiment {
             window,
             move |_| experiment.choose(&window)
         ));
+        self.root().connect_close_request(glib::clone!(
+            #[weak]
+            window,
+            #[upgrade_or]
+            glib::Propagation::Proceed,
+            move |_| {
+                window.files.compares_table(None);
+                glib::Propagation::Proceed
+            }
+        ));
         let keys = gtk::EventControllerKey::new();
         let root = self.root().downgrade();
         keys.connect_key_pressed(move |_, key, _, _| {
@@ -111,7 +121,7 @@ impl Experiment {
                 match read(&path) {
                     Ok(data) => {
                         experiment.data.replace(data);
-                        window.files.compares_table(path);
+                        window.files.compares_table(Some(path));
                         experiment.refresh(&window);
                     }
                     Err(message) => window.error_bar.show(Trouble {

@@ -88,9 +88,9 @@ impl Files {
         self.session_file.replace(Some(path));
     }
 
-    /// Muscles are compared with the measured radii of this file.
-    pub fn compares_table(&self, path: PathBuf) {
-        self.table.replace(Some(path));
+    /// Muscles are compared with the measured radii of this file, or no longer of any.
+    pub fn compares_table(&self, path: Option<PathBuf>) {
+        self.table.replace(path);
     }
 
     /// Whether there is a file that could not be opened.

@@ -123,7 +123,6 @@ const ROOTS: &[(&str, &str)] = &[
     ("svg", "SVG"),
     ("html", "HTML"),
     ("VTKFile", "VTK"),
-    ("model", "3MF"),
 ];
 
 /// What a file is that is not read.
