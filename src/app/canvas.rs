@@ -6,6 +6,7 @@ use gtk::{cairo, gdk, glib, graphene};
 use gtk4 as gtk;
 
 use super::ui;
+use crate::i18n::shown_lines;
 
 mod imp {
     use std::cell::{Cell, RefCell};
@@ -141,7 +142,7 @@ pub enum Align {
 
 /// Writes a letter or two such that what is seen of them has its middle at a point.
 pub fn write_amid(canvas: &Canvas, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
-    let layout = canvas.create_pango_layout(Some(text));
+    let layout = canvas.create_pango_layout(Some(&*shown_lines(text)));
     let attributes = gtk::pango::AttrList::new();
     attributes.insert(gtk::pango::AttrFloat::new_scale(size));
     layout.set_attributes(Some(&attributes));
@@ -166,7 +167,7 @@ pub fn write_on(
     color: &gdk::RGBA,
     ground: &gdk::RGBA,
 ) -> f64 {
-    let layout = canvas.create_pango_layout(Some(text));
+    let layout = canvas.create_pango_layout(Some(&*shown_lines(text)));
     let attributes = gtk::pango::AttrList::new();
     attributes.insert(gtk::pango::AttrFloat::new_scale(size));
     layout.set_attributes(Some(&attributes));
@@ -192,7 +193,7 @@ pub fn write(
     size: f64,
     color: &gdk::RGBA,
 ) -> (f64, f64) {
-    let layout = canvas.create_pango_layout(Some(text));
+    let layout = canvas.create_pango_layout(Some(&*shown_lines(text)));
     let attributes = gtk::pango::AttrList::new();
     attributes.insert(gtk::pango::AttrFloat::new_scale(size));
     attributes.insert(gtk::pango::AttrFontFeatures::new("tnum"));

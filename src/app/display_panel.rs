@@ -51,7 +51,7 @@ impl DisplayPanel {
         let list = |id: &str, keys: &[&str]| {
             let words: Vec<String> = keys.iter().map(|key| tr!(key)).collect();
             let list: gtk::DropDown = part(&builder, id);
-            list.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+            list.set_model(Some(&ui::words(&words)));
             list
         };
         let ghosts = GhostsPanel::new();
@@ -69,7 +69,7 @@ impl DisplayPanel {
             grid_cell: {
                 let list: gtk::DropDown = part(&builder, "grid_cell");
                 let words: Vec<String> = CELLS.iter().map(|cell| cell_name(*cell)).collect();
-                list.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+                list.set_model(Some(&ui::words(&words)));
                 list
             },
             backdrop: list("backdrop", &["app-backdrop-theme", "app-backdrop-white", "app-backdrop-grey", "app-backdrop-black"]),

@@ -85,9 +85,9 @@ impl ErrorBar {
 
     /// Shows what went wrong, until it is closed or something opens.
     pub fn show(&self, trouble: Trouble) {
-        self.headline.set_text(&trouble.headline);
-        self.message.set_text(&trouble.message);
-        self.details.set_text(&trouble.details);
+        ui::say(&self.headline, &trouble.headline);
+        ui::say(&self.message, &trouble.message);
+        ui::say(&self.details, &trouble.details);
         self.more.set_active(false);
         self.more.set_visible(!trouble.details.is_empty());
         self.retry.set_visible(trouble.again.is_some());

@@ -51,7 +51,7 @@ pub fn show(window: &Rc<Window>) {
     root.set_transient_for(Some(&window.widget));
     let list = |id: &str, labels: Vec<String>| {
         let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
-        dialog.part::<gtk::DropDown>(id).set_model(Some(&gtk::StringList::new(&labels)));
+        dialog.part::<gtk::DropDown>(id).set_model(Some(&ui::words(&labels)));
     };
     list("kind", Kind::ALL.iter().map(|kind| kind.label()).collect());
     list("course", Course::ALL.iter().map(|course| course.label()).collect());
@@ -197,7 +197,7 @@ impl Dialog {
         if let Some(losses) = &*self.losses.borrow() {
             scroller.set_visible(!losses.is_empty());
             let lines: Vec<&str> = losses.iter().map(String::as_str).collect();
-            self.part::<gtk::Label>("losses").set_text(&format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
+            ui::say(&self.part("losses"), &format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
             return;
         }
         if self.looking.replace(true) {
@@ -216,7 +216,7 @@ impl Dialog {
     }
 
     fn say(&self, text: &str) {
-        self.part::<gtk::Label>("summary").set_text(text);
+        ui::say(&self.part("summary"), text);
     }
 
     fn ask_where(self: &Rc<Self>) {

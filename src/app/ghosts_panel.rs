@@ -117,7 +117,7 @@ impl GhostsPanel {
                 && words.iter().enumerate().all(|(i, word)| list.string(i as u32).as_deref() == Some(word))
         });
         if !same {
-            self.with.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+            self.with.set_model(Some(&ui::words(&words)));
         }
         self.with.set_selected(chosen as u32);
     }

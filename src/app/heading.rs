@@ -8,6 +8,7 @@ use super::session::Session;
 use super::window::part;
 use super::{format, memory};
 use crate::document::{Document, Missing, Source, SourceKind};
+use crate::i18n::{shown, shown_lines};
 use crate::tr;
 
 /// Names what is open in the header bar and in the title of the window, with what it lacks.
@@ -20,6 +21,7 @@ pub fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &S
     if session.is_unsaved() {
         title = format!("• {title}");
     }
+    let title = shown(&title);
     let missing = session.document().missing();
     let lacks = |what| missing.contains(&what);
     let subtitle = if session.is_empty() || missing.is_empty() {
@@ -35,7 +37,7 @@ pub fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &S
     };
     let heading = part::<gtk::Label>(builder, "title");
     heading.set_text(&title);
-    heading.set_tooltip_text(Some(&names.join("\n")).filter(|_| names.len() > 1).map(String::as_str));
+    heading.set_tooltip_text(Some(&*shown_lines(&names.join("\n"))).filter(|_| names.len() > 1));
     window.set_title(Some(&title));
     let label = part::<gtk::Label>(builder, "subtitle");
     label.set_text(&subtitle);

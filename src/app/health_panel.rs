@@ -84,7 +84,7 @@ impl HealthPanel {
         self.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
         self.scroller.set_visible(!document.health.is_empty());
         self.copy.set_sensitive(!document.health.is_empty());
-        self.facts.set_text(&facts(document));
+        ui::say(&self.facts, &facts(document));
     }
 }
 
@@ -187,13 +187,13 @@ fn factory() -> gtk::SignalListItemFactory {
             };
             icon.set_icon_name(Some(name));
             icon.set_tooltip_text(Some(&tip));
-            message.set_text(&finding.message);
+            ui::say(&message, &finding.message);
             let mut where_it_is: Vec<String> = Vec::new();
             if let Some(line) = finding.line {
                 where_it_is.push(tr!("app-line", line = line.to_string()));
             }
             where_it_is.extend([finding.element.clone(), finding.code.to_owned()].into_iter().filter(|part| !part.is_empty()));
-            place.set_text(&where_it_is.join(" · "));
+            ui::say(&place, &where_it_is.join(" · "));
         }
     });
     factory

@@ -15,6 +15,7 @@ use super::session::{Changes, Matrices, Session};
 use super::window::{Window, part};
 use super::{canvas::Canvas, format, swatch, ui};
 use crate::document::{Skinning, angle_at};
+use crate::i18n;
 use crate::plot::Plot;
 use crate::scene::{Content, NodeId, NodeKind};
 use crate::tr;
@@ -248,14 +249,15 @@ impl Inspector {
         let scene = &session.document().scene;
         let shown = scene.graph.node(node);
         let name: gtk::Label = part(&self.builder, "name");
-        name.set_text(&shown.name);
-        name.set_tooltip_text(Some(&shown.name));
+        let text = i18n::shown(&shown.name);
+        name.set_text(&text);
+        name.set_tooltip_text(Some(&text));
         let is_joint = shown.kind == NodeKind::Joint;
         part::<gtk::Box>(&self.builder, "hand").set_visible(is_joint);
         let instance = shown.contents.iter().find_map(|content| if let Content::Mesh(mesh) = content { Some(mesh) } else { None });
         part::<gtk::Box>(&self.builder, "mesh").set_visible(instance.is_some());
         let Some(instance) = instance else { return };
-        part::<gtk::Label>(&self.builder, "mesh_facts").set_text(&inspector_text::mesh(scene, instance));
+        part::<gtk::Label>(&self.builder, "mesh_facts").set_text(&i18n::shown_lines(&inspector_text::mesh(scene, instance)));
         let materials: gtk::Box = part(&self.builder, "materials");
         while let Some(child) = materials.first_child() {
             materials.remove(&child);
@@ -268,7 +270,8 @@ impl Inspector {
             listed.push(binding.material);
             let row = gtk::Box::new(gtk::Orientation::Horizontal, 6);
             row.append(&swatch::of(scene, material));
-            let label = gtk::Label::builder().label(inspector_text::material(scene, material)).xalign(0.0).wrap(true).hexpand(true);
+            let label =
+                gtk::Label::builder().label(&*i18n::shown(&inspector_text::material(scene, material))).xalign(0.0).wrap(true).hexpand(true);
             row.append(&label.css_classes(["small"]).build());
             materials.append(&row);
         }
@@ -296,7 +299,7 @@ impl Inspector {
         let there: Vec<Space> = Space::ALL.into_iter().filter(|space| space.of(matrices).is_some()).collect();
         if self.space.model().map_or(0, |list| list.n_items() as usize) != there.len() {
             let words: Vec<String> = there.iter().map(|space| space.label()).collect();
-            self.space.set_model(Some(&gtk::StringList::new(&words.iter().map(String::as_str).collect::<Vec<_>>())));
+            self.space.set_model(Some(&ui::words(&words)));
         }
         let wanted = there.iter().position(|space| *space == self.wanted.get());
         let world = || there.iter().position(|space| *space == Space::World);
@@ -330,7 +333,7 @@ impl Inspector {
         let names: Vec<String> = joints.iter().map(|joint| session.document().scene.graph.node(*joint).name.clone()).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         for list in &self.corners {
-            list.set_model(Some(&gtk::StringList::new(&names)));
+            list.set_model(Some(&ui::words(&names)));
         }
         self.joints.replace(joints);
     }
@@ -377,13 +380,13 @@ impl Inspector {
                     grid.attach(&label, column as i32, row as i32, 1, 1);
                     label
                 });
-                label.set_text(text);
+                ui::say(&label, text);
             }
         }
         while grid.child_at(0, rows.len() as i32).is_some() {
             grid.remove_row(rows.len() as i32);
         }
-        part::<gtk::Label>(&self.builder, "vertex_note").set_text(&inspector_text::vertex_note(&told));
+        part::<gtk::Label>(&self.builder, "vertex_note").set_text(&i18n::shown_lines(&inspector_text::vertex_note(&told)));
     }
 }
 

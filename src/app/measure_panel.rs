@@ -228,7 +228,7 @@ impl MeasurePanel {
         part::<gtk::Box>(&self.builder, "plots").set_visible(muscle.is_some());
         let Some((rig, index)) = muscle else { return };
         let readings = session.measure(self.muscle.get(), against);
-        part::<gtk::Label>(&self.builder, "name").set_text(rig.name(index));
+        ui::say(&part(&self.builder, "name"), rig.name(index));
         let (across, hint) = match against {
             Against::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
             Against::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),

@@ -10,6 +10,7 @@ use super::actions::Command;
 use super::session::{Session, file_cameras};
 use super::window::{Window, part};
 use super::{recent, ui};
+use crate::i18n::shown;
 use crate::tr;
 
 /// The action that looks through a camera of the file, by its place in the list.
@@ -100,7 +101,7 @@ pub fn list_cameras(button: &gtk::MenuButton, session: &Session) {
     let scene = &session.document().scene;
     let of_file = gio::Menu::new();
     for (place, (node, _)) in file_cameras(scene).iter().enumerate().take(20) {
-        let item = gio::MenuItem::new(Some(&scene.graph.node(*node).name.replace('_', "__")), None);
+        let item = gio::MenuItem::new(Some(&shown(&scene.graph.node(*node).name).replace('_', "__")), None);
         item.set_action_and_target_value(Some(&format!("win.{LOOK_THROUGH}")), Some(&(place as u32).to_variant()));
         of_file.append_item(&item);
     }

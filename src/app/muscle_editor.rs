@@ -7,7 +7,9 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::session::{Session, Step};
+use super::ui;
 use super::window::Window;
+use crate::i18n::shown;
 use crate::muscle::{Edit, EditError, MuscleSpec};
 use crate::scene::MuscleId;
 
@@ -41,7 +43,7 @@ impl Editor {
         window.act(|session| result = change(session));
         self.refused.set_visible(result.is_err());
         if let Err(error) = &result {
-            self.refused.set_text(&error.to_string());
+            ui::say(&self.refused, &error.to_string());
         }
         result.is_ok()
     }
@@ -82,6 +84,7 @@ pub fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + 'static) {
 /// Shows a text in an entry. What somebody is typing stays while something else changes, and so does what was refused, unless all is `anew`.
 pub fn show_text(entry: &gtk::Entry, text: &str, anew: bool) {
     let typing = entry.has_css_class(TYPED) && entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN);
+    let text = &*shown(text);
     if entry.text() != text && (anew || !entry.has_css_class("error")) && !typing {
         entry.set_text(text);
         entry.remove_css_class(TYPED);

@@ -35,7 +35,7 @@ impl MuscleJoint {
         let (joint, axis): (gtk::DropDown, gtk::DropDown) = (part(builder, "joint"), part(builder, "joint_axis"));
         ui::narrow(&joint, 12);
         let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
-        axis.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
+        axis.set_model(Some(&ui::words(&names)));
         Self {
             contraction: part(builder, "contraction"),
             flexion: part(builder, "flexion"),
@@ -138,6 +138,6 @@ impl MuscleJoint {
         let bones = if found.is_some() { session.turnable() } else { Vec::new() };
         let names = found.into_iter().chain(bones.iter().map(|bone| graph.node(*bone).name.clone())).collect::<Vec<_>>();
         self.bones.replace(bones);
-        self.joint.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
+        self.joint.set_model(Some(&ui::words(&names)));
     }
 }

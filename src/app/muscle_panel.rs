@@ -342,7 +342,7 @@ impl MusclePanel {
         let names: Vec<String> =
             document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.name(index).to_owned()).collect::<Vec<_>>()).collect();
         let there = !names.is_empty();
-        self.which.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
+        self.which.set_model(Some(&ui::words(&names)));
         self.which.set_visible(names.len() > 1);
         self.which.set_selected(if there { session.shown_muscle().0 } else { gtk::INVALID_LIST_POSITION });
         part::<gtk::Label>(&self.builder, "none").set_visible(!there);

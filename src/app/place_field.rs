@@ -10,6 +10,7 @@ use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::session::{Picked, Session, Step};
 use super::window::part;
 use super::{format, ui};
+use crate::i18n;
 use crate::muscle::{Anchor, Edit, Handhold};
 use crate::scene::{MuscleId, NodeId};
 use crate::tr;
@@ -26,14 +27,15 @@ pub struct Bones {
 impl Bones {
     /// No bones yet.
     pub fn new() -> Self {
-        Self { nodes: Rc::default(), names: gtk::StringList::new(&[]), or_none: gtk::StringList::new(&[&tr!("app-ends-none")]) }
+        Self { nodes: Rc::default(), names: ui::words::<&str>(&[]), or_none: ui::words(&[tr!("app-ends-none")]) }
     }
 
     /// Lists those of a muscle.
     pub fn list(&self, session: &Session, id: MuscleId) {
         let graph = &session.document().scene.graph;
         let nodes: Vec<NodeId> = session.bones_for(id).into_iter().map(|(node, _)| node).collect();
-        let names: Vec<&str> = nodes.iter().map(|node| graph.node(*node).name.as_str()).collect();
+        let names: Vec<_> = nodes.iter().map(|node| i18n::shown(&graph.node(*node).name)).collect();
+        let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
         let shown = |row: usize| self.names.string(row as u32);
         // A model that changes loses the place that a person has scrolled to in a list.
         let same = self.names.n_items() as usize == names.len()

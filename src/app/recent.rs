@@ -11,6 +11,7 @@ use super::demos::DEMOS;
 use super::session::Arrival;
 use super::window::Window;
 use super::{files, start, ui};
+use crate::i18n::shown;
 use crate::tr;
 
 /// Most files that are listed.
@@ -55,7 +56,7 @@ pub fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'sta
         let folder = path.parent().map(|folder| folder.display().to_string()).unwrap_or_default();
         let words = gtk::Box::new(gtk::Orientation::Vertical, 0);
         let line = |text: &str| {
-            gtk::Label::builder().label(text).xalign(0.0).ellipsize(gtk::pango::EllipsizeMode::Middle).max_width_chars(36).build()
+            gtk::Label::builder().label(&*shown(text)).xalign(0.0).ellipsize(gtk::pango::EllipsizeMode::Middle).max_width_chars(36).build()
         };
         words.append(&line(&name));
         let place = line(&folder);
@@ -65,7 +66,7 @@ pub fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'sta
         let button: gtk::Button = ui::named("GtkButton", &name);
         button.set_child(Some(&words));
         button.set_has_frame(false);
-        button.set_tooltip_text(Some(&path.display().to_string()));
+        button.set_tooltip_text(Some(&shown(&path.display().to_string())));
         let done = done.clone();
         button.connect_clicked(glib::clone!(
             #[weak]

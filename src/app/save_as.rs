@@ -13,6 +13,7 @@ use super::files;
 use super::window::Window;
 use crate::export::ending::completed;
 use crate::export::guard::{Output, is_same};
+use crate::i18n::shown;
 use crate::tr;
 
 /// What is to be saved.
@@ -40,7 +41,7 @@ pub fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Window>, &
         Some(&tr!("app-save")),
         Some(&tr!("app-cancel")),
     );
-    dialog.set_current_name(&name);
+    dialog.set_current_name(&shown(&name));
     let folder = folder.or_else(|| window.settings.borrow().folder.clone());
     if let Some(folder) = folder.filter(|folder| folder.is_dir()) {
         // Where the folder cannot be shown, the dialog starts where it likes.

@@ -14,6 +14,7 @@ use super::session::{Changes, Session};
 use super::tree_rows::{Row, path_to, search, steps};
 use super::ui;
 use super::window::{Window, part};
+use crate::i18n::shown;
 use crate::scene::{NodeId, Scene};
 use crate::tr;
 
@@ -275,8 +276,9 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         let label = icon.as_ref().and_then(|icon| icon.next_sibling()).and_downcast::<gtk::Label>();
         if let (Some(icon), Some(label), Some(eye)) = (icon, label, eye) {
             glyph::set(&icon, row.glyph);
-            label.set_text(&row.name);
-            label.set_tooltip_text(Some(&row.name));
+            let name = shown(&row.name);
+            label.set_text(&name);
+            label.set_tooltip_text(Some(&name));
             eye.set_active(!row.visible);
             show_eye(&eye, row.visible);
         }

@@ -220,7 +220,7 @@ impl Sheet {
         }
         if !Arc::ptr_eq(&self.shown.rows.borrow(), &rows) {
             let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
-            let model = gtk::StringList::new(&names);
+            let model = ui::words(&names);
             self.shown.rows.replace(rows.clone());
             self.selection.set_model(Some(&model));
             self.row.set_model(Some(&model));
@@ -263,7 +263,7 @@ impl Sheet {
         self.moved.set(row);
         let graphs = row.map_or_else(Vec::new, |moved| session.sheet_graphs(moved));
         let names: Vec<String> = graphs.iter().map(|graph| kind_name(graph.kind)).collect();
-        self.graph.set_model(Some(&gtk::StringList::new(&names.iter().map(String::as_str).collect::<Vec<_>>())));
+        self.graph.set_model(Some(&ui::words(&names)));
         self.graph.set_sensitive(!names.is_empty());
         // What a hand chose before, else the first that shows anything happen.
         let chosen = graphs.iter().position(|graph| Some(graph.kind) == self.kind.get());

@@ -274,7 +274,7 @@ impl Timeline {
         if listed.as_deref() != Some(own.as_str()) {
             let rates = RATES.map(|rate| tr!("app-rate", rate = format::number(rate, 0)));
             let words: Vec<&str> = std::iter::once(own.as_str()).chain(rates.iter().map(String::as_str)).collect();
-            self.rate.set_model(Some(&gtk::StringList::new(&words)));
+            self.rate.set_model(Some(&ui::words(&words)));
         }
         let chosen = session.chosen_rate().and_then(|rate| RATES.iter().position(|known| *known == rate));
         self.rate.set_selected(chosen.map_or(0, |place| place as u32 + 1));
@@ -294,7 +294,7 @@ impl Timeline {
             if names.is_empty() {
                 names.push("–");
             }
-            self.clip.set_model(Some(&gtk::StringList::new(&names)));
+            self.clip.set_model(Some(&ui::words(&names)));
             self.clip.set_enable_search(names.len() > MANY);
         }
         if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {

@@ -5,11 +5,12 @@ use gtk4::glib::{Object, Propagation, markup_escape_text};
 use gtk4::prelude::*;
 use gtk4::{
     Builder, DropDown, EventControllerScroll, Expression, Label, ListItem, MenuButton, Popover, PropagationPhase, PropertyExpression,
-    Scale, ScrolledWindow, SignalListItemFactory, SpinButton, StringObject, ToggleButton, Widget, pango,
+    Scale, ScrolledWindow, SignalListItemFactory, SpinButton, StringList, StringObject, ToggleButton, Widget, pango,
 };
 
 use super::actions::Command;
 use super::format;
+use crate::i18n::{shown, shown_lines};
 use crate::tr;
 
 /// The `.ui` files, by the name of the code that uses them.
@@ -64,9 +65,20 @@ pub fn numbered(text: &str, number: usize) -> Builder {
     builder
 }
 
+/// Writes a text of any origin on a label; what came from a file is [`shown_lines`].
+pub fn say(label: &Label, text: &str) {
+    label.set_text(&shown_lines(text));
+}
+
+/// A list of names of any origin, each on one line.
+pub fn words<T: AsRef<str>>(names: &[T]) -> StringList {
+    let names: Vec<_> = names.iter().map(|name| shown(name.as_ref())).collect();
+    StringList::new(&names.iter().map(AsRef::as_ref).collect::<Vec<_>>())
+}
+
 /// A widget of a class that GTK or this program has, with the name that those are told who do not see it. GTK before 4.10 takes such names from `.ui` texts only.
 pub fn named<T: IsA<Object>>(class: &str, name: &str) -> T {
-    let label = format!("<accessibility><property name=\"label\">{}</property></accessibility>", markup_escape_text(name));
+    let label = format!("<accessibility><property name=\"label\">{}</property></accessibility>", markup_escape_text(&shown(name)));
     let builder = Builder::from_string(&format!("<interface><object class=\"{class}\" id=\"named\">{label}</object></interface>"));
     super::window::part(&builder, "named")
 }

@@ -266,11 +266,11 @@ impl Window {
             }
             if changes.any(Changes::SELECTION | Changes::DOCUMENT) {
                 let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
-                part::<gtk::Label>(&self.builder, "status_selection").set_text(&name.unwrap_or_default());
+                ui::say(&part(&self.builder, "status_selection"), &name.unwrap_or_default());
             }
             if changes.any(Changes::PICTURE) {
                 let compared = session.compared().map(|compared| ghosts_panel::difference(session, &compared));
-                part::<gtk::Label>(&self.builder, "status_compared").set_text(&compared.unwrap_or_default());
+                ui::say(&part(&self.builder, "status_compared"), &compared.unwrap_or_default());
             }
             perform::show_states(self, session, &self.actions);
         }
@@ -354,7 +354,7 @@ impl Window {
 
     /// Says where the pointer is in the world.
     pub fn show_position(&self, text: &str) {
-        part::<gtk::Label>(&self.builder, "status_position").set_text(text);
+        ui::say(&part(&self.builder, "status_position"), text);
     }
 
     /// Whether the tree and the right panel are shown.

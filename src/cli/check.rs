@@ -10,6 +10,7 @@ use super::files;
 use crate::collada::Progress;
 use crate::document::{Document, OpenError};
 use crate::health::{Finding, Severity};
+use crate::i18n::shown;
 use crate::tr;
 
 /// One file's report.
@@ -87,7 +88,7 @@ fn listing(opened: &[(String, Result<Vec<Finding>, OpenError>)]) -> String {
     for (name, result) in opened {
         match result {
             Ok(findings) if findings.is_empty() => text.push_str(&format!("{name}: {}\n", tr!("cli-check-clean"))),
-            Ok(findings) => findings.iter().for_each(|finding| text.push_str(&format!("{finding}\n"))),
+            Ok(findings) => findings.iter().for_each(|finding| text.push_str(&format!("{}\n", shown(&finding.to_string())))),
             Err(_) => {}
         }
     }

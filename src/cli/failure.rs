@@ -9,6 +9,7 @@ use clap::ArgMatches;
 
 use crate::document::OpenError;
 use crate::export::ExportError;
+use crate::i18n;
 
 /// The exit code of a program that Ctrl+C stopped, as shells have it.
 pub const STOPPED: u8 = 130;
@@ -133,31 +134,31 @@ pub fn remark(lines: impl IntoIterator<Item = impl std::fmt::Display>) {
     }
 }
 
-/// One problem, one line: line breaks and other control characters of file names or documents become blanks.
+/// One problem, one line, whatever file names and documents hold.
 fn one_line(text: &str) -> String {
-    if text.chars().any(char::is_control) { text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect() } else { text.to_owned() }
+    i18n::shown(text).into_owned()
 }
 
-/// Writes a result to standard output in one go.
+/// Writes a result to standard output in one go, with nothing in it that a terminal would obey.
 ///
 /// # Errors
 /// [`Failure::ReaderGone`] where the reader closed the pipe, [`Failure::Files`] where the output cannot be written, such as a full disk.
 pub fn answer(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
+    out.write_all(i18n::shown_lines(text).as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::ReaderGone,
         _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = crate::export::io_reason(&error))]),
     })
 }
 
-/// Writes `value` to standard output as indented JSON. Numbers that are not finite become `null`.
+/// Writes `value` to standard output as indented JSON. Numbers that are not finite become `null`; letters that a terminal would obey are escaped.
 ///
 /// # Errors
 /// As [`answer`].
 pub fn answer_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let mut text = serde_json::to_string_pretty(value).map_err(|error| Failure::Files(vec![error.to_string()]))?;
     text.push('\n');
-    answer(&text)
+    answer(&i18n::visible_json(&text))
 }
 
 #[cfg(test)]

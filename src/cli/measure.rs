@@ -17,7 +17,7 @@ use crate::document::{Document, PoseState};
 use crate::export::guard::Guard;
 use crate::export::tables::{Form, JointTable, MuscleTable, NoTable, Of, PLOT_SCALE, Table, even_times, unit_for_people};
 use crate::film::FPS;
-use crate::i18n::decimal;
+use crate::i18n::{self, decimal};
 use crate::tr;
 
 /// Runs the subcommand.
@@ -154,7 +154,7 @@ fn text(table: &MuscleTable) -> String {
         if !text.is_empty() {
             text.push('\n');
         }
-        let _ = writeln!(text, "{}", muscle.name);
+        let _ = writeln!(text, "{}", i18n::shown(&muscle.name));
         let head = [
             tr!("cli-measure-angle"),
             tr!("cli-measure-length", unit = unit.clone()),
@@ -196,7 +196,7 @@ pub fn columns(rows: &[Vec<String>]) -> String {
     let mut text = String::new();
     for row in rows {
         for (cell, width) in row.iter().zip(&widths) {
-            let _ = write!(text, "  {cell:>width$}");
+            let _ = write!(text, "  {:>width$}", i18n::shown(cell));
         }
         text.push('\n');
     }

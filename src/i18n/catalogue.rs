@@ -1,5 +1,6 @@
 //! Loads the catalogue that is compiled in and looks messages up.
 
+use std::borrow::Cow;
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU8, Ordering};
 
@@ -143,10 +144,21 @@ fn lookup(language: Language, key: &str, arguments: &[(&str, FluentValue<'_>)]) 
     })?;
     let mut given = FluentArgs::with_capacity(arguments.len());
     for (name, value) in arguments {
-        given.set(*name, value.clone());
+        given.set(*name, safe(value));
     }
     let mut errors = Vec::new();
     Some(bundle.format_pattern(pattern, Some(&given), &mut errors).into_owned())
+}
+
+/// An argument as it may be shown.
+fn safe<'a>(value: &FluentValue<'a>) -> FluentValue<'a> {
+    match value {
+        FluentValue::String(text) => FluentValue::String(match text {
+            Cow::Borrowed(text) => super::shown(text),
+            Cow::Owned(text) => Cow::Owned(super::shown(text).into_owned()),
+        }),
+        other => other.clone(),
+    }
 }
 
 #[cfg(test)]

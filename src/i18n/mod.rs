@@ -6,15 +6,17 @@
 mod catalogue;
 mod number;
 pub mod quantity;
+mod visible;
 
 pub use catalogue::{Language, language, message, set_language, translated};
 /// The value type of a message argument.
 pub use fluent_bundle::FluentValue;
 pub use number::{decimal, localise_decimal_mark};
+pub use visible::{is_unsafe, json as visible_json, shown, shown_lines};
 
 /// Looks a message up in the catalogue: `tr!("open-failed", file = name, line = 3)`.
 ///
-/// Arguments are strings or numbers; numbers choose plural forms.
+/// Arguments are strings or numbers; numbers choose plural forms. Strings often come from a file: in the message they are [`shown`].
 #[macro_export]
 macro_rules! tr {
     ($key:expr) => { $crate::i18n::message($key, &[]) };

@@ -195,7 +195,7 @@ impl Viewport {
     /// Says for a while what a drag does.
     pub fn hint(&self, text: &str) {
         let label: gtk::Label = part(&self.builder, "hint");
-        label.set_text(text);
+        ui::say(&label, text);
         label.set_visible(!text.is_empty());
     }
 
@@ -207,7 +207,7 @@ impl Viewport {
 
     /// Says something in passing; with the file that was written, offers its folder.
     pub fn toast(&self, text: &str, file: Option<PathBuf>) {
-        part::<gtk::Label>(&self.builder, "toast_label").set_text(text);
+        ui::say(&part(&self.builder, "toast_label"), text);
         part::<gtk::Button>(&self.builder, "toast_folder").set_visible(file.is_some());
         self.toast_file.replace(file);
         let revealer: gtk::Revealer = part(&self.builder, "toast");
@@ -227,7 +227,7 @@ impl Viewport {
     pub fn loading(&self, state: Option<(&str, f64)>) {
         part::<gtk::Box>(&self.builder, "loading").set_visible(state.is_some());
         if let Some((text, part_done)) = state {
-            part::<gtk::Label>(&self.builder, "loading_label").set_text(text);
+            ui::say(&part(&self.builder, "loading_label"), text);
             let bar: gtk::ProgressBar = part(&self.builder, "loading_bar");
             if part_done > 0.0 { bar.set_fraction(part_done.min(1.0)) } else { bar.pulse() }
         }

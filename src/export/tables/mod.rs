@@ -11,7 +11,7 @@ use super::guard::Output;
 use super::{ExportError, atomic::write_whole};
 use crate::document::{Document, PoseState};
 use crate::muscle::Rig;
-use crate::{limits, tr};
+use crate::{i18n, limits, tr};
 
 pub use joints::{JointRow, JointRows, JointTable};
 pub use muscles::{MuscleRow, MuscleRows, MuscleTable, unit, unit_name};
@@ -103,7 +103,8 @@ impl Table {
 }
 
 fn json(out: &mut impl Write, table: &impl serde::Serialize) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut *out, table)?;
+    let text = serde_json::to_string_pretty(table)?;
+    out.write_all(i18n::visible_json(&text).as_bytes())?;
     out.write_all(b"\n")
 }
 
@@ -172,9 +173,10 @@ pub fn even_times(start: f64, end: f64, fps: f64) -> Vec<f64> {
     times
 }
 
-/// A cell of a CSV file, in quotes where it must be (RFC 4180).
+/// A cell of a CSV file, in quotes where it must be (RFC 4180), on one line and with nothing in it that a terminal would obey.
 pub fn csv_cell(text: &str) -> String {
-    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+    let text = i18n::shown(text);
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into_owned() }
 }
 
 /// A number as a cell: a point, every digit, nothing where there is none.
