@@ -8,6 +8,8 @@
 //! | [`i18n`] | the translation catalogue (English, Russian) | nobody |
 //! | [`health`] | findings: what a reader saw and what it did about it | nobody |
 //! | [`limits`] | every bound on what input may ask for, in one place | nobody |
+//! | [`input`] | the one door for files: regular ones, within a bound | `i18n` |
+//! | [`yaml`] | the one reader of YAML, within bounds | `i18n`, `limits` |
 //! | `lanes` | vectors of numbers, the same bits with every instruction set | nobody |
 //! | [`scene`] | graph, meshes, skins, materials, lights, cameras, the posed [`scene::Frame`] | `glam` |
 //! | [`animation`] | curves, clips, the time cursor | `scene` |
@@ -35,6 +37,7 @@ pub mod export;
 pub mod film;
 pub mod health;
 pub mod i18n;
+pub mod input;
 mod lanes;
 pub mod limits;
 pub mod muscle;
@@ -42,3 +45,4 @@ pub mod plot;
 pub mod render;
 pub mod scene;
 pub mod stage;
+pub mod yaml;

@@ -4,6 +4,16 @@
 pub const FILE_BYTES: u64 = 1 << 30;
 /// Largest YAML file that is read, bytes.
 pub const YAML_BYTES: u64 = 4 << 20;
+/// Largest file that keeps unsaved muscles for recovery, bytes: it holds several muscle files.
+pub const RECOVERY_BYTES: u64 = 4 * YAML_BYTES;
+/// Most values of one YAML text, aliases counted as often as they are used.
+pub const YAML_VALUES: usize = 250_000;
+/// Most bytes that the texts of one YAML file have together, aliases counted as often as they are used.
+pub const YAML_TEXT: usize = 16 << 20;
+/// Deepest nesting of YAML, through aliases too.
+pub const YAML_DEPTH: usize = 100;
+/// Most files that one session or muscle file may bring into a scene.
+pub const SESSION_FILES: usize = 100;
 /// Largest image file that is read, bytes.
 pub const IMAGE_BYTES: u64 = 256 << 20;
 /// Largest side of an image, pixels.
@@ -45,6 +55,10 @@ pub const MUSCLE_NODES: usize = 10_000;
 pub const MUSCLE_POSES: usize = 1_000;
 /// Most muscles in one file.
 pub const MUSCLES: usize = 1_000;
+/// Most vertices that the surfaces of all muscles of a document have together: nodes times muscles times the corners of a ring.
+pub const MUSCLE_VERTICES: usize = 2_000_000;
+/// Most vertices of all shapes together that muscles are kept in when a document is converted.
+pub const SHAPE_VERTICES: usize = 8_000_000;
 /// Largest side of a picture, pixels.
 pub const PICTURE_SIDE: u32 = 16_384;
 /// Most worker threads of the renderer.

@@ -13,6 +13,7 @@ use super::format;
 use super::muscle_panel::Unit;
 use super::ui;
 use super::window::{Window, part};
+use crate::input;
 use crate::limits;
 use crate::muscle::experiment::{Comparison, Table, compare};
 use crate::muscle::fit::{Fits, Model, fit};
@@ -139,7 +140,7 @@ impl Experiment {
     /// Says why there are no tables.
     fn say(&self, why: &str) {
         let label = part::<gtk::Label>(&self.builder, "trouble");
-        label.set_text(why);
+        ui::say(&label, why);
         label.set_visible(!why.is_empty());
         part::<gtk::Box>(&self.builder, "tables").set_visible(why.is_empty());
     }
@@ -192,11 +193,7 @@ impl Experiment {
 /// A table of measured radii and its name.
 fn read(path: &Path) -> Result<(Table, String), String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let size = std::fs::metadata(path).map_err(|error| error.to_string())?.len();
-    if size > limits::YAML_BYTES {
-        return Err(tr!("document-too-large", limit = limits::YAML_BYTES >> 20));
-    }
-    let text = std::fs::read_to_string(path).map_err(|error| error.to_string())?;
+    let text = input::read_text(path, limits::YAML_BYTES).map_err(|refused| refused.to_string())?;
     let table = Table::parse(&text).map_err(|error| format!("{name}:{}:{}: {}", error.line, error.column, error.message))?;
     Ok((table, name))
 }

@@ -20,7 +20,7 @@ use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
 use crate::stage::{self, Opened};
-use crate::tr;
+use crate::{input, limits, tr};
 
 /// Files that can be opened, by their ending.
 const ENDINGS: [&str; 4] = ["dae", "zae", "yaml", "yml"];
@@ -75,7 +75,9 @@ impl Files {
     /// Whether a file holds what this program wrote there.
     fn is_ours_still(&self, path: &Path) -> bool {
         let written = self.written.borrow();
-        written.as_ref().is_some_and(|(ours, text)| ours == path && std::fs::read_to_string(path).is_ok_and(|now| now == *text))
+        written
+            .as_ref()
+            .is_some_and(|(ours, text)| ours == path && input::read_text(path, limits::YAML_BYTES).is_ok_and(|now| now == *text))
     }
 
     /// The session file that what is open came from, or was saved to last.
@@ -148,9 +150,8 @@ fn open_dropped(window: &Rc<Window>, dropped: Vec<PathBuf>) {
 /// Whether a file is one of muscles that names no clip of its own.
 fn brings_no_clip(path: &Path) -> bool {
     let is_muscles = path.extension().is_some_and(|ending| ["yaml", "yml"].iter().any(|ours| ending.eq_ignore_ascii_case(ours)));
-    let small = || std::fs::metadata(path).is_ok_and(|about| about.len() <= crate::limits::YAML_BYTES);
-    let parse = || MuscleFile::parse(&std::fs::read_to_string(path).ok()?).ok();
-    is_muscles && small() && parse().is_some_and(|file| file.clip.is_none())
+    let parse = || MuscleFile::parse(&input::read_text(path, limits::YAML_BYTES).ok()?).ok();
+    is_muscles && parse().is_some_and(|file| file.clip.is_none())
 }
 
 fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival, carried: Option<Carried>) {

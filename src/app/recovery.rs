@@ -1,7 +1,6 @@
 //! Muscles that are not saved, kept where a crash cannot take them: in a file of the user's state folder, which the next start offers to bring back.
 
 use std::cell::{Cell, RefCell};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -10,30 +9,18 @@ use std::time::Duration;
 use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
-use serde::{Deserialize, Serialize};
 
 use super::session::Session;
 use super::window::{Window, part};
 use super::{files, ui};
-use crate::export::atomic::write_whole;
-use crate::export::guard::Output;
-use crate::limits;
 use crate::muscle::MuscleFile;
+use crate::stage::Unsaved;
 use crate::tr;
 
 /// How long changes are gathered before they are written.
 const GATHER: Duration = Duration::from_millis(1500);
 /// What the names of these files begin with; the number of the process follows.
 const NAME: &str = "unsaved-";
-
-/// What is not saved.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Unsaved {
-    /// The files that were open, by their whole paths; none = the built-in scene.
-    pub files: Vec<PathBuf>,
-    /// All muscle files, in the order of the scene, as YAML.
-    pub muscles: Vec<String>,
-}
 
 impl Unsaved {
     /// What of a session is not saved; `None` where all is.
@@ -42,25 +29,6 @@ impl Unsaved {
             files: session.files().into_iter().map(|path| std::path::absolute(&path).unwrap_or(path)).collect(),
             muscles: session.document().muscle_files().map(MuscleFile::to_yaml).collect(),
         })
-    }
-
-    /// The muscle files; `None` where one of them is damaged.
-    pub fn muscle_files(&self) -> Option<Vec<MuscleFile>> {
-        self.muscles.iter().map(|text| MuscleFile::parse(text).ok()).collect()
-    }
-
-    fn read(path: &Path) -> Option<Self> {
-        let small = std::fs::metadata(path).is_ok_and(|about| about.is_file() && about.len() <= 8 * limits::YAML_BYTES);
-        let text = small.then(|| std::fs::read_to_string(path).ok()).flatten()?;
-        serde_yaml::from_str::<Self>(&text).ok().filter(|unsaved| unsaved.muscle_files().is_some())
-    }
-
-    fn write(&self, path: &Path) -> Result<(), String> {
-        let text = serde_yaml::to_string(self).map_err(|error| error.to_string())?;
-        if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
-        }
-        write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
     }
 }
 

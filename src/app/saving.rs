@@ -14,7 +14,7 @@ use super::window::Window;
 use super::{demos, files};
 use crate::export::atomic::write_whole;
 use crate::export::guard::Output;
-use crate::tr;
+use crate::{input, limits, tr};
 
 /// Saves the muscle files that changed, each over the file it came from; one that has none asks for a name. `then` runs once all are saved.
 pub fn save(window: &Rc<Window>, then: impl FnOnce() + 'static) {
@@ -71,7 +71,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
     else {
         return false;
     };
-    let original = source.and_then(|source| std::fs::read_to_string(source).ok()).unwrap_or_default();
+    let original = source.and_then(|source| input::read_text(source, limits::YAML_BYTES).ok()).unwrap_or_default();
     let saved = file.to_yaml_keeping(&original);
     window.files.wrote(path.clone(), saved.text.clone());
     match write_whole(output, |out| out.write_all(saved.text.as_bytes())) {

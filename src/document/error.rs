@@ -1,9 +1,6 @@
 //! Why a file could not be opened.
 
 use std::fmt::Write;
-use std::io;
-
-use crate::tr;
 
 /// Why a file could not be used. Displays as one line: `file:line:column: what`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -25,11 +22,6 @@ impl OpenError {
         Self { file: file.to_owned(), line: None, column: None, message }
     }
 
-    /// What the system said about reading `file`.
-    pub(super) fn io(file: &str, error: &io::Error) -> Self {
-        Self::whole(file, io_sentence(error))
-    }
-
     fn sentence(&self) -> String {
         let mut text = self.file.clone();
         for number in [self.line, self.column].into_iter().flatten() {
@@ -38,16 +30,6 @@ impl OpenError {
         }
         let _ = write!(text, ": {}", self.message);
         text
-    }
-}
-
-/// What an input error means to a person.
-fn io_sentence(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => tr!("document-not-found"),
-        io::ErrorKind::PermissionDenied => tr!("document-permission"),
-        io::ErrorKind::IsADirectory => tr!("document-folder"),
-        _ => tr!("document-io", reason = error.to_string()),
     }
 }
 

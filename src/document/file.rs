@@ -1,10 +1,10 @@
 //! Bytes of a file, within the limits, and what kind of file they are.
 
-use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::Path;
 
 use super::OpenError;
+use crate::input::{self, Refused};
 use crate::{limits, tr};
 
 /// What a file holds.
@@ -28,29 +28,17 @@ impl Format {
 
 /// Reads a regular file, or standard input for `-`, of at most `limit` bytes.
 pub(super) fn read(path: &Path, name: &str, limit: u64) -> Result<Vec<u8>, OpenError> {
-    let too_large = || OpenError::whole(name, tr!("document-too-large", limit = limit >> 20));
-    let mut bytes = Vec::new();
-    let error = |error| OpenError::io(name, &error);
-    if path.as_os_str() == "-" {
-        io::stdin().lock().take(limit + 1).read_to_end(&mut bytes).map_err(error)?;
+    let refuse = |refused: Refused| OpenError::whole(name, refused.to_string());
+    let bytes = if path.as_os_str() == "-" {
+        let mut bytes = Vec::new();
+        io::stdin().lock().take(limit + 1).read_to_end(&mut bytes).map_err(|error| refuse(error.into()))?;
+        if bytes.len() as u64 > limit {
+            return Err(refuse(Refused::TooLarge(limit)));
+        }
+        bytes
     } else {
-        // Asked before opening: to open a named pipe would wait for its writer.
-        let about = fs::metadata(path).map_err(error)?;
-        if about.is_dir() {
-            return Err(OpenError::whole(name, tr!("document-folder")));
-        }
-        if !about.is_file() {
-            return Err(OpenError::whole(name, tr!("document-not-regular")));
-        }
-        if about.len() > limit {
-            return Err(too_large());
-        }
-        bytes.reserve(usize::try_from(about.len()).unwrap_or(0) + 1);
-        File::open(path).map_err(error)?.take(limit + 1).read_to_end(&mut bytes).map_err(error)?;
-    }
-    if bytes.len() as u64 > limit {
-        return Err(too_large());
-    }
+        input::read(path, limit).map_err(refuse)?
+    };
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(OpenError::whole(name, tr!("document-empty")));
     }
@@ -94,10 +82,10 @@ mod tests {
         assert!(read(folder.path(), "folder", 10).is_err());
         assert!(read(&folder.path().join("none"), "none", 10).is_err());
         let file = folder.path().join("long");
-        fs::write(&file, "0123456789abc").expect("written");
+        std::fs::write(&file, "0123456789abc").expect("written");
         assert!(read(&file, "long", 10).is_err());
         assert_eq!(read(&file, "long", 13).expect("fits"), b"0123456789abc");
-        fs::write(&file, " \n").expect("written");
+        std::fs::write(&file, " \n").expect("written");
         assert!(read(&file, "blank", 10).is_err());
         #[cfg(unix)]
         assert!(read(Path::new("/dev/zero"), "zero", 10).is_err());

@@ -38,10 +38,12 @@ impl Document {
         if node.index() >= self.scene.graph.len() || !degrees.is_finite() {
             return;
         }
-        self.hand.retain(|turn| turn.node != node);
+        let place = self.hand.binary_search_by_key(&node, |turn| turn.node);
+        if let Ok(at) = place {
+            self.hand.remove(at);
+        }
         if degrees != DVec3::ZERO {
-            let at = self.hand.partition_point(|turn| turn.node < node);
-            self.hand.insert(at, HandTurn { node, degrees });
+            self.hand.insert(place.unwrap_or_else(|at| at), HandTurn { node, degrees });
         }
     }
 

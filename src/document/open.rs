@@ -7,9 +7,8 @@ use super::foreign::Foreign;
 use super::{Document, OpenError, Source, SourceKind, images, merge};
 use crate::collada::{self, Progress};
 use crate::health::Finding;
-use crate::limits;
 use crate::muscle::MuscleFile;
-use crate::tr;
+use crate::{input, limits, tr};
 
 /// What to do about the images that a file names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -123,7 +122,7 @@ impl Document {
 /// Adds a muscle file to the document; [`Document::place_muscles`] puts it into the scene.
 pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, path: &Path) -> Result<(), OpenError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        let line = bytes.get(..error.valid_up_to()).map(|before| before.iter().filter(|byte| **byte == b'\n').count() as u32 + 1);
+        let line = bytes.get(..error.valid_up_to()).map(input::line_after);
         OpenError { file: name.to_owned(), line, column: None, message: tr!("document-not-text") }
     })?;
     let file = MuscleFile::parse(text).map_err(|error| OpenError {
@@ -132,6 +131,9 @@ pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, pat
         column: error.column,
         message: error.message,
     })?;
+    if !MuscleFile::can_be_drawn(document.muscle_files().chain([&file])) {
+        return Err(OpenError::whole(name, tr!("document-too-much-surface", limit = limits::MUSCLE_VERTICES)));
+    }
     document.sources.push(Source {
         name: name.to_owned(),
         path: real_path(path),
@@ -145,7 +147,7 @@ pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, pat
 fn named_clip(source: &Source, file: &MuscleFile) -> Option<PathBuf> {
     let clip = Path::new(file.clip.as_ref()?);
     let relative = if clip.is_relative() { clip } else { Path::new(clip.file_name()?) };
-    Some(source.path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")).join(relative))
+    Some(input::named_in(source.path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")), relative))
 }
 
 fn real_path(path: &Path) -> Option<PathBuf> {

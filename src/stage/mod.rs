@@ -1,5 +1,5 @@
 //! How a document is looked at, without a window: the light and the model that hands move, the switches of the display by their names, what
-//! accompanies it in the picture, and the session files that keep all of it. The window's session and the subcommands stand on it.
+//! accompanies it in the picture, and the files that keep all of it: sessions, settings, and muscles that are not saved yet. The window's session and the subcommands stand on it.
 
 mod along;
 mod cameras;
@@ -13,7 +13,9 @@ mod model;
 mod onion;
 mod open;
 mod saved;
+mod settings;
 mod trail;
+mod unsaved;
 
 pub use along::Along;
 pub use cameras::{file_camera, file_cameras};
@@ -26,3 +28,5 @@ pub use looks::{Backdrop, SHADINGS, SWITCHES, Switch};
 pub use model::ModelTransform;
 pub use open::{Opened, open};
 pub use saved::{Saved, SavedCamera, SavedComparison, SavedModel, SavedNode, SavedTurn, SessionError, name_of};
+pub use settings::{Colours, Settings, SheetPage};
+pub use unsaved::Unsaved;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::Saved;
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
+use crate::input;
 
 /// What was opened.
 #[derive(Debug)]
@@ -36,7 +37,7 @@ pub fn open<P: AsRef<Path>>(paths: &[P], options: OpenOptions, progress: &Progre
     let files = saved.paths(folder);
     let mut document = if files.is_empty() { Document::built_in() } else { Document::open_with(&files, options, progress)? };
     saved.prepare(&mut document);
-    let other = saved.compared.as_ref().and_then(|compared| compared.file.as_ref()).map(|file| folder.join(file));
+    let other = saved.compared.as_ref().and_then(|compared| compared.file.as_ref()).map(|file| input::named_in(folder, file));
     let compared = other.and_then(|file| Some((file.clone(), Document::open_with(&[file], options, progress).ok()?)));
     Ok(Opened { document, saved: Some(Box::new(saved)), compared })
 }

@@ -3,13 +3,15 @@
 use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
+use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::{Backdrop, Ghosts, LightAim, ModelTransform, SHADINGS, SWITCHES};
 use crate::document::{Document, PoseBuffers, PoseState, Skinning};
 use crate::render::{Display, Samples, Shading, Theme};
 use crate::scene::{Bounds, Frame, NodeId, OrbitCamera};
-use crate::{i18n, limits};
+use crate::yaml::{self, YamlError};
+use crate::{i18n, input, limits, tr};
 
 /// The key that tells a session file from a muscle file.
 const KEY: &str = "sinew_session";
@@ -169,25 +171,32 @@ pub struct SessionError {
     pub message: String,
 }
 
+impl From<YamlError> for SessionError {
+    fn from(error: YamlError) -> Self {
+        Self { line: error.place.map(|place| place.line), message: error.message }
+    }
+}
+
 impl Saved {
     /// Reads a session file; `None` where the file is none (another kind, or not readable: the document's reader says what is wrong with it).
     pub fn read(path: &Path) -> Option<Result<Self, SessionError>> {
-        let about = std::fs::metadata(path).ok().filter(|about| about.is_file() && about.len() <= limits::YAML_BYTES)?;
         let ending = path.extension()?.to_str()?;
-        if about.len() == 0 || !["yaml", "yml"].iter().any(|ours| ending.eq_ignore_ascii_case(ours)) {
+        if !["yaml", "yml"].iter().any(|ours| ending.eq_ignore_ascii_case(ours)) {
             return None;
         }
-        Self::parse(&std::fs::read_to_string(path).ok()?)
+        Self::parse(&input::read_text(path, limits::YAML_BYTES).ok()?)
     }
 
     /// Reads a session file's text; `None` where it has not the key of one.
     pub fn parse(text: &str) -> Option<Result<Self, SessionError>> {
         text.lines().any(|line| line.trim_end().strip_prefix(KEY).is_some_and(|rest| rest.trim_start().starts_with(':'))).then(|| {
-            let read = serde_yaml::from_str::<SessionFile>(text).map(|file| file.sinew_session);
-            read.map_err(|error| SessionError {
-                line: error.location().map(|place| place.line() as u32),
-                message: error.to_string().lines().next().unwrap_or_default().to_owned(),
-            })
+            let saved = yaml::from_text::<SessionFile>(text, limits::YAML_BYTES)?.sinew_session;
+            let files = saved.files.len();
+            if files > limits::SESSION_FILES {
+                let message = tr!("document-too-many-files", count = files, limit = limits::SESSION_FILES);
+                return Err(SessionError { line: None, message });
+            }
+            Ok(saved)
         })
     }
 
@@ -196,12 +205,12 @@ impl Saved {
     /// # Errors
     /// What the writer says; numbers and names of a session can always be written.
     pub fn text(&self) -> std::io::Result<String> {
-        serde_yaml::to_string(&SessionFile { sinew_session: self.clone() }).map_err(std::io::Error::other)
+        yaml::to_text(&SessionFile { sinew_session: self.clone() }).map_err(std::io::Error::other)
     }
 
     /// The files, seen from where the program runs; `folder` is that of the session file.
     pub fn paths(&self, folder: &Path) -> Vec<PathBuf> {
-        self.files.iter().map(|file| folder.join(file)).collect()
+        self.files.iter().map(|file| input::named_in(folder, file)).collect()
     }
 
     /// The files and the one that is compared with, whether they can be opened or not; `folder` as in [`Saved::paths`].
@@ -220,14 +229,28 @@ impl SavedNode {
     /// The node that is meant: at its place if the name is still the same, else the first one of that name. The name of a node that the file gives none is
     /// known in any language.
     pub fn find(&self, document: &Document) -> Option<NodeId> {
+        self.find_by(document, |name| document.scene.graph.find(name))
+    }
+
+    /// [`SavedNode::find`], with the first node of a name found by `first`.
+    fn find_by(&self, document: &Document, mut first: impl FnMut(&str) -> Option<NodeId>) -> Option<NodeId> {
         let there = NodeId(self.node);
         let graph = &document.scene.graph;
-        let named = |name: &str| {
+        let mut named = |name: &str| {
             let same = there.index() < graph.len() && graph.node(there).name == name;
-            if same { Some(there) } else { graph.find(name) }
+            if same { Some(there) } else { first(name) }
         };
         named(&self.name).or_else(|| named(&i18n::translated("collada-unnamed-node", "number", &self.name)?))
     }
+}
+
+/// The first node of each name: a session may name many.
+fn nodes_by_name(document: &Document) -> FxHashMap<&str, NodeId> {
+    let mut first = FxHashMap::default();
+    for (id, node) in document.scene.graph.iter() {
+        first.entry(node.name.as_str()).or_insert(id);
+    }
+    first
 }
 
 impl SavedCamera {
@@ -256,15 +279,15 @@ impl SavedModel {
 impl Saved {
     /// Hides nodes and turns joints of a document that has just been opened. What no longer exists is passed over.
     pub fn prepare(&self, document: &mut Document) {
-        for node in &self.hidden {
-            if let Some(id) = node.find(document) {
-                document.scene.graph.node_mut(id).visible = false;
-            }
+        let known = nodes_by_name(document);
+        let find = |node: &SavedNode| node.find_by(document, |name| known.get(name).copied());
+        let hidden: Vec<NodeId> = self.hidden.iter().filter_map(find).collect();
+        let turned: Vec<_> = self.turned.iter().filter_map(|turn| Some((find(&turn.joint)?, turn.degrees))).collect();
+        for id in hidden {
+            document.scene.graph.node_mut(id).visible = false;
         }
-        for turn in &self.turned {
-            if let Some(node) = turn.joint.find(document) {
-                document.set_hand_turn(node, DVec3::from_array(turn.degrees));
-            }
+        for (node, degrees) in turned {
+            document.set_hand_turn(node, DVec3::from_array(degrees));
         }
     }
 
@@ -333,11 +356,11 @@ mod tests {
 
     #[test]
     fn a_key_that_is_missing_means_a_fresh_start() {
-        let file: SessionFile = serde_yaml::from_str("sinew_session: {time: 1}").expect("a session");
+        let file: SessionFile = yaml::from_text("sinew_session: {time: 1}", 100).expect("a session");
         let (mut looks, usual) = (Display { wireframe: true, mesh: false, ..Display::default() }, Display::default());
         file.sinew_session.put_looks(&mut looks);
         assert_eq!((looks.mesh, looks.wireframe, looks.samples), (usual.mesh, usual.wireframe, usual.samples));
-        let bare: SessionFile = serde_yaml::from_str("sinew_session: {shown: [], smooth-edges: false}").expect("a session");
+        let bare: SessionFile = yaml::from_text("sinew_session: {shown: [], smooth-edges: false}", 100).expect("a session");
         bare.sinew_session.put_looks(&mut looks);
         assert!(!looks.mesh && looks.samples == Samples::One);
     }

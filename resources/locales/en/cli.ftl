@@ -256,6 +256,11 @@ gltf-colours = Clip “{ $clip }” changes colours or lights; glTF animates onl
 gltf-image = The image “{ $name }” is not there or cannot be read, and is left out.
 gltf-ambient = The light “{ $name }” comes from everywhere; glTF has no such light, and it is left out.
 gltf-moved = Clip “{ $clip }” starts before zero, which glTF does not allow; its times are { NUMBER($milliseconds, useGrouping: 0) } ms later.
+gltf-shapes = { $count ->
+    [0] The muscles have too many vertices for their movement to be written; they keep one shape.
+    [one] The muscles have so many vertices that only one shape a clip is written; between shapes they move straight.
+   *[other] The muscles have so many vertices that only { NUMBER($count, useGrouping: 0) } shapes a clip are written; between them they move straight.
+}
 # Films, shells, questions.
 cli-about-completions = Prints what a shell needs to complete calls of sinew.
 cli-arg-shell = The shell: bash, zsh or fish

@@ -7,7 +7,7 @@ use crate::document::SourceKind;
 use crate::muscle::presets::Preset;
 use crate::muscle::{Edit, EditError, MuscleFile};
 use crate::scene::MuscleId;
-use crate::tr;
+use crate::{input, limits, tr};
 
 /// Whether a change begins a step of its own or goes on with the one that a drag began.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,7 +71,7 @@ impl Session {
         saved.any(|(index, saved)| {
             let path = self.document.muscle_file_path(index);
             path.is_some_and(|path| {
-                std::fs::read_to_string(path).ok().and_then(|text| MuscleFile::parse(&text).ok()).as_ref() != Some(saved)
+                input::read_text(path, limits::YAML_BYTES).ok().and_then(|text| MuscleFile::parse(&text).ok()).as_ref() != Some(saved)
             })
         })
     }

@@ -1,5 +1,7 @@
 //! From the YAML tree to values, with a complaint that names key, place and remedy for whatever does not fit.
 
+use std::rc::Rc;
+
 use super::yaml::{Step, Yaml};
 use crate::tr;
 
@@ -19,14 +21,22 @@ pub struct At<'a> {
     pub value: &'a Yaml,
     /// Where in the tree.
     pub path: Vec<Step>,
-    /// What messages call it: the key, or the key and the number of the item.
-    pub name: String,
+    /// The key that it or the list round it belongs to.
+    key: Rc<str>,
+    /// Its places in that list, from 1.
+    numbers: Vec<usize>,
 }
 
 impl<'a> At<'a> {
     /// The root of a file.
     pub fn root(value: &'a Yaml) -> Self {
-        Self { value, path: Vec::new(), name: tr!("muscle-yaml-the-file") }
+        Self { value, path: Vec::new(), key: tr!("muscle-yaml-the-file").into(), numbers: Vec::new() }
+    }
+
+    /// What messages call it: the key, or the key and the number of the item. Made for a message only: a list may have many items.
+    pub fn name(&self) -> String {
+        let named = |name: String, number: &usize| tr!("muscle-yaml-item", name = name, number = *number);
+        self.numbers.iter().fold(self.key.to_string(), named)
     }
 
     /// A complaint about this value.
@@ -44,17 +54,17 @@ impl<'a> At<'a> {
             Yaml::Map(_) => tr!("muscle-yaml-found-map"),
             Yaml::Tagged => tr!("muscle-yaml-found-tag"),
         };
-        self.complain(tr!("muscle-yaml-wrong-type", name = self.name.clone(), wanted = message_of(wanted), found = found))
+        self.complain(tr!("muscle-yaml-wrong-type", name = self.name(), wanted = message_of(wanted), found = found))
     }
 
     /// A finite number.
     pub fn number(&self) -> Result<f64, Complaint> {
         match self.value {
             Yaml::Number(number) if number.is_finite() => Ok(*number),
-            Yaml::Number(_) => Err(self.complain(tr!("muscle-yaml-not-finite", name = self.name.clone()))),
+            Yaml::Number(_) => Err(self.complain(tr!("muscle-yaml-not-finite", name = self.name()))),
             Yaml::Text(text) if text.replace(',', ".").trim().parse::<f64>().is_ok() => {
                 let number = text.replace(',', ".").trim().to_owned();
-                Err(self.complain(tr!("muscle-yaml-number-as-text", name = self.name.clone(), text = text.clone(), number = number)))
+                Err(self.complain(tr!("muscle-yaml-number-as-text", name = self.name(), text = text.clone(), number = number)))
             }
             _ => Err(self.wrong("muscle-yaml-a-number")),
         }
@@ -67,7 +77,7 @@ impl<'a> At<'a> {
             Ok(number)
         } else {
             let key = if or_zero { "muscle-yaml-negative" } else { "muscle-yaml-not-positive" };
-            Err(self.complain(crate::i18n::message(key, &[("name", self.name.clone().into()), ("value", format!("{number}").into())])))
+            Err(self.complain(crate::i18n::message(key, &[("name", self.name().into()), ("value", format!("{number}").into())])))
         }
     }
 
@@ -85,7 +95,8 @@ impl<'a> At<'a> {
         let at = |(index, value)| At {
             value,
             path: self.below(Step::Item(index)),
-            name: tr!("muscle-yaml-item", name = self.name.clone(), number = index + 1),
+            key: Rc::clone(&self.key),
+            numbers: self.numbers.iter().copied().chain([index + 1]).collect(),
         };
         Ok(items.iter().enumerate().map(at).collect())
     }
@@ -100,7 +111,7 @@ impl<'a> At<'a> {
         let numbers = self.numbers()?;
         let count = numbers.len();
         <[f64; N]>::try_from(numbers)
-            .map_err(|_| self.complain(tr!("muscle-yaml-wrong-count", name = self.name.clone(), wanted = N, found = count)))
+            .map_err(|_| self.complain(tr!("muscle-yaml-wrong-count", name = self.name(), wanted = N, found = count)))
     }
 
     /// A mapping whose keys are all among `known`.
@@ -109,7 +120,7 @@ impl<'a> At<'a> {
         let mut seen: Vec<&str> = Vec::new();
         for (index, (key, _)) in entries.iter().enumerate() {
             let refuse = |message| Err(Complaint { path: self.below(Step::Key(index)), message });
-            let Some(key) = key else { return refuse(tr!("muscle-yaml-key-not-text", name = self.name.clone())) };
+            let Some(key) = key else { return refuse(tr!("muscle-yaml-key-not-text", name = self.name())) };
             if !known.contains(&key.as_str()) {
                 let list = known.join(", ");
                 return refuse(match nearest(key, known) {
@@ -122,7 +133,7 @@ impl<'a> At<'a> {
             }
             seen.push(key);
         }
-        Ok(Map { entries, path: self.path.clone(), name: self.name.clone() })
+        Ok(Map { entries, path: self.path.clone(), name: self.name() })
     }
 
     /// Whether the value is a mapping with this key.
@@ -151,7 +162,7 @@ impl<'a> Map<'a> {
         let (index, (_, value)) = self.entries.iter().enumerate().find(|(_, (name, _))| name.as_deref() == Some(key))?;
         let mut path = self.path.clone();
         path.push(Step::Value(index));
-        (*value != Yaml::Null).then(|| At { value, path, name: key.to_owned() })
+        (*value != Yaml::Null).then(|| At { value, path, key: key.into(), numbers: Vec::new() })
     }
 
     /// The value of a key that must be there.

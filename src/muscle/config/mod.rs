@@ -32,7 +32,8 @@ mod yaml;
 pub use keep::Saved;
 pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 
-use crate::{limits, tr};
+use crate::tr;
+use crate::yaml::YamlError;
 use decode::{At, Complaint};
 
 /// Why a YAML file could not be used: one sentence that says where and what would be right.
@@ -54,15 +55,18 @@ impl ConfigError {
     }
 }
 
+impl From<YamlError> for ConfigError {
+    fn from(error: YamlError) -> Self {
+        Self { line: error.place.map(|place| place.line), column: error.place.map(|place| place.column), message: error.message }
+    }
+}
+
 impl MuscleFile {
     /// Reads YAML: the report's form or the richer one.
     ///
     /// # Errors
     /// [`ConfigError`] with line, column and remedy.
     pub fn parse(text: &str) -> Result<Self, ConfigError> {
-        if text.len() as u64 > limits::YAML_BYTES {
-            return Err(ConfigError::at(None, tr!("muscle-yaml-too-large", limit = limits::YAML_BYTES >> 20)));
-        }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let tree = yaml::read(text)?;
         if tree == yaml::Yaml::Null {

@@ -50,12 +50,12 @@ fn arm(at: &At<'_>, muscle: &mut MuscleSpec) -> Result<Arm, Complaint> {
         for (item, or_zero) in items.iter().zip([true, true]) {
             item.positive(or_zero)?;
         }
-        if a + b > 0.0 { Ok([a, b]) } else { Err(at.complain(tr!("muscle-rod-no-length", name = at.name.clone()))) }
+        if a + b > 0.0 { Ok([a, b]) } else { Err(at.complain(tr!("muscle-rod-no-length", name = at.name()))) }
     };
     let ([free, above], [below, rest]) = (rod(first)?, rod(second)?);
     for (length, at) in [(above, first), (below, second)] {
         if length == 0.0 {
-            return Err(at.complain(tr!("muscle-attached-at-elbow", name = at.name.clone())));
+            return Err(at.complain(tr!("muscle-attached-at-elbow", name = at.name())));
         }
     }
     let thickness = map.need("thickness")?.positive(false)?;

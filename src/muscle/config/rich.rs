@@ -43,7 +43,15 @@ pub fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
     if items.len() > limits::MUSCLES {
         return Err(list.complain(tr!("muscle-too-many-muscles", count = items.len(), limit = limits::MUSCLES)));
     }
-    file.muscles = items.iter().map(|at| muscle(at, file.arm.is_some())).collect::<Result<_, _>>()?;
+    let mut vertices = 0_usize;
+    for at in &items {
+        let muscle = muscle(at, file.arm.is_some())?;
+        vertices = vertices.saturating_add(muscle.vertices());
+        if vertices > limits::MUSCLE_VERTICES {
+            return Err(at.complain(tr!("muscle-too-much-surface", limit = limits::MUSCLE_VERTICES)));
+        }
+        file.muscles.push(muscle);
+    }
     Ok(file)
 }
 
@@ -85,13 +93,13 @@ fn range(at: &At<'_>, least: f64, most: f64) -> Result<[f64; 2], Complaint> {
     if least <= low && low < high && high <= most {
         return Ok([low, high]);
     }
-    Err(at.complain(tr!("muscle-bad-range", name = at.name.clone(), least = least, most = most)))
+    Err(at.complain(tr!("muscle-bad-range", name = at.name(), least = least, most = most)))
 }
 
 fn direction(at: &At<'_>) -> Result<DVec3, Complaint> {
     let direction = DVec3::from_array(at.some_numbers::<3>()?);
     if direction.try_normalize().is_none() {
-        return Err(at.complain(tr!("muscle-no-direction", name = at.name.clone())));
+        return Err(at.complain(tr!("muscle-no-direction", name = at.name())));
     }
     Ok(direction)
 }
@@ -124,7 +132,7 @@ fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, Complaint> {
         if end == 0 { spec.origin = anchor } else { spec.insertion = anchor }
     }
     if spec.origin.is_some() != spec.insertion.is_some() {
-        return Err(at.complain(tr!("muscle-one-end", name = at.name.clone())));
+        return Err(at.complain(tr!("muscle-one-end", name = at.name())));
     }
     for key in ["via", "wrap"] {
         if let (Some(at), None) = (map.get(key), &spec.origin) {

@@ -8,6 +8,7 @@ use super::rich::UNITS;
 use super::spec::{Anchor, Form, MuscleFile, MuscleSpec, PoseAt};
 use super::yaml::Yaml;
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
+use crate::yaml::quoted;
 
 impl MuscleFile {
     /// The file as YAML, in the report's form where it was written in that and can be still, else in the richer one. Reading it again gives an
@@ -182,24 +183,4 @@ fn numbers(values: &[f64]) -> String {
 /// The shortest digits that read back as the same number.
 fn number(value: f64) -> String {
     format!("{value:?}")
-}
-
-/// Text in double quotes, with everything escaped that YAML does not take as it is.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for letter in text.chars() {
-        match letter {
-            '"' | '\\' => out.extend(['\\', letter]),
-            '\n' => out.push_str("\\n"),
-            '\t' => out.push_str("\\t"),
-            ' '..='~' | '\u{a0}'..='\u{2027}' | '\u{202a}'..='\u{d7ff}' | '\u{e000}'..='\u{fefe}' | '\u{ff00}'..='\u{fffd}' => {
-                out.push(letter)
-            }
-            other => {
-                let _ = write!(out, "\\U{:08X}", u32::from(other));
-            }
-        }
-    }
-    out.push('"');
-    out
 }

@@ -1,0 +1,129 @@
+//! The one door for files from outside: regular files only, and never more than so many bytes.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use crate::tr;
+
+/// Why a file is not read.
+#[derive(Debug, thiserror::Error)]
+#[error("{}", self.sentence())]
+pub enum Refused {
+    /// What the system says.
+    Io(#[from] io::Error),
+    /// It is a folder.
+    Folder,
+    /// It is a pipe, a device or a socket: to read it might wait or never end.
+    NotRegular,
+    /// It has more than so many bytes.
+    TooLarge(u64),
+    /// It is not UTF-8; the first line that is not, from 1.
+    NotText(u32),
+}
+
+impl Refused {
+    fn sentence(&self) -> String {
+        match self {
+            Self::Io(error) => match error.kind() {
+                io::ErrorKind::NotFound => tr!("document-not-found"),
+                io::ErrorKind::PermissionDenied => tr!("document-permission"),
+                io::ErrorKind::IsADirectory => tr!("document-folder"),
+                _ => tr!("document-io", reason = error.to_string()),
+            },
+            Self::Folder => tr!("document-folder"),
+            Self::NotRegular => tr!("document-not-regular"),
+            Self::TooLarge(limit) => tr!("document-too-large", limit = limit >> 20),
+            Self::NotText(_) => tr!("document-not-text"),
+        }
+    }
+
+    /// Whether there is no such file.
+    pub fn is_missing(&self) -> bool {
+        matches!(self, Self::Io(error) if error.kind() == io::ErrorKind::NotFound)
+    }
+}
+
+/// Reads a regular file of at most `limit` bytes, also behind links. Anything else is refused without being opened, so that nothing waits.
+///
+/// # Errors
+/// [`Refused`].
+pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Refused> {
+    // Asked before opening: to open a named pipe would wait for its writer.
+    let about = fs::metadata(path)?;
+    if about.is_dir() {
+        return Err(Refused::Folder);
+    }
+    if !about.is_file() {
+        return Err(Refused::NotRegular);
+    }
+    if about.len() > limit {
+        return Err(Refused::TooLarge(limit));
+    }
+    let mut bytes = Vec::with_capacity(usize::try_from(about.len()).unwrap_or(0).saturating_add(1));
+    // Files of the system that tell no size, such as those in /proc, are held to the limit too.
+    File::open(path)?.take(limit.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit { Err(Refused::TooLarge(limit)) } else { Ok(bytes) }
+}
+
+/// [`read`], as UTF-8 text.
+///
+/// # Errors
+/// [`Refused`].
+pub fn read_text(path: &Path, limit: u64) -> Result<String, Refused> {
+    String::from_utf8(read(path, limit)?).map_err(|error| {
+        let before = error.as_bytes().get(..error.utf8_error().valid_up_to()).unwrap_or_default();
+        Refused::NotText(line_after(before))
+    })
+}
+
+/// The path of a file that another file names, seen from that one's folder. It is never `-`, which means standard input on the command line only.
+pub fn named_in(folder: &Path, name: &Path) -> PathBuf {
+    let path = folder.join(name);
+    if path.as_os_str() == "-" { Path::new(".").join(path) } else { path }
+}
+
+/// The line that the byte after `before` is in, from 1.
+pub fn line_after(before: &[u8]) -> u32 {
+    u32::try_from(memchr::memchr_iter(b'\n', before).count()).unwrap_or(u32::MAX).saturating_add(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_regular_files_within_the_limit_are_read() {
+        let folder = tempfile::tempdir().expect("a folder");
+        assert!(matches!(read(folder.path(), 10), Err(Refused::Folder)));
+        assert!(read(&folder.path().join("none"), 10).is_err_and(|refused| refused.is_missing()));
+        let file = folder.path().join("long");
+        fs::write(&file, "0123456789abc").expect("written");
+        assert!(matches!(read(&file, 12), Err(Refused::TooLarge(12))));
+        assert_eq!(read(&file, 13).expect("fits"), b"0123456789abc");
+        fs::write(&file, b"a\nb\xff").expect("written");
+        assert!(matches!(read_text(&file, 13), Err(Refused::NotText(2))));
+    }
+
+    #[test]
+    fn a_name_in_a_file_is_never_standard_input() {
+        assert_eq!(named_in(Path::new(""), Path::new("-")).as_os_str(), "./-");
+        assert_eq!(named_in(Path::new("a"), Path::new("-")), Path::new("a/-"));
+        assert_eq!(named_in(Path::new(""), Path::new("walk.dae")), Path::new("walk.dae"));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn pipes_devices_and_sockets_are_refused_without_waiting_also_behind_links() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        assert!(std::process::Command::new("mkfifo").arg(at("pipe")).status().expect("mkfifo").success());
+        let _socket = std::os::unix::net::UnixListener::bind(at("socket")).expect("a socket");
+        for (name, target) in [("to-pipe", "pipe"), ("to-socket", "socket"), ("to-zero", "/dev/zero"), ("to-tty", "/dev/tty")] {
+            std::os::unix::fs::symlink(target, at(name)).expect("a link");
+        }
+        for name in ["pipe", "socket", "to-pipe", "to-socket", "to-zero", "to-tty"] {
+            assert!(matches!(read(&at(name), 10), Err(Refused::NotRegular)), "{name}");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Muscles that are not saved, as a file that outlives the program.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use crate::export::atomic::write_whole;
+use crate::export::guard::Output;
+use crate::muscle::MuscleFile;
+use crate::yaml::{self, YamlError};
+use crate::{input, limits};
+
+/// What is not saved.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Unsaved {
+    /// The files that were open, by their whole paths; none = the built-in scene.
+    pub files: Vec<PathBuf>,
+    /// All muscle files, in the order of the scene, as YAML.
+    pub muscles: Vec<String>,
+}
+
+impl Unsaved {
+    /// The muscle files; `None` where one of them is damaged, or all together are more than can be drawn.
+    pub fn muscle_files(&self) -> Option<Vec<MuscleFile>> {
+        let files = self.muscles.iter().map(|text| MuscleFile::parse(text).ok()).collect::<Option<Vec<_>>>()?;
+        MuscleFile::can_be_drawn(&files).then_some(files)
+    }
+
+    /// Reads what is kept; `None` where it is no such file, or damaged.
+    pub fn read(path: &Path) -> Option<Self> {
+        let text = input::read_text(path, limits::RECOVERY_BYTES).ok()?;
+        let whole = |unsaved: &Self| unsaved.files.len() <= limits::SESSION_FILES && unsaved.muscle_files().is_some();
+        let mut unsaved = Self::parse(&text).ok().filter(whole)?;
+        for file in &mut unsaved.files {
+            *file = input::named_in(Path::new(""), file);
+        }
+        Some(unsaved)
+    }
+
+    /// Reads the text of such a file.
+    ///
+    /// # Errors
+    /// [`YamlError`].
+    pub fn parse(text: &str) -> Result<Self, YamlError> {
+        yaml::from_text(text, limits::RECOVERY_BYTES)
+    }
+
+    /// As YAML.
+    ///
+    /// # Errors
+    /// What the writer says; names and texts can always be written, unless a path is no Unicode.
+    pub fn text(&self) -> std::io::Result<String> {
+        yaml::to_text(self).map_err(std::io::Error::other)
+    }
+
+    /// Keeps it.
+    ///
+    /// # Errors
+    /// Whatever stands in the way; the old file stays then.
+    pub fn write(&self, path: &Path) -> Result<(), String> {
+        let text = self.text().map_err(|error| error.to_string())?;
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
+        }
+        write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_kept_comes_back_and_what_is_damaged_does_not() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("new").join("unsaved.yaml");
+        let muscles = "muscles:\n  - {length: 9.0, radii: [1.0, 2.0], growth: [1.0, 1.0], name: \"a\\u202eb\"}\n".to_owned();
+        let unsaved = Unsaved { files: vec!["/a/walk.dae".into(), "-".into()], muscles: vec![muscles] };
+        unsaved.write(&path).expect("written");
+        let read = Unsaved::read(&path).expect("read");
+        assert_eq!((&read.files[0], read.files[1].as_os_str()), (&unsaved.files[0], "./-".as_ref()));
+        assert_eq!(read.muscles, unsaved.muscles);
+        for text in ["files: []\nmuscles: [\"x\"]", "files: [", "", "muscles: []"] {
+            std::fs::write(&path, text).expect("written");
+            assert_eq!(Unsaved::read(&path), None, "{text:?}");
+        }
+        let many = Unsaved { files: vec!["a.dae".into(); limits::SESSION_FILES + 1], muscles: Vec::new() };
+        many.write(&path).expect("written");
+        assert_eq!(Unsaved::read(&path), None);
+    }
+}
