@@ -9,10 +9,10 @@ use super::check::FindingReport;
 use super::failure::{Failure, answer, answer_json, display_name};
 use super::files;
 use crate::collada::Progress;
-use crate::document::{Document, Images, OpenOptions, PoseBuffers, SourceKind};
+use crate::document::{Document, Images, OpenOptions, SourceKind};
 use crate::export::tables::{unit_for_people, unit_name};
-use crate::i18n::decimal;
-use crate::scene::{Content, Deformer, Frame, MeshId, MeshInstance, NodeKind};
+use crate::i18n::{self, decimal};
+use crate::scene::{Content, Deformer, MeshId, MeshInstance, NodeKind};
 use crate::stage;
 use crate::tr;
 
@@ -93,8 +93,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
 
 impl Info {
     fn of(document: &Document, file: String) -> Self {
-        let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
-        document.pose(&document.start_state(), &mut buffers, &mut frame);
+        let bounds = document.outline(&document.start_state());
         let scene = &document.scene;
         let (format, version, authoring_tool, up_axis, unit_metres) = match document.sources.first().map(|source| &source.kind) {
             Some(SourceKind::Collada(asset)) => {
@@ -111,7 +110,7 @@ impl Info {
             up_axis,
             unit_metres,
             nodes: scene.graph.iter().filter(|(_, node)| node.kind != NodeKind::Asset).count(),
-            joints: frame.joints.len(),
+            joints: scene.graph.iter().filter(|(_, node)| node.kind == NodeKind::Joint).count(),
             meshes: meshes(document),
             clips: document
                 .clips
@@ -131,7 +130,7 @@ impl Info {
                 .map(|image| ImageInfo { uri: image.uri.clone(), found: image.path.is_some() || image.archived || image.pixels.is_some() })
                 .collect(),
             muscles: muscles(document),
-            bounds: (!frame.bounds.is_empty()).then(|| BoundsInfo { min: frame.bounds.min.to_array(), max: frame.bounds.max.to_array() }),
+            bounds: (!bounds.is_empty()).then(|| BoundsInfo { min: bounds.min.to_array(), max: bounds.max.to_array() }),
             warnings: document.health.iter().map(FindingReport::from).collect(),
         }
     }
@@ -206,7 +205,7 @@ fn table(rows: &[(String, String)]) -> String {
     for (label, value) in rows {
         let shown = if label == before { "" } else { label };
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{shown:width$}  {value}");
+        let _ = writeln!(text, "{shown:width$}  {}", i18n::shown(value));
         before = label;
     }
     text

@@ -18,6 +18,7 @@ mod images;
 mod joint_angles;
 mod merge;
 mod open;
+mod outline;
 mod over_time;
 mod pose;
 mod reach;

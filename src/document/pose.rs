@@ -116,7 +116,7 @@ impl Document {
         self.scene.graph.world_from_local(&buffers.local, &mut frame.world);
     }
 
-    fn solve_muscles(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &Frame) {
+    pub(super) fn solve_muscles(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &Frame) {
         let mut next = 0;
         for (rig, _) in self.rigs() {
             for index in 0..rig.len() {
@@ -129,12 +129,7 @@ impl Document {
     }
 
     fn place_surfaces(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
-        let graph = &self.scene.graph;
-        buffers.shown.clear();
-        for (_, node) in graph.iter() {
-            let above = node.parent().is_none_or(|parent| buffers.shown.get(parent.index()).copied().unwrap_or(true));
-            buffers.shown.push(above && node.visible);
-        }
+        self.mark_shown(&mut buffers.shown);
         frame.bounds = Bounds::EMPTY;
         for (surface, plan) in frame.surfaces.iter_mut().zip(&mut buffers.plans) {
             surface.visible = buffers.shown.get(surface.node.index()).copied().unwrap_or(true);
@@ -181,6 +176,15 @@ impl Document {
         }
     }
 
+    /// Whether each node and all above it are visible.
+    pub(super) fn mark_shown(&self, shown: &mut Vec<bool>) {
+        shown.clear();
+        for (_, node) in self.scene.graph.iter() {
+            let above = node.parent().is_none_or(|parent| shown.get(parent.index()).copied().unwrap_or(true));
+            shown.push(above && node.visible);
+        }
+    }
+
     fn instance(&self, node: NodeId, content: u32) -> Option<&MeshInstance> {
         match self.scene.graph.node(node).contents.get(content as usize) {
             Some(Content::Mesh(instance)) => Some(instance),
@@ -188,16 +192,24 @@ impl Document {
         }
     }
 
-    /// Makes buffers and frame fit the document: one surface for each mesh and muscle, in the order of the nodes.
-    fn lay_out(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
+    /// Makes buffers and frame fit the document's nodes, muscles and joints; no surfaces.
+    pub(super) fn lay_out_nodes(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
         *buffers = PoseBuffers { revision: self.revision, pose: Pose::rest(&self.scene), ..PoseBuffers::default() };
-        *frame = Frame { stamp: self.revision, materials: self.scene.materials.clone(), ..Frame::default() };
+        *frame = Frame { stamp: self.revision, ..Frame::default() };
         buffers.solved.resize(self.muscle_count(), Solved::default());
-        let deformed = || Placement::Deformed { positions: Vec::new(), normals: Vec::new() };
         for (id, node) in self.scene.graph.iter() {
             if node.kind == NodeKind::Joint {
                 frame.joints.push(Joint { node: id, parent: self.joint_above(id) });
             }
+        }
+    }
+
+    /// Makes buffers and frame fit the document: one surface for each mesh and muscle, in the order of the nodes.
+    fn lay_out(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        self.lay_out_nodes(buffers, frame);
+        frame.materials = self.scene.materials.clone();
+        let deformed = || Placement::Deformed { positions: Vec::new(), normals: Vec::new() };
+        for (id, node) in self.scene.graph.iter() {
             for (content, thing) in node.contents.iter().enumerate() {
                 let content = content as u32;
                 let blank = |mesh, materials, placement, muscle| Surface {

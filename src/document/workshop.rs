@@ -6,10 +6,10 @@
 use std::path::{Path, PathBuf};
 
 use super::beside::Beside;
-use super::{Document, PoseBuffers, Source, SourceKind};
+use super::{Document, Source, SourceKind};
 use crate::health::Finding;
 use crate::muscle::{MuscleFile, Rig};
-use crate::scene::{Bounds, Frame, MuscleId, TransformOp};
+use crate::scene::{Bounds, MuscleId, TransformOp};
 use crate::tr;
 
 /// Lengths of the scene's lists without muscles.
@@ -29,9 +29,7 @@ impl Document {
         self.bare = Bare { nodes: scene.graph.len(), meshes: scene.meshes.len(), materials: scene.materials.len(), bounds: Bounds::EMPTY };
         if self.bare.nodes > 0 && self.muscle_files().any(|file| file.arm.is_some()) {
             self.touch();
-            let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
-            self.pose(&self.start_state(), &mut buffers, &mut frame);
-            self.bare.bounds = frame.bounds;
+            self.bare.bounds = self.outline(&self.start_state());
         }
         self.build_muscles();
     }

@@ -1,5 +1,7 @@
 //! Puts a muscle file into a scene: its nodes, the arm if it has one, and its muscles; attaches muscles to the bones of a clip.
 
+use std::sync::OnceLock;
+
 use glam::{DMat4, DVec3};
 
 use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
@@ -258,10 +260,9 @@ impl Rig {
 
 fn new_muscle(spec: MuscleSpec, scene: &mut Scene, tendon: MaterialId, free_middle: DVec3) -> Muscle {
     let layout = Layout::new(spec.profile.radii().len(), &spec.tendons);
-    let mesh = layout.mesh(&spec.name);
     let flesh = materials::muscle(scene, &spec.name, spec.color);
     let material = |part| Some(MaterialBinding::plain(if part == 0 { flesh } else { tendon }));
-    Muscle { materials: (0..mesh.parts.len()).map(material).collect(), spec, line: None, layout, mesh, free_middle }
+    Muscle { materials: (0..layout.parts()).map(material).collect(), spec, line: None, layout, mesh: OnceLock::new(), free_middle }
 }
 
 /// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.

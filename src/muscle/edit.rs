@@ -67,6 +67,9 @@ pub enum EditError {
     /// The file would have more muscles than [`limits::MUSCLES`], or none.
     #[error("{}", tr!("muscle-edit-count", limit = limits::MUSCLES))]
     Count,
+    /// The surfaces of the file's muscles would have more vertices than [`limits::MUSCLE_VERTICES`] together.
+    #[error("{}", tr!("muscle-too-much-surface", limit = limits::MUSCLE_VERTICES))]
+    TooMuchSurface,
     /// A tendon with a negative length, or a length without a radius.
     #[error("{}", tr!("muscle-edit-tendon"))]
     Tendon,
@@ -148,7 +151,11 @@ impl MuscleFile {
         let muscle = file.muscles.get_mut(index).ok_or(EditError::NoMuscle(index))?;
         muscle.apply(edit)?;
         muscle.check_places(on_arm)?;
-        Ok(file)
+        file.drawable()
+    }
+
+    fn drawable(self) -> Result<Self, EditError> {
+        if Self::can_be_drawn([&self]) { Ok(self) } else { Err(EditError::TooMuchSurface) }
     }
 
     /// The file with one muscle more, at the end.
@@ -159,7 +166,7 @@ impl MuscleFile {
         muscle.check_places(self.arm.is_some())?;
         let mut file = self.clone();
         file.muscles.push(muscle);
-        if file.muscles.len() > limits::MUSCLES { Err(EditError::Count) } else { Ok(file) }
+        if file.muscles.len() > limits::MUSCLES { Err(EditError::Count) } else { file.drawable() }
     }
 
     /// The file without muscle `index`, which must not be its last one.

@@ -1,7 +1,7 @@
 //! Muscles placed in a scene: what they solve, lay and measure. [`super::build`] puts them there.
 
 use std::ops::RangeInclusive;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3, Vec3};
 
@@ -46,7 +46,8 @@ pub(super) struct Muscle {
     /// Its line of action; `None` where nothing holds it.
     pub line: Option<Line>,
     pub layout: Layout,
-    pub mesh: Arc<Mesh>,
+    /// Made when it is first drawn: to tell what is in a file needs none.
+    pub mesh: OnceLock<Arc<Mesh>>,
     pub materials: Vec<Option<MaterialBinding>>,
     /// Where it lies when nothing holds it: the middle of its line, from the root.
     pub free_middle: DVec3,
@@ -219,7 +220,8 @@ impl Rig {
 
     /// Topology of muscle `index`'s surface: fixed while the number of its nodes is.
     pub fn mesh(&self, index: usize) -> Arc<Mesh> {
-        self.muscles.get(index).map(|muscle| Arc::clone(&muscle.mesh)).unwrap_or_default()
+        let made = |muscle: &Muscle| Arc::clone(muscle.mesh.get_or_init(|| muscle.layout.mesh(&muscle.spec.name)));
+        self.muscles.get(index).map(made).unwrap_or_default()
     }
 
     /// Materials of muscle `index`: one a part of its mesh, already in the scene.

@@ -83,6 +83,17 @@ impl Layout {
         self.nodes.saturating_sub(1) * self.steps + 1 + 2 * CAP
     }
 
+    /// Number of vertices of the mesh.
+    pub fn vertices(&self) -> usize {
+        let tendons = self.tendons.iter().filter(|there| **there).count() * TENDON;
+        self.belly_rings().saturating_add(tendons).saturating_mul(RING)
+    }
+
+    /// Number of parts of the mesh: the belly and each tendon.
+    pub fn parts(&self) -> usize {
+        1 + self.tendons.iter().filter(|there| **there).count()
+    }
+
     /// The mesh: topology, texture coordinates and parts; positions are those of [`Layout::deform`] and empty here but for their number.
     pub fn mesh(&self, name: &str) -> Arc<Mesh> {
         let mut mesh = Mesh { name: name.to_owned(), ..Mesh::default() };

@@ -25,6 +25,11 @@ pub enum Loss {
         /// The light's name.
         name: String,
     },
+    /// The muscles have so many vertices that fewer shapes of them are kept than their movement needs.
+    Shapes {
+        /// How many a clip; none = they keep one shape.
+        kept: usize,
+    },
     /// A clip that starts before zero; its times are moved.
     Moved {
         /// The clip's name.
@@ -41,6 +46,7 @@ impl std::fmt::Display for Loss {
             Self::Colours { clip } => tr!("gltf-colours", clip = clip.as_str()),
             Self::Image { name } => tr!("gltf-image", name = name.as_str()),
             Self::AmbientLight { name } => tr!("gltf-ambient", name = name.as_str()),
+            Self::Shapes { kept } => tr!("gltf-shapes", count = *kept),
             Self::Moved { clip, milliseconds } => tr!("gltf-moved", clip = clip.as_str(), milliseconds = *milliseconds),
         })
     }

@@ -10,6 +10,7 @@ use super::materials::Materials;
 use super::surfaces::{Sides, given_shape, primitives};
 use super::takes::{Animation, Take};
 use crate::document::{Document, PoseBuffers, PoseState};
+use crate::limits;
 use crate::scene::{Frame, MuscleId, NodeId, Placement, Surface};
 
 /// Most shapes that one muscle is kept in over a take.
@@ -94,7 +95,14 @@ impl<'a> Muscles<'a> {
         losses: &mut Vec<Loss>,
     ) -> Vec<(usize, Option<NodeId>)> {
         let start = self.at(&self.document.start_state());
-        let keyed: Vec<Vec<(f32, Vec<Shape>)>> = takes.iter().map(|take| self.keys(take, diagonal * ERROR)).collect();
+        // However many muscles and clips there are, all shapes together stay within a bound.
+        let vertices: usize = start.iter().map(|shape| shape.positions.len()).sum();
+        let most = (limits::SHAPE_VERTICES / vertices.max(1) / takes.len().max(1)).min(SHAPES);
+        let mut rough = false;
+        let keyed: Vec<Vec<(f32, Vec<Shape>)>> = takes.iter().map(|take| self.keys(take, diagonal * ERROR, most, &mut rough)).collect();
+        if rough && most < SHAPES {
+            losses.push(Loss::Shapes { kept: if most < 2 { 0 } else { most } });
+        }
         let mut written = Vec::new();
         for (number, place) in self.places.clone().into_iter().enumerate() {
             let Some(surface) = self.frame.surfaces.get(place.surface) else { continue };
@@ -148,9 +156,13 @@ impl<'a> Muscles<'a> {
     }
 
     /// The shapes of all muscles at so many moments of a take that the straight way between them is nowhere off by more than `length`, the worst stretches
-    /// halved first.
-    fn keys(&mut self, take: &Take, length: f32) -> Vec<(f32, Vec<Shape>)> {
+    /// halved first; no more than `most` moments, and none where that is less than the two ends. `rough` where that was too few.
+    fn keys(&mut self, take: &Take, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<Shape>)> {
         if self.places.is_empty() {
+            return Vec::new();
+        }
+        if most < 2 {
+            *rough = true;
             return Vec::new();
         }
         let document = self.document;
@@ -164,9 +176,13 @@ impl<'a> Muscles<'a> {
         if keys.len() == 2 {
             open.push(self.stretch(take, &keys, 0, 1));
         }
-        while keys.len() < SHAPES {
+        loop {
             let worst = (0..open.len()).max_by(|a, b| open[*a].off.total_cmp(&open[*b].off));
             let Some(worst) = worst.filter(|worst| open[*worst].off > length) else { break };
+            if keys.len() >= most {
+                *rough = true;
+                break;
+            }
             let Stretch { from, to, middle, .. } = open.swap_remove(worst);
             if middle.0.written <= keys[from].0.written || middle.0.written >= keys[to].0.written {
                 continue;

@@ -2,9 +2,11 @@
 
 use glam::DVec3;
 
+use crate::limits;
 use crate::muscle::arm::Arm;
 use crate::muscle::poses::Pose;
 use crate::muscle::profile::{Profile, ProfileError};
+use crate::muscle::surface::Layout;
 
 /// Which of the two forms a file is written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,6 +33,18 @@ pub struct MuscleFile {
     pub joint: Option<JointSpec>,
     /// The muscles.
     pub muscles: Vec<MuscleSpec>,
+}
+
+impl MuscleFile {
+    /// Number of vertices that the surfaces of its muscles have together; known before any is made.
+    pub fn vertices(&self) -> usize {
+        self.muscles.iter().map(MuscleSpec::vertices).fold(0, usize::saturating_add)
+    }
+
+    /// Whether the surfaces of all muscles of these files together stay below [`limits::MUSCLE_VERTICES`].
+    pub fn can_be_drawn<'a>(files: impl IntoIterator<Item = &'a Self>) -> bool {
+        files.into_iter().map(Self::vertices).fold(0, usize::saturating_add) <= limits::MUSCLE_VERTICES
+    }
 }
 
 impl Default for MuscleFile {
@@ -76,6 +90,11 @@ pub struct MuscleSpec {
 }
 
 impl MuscleSpec {
+    /// Number of vertices of its surface.
+    pub fn vertices(&self) -> usize {
+        Layout::new(self.profile.radii().len(), &self.tendons).vertices()
+    }
+
     /// A muscle of this shape, attached to nothing.
     pub fn new(profile: Profile) -> Self {
         Self {
