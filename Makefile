@@ -76,7 +76,7 @@ bench: build
 	@python3 benches/peers/f3d.py $(BINARY) $(SCENES)
 
 # Throws altered files at the readers, each target for so many minutes; the corpus grows from run to run. What is found lies in tests/fuzz/artifacts.
-FUZZ_TARGETS ?= collada muscles render
+FUZZ_TARGETS ?= collada muscles render sessions settings
 FUZZ_MINUTES ?= 30
 FUZZ_OPTIONS ?= -timeout=25 -rss_limit_mb=1024 -max_len=24576
 CORPUS := tests/fuzz/target/corpus
@@ -84,10 +84,13 @@ fuzz:
 	@$(CARGO) fuzz --version >/dev/null 2>&1 || { echo "Fuzzing needs cargo-fuzz: cargo install cargo-fuzz --locked"; exit 1; }
 	@mkdir -p $(CORPUS)/collada && cp configs/*.dae tests/fuzz/seeds/collada/* $(CORPUS)/collada
 	@mkdir -p $(CORPUS)/muscles && cp configs/*.yaml tests/fuzz/seeds/muscles/* $(CORPUS)/muscles
+	@mkdir -p $(CORPUS)/sessions && cp tests/fuzz/seeds/sessions/* $(CORPUS)/sessions
+	@mkdir -p $(CORPUS)/settings && cp tests/fuzz/seeds/settings/* $(CORPUS)/settings
 	@for target in $(FUZZ_TARGETS); do \
+	    case $$target in sessions|settings) words=yaml ;; *) words=collada ;; esac; \
 	    mkdir -p $(CORPUS)/$$target && \
 	    $(CARGO) fuzz run -s none --fuzz-dir tests/fuzz $$target $(CORPUS)/$$target -- \
-	        -dict=tests/fuzz/collada.dict -max_total_time=$$(( $(FUZZ_MINUTES) * 60 )) $(FUZZ_OPTIONS) || exit 1; \
+	        -dict=tests/fuzz/$$words.dict -max_total_time=$$(( $(FUZZ_MINUTES) * 60 )) $(FUZZ_OPTIONS) || exit 1; \
 	done
 
 # Built beforehand as oneself, installed as root: `make build && sudo make install`.
