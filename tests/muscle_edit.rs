@@ -158,7 +158,8 @@ proptest! {
             match limit.cause {
                 LimitCause::Radius(node) => prop_assert!(solved.radii[node] < 1e-4 * radii[node], "{limit:?} {:?}", solved.radii),
                 LimitCause::Discriminant => prop_assert!(solved.discriminant <= 1e-9 * solved.quadratic[1].powi(2) + 1e-9),
-                LimitCause::Reach => prop_assert!(limit.length <= length / 100.0 * 1.000001 || limit.length >= length * 99.9999),
+                LimitCause::Shortest => prop_assert!((limit.length / length - 0.4).abs() < 1e-12),
+                LimitCause::Reach => prop_assert!(limit.length >= length * 99.9999),
             }
         }
     }

@@ -82,7 +82,8 @@ fn complete() -> [Value; 3] {
             "via": [{"bone": "upper arm", "offset": [3.0, -15.0, 0.0]}],
             "wrap": {"bone": "upper arm", "offset": [0.0, -33.0, 0.0], "radius": 1.5, "side": [1.0, 0.0, 0.0]},
             "tendons": {"origin": {"length": 2.0, "radius": 0.3}, "insertion": {"length": 4.0, "radius": 0.3}}}]}),
-        json!({"unit": 0.5, "clip": "clip.dae", "joint": {"bone": "b", "axis": [1.0, 0.0, 0.0], "range": [-10.0, 90.0]}, "muscles": [
+        json!({"unit": 0.5, "clip": "clip.dae", "scale": "with bones",
+            "joint": {"bone": "b", "axis": [1.0, 0.0, 0.0], "range": [-10.0, 90.0]}, "muscles": [
             {"length": 25.0, "poses": [{"angle": 0.0, "radii": [1.0, 2.0]}, {"angle": 60.0, "radii": [1.5, 2.0]}]},
             {"length": 25.0, "poses": [{"length": 20.0, "radii": [1.0, 2.0]}, {"length": 30.0, "radii": [1.5, 2.0]}]}]}),
     ]
@@ -104,6 +105,7 @@ fn changed(file: &Value, place: &str) -> Vec<Value> {
         json!(true),
         json!("x"),
         json!("mm"),
+        json!("with bones"),
         json!("#12345"),
         json!(-1.0),
         json!(0.0),

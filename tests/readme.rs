@@ -51,6 +51,12 @@ fn every_finding_is_explained() {
         "muscle-ends-coincide",
         "muscle-shorter-than-tendons",
         "muscle-poses-not-placed",
+        "muscle-too-short",
+        "muscle-wrap-inert",
+        "moment-arm-changes-sign",
+        "muscle-path-jumps",
+        "muscle-through-bone",
+        "muscle-too-thick",
     ];
     let codes = sinew::collada::codes::ALL.iter().map(|(code, _)| *code).chain(others);
     let codes: Vec<&str> = codes.collect();

@@ -358,8 +358,8 @@ impl MusclePanel {
         let Some((rig, index)) = document.muscle(id) else { return };
         let mut solved = self.solved.borrow_mut();
         rig.solve_into(index, drive, &frame.world, &mut solved);
-        let (Some(spec), Some(ledger)) = (rig.spec(index), rig.ledger(index, &solved, &document.scene, &frame.world)) else { return };
-        let profile = &spec.profile;
+        let (Some(spec), Some(profile)) = (rig.spec(index), rig.profile(index)) else { return };
+        let Some(ledger) = rig.ledger(index, &solved, &document.scene, &frame.world) else { return };
         let unit = Unit::of_rig(document, rig);
         let length = |value: f64, digits| format::with_unit(value, digits, &unit.length);
         let volume = |value: f64| format::with_unit(value * unit.volume_factor, 3, &unit.volume);
@@ -394,12 +394,13 @@ impl MusclePanel {
             format::significant(c.abs(), 5)
         ));
         self.profile.show(Shape {
-            rest: profile.radii().to_vec(),
-            rest_length: profile.rest_length(),
-            now: solved.radii.clone(),
-            length: solved.length,
+            // In the numbers of the file, which a drag changes.
+            rest: spec.profile.radii().to_vec(),
+            rest_length: spec.profile.rest_length(),
+            now: solved.radii.iter().map(|radius| radius / rig.scale(index)).collect(),
+            length: solved.length / rig.scale(index),
             unit: unit.length.clone(),
-            growth: profile.growth().to_vec(),
+            growth: spec.profile.growth().to_vec(),
         });
         part::<gtk::Label>(&self.builder, "limits").set_text(&limits(&ledger, &unit.length));
         part::<gtk::Label>(&self.builder, "root_why").set_text(&tr!(match ledger.taken {
@@ -456,6 +457,7 @@ fn limits(ledger: &Ledger, unit: &str) -> String {
         LimitCause::Discriminant => tr!("app-limit-discriminant"),
         LimitCause::Radius(node) => tr!("app-limit-radius", node = node + 1),
         LimitCause::Reach => tr!("app-limit-reach"),
+        LimitCause::Shortest => tr!("app-limit-shortest"),
     };
     let [short, long] = ledger.limits.map(|limit| (format::with_unit(limit.length, 1, unit), cause(limit.cause)));
     tr!("app-limits", short = short.0, short_cause = short.1, long = long.0, long_cause = long.1)

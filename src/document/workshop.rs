@@ -5,12 +5,20 @@
 
 use std::path::{Path, PathBuf};
 
+use glam::DMat4;
+
 use super::beside::Beside;
-use super::{Document, Source, SourceKind};
+use super::{Document, PoseBuffers, Source, SourceKind};
+use crate::animation::Pose;
 use crate::health::Finding;
 use crate::muscle::{MuscleFile, Rig};
 use crate::scene::{Bounds, MuscleId, TransformOp};
 use crate::tr;
+
+/// Moments of a clip at which muscles on its bones are looked at, the first clips alone, and the most nodes posed for that at all moments of one.
+const MOMENTS: usize = 32;
+const CLIPS: usize = 2;
+const MOMENT_NODES: usize = 40_000;
 
 /// Lengths of the scene's lists without muscles.
 #[derive(Debug, Clone, Copy, Default)]
@@ -52,13 +60,36 @@ impl Document {
             first.0 += rig.len() as u32;
             source.root = rig.root;
         }
+        let moments = self.moments();
         for source in &mut self.sources {
             let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
             rig.attach_moving(&self.scene, &self.clips);
+            rig.look_over(&moments);
             self.health.retain(|finding| finding.file != source.name || !finding.code.starts_with("muscle-"));
             self.health.extend(rig.findings().iter().cloned().map(|finding| Finding { file: source.name.clone(), ..finding }));
         }
         self.touch();
+    }
+
+    /// The nodes at some moments of the clips, for muscles on bones to be looked at; none where there are no such muscles.
+    fn moments(&self) -> Vec<(f64, Vec<DMat4>)> {
+        if self.muscle_files().all(|file| file.arm.is_some()) {
+            return Vec::new();
+        }
+        let (mut pose, mut local, mut moments) = (Pose::rest(&self.scene), Vec::new(), Vec::new());
+        let count = (MOMENT_NODES / self.scene.graph.len().max(1)).clamp(2, MOMENTS);
+        for clip in self.clips.iter().filter(|clip| clip.duration() > 0.0).take(CLIPS) {
+            for moment in 0..count {
+                let time = clip.start + clip.duration() * moment as f64 / (count - 1) as f64;
+                pose.reset(&self.scene);
+                clip.sample(time, &mut pose);
+                pose.locals(&mut local);
+                let mut world = Vec::new();
+                self.scene.graph.world_from_local(&local, &mut world);
+                moments.push((time, world));
+            }
+        }
+        moments
     }
 
     /// The muscle files, in the order of their sources.

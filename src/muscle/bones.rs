@@ -56,7 +56,7 @@ impl Rig {
     /// The frame of a bone as offsets have it: from the file's root, in its unit, axes of length 1. `world` is one matrix a node.
     fn bone_frame(&self, node: NodeId, world: &[DMat4]) -> DMat4 {
         let frames = self.frames(world);
-        super::rig::WorldFrames { from_world: frames.from_world, world, bones: &[node] }.frame(0)
+        super::rig::WorldFrames { bones: &[node], ..frames }.frame(0)
     }
 
     /// A point of the world (metres) as a place on the bone `node`, to the hundredth of a millimetre; `None` where the file has no name for that

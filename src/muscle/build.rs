@@ -9,10 +9,11 @@ use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
 use super::drive::Span;
 use super::hinge::Hinge;
 use super::joint::{FoundBy, Joint};
-use super::line::{Drawn, Frames, Line, Point, Pulley};
+use super::line::{Drawn, Line, Point};
 use super::rig::{Muscle, Rig};
 use super::surface::Layout;
-use super::{Solved, clearance, materials, rods};
+use super::wrap::Pulley;
+use super::{clearance, materials, rods, scaling};
 use crate::animation::Clip;
 use crate::health::Finding;
 use crate::scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
@@ -20,8 +21,6 @@ use crate::{i18n, tr};
 
 /// Radius of the arcs at via points over the muscle's thickest radius.
 const ROUNDING: f64 = 1.25;
-/// Steps over a joint's range at which muscles are looked at for trouble.
-const ANGLES: u32 = 12;
 
 impl Rig {
     /// Adds the file's nodes, rods and muscles to `scene`; its muscles get the ids from `first` on. Muscles on bones of a clip lie on their own until
@@ -32,7 +31,7 @@ impl Rig {
         node.kind = NodeKind::Asset;
         node.transform = Transform { ops: vec![TransformOp::Scale(DVec3::splat(unit))] };
         let root = scene.graph.add(None, node);
-        let mut rig = Self { root: Some(root), joint: file.joint.clone(), ..Self::default() };
+        let mut rig = Self { root: Some(root), joint: file.joint.clone(), unit, scaled_at: file.scale, ..Self::default() };
         if let Some(arm) = file.arm {
             let nodes = arm.build(scene, root);
             rig.bones = vec![nodes.upper, nodes.elbow];
@@ -71,7 +70,7 @@ impl Rig {
         }
         rig.place_poses();
         rig.settle_on_arm(scene, tendon);
-        rig.look_for_trouble();
+        rig.look_for_trouble(&scene.graph);
         rig
     }
 
@@ -91,7 +90,10 @@ impl Rig {
         self.findings.clear();
         self.bones.clear();
         let mut names: Vec<String> = Vec::new();
-        let (bones, root) = (&mut self.bones, self.root);
+        let mut rest = Vec::new();
+        scene.graph.world_from_local(&scene.graph.rest_locals(), &mut rest);
+        self.ride = self.scaled_at.map(|at| scaling::ride(&scene.graph, self.unit, at));
+        let (bones, root, scaled_at) = (&mut self.bones, self.root, self.scaled_at);
         for muscle in &mut self.muscles {
             let find = |bone: &str| {
                 if let Some(known) = names.iter().position(|name| name == bone) {
@@ -102,8 +104,15 @@ impl Rig {
                 Some(bones.len() - 1)
             };
             match resolve(&muscle.spec, find) {
-                Ok(line) => muscle.line = line,
+                Ok(line) => {
+                    // It is as large as the bone that it comes from.
+                    let origin = line.as_ref().and_then(|line| bones.get(line.origin.bone));
+                    let scale = scaled_at.zip(origin).map_or(1.0, |(at, bone)| scaling::of_bone(&scene.graph, &rest, *bone) / at);
+                    muscle.rescale(scale);
+                    muscle.line = line.map(|line| line.scaled(muscle.scale));
+                }
                 Err(bone) => {
+                    muscle.rescale(1.0);
                     muscle.line = None;
                     let message = tr!("muscle-bone-not-found", bone = bone);
                     self.findings.push(Finding::warning("muscle-bone-not-found", None, muscle.spec.name.clone(), message));
@@ -113,7 +122,7 @@ impl Rig {
         self.turning = self.joint_in(scene, clips);
         self.hinge = self.turning.as_ref().map(|joint| self.hinge_in(scene, joint));
         self.place_poses();
-        self.look_for_trouble();
+        self.look_for_trouble(&scene.graph);
         self.findings.clone()
     }
 
@@ -154,12 +163,12 @@ impl Rig {
     pub(super) fn hinge_of(&self, joint: &Joint, scene: &Scene, world: &[DMat4]) -> Hinge {
         let below = scene.graph.subtree(joint.node);
         let frames = self.frames(world);
-        let bones = self.bones.iter().enumerate().map(|(index, node)| (frames.frame(index), below.contains(node))).collect();
-        let parent = scene.graph.node(joint.node).parent();
-        let of = |node: NodeId| super::rig::WorldFrames { from_world: frames.from_world, world, bones: &[node] }.frame(0);
-        let above = parent.map_or(frames.from_world, of);
-        let axis = above.transform_vector3(joint.axis).normalize_or(DVec3::Z);
-        Hinge { pivot: of(joint.node).w_axis.truncate(), axis, bones, at_rest: joint.at_rest, range: joint.range }
+        let bone = |(index, node): (usize, &NodeId)| frames.bone(index, below.contains(node));
+        let bones = self.bones.iter().enumerate().map(bone).collect();
+        let of = |node: NodeId| world.get(node.index()).map_or(frames.from_world, |world| frames.from_world * *world);
+        let above = scene.graph.node(joint.node).parent().map_or(frames.from_world, of);
+        let pivot = above.inverse().transform_point3(of(joint.node).w_axis.truncate());
+        Hinge { at_rest: joint.at_rest, range: joint.range, ..Hinge::new(above, pivot, joint.axis, bones) }
     }
 
     /// On the arm: finds drawn ends and the range of the elbow, once all muscles are there, and roots the ends in the rods.
@@ -170,7 +179,7 @@ impl Rig {
         for (index, muscle) in self.muscles.iter_mut().enumerate() {
             let fixed = muscle.fixed();
             let Some(line) = &mut muscle.line else { continue };
-            let fit = clearance::fit(&arm, line, &muscle.spec.profile, &muscle.spec.tendons, asked);
+            let fit = clearance::fit(&arm, line, &muscle.shape, &muscle.tendons, asked);
             if line.via.is_empty() {
                 line.drawn = Some(fit.drawn);
                 add_roots(scene, &arm, &nodes, &muscle.spec, &fit.drawn, tendon);
@@ -179,7 +188,7 @@ impl Rig {
                 if arm.flexion.is_none() {
                     range[1] = range[1].min(fit.flexion);
                 }
-                let valid = muscle.spec.profile.length_range();
+                let valid = muscle.shape.length_range();
                 range = super::drive::valid_part(range, |angle| valid.contains(&(line.length(&hinge.at(angle)) - fixed)));
             }
         }
@@ -192,10 +201,11 @@ impl Rig {
         let hinge = &self.hinge;
         for muscle in self.muscles.iter_mut().filter(|muscle| muscle.spec.poses.iter().any(|pose| matches!(pose.at, PoseAt::Angle(_)))) {
             let found = hinge.as_ref().zip(muscle.line.as_ref());
-            let length_at = |angle: f64| found.map(|(hinge, line)| line.length(&hinge.at(angle)) - muscle.fixed());
+            let length_at = |angle: f64| found.map(|(hinge, line)| (line.length(&hinge.at(angle)) - muscle.fixed()) / muscle.scale);
             let message = match MuscleSpec::posed(&muscle.spec.poses, muscle.spec.profile.rest_length(), length_at) {
                 Ok(profile) => {
                     let whole = profile.is_posed();
+                    muscle.shape = profile.scaled(muscle.scale);
                     muscle.spec.profile = profile;
                     if whole {
                         continue;
@@ -207,62 +217,15 @@ impl Rig {
             self.findings.push(Finding::warning("muscle-poses-not-placed", None, muscle.spec.name.clone(), message));
         }
     }
-
-    fn look_for_trouble(&mut self) {
-        self.look_for_short_paths();
-        self.look_for_tight_bends();
-    }
-
-    /// Reports muscles whose ends coincide, and such whose tendons leave no room for a belly where the joint bends them shortest.
-    fn look_for_short_paths(&mut self) {
-        let Some(hinge) = &self.hinge else { return };
-        for muscle in &self.muscles {
-            let Some(line) = &muscle.line else { continue };
-            let angles = (0..=ANGLES).map(|step| hinge.range[0] + (hinge.range[1] - hinge.range[0]) * f64::from(step) / f64::from(ANGLES));
-            let shortest = angles.map(|angle| line.length(&hinge.at(angle))).fold(f64::INFINITY, f64::min);
-            let (code, message) = if shortest <= 1e-9 * muscle.spec.profile.rest_length() {
-                ("muscle-ends-coincide", tr!("muscle-ends-coincide"))
-            } else if shortest <= muscle.fixed() {
-                ("muscle-shorter-than-tendons", tr!("muscle-shorter-than-tendons"))
-            } else {
-                continue;
-            };
-            self.findings.push(Finding::warning(code, None, muscle.spec.name.clone(), message));
-        }
-    }
-
-    /// Reports muscles whose belly is bent tighter than it is thick at some angle: there the surface would fold into itself.
-    fn look_for_tight_bends(&mut self) {
-        let Some(hinge) = &self.hinge else { return };
-        let mut solved = Solved::default();
-        for muscle in &self.muscles {
-            let Some(line) = &muscle.line else { continue };
-            let worst = (0..=ANGLES).map(|step| {
-                let angle = hinge.range[0] + (hinge.range[1] - hinge.range[0]) * f64::from(step) / f64::from(ANGLES);
-                let frames = hinge.at(angle);
-                muscle.spec.profile.solve_into(line.length(&frames) - muscle.fixed(), &mut solved);
-                let path = line.lay(&frames, solved.length + muscle.fixed());
-                let spacing = solved.length / solved.radii.len().saturating_sub(1).max(1) as f64;
-                let start = muscle.spec.tendons[0].length;
-                let bend = |(node, pair): (usize, &[f64])| {
-                    let from = start + node as f64 * spacing;
-                    path.sharpest(from, from + spacing) * pair.iter().copied().fold(0.0, f64::max)
-                };
-                solved.radii.windows(2).enumerate().map(bend).fold(0.0, f64::max)
-            });
-            if worst.fold(0.0, f64::max) > 1.0 {
-                let message = tr!("muscle-bent-too-tight");
-                self.findings.push(Finding::warning("muscle-bent-too-tight", None, muscle.spec.name.clone(), message));
-            }
-        }
-    }
 }
 
 fn new_muscle(spec: MuscleSpec, scene: &mut Scene, tendon: MaterialId, free_middle: DVec3) -> Muscle {
     let layout = Layout::new(spec.profile.radii().len(), &spec.tendons);
     let flesh = materials::muscle(scene, &spec.name, spec.color);
     let material = |part| Some(MaterialBinding::plain(if part == 0 { flesh } else { tendon }));
-    Muscle { materials: (0..layout.parts()).map(material).collect(), spec, line: None, layout, mesh: OnceLock::new(), free_middle }
+    let (shape, tendons) = (spec.profile.clone(), spec.tendons);
+    let materials = (0..layout.parts()).map(material).collect();
+    Muscle { materials, spec, scale: 1.0, shape, tendons, line: None, layout, mesh: OnceLock::new(), free_middle }
 }
 
 /// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.

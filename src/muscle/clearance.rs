@@ -130,7 +130,7 @@ fn radius_along(solved: &Solved, tendons: &[Tendon; 2], at: f64) -> f64 {
 }
 
 /// Radius at a share of the length between the nodes.
-fn radius_at(radii: &[f64], share: f64) -> f64 {
+pub(super) fn radius_at(radii: &[f64], share: f64) -> f64 {
     let place = share.clamp(0.0, 1.0) * radii.len().saturating_sub(1) as f64;
     let node = (place as usize).min(radii.len().saturating_sub(2));
     let (a, b) = (radii.get(node).copied().unwrap_or(0.0), radii.get(node + 1).copied().unwrap_or(0.0));

@@ -1,9 +1,10 @@
 //! Contraction and elbow angle: one state seen two ways, each the exact inverse of the other.
 
 use super::Drive;
+use super::profile::SHORTEST;
 
 /// Longest and shortest length of a muscle that no arm drives, as shares of its length at rest.
-pub const FREE: [f64; 2] = [2.5, 0.4];
+pub const FREE: [f64; 2] = [2.5, SHORTEST];
 
 /// How an arm drives its first muscle: angles and the lengths at both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]

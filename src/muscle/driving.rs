@@ -32,7 +32,7 @@ impl Rig {
         let lengths =
             (0..=8).map(|step| line.length(&hinge.at(joint.range[0] + (joint.range[1] - joint.range[0]) * f64::from(step) / 8.0)));
         let (least, most) = lengths.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), length| (least.min(length), most.max(length)));
-        if most - least <= NONE * muscle.spec.profile.rest_length() {
+        if most - least <= NONE * muscle.shape.rest_length() {
             return None;
         }
         let span = Span::new(joint.range, |angle| line.length(&hinge.at(angle)));

@@ -6,10 +6,10 @@ use super::arm::UPPER_ARM;
 use super::build::resolve;
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 use super::joint::Joint;
-use super::line::Line;
+use super::line::{Frames, Line};
 use super::profile::{Profile, ProfileError};
 use super::rig::{Rig, WorldFrames};
-use crate::scene::{NodeId, Scene};
+use crate::scene::{Graph, NodeId, Scene};
 
 impl MuscleSpec {
     /// The same muscle with all lengths multiplied by `scale`, resting at `length`; attached to nothing.
@@ -59,6 +59,9 @@ pub(super) fn neat(value: f64) -> f64 {
     (value * step).round() / step
 }
 
+/// How far from the middle of its ball a line passes at least, as a share of the radius.
+const BESIDE: f64 = 0.02;
+
 /// Sine of the angle between a joint's axis and a bone below which the joint turns that bone about itself: two degrees.
 const TWISTS: f64 = 0.035;
 
@@ -75,6 +78,15 @@ impl Joint {
         };
         along(above, node) == Some(true) || along(node, below) == Some(true)
     }
+}
+
+/// Where the middle of a ball goes that a line between these ends goes round on one side: `center`, or so far behind it that the line, which offsets as a
+/// file has them round to one side or the other, does not pass through the middle itself.
+pub(super) fn beside(center: DVec3, ends: [DVec3; 2], side: DVec3, radius: f64) -> DVec3 {
+    let Some(along) = (ends[1] - ends[0]).try_normalize() else { return center };
+    let off = (ends[0] - center).reject_from_normalized(along).dot(side);
+    let least = BESIDE * radius;
+    if off.abs() < least { center - side * (least - off) } else { center }
 }
 
 /// Two limbs that meet in a joint, with the joint straight.
@@ -101,7 +113,8 @@ impl Limbs {
         if [upper, lower].iter().any(|along| axis.cross(*along).length() <= along.length() * TWISTS) {
             return None;
         }
-        let front = axis.cross(lower);
+        // Where the lower limb turns to is asked in the joint's own axes: in the world they may be mirrored.
+        let front = parent.transform_vector3(joint.axis.cross(parent.inverse().transform_vector3(lower)));
         let across = |along: DVec3| (front - along * (front.dot(along) / along.length_squared())).try_normalize();
         let front = [across(upper)?, across(lower)?];
         Some(Self { nodes: [above, node], starts: [shoulder, elbow], along: [upper, lower], front, axis })
@@ -109,6 +122,12 @@ impl Limbs {
 }
 
 impl Rig {
+    /// By what a muscle from the bone `node` is multiplied.
+    fn scale_on(&self, graph: &Graph, node: NodeId, world: &[DMat4]) -> f64 {
+        let scale = self.scaled_at.map_or(1.0, |at| super::scaling::of_bone(graph, world, node) / at);
+        if scale > 0.0 && scale.is_finite() { scale } else { 1.0 }
+    }
+
     /// The muscle `spec` of the arm of `ready` on the two limbs that meet in `joint`, in this rig's unit; `world` is the scene with that joint straight.
     /// `None` where there are no two limbs, this file has no names for them, or `ready` has no arm.
     pub fn fitted(&self, spec: &MuscleSpec, ready: &MuscleFile, joint: &Joint, scene: &Scene, world: &[DMat4]) -> Option<MuscleSpec> {
@@ -117,14 +136,15 @@ impl Rig {
         // Metres a unit of the ready file, along each limb and across both.
         let along = [limbs.along[0].length() / arm.upper, limbs.along[1].length() / arm.lower];
         let across = along[0];
-        let anchor = |anchor: &Anchor| {
+        let place = |anchor: &Anchor| {
             let limb = usize::from(anchor.bone != UPPER_ARM);
-            let place = limbs.starts[limb] - limbs.along[limb].normalize() * (anchor.offset.y * along[limb])
+            limbs.starts[limb] - limbs.along[limb].normalize() * (anchor.offset.y * along[limb])
                 + limbs.front[limb] * (anchor.offset.x * across)
-                + limbs.axis * (anchor.offset.z * across);
-            self.anchor_at(&scene.graph, limbs.nodes[limb], place, world)
+                + limbs.axis * (anchor.offset.z * across)
         };
-        let scale = across * self.per_metre(world);
+        let anchor =
+            |anchor: &Anchor| self.anchor_at(&scene.graph, limbs.nodes[usize::from(anchor.bone != UPPER_ARM)], place(anchor), world);
+        let scale = across * self.per_metre(world) / self.scale_on(&scene.graph, limbs.nodes[0], world);
         let mut fitted = spec.scaled(scale, spec.profile.rest_length() * scale).ok()?;
         fitted.origin = Some(anchor(spec.origin.as_ref()?)?);
         fitted.insertion = Some(anchor(spec.insertion.as_ref()?)?);
@@ -133,17 +153,25 @@ impl Rig {
             let limb = usize::from(wrap.center.bone != UPPER_ARM);
             let side = limbs.front[limb] * wrap.side.x - limbs.along[limb].normalize() * wrap.side.y + limbs.axis * wrap.side.z;
             let side = self.direction_on(limbs.nodes[limb], side, world);
-            fitted.wrap = Some(Wrap { center: anchor(&wrap.center)?, radius: neat(wrap.radius * scale), side });
+            let radius = wrap.radius * along[0];
+            let ends = [place(spec.origin.as_ref()?), place(spec.insertion.as_ref()?)];
+            let out = self
+                .root_matrix(world)
+                .transform_vector3(WorldFrames { bones: &limbs.nodes, ..self.frames(world) }.frame(limb).transform_vector3(side));
+            let center = beside(place(&wrap.center), ends, out.normalize_or_zero(), radius);
+            let center = self.anchor_at(&scene.graph, limbs.nodes[limb], center, world)?;
+            fitted.wrap = Some(Wrap { center, radius: neat(wrap.radius * scale), side });
         }
         self.rested(fitted, &scene.graph, &limbs.nodes, world)
     }
 
     /// The muscle with the length that it has in this pose as its rest length, its thickness kept.
-    fn rested(&self, spec: MuscleSpec, graph: &crate::scene::Graph, nodes: &[NodeId], world: &[DMat4]) -> Option<MuscleSpec> {
+    fn rested(&self, spec: MuscleSpec, graph: &Graph, nodes: &[NodeId], world: &[DMat4]) -> Option<MuscleSpec> {
         let names: Vec<Option<String>> = nodes.iter().map(|node| self.bone_name(graph, *node)).collect();
         let line: Line = resolve(&spec, |bone| names.iter().position(|name| name.as_deref() == Some(bone))).ok()??;
         let frames = self.frames(world);
-        let length = line.length(&WorldFrames { from_world: frames.from_world, world, bones: nodes }) - spec.tendon_length();
+        let scale = nodes.first().map_or(1.0, |node| self.scale_on(graph, *node, world));
+        let length = line.scaled(scale).length(&WorldFrames { bones: nodes, ..frames }) / scale - spec.tendon_length();
         let profile = &spec.profile;
         let length = if length > 0.0 { neat(length) } else { profile.rest_length() };
         let profile = if spec.poses.is_empty() {

@@ -1,37 +1,76 @@
-//! The joint that measurements turn: the arm's elbow, or any joint of a clip's skeleton at its rest pose.
+//! The joint that measurements turn: the arm's elbow, or any joint of a clip's skeleton.
+//!
+//! What turns is the joint's own matrix, in the axes of the node above it. Where that node is mirrored, scaled unevenly or sheared, the bones below move
+//! as the picture shows them, which is no rotation in the world; so the real pose is turned here, not a copy of it.
 
-use glam::{DAffine3, DMat4, DQuat, DVec3};
+use glam::{DMat3, DMat4, DQuat, DVec3};
 
 use super::arm::{AXIS, Arm};
 use super::line::Frames;
 
-/// A joint with one axis, and what it moves. Everything is seen from the rig's root, in the file's unit.
+/// A joint with one axis, and what it moves. Everything is seen from the rig's root, in the file's unit, unless it says otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hinge {
-    /// A point of the axis.
+    /// The node above the joint.
+    pub above: DMat4,
+    /// The way back into it; `None` where it is flat, and nothing can be turned in it.
+    pub back: Option<DMat4>,
+    /// A point of the axis, in the axes of the node above.
     pub pivot: DVec3,
-    /// Direction of the axis, of length 1; the angle turns right-handed about it.
+    /// Direction of the axis there, of length 1; the angle turns right-handed about it.
     pub axis: DVec3,
-    /// Each bone's frame at rest, and whether the joint moves it.
-    pub bones: Vec<(DMat4, bool)>,
-    /// The angle at rest, degrees.
+    /// The bones in the pose in which the joint has the angle `at_rest`.
+    pub bones: Vec<Bone>,
+    /// That angle, degrees.
     pub at_rest: f64,
     /// Least and greatest angle, degrees.
     pub range: [f64; 2],
 }
 
+/// A bone of a [`Hinge`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bone {
+    /// Its matrix as the pose has it.
+    pub matrix: DMat4,
+    /// Whether the joint moves it.
+    pub moves: bool,
+    /// Whether offsets on it are along its axes in the file's unit; else they are scaled with it.
+    pub plain: bool,
+}
+
 impl Hinge {
+    /// A joint at `pivot` with this axis, both in the axes of the node above it, whose matrix is `above`.
+    pub fn new(above: DMat4, pivot: DVec3, axis: DVec3, bones: Vec<Bone>) -> Self {
+        let back = Some(above.inverse()).filter(|back| back.is_finite() && above.determinant().abs() > f64::MIN_POSITIVE);
+        Self { above, back, pivot, axis, bones, at_rest: 0.0, range: [0.0, 0.0] }
+    }
+
     /// The elbow of an arm; bone 0 is the upper rod, bone 1 the forearm.
     pub fn elbow(arm: &Arm, range: [f64; 2]) -> Self {
         let [upper, forearm] = arm.frames(0.0);
-        Self { pivot: arm.elbow(), axis: AXIS, bones: vec![(upper, false), (forearm, true)], at_rest: 0.0, range }
+        let bone = |matrix, moves| Bone { matrix, moves, plain: true };
+        Self { range, ..Self::new(DMat4::IDENTITY, arm.elbow(), AXIS, vec![bone(upper, false), bone(forearm, true)]) }
+    }
+
+    /// Where the tip of a vector that is fixed below the joint moves to as the angle rises.
+    pub fn bends(&self, vector: DVec3) -> DVec3 {
+        self.back.map_or(DVec3::ZERO, |back| self.above.transform_vector3(self.axis.cross(back.transform_vector3(vector))))
     }
 
     /// The bones with the joint at this angle.
     pub fn at(&self, degrees: f64) -> Turned<'_> {
-        let turn = DAffine3::from_quat(DQuat::from_axis_angle(self.axis, (degrees - self.at_rest).to_radians()));
-        let turn = DAffine3::from_translation(self.pivot) * turn * DAffine3::from_translation(-self.pivot);
-        Turned { hinge: self, turn: DMat4::from(turn) }
+        let Some(back) = self.back else { return Turned { hinge: self, turn: DMat4::IDENTITY, rate: DMat4::ZERO } };
+        let turn = DMat3::from_quat(DQuat::from_axis_angle(self.axis, (degrees - self.at_rest).to_radians()));
+        let [x, y, z] = [turn.x_axis, turn.y_axis, turn.z_axis].map(|column| self.axis.cross(column));
+        let about = |linear: DMat3, still: DVec3| {
+            let mut matrix = DMat4::from_mat3(linear);
+            matrix.w_axis = (still - linear * self.pivot).extend(1.0);
+            matrix
+        };
+        // A rate has no place of its own: where the turn has a 1 in the corner, it has a 0.
+        let mut rate = about(DMat3::from_cols(x, y, z), DVec3::ZERO);
+        rate.w_axis.w = 0.0;
+        Turned { hinge: self, turn: self.above * about(turn, self.pivot) * back, rate: self.above * rate * back }
     }
 }
 
@@ -40,14 +79,40 @@ impl Hinge {
 pub struct Turned<'a> {
     hinge: &'a Hinge,
     turn: DMat4,
+    /// Its change a radian; the last row is zero.
+    rate: DMat4,
+}
+
+impl Turned<'_> {
+    /// The change of [`Frames::frame`] a radian; a matrix whose last row is zero.
+    pub fn rate(&self, index: usize) -> DMat4 {
+        let Some(bone) = self.hinge.bones.get(index).filter(|bone| bone.moves) else { return DMat4::ZERO };
+        let (mut frame, mut rate) = (self.turn * bone.matrix, self.rate * bone.matrix);
+        rate.w_axis.w = 0.0;
+        if bone.plain {
+            let axes = [&mut frame.x_axis, &mut frame.y_axis, &mut frame.z_axis];
+            for (axis, rate) in axes.into_iter().zip([&mut rate.x_axis, &mut rate.y_axis, &mut rate.z_axis]) {
+                // An axis that is kept at length 1 only turns.
+                let (long, along) = (axis.length(), axis.normalize_or_zero());
+                *rate = if long > 0.0 { (*rate - along * along.dot(*rate)) / long } else { glam::DVec4::ZERO };
+            }
+        }
+        rate
+    }
 }
 
 impl Frames for Turned<'_> {
     fn frame(&self, index: usize) -> DMat4 {
-        match self.hinge.bones.get(index) {
-            Some((frame, true)) => self.turn * *frame,
-            Some((frame, false)) => *frame,
-            None => DMat4::IDENTITY,
-        }
+        let Some(bone) = self.hinge.bones.get(index) else { return DMat4::IDENTITY };
+        let frame = if bone.moves { self.turn * bone.matrix } else { bone.matrix };
+        if bone.plain { plain(frame) } else { frame }
     }
+}
+
+/// The same place and directions with axes of length 1: offsets are in the muscle's own unit, whatever the bone's scale.
+pub fn plain(mut frame: DMat4) -> DMat4 {
+    for axis in [&mut frame.x_axis, &mut frame.y_axis, &mut frame.z_axis] {
+        *axis = axis.normalize_or_zero();
+    }
+    frame
 }

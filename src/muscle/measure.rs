@@ -2,26 +2,35 @@
 
 use glam::DVec3;
 
-use super::hinge::Hinge;
-use super::line::{Frames, Line, Point};
+use super::hinge::{Hinge, Turned};
+use super::line::{Frames, Leg, Line, Point};
 
 /// −dL/dφ of a line of action, φ in radians: the moment about the joint of a unit pull along it.
 ///
-/// For a straight line by virtual work: an end at `x` from the axis moves by `axis × x` a radian, and only the part along the line changes its
-/// length. On the two-rod arm that is `p d sin φ / L`. A line that is bent by via points or a wrap is differentiated over ±h and ±2h, which leaves
-/// an error of the order h⁴.
+/// By virtual work, which is exact for a shortest path: a point that the line leaves in one direction and reaches in another pulls at its bone with the
+/// difference, and a ball that the line lies on is a point as well, its centre, for nothing rubs. On the two-rod arm that is `p d sin φ / L`.
 pub fn moment_arm(hinge: &Hinge, line: &Line, degrees: f64) -> f64 {
-    if !line.is_straight() {
-        const H: f64 = 1e-3;
-        let length = |steps: f64| line.length(&hinge.at(degrees + (steps * H).to_degrees()));
-        return (8.0 * (length(-1.0) - length(1.0)) - (length(-2.0) - length(2.0))) / (12.0 * H);
-    }
     let frames = hinge.at(degrees);
-    let (origin, insertion) = (frames.place(line.origin), frames.place(line.insertion));
-    let along = (insertion - origin).try_normalize().unwrap_or(DVec3::ZERO);
-    let speed = |point: Point, place: DVec3| {
-        let moves = hinge.bones.get(point.bone).is_some_and(|(_, moves)| *moves);
-        if moves { hinge.axis.cross(place - hinge.pivot) } else { DVec3::ZERO }
+    -line.legs(&frames).map(|leg| slope(&frames, line, &leg)).sum::<f64>()
+}
+
+/// The change of a leg's length a radian.
+fn slope(frames: &Turned<'_>, line: &Line, leg: &Leg) -> f64 {
+    let speed = |point: Point| {
+        let rate = frames.rate(point.bone);
+        (rate * point.local.extend(1.0)).truncate()
     };
-    along.dot(speed(line.origin, origin) - speed(line.insertion, insertion))
+    let (from, to) = (speed(leg.from), speed(leg.to));
+    let Some((contact, pulley)) = leg.contact.as_ref().zip(line.pulley) else {
+        return (leg.end - leg.start).try_normalize().unwrap_or(DVec3::ZERO).dot(to - from);
+    };
+    let center = speed(pulley.center);
+    let moved = contact.tangent.dot(center - from) + contact.leaves.dot(to - center);
+    // A ball that is held small by a point on it grows and shrinks with that point's distance.
+    let grown = contact.held_by.map_or(0.0, |end| {
+        let (place, speed) = if end == 0 { (leg.start, from) } else { (leg.end, to) };
+        let out = (place - frames.place(pulley.center)).normalize_or_zero();
+        contact.angle * out.dot(speed - center)
+    });
+    moved + grown
 }

@@ -7,6 +7,8 @@
 //! | `arm` | the two rods and the elbow as nodes of the scene |
 //! | `rods`, `materials` | the arm's solid shapes, and the colours of all |
 //! | `line` | the line of action: length, and the centre line that is drawn for it |
+//! | `wrap` | the ball that a line goes round |
+//! | `corners` | the rounded line that is drawn where a muscle has via points |
 //! | `path` | lines and arcs, exact in length, with frames that do not twist |
 //! | `clearance` | keeps the belly off the rods |
 //! | `surface` | rings, hemispheres and tendons as triangles |
@@ -25,6 +27,8 @@
 //! | `experiment` | the report’s experiment: models beside measured radii |
 //! | `fit` | how near models that keep their volume come to those |
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
+//! | `scaling` | muscles that scale with their bones |
+//! | `trouble` | what is wrong with a muscle over the range of its joint |
 //! | `rig` | muscles in a scene: solve, lay, measure |
 //! | `config` | YAML |
 
@@ -34,6 +38,7 @@ mod bones;
 mod build;
 mod clearance;
 pub mod config;
+mod corners;
 mod drive;
 mod driving;
 pub mod edit;
@@ -53,9 +58,12 @@ mod profile;
 pub mod published;
 mod rig;
 mod rods;
+mod scaling;
 mod surface;
 mod table;
+mod trouble;
 mod way;
+mod wrap;
 
 pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
 pub use bones::{Handhold, bone_name};
@@ -69,6 +77,7 @@ pub use path::{Path, Station};
 pub use poses::Pose;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use rig::Rig;
+pub use scaling::of_bone as bone_scale;
 pub use surface::{Cover, SEGMENTS};
 pub use way::Ball;
 

@@ -48,6 +48,12 @@ impl Poses {
         }
     }
 
+    /// The same poses with all lengths multiplied by `scale`.
+    pub fn scaled(&self, scale: f64) -> Self {
+        let times = |pose: &Pose| Pose { length: pose.length * scale, radii: pose.radii.iter().map(|radius| radius * scale).collect() };
+        Self(self.0.iter().map(times).collect())
+    }
+
     /// Writes the blended radii at `length`, before any scaling.
     pub fn shape_into(&self, length: f64, radii: &mut Vec<f64>) {
         radii.clear();

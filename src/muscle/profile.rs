@@ -26,8 +26,10 @@ use super::Solved;
 use super::poses::{Pose, Poses};
 use crate::{limits, tr};
 
-/// How far from rest a length may go at all, as a factor either way; profiles that could go on for ever stop here.
+/// How far from rest a length may grow at all, as a factor; profiles that could go on for ever stop here.
 const REACH: f64 = 100.0;
+/// The shortest that a belly gets, as a share of its length at rest: no muscle contracts further, and what keeps its volume would become a pancake.
+pub const SHORTEST: f64 = 0.4;
 /// What is left of a radius, as a share of itself, where it would reach zero.
 const SLIVER: f64 = 1e-9;
 
@@ -91,8 +93,10 @@ pub enum LimitCause {
     Discriminant,
     /// The radius of this node, counted from 0, reaches 0.
     Radius(usize),
-    /// Neither, up to a hundred times shorter or longer than at rest, where this program stops.
+    /// Neither, up to a hundred times longer than at rest, where this program stops.
     Reach,
+    /// It is 40 % of the length at rest, and no belly gets shorter.
+    Shortest,
 }
 
 /// A limit of the length.
@@ -169,10 +173,27 @@ impl Profile {
         poses.shape_into(length, &mut radii);
         // Blended radii scale as a whole: each is its own multiplier.
         let mut profile = Self::new(radii.clone(), radii, length)?;
-        let limit = |length| Limit { length, cause: LimitCause::Reach };
-        profile.limits = [limit(length / REACH), limit(length * REACH)];
+        let limit = |length, cause| Limit { length, cause };
+        profile.limits = [limit(length * SHORTEST, LimitCause::Shortest), limit(length * REACH, LimitCause::Reach)];
         profile.poses = Some(Box::new(poses));
         Ok(profile)
+    }
+
+    /// The same muscle with all lengths multiplied by `scale`.
+    pub(super) fn scaled(&self, scale: f64) -> Self {
+        let times = |values: &[f64]| values.iter().map(|value| value * scale).collect::<Vec<_>>();
+        // Multipliers that stand for radii are lengths as well.
+        let growth = if self.is_posed() { scale } else { 1.0 };
+        Self {
+            radii: times(&self.radii),
+            growth: self.growth.iter().map(|value| value * growth).collect(),
+            length: self.length * scale,
+            a: self.a * growth * growth,
+            b: self.b * growth * scale,
+            f: self.f * scale * scale,
+            limits: self.limits.map(|limit| Limit { length: limit.length * scale, ..limit }),
+            poses: self.poses.as_ref().map(|poses| Box::new(poses.scaled(scale))),
+        }
     }
 
     /// Whether the radii come from measured poses, not from growth multipliers.
@@ -200,8 +221,8 @@ impl Profile {
         PI * self.spacing(self.length) * self.f
     }
 
-    /// The lengths at which the discriminant is not negative and every radius stays above zero; the rest length lies within. A node whose radius
-    /// is zero at rest may stay at zero.
+    /// The lengths at which the discriminant is not negative and every radius stays above zero, from 40 % of the rest length on; that lies within. A node
+    /// whose radius is zero at rest may stay at zero.
     pub fn length_range(&self) -> RangeInclusive<f64> {
         self.limits[0].length..=self.limits[1].length
     }
@@ -288,13 +309,16 @@ impl Profile {
         // Zero lies between the two, so the rest length lies between their lengths.
         let ends = [low, high].map(|(delta, cause)| (if delta.is_finite() { self.length_at(delta) } else { 0.0 }, cause));
         let (short, long) = if self.b >= 0.0 { (ends[1], ends[0]) } else { (ends[0], ends[1]) };
-        let limit = |length: f64, cause, least: f64, most: f64| {
+        let limit = |length: f64, cause, least: f64, most: f64, beyond| {
             let held = length.clamp(least, most);
-            Limit { length: held, cause: if held == length { cause } else { LimitCause::Reach } }
+            Limit { length: held, cause: if held == length { cause } else { beyond } }
         };
         let short_length = if short.0.is_finite() { short.0 } else { 0.0 };
         let long_length = if long.0.is_nan() { self.length } else { long.0 };
-        [limit(short_length, short.1, self.length / REACH, self.length), limit(long_length, long.1, self.length, self.length * REACH)]
+        [
+            limit(short_length, short.1, self.length * SHORTEST, self.length, LimitCause::Shortest),
+            limit(long_length, long.1, self.length, self.length * REACH, none),
+        ]
     }
 }
 

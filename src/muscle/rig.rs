@@ -6,9 +6,9 @@ use std::sync::{Arc, OnceLock};
 use glam::{DMat4, DVec3, Vec3};
 
 use super::arm::{Arm, ArmNodes};
-use super::config::{JointSpec, MuscleSpec};
+use super::config::{JointSpec, MuscleSpec, Tendon};
 use super::drive::{FREE, Span};
-use super::hinge::Hinge;
+use super::hinge::{Bone, Hinge, plain};
 use super::joint::Joint;
 use super::ledger::Ledger;
 use super::line::{Frames, Line};
@@ -36,6 +36,12 @@ pub struct Rig {
     pub(super) turning: Option<Joint>,
     pub(super) span: Option<Span>,
     pub(super) findings: Vec<Finding>,
+    /// See [`WorldFrames::ride`].
+    pub(super) ride: Option<Vec<f64>>,
+    /// Metres a unit of the file.
+    pub(super) unit: f64,
+    /// The bones' scale at which the file's lengths hold, where muscles scale with the bones.
+    pub(super) scaled_at: Option<f64>,
 }
 
 /// One muscle of a rig.
@@ -43,6 +49,12 @@ pub struct Rig {
 pub(super) struct Muscle {
     /// As the file has it, but with a name.
     pub spec: MuscleSpec,
+    /// By what its lengths are multiplied where it is: 1 unless the file lets muscles scale with the bones.
+    pub scale: f64,
+    /// Its profile, so multiplied.
+    pub shape: Profile,
+    /// Its tendons, so multiplied.
+    pub tendons: [Tendon; 2],
     /// Its line of action; `None` where nothing holds it.
     pub line: Option<Line>,
     pub layout: Layout,
@@ -58,17 +70,29 @@ pub(super) struct WorldFrames<'a> {
     pub from_world: DMat4,
     pub world: &'a [DMat4],
     pub bones: &'a [NodeId],
+    /// By what offsets on each node are multiplied along its axes where muscles scale with the bones; `None` where they keep the file's unit.
+    pub ride: Option<&'a [f64]>,
+}
+
+impl WorldFrames<'_> {
+    /// Bone `index` as a hinge has it.
+    pub fn bone(&self, index: usize, moves: bool) -> Bone {
+        let world = self.bones.get(index).and_then(|node| self.world.get(node.index()));
+        let mut matrix = world.map_or(DMat4::IDENTITY, |world| self.from_world * *world);
+        let ride = self.bones.get(index).and_then(|node| self.ride?.get(node.index())).copied();
+        if let Some(ride) = ride {
+            for axis in [&mut matrix.x_axis, &mut matrix.y_axis, &mut matrix.z_axis] {
+                *axis *= ride;
+            }
+        }
+        Bone { matrix, moves, plain: ride.is_none() }
+    }
 }
 
 impl Frames for WorldFrames<'_> {
     fn frame(&self, index: usize) -> DMat4 {
-        let world = self.bones.get(index).and_then(|node| self.world.get(node.index()));
-        let mut frame = world.map_or(DMat4::IDENTITY, |world| self.from_world * *world);
-        // Offsets are in the muscle's own unit, whatever the bone's scale.
-        for axis in [&mut frame.x_axis, &mut frame.y_axis, &mut frame.z_axis] {
-            *axis = axis.normalize_or_zero();
-        }
-        frame
+        let bone = self.bone(index, false);
+        if bone.plain { plain(bone.matrix) } else { bone.matrix }
     }
 }
 
@@ -98,9 +122,14 @@ impl Rig {
         self.muscles.get(index).map(|muscle| &muscle.spec)
     }
 
-    /// Shape at rest of muscle `index`.
+    /// Shape at rest of muscle `index` where it is: the file's, multiplied by [`Rig::scale`].
     pub fn profile(&self, index: usize) -> Option<&Profile> {
-        self.spec(index).map(|spec| &spec.profile)
+        self.muscles.get(index).map(|muscle| &muscle.shape)
+    }
+
+    /// By what the lengths of muscle `index` are multiplied where it is: 1 unless the file lets muscles scale with the bones.
+    pub fn scale(&self, index: usize) -> f64 {
+        self.muscles.get(index).map_or(1.0, |muscle| muscle.scale)
     }
 
     /// Whether muscle `index` is held by bones; else it lies on its own and contraction alone gives its length.
@@ -167,7 +196,7 @@ impl Rig {
     fn free_contraction_at_rest(&self) -> f64 {
         let Some(muscle) = self.muscles.first() else { return 0.0 };
         let [long, short] = muscle.free_lengths();
-        if long == short { 0.0 } else { (long - muscle.spec.profile.rest_length()) / (long - short) }
+        if long == short { 0.0 } else { (long - muscle.shape.rest_length()) / (long - short) }
     }
 
     /// Turns the arm's nodes.
@@ -196,7 +225,7 @@ impl Rig {
             None => {
                 let [long, short] = muscle.free_lengths();
                 let share = if drive.contraction.is_nan() { 0.0 } else { drive.contraction.clamp(0.0, 100.0) / 100.0 };
-                muscle.spec.profile.solve_into(long + (short - long) * share, solved);
+                muscle.shape.solve_into(long + (short - long) * share, solved);
                 solved.path_length = solved.length + muscle.fixed();
             }
         }
@@ -210,7 +239,7 @@ impl Rig {
         let root = self.root_matrix(world);
         // A root that is scaled to nothing has no inside to measure in.
         let from_world = if root.determinant().abs() > f64::MIN_POSITIVE { root.inverse() } else { DMat4::IDENTITY };
-        WorldFrames { from_world, world, bones: &self.bones }
+        WorldFrames { from_world, world, bones: &self.bones, ride: self.ride.as_deref() }
     }
 
     /// The node of the bone that muscle `index` originates from; `None` where it lies on its own.
@@ -242,7 +271,7 @@ impl Rig {
         let muscle = self.muscles.get(index)?;
         let path = self.path(muscle, solved, world);
         let to_world = ToWorld::new(self.root_matrix(world));
-        Some(muscle.layout.deform(solved, &muscle.spec.tendons, &path, &to_world, positions, normals))
+        Some(muscle.layout.deform(solved, &muscle.tendons, &path, &to_world, positions, normals))
     }
 
     /// The centre line of muscle `index` as it is drawn, in the space of the rig's root and its unit, tendons included.
@@ -253,7 +282,8 @@ impl Rig {
     fn path(&self, muscle: &Muscle, solved: &Solved, world: &[DMat4]) -> Path {
         let length = solved.length + muscle.fixed();
         match &muscle.line {
-            Some(line) => line.lay(&self.frames(world), length),
+            // Tendons longer than what the belly leaves them hang slack; no arch is drawn for them.
+            Some(line) => line.lay(&self.frames(world), length.min(solved.path_length.max(solved.length))),
             None => {
                 let half = DVec3::X * (0.5 * length);
                 let mut path = Path::new(DVec3::Y);
@@ -275,7 +305,7 @@ impl Rig {
                     measure::moment_arm(hinge, line, angle)
                 }
                 _ => {
-                    muscle.spec.profile.solve_into(muscle.spec.profile.rest_length(), &mut solved);
+                    muscle.shape.solve_into(muscle.shape.rest_length(), &mut solved);
                     0.0
                 }
             };
@@ -286,19 +316,26 @@ impl Rig {
 }
 
 impl Muscle {
-    /// Length that the tendons take.
-    pub fn fixed(&self) -> f64 {
-        self.spec.tendons[0].length + self.spec.tendons[1].length
+    /// Multiplies the lengths of the file by `scale`; one that is no number or not above 0 is 1.
+    pub fn rescale(&mut self, scale: f64) {
+        self.scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
+        self.shape = self.spec.profile.scaled(self.scale);
+        self.tendons = self.spec.tendons.map(|tendon| Tendon { length: tendon.length * self.scale, radius: tendon.radius * self.scale });
     }
 
-    fn solve_along(&self, path_length: f64, solved: &mut Solved) {
-        self.spec.profile.solve_into(path_length - self.fixed(), solved);
+    /// Length that the tendons take.
+    pub fn fixed(&self) -> f64 {
+        self.tendons[0].length + self.tendons[1].length
+    }
+
+    pub(super) fn solve_along(&self, path_length: f64, solved: &mut Solved) {
+        self.shape.solve_into(path_length - self.fixed(), solved);
         solved.path_length = path_length;
     }
 
     /// Lengths at contraction 0 and 100 % where nothing holds the muscle.
     fn free_lengths(&self) -> [f64; 2] {
-        let (rest, valid) = (self.spec.profile.rest_length(), self.spec.profile.length_range());
+        let (rest, valid) = (self.shape.rest_length(), self.shape.length_range());
         FREE.map(|share| (share * rest).clamp(*valid.start(), *valid.end()))
     }
 }

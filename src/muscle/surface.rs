@@ -151,6 +151,7 @@ impl Layout {
         positions.clear();
         normals.clear();
         let mut out = Writer { to_world, circle: circle(), positions, normals, before: None, folded: false };
+        let tendons = &fitting(tendons, path.length() - solved.length);
         // Where a limit holds the length, the muscle lies in the middle of its line.
         let slack = path.length() - solved.length - tendons[0].length - tendons[1].length;
         let start = tendons[0].length + 0.5 * slack;
@@ -182,6 +183,14 @@ impl Layout {
         }
         Cover { folded: out.folded, mirrored: to_world.matrix.determinant() < 0.0 }
     }
+}
+
+/// Tendons that a line leaves no more than `room` for are drawn slack, as if they were so much shorter: the belly is not pushed together for them.
+fn fitting(tendons: &[Tendon; 2], room: f64) -> [Tendon; 2] {
+    let long = tendons[0].length + tendons[1].length;
+    // Rounding makes no tendon slack.
+    let share = if long > 0.0 && long - room > 1e-9 * long { room.max(0.0) / long } else { 1.0 };
+    tendons.map(|tendon| Tendon { length: tendon.length * share, ..tendon })
 }
 
 /// Fibres: lengthwise streaks a little darker than the material, the same at every ring, so that they follow the nodes.

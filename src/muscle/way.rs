@@ -4,7 +4,7 @@ use glam::{DMat4, DVec3};
 
 use super::Drive;
 use super::config::{Anchor, Wrap};
-use super::fitting::neat;
+use super::fitting::{beside, neat};
 use super::line::{Frames, Line};
 use super::rig::Rig;
 use crate::scene::{Graph, NodeId, Scene};
@@ -73,7 +73,6 @@ impl Rig {
         let ends = [line.origin, line.insertion].map(|point| self.bones.get(point.bone).copied());
         let joint = joint_of(&scene.graph, node, [ends[0]?, ends[1]?]);
         let middle = world.get(joint.index())?.w_axis.truncate();
-        let center: Anchor = self.anchor_at(&scene.graph, node, middle, world)?;
         let there = self.ball(index, world);
         let side = match there {
             Some(ball) => ball.side,
@@ -81,6 +80,11 @@ impl Rig {
         };
         let thickest = spec.profile.radii().iter().copied().fold(0.0, f64::max);
         let radius = spec.wrap.as_ref().map_or_else(|| neat(THICK * thickest), |wrap| wrap.radius);
+        let root = self.root_matrix(world);
+        let ends = [line.origin, line.insertion].map(|point| root.transform_point3(self.frames(world).place(point)));
+        let wide = root.transform_vector3(DVec3::X * (radius * self.scale(index))).length();
+        let middle = beside(middle, ends, side.normalize_or(DVec3::X), wide);
+        let center: Anchor = self.anchor_at(&scene.graph, node, middle, world)?;
         Some(Wrap { center, radius, side: readable(self.direction_on(node, side, world)) })
     }
 
@@ -121,8 +125,8 @@ impl Rig {
         if out.length() > ON_LINE * self.profile(index)?.rest_length() {
             return Some(out.normalize_or(DVec3::X));
         }
-        let axis = self.joint().map_or(DVec3::Z, |joint| self.hinge_of(&joint, scene, world).axis);
-        Some(axis.cross(tangent).normalize_or(DVec3::X))
+        let bends = self.joint().map_or(DVec3::Z.cross(tangent), |joint| self.hinge_of(&joint, scene, world).bends(tangent));
+        Some(bends.normalize_or(DVec3::X))
     }
 }
 

@@ -431,6 +431,7 @@ app-ledger-thickest-value = { $radius } (node { $node })
 app-limits = It can be { $short } short ({ $short_cause }) and { $long } long ({ $long_cause }).
 app-limit-discriminant = there B² − 4AC is 0
 app-limit-radius = there the radius of node { $node } is 0
+app-limit-shortest = no belly contracts below 40 % of its rest length
 app-limit-reach = this program goes no further
 app-root-larger = Taken is the root that goes to 0 as L goes to L₀: the larger one, because B is not negative.
 app-root-smaller = Taken is the root that goes to 0 as L goes to L₀: the smaller one, because B is negative.

@@ -428,6 +428,7 @@ app-ledger-thickest-value = { $radius } (узел { $node })
 app-limits = Длина может быть от { $short } ({ $short_cause }) до { $long } ({ $long_cause }).
 app-limit-discriminant = там B² − 4AC равно 0
 app-limit-radius = там радиус узла { $node } равен 0
+app-limit-shortest = короче 40 % длины в покое брюшко не становится
 app-limit-reach = дальше программа не идёт
 app-root-larger = Взят корень, который стремится к 0, когда L стремится к L₀: больший, потому что B не отрицательно.
 app-root-smaller = Взят корень, который стремится к 0, когда L стремится к L₀: меньший, потому что B отрицательно.

@@ -5,7 +5,7 @@ use super::workshop::Step;
 use super::{Changes, Session};
 use crate::document::{PoseBuffers, PoseState};
 use crate::muscle::presets::Preset;
-use crate::muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap};
+use crate::muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap, bone_scale};
 use crate::scene::{Content, Frame, MuscleId, NodeId};
 use crate::tr;
 
@@ -38,7 +38,7 @@ impl Session {
             _ => files.iter().position(|file| file.arm.is_none()).unwrap_or(files.len()),
         };
         if place == files.len() {
-            files.push(MuscleFile { form: Form::Rich, ..MuscleFile::default() });
+            files.push(MuscleFile { form: Form::Rich, scale: joint.and_then(|joint| self.bones_scale(&joint)), ..MuscleFile::default() });
         }
         let Some(file) = files.get_mut(place) else { return Ok(()) };
         let scale = ready.unit_metres / file.unit_metres;
@@ -66,6 +66,19 @@ impl Session {
         self.select(self.node_of_muscle(id));
         self.changed(Changes::MUSCLE);
         Ok(())
+    }
+
+    /// The scale of the bones that muscles on the two limbs of a joint are fitted to: they grow and shrink with them.
+    pub(super) fn bones_scale(&self, joint: &Joint) -> Option<f64> {
+        let [above, ..] = Joint::limbs(&self.document.scene, joint.node)?;
+        self.scale_of_bone(above)
+    }
+
+    /// The scale of a bone at rest.
+    pub(super) fn scale_of_bone(&self, bone: NodeId) -> Option<f64> {
+        let (graph, mut world) = (&self.document.scene.graph, Vec::new());
+        graph.world_from_local(&graph.rest_locals(), &mut world);
+        Some(bone_scale(graph, &world, bone)).filter(|scale| *scale > 0.0 && scale.is_finite())
     }
 
     /// The joint whose limbs a new muscle joins: the selected bone, else the one that the slider bends. `None` where the muscle shown is on an arm and no
@@ -177,7 +190,7 @@ impl Session {
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let solved = rig.solve(index, self.state.drive, &self.frame.world);
         let tendons = rig.spec(index).map_or(0.0, MuscleSpec::tendon_length);
-        let length = (1e3 * (solved.path_length - tendons)).round() / 1e3;
+        let length = (1e3 * (solved.path_length / rig.scale(index) - tendons)).round() / 1e3;
         self.edit_muscle(id, &Edit::RestLength(length), step)
     }
 
@@ -283,6 +296,25 @@ mod tests {
                 rig.solve(index, session.drive(), &session.posed().world).path_length
             };
             assert!((length(100.0) - length(10.0)) * sign > 5.0, "{id}");
+        }
+    }
+
+    #[test]
+    fn a_preset_on_a_clip_keeps_the_sign_of_its_moment_arm_and_scales_with_the_bones() {
+        for (id, sign) in [("biceps", 1.0), ("brachialis", 1.0), ("triceps", -1.0)] {
+            let mut session = clip();
+            session.new_muscle(Preset::by_id(id).unwrap()).unwrap();
+            assert_eq!(session.document().muscle_files().map(|file| file.scale).collect::<Vec<_>>(), [Some(1.0)]);
+            let found: Vec<&str> = session.document().health.iter().map(|finding| finding.code).collect();
+            assert!(found.iter().all(|code| !code.contains("muscle") && !code.contains("moment")), "{id}: {found:?}");
+            let joint = session.joint().unwrap();
+            for degrees in 0..=150 {
+                session.set_flexion(f64::from(degrees).min(joint.range[1]));
+                session.frame();
+                let (rig, index) = session.document().muscle(session.shown_muscle()).unwrap();
+                let arm = rig.moment_arm(index, &session.document().scene, &session.posed().world).unwrap();
+                assert!(arm * sign > 5.0, "{id}: {arm} at {degrees}°");
+            }
         }
     }
 

@@ -43,7 +43,8 @@ impl Session {
         let muscles = on_arm.muscles.len();
         let loose =
             on_arm.muscles.iter().map(|muscle| MuscleSpec { origin: None, insertion: None, via: Vec::new(), wrap: None, ..muscle.clone() });
-        let loose = MuscleFile { form: Form::Rich, arm: None, muscles: loose.collect(), ..on_arm.clone() };
+        let scale = self.bones_scale(&joint);
+        let loose = MuscleFile { form: Form::Rich, arm: None, scale, muscles: loose.collect(), ..on_arm.clone() };
         // Only a file that is in the scene without its arm has axes to lay a muscle in; what it looks like meanwhile nobody sees.
         let mut files = before.clone();
         files[place] = loose;

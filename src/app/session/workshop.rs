@@ -27,7 +27,15 @@ impl Session {
         let Some((place, index)) = self.document.file_of_muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let Some(file) = files.get_mut(place) else { return Ok(()) };
-        let edited = file.edited(index, edit)?;
+        let mut edited = file.edited(index, edit)?;
+        // The first muscle of a file that comes onto bones grows and shrinks with them from now on.
+        if let Edit::Ends(Some([origin, _])) = edit
+            && edited.arm.is_none()
+            && file.muscles.iter().all(|muscle| muscle.origin.is_none())
+        {
+            let bone = self.bones_for(id).into_iter().find(|(_, name)| *name == origin.bone);
+            edited.scale = edited.scale.or_else(|| self.scale_of_bone(bone?.0));
+        }
         if edited != *file {
             *file = edited;
             self.change_files(&files, edit.label(), step);

@@ -10,7 +10,9 @@ use crate::muscle::profile::{Profile, ProfileError};
 use crate::{limits, tr};
 
 /// Keys at the top of the richer form; one of them makes a file a richer one.
-pub const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "muscles"];
+pub const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "scale", "muscles"];
+/// The value of `scale` that lets muscles scale with the bones.
+pub const WITH_BONES: &str = "with bones";
 /// Units by name, in metres.
 pub const UNITS: [(&str, f64); 4] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("in", 0.0254)];
 
@@ -34,6 +36,12 @@ pub fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
             return Err(at.complain(tr!("muscle-arm-and-joint")));
         }
         file.joint = Some(joint(&at)?);
+    }
+    if let Some(at) = map.get("scale") {
+        if file.arm.is_some() {
+            return Err(at.complain(tr!("muscle-arm-and-scale")));
+        }
+        file.scale = Some(scale(&at)?);
     }
     let list = map.need("muscles")?;
     let items = list.items()?;
@@ -61,6 +69,14 @@ fn unit(at: &At<'_>) -> Result<f64, Complaint> {
             let found = UNITS.iter().find(|(name, _)| *name == text);
             found.map(|(_, metres)| *metres).ok_or_else(|| at.complain(tr!("muscle-unknown-unit", unit = text.to_owned())))
         }
+        Err(_) => at.positive(false),
+    }
+}
+
+fn scale(at: &At<'_>) -> Result<f64, Complaint> {
+    match at.text() {
+        Ok(WITH_BONES) => Ok(1.0),
+        Ok(_) => Err(at.complain(tr!("muscle-bad-scale", known = WITH_BONES))),
         Err(_) => at.positive(false),
     }
 }

@@ -31,6 +31,9 @@ pub struct MuscleFile {
     pub arm: Option<Arm>,
     /// The joint that measurements turn; on the two-rod arm it is the elbow and this is `None`.
     pub joint: Option<JointSpec>,
+    /// Where muscles scale with the bones that they are on: the bones' scale at which the lengths of this file hold, 1 unless it names another. `None` =
+    /// lengths are in the unit whatever the bones' scale.
+    pub scale: Option<f64>,
     /// The muscles.
     pub muscles: Vec<MuscleSpec>,
 }
@@ -49,7 +52,7 @@ impl MuscleFile {
 
 impl Default for MuscleFile {
     fn default() -> Self {
-        Self { unit_metres: 0.001, form: Form::Report, clip: None, arm: None, joint: None, muscles: Vec::new() }
+        Self { unit_metres: 0.001, form: Form::Report, clip: None, arm: None, joint: None, scale: None, muscles: Vec::new() }
     }
 }
 
@@ -162,7 +165,7 @@ impl MuscleSpec {
 pub struct Anchor {
     /// Id or name of the bone's node.
     pub bone: String,
-    /// From the bone's node, along the bone's own axes, in the file's unit whatever the bone's scale.
+    /// From the bone's node, along the bone's own axes, in the file's unit: whatever the bone's scale, or scaled with it where the file says so.
     pub offset: DVec3,
 }
 

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use glam::DVec3;
 
-use super::rich::UNITS;
+use super::rich::{UNITS, WITH_BONES};
 use super::spec::{Anchor, Form, MuscleFile, MuscleSpec, PoseAt};
 use super::yaml::Yaml;
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
@@ -24,7 +24,7 @@ fn report(file: &MuscleFile) -> Option<String> {
     let [muscle] = file.muscles.as_slice() else { return None };
     let plain =
         MuscleSpec { origin: muscle.origin.clone(), insertion: muscle.insertion.clone(), ..MuscleSpec::new(muscle.profile.clone()) };
-    if *muscle != plain || file.unit_metres != 0.001 || file.clip.is_some() || file.joint.is_some() {
+    if *muscle != plain || file.unit_metres != 0.001 || file.clip.is_some() || file.joint.is_some() || file.scale.is_some() {
         return None;
     }
     let mut text = String::from("muscle_config:\n");
@@ -80,6 +80,9 @@ fn rich(file: &MuscleFile) -> String {
         line(&mut text, 2, "bone", &quoted(&joint.bone));
         line(&mut text, 2, "axis", &numbers(&joint.axis.to_array()));
         line(&mut text, 2, "range", &numbers(&joint.range));
+    }
+    if let Some(scale) = file.scale {
+        line(&mut text, 0, "scale", &if scale == 1.0 { WITH_BONES.to_owned() } else { number(scale) });
     }
     text.push_str("muscles:\n");
     for muscle in &file.muscles {

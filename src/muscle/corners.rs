@@ -1,0 +1,226 @@
+//! The centre line that is drawn for a line of action with via points: rounded at each, and as long as the line of action itself.
+//!
+//! An arc takes the short cut round a corner. What all arcs take off is given back by moving the corners outward, each in the measure in which the line
+//! turns there, by one common share that is found by halving; the length rises with it. So the arcs pass close to the via points.
+
+use glam::DVec3;
+
+use super::line::{Frames, Line, POINTS};
+use super::path::{Path, perpendicular};
+use super::wrap::Contact;
+
+/// Points that lie nearer to each other than this share of the line are one.
+const TINY: f64 = 1e-9;
+/// Tangents of half a turn are taken no greater than this, so that a line that turns right round is still one.
+const STEEP: f64 = 1e6;
+/// Most steps in search of the share by which corners are moved outward.
+const STEPS: usize = 80;
+
+/// The drawn centre line of a line that is no arch.
+pub fn rounded(line: &Line, frames: &(impl Frames + ?Sized)) -> Path {
+    let side = line.pulley.map_or(DVec3::X, |pulley| frames.frame(pulley.center.bone).transform_vector3(pulley.side));
+    let mut corners = Corners::new(line, frames);
+    corners.make_up();
+    corners.path(side)
+}
+
+/// A rounded corner, or an end where `angle` is 0.
+#[derive(Debug, Clone, Copy, Default)]
+struct Corner {
+    into: DVec3,
+    out: DVec3,
+    /// Radians by which the line turns.
+    angle: f64,
+    /// Length that the arc takes of the stretches on either side.
+    reach: f64,
+}
+
+impl Corner {
+    fn tangent(&self) -> f64 {
+        (0.5 * self.angle).tan().clamp(0.0, STEEP)
+    }
+
+    fn radius(&self) -> f64 {
+        if self.angle > 0.0 { self.reach / self.tangent() } else { 0.0 }
+    }
+}
+
+/// The points of a line, those that fall together counted once, and the arcs between them.
+struct Corners<'a, F: Frames + ?Sized> {
+    line: &'a Line,
+    frames: &'a F,
+    /// Where the line of action passes.
+    points: [DVec3; POINTS],
+    /// Number of the first and the last point of the line that each stands for.
+    numbers: [(usize, usize); POINTS],
+    /// Where each goes for a share of 1.
+    outward: [DVec3; POINTS],
+    count: usize,
+    /// Where they are drawn.
+    places: [DVec3; POINTS],
+    contacts: [Option<Contact>; POINTS],
+    corners: [Corner; POINTS],
+}
+
+impl<'a, F: Frames + ?Sized> Corners<'a, F> {
+    fn new(line: &'a Line, frames: &'a F) -> Self {
+        let mut all = Self {
+            line,
+            frames,
+            points: [DVec3::ZERO; POINTS],
+            numbers: [(0, 0); POINTS],
+            outward: [DVec3::ZERO; POINTS],
+            count: 0,
+            places: [DVec3::ZERO; POINTS],
+            contacts: [None; POINTS],
+            corners: [Corner::default(); POINTS],
+        };
+        let mut long = 0.0;
+        let mut before: Option<DVec3> = None;
+        for point in line.points() {
+            let place = frames.place(point);
+            long += before.map_or(0.0, |before| before.distance(place));
+            before = Some(place);
+        }
+        let last = line.points().count() - 1;
+        for (number, point) in line.points().enumerate() {
+            let place = frames.place(point);
+            // A via point that lies on its neighbour is no corner; the ends stay.
+            let near = |index: usize| all.points[index].distance(place) <= TINY * long;
+            if all.count > 0 && near(all.count - 1) && (number < last || all.count > 1) {
+                (all.points[all.count - 1], all.numbers[all.count - 1].1) = (place, number);
+                continue;
+            }
+            (all.points[all.count], all.numbers[all.count]) = (place, (number, number));
+            all.count += 1;
+        }
+        all.settle(0.0);
+        for index in 1..all.count.saturating_sub(1) {
+            all.outward[index] = all.corners[index].into - all.corners[index].out;
+        }
+        all
+    }
+
+    /// Moves the corners outward until the rounded line is as long as the line of action.
+    fn make_up(&mut self) {
+        let wanted = self.line.length(self.frames);
+        let moves: f64 = self.outward.iter().map(|out| out.length_squared()).sum();
+        let missing = wanted - self.settle(0.0);
+        if moves <= 0.0 || missing <= 1e-14 * wanted {
+            return;
+        }
+        let (mut low, mut high) = (0.0, missing / moves);
+        let mut doubled = 0;
+        while self.settle(high) < wanted {
+            (low, high) = (high, 2.0 * high);
+            doubled += 1;
+            if doubled == 40 {
+                return;
+            }
+        }
+        // Regula falsi that halves the weight of an end that stays: it needs about eight steps where halving alone needs fifty.
+        let (mut below, mut above) = (self.settle(low) - wanted, self.settle(high) - wanted);
+        for _ in 0..STEPS {
+            let share = (low * above - high * below) / (above - below);
+            let share = if share > low && share < high { share } else { 0.5 * (low + high) };
+            let off = self.settle(share) - wanted;
+            if off.abs() <= 1e-14 * wanted || share == low || share == high {
+                break;
+            }
+            if off < 0.0 {
+                (low, below, above) = (share, off, 0.5 * above);
+            } else {
+                (high, above, below) = (share, off, 0.5 * below);
+            }
+        }
+    }
+
+    /// Places the corners with this share of their way outward; returns the length of the rounded line.
+    fn settle(&mut self, share: f64) -> f64 {
+        for index in 0..self.count {
+            self.places[index] = self.points[index] + self.outward[index] * share;
+        }
+        let mut length = 0.0;
+        // Length of the straight stretches after each point and before the next, and whether they are one.
+        let mut rooms = [(0.0, 0.0, true); POINTS];
+        for index in 1..self.count {
+            let (from, to) = (self.places[index - 1], self.places[index]);
+            let contact = self.contact(index - 1);
+            let straight = (to - from).normalize_or_zero();
+            let (into, out) = match &contact {
+                // Where the ball is held small by a point, the line has no straight stretch there.
+                Some(arc) => (arc.leaves, arc.tangent),
+                None => (straight, straight),
+            };
+            (self.corners[index - 1].out, self.corners[index].into) = (out, into);
+            rooms[index - 1] = match &contact {
+                Some(arc) => (from.distance(arc.touch), arc.lift.distance(to), false),
+                None => (from.distance(to), from.distance(to), true),
+            };
+            length += match &contact {
+                Some(arc) => rooms[index - 1].0 + arc.radius * arc.angle + rooms[index - 1].1,
+                None => rooms[index - 1].0,
+            };
+            self.contacts[index - 1] = contact;
+        }
+        let last = self.count.saturating_sub(1);
+        for index in 0..self.count {
+            let inner = index > 0 && index < last;
+            let corner = &mut self.corners[index];
+            corner.angle = if inner { turn(corner.into, corner.out) } else { 0.0 };
+            corner.reach = self.line.rounding * corner.tangent();
+        }
+        let wishes = self.corners.map(|corner| corner.reach);
+        for index in 1..last {
+            // Two corners at one stretch share it as they need it.
+            let granted = |room: f64, shared: bool, own: f64, other: f64| {
+                let all = if shared { own + other } else { own };
+                if all > room { own * (room / all) } else { own }
+            };
+            let ((_, before, first), (after, _, second)) = (rooms[index - 1], rooms[index]);
+            let own = wishes[index];
+            self.corners[index].reach = granted(before, first, own, wishes[index - 1]).min(granted(after, second, own, wishes[index + 1]));
+            let corner = &self.corners[index];
+            length -= corner.reach * 2.0 - corner.radius() * corner.angle;
+        }
+        length
+    }
+
+    /// The ball between a point and the next one.
+    fn contact(&self, index: usize) -> Option<Contact> {
+        let pulley = self.line.pulley.as_ref()?;
+        let there = (self.numbers[index].1..self.numbers[index + 1].0).contains(&pulley.stretch);
+        if there { pulley.between(self.frames, self.places[index], self.places[index + 1]) } else { None }
+    }
+
+    fn path(&self, side: DVec3) -> Path {
+        let (mut path, mut from) = (Path::new(side), self.places[0]);
+        // What an arc leaves of a stretch may be a rounding, which has no direction.
+        let tiny = TINY * TINY.sqrt() * self.line.length(self.frames);
+        let straight = |path: &mut Path, from: DVec3, to: DVec3| {
+            if from.distance(to) > tiny {
+                path.line(from, to);
+            }
+        };
+        for index in 1..self.count {
+            let (corner, place) = (&self.corners[index], self.places[index]);
+            let to = place - corner.into * corner.reach;
+            match &self.contacts[index - 1] {
+                Some(arc) => {
+                    straight(&mut path, from, arc.touch);
+                    path.arc(arc.touch, arc.tangent, arc.normal, arc.radius, arc.angle);
+                    straight(&mut path, arc.lift, to);
+                }
+                None => straight(&mut path, from, to),
+            }
+            path.arc(to, corner.into, perpendicular(corner.out, corner.into), corner.radius(), corner.angle);
+            from = place + corner.out * corner.reach;
+        }
+        path
+    }
+}
+
+/// The angle between two directions, exact for small ones; 0 where one is none.
+fn turn(into: DVec3, out: DVec3) -> f64 {
+    into.cross(out).length().atan2(into.dot(out)) * f64::from(into != DVec3::ZERO && out != DVec3::ZERO)
+}
