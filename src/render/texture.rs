@@ -301,16 +301,24 @@ enum Key {
     Muscle([u8; 3], bool),
 }
 
+impl Entry {
+    /// Whether nobody else has the image any more, as after a file was read again: then it cannot be asked for, however soon.
+    fn is_orphan(&self) -> bool {
+        matches!(&self.key, Key::Image(pixels, ..) if Arc::strong_count(pixels) == 1)
+    }
+}
+
 /// A texture that was not used for this many frames is dropped.
 const PATIENCE: u64 = 240;
 
 impl Cache {
-    /// Begins a frame: forgets what has long not been used. Indices handed out before are void.
+    /// Begins a frame: forgets what has long not been used, and what nobody can use. Indices handed out before are void.
     pub(super) fn begin(&mut self) {
         self.frame += 1;
         let mut k = 0;
         while k < self.entries.len() {
-            if self.frame - self.entries[k].used > PATIENCE {
+            let entry = &self.entries[k];
+            if entry.is_orphan() || self.frame - entry.used > PATIENCE {
                 self.entries.swap_remove(k);
                 self.textures.swap_remove(k);
             } else {
@@ -346,5 +354,27 @@ impl Cache {
     /// The textures by index.
     pub(super) fn textures(&self) -> &[Texture] {
         &self.textures
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_texture_goes_with_the_last_who_has_its_image() {
+        let mut cache = Cache::default();
+        let image = || Arc::new(Pixels { width: 2, height: 2, rgba: vec![255; 16] });
+        let kept = image();
+        for _ in 0..5 {
+            cache.begin();
+            // A file that is read again brings another one each time.
+            let (read, wrap) = (image(), [Wrap::Repeat; 2]);
+            cache.get(&read, Alpha::Solid, wrap);
+            cache.get(&kept, Alpha::Solid, wrap);
+            assert!(cache.textures().len() <= 2, "{}", cache.textures().len());
+        }
+        cache.begin();
+        assert_eq!(cache.textures().len(), 1, "that of the image that is kept");
     }
 }
