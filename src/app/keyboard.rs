@@ -145,6 +145,7 @@ fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierTyp
     let in_list = std::iter::successors(Some(widget.clone()), |widget| widget.parent())
         .any(|widget| widget.is::<gtk::ListView>() || widget.is::<gtk::ColumnView>() || widget.is::<gtk::StackSwitcher>());
     if in_list {
+/// The letter of a key in flight: there the letters mean their places, as in games.
         return (arrows || enter) && plain;
     }
     // What is selected in a text is copied, not the picture.

@@ -1,5 +1,5 @@
-//! Keys to commands. Plain letters and digits mean the place on the keyboard, so that they work on ЙЦУКЕН and AZERTY; with Ctrl, a Latin letter is
-//! itself, as everywhere on the desktop, and any other one its place.
+//! Keys to commands. A Latin letter, a sign, a digit and a named key are themselves, whatever their keycode: keyboards on a screen, remote and virtual ones
+//! send any. Only a letter that is not Latin means its place on the keyboard, so that the same keys work on ЙЦУКЕН.
 
 use std::collections::HashMap;
 
@@ -64,6 +64,10 @@ fn held(modifiers: gdk::ModifierType) -> u8 {
 
 fn name(key: gdk::Key) -> String {
     let name = key.to_lower().name().map(String::from).unwrap_or_default();
+    // The tilde is the shifted grave of most keyboards.
+    if name == "asciitilde" {
+        return "grave".into();
+    }
     // Plus needs Shift on many keyboards, and stands on the number block too.
     if ["equal", "KP_Add"].contains(&name.as_str()) {
         return "plus".into();
@@ -80,19 +84,22 @@ fn name(key: gdk::Key) -> String {
 fn chords(key: gdk::Key, hardware: Option<u32>, modifiers: gdk::ModifierType) -> Vec<Chord> {
     let held = held(modifiers);
     let by_value = name(key);
-    let latin = key.to_unicode().is_some_and(|c| c.is_ascii_alphabetic());
-    let by_place = hardware.and_then(at_place).and_then(|sign| gdk::Key::from_name(sign_name(sign))).map(name);
-    let mut found = Vec::with_capacity(3);
-    match by_place {
-        Some(place) if !(held & CONTROL != 0 && latin) => found.push((place, held)),
-        _ => {}
+    let sign = key.to_unicode().filter(|c| !c.is_whitespace() && !c.is_control());
+    if sign.is_some_and(|c| c.is_alphabetic() && !is_latin(c)) {
+        let by_place = hardware.and_then(at_place).and_then(|sign| gdk::Key::from_name(sign_name(sign))).map(name);
+        return by_place.into_iter().map(|place| (place, held)).collect();
     }
-    found.push((by_value.clone(), held));
-    // A sign that needs Shift on this keyboard is meant without it.
-    if !latin && key.to_unicode().is_some_and(|c| !c.is_whitespace() && !c.is_control()) {
+    let mut found = vec![(by_value.clone(), held)];
+    // A sign or a digit that needs Shift on this keyboard is meant without it.
+    if sign.is_some_and(|c| !c.is_alphabetic()) {
         found.push((by_value, held & !SHIFT));
     }
     found
+}
+
+/// Whether a letter is of the Latin script, with whatever marks.
+fn is_latin(letter: char) -> bool {
+    matches!(letter, 'A'..='Z' | 'a'..='z' | '\u{AA}' | '\u{BA}' | '\u{C0}'..='\u{24F}' | '\u{1E00}'..='\u{1EFF}')
 }
 
 fn sign_name(sign: char) -> String {
@@ -128,18 +135,39 @@ mod tests {
     }
 
     #[test]
-    fn letters_mean_their_place() {
+    fn what_is_latin_a_sign_or_named_is_itself_wherever_it_comes_from() {
         let keys = Keys::default();
-        // B on a US, the same key on a Russian keyboard, and A's place on a French one (Q there is A in the US).
-        assert_eq!(keys.command(Key::b, Some(56), M::empty()), Some(Command::Bones));
-        assert_eq!(keys.command(Key::Cyrillic_i, Some(56), M::empty()), Some(Command::Bones));
-        assert_eq!(keys.command(Key::z, Some(25), M::empty()), Some(Command::Weights));
-        assert_eq!(keys.command(Key::b, None, M::empty()), Some(Command::Bones));
-        assert_eq!(keys.command(Key::ampersand, Some(10), M::empty()), Some(Command::Front));
+        let command = |key: Key, code: Option<u32>| keys.command(key, code, M::empty());
+        // Whatever the keycode: that of another letter, of a digit, of a named key, of nothing.
+        for code in [None, Some(9), Some(10), Some(24), Some(25), Some(56), Some(65), Some(255)] {
+            assert_eq!(command(Key::b, code), Some(Command::Bones), "{code:?}");
+            assert_eq!(command(Key::w, code), Some(Command::Weights), "{code:?}");
+            assert_eq!(command(Key::_1, code), Some(Command::Front), "{code:?}");
+            assert_eq!(command(Key::bracketleft, code), Some(Command::Slower), "{code:?}");
+            assert_eq!(command(Key::F1, code), Some(Command::Help), "{code:?}");
+            assert_eq!(command(Key::space, code), Some(Command::Play), "{code:?}");
+            assert_eq!(command(Key::Left, code), Some(Command::FrameBack), "{code:?}");
+            // Signs and Latin letters of other keyboards that are no command's are none's.
+            assert_eq!(command(Key::ampersand, code), None, "{code:?}");
+            assert_eq!(command(Key::eacute, code), None, "{code:?}");
+            assert_eq!(command(Key::z, code), None, "{code:?}");
+        }
+        // A digit for which a French keyboard needs Shift.
+        assert_eq!(keys.command(Key::_1, Some(10), M::SHIFT_MASK), Some(Command::Front));
     }
 
     #[test]
-    fn with_control_a_latin_letter_is_itself() {
+    fn a_letter_that_is_not_latin_means_its_place() {
+        let keys = Keys::default();
+        assert_eq!(keys.command(Key::Cyrillic_i, Some(56), M::empty()), Some(Command::Bones));
+        assert_eq!(keys.command(Key::Greek_beta, Some(56), M::empty()), Some(Command::Bones));
+        assert_eq!(keys.command(Key::Cyrillic_ha, Some(34), M::empty()), Some(Command::Slower));
+        assert_eq!(keys.command(Key::Cyrillic_i, None, M::empty()), None);
+        assert_eq!(keys.command(Key::Cyrillic_TE, Some(57), M::SHIFT_MASK), Some(Command::NormalGlyphs));
+    }
+
+    #[test]
+    fn so_it_is_with_control() {
         let keys = Keys::default();
         // Ctrl+Z on a French keyboard, where Z is at W's place, must not close the file.
         assert_eq!(keys.command(Key::z, Some(25), M::CONTROL_MASK), Some(Command::Undo));
