@@ -48,13 +48,14 @@ impl Editor {
         result.is_ok()
     }
 
-    /// What the muscle shown says.
+    /// What the muscle shown says; `None` while another document is being shown: an entry that goes away then still wants what was typed to be taken.
     pub fn spec(&self) -> Option<MuscleSpec> {
         let id = self.id();
         self.window.upgrade()?.look(|session| {
             let (rig, index) = session.document().muscle(id)?;
             rig.spec(index).cloned()
-        })
+        };
+        self.window.upgrade()?.try_look(spec)?
     }
 }
 

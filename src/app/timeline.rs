@@ -379,7 +379,8 @@ pub fn hold_while(drag: &gtk::GestureDrag, window: &Rc<Window>) {
         let weak = Rc::downgrade(window);
         move || {
             if let Some(window) = weak.upgrade() {
-                window.look(|session| session.hold_time(held));
+                // A widget that goes away with what was open lets go too; the session has forgotten the hand then.
+                window.try_look(|session| session.hold_time(held));
             }
         }
     };
