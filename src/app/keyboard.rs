@@ -8,6 +8,8 @@ use gtk4 as gtk;
 
 use super::actions::Command;
 use super::keys::at_place;
+use super::muscle_editor;
+use super::ui;
 use super::window::Window;
 
 /// Listens at the window.
@@ -24,7 +26,7 @@ pub fn connect(window: &Rc<Window>) {
             if !is_typing(&window) && window.viewport.flight_key(&window, letter(key, hardware), key, true) {
                 return glib::Propagation::Stop;
             }
-            if key == gdk::Key::Escape && leave(&window) {
+            if leave_box(&window, key) || key == gdk::Key::Escape && leave(&window) {
                 return glib::Propagation::Stop;
             }
             if matches!(key, gdk::Key::Tab | gdk::Key::ISO_Left_Tab)
@@ -50,6 +52,7 @@ pub fn connect(window: &Rc<Window>) {
         }
     ));
     window.widget.add_controller(keys);
+    remember_text(window);
     window.widget.connect_is_active_notify(glib::clone!(
         #[weak]
         window,
@@ -61,8 +64,38 @@ pub fn connect(window: &Rc<Window>) {
     ));
 }
 
+/// Remembers what an entry said when the keyboard came to it, for Esc.
+fn remember_text(window: &Rc<Window>) {
+    window.widget.connect_focus_widget_notify(|widget| {
+        if let Some(text) = gtk::prelude::GtkWindowExt::focus(widget).and_downcast::<gtk::Text>() {
+            muscle_editor::remember_shown(&text);
+        }
+    });
+}
+
+/// Enter takes what was typed into a box of a number, Esc what a box or an entry said before, and the keyboard goes back to the picture. Whether it did.
+fn leave_box(window: &Rc<Window>, key: gdk::Key) -> bool {
+    let enter = matches!(key, gdk::Key::Return | gdk::Key::KP_Enter);
+    let text = focus(window).and_downcast::<gtk::Text>().filter(|text| text.native().is_some_and(|native| native == window.widget));
+    let Some(text) = text.filter(|_| enter || key == gdk::Key::Escape) else { return false };
+    if let Some(number) = text.ancestor(gtk::SpinButton::static_type()).and_downcast::<gtk::SpinButton>() {
+        if enter {
+            number.update();
+        } else {
+            // The same value again: it is written anew.
+            number.set_value(number.value());
+        }
+    } else if let Some(entry) = text.ancestor(gtk::Entry::static_type()).and_downcast::<gtk::Entry>().filter(|_| !enter) {
+        muscle_editor::show_as_before(&entry);
+    } else {
+        return false;
+    }
+    window.viewport.take_focus();
+    true
+}
+
 /// Esc leaves what has been begun, whatever has the focus; else it sends away what has come up over the scene, but not from under a menu or a text that is
-/// being typed, which have an Esc of their own. Whether there was any of that.
+/// being typed, which have an Esc of their own; at last it takes the selection away. Whether there was any of that.
 fn leave(window: &Rc<Window>) -> bool {
     if window.look(|session| session.picking().is_some()) {
         window.act(|session| {
@@ -77,7 +110,14 @@ fn leave(window: &Rc<Window>) -> bool {
         window.error_bar.hide();
         return true;
     }
-    window.leave_start_page()
+    if window.leave_start_page() {
+        return true;
+    }
+    let selected = window.look(|session| session.selected().is_some());
+    if selected {
+        window.act(|session| session.select(None));
+    }
+    selected
 }
 
 /// Tab leaves a list as one thing, instead of going through its rows, of which there may be hundreds: arrows do that. Whether the focus was in one.
@@ -105,6 +145,7 @@ fn keycode(controller: &gtk::EventControllerKey, code: u32) -> Option<u32> {
     ["X11", "Wayland"].iter().any(|kind| display.contains(kind)).then_some(code)
 }
 
+/// The letter of a key in flight: there the letters mean their places, as in games.
 fn letter(key: gdk::Key, hardware: Option<u32>) -> Option<char> {
     hardware.and_then(at_place).or_else(|| key.to_unicode()).map(|letter| letter.to_ascii_lowercase())
 }
@@ -129,9 +170,10 @@ fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierTyp
         return plain && !function;
     }
     if is_typing(window) {
-        // No number has a space in it, so in a number box Space plays too.
-        let in_number = widget.ancestor(gtk::SpinButton::static_type()).is_some();
-        if in_number && key == K::space {
+        // No number has a space or a letter in it, so in a box of a number these do what they do elsewhere.
+        let in_number = widget.ancestor(gtk::SpinButton::static_type()).is_some()
+            || widget.ancestor(gtk::Entry::static_type()).and_downcast::<gtk::Entry>().is_some_and(|entry| ui::is_of_numbers(&entry));
+        if in_number && plain && (key == K::space || key.to_unicode().is_some_and(char::is_alphabetic)) {
             return false;
         }
         let text_keys = [K::c, K::z, K::Z, K::y, K::Left, K::Right, K::o].contains(&key) && key != K::o;
@@ -145,7 +187,6 @@ fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierTyp
     let in_list = std::iter::successors(Some(widget.clone()), |widget| widget.parent())
         .any(|widget| widget.is::<gtk::ListView>() || widget.is::<gtk::ColumnView>() || widget.is::<gtk::StackSwitcher>());
     if in_list {
-/// The letter of a key in flight: there the letters mean their places, as in games.
         return (arrows || enter) && plain;
     }
     // What is selected in a text is copied, not the picture.

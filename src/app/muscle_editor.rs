@@ -1,6 +1,6 @@
 //! Changes muscles for the widgets of the muscle panel, and shows in place why a change is not made.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::rc::{Rc, Weak};
 
 use gtk::prelude::*;
@@ -51,7 +51,7 @@ impl Editor {
     /// What the muscle shown says; `None` while another document is being shown: an entry that goes away then still wants what was typed to be taken.
     pub fn spec(&self) -> Option<MuscleSpec> {
         let id = self.id();
-        self.window.upgrade()?.look(|session| {
+        let spec = |session: &mut Session| {
             let (rig, index) = session.document().muscle(id)?;
             rig.spec(index).cloned()
         };
@@ -80,6 +80,23 @@ pub fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + 'static) {
         }
     });
     entry.add_controller(focus);
+}
+
+thread_local! {
+    /// What the entry that has the keyboard said when that came to it.
+    static SHOWN: RefCell<String> = RefCell::default();
+}
+
+/// Remembers what an entry says, now that the keyboard comes to it.
+pub fn remember_shown(text: &gtk::Text) {
+    SHOWN.set(text.text().into());
+}
+
+/// Lets the entry that has the keyboard say again what it said when that came to it.
+pub fn show_as_before(entry: &gtk::Entry) {
+    entry.set_text(&SHOWN.with_borrow(String::clone));
+    entry.remove_css_class(TYPED);
+    entry.remove_css_class("error");
 }
 
 /// Shows a text in an entry. What somebody is typing stays while something else changes, and so does what was refused, unless all is `anew`.

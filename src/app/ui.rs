@@ -1,11 +1,13 @@
 //! Loads `.ui` files: a text `tr:key` stands for the message `key` of the catalogue, `tr:key#` for one that takes the argument `$number`,
 //! `tr:key@command,command` for one with the shortcuts of commands that do the same, and `tip:command` for the label of a command with its shortcut.
 
-use gtk4::glib::{Object, Propagation, markup_escape_text};
+use gtk4::glib::signal::signal_stop_emission_by_name;
+use gtk4::glib::{Object, Propagation, idle_add_local_once, markup_escape_text};
 use gtk4::prelude::*;
 use gtk4::{
-    Builder, DropDown, EventControllerScroll, Expression, Label, ListItem, MenuButton, Popover, PropagationPhase, PropertyExpression,
-    Scale, ScrolledWindow, SignalListItemFactory, SpinButton, StringList, StringObject, ToggleButton, Widget, pango,
+    Builder, DropDown, Editable, Entry, EventControllerScroll, Expression, InputPurpose, Label, ListItem, ListView, MenuButton, Popover,
+    PropagationPhase, PropertyExpression, Scale, ScrolledWindow, SignalListItemFactory, SpinButton, StringList, StringObject, ToggleButton, Widget,
+    pango,
 };
 
 use super::actions::Command;
@@ -61,6 +63,10 @@ pub fn numbered(text: &str, number: usize) -> Builder {
         if let Some(number) = object.downcast_ref::<SpinButton>() {
             speak_numbers(number);
         }
+            take_numbers(number);
+        }
+        if let Some(entry) = object.downcast_ref::<Entry>().filter(|entry| is_of_numbers(entry)) {
+            take_numbers(entry);
     }
     builder
 }
@@ -150,6 +156,22 @@ fn let_scroll(object: &Object) {
 }
 
 /// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed
+/// Lets a box or an entry take numbers only: a letter is never a part of one.
+pub fn take_numbers(editable: &impl IsA<Editable>) {
+    if let Some(text) = editable.delegate() {
+        text.connect_insert_text(|text, inserted, _| {
+            if inserted.chars().any(char::is_alphabetic) {
+                signal_stop_emission_by_name(text, "insert-text");
+            }
+        });
+    }
+}
+
+/// Whether an entry is one of numbers.
+pub fn is_of_numbers(entry: &Entry) -> bool {
+    entry.input_purpose() == InputPurpose::Number
+}
+
 /// before its half second was over.
 fn hush(object: &Object) {
     if let Some(button) = object.downcast_ref::<MenuButton>() {
