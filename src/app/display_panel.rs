@@ -7,7 +7,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::ghosts_panel::GhostsPanel;
-use super::session::{Backdrop, Changes, LightAim, Session};
+use super::session::{Backdrop, Changes, LightAim, Session, Step};
 use super::settings::SHADINGS;
 use super::window::{Window, part};
 use super::{format, ui};
@@ -134,8 +134,7 @@ impl DisplayPanel {
                 move |_| {
                     let aim = LightAim { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
                     window.act(|session| {
-                        session.remember_as("app-edit-light");
-                        session.set_light(aim);
+                        session.step(tr!("app-edit-light"), Step::near(0), |session| session.set_light(aim));
                     });
                 }
             ));

@@ -2,7 +2,6 @@
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
-use std::time::{Duration, Instant};
 
 use glam::{DMat4, DVec3};
 use gtk::glib;
@@ -11,7 +10,7 @@ use gtk4 as gtk;
 
 use super::inspector_text::{self, Space};
 use super::plot_view;
-use super::session::{Changes, Matrices, Session};
+use super::session::{Changes, Matrices, Session, Step};
 use super::window::{Window, part};
 use super::{canvas::Canvas, format, swatch, ui};
 use crate::document::{Skinning, angle_at};
@@ -20,8 +19,6 @@ use crate::plot::Plot;
 use crate::scene::{Content, NodeId, NodeKind};
 use crate::tr;
 
-/// Changes of a slider that follow each other this closely are one step of undo.
-const GESTURE: Duration = Duration::from_millis(800);
 /// Moments at which the angle over a clip is taken.
 const MOMENTS: usize = 241;
 /// Most materials and bones that are listed.
@@ -42,7 +39,6 @@ pub struct Inspector {
     dual: gtk::CheckButton,
     plot: Canvas,
     curve: Rc<RefCell<Plot>>,
-    turning: Rc<Cell<Option<(NodeId, Instant)>>>,
     /// The lists that the three bones of the angle are chosen from.
     corners: [gtk::DropDown; 3],
     joints: Rc<RefCell<Vec<NodeId>>>,
@@ -104,7 +100,6 @@ impl Inspector {
             dual,
             plot,
             curve,
-            turning: Rc::default(),
         }
     }
 
@@ -129,11 +124,10 @@ impl Inspector {
             }
         ));
         for (axis, scale) in self.turns.iter().enumerate() {
-            let turning = self.turning.clone();
             scale.connect_value_changed(glib::clone!(
                 #[weak]
                 window,
-                move |scale| window.act(|session| turn(session, axis, scale.value(), &turning))
+                move |scale| window.act(|session| turn(session, axis, scale.value()))
             ));
         }
         for (id, all) in [("reset", false), ("reset_all", true)] {
@@ -401,14 +395,9 @@ fn turn_scale(grid: &gtk::Grid, row: usize) -> gtk::Scale {
 }
 
 /// Turns the selected joint about one of its axes.
-fn turn(session: &mut Session, axis: usize, degrees: f64, turning: &Cell<Option<(NodeId, Instant)>>) {
+fn turn(session: &mut Session, axis: usize, degrees: f64) {
     let Some(node) = session.selected() else { return };
-    let now = Instant::now();
-    let going_on = turning.replace(Some((node, now))).is_some_and(|(last, when)| last == node && now.duration_since(when) < GESTURE);
-    if !going_on {
-        session.remember_as("app-edit-turn-by-hand");
-    }
     let mut turns = session.document().hand_turn(node);
     turns[axis] = degrees;
-    session.turn_by_hand(node, turns);
+    session.step(tr!("app-edit-turn-by-hand"), Step::near(node.0), |session| session.turn_by_hand(node, turns));
 }

@@ -88,7 +88,7 @@ impl MeasurePanel {
                     let place = plot.borrow().x_at(x, f64::from(canvas.width()));
                     let Some(place) = place else { return };
                     match window.measure.against() {
-                        Against::Angle => window.act(|session| session.set_flexion(place)),
+                        Against::Angle => window.act(|session| session.bend_by_hand(place)),
                         Against::Time => window.act(|session| session.time(|playback| playback.seek(place))),
                     }
                 }

@@ -8,7 +8,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::actions::Command;
-use super::session::{Changes, JointAxis, Session};
+use super::session::{Changes, JointAxis, Session, Step};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::scene::NodeId;
@@ -52,12 +52,12 @@ impl MuscleJoint {
         self.contraction.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.set_contraction(slider.value()))
+            move |slider| window.act(|session| session.contract_by_hand(slider.value()))
         ));
         self.flexion.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.set_flexion(slider.value()))
+            move |slider| window.act(|session| session.bend_by_hand(slider.value()))
         ));
         for list in [&self.joint, &self.axis] {
             let (joint, axis, bones) = (self.joint.downgrade(), self.axis.downgrade(), self.bones.clone());
@@ -72,7 +72,7 @@ impl MuscleJoint {
                         // Another axis of the joint that was found is a choice too.
                         let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Hinge);
                         let chosen = bone.or_else(found).map(|node| (node, axis));
-                        session.choose_joint(chosen);
+                        session.step(tr!("app-edit-joint"), Step::New, |session| session.choose_joint(chosen));
                     });
                 }
             ));
@@ -80,12 +80,14 @@ impl MuscleJoint {
         self.on_top.connect_toggled(glib::clone!(
             #[weak]
             window,
-            move |on_top| window.act(|session| session.set_on_top(on_top.is_active()))
+            move |on_top| window.act(|session| {
+                session.step(tr!("app-edit-on-top"), Step::New, |session| session.set_on_top(on_top.is_active()));
+            })
         ));
         part::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::release_joint)
+            move |_| window.act(Session::release_by_hand)
         ));
     }
 

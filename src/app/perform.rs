@@ -8,13 +8,14 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::actions::Command;
-use super::session::{Picked, Preset, Session, Tool, With};
+use super::session::{Picked, Preset, Session, Step, Tool, With};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
 use super::{about, compare_file, export_dialog, files, help, picture, save_session, saving, theme};
 use crate::muscle::Handhold;
 use crate::render::{Samples, Shading};
 use crate::scene::View;
+use crate::tr;
 
 /// One action a command; those that are on or off have a state.
 pub fn make_actions() -> HashMap<Command, gio::SimpleAction> {
@@ -299,17 +300,16 @@ fn change_session(command: Command, session: &mut Session) {
         C::Orthographic => session.change_eye(|eye| eye.jump(|orbit| orbit.orthographic = !orbit.orthographic)),
         C::ResetLight => session.reset_light(),
         C::ResetModel => {
-            session.remember_as("app-edit-reset-model");
-            session.change_model(|model| model.reset());
+            session.step(tr!("app-edit-reset-model"), Step::New, |session| session.change_model(|model| model.reset()));
         }
         C::ContractMore | C::ContractLess => {
             if let Some(contraction) = session.contraction() {
-                session.set_contraction(contraction + if command == C::ContractMore { 5.0 } else { -5.0 });
+                session.contract_by_hand(contraction + if command == C::ContractMore { 5.0 } else { -5.0 });
             }
         }
         C::ElbowMore | C::ElbowLess => {
             if let Some(bend) = session.bend() {
-                session.set_flexion(bend.value + if command == C::ElbowMore { 5.0 } else { -5.0 });
+                session.bend_by_hand(bend.value + if command == C::ElbowMore { 5.0 } else { -5.0 });
             }
         }
         C::PickOrigin => session.start_picking(session.shown_muscle(), Picked::Point(Handhold::End(0))),

@@ -1,8 +1,7 @@
 //! Muscles come and go: new ones on the arm or on the bones of a clip, copies. Each is one step of undo.
 
 use super::joint::bones;
-use super::workshop::Step;
-use super::{Changes, Session};
+use super::{Changes, Session, Step};
 use crate::document::{PoseBuffers, PoseState};
 use crate::muscle::presets::Preset;
 use crate::muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap, bone_scale};

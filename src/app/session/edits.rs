@@ -2,11 +2,10 @@
 
 use glam::DVec2;
 
-use super::history::Snapshot;
+use super::history::{Snapshot, Step};
 use super::{Changes, Handles, ModelDrag, ModelTransform, Session, Tool};
 use crate::muscle::Drive;
 use crate::scene::NodeId;
-use crate::tr;
 
 impl Session {
     /// Elbow angle and contraction.
@@ -44,7 +43,7 @@ impl Session {
         &self.model
     }
 
-    /// Changes the model's transform. Call [`Session::remember`] before the first change of a gesture.
+    /// Changes the model's transform; within [`Session::step`] undo takes it back.
     pub fn change_model(&mut self, change: impl FnOnce(&mut ModelTransform)) {
         let before = self.model;
         change(&mut self.model);
@@ -86,20 +85,21 @@ impl Session {
         }
     }
 
-    /// Makes the present state a step that can be gone back to.
-    pub fn remember(&mut self) {
-        self.remember_as("app-edit-change");
-    }
-
-    /// Makes the present state a step that can be gone back to, with the catalogue's key for what is done now.
-    pub fn remember_as(&mut self, what: &'static str) {
-        self.remember_named(tr!(what));
-    }
-
-    /// [`Session::remember_as`] with the words themselves.
-    pub fn remember_named(&mut self, what: String) {
-        self.history.remember(self.snapshot(), what);
-        self.changed(Changes::HISTORY);
+    /// Does something that undo takes back; `what` says it in the user's language. Where nothing changed there is nothing to take back. Steps within it
+    /// are parts of it.
+    pub fn step<T>(&mut self, what: String, step: Step, change: impl FnOnce(&mut Self) -> T) -> T {
+        if self.history.inside {
+            return change(self);
+        }
+        let before = self.snapshot();
+        self.history.inside = true;
+        let result = change(self);
+        self.history.inside = false;
+        if self.snapshot() != before {
+            self.history.note(before, what, step);
+            self.changed(Changes::HISTORY);
+        }
+        result
     }
 
     /// What undo and redo would take back and do again, in the user's language.
@@ -132,6 +132,8 @@ impl Session {
             hidden,
             files: self.document.muscle_files().cloned().collect(),
             turned: self.document.hand_turns().to_vec(),
+            drive: self.state.drive,
+            held: self.held(),
         }
     }
 
@@ -147,8 +149,221 @@ impl Session {
                 self.document.scene.graph.node_mut(id).visible = step.hidden.binary_search(&id).is_err();
             }
             self.document.set_hand_turns(&step.turned);
-            self.changed(Changes::MODEL | Changes::LIGHT | Changes::DISPLAY | Changes::HAND);
+            self.state.drive = step.drive;
+            self.hold_as(step.held);
+            self.changed(Changes::MODEL | Changes::LIGHT | Changes::DISPLAY | Changes::HAND | Changes::DRIVE);
         }
         self.changed(Changes::HISTORY);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::{Duration, Instant};
+
+    use proptest::prelude::*;
+
+    use super::super::history::History;
+    use super::*;
+    use crate::app::session::tests::{biceps, clip};
+    use crate::muscle::Edit;
+    use crate::scene::MuscleId;
+
+    /// What a hand does.
+    #[derive(Debug, Clone, Copy)]
+    enum Deed {
+        Bend(f64),
+        Contract(f64),
+        Turn(u32, f64),
+        Radius(usize, f64),
+        Move(u32, f64),
+        Hide(u32),
+        Release,
+        OnTop(bool),
+        Undo,
+        Redo,
+    }
+
+    impl Deed {
+        /// What it is called, and what of; `None` for undo and redo.
+        fn what(self) -> Option<(String, u32)> {
+            Some(match self {
+                Self::Bend(_) => ("bend".into(), 0),
+                Self::Contract(_) => ("contract".into(), 0),
+                Self::Turn(node, _) => ("turn".into(), node),
+                Self::Radius(node, value) => (Edit::Radius(node, value).label(), 0),
+                Self::Move(axis, _) => ("move".into(), axis),
+                Self::Hide(_) => ("hide".into(), 0),
+                Self::Release => ("release".into(), 0),
+                Self::OnTop(_) => ("on top".into(), 0),
+                Self::Undo | Self::Redo => return None,
+            })
+        }
+
+        fn change(self, session: &mut Session) {
+            match self {
+                Self::Bend(degrees) => session.set_flexion(degrees),
+                Self::Contract(per_cent) => session.set_contraction(per_cent),
+                Self::Turn(node, degrees) => session.turn_by_hand(NodeId(node), glam::DVec3::new(degrees, 0.0, 0.0)),
+                Self::Move(axis, by) => session.change_model(|model| model.translation[axis as usize] = by),
+                Self::Hide(node) => session.document.scene.graph.node_mut(NodeId(node)).visible ^= true,
+                Self::Release => session.release_joint(),
+                Self::OnTop(on_top) => session.set_on_top(on_top),
+                Self::Radius(..) | Self::Undo | Self::Redo => {}
+            }
+        }
+
+        fn act(self, session: &mut Session, step: Step) {
+            match (self, self.what()) {
+                (Self::Undo, _) => session.undo(),
+                (Self::Redo, _) => session.redo(),
+                (Self::Radius(node, value), _) => {
+                    session.edit_muscle(MuscleId(0), &Edit::Radius(node, value), step).expect("a sound radius");
+                }
+                (deed, Some((what, _))) => session.step(what, step, |session| deed.change(session)),
+                (_, None) => {}
+            }
+        }
+    }
+
+    fn deed() -> impl Strategy<Value = Deed> {
+        // Few values, so that some are set twice and some come back.
+        let degrees = prop::sample::select(vec![10.0, 40.0, 90.0]);
+        prop_oneof![
+            degrees.clone().prop_map(Deed::Bend),
+            degrees.clone().prop_map(Deed::Contract),
+            (1..3_u32, degrees).prop_map(|(node, degrees)| Deed::Turn(node, degrees)),
+            (1..3_usize, prop::sample::select(vec![20.0, 25.0])).prop_map(|(node, radius)| Deed::Radius(node, radius)),
+            (0..2_u32, prop::sample::select(vec![0.0, 1.0])).prop_map(|(axis, by)| Deed::Move(axis, by)),
+            (0..2_u32).prop_map(Deed::Hide),
+            Just(Deed::Release),
+            any::<bool>().prop_map(Deed::OnTop),
+            Just(Deed::Undo),
+            Just(Deed::Undo),
+            Just(Deed::Redo),
+        ]
+    }
+
+    /// What undo should be: the states that were, and which of them is the present one.
+    struct Model {
+        states: Vec<Snapshot>,
+        present: usize,
+        /// What was changed last and when, while it may go on.
+        open: Option<(String, u32, Duration, bool)>,
+    }
+
+    impl Model {
+        fn changed(&mut self, to: Snapshot, (what, of): (String, u32), now: Duration, near: bool, same: bool) {
+            if to == self.states[self.present] {
+                return;
+            }
+            let goes_on = self.open.as_ref().is_some_and(|(last, last_of, then, was_near)| {
+                let at_once = near && *was_near && *last_of == of && now - *then < History::GESTURE;
+                *last == what && (same || at_once)
+            });
+            self.states.truncate(self.present + 1);
+            if goes_on {
+                self.states[self.present] = to;
+            } else {
+                self.states.push(to);
+                self.present += 1;
+            }
+            self.open = Some((what, of, now, near));
+        }
+
+        /// To the nearest state before or after that is another one; those between say the same as the present and are of no use.
+        fn go(&mut self, back: bool) {
+            self.open = None;
+            let other = |index: &usize| self.states[*index] != self.states[self.present];
+            if back {
+                if let Some(to) = (0..self.present).rev().find(other) {
+                    self.states.drain(to + 1..self.present);
+                    self.present = to;
+                }
+            } else if let Some(to) = (self.present + 1..self.states.len()).find(other) {
+                self.states.drain(self.present + 1..to);
+                self.present += 1;
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(96))]
+
+        #[test]
+        fn undo_and_redo_go_through_what_was_whatever_is_done_and_however_fast(
+            deeds in prop::collection::vec((deed(), 0..3_usize, prop::sample::select(vec![1_u64, 300, 900])), 1..40)
+        ) {
+            let mut session = clip();
+            session.new_muscle(biceps()).expect("a muscle");
+            session.history = History::default();
+            let begun = Instant::now();
+            let mut now = Duration::ZERO;
+            let mut model = Model { states: vec![session.snapshot()], present: 0, open: None };
+            for (deed, how, gap) in deeds {
+                now += Duration::from_millis(gap);
+                let of = deed.what().map_or(0, |(_, of)| of);
+                let step = [Step::New, Step::Same, Step::Near { of, now: begun + now }][how];
+                deed.act(&mut session, step);
+                match deed {
+                    Deed::Undo => model.go(true),
+                    Deed::Redo => model.go(false),
+                    _ => model.changed(session.snapshot(), deed.what().expect("a name"), now, how == 2, how == 1),
+                }
+                prop_assert!(session.snapshot() == model.states[model.present], "after {deed:?}");
+            }
+            // All the way back and all the way forth.
+            while model.present > 0 {
+                let before = model.present;
+                session.undo();
+                model.go(true);
+                prop_assert!(session.snapshot() == model.states[model.present]);
+                if model.present == before {
+                    break;
+                }
+            }
+            let first = session.snapshot();
+            while model.present + 1 < model.states.len() {
+                let before = model.present;
+                session.redo();
+                model.go(false);
+                prop_assert!(session.snapshot() == model.states[model.present]);
+                if model.present == before {
+                    break;
+                }
+            }
+            prop_assert!(model.states[0] == first);
+        }
+    }
+
+    #[test]
+    fn bending_by_the_slider_is_undone_and_an_edit_after_an_undo_is_a_step_of_its_own() {
+        let mut session = clip();
+        let turn = |session: &Session| session.state().turn;
+        session.bend_by_hand(50.0);
+        session.bend_by_hand(107.0);
+        let bent = turn(&session);
+        assert_eq!(session.step_names().0, Some(crate::tr!("app-edit-bend").as_str()));
+        session.undo();
+        assert_eq!((turn(&session), session.steps()), (None, (false, true)));
+        // At once, of the same value: within what would be one gesture.
+        session.bend_by_hand(30.0);
+        let again = turn(&session);
+        assert_eq!(session.steps(), (true, false));
+        session.undo();
+        assert_eq!(turn(&session), None);
+        session.redo();
+        assert_eq!(turn(&session), again);
+        session.bend_by_hand(107.0);
+        assert!(turn(&session) == bent && session.told_held().is_some_and(|told| told.contains("107°")));
+        session.release_by_hand();
+        assert_eq!((turn(&session), session.told_held()), (None, None));
+        session.undo();
+        assert_eq!(turn(&session), bent);
+        session.undo();
+        assert_eq!(turn(&session), again);
+        session.set_on_top(true);
+        session.bend_by_hand(20.0);
+        assert_eq!(session.told_held(), None, "the clip goes on moving it");
     }
 }

@@ -2,8 +2,7 @@
 
 use glam::{DVec2, DVec3, Vec2};
 
-use super::Session;
-use super::workshop::Step;
+use super::{Session, Step};
 use crate::muscle::{Edit, EditError, Handhold};
 use crate::scene::{Camera, MuscleId};
 

@@ -1,7 +1,10 @@
 //! Undo and redo: snapshots of what a hand can change, taken before the change.
 
+use std::time::{Duration, Instant};
+
+use super::joint::Held;
 use crate::document::HandTurn;
-use crate::muscle::MuscleFile;
+use crate::muscle::{Drive, MuscleFile};
 use crate::scene::NodeId;
 use crate::stage::{LightAim, ModelTransform};
 
@@ -18,11 +21,38 @@ pub struct Snapshot {
     pub files: Vec<MuscleFile>,
     /// Joints turned by hand.
     pub turned: Vec<HandTurn>,
+    /// Elbow angle and contraction.
+    pub drive: Drive,
+    /// The joint that the slider bends, and how it is bent.
+    pub held: Held,
 }
 
-/// A step: what it did, and how things were on its other side.
+/// Whether a change begins a step of its own or goes on with the last one. After an undo or a redo, whatever is changed begins one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// A step that undo takes back alone.
+    New,
+    /// Goes on with the last one, where that did the same: a drag goes on.
+    Same,
+    /// Goes on with the last one, where that did the same to the same thing a moment ago: a slider that is turned, a key that is pressed again.
+    Near {
+        /// What is changed: the number of a node, an axis …
+        of: u32,
+        /// The present.
+        now: Instant,
+    },
+}
+
+impl Step {
+    /// Goes on with a change of `of` that was made just now.
+    pub fn near(of: u32) -> Self {
+        Self::Near { of, now: Instant::now() }
+    }
+}
+
+/// A step that was taken: what it did, and how things were on its other side.
 #[derive(Debug)]
-struct Step {
+struct Taken {
     what: String,
     other_side: Snapshot,
 }
@@ -30,38 +60,52 @@ struct Step {
 /// The steps taken and taken back.
 #[derive(Debug, Default)]
 pub struct History {
-    done: Vec<Step>,
-    undone: Vec<Step>,
+    done: Vec<Taken>,
+    undone: Vec<Taken>,
+    /// How the last change came, while the next may go on with its step: until an undo or a redo.
+    open: Option<Step>,
+    /// Something is being done that is one step, of whatever steps it is made.
+    pub inside: bool,
 }
 
 impl History {
     /// Most steps that are kept.
     const DEPTH: usize = 200;
 
-    /// Remembers how things were before a change, and what is changed.
-    pub fn remember(&mut self, before: Snapshot, what: impl Into<String>) {
-        let what = what.into();
-        match self.done.last_mut().filter(|step| step.other_side == before) {
-            Some(step) => step.what = what,
-            None => self.done.push(Step { what, other_side: before }),
+    /// Changes of the same thing that follow each other this closely are one step.
+    pub const GESTURE: Duration = Duration::from_millis(800);
+
+    /// Notes a change that was made: how things were before it, and what it did.
+    pub fn note(&mut self, before: Snapshot, what: String, step: Step) {
+        let goes_on = match (self.open, step) {
+            (Some(_), Step::Same) => true,
+            (Some(Step::Near { of: last, now: then }), Step::Near { of, now }) => last == of && now.duration_since(then) < Self::GESTURE,
+            _ => false,
+        };
+        let same = self.done.last().is_some_and(|last| last.what == what);
+        self.open = Some(step);
+        self.undone.clear();
+        if !(goes_on && same) {
+            self.done.push(Taken { what, other_side: before });
         }
         if self.done.len() > Self::DEPTH {
             self.done.remove(0);
         }
-        self.undone.clear();
     }
 
     /// Goes back one step from `now`. A step in which nothing changed is passed over.
     pub fn undo(&mut self, now: Snapshot) -> Option<Snapshot> {
+        self.open = None;
         let back = std::iter::from_fn(|| self.done.pop()).find(|step| step.other_side != now)?;
-        self.undone.push(Step { what: back.what, other_side: now });
+        self.undone.push(Taken { what: back.what, other_side: now });
         Some(back.other_side)
     }
 
     /// Goes forward one step from `now`.
     pub fn redo(&mut self, now: Snapshot) -> Option<Snapshot> {
+        self.open = None;
         let next = std::iter::from_fn(|| self.undone.pop()).find(|step| step.other_side != now)?;
-        self.done.push(Step { what: next.what, other_side: now });
+        self.done.push(Taken { what: next.what, other_side: now });
         Some(next.other_side)
     }
 
@@ -87,29 +131,64 @@ mod tests {
 
     fn scaled(scale: f64) -> Snapshot {
         let model = ModelTransform { scale, ..ModelTransform::default() };
-        Snapshot { model, light: None, hidden: Vec::new(), files: Vec::new(), turned: Vec::new() }
+        Snapshot {
+            model,
+            light: None,
+            hidden: Vec::new(),
+            files: Vec::new(),
+            turned: Vec::new(),
+            drive: Drive::default(),
+            held: Held::default(),
+        }
+    }
+
+    fn note(history: &mut History, before: f64, what: &str, step: Step) {
+        history.note(scaled(before), what.to_owned(), step);
     }
 
     #[test]
     fn steps_go_back_and_forth() {
         let mut history = History::default();
-        history.remember(scaled(1.0), "app-edit-scale");
-        history.remember(scaled(2.0), "app-edit-scale");
+        note(&mut history, 1.0, "scale", Step::New);
+        note(&mut history, 2.0, "scale", Step::New);
         assert_eq!(history.undo(scaled(3.0)), Some(scaled(2.0)));
         assert_eq!(history.undo(scaled(2.0)), Some(scaled(1.0)));
         assert_eq!(history.undo(scaled(1.0)), None);
         assert_eq!(history.redo(scaled(1.0)), Some(scaled(2.0)));
-        assert_eq!(history.names(), (Some("app-edit-scale"), Some("app-edit-scale")));
-        history.remember(scaled(2.0), "app-edit-move");
-        assert_eq!(history.names(), (Some("app-edit-move"), None));
+        assert_eq!(history.names(), (Some("scale"), Some("scale")));
+        note(&mut history, 2.0, "move", Step::New);
+        assert_eq!(history.names(), (Some("move"), None));
         assert!(!history.can_redo() && history.can_undo());
+    }
+
+    #[test]
+    fn what_follows_at_once_goes_on_but_not_across_an_undo() {
+        let now = Instant::now();
+        let near = |milliseconds: u64, of: u32| Step::Near { of, now: now + Duration::from_millis(milliseconds) };
+        let mut history = History::default();
+        note(&mut history, 1.0, "turn", near(0, 7));
+        note(&mut history, 2.0, "turn", near(500, 7));
+        note(&mut history, 3.0, "turn", near(1200, 7));
+        assert_eq!(history.done.len(), 1, "each came within a moment of the last");
+        note(&mut history, 4.0, "turn", near(2100, 7));
+        note(&mut history, 5.0, "turn", near(2200, 8));
+        note(&mut history, 6.0, "move", near(2300, 8));
+        assert_eq!(history.done.len(), 4, "later, another thing, another deed");
+        assert_eq!(history.undo(scaled(7.0)), Some(scaled(6.0)));
+        note(&mut history, 6.0, "turn", near(2301, 8));
+        assert_eq!((history.done.len(), history.can_redo()), (4, false));
+        assert_eq!(history.undo(scaled(7.0)), Some(scaled(6.0)));
+        for _ in 0..2 {
+            note(&mut history, 6.0, "drag", Step::Same);
+        }
+        assert_eq!(history.done.len(), 4, "a drag over an undo begins a step of its own, and goes on with it");
     }
 
     #[test]
     fn a_step_that_changed_nothing_is_passed_over() {
         let mut history = History::default();
-        history.remember(scaled(1.0), "app-edit-scale");
-        history.remember(scaled(2.0), "app-edit-scale");
+        note(&mut history, 1.0, "scale", Step::New);
+        note(&mut history, 2.0, "scale", Step::New);
         assert_eq!(history.undo(scaled(2.0)), Some(scaled(1.0)));
     }
 
@@ -117,7 +196,7 @@ mod tests {
     fn the_depth_is_bounded() {
         let mut history = History::default();
         for step in 0..1000 {
-            history.remember(scaled(f64::from(step) + 1.0), "app-edit-scale");
+            note(&mut history, f64::from(step) + 1.0, "scale", Step::New);
         }
         assert_eq!(history.done.len(), History::DEPTH);
     }

@@ -2,10 +2,11 @@
 
 use glam::{DMat4, DVec3, Vec3};
 
-use super::{Changes, Session};
+use super::{Changes, Session, Step};
 use crate::document::{Explanation, HandTurn};
 use crate::render::Pick;
 use crate::scene::{Content, Deformer, Frame, NodeId, NodeKind};
+use crate::tr;
 
 /// A point on a surface, or a bone; it moves with what it is on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,7 +150,7 @@ impl Session {
         Some([above, node, below])
     }
 
-    /// Turns a joint by hand, degrees about its own axes. Call [`Session::remember`] before the first change of a gesture.
+    /// Turns a joint by hand, degrees about its own axes. Within [`Session::step`] undo takes it back.
     pub fn turn_by_hand(&mut self, node: NodeId, degrees: DVec3) {
         let before = self.document.hand_turn(node);
         self.document.set_hand_turn(node, degrees);
@@ -165,9 +166,10 @@ impl Session {
             None => Vec::new(),
         };
         if kept.len() != self.document.hand_turns().len() {
-            self.remember_as("app-edit-reset-turns");
-            self.document.set_hand_turns(&kept);
-            self.changed(Changes::HAND);
+            self.step(tr!("app-edit-reset-turns"), Step::New, |session| {
+                session.document.set_hand_turns(&kept);
+                session.changed(Changes::HAND);
+            });
         }
     }
 }

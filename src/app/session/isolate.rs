@@ -1,7 +1,8 @@
 //! Showing the selection alone, hiding it, and showing everything again.
 
-use super::{Changes, Session};
+use super::{Changes, Session, Step};
 use crate::scene::NodeId;
+use crate::tr;
 
 impl Session {
     /// Whether the selection is shown alone.
@@ -17,12 +18,9 @@ impl Session {
     /// Shows the selected node with what is below it alone; the second time everything that was shown before comes back.
     pub fn toggle_isolated(&mut self) {
         if let Some(hidden) = self.isolated.take() {
-            self.remember_as("app-edit-isolate");
-            self.hide_exactly(&hidden);
-            return;
+            return self.step(tr!("app-edit-isolate"), Step::New, |session| session.hide_exactly(&hidden));
         }
         let Some(selected) = self.display.selected else { return };
-        self.remember_as("app-edit-isolate");
         let graph = &self.document.scene.graph;
         let hidden: Vec<NodeId> = graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| id).collect();
         let above: Vec<NodeId> = std::iter::successors(Some(selected), |id| graph.node(*id).parent()).collect();
@@ -33,7 +31,7 @@ impl Session {
         let below = hidden.iter().copied().filter(|id| !above.contains(id) && !beside(*id));
         let mut alone: Vec<NodeId> = others.chain(below).collect();
         alone.sort_unstable();
-        self.hide_exactly(&alone);
+        self.step(tr!("app-edit-isolate"), Step::New, |session| session.hide_exactly(&alone));
         self.isolated = Some(hidden);
         // A bone without its skin is seen as a bone.
         let bare = !self.frame().surfaces.iter().any(|surface| surface.visible && surface.ghost.is_none());
@@ -52,9 +50,8 @@ impl Session {
     /// Shows everything.
     pub fn show_all(&mut self) {
         if self.hides_something() {
-            self.remember_as("app-edit-visible");
             self.isolated = None;
-            self.hide_exactly(&[]);
+            self.step(tr!("app-edit-visible"), Step::New, |session| session.hide_exactly(&[]));
         }
     }
 

@@ -5,10 +5,12 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
-use super::{Changes, Session};
+use super::{Changes, Session, Step};
 use crate::document::Document;
-use crate::muscle::{Drive, Driving, Joint};
+use crate::i18n::quantity as format;
+use crate::muscle::{Drive, Driving, Joint, Turn};
 use crate::scene::{MuscleId, NodeId, NodeKind};
+use crate::tr;
 
 /// Which axis a chosen joint turns about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -37,6 +39,14 @@ impl JointHand {
     pub fn muscles_changed(&mut self) {
         self.joint = OnceCell::new();
     }
+}
+
+/// What undo brings back of it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Held {
+    chosen: Option<(NodeId, JointAxis)>,
+    on_top: bool,
+    turn: Option<Turn>,
 }
 
 /// What the elbow slider shows, degrees.
@@ -164,11 +174,48 @@ impl Session {
         self.turn_joint(None);
     }
 
-    fn turn_joint(&mut self, turn: Option<crate::muscle::Turn>) {
+    fn turn_joint(&mut self, turn: Option<Turn>) {
         if turn != self.state.turn {
             self.state.turn = turn;
             self.changed(Changes::DRIVE);
         }
+    }
+
+    /// A hand bends the elbow of the arm, or the joint of the clip; undo takes that back.
+    pub fn bend_by_hand(&mut self, degrees: f64) {
+        self.step(tr!("app-edit-bend"), Step::near(0), |session| session.set_flexion(degrees));
+    }
+
+    /// A hand sets the contraction; undo takes that back.
+    pub fn contract_by_hand(&mut self, per_cent: f64) {
+        self.step(tr!("app-edit-contract"), Step::near(0), |session| session.set_contraction(per_cent));
+    }
+
+    /// A hand gives the joint back to the clip; undo takes that back.
+    pub fn release_by_hand(&mut self) {
+        self.step(tr!("app-edit-release"), Step::New, Self::release_joint);
+    }
+
+    /// Says that a joint stands still, whatever the clip does, and at which angle; `None` where none does.
+    pub fn told_held(&mut self) -> Option<String> {
+        let turn = self.state.turn.filter(|turn| !turn.on_top && self.playback.duration() > 0.0)?;
+        let angle = format!("{}°", format::number(self.joint_angle()?, 0));
+        let elbow = self.joint.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
+        Some(match elbow {
+            true => tr!("app-held-elbow", angle = angle),
+            false => tr!("app-held-joint", joint = self.document.scene.graph.node(turn.node).name.clone(), angle = angle),
+        })
+    }
+
+    pub(super) fn held(&self) -> Held {
+        Held { chosen: self.joint.chosen, on_top: self.joint.on_top, turn: self.state.turn }
+    }
+
+    pub(super) fn hold_as(&mut self, held: Held) {
+        if held.chosen != self.joint.chosen {
+            self.joint.joint = OnceCell::new();
+        }
+        (self.joint.chosen, self.joint.on_top, self.state.turn) = (held.chosen, held.on_top, held.turn);
     }
 
     /// How the clip's joint drives the muscle that is shown; `None` where it does not.

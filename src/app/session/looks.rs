@@ -2,11 +2,12 @@
 
 use glam::Vec3;
 
-use super::{Changes, Eye, LightAim, Session, Viewpoint};
+use super::{Changes, Eye, LightAim, Session, Step, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, View};
 use crate::stage::{Backdrop, file_camera};
+use crate::tr;
 
 impl Session {
     /// The selected node.
@@ -56,10 +57,11 @@ impl Session {
     /// Shows or hides a node with everything below it.
     pub fn set_visible(&mut self, node: NodeId, visible: bool) {
         if node.index() < self.document.scene.graph.len() && self.document.scene.graph.node(node).visible != visible {
-            self.remember_as("app-edit-visible");
-            self.document.scene.graph.node_mut(node).visible = visible;
-            self.stale = true;
-            self.changed(Changes::DISPLAY);
+            self.step(tr!("app-edit-visible"), Step::New, |session| {
+                session.document.scene.graph.node_mut(node).visible = visible;
+                session.stale = true;
+                session.changed(Changes::DISPLAY);
+            });
         }
     }
 
@@ -261,9 +263,10 @@ impl Session {
     /// The light goes back to its place beside the camera.
     pub fn reset_light(&mut self) {
         if self.light.is_some() {
-            self.remember_as("app-edit-light");
-            self.light = None;
-            self.changed(Changes::LIGHT);
+            self.step(tr!("app-edit-light"), Step::New, |session| {
+                session.light = None;
+                session.changed(Changes::LIGHT);
+            });
         }
     }
 }

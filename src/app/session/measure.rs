@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
-use super::Session;
+use super::{Session, Step};
 use crate::muscle::experiment::{CompareError, Table};
 use crate::muscle::fit::{Model, fitted_file};
 use crate::muscle::{MuscleFile, Rig, Solved};
@@ -104,8 +104,7 @@ impl Session {
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let Some(file) = files.get_mut(place) else { return Err(CompareError::NoJoint) };
         *file = fitted_file(file, rig, index, table, model)?.file;
-        self.remember_named(tr!("app-do-fit-radii"));
-        self.put_muscle_files(&files);
+        self.change_files(&files, tr!("app-do-fit-radii"), Step::New);
         Ok(())
     }
 

@@ -33,6 +33,7 @@ pub use eye::{Eye, FlyCamera, Viewpoint};
 pub use grips::{Grip, GripDrag, Ring};
 pub use handles::{Handle, Handles, ModelDrag};
 pub use hang::Hung;
+pub use history::Step;
 pub use inspect::Matrices;
 pub use joint::{Bend, JointAxis};
 pub use measure::{Against, Reading, csv};
@@ -41,7 +42,6 @@ pub use presets::Preset;
 pub use sheet::{Graph, GraphKind, Line, Moved, SheetRow};
 pub use time::Mark;
 pub use tool::Tool;
-pub use workshop::Step;
 
 use std::cell::OnceCell;
 use std::path::PathBuf;

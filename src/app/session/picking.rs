@@ -2,8 +2,7 @@
 
 use glam::DVec3;
 
-use super::workshop::Step;
-use super::{Changes, Session};
+use super::{Changes, Session, Step};
 use crate::muscle::{Anchor, Edit, EditError, Handhold};
 use crate::render::Pick;
 use crate::scene::{MuscleId, NodeId};
@@ -109,9 +108,12 @@ impl Session {
                 Ok(())
             }
             Some(origin) => {
-                self.edit_muscle(muscle, &Edit::Ends(Some([origin, anchor])), Step::New)?;
-                self.stop_picking();
-                self.fit_length(muscle, Step::Same)
+                let ends = Edit::Ends(Some([origin, anchor]));
+                self.step(ends.label(), Step::New, |session| {
+                    session.edit_muscle(muscle, &ends, Step::New)?;
+                    session.stop_picking();
+                    session.fit_length(muscle, Step::New)
+                })
             }
         }
     }

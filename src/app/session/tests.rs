@@ -166,10 +166,8 @@ fn a_reload_keeps_moment_camera_selection_and_model() {
 #[test]
 fn undo_brings_back_model_light_and_visibility() {
     let mut session = session();
-    session.remember();
-    session.change_model(|model| model.grow(2.0));
-    session.remember();
-    session.turn_light(10.0, 0.0);
+    session.step("grow".into(), Step::New, |session| session.change_model(|model| model.grow(2.0)));
+    session.step("light".into(), Step::New, |session| session.turn_light(10.0, 0.0));
     session.set_visible(NodeId(1), false);
     assert!(!session.document().scene.graph.node(NodeId(1)).visible);
     session.undo();

@@ -36,7 +36,7 @@ impl Tool {
     /// The catalogue's key for what it does to the model.
     pub fn edit(self) -> &'static str {
         match self {
-            Self::Navigate => "app-edit-change",
+            Self::Navigate => "app-edit-move",
             Self::Move => "app-edit-move",
             Self::Rotate => "app-edit-rotate",
             Self::Scale => "app-edit-scale",

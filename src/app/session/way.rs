@@ -1,7 +1,6 @@
 //! The way of a muscle between its ends: points that it passes, and the ball that it goes round.
 
-use super::Session;
-use super::workshop::Step;
+use super::{Session, Step};
 use crate::muscle::{Edit, EditError, Handhold};
 use crate::scene::{MuscleId, NodeId};
 

@@ -2,21 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Changes, Session};
+use super::{Changes, Session, Step};
 use crate::document::SourceKind;
 use crate::muscle::presets::Preset;
 use crate::muscle::{Edit, EditError, MuscleFile};
 use crate::scene::MuscleId;
 use crate::{input, limits, tr};
-
-/// Whether a change begins a step of its own or goes on with the one that a drag began.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
-    /// A step that undo takes back alone.
-    New,
-    /// Goes on with the last one.
-    Same,
-}
 
 impl Session {
     /// Changes muscle `id`.
@@ -93,10 +84,7 @@ impl Session {
     }
 
     pub(super) fn change_files(&mut self, files: &[MuscleFile], label: String, step: Step) {
-        if step == Step::New {
-            self.remember_named(label);
-        }
-        self.put_muscle_files(files);
+        self.step(label, step, |session| session.put_muscle_files(files));
     }
 
     /// Puts other muscle files in place, keeping the pose.

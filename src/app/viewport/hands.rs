@@ -246,11 +246,6 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
         }
         hands.moved.set(true);
         step = Step::New;
-        match grip {
-            Grip::Light => window.act(|session| session.remember_as("app-edit-light")),
-            Grip::Model => window.act(|session| session.remember_as(session.tool().edit())),
-            _ => {}
-        }
     }
     let (last_x, last_y) = hands.last.replace((x, y));
     let (dx, dy) = (x - last_x, y - last_y);
@@ -266,12 +261,13 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
             }
         }),
         Grip::Light => {
-            session.turn_light(degrees_x, -degrees_y);
+            session.step(tr!("app-edit-light"), step, |session| session.turn_light(degrees_x, -degrees_y));
             session.change_display(|display| display.light_marker = true);
         }
         Grip::Model => {
             if let Some(drag) = hands.model.get() {
-                session.drag_model(&drag, drag.from + DVec2::new(x, y), picture_size(window), snap);
+                let (what, to) = (tr!(session.tool().edit()), drag.from + DVec2::new(x, y));
+                session.step(what, step, |session| session.drag_model(&drag, to, picture_size(window), snap));
             }
         }
         Grip::Dot => {

@@ -8,7 +8,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use crate::app::session::{ModelTransform, Tool};
+use crate::app::session::{ModelTransform, Step, Tool};
 use crate::app::ui;
 use crate::app::window::{Window, part};
 use crate::tr;
@@ -46,7 +46,7 @@ impl Numbers {
 
     /// Lets the boxes change the model.
     pub fn connect(&self, window: &Rc<Window>) {
-        for number in &self.boxes {
+        for (axis, number) in (0..).zip(&self.boxes) {
             let (boxes, tool) = (self.boxes.clone(), self.tool.clone());
             number.connect_value_changed(glib::clone!(
                 #[weak]
@@ -54,13 +54,13 @@ impl Numbers {
                 move |_| {
                     let [x, y, z] = boxes.each_ref().map(gtk::SpinButton::value);
                     window.act(|session| {
-                        session.remember_as(tool.get().edit());
-                        session.change_model(|model| match tool.get() {
+                        let change = |model: &mut ModelTransform| match tool.get() {
                             Tool::Navigate => {}
                             Tool::Move => model.translation = DVec3::new(x, y, z),
                             Tool::Rotate => model.set_degrees(DVec3::new(x, y, z)),
                             Tool::Scale => model.set_scale(x),
-                        });
+                        };
+                        session.step(tr!(tool.get().edit()), Step::near(axis), |session| session.change_model(change));
                     });
                 }
             ));
