@@ -29,6 +29,7 @@ mod ghosts_panel;
 mod glyph;
 mod heading;
 mod health_panel;
+mod held;
 mod help;
 mod inspector;
 mod inspector_text;

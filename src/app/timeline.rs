@@ -46,6 +46,7 @@ pub struct Timeline {
     pub root: gtk::Box,
     /// What is unfolded below the track.
     pub sheet: Sheet,
+    over_track: gtk::Overlay,
     canvas: Canvas,
     track: Rc<RefCell<Track>>,
     time: gtk::Scale,
@@ -63,7 +64,8 @@ impl Timeline {
     pub fn new() -> Self {
         let builder = ui::builder(ui::TIMELINE);
         let canvas = Canvas::new(160, 72);
-        part::<gtk::Overlay>(&builder, "track").set_child(Some(&canvas));
+        let over_track: gtk::Overlay = part(&builder, "track");
+        over_track.set_child(Some(&canvas));
         for (id, glyph) in [
             ("previous_key", Glyph::PreviousKey),
             ("next_key", Glyph::NextKey),
@@ -84,6 +86,7 @@ impl Timeline {
         Self {
             root,
             sheet,
+            over_track,
             canvas,
             track,
             time: part(&builder, "time"),
@@ -102,6 +105,11 @@ impl Timeline {
         look(&mut self.track.borrow_mut());
         self.canvas.queue_draw();
         self.sheet.draw_anew();
+    }
+
+    /// What lies over the track.
+    pub fn over_track(&self) -> gtk::Overlay {
+        self.over_track.clone()
     }
 
     /// Whether a widget is the timeline itself, on which the keys of playing mean what they mean everywhere.

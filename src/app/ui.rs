@@ -47,6 +47,7 @@ files! {
     INSPECTOR = "inspector",
     TURN = "turn",
     GHOSTS = "ghosts",
+    HELD = "held",
 }
 
 /// A builder of one of the files, in the user's language.

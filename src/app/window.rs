@@ -15,6 +15,7 @@ use super::display_panel::DisplayPanel;
 use super::error_bar::ErrorBar;
 use super::files::Files;
 use super::health_panel::HealthPanel;
+use super::held::Held;
 use super::inspector::Inspector;
 use super::keys::Keys;
 use super::measure_panel::MeasurePanel;
@@ -71,6 +72,8 @@ pub struct Window {
     health: HealthPanel,
     inspector: Inspector,
     bare: Bare,
+    /// Over the picture and over the timeline.
+    held: [Held; 2],
     start: StartPage,
 }
 
@@ -125,6 +128,7 @@ impl Window {
             health: HealthPanel::new(),
             inspector: Inspector::new(),
             bare: Bare::new(),
+            held: std::array::from_fn(|_| Held::new()),
             start: StartPage::new(),
             builder,
         });
@@ -152,6 +156,11 @@ impl Window {
         slot("viewport_slot").append(&self.viewport.root);
         slot("timeline_slot").append(&self.timeline.root);
         self.viewport.root.add_overlay(&self.bare.root);
+        let [over_picture, over_timeline] = &self.held;
+        over_picture.root.add_css_class("floating");
+        self.viewport.root.add_overlay(&over_picture.root);
+        self.timeline.over_track().add_overlay(&over_timeline.root);
+        self.held.iter().for_each(|held| held.connect(self));
         self.viewport.root.add_overlay(&self.start.root);
         let stack: gtk::Stack = part(&self.builder, "stack");
         stack.add_titled(&self.muscle.root, Some("muscle"), &tr!("app-page-muscle"));
@@ -252,6 +261,9 @@ impl Window {
             self.health.refresh(session, changes);
             self.inspector.refresh(session, changes);
             self.viewport.refresh(session, changes);
+            if changes.any(Changes::DOCUMENT | Changes::DRIVE | Changes::PLAYBACK) {
+                self.held.iter().for_each(|held| held.refresh(session));
+            }
             if changes.any(Changes::DOCUMENT) {
                 menus::list_cameras(&part(&self.builder, "camera_menu"), session);
                 self.turn_page(session);

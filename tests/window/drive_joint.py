@@ -12,7 +12,7 @@ def one(window, name, *roles):
 def test_joint():
     window, elbow = open_curl()
     on_top = one(window, "On top of the clip", "check box", "toggle button")
-    release = window.get("button", "Let go")
+    release = window.get("button", "Release")
     checked = lambda: on_top.get_state_set().contains(Atspi.StateType.CHECKED)
     time = window.get("slider", "Time")
     time.set_current_value(time.get_maximum_value() / 2)

@@ -1,0 +1,47 @@
+//! Says over the picture and over the timeline that a joint stands still while the clip goes on, and lets it go.
+
+use std::rc::Rc;
+
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::session::Session;
+use super::ui;
+use super::window::{Window, part};
+
+/// A few words and a button.
+pub struct Held {
+    /// Both; hidden while no joint is held.
+    pub root: gtk::Box,
+    label: gtk::Label,
+    release: gtk::Button,
+}
+
+impl Held {
+    /// Hidden until a joint is held.
+    pub fn new() -> Self {
+        let builder = ui::builder(ui::HELD);
+        Self { root: part(&builder, "root"), label: part(&builder, "label"), release: part(&builder, "release") }
+    }
+
+    /// Lets the button release the joint.
+    pub fn connect(&self, window: &Rc<Window>) {
+        self.release.connect_clicked(glib::clone!(
+            #[weak]
+            window,
+            move |_| {
+                // Else the keyboard goes from the button that is hidden to the next widget.
+                window.viewport.take_focus();
+                window.act(Session::release_by_hand);
+            }
+        ));
+    }
+
+    /// Says what is held.
+    pub fn refresh(&self, session: &mut Session) {
+        let told = session.told_held();
+        self.root.set_visible(told.is_some());
+        self.label.set_text(&told.unwrap_or_default());
+    }
+}
