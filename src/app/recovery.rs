@@ -1,8 +1,9 @@
 //! Muscles that are not saved, kept where a crash cannot take them: in a file of the user's state folder, which the next start offers to bring back.
 
 use std::cell::{Cell, RefCell};
+use std::fs::TryLockError;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::rc::{Rc, Weak};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::Duration;
 
@@ -17,8 +18,11 @@ use crate::muscle::MuscleFile;
 use crate::stage::Unsaved;
 use crate::tr;
 
-/// How long changes are gathered before they are written.
-const GATHER: Duration = Duration::from_millis(1500);
+/// The first change is written down at once; those that follow are gathered for so long.
+const GATHER: Duration = Duration::from_millis(500);
+/// A program that is ending may hold its file for a moment still, as while it writes down what it was: so often is looked again, and so far apart.
+const LOOKS: u32 = 20;
+const LOOK_AGAIN: Duration = Duration::from_millis(500);
 /// What the names of these files begin with; the number of the process follows.
 const NAME: &str = "unsaved-";
 
@@ -39,9 +43,39 @@ pub struct Recovery {
     message: gtk::Label,
     path: PathBuf,
     gathering: Cell<bool>,
-    written: Cell<bool>,
+    /// Something changed since it was written down last.
+    changed: Cell<bool>,
+    /// Held while there is a file of this window's.
+    lock: RefCell<Option<Lock>>,
     told: Cell<bool>,
-    offered: RefCell<Option<(PathBuf, Unsaved)>>,
+    offered: RefCell<Option<Left>>,
+}
+
+/// What a program that is gone has left, held from all others.
+struct Left {
+    path: PathBuf,
+    unsaved: Unsaved,
+    lock: Lock,
+}
+
+/// Says to other programs that a file has somebody who looks after it. The system takes the lock away with the program that held it, however that ended.
+struct Lock {
+    path: PathBuf,
+    /// Never read; the lock lives as long as it does.
+    _file: std::fs::File,
+}
+
+impl Lock {
+    /// Takes the lock of a file; `None` where another has it.
+    fn of(path: &Path) -> Option<Self> {
+        let path = path.with_extension("lock");
+        let file = std::fs::OpenOptions::new().create(true).append(true).open(&path).ok()?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => None,
+            // Where a file system knows no locks, whoever comes first takes it.
+            Ok(()) | Err(TryLockError::Error(_)) => Some(Self { path, _file: file }),
+        }
+    }
 }
 
 impl Recovery {
@@ -55,7 +89,8 @@ impl Recovery {
             message: part(&builder, "message"),
             path: folder().join(name),
             gathering: Cell::default(),
-            written: Cell::default(),
+            changed: Cell::default(),
+            lock: RefCell::default(),
             told: Cell::default(),
             offered: RefCell::default(),
         }
@@ -71,10 +106,10 @@ impl Recovery {
                 // Else the keyboard goes from the button that is hidden to the next widget, the search, and Ctrl+Z with it.
                 window.viewport.take_focus();
                 window.recovery.fold();
-                let Some((path, unsaved)) = window.recovery.offered.take() else { return };
+                let Some(left) = window.recovery.offered.take() else { return };
                 match response {
-                    gtk::ResponseType::Accept => restore(&window, unsaved, path),
-                    gtk::ResponseType::Reject => forget_file(&path),
+                    gtk::ResponseType::Accept => restore(&window, left),
+                    gtk::ResponseType::Reject => left.forget(),
                     _ => {}
                 }
             }
@@ -82,12 +117,27 @@ impl Recovery {
     }
 
     /// Offers what a program that ended without saving has left.
-    pub fn offer(&self) {
-        let Some((path, unsaved)) = left_behind(&folder()) else { return };
-        let names = unsaved.files.iter().filter_map(|path| path.file_name()).map(|name| name.to_string_lossy()).collect::<Vec<_>>();
+    pub fn offer(&self, window: &Rc<Window>) {
+        self.look(&Rc::downgrade(window), LOOKS);
+    }
+
+    fn look(&self, window: &Weak<Window>, looks: u32) {
+        let Some(left) = left_behind(&folder()) else {
+            if looks > 1 && has_others(&folder(), &self.path) {
+                let window = window.clone();
+                glib::timeout_add_local_once(LOOK_AGAIN, move || {
+                    if let Some(of) = window.upgrade() {
+                        of.recovery.look(&window, looks - 1);
+                    }
+                });
+            }
+            return;
+        };
+        let files = &left.unsaved.files;
+        let names = files.iter().filter_map(|path| path.file_name()).map(|name| name.to_string_lossy()).collect::<Vec<_>>();
         let what = if names.is_empty() { tr!("document-built-in") } else { names.join(" + ") };
         self.message.set_text(&tr!("app-recovery", what = what));
-        self.offered.replace(Some((path, unsaved)));
+        self.offered.replace(Some(left));
         self.root.set_visible(true);
         self.root.set_revealed(true);
     }
@@ -97,28 +147,28 @@ impl Recovery {
         self.root.set_visible(false);
     }
 
-    /// The muscles, or whether they are saved, changed: soon they are written down, or the file goes.
+    /// The muscles, or whether they are saved, changed: at once they are written down, or the file goes.
     pub fn note(&self, window: &Rc<Window>, session: &Session) {
         if !session.is_unsaved() {
             return self.clear();
         }
+        self.changed.set(true);
         if self.gathering.replace(true) {
             return;
         }
         let weak = Rc::downgrade(window);
-        glib::timeout_add_local_once(GATHER, move || {
-            let Some(window) = weak.upgrade() else { return };
-            window.recovery.gathering.set(false);
-            match window.look(|session| Unsaved::of(session)) {
-                Some(unsaved) => window.recovery.write(&unsaved),
-                None => window.recovery.clear(),
-            }
-        });
+        glib::idle_add_local_once(move || write_down(&weak));
     }
 
     fn write(&self, unsaved: &Unsaved) {
+        self.changed.set(false);
+        // The lock comes first: a file without one is anybody's.
+        if self.lock.borrow().is_none() {
+            let folder = self.path.parent().map_or(Ok(()), std::fs::create_dir_all);
+            self.lock.replace(folder.ok().and_then(|()| Lock::of(&self.path)));
+        }
         match unsaved.write(&self.path) {
-            Ok(()) => self.written.set(true),
+            Ok(()) => {}
             // Once is enough: the folder will not get writable by being complained about.
             Err(reason) if !self.told.replace(true) => eprintln!("{}", tr!("app-recovery-unwritten", reason = reason)),
             Err(_) => {}
@@ -127,21 +177,47 @@ impl Recovery {
 
     /// All is saved, or was let go by a hand.
     pub fn clear(&self) {
-        if self.written.replace(false) {
-            forget_file(&self.path);
+        self.changed.set(false);
+        if let Some(lock) = self.lock.take() {
+            forget_files(&self.path, &lock);
         }
     }
 }
 
-/// Opens the files that were open, and puts the muscles that were not saved into them. The file is kept until they are there.
-fn restore(window: &Rc<Window>, unsaved: Unsaved, path: PathBuf) {
-    let Some(muscles) = unsaved.muscle_files() else { return };
-    files::open_carrying(window, unsaved.files, muscles, move || forget_file(&path));
+/// Writes down what is not saved, and again a moment later where it changed meanwhile.
+fn write_down(weak: &Weak<Window>) {
+    let Some(window) = weak.upgrade() else { return };
+    match window.look(|session| Unsaved::of(session)) {
+        Some(unsaved) => window.recovery.write(&unsaved),
+        None => window.recovery.clear(),
+    }
+    let weak = weak.clone();
+    glib::timeout_add_local_once(GATHER, move || {
+        let Some(window) = weak.upgrade() else { return };
+        if window.recovery.changed.get() {
+            return write_down(&weak);
+        }
+        window.recovery.gathering.set(false);
+    });
+}
+
+impl Left {
+    /// It was brought back, or is not wanted.
+    fn forget(self) {
+        forget_files(&self.path, &self.lock);
+    }
+}
+
+/// Opens the files that were open, and puts the muscles that were not saved into them. What was left is kept until they are there.
+fn restore(window: &Rc<Window>, left: Left) {
+    let Some(muscles) = left.unsaved.muscle_files() else { return };
+    files::open_carrying(window, left.unsaved.files.clone(), muscles, move || left.forget());
 }
 
 /// A file that cannot be removed is offered again; nothing is lost by that.
-fn forget_file(path: &Path) {
+fn forget_files(path: &Path, lock: &Lock) {
     let _ = std::fs::remove_file(path);
+    let _ = std::fs::remove_file(&lock.path);
 }
 
 /// Where these files are.
@@ -150,26 +226,34 @@ fn folder() -> PathBuf {
     state.unwrap_or_else(|| glib::home_dir().join(".local").join("state")).join("sinew")
 }
 
+/// The files of all programs, whether they run or not.
+fn all(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter(|entry| entry.file_name().to_str().is_some_and(is_ours)).map(|entry| entry.path()).collect()
+}
+
+/// Whether there are files of others than this window.
+fn has_others(folder: &Path, own: &Path) -> bool {
+    all(folder).iter().any(|path| path != own)
+}
+
 /// The newest file of a program that no longer runs.
-fn left_behind(folder: &Path) -> Option<(PathBuf, Unsaved)> {
-    let entries = std::fs::read_dir(folder).ok()?.flatten();
-    let mut left: Vec<(std::time::SystemTime, PathBuf)> = entries
-        .filter(|entry| entry.file_name().to_str().and_then(process_of).is_some_and(|process| !is_running(process)))
-        .filter_map(|entry| Some((entry.metadata().ok()?.modified().ok()?, entry.path())))
-        .collect();
+fn left_behind(folder: &Path) -> Option<Left> {
+    let dated = |path: PathBuf| Some((std::fs::metadata(&path).ok()?.modified().ok()?, path));
+    let mut left: Vec<_> = all(folder).into_iter().filter_map(dated).collect();
     left.sort();
-    left.into_iter().rev().find_map(|(_, path)| Some((path.clone(), Unsaved::read(&path)?)))
+    left.into_iter().rev().find_map(|(_, path)| {
+        let unsaved = Unsaved::read(&path)?;
+        let lock = Lock::of(&path)?;
+        // Another window may have brought it back meanwhile.
+        path.exists().then_some(Left { path, unsaved, lock })
+    })
 }
 
-/// The process whose file this is, by its name.
-fn process_of(name: &str) -> Option<u32> {
-    name.strip_prefix(NAME)?.strip_suffix(".yaml")?.split('-').next()?.parse().ok()
-}
-
-/// Whether a process of this program has this number. Where the system does not tell, none has.
-fn is_running(process: u32) -> bool {
-    let named = std::fs::read_to_string(format!("/proc/{process}/comm"));
-    process == std::process::id() || named.is_ok_and(|name| name.starts_with("sinew"))
+/// Whether a file is one of these, by its name.
+fn is_ours(name: &str) -> bool {
+    let numbers = name.strip_prefix(NAME).and_then(|name| name.strip_suffix(".yaml"));
+    numbers.is_some_and(|numbers| numbers.split('-').all(|number| number.parse::<u32>().is_ok()))
 }
 
 #[cfg(test)]
@@ -187,12 +271,20 @@ mod tests {
         assert_eq!(Unsaved::of(&session), None);
         session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.25), Step::New).unwrap();
         let unsaved = Unsaved::of(&session).unwrap();
-        // No process has the greatest number there is.
-        let path = folder.path().join(format!("{NAME}{}-0.yaml", u32::MAX));
+        let path = folder.path().join(format!("{NAME}7-0.yaml"));
         unsaved.write(&path).unwrap();
-        std::fs::write(folder.path().join(format!("{NAME}{}-1.yaml", u32::MAX)), "files: [").unwrap();
-        std::fs::write(folder.path().join(format!("{NAME}{}-0.yaml", std::process::id())), "").unwrap();
-        assert_eq!(left_behind(folder.path()), Some((path, unsaved.clone())));
+        std::fs::write(folder.path().join(format!("{NAME}7-1.yaml")), "files: [").unwrap();
+        // Newer than it, of a program that runs still; and a number is no sign of it, for numbers come again.
+        let kept = folder.path().join(format!("{NAME}{}-0.yaml", std::process::id()));
+        unsaved.write(&kept).unwrap();
+        let lock = Lock::of(&kept).unwrap();
+        let left = left_behind(folder.path()).unwrap();
+        assert_eq!((&left.path, &left.unsaved), (&path, &unsaved));
+        assert!(left_behind(folder.path()).is_none(), "one window offers it, and no other");
+        left.forget();
+        assert!(!path.exists() && has_others(folder.path(), &path));
+        drop(lock);
+        assert_eq!(left_behind(folder.path()).map(|left| left.path), Some(kept), "its program is gone now");
 
         let mut other = Session::new(Document::built_in());
         other.carry(unsaved.muscle_files().unwrap());
@@ -203,8 +295,9 @@ mod tests {
 
     #[test]
     fn only_own_files_are_looked_at() {
-        assert_eq!(process_of("unsaved-42-0.yaml"), Some(42));
-        assert_eq!((process_of("unsaved-x.yaml"), process_of("settings.yaml"), process_of("unsaved-42-0.txt")), (None, None, None));
-        assert!(is_running(std::process::id()));
+        assert!(is_ours("unsaved-42-0.yaml"));
+        for name in ["unsaved-x.yaml", "settings.yaml", "unsaved-42-0.txt", "unsaved-42-0.lock", "unsaved-.yaml"] {
+            assert!(!is_ours(name), "{name}");
+        }
     }
 }

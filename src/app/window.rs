@@ -142,7 +142,7 @@ impl Window {
         if let Some(notice) = notice {
             window.viewport.toast(&notice, None);
         }
-        window.recovery.offer();
+        window.recovery.offer(&window);
         window.widget.present();
     }
 
