@@ -77,7 +77,7 @@ impl ErrorBar {
             move |_| {
                 let again = window.error_bar.again.borrow().clone();
                 if let Some((paths, arrival)) = again {
-                    files::open(&window, paths, arrival);
+                    files::retry(&window, paths, arrival);
                 }
             }
         ));

@@ -33,6 +33,10 @@ const SETTLED: Duration = Duration::from_millis(300);
 #[derive(Default)]
 pub struct Files {
     reading: RefCell<Option<Arc<Progress>>>,
+    /// What is being read is to take the place of what is open, not the same files again.
+    replaces: Cell<bool>,
+    /// What is read beside it, to be compared with what is open.
+    apart: RefCell<Option<Arc<Progress>>>,
     monitors: RefCell<Vec<gio::FileMonitor>>,
     /// What this program wrote last, and where: no news.
     written: RefCell<Option<(PathBuf, String)>>,
@@ -54,17 +58,25 @@ struct Carried {
     then: Box<dyn FnOnce()>,
 }
 
+fn cancel(reading: &RefCell<Option<Arc<Progress>>>) {
+    if let Some(progress) = &*reading.borrow() {
+        progress.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+fn is_newest(reading: &RefCell<Option<Arc<Progress>>>, progress: &Arc<Progress>) -> bool {
+    reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, progress))
+}
+
 impl Files {
     /// Whether something is being read.
     pub fn is_loading(&self) -> bool {
-        self.reading.borrow().is_some()
+        self.reading.borrow().is_some() || self.apart.borrow().is_some()
     }
 
-    /// Stops reading.
+    /// Stops reading, whatever it is.
     pub fn stop(&self) {
-        if let Some(progress) = &*self.reading.borrow() {
-            progress.cancelled.store(true, Ordering::Relaxed);
-        }
+        [&self.reading, &self.apart].into_iter().for_each(cancel);
     }
 
     /// Says what was written to a file that may be watched.
@@ -115,6 +127,15 @@ pub fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     saving::ask_first(window, move |window| open_now(window, paths, arrival, None));
 }
 
+/// Tries once more to open files that could not be; what was to be done with them then is still to be done.
+pub fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
+    saving::ask_first(window, move |window| {
+        let (hang, carried) = (window.files.hang.get(), window.files.carried.take());
+        open_now(window, paths, arrival, carried);
+        window.files.hang.set(hang);
+    });
+}
+
 /// Opens files (none: the built-in scene) and puts muscles that are not saved into them; `then` runs once they are there.
 pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<MuscleFile>, then: impl FnOnce() + 'static) {
     saving::ask_first(window, move |window| {
@@ -124,6 +145,7 @@ pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<Musc
             window.start_page(false);
             window.give_looks_back();
             window.files.session_file.replace(None);
+            window.viewport.hush();
             window.act(|session| {
                 session.show(Document::built_in(), Arrival::New);
                 session.carry(carried.muscles);
@@ -160,13 +182,13 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival, carried:
     window.files.carried.replace(carried);
     let progress = Arc::new(Progress::default());
     window.files.reading.replace(Some(progress.clone()));
+    window.files.replaces.set(arrival == Arrival::New);
     show_progress(window, &paths, &progress);
     let window = window.clone();
     glib::spawn_future_local(async move {
         let (wanted, hand) = (paths.clone(), progress.clone());
         let read = gio::spawn_blocking(move || stage::open(&wanted, OpenOptions::default(), &hand)).await;
-        let newest = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &progress));
-        if !newest {
+        if !is_newest(&window.files.reading, &progress) {
             return;
         }
         window.files.reading.replace(None);
@@ -181,22 +203,22 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival, carried:
     });
 }
 
-/// Reads a file off the interface thread, with progress and Cancel, and hands the document on; what is open stays as it is.
+/// Reads a file off the interface thread, with progress and Cancel, and hands the document on; what is open stays as it is, and what is being opened
+/// goes on.
 pub fn read_apart(window: &Rc<Window>, path: PathBuf, then: impl FnOnce(&Rc<Window>, Document) + 'static) {
-    window.files.stop();
+    cancel(&window.files.apart);
     let progress = Arc::new(Progress::default());
-    window.files.reading.replace(Some(progress.clone()));
+    window.files.apart.replace(Some(progress.clone()));
     let paths = vec![path];
     show_progress(window, &paths, &progress);
     let window = window.clone();
     glib::spawn_future_local(async move {
         let (wanted, hand) = (paths.clone(), progress.clone());
         let read = gio::spawn_blocking(move || Document::open(&wanted, &hand)).await;
-        let newest = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &progress));
-        if !newest {
+        if !is_newest(&window.files.apart, &progress) {
             return;
         }
-        window.files.reading.replace(None);
+        window.files.apart.replace(None);
         window.viewport.loading(None);
         match read {
             _ if progress.is_cancelled() => window.act(|session| session.touch()),
@@ -222,8 +244,8 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
     glib::timeout_add_local_once(PATIENCE, move || {
         glib::timeout_add_local(Duration::from_millis(60), move || {
             let Some(window) = weak.upgrade() else { return glib::ControlFlow::Break };
-            let reading = window.files.reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, &mine));
-            if reading {
+            let files = &window.files;
+            if is_newest(&files.reading, &mine) || is_newest(&files.apart, &mine) {
                 let part = f64::from(mine.permille.load(Ordering::Relaxed)) / 1000.0;
                 window.viewport.loading(Some((&text, part)));
                 glib::ControlFlow::Continue
@@ -238,6 +260,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     let Opened { document, saved, compared } = opened;
     window.error_bar.hide();
     window.start_page(false);
+    window.viewport.hush();
     window.files.failed.set(false);
     let news = (arrival == Arrival::Again).then(|| window.look(|session| news::what_changed(session.document(), &document)));
     let warnings = document.health.len();
@@ -348,7 +371,8 @@ fn reload_own(window: &Rc<Window>) {
         let unsaved = session.is_unsaved();
         (session.files(), unsaved, unsaved && session.is_changed_outside())
     });
-    if paths.is_empty() || window.files.asking.get() {
+    // What is being opened takes their place: to read them again would only keep it from coming.
+    if paths.is_empty() || window.files.asking.get() || window.files.reading.borrow().is_some() && window.files.replaces.get() {
         return;
     }
     if !unsaved {
@@ -391,9 +415,13 @@ fn close_now(window: &Rc<Window>) {
 pub fn forget(window: &Rc<Window>) {
     window.files.stop();
     window.files.reading.replace(None);
+    window.files.apart.replace(None);
+    window.files.carried.replace(None);
+    window.files.hang.set(false);
     window.files.monitors.replace(Vec::new());
     window.files.session_file.replace(None);
     window.viewport.loading(None);
+    window.viewport.hush();
     window.error_bar.hide();
 }
 

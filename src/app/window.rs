@@ -140,7 +140,7 @@ impl Window {
         theme::follow(&window);
         window.refresh();
         if let Some(notice) = notice {
-            window.viewport.toast(&notice, None);
+            window.viewport.notice(&notice);
         }
         window.recovery.offer(&window);
         window.widget.present();

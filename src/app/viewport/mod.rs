@@ -51,6 +51,8 @@ pub struct Viewport {
     hands: hands::Hands,
     toasts: Rc<Cell<u32>>,
     toast_file: Rc<RefCell<Option<PathBuf>>>,
+    /// Whether what is said in passing is about the program, not about what is open.
+    toast_stays: Cell<bool>,
 }
 
 impl Viewport {
@@ -77,6 +79,7 @@ impl Viewport {
             hands: hands::Hands::default(),
             toasts: Rc::default(),
             toast_file: Rc::default(),
+            toast_stays: Cell::default(),
         }
     }
 
@@ -210,6 +213,7 @@ impl Viewport {
         ui::say(&part(&self.builder, "toast_label"), text);
         part::<gtk::Button>(&self.builder, "toast_folder").set_visible(file.is_some());
         self.toast_file.replace(file);
+        self.toast_stays.set(false);
         let revealer: gtk::Revealer = part(&self.builder, "toast");
         revealer.set_can_target(true);
         revealer.set_reveal_child(true);
@@ -221,6 +225,23 @@ impl Viewport {
                 revealer.set_can_target(false);
             }
         });
+    }
+
+    /// Says something in passing that is about the program, whatever is open.
+    pub fn notice(&self, text: &str) {
+        self.toast(text, None);
+        self.toast_stays.set(true);
+    }
+
+    /// Takes away what was said in passing about what is no longer open.
+    pub fn hush(&self) {
+        if !self.toast_stays.get() {
+            self.toasts.set(self.toasts.get().wrapping_add(1));
+            part::<gtk::Label>(&self.builder, "toast_label").set_text("");
+            let revealer: gtk::Revealer = part(&self.builder, "toast");
+            revealer.set_reveal_child(false);
+            revealer.set_can_target(false);
+        }
     }
 
     /// Shows how far reading is; `None` = nothing is being read.
