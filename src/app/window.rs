@@ -468,7 +468,8 @@ impl Window {
         self.recovery.clear();
         let mut settings = self.settings.borrow_mut();
         if !self.widget.is_maximized() && !self.widget.is_fullscreen() {
-            (settings.width, settings.height) = (self.widget.width(), self.widget.height());
+            // The size that GTK itself restores: the widget's own is less by the borders that it draws where no compositor gives it shadows.
+            (settings.width, settings.height) = self.widget.default_size();
         }
         settings.maximised = self.widget.is_maximized();
         (settings.tree_shown, settings.panel_shown) = self.sides.wanted();
