@@ -52,6 +52,7 @@ mod plot_view;
 mod profile_view;
 mod recent;
 mod recovery;
+mod renderer;
 mod save_as;
 mod save_session;
 mod saving;
@@ -95,9 +96,14 @@ const ENDED: u8 = 130;
 
 /// Opens the window with these files; none = the built-in biceps. Returns when the window is closed: 1 where there is no display.
 pub fn run(files: Vec<PathBuf>) -> ExitCode {
-    choose_renderer();
+    renderer::choose();
     if gtk::init().is_err() {
         eprintln!("{}", tr!("app-no-display"));
+        return ExitCode::FAILURE;
+    }
+    begin_anew();
+    if !has_fonts() {
+        eprintln!("{}", tr!("app-no-fonts"));
         return ExitCode::FAILURE;
     }
     glib::set_application_name("Sinew");
@@ -141,12 +147,19 @@ fn local(file: PathBuf) -> PathBuf {
     uri.and_then(|uri| gio::File::for_uri(uri).path()).unwrap_or(file)
 }
 
-/// Without a GPU, GTK before 4.14 shows a frame through OpenGL in software: 41–51 ms of CPU where cairo needs 1.4–2.1.
-fn choose_renderer() {
-    let chooses_well = (gtk::major_version(), gtk::minor_version()) >= (4, 14);
-    if !chooses_well && std::env::var_os("GSK_RENDERER").is_none() {
-        // SAFETY: nothing else runs yet: this is the first thing that the window's thread does, before GTK starts any other.
-        unsafe { std::env::set_var("GSK_RENDERER", "cairo") };
+/// Whether anything can be written at all; without a font a window is full of boxes, and as wide as they are.
+fn has_fonts() -> bool {
+    let context = gtk::Label::new(None).pango_context();
+    context.load_font(&gtk::pango::FontDescription::from_string("Sans 10")).is_some()
+}
+
+/// Begins the program anew where GTK would draw in software; returns only where that cannot be, or need not.
+fn begin_anew() {
+    #[cfg(unix)]
+    if let Some(mut command) = renderer::command().filter(|_| renderer::is_wrong()) {
+        use std::os::unix::process::CommandExt;
+        // Should it fail, the window is as slow as GTK would have it.
+        let _ = command.exec();
     }
 }
 
