@@ -211,8 +211,7 @@ impl SceneTree {
         let there = position.filter(|at| selection.item(*at).and_then(|item| node_of(&item)) == Some(node));
         selection.set_selected(there.unwrap_or(gtk::INVALID_LIST_POSITION));
         if let Some(at) = there {
-            // An action of the list itself: scrolling by code has a function from GTK 4.12 on only.
-            let _ = self.list.activate_action("list.scroll-to-item", Some(&at.to_variant()));
+            ui::scroll_to(&self.list, at);
         }
     }
 }

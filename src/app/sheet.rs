@@ -243,8 +243,7 @@ impl Sheet {
         let selected = session.selected().and_then(|node| rows.iter().position(|row| row.moved == Moved::Node(node)));
         self.selection.set_selected(selected.map_or(gtk::INVALID_LIST_POSITION, |place| place as u32));
         if let Some(place) = selected {
-            // An action of the list itself: scrolling by code has a function from GTK 4.12 on only.
-            let _ = self.list.activate_action("list.scroll-to-item", Some(&(place as u32).to_variant()));
+            ui::scroll_to(&self.list, place as u32);
         }
         let kept = self.moved.get().and_then(|moved| rows.iter().position(|row| row.moved == moved));
         let moves = |row: &SheetRow| session.sheet_graphs(row.moved).iter().any(Graph::moves);

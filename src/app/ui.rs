@@ -63,11 +63,11 @@ pub fn numbered(text: &str, number: usize) -> Builder {
         let_scroll(object);
         if let Some(number) = object.downcast_ref::<SpinButton>() {
             speak_numbers(number);
-        }
             take_numbers(number);
         }
         if let Some(entry) = object.downcast_ref::<Entry>().filter(|entry| is_of_numbers(entry)) {
             take_numbers(entry);
+        }
     }
     builder
 }
@@ -129,6 +129,18 @@ pub fn show_value(adjustment: &gtk4::Adjustment, value: f64) {
     }
 }
 
+/// Scrolls a list to a row, once whoever is told of a change of its rows has been told. A list that is not seen has nowhere to scroll.
+pub fn scroll_to(list: &ListView, row: u32) {
+    let list = list.downgrade();
+    idle_add_local_once(move || {
+        let there = |list: &ListView| list.is_mapped() && list.model().is_some_and(|rows| row < rows.n_items());
+        if let Some(list) = list.upgrade().filter(there) {
+            // An action of the list itself: scrolling by code has a function from GTK 4.12 on only.
+            let _ = list.activate_action("list.scroll-to-item", Some(&row.to_variant()));
+        }
+    });
+}
+
 /// Lets a box write and read numbers as the rest of the window does, in the language of the program; GTK's own way is that of the system's locale.
 fn speak_numbers(number: &SpinButton) {
     // The filter of numeric boxes knows the locale's decimal mark only.
@@ -144,19 +156,6 @@ fn speak_numbers(number: &SpinButton) {
     number.connect_input(|number| Some(Ok(format::typed(&number.text()).unwrap_or_else(|| number.value()))));
 }
 
-/// In a panel that scrolls, the wheel scrolls: a slider or a box that happens to come under the pointer is not turned by it.
-fn let_scroll(object: &Object) {
-    let Some(widget) = object.downcast_ref::<Widget>().filter(|widget| widget.is::<Scale>() || widget.is::<SpinButton>()) else { return };
-    widget.connect_map(|widget| {
-        if widget.ancestor(ScrolledWindow::static_type()).is_some() {
-            let controllers = widget.observe_controllers();
-            let wheels = (0..controllers.n_items()).filter_map(|place| controllers.item(place).and_downcast::<EventControllerScroll>());
-            wheels.for_each(|wheel| wheel.set_propagation_phase(PropagationPhase::None));
-        }
-    });
-}
-
-/// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed
 /// Lets a box or an entry take numbers only: a letter is never a part of one.
 pub fn take_numbers(editable: &impl IsA<Editable>) {
     if let Some(text) = editable.delegate() {
@@ -173,6 +172,19 @@ pub fn is_of_numbers(entry: &Entry) -> bool {
     entry.input_purpose() == InputPurpose::Number
 }
 
+/// In a panel that scrolls, the wheel scrolls: a slider or a box that happens to come under the pointer is not turned by it.
+fn let_scroll(object: &Object) {
+    let Some(widget) = object.downcast_ref::<Widget>().filter(|widget| widget.is::<Scale>() || widget.is::<SpinButton>()) else { return };
+    widget.connect_map(|widget| {
+        if widget.ancestor(ScrolledWindow::static_type()).is_some() {
+            let controllers = widget.observe_controllers();
+            let wheels = (0..controllers.n_items()).filter_map(|place| controllers.item(place).and_downcast::<EventControllerScroll>());
+            wheels.for_each(|wheel| wheel.set_propagation_phase(PropagationPhase::None));
+        }
+    });
+}
+
+/// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed
 /// before its half second was over.
 fn hush(object: &Object) {
     if let Some(button) = object.downcast_ref::<MenuButton>() {

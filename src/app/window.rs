@@ -234,6 +234,11 @@ impl Window {
         look(&mut self.session.borrow_mut())
     }
 
+    /// Looks at the session, unless widgets are being refreshed: what one that goes away meanwhile still tells is about what is no longer open.
+    pub fn try_look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> Option<T> {
+        self.session.try_borrow_mut().ok().map(|mut session| look(&mut session))
+    }
+
     /// Asks the session something, unless widgets are being refreshed: then no.
     pub fn look_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
         !self.refreshing.get() && ask(&self.session.borrow())
@@ -243,11 +248,6 @@ impl Window {
     pub fn refresh(self: &Rc<Self>) {
         let changes = self.session.borrow_mut().take_changes();
         if changes == Changes::default() {
-    /// Looks at the session, unless widgets are being refreshed: what one that goes away meanwhile still tells is about what is no longer open.
-    pub fn try_look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> Option<T> {
-        self.session.try_borrow_mut().ok().map(|mut session| look(&mut session))
-    }
-
             return;
         }
         self.refreshing.set(true);
