@@ -15,7 +15,7 @@ ICONS = $(SHARE)/icons/hicolor
 MIME_CACHES := XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses treemagic types version
 COMPLETIONS = "$(SHARE)/bash-completion/completions/sinew" "$(SHARE)/zsh/site-functions/_sinew" "$(SHARE)/fish/vendor_completions.d/sinew.fish"
 
-.PHONY: run build test monkey shots bench fuzz install uninstall deb clean refresh clips
+.PHONY: run build test test-newer monkey shots bench fuzz install uninstall deb clean refresh clips
 
 # The window starts with this biceps; without a display it is drawn instead.
 START := configs/biceps-measured.yaml
@@ -32,6 +32,9 @@ build:
 	@resources/setup.sh build
 	$(CARGO) build --release --locked
 
+# Drivers of the window that failed once are listed there (tests/window.rs).
+UNSTEADY := $(TARGET)/tmp/unsteady
+
 test:
 	@echo "== System packages"
 	@resources/setup.sh test
@@ -46,13 +49,20 @@ test:
 	@echo "== Documentation"
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps
 	@echo "== Tests"
+	@rm -f $(UNSTEADY)
 	$(CARGO) test --locked
+	@if [ -s $(UNSTEADY) ]; then echo "== Unsteady: failed once, then passed twice"; cat $(UNSTEADY); fi
 	@echo "== All checks passed"
 
-# Ten thousand random keys, clicks and drags on the window; takes minutes.
+# Random events on the window in Debian 13, with its GTK 4.18, or with NEWER=name another driver: a root of its own, by debootstrap, as root.
+test-newer:
+	@resources/setup.sh test
+	resources/test-newer.sh $(NEWER)
+
+# Ten thousand random keys, clicks and drags on the window, with a window manager and without; takes minutes.
 monkey:
 	@resources/setup.sh test
-	$(CARGO) test --locked --test window -- --ignored --nocapture ten_thousand
+	$(CARGO) test --locked --test window -- --ignored --nocapture --test-threads 1 ten_thousand
 
 # Pictures of the main views in both languages and both styles, to look at: out/shots.
 shots:

@@ -164,10 +164,7 @@ impl Settings {
         let folder = path.parent().unwrap_or(Path::new("."));
         std::fs::create_dir_all(folder)?;
         let text = self.text()?;
-        let mut file = tempfile::NamedTempFile::new_in(folder)?;
-        file.write_all(text.as_bytes())?;
-        file.persist(path)?;
-        Ok(())
+        write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(std::io::Error::other)
     }
 
     fn sane(mut self) -> Self {

@@ -6,7 +6,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
-from drive import CLIP, Atspi, Window, configs, fail, pressed, run, still, told, value, wait, write  # noqa: E402,F401
+from drive import CLIP, Atspi, Window, configs, fail, left_out, pressed, run, still, told, value, wait, write  # noqa: E402,F401
 
 CAMERA = """<library_cameras><camera id="lens" name="Lens"><optics><technique_common><perspective><xfov>40</xfov><aspect_ratio>1.5</aspect_ratio>
   <znear>0.1</znear><zfar>100</zfar></perspective></technique_common></optics></camera></library_cameras>"""
@@ -55,7 +55,7 @@ def test_drop():
 
         gi.require_version("Gtk", "4.0")
     except ValueError:
-        print("SKIPPED: no files are dropped, because gir1.2-gtk-4.0 is missing", flush=True)
+        left_out("no files are dropped, because gir1.2-gtk-4.0 is missing")
         return
     config = lambda name: os.path.join(configs, name)
     for open_now, dropped in (((), ("curl.dae", "biceps.yaml")), (("curl.dae",), ("biceps.yaml",))):

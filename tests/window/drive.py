@@ -53,6 +53,23 @@ def steadily(look):
             time.sleep(0.03)
 
 
+def left_out(text):
+    """Says that something is not tested; where nobody would read it, that is a failure."""
+    if os.environ.get("CI"):
+        fail(f"not tested: {text}")
+    print("SKIPPED:", text, flush=True)
+
+
+# What a library says of the machine that a test runs on, not of what the program does.
+OF_THE_MACHINE = "dconf", "portal", "Unknown key gtk-modules", "session bus", "accessibility bus", "Locale not supported"
+
+
+def complaints(lines):
+    """What GTK, GLib or the program itself complains of in these lines: warnings too."""
+    words = "CRITICAL", "WARNING", "panicked", "ERROR"
+    return [line for line in lines if any(word in line for word in words) and not any(known in line for known in OF_THE_MACHINE)]
+
+
 def told(text):
     print("ok:", text, flush=True)
 
@@ -160,6 +177,9 @@ class Window:
         wait("Ctrl+Q ends the program", lambda: self.process.poll() is not None)
         if self.process.returncode != 0:
             fail(f"the program ended with {self.process.returncode}: {self.process.stderr.read()}")
+        said = complaints(self.process.stderr.read().splitlines())
+        if said:
+            fail("something was complained of: " + "; ".join(said))
 
 
 def pressed(node):

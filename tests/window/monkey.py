@@ -1,9 +1,10 @@
-"""Ten thousand random events: keys, clicks, drags and wheel turns all over the window. Nothing may be critical, nothing may panic or hang, and memory may
-not grow by a fifth.
+"""Ten thousand random events: keys, clicks, drags and wheel turns all over the window. Nothing may be critical, nothing may be warned of, nothing may panic
+or hang, and memory may not grow by a fifth. SINEW_WINDOW_MANAGER names the window manager under which that is tried, none without.
 
 usage: monkey.py PROGRAM FOLDER CONFIGS    (SINEW_MONKEY_SEED and SINEW_MONKEY_EVENTS choose another run)
 """
 
+import collections
 import os
 import random
 import subprocess
@@ -11,7 +12,7 @@ import sys
 import threading
 import time
 
-from drive import Window, configs, fail, folder, told, wait
+from drive import Window, complaints, configs, fail, folder, told, wait
 
 SEED = int(os.environ.get("SINEW_MONKEY_SEED", "1"))
 EVENTS = int(os.environ.get("SINEW_MONKEY_EVENTS", "10000"))
@@ -23,12 +24,19 @@ WIDTH, HEIGHT = 1280, 840
 KEYS = (
     "space ctrl+shift+space Left Right ctrl+Left ctrl+Right shift+Left shift+Right Up Down bracketleft bracketright backslash l i o k shift+k Prior Next "
     "Home Return period 1 3 7 9 5 ctrl+1 ctrl+3 ctrl+7 ctrl+9 f w a s d q e v g r b j n shift+n t c x m h p slash shift+h alt+h "
-    "alt+Up alt+Down alt+Left alt+Right ctrl+z ctrl+shift+z ctrl+c F5 F9 F11 F10 F1 Tab shift+Tab Escape Escape Escape ctrl+Next ctrl+Prior Delete minus 0 comma"
+    "alt+Up alt+Down alt+Left alt+Right ctrl+z ctrl+shift+z ctrl+c F5 F9 F11 F10 F1 ctrl+question Tab shift+Tab Escape Escape Escape ctrl+Next ctrl+Prior Delete minus 0 comma"
 ).split()
 
 
+# GTK since 4.14 counts wrongly which widgets are pressed where a press ends elsewhere than it began, as at the end of a drag; every program has that.
+# Its cursor in a text that was hidden while it had the keyboard blinks once more, and complains that it was not told.
 # GTK 4.8's own timer for tooltips asks the surface of a popover that has closed meanwhile, such as the context menu of an entry. Nothing of ours is on that stack.
-KNOWN = "gdk_surface_get_device_position: assertion", "_gtk_widget_find_at_coords: assertion"
+KNOWN = (
+    "gdk_surface_get_device_position: assertion",
+    "_gtk_widget_find_at_coords: assertion",
+    "Broken accounting of active state",
+    "did not receive a focus-out event",
+)
 
 
 class Ear(threading.Thread):
@@ -36,13 +44,14 @@ class Ear(threading.Thread):
 
     def __init__(self, window):
         super().__init__(daemon=True)
-        self.stream, self.bad = window.process.stderr, []
+        self.stream, self.bad, self.last = window.process.stderr, [], collections.deque(maxlen=400)
         self.start()
 
     def run(self):
         for line in self.stream:
-            if ("CRITICAL" in line or "panicked" in line or "ERROR" in line) and not any(known in line for known in KNOWN):
-                self.bad.append(line)
+            self.last.append(line)
+            if not any(known in line for known in KNOWN):
+                self.bad += complaints([line])
 
 
 def event(dice):
@@ -93,6 +102,11 @@ def main():
     os.environ["G_DEBUG"] = ""  # the ear judges what is critical
     os.chdir(folder)
     dice = random.Random(SEED)
+    manager = os.environ.get("SINEW_WINDOW_MANAGER")
+    managing = subprocess.Popen([manager], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) if manager else None
+    if managing:
+        has_one = lambda: subprocess.run(["xdotool", "get_num_desktops"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+        wait(f"{manager} manages windows", has_one)
     window, ear = start()
     begun, done, warm, starts = time.monotonic(), 0, None, 1
     since = 0
@@ -105,7 +119,7 @@ def main():
         done, since = done + BATCH, since + BATCH
         code = window.process.poll()
         if ear.bad or code:
-            fail(f"seed {SEED}: {code} after {done} events: {''.join(ear.bad)}\nthe last were {' '.join(words)}")
+            fail(f"seed {SEED}: {code} after {done} events: {''.join(ear.bad)}\nall it said last:\n{''.join(ear.last)}\nthe last were {' '.join(words)}")
         if code is not None:
             # The menu was found, and in it a way to leave.
             (window, ear), warm, since, starts = start(), None, 0, starts + 1
@@ -123,7 +137,9 @@ def main():
     ear.join(5)
     if ear.bad:
         fail("".join(ear.bad))
-    told(f"{done} random events")
+    if managing:
+        managing.terminate()
+    told(f"{done} random events" + (f" under {manager}" if manager else ""))
     print("all is so")
 
 

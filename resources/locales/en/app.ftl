@@ -254,7 +254,6 @@ app-choose-all = All files
 app-recent = Recent files
 app-recent-none = None yet
 app-settings-broken = The settings in { $file } cannot be read and were ignored: { $reason }
-app-settings-no-file = it is not a file
 app-settings-unsaved = The settings could not be saved: { $reason }
 app-missing = no { $what }
 app-missing-still = no { $what }: nothing moves

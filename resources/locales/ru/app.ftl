@@ -250,7 +250,6 @@ app-choose-all = Все файлы
 app-recent = Недавние файлы
 app-recent-none = Пока нет
 app-settings-broken = Настройки в { $file } не читаются и пропущены: { $reason }
-app-settings-no-file = это не файл
 app-settings-unsaved = Не удалось сохранить настройки: { $reason }
 app-missing = нет: { $what }
 app-missing-still = нет: { $what } – двигаться нечему
