@@ -71,7 +71,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
     else {
         return false;
     };
-    let original = source.and_then(|source| input::read_text(source, limits::YAML_BYTES).ok()).unwrap_or_default();
+    let original = source.and_then(|source| input::read_text(&source, limits::YAML_BYTES).ok()).unwrap_or_default();
     let saved = file.to_yaml_keeping(&original);
     window.files.wrote(path.clone(), saved.text.clone());
     match write_whole(output, |out| out.write_all(saved.text.as_bytes())) {

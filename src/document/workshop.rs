@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use glam::DMat4;
 
 use super::beside::Beside;
-use super::{Document, PoseBuffers, Source, SourceKind};
+use super::{Document, Source, SourceKind};
 use crate::animation::Pose;
 use crate::health::Finding;
 use crate::muscle::{MuscleFile, Rig};
