@@ -9,6 +9,7 @@ use std::time::Instant;
 use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::export::gltf;
+use sinew::export::guard::Guard;
 use sinew::export::pipeline::Work;
 use sinew::film::{self, Direction, Eye, Sequence, Studio, Target, Wish};
 use sinew::render::Display;
@@ -32,7 +33,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let target = Target::of(out)?;
     let begun = Instant::now();
     let mut studio = Studio::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
-    film::save(&mut studio, SIZE, &target, &|_| String::new(), &Work::default()).ok()?;
+    film::save(&mut studio, SIZE, (&target, &Guard::default()), &|_| String::new(), &Work::default()).ok()?;
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }
 
@@ -49,7 +50,7 @@ fn conversion(name: &str, file: &Path, folder: &Path) {
     let once = || {
         let begun = Instant::now();
         let document = Document::open(&[file], &Progress::default()).ok()?;
-        gltf::save(&folder.join("out.glb"), gltf::Form::Binary, &document).ok()?;
+        gltf::save(&Guard::default().output(&folder.join("out.glb")).ok()?, gltf::Form::Binary, &document).ok()?;
         Some(begun.elapsed().as_secs_f64())
     };
     let bytes = std::fs::metadata(file).map_or(0, |found| found.len());
