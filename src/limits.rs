@@ -7,7 +7,12 @@ pub const YAML_BYTES: u64 = 4 << 20;
 /// Largest file that keeps unsaved muscles for recovery, bytes: it holds several muscle files.
 pub const RECOVERY_BYTES: u64 = 4 * YAML_BYTES;
 /// Most values of one YAML text, aliases counted as often as they are used.
-pub const YAML_VALUES: usize = 250_000;
+pub const YAML_VALUES: usize = 125_000;
+/// Most signs of YAML (brackets, commas, colons, quotes and the like) in a text of [`YAML_BYTES`], in comments and texts too; as many more where more bytes
+/// are let in. The parser looks ahead to the end of a list in brackets before it tells what is in it.
+pub const YAML_SIGNS: usize = 125_000;
+/// Most lines of a YAML text that begin with `%`.
+pub const YAML_DIRECTIVES: usize = 64;
 /// Most bytes that the texts of one YAML file have together, aliases counted as often as they are used.
 pub const YAML_TEXT: usize = 16 << 20;
 /// Deepest nesting of YAML, through aliases too.

@@ -94,6 +94,7 @@ pub fn read(text: &str, bytes: u64) -> Result<Node, YamlError> {
     if text.len() as u64 > bytes {
         return Err(too_large(bytes));
     }
+    look_over(text, bytes)?;
     let mut reading = Reading::default();
     let mut parser = Parser::new_from_str(text.strip_prefix('\u{feff}').unwrap_or(text));
     let mut documents = 0;
@@ -112,6 +113,31 @@ pub fn read(text: &str, bytes: u64) -> Result<Node, YamlError> {
         }
     }
     Ok(reading.root.unwrap_or_else(|| Node { place: Place { line: 1, column: 1 }, value: Value::Plain("".into()) }))
+}
+
+/// Refuses a text in which more stands than may be read, before the parser sees it: inside brackets it gathers all that is there before it tells of the
+/// first value.
+fn look_over(text: &str, bytes: u64) -> Result<(), YamlError> {
+    let most = limits::YAML_SIGNS.saturating_mul(usize::try_from(bytes / limits::YAML_BYTES).unwrap_or(usize::MAX).max(1));
+    let (mut signs, mut directives, mut line) = (0_usize, 0_usize, 1_u32);
+    let mut before = b'\n';
+    for byte in text.bytes() {
+        match byte {
+            b'\n' => line = line.saturating_add(1),
+            b',' | b'[' | b']' | b'{' | b'}' | b':' | b'?' | b'&' | b'*' | b'!' | b'"' | b'\'' => signs += 1,
+            b'%' if before == b'\n' => directives += 1,
+            _ => {}
+        }
+        let place = Some(Place { line, column: 1 });
+        if signs > most {
+            return Err(YamlError::at(place, tr!("document-yaml-too-many-values", limit = limits::YAML_VALUES)));
+        }
+        if directives > limits::YAML_DIRECTIVES {
+            return Err(YamlError::at(place, reasons::sentence("directive")));
+        }
+        before = byte;
+    }
+    Ok(())
 }
 
 /// The parser has a bound of its own on brackets, which is beyond ours but met earlier where many stand on one line.
