@@ -15,6 +15,7 @@ use glam::DVec3;
 use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState};
 use sinew::export::gltf::{Form, save};
+use sinew::export::guard::Output;
 use sinew::scene::Frame;
 
 use expected::Expected;
@@ -88,7 +89,7 @@ fn apart(from: &[DVec3], to: &[DVec3], cell: f64) -> f64 {
 fn agrees(file: &Path, folder: &Path) {
     let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     let out = folder.join("out.glb");
-    save(&out, Form::Binary, &document).expect("written");
+    save(&Output::of_program(&out), Form::Binary, &document).expect("written");
     let glb = Glb::read(&std::fs::read(&out).expect("there"));
     for Moment { animation, written, state } in moments(&document) {
         // A clip that moves nothing is no animation.
@@ -347,13 +348,13 @@ fn the_validator_and_three_js_agree_where_node_is_installed() {
     for (number, file) in files.iter().enumerate() {
         let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
         let out = folder.path().join(format!("{number}.glb"));
-        save(&out, Form::Binary, &document).expect("written");
+        save(&Output::of_program(&out), Form::Binary, &document).expect("written");
         let mut poses = Vec::new();
         for (count, moment) in moments(&document).iter().enumerate() {
             let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
             document.pose(&moment.state, &mut buffers, &mut frame);
             let obj = folder.path().join(format!("{number}-{count}.obj"));
-            sinew::export::obj::save(&obj, &document.scene, &frame).expect("written");
+            sinew::export::obj::save(&Output::of_program(&obj), &document.scene, &frame).expect("written");
             poses.push(serde_json::json!({"clip": moment.animation, "time": moment.written, "obj": obj}));
         }
         cases.push(serde_json::json!({"file": out, "poses": poses}));
