@@ -305,7 +305,8 @@ mod tests {
             session.new_muscle(Preset::by_id(id).unwrap()).unwrap();
             assert_eq!(session.document().muscle_files().map(|file| file.scale).collect::<Vec<_>>(), [Some(1.0)]);
             let found: Vec<&str> = session.document().health.iter().map(|finding| finding.code).collect();
-            assert!(found.iter().all(|code| !code.contains("muscle") && !code.contains("moment")), "{id}: {found:?}");
+            let wrong = ["muscle-wrap-inert", "moment-arm-changes-sign", "muscle-path-jumps", "muscle-too-short"];
+            assert!(!found.iter().any(|code| wrong.contains(code)), "{id}: {found:?}");
             let joint = session.joint().unwrap();
             for degrees in 0..=150 {
                 session.set_flexion(f64::from(degrees).min(joint.range[1]));
