@@ -194,8 +194,8 @@ fn set_op(op: &mut TransformOp, lane: Lane, curve: &Curve, time: f64) {
         (TransformOp::LookAt { eye, target, up }, lane) => {
             set_numbers(&mut [eye.as_mut(), target.as_mut(), up.as_mut()], lane, curve, time);
         }
-        (TransformOp::Skew { angle, rotation, translation }, lane) => {
-            set_numbers(&mut [std::slice::from_mut(angle), rotation.as_mut(), translation.as_mut()], lane, curve, time);
+        (TransformOp::Skew { angle, along, across }, lane) => {
+            set_numbers(&mut [std::slice::from_mut(angle), along.as_mut(), across.as_mut()], lane, curve, time);
         }
     }
 }

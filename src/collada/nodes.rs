@@ -57,7 +57,7 @@ impl<'a> Tree<'a> {
     /// Builds the tree of the scene that the file names, under an asset node.
     ///
     /// # Errors
-    /// Where decimal commas stand in a transform, or on cancel.
+    /// Where commas separate the numbers of a transform, or on cancel.
     pub fn read(context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, name: &str) -> Step<Self> {
         let mut tree = Self::default();
         let mut top = Node::new(if name.is_empty() { "COLLADA" } else { name });
@@ -389,8 +389,8 @@ fn transform<'a>(context: &mut Context<'a>, node: El<'a>) -> Step<Vec<TransformO
             }),
             _ => context.exactly(element)?.map(|[angle, a, b, c, d, e, f]| TransformOp::Skew {
                 angle,
-                rotation: DVec3::new(a, b, c),
-                translation: DVec3::new(d, e, f),
+                along: DVec3::new(a, b, c),
+                across: DVec3::new(d, e, f),
             }),
         };
         ops.push(op.unwrap_or(TransformOp::Translate(DVec3::ZERO)));

@@ -27,14 +27,14 @@ pub enum TransformOp {
         /// Direction that +Y leans to.
         up: DVec3,
     },
-    /// Shear in the RenderMan form: turns what points along `translation` by `angle` degrees away from `rotation`.
+    /// Shear: moves points along `along` in proportion to how far they lie in the direction of `across`.
     Skew {
-        /// Degrees.
+        /// Degrees that the direction `across` leans over.
         angle: f64,
-        /// Axis that is turned about.
-        rotation: DVec3,
-        /// Direction along which points move.
-        translation: DVec3,
+        /// Direction along which points move, any length: the first vector of COLLADA's `skew`.
+        along: DVec3,
+        /// Direction that the shift grows with, any length: the second one.
+        across: DVec3,
     },
 }
 
@@ -50,7 +50,7 @@ impl TransformOp {
             Self::Scale(by) => DMat4::from_scale(by),
             Self::Matrix(matrix) => matrix,
             Self::LookAt { eye, target, up } => look_at(eye, target, up),
-            Self::Skew { angle, rotation, translation } => skew(angle, rotation, translation),
+            Self::Skew { angle, along, across } => skew(angle, along, across),
         }
     }
 }
@@ -73,30 +73,21 @@ fn look_at(eye: DVec3, target: DVec3, up: DVec3) -> DMat4 {
     DMat4::from_cols(side.extend(0.0), up.extend(0.0), (-forward).extend(0.0), eye.extend(1.0))
 }
 
-/// RenderMan's `Skew angle [rotation] [translation]`: in the plane of the two vectors the component along `rotation`'s normal part is kept and
-/// points are shifted along `translation` so that the direction of `rotation` turns by `angle` towards it.
-fn skew(angle: f64, rotation: DVec3, translation: DVec3) -> DMat4 {
-    let (Some(along), Some(from)) = (translation.try_normalize(), rotation.try_normalize()) else {
+/// `v′ = v + tan(angle) â (b̂·v)` with â = `along`, b̂ = `across`.
+///
+/// The schema's prose takes the two vectors the other way round; the pictures of Khronos' conformance suite and the exporters that write the element
+/// (ColladaMaya, OpenCOLLADA) agree on this one.
+fn skew(angle: f64, along: DVec3, across: DVec3) -> DMat4 {
+    let (Some(along), Some(across)) = (along.try_normalize(), across.try_normalize()) else {
         return DMat4::IDENTITY;
     };
-    let cos = from.dot(along);
-    let Some(across) = (from - along * cos).try_normalize() else {
-        return DMat4::IDENTITY;
-    };
-    let sin = from.dot(across);
-    let turned = angle.to_radians();
-    // Where the tip of `rotation` lands after the turn, seen in (across, along); the shift is linear in the height over the line.
-    let (height, lean) = (sin * turned.cos() - cos * turned.sin(), sin * turned.sin() + cos * turned.cos());
-    if height.abs() < 1e-12 {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    // A right angle would move everything to infinity.
+    if !cos.is_finite() || cos.abs() < 1e-9 {
         return DMat4::IDENTITY;
     }
-    let slope = lean / height - cos / sin;
-    let shear = DMat3::from_cols(
-        DVec3::X + along * (slope * across.x),
-        DVec3::Y + along * (slope * across.y),
-        DVec3::Z + along * (slope * across.z),
-    );
-    DMat4::from_mat3(shear)
+    let shift = along * (sin / cos);
+    DMat4::from_mat3(DMat3::from_cols(DVec3::X + shift * across.x, DVec3::Y + shift * across.y, DVec3::Z + shift * across.z))
 }
 
 /// A node's local transform: operations in document order, composed left to right (`M = T₁ T₂ … Tₙ`).
@@ -165,16 +156,23 @@ mod tests {
     }
 
     #[test]
-    fn skew_turns_the_rotation_vector_by_its_angle_towards_the_translation() {
-        let op = TransformOp::Skew { angle: 45.0, rotation: DVec3::Y, translation: DVec3::X };
-        near(op.matrix().transform_vector3(DVec3::Y), DVec3::new(1.0, 1.0, 0.0));
+    fn skew_moves_points_along_its_first_vector_in_proportion_to_the_second() {
+        let op = TransformOp::Skew { angle: 45.0, along: DVec3::X * 3.0, across: DVec3::Z * 0.5 };
+        near(op.matrix().transform_vector3(DVec3::Z), DVec3::new(1.0, 0.0, 1.0));
         near(op.matrix().transform_vector3(DVec3::X), DVec3::X);
-        near(op.matrix().transform_vector3(DVec3::Z), DVec3::Z);
+        near(op.matrix().transform_vector3(DVec3::Y), DVec3::Y);
+        let steep = TransformOp::Skew { angle: -60.0, along: DVec3::Y, across: DVec3::X };
+        near(steep.matrix().transform_vector3(DVec3::X), DVec3::new(1.0, -3_f64.sqrt(), 0.0));
+        // Vectors that are not at right angles stretch along the first.
+        let slanted = TransformOp::Skew { angle: 45.0, along: DVec3::X, across: DVec3::new(1.0, 1.0, 0.0) };
+        near(slanted.matrix().transform_vector3(DVec3::Y), DVec3::new(0.5_f64.sqrt(), 1.0, 0.0));
     }
 
     #[test]
     fn directions_that_are_none_do_nothing() {
         assert_eq!(TransformOp::Rotate { axis: DVec3::ZERO, angle: 30.0 }.matrix(), DMat4::IDENTITY);
-        assert_eq!(TransformOp::Skew { angle: 30.0, rotation: DVec3::X, translation: DVec3::X }.matrix(), DMat4::IDENTITY);
+        for (angle, along) in [(30.0, DVec3::ZERO), (90.0, DVec3::X), (-270.0, DVec3::X), (f64::NAN, DVec3::X)] {
+            assert_eq!(TransformOp::Skew { angle, along, across: DVec3::Y }.matrix(), DMat4::IDENTITY, "{angle}");
+        }
     }
 }

@@ -39,7 +39,7 @@ fn members_indices_and_whole_vectors_are_set() {
         ("n/s.Y", 2, TransformOp::Scale(DVec3::new(1.0, 5.0, 1.0))),
         ("n/l(0)", 4, TransformOp::LookAt { eye: DVec3::new(5.0, 0.0, 1.0), target: DVec3::ZERO, up: DVec3::Y }),
         ("n/l(7)", 4, TransformOp::LookAt { eye: DVec3::Z, target: DVec3::ZERO, up: DVec3::Y * 5.0 }),
-        ("n/k(0)", 5, TransformOp::Skew { angle: 5.0, rotation: DVec3::Y, translation: DVec3::X }),
+        ("n/k(0)", 5, TransformOp::Skew { angle: 5.0, along: DVec3::Y, across: DVec3::X }),
     ] {
         let loaded = load_clean(&linear(target, "X", "0 10"));
         assert_eq!(op(&loaded, index, 0.5), wanted, "{target}");

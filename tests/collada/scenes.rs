@@ -116,3 +116,18 @@ fn joints_are_told_from_nodes_and_keep_their_names() {
     assert_eq!(loaded.scene.graph.node(loaded.scene.graph.roots()[0]).kind, NodeKind::Asset);
     assert_eq!(loaded.scene.graph.node(loaded.scene.graph.roots()[0]).name, "test");
 }
+
+#[test]
+fn a_skew_moves_points_along_its_first_vector_in_proportion_to_its_second() {
+    for (skew, wanted) in [
+        ("45 1 0 0 0 0 1", DVec3::new(4.0, 2.0, 3.0)),
+        ("45 0 0 1 1 0 0", DVec3::new(1.0, 2.0, 4.0)),
+        ("-45 0 2 0 0 0 0.5", DVec3::new(1.0, -1.0, 3.0)),
+        ("60 1 0 0 0 1 0", DVec3::new(1.0 + 2.0 * 3_f64.sqrt(), 2.0, 3.0)),
+        ("0 1 0 0 0 1 0", DVec3::new(1.0, 2.0, 3.0)),
+    ] {
+        let loaded = load_clean(&document(&scene(&format!("<node name=\"n\"><skew>{skew}</skew></node>"))));
+        let matrix = loaded.scene.graph.node(node(&loaded, "n")).transform.matrix();
+        near(matrix.transform_point3(DVec3::new(1.0, 2.0, 3.0)), wanted);
+    }
+}
