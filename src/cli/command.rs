@@ -173,7 +173,7 @@ fn measure() -> Command {
     .arg(option("angles", "DEG,DEG,…", values::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
     .arg(option("sweep", "FROM:TO:STEP", values::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
     .arg(
-        option("times", "FROM:TO:STEP", values::sweep, "cli-arg-times", heading)
+        option("times", "FROM:TO:STEP", values::times, "cli-arg-times", heading)
             .allow_hyphen_values(true)
             .conflicts_with_all(["angles", "sweep", "compare"]),
     )

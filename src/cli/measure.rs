@@ -10,7 +10,7 @@ use super::export::allow_overwriting;
 use super::failure::{Failure, answer, answer_json, display_name, notice, output_name, remark, wrong_ending};
 use super::moment::unknown_clip;
 use super::progress::leave_nothing;
-use super::values::{Angles, MOST_DEGREES, plain};
+use super::values::{Angles, MOST_DEGREES, Times, plain};
 use super::{files, joints, value};
 use crate::collada::Progress;
 use crate::document::{Document, PoseState};
@@ -118,7 +118,7 @@ fn times(given: &ArgMatches, document: &Document, file: &Path) -> Result<(PoseSt
         state.clip = Some(document.clip_named(&name).ok_or_else(|| unknown_clip(document, file, &name))?);
     }
     let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or_else(|| no_table(NoTable::NoClip, file))?;
-    let Some(Angles(times)) = value::<Angles>(given, "times") else {
+    let Some(Times(times)) = value::<Times>(given, "times") else {
         return Ok((state, even_times(clip.start, clip.end, FPS)));
     };
     if times.iter().any(|time| !(clip.start..=clip.end).contains(time)) {

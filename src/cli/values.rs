@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::limits;
 use crate::tr;
 
-/// The longest list that `--angles` and `--sweep` make.
+/// The longest list that `--angles`, `--sweep` and `--times` make.
 const ANGLES: usize = 100_000;
 
 /// Beyond so many degrees an angle is a slip of the hand: its sine would have few digits left.
@@ -122,18 +122,57 @@ pub fn angles(text: &str) -> Result<Angles, String> {
     if angles.len() > ANGLES { Err(too_many()) } else { Ok(Angles(angles)) }
 }
 
-/// `FROM:TO:STEP`, both ends included where the step meets them.
+/// What messages about a `FROM:TO:STEP` say, by what it counts.
+struct Words {
+    wrong: fn() -> String,
+    empty: fn() -> String,
+    too_many: fn() -> String,
+    too_fine: fn() -> String,
+}
+
+/// `FROM:TO:STEP` in degrees, both ends included where the step meets them.
 pub fn sweep(text: &str) -> Result<Angles, String> {
-    let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| tr!("cli-value-not-sweep"))?;
+    let words = Words {
+        wrong: || tr!("cli-value-not-sweep"),
+        empty: || tr!("cli-value-sweep-empty"),
+        too_many,
+        too_fine: || tr!("cli-value-sweep-too-fine"),
+    };
+    stepped(text, &words).map(Angles)
+}
+
+/// Times in seconds, in the order given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Times(pub Vec<f64>);
+
+/// `FROM:TO:STEP` in seconds, both ends included where the step meets them.
+pub fn times(text: &str) -> Result<Times, String> {
+    let words = Words {
+        wrong: || tr!("cli-value-not-times"),
+        empty: || tr!("cli-value-times-empty"),
+        too_many: || tr!("cli-value-too-many-times", limit = plain(ANGLES as f64)),
+        too_fine: || tr!("cli-value-times-too-fine"),
+    };
+    stepped(text, &words).map(Times)
+}
+
+fn stepped(text: &str, words: &Words) -> Result<Vec<f64>, String> {
+    let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| (words.wrong)())?;
     let [from, to, step] = parts[..] else {
-        return Err(tr!("cli-value-not-sweep"));
+        return Err((words.wrong)());
     };
     if step == 0.0 || (to - from) * step < 0.0 {
-        return Err(tr!("cli-value-sweep-empty"));
+        return Err((words.empty)());
     }
-    // A step such as 0.1 is not exact: the last angle counts where it misses the end by less than a millionth of a step.
+    // A step such as 0.1 is not exact: the last value counts where it misses the end by less than a millionth of a step.
     let steps = ((to - from) / step + 1e-6).floor();
-    if steps < ANGLES as f64 { Ok(Angles((0..=steps as usize).map(|i| from + step * i as f64).collect())) } else { Err(too_many()) }
+    if steps.is_nan() || steps >= ANGLES as f64 {
+        return Err((words.too_many)());
+    }
+    if steps >= 1.0 && (from + step == from || to - step == to) {
+        return Err((words.too_fine)());
+    }
+    Ok((0..=steps as usize).map(|i| from + step * i as f64).collect())
 }
 
 /// From one value to another.
@@ -160,6 +199,18 @@ fn too_many() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_wrong_with_times_is_said_in_seconds() {
+        let told = |text: &str| times(text).expect_err(text);
+        for text in ["abc", "1", "0:10", "0:1:x", "0:1:nan"] {
+            assert!(told(text).contains("seconds"), "{}", told(text));
+        }
+        for text in ["0:1:0", "5:0:1", "0:1e9:1e-9", "-1e308:1e308:1", "1e17:100000000000000100:1"] {
+            assert!(told(text).contains("time") && !told(text).contains("angle"), "{}", told(text));
+        }
+        assert!(sweep("1e17:100000000000000100:1").expect_err("too fine").contains("angle"));
+    }
 
     #[test]
     fn sizes_are_two_whole_numbers_within_the_limit() {
@@ -192,6 +243,7 @@ mod tests {
         assert_eq!(sweep("90:0:-45"), Ok(Angles(vec![90.0, 45.0, 0.0])));
         assert_eq!(sweep("5:5:1"), Ok(Angles(vec![5.0])));
         assert_eq!(sweep("0:1:0.1").map(|a| a.0.len()), Ok(11));
+        assert_eq!(times("0.5:1:0.25"), Ok(Times(vec![0.5, 0.75, 1.0])));
         assert_eq!(sweep("0:10:4"), Ok(Angles(vec![0.0, 4.0, 8.0])));
         for wrong in ["0:90", "0:90:0", "90:0:1", "0:90:-1", "a:b:c", "0:nan:1", "0:inf:1", "", "0:90:1e-9", "-1e308:1e308:1"] {
             assert!(sweep(wrong).is_err(), "{wrong}");
