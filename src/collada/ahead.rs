@@ -169,10 +169,10 @@ mod tests {
     use super::super::xml;
     use super::*;
 
-    /// A document of `count` long lists; list i holds i over and over, the last of them a comma.
+    /// A document of `count` long lists; list i holds i over and over, the last of them commas between numbers.
     fn text(count: usize) -> String {
         let list = |i: usize| {
-            let numbers = if i + 1 == count { "1,5 ".repeat(9000) } else { format!("{i}.25 ").repeat(9000) };
+            let numbers = if i + 1 == count { "1,5,2 ".repeat(9000) } else { format!("{i}.25 ").repeat(9000) };
             format!("<float_array id='a{i}' count='9000'>{numbers}</float_array>")
         };
         let lists: String = (0..count).map(list).collect();

@@ -26,7 +26,7 @@ struct Placed {
 /// Reads all animation into clips.
 ///
 /// # Errors
-/// Where decimal commas stand in numbers, or on cancel.
+/// Where commas separate numbers, or on cancel.
 pub fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip>> {
     let mut reader = Reader { arrays: Arrays::default(), curves: FxHashMap::default() };
     let mut placed = Vec::new();
@@ -83,11 +83,10 @@ fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
             context.report.warn(element, codes::EMPTY_CLIP, tr!("collada-empty-clip"));
             continue;
         }
-        let number = |key| element.attribute(key).and_then(|text| text.trim().parse::<f64>().ok()).filter(|value| value.is_finite());
         let keys = span(&channels);
         // The format's own default for the start is 0, for the end the last key.
-        let start = number("start").unwrap_or(0.0);
-        let end = number("end").unwrap_or(keys.1).max(start);
+        let start = context.attribute(element, "start").unwrap_or(0.0);
+        let end = context.attribute(element, "end").unwrap_or(keys.1).max(start);
         clips.push(Clip { name, id: id_of(element), start, end, channels });
     }
     clips

@@ -42,10 +42,10 @@ struct Local {
 fn local(context: &mut Context<'_>, asset: El<'_>) -> Local {
     let mut local = Local { unit: None, axis: None };
     if let Some(element) = child(asset, "unit")
-        && let Some(text) = element.attribute("meter").or_else(|| element.attribute("meters"))
+        && let Some((key, text)) = ["meter", "meters"].into_iter().find_map(|key| Some((key, element.attribute(key)?)))
     {
-        match text.trim().parse::<f64>() {
-            Ok(unit) if unit.is_finite() && unit > 0.0 => local.unit = Some(unit),
+        match context.attribute(element, key) {
+            Some(unit) if unit > 0.0 => local.unit = Some(unit),
             _ => context.report.warn(element, codes::BAD_UNIT, tr!("collada-bad-unit", value = super::context::shortened(text))),
         }
     }

@@ -28,13 +28,15 @@ codes! {
     EXTERNAL_REFERENCE = "external-reference";
     /// References lead round in a circle.
     REFERENCE_CYCLE = "reference-cycle";
+    /// Numbers have a decimal comma; it is read as a point.
+    DECIMAL_COMMA = "decimal-comma";
     /// A list holds something that is no number; 0 stands in for it.
     BAD_NUMBER = "bad-number";
     /// A value is infinite or not a number where it must be finite.
     NOT_FINITE = "not-finite";
     /// A count attribute disagrees with the data; the data are used.
     COUNT_MISMATCH = "count-mismatch";
-    /// An index points outside its list; what uses it is left out.
+    /// An index points outside its list: a face without its point is left out, one without another value is drawn without it.
     INDEX_OUT_OF_RANGE = "index-out-of-range";
     /// Indices are left over that make no whole polygon.
     INCOMPLETE_PRIMITIVE = "incomplete-primitive";
@@ -42,6 +44,8 @@ codes! {
     POLYGON_TOO_COMPLEX = "polygon-too-complex";
     /// A mesh has no positions and cannot be drawn.
     NO_POSITIONS = "no-positions";
+    /// A mesh has no faces and no lines, so that there is nothing to draw.
+    NO_FACES = "no-faces";
     /// Geometry that is no plain mesh: convex hull, spline, boundary surface.
     UNSUPPORTED_GEOMETRY = "unsupported-geometry";
     /// More sets of texture coordinates than are kept.
@@ -56,6 +60,8 @@ codes! {
     UNSUPPORTED_ELEMENT = "unsupported-element";
     /// A skin names a joint that is not in the scene; it stays in its bind pose.
     JOINT_NOT_FOUND = "joint-not-found";
+    /// A skin and its joints do not meet at rest: the bind pose has another size or turn than the scene.
+    BIND_POSE_MISMATCH = "bind-pose-mismatch";
     /// Joint names with blanks in them were put together again.
     JOINT_NAMES_REJOINED = "joint-names-rejoined";
     /// A skin names a skeleton that the scene doesn't show; it is added.

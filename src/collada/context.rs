@@ -8,7 +8,7 @@ use glam::{DMat4, DVec3};
 use super::ahead::Ahead;
 use super::lists::Shortened;
 use super::lookup::{Lookup, Url};
-use super::numbers::{Comma, Parsed, Real, integers, reals};
+use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
 use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
 use super::{El, Progress, ReadError, codes};
@@ -32,6 +32,7 @@ pub struct Context<'a> {
     /// Bytes that may still be made out of references, which cost the file little.
     budget: usize,
     said_budget: bool,
+    said_comma: bool,
 }
 
 impl<'a> Context<'a> {
@@ -47,6 +48,7 @@ impl<'a> Context<'a> {
             progress,
             budget: parsed.budget,
             said_budget: false,
+            said_comma: false,
         }
     }
 
@@ -119,7 +121,7 @@ impl<'a> Context<'a> {
     /// The numbers in an element's text; `expected` of them, if that is true.
     ///
     /// # Errors
-    /// Where decimal commas stand in the list.
+    /// Where commas separate the numbers of the list.
     pub fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> Step<Vec<T>> {
         let parsed = match self.ahead.take(element.id()) {
             Some(list) => list.map(Parsed::into_reals),
@@ -141,6 +143,9 @@ impl<'a> Context<'a> {
     fn checked<T>(&mut self, element: El<'a>, parsed: Result<Parsed<T>, Comma>) -> Step<Vec<T>> {
         match parsed {
             Ok(parsed) => {
+                if let Some(entry) = parsed.decimal_comma {
+                    self.decimal_comma(element, &entry);
+                }
                 if let Some(first) = parsed.first_bad {
                     self.report.warn(element, codes::BAD_NUMBER, tr!("collada-bad-number", count = parsed.bad, first = first));
                 }
@@ -154,10 +159,27 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// Tells that numbers have decimal commas, once a file.
+    pub fn decimal_comma(&mut self, element: El<'_>, entry: &str) {
+        if !std::mem::replace(&mut self.said_comma, true) {
+            self.report.note(element, codes::DECIMAL_COMMA, tr!("collada-decimal-comma", entry = shortened(entry)));
+        }
+    }
+
+    /// The number in attribute `key`; `None` where it is missing or no finite number.
+    pub fn attribute(&mut self, element: El<'_>, key: &str) -> Option<f64> {
+        let text = element.attribute(key)?;
+        let (value, comma) = attribute_number(text)?;
+        if comma {
+            self.decimal_comma(element, text.trim());
+        }
+        Some(value)
+    }
+
     /// Exactly `N` finite numbers in an element's text; reported and `None` where it is otherwise.
     ///
     /// # Errors
-    /// Where decimal commas stand in the list.
+    /// Where commas separate the numbers of the list.
     pub fn exactly<const N: usize>(&mut self, element: El<'a>) -> Step<Option<[f64; N]>> {
         let values: Vec<f64> = self.reals(element, N)?;
         let Ok(values) = <[f64; N]>::try_from(values.as_slice()) else {
@@ -175,7 +197,7 @@ impl<'a> Context<'a> {
     /// The matrix in an element's text, which goes row by row; reported and `None` where it is none.
     ///
     /// # Errors
-    /// Where decimal commas stand in the list.
+    /// Where commas separate the numbers of the list.
     pub fn matrix(&mut self, element: El<'a>) -> Step<Option<DMat4>> {
         let Some(rows) = self.exactly::<16>(element)? else { return Ok(None) };
         if !ends_upright(&rows) {
@@ -184,13 +206,24 @@ impl<'a> Context<'a> {
         Ok(Some(from_rows(&rows)))
     }
 
+    /// Whether a value is `finite`; tells where it is not.
+    pub fn finite(&mut self, element: El<'a>, finite: bool) -> bool {
+        if !finite {
+            self.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite"));
+        }
+        finite
+    }
+
     /// The first finite number in the text of a child of `parent`; `None` where there is none.
     ///
     /// # Errors
-    /// Where decimal commas stand in the list.
+    /// Where commas separate the numbers of the list.
     pub fn number(&mut self, parent: El<'a>, tag: &str) -> Step<Option<f64>> {
         match child(parent, tag) {
-            Some(element) => Ok(self.reals::<f64>(element, 1)?.first().copied().filter(|value| value.is_finite())),
+            Some(element) => {
+                let value = self.reals::<f64>(element, 1)?.first().copied();
+                Ok(value.filter(|value| self.finite(element, value.is_finite())))
+            }
             None => Ok(None),
         }
     }

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child};
 use super::geometry::{Geometries, Placed};
-use super::morph::{self, MorphTargets};
+use super::morph::{self, MorphTargets, SkinnedShape};
 use super::nodes::Tree;
 use super::skin::{self, JointNames};
 use super::source::Arrays;
@@ -44,6 +44,8 @@ pub struct Controllers<'a> {
     pub joint_names: Vec<JointNames>,
     /// Where each morph's weights stand in the file, for animation.
     pub morph_targets: Vec<MorphTargets<'a>>,
+    /// The targets of each morph that have skins of their own, with these skins.
+    pub skinned_targets: Vec<Vec<(SkinnedShape<'a>, SkinId)>>,
 }
 
 /// What reading a controller needs besides the document.
@@ -62,7 +64,7 @@ impl<'a> Controllers<'a> {
     /// The chain that starts at a `controller` element; `None`, reported, where it leads to no mesh.
     ///
     /// # Errors
-    /// Where decimal commas stand in its numbers, or on cancel.
+    /// Where commas separate its numbers, or on cancel.
     pub fn chain(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, controller: El<'a>) -> Step<Option<Rc<Chain>>> {
         if let Some(known) = self.chains.get(&controller.id()) {
             return Ok(known.clone());
@@ -84,15 +86,8 @@ impl<'a> Controllers<'a> {
                     context.report.warn(layer, codes::SECOND_SKIN, tr!("collada-second-skin"));
                     continue;
                 }
-                let skin = match self.skins.get(&layer.id()) {
-                    Some(known) => *known,
-                    None => {
-                        let skin = self.read_skin(context, sources, layer, &placed)?;
-                        self.skins.insert(layer.id(), skin);
-                        skin
-                    }
-                };
-                links.extend(skin.map(Link::Skin));
+                let points = sources.scene.meshes.get(placed.mesh.index()).map_or(0, |mesh| mesh.source_count as usize);
+                links.extend(self.skin(context, sources, layer, points)?.map(Link::Skin));
             } else {
                 let morph = match self.morphs.get(&layer.id()) {
                     Some(known) => *known,
@@ -108,18 +103,19 @@ impl<'a> Controllers<'a> {
         Ok(Some(Chain { placed, links }))
     }
 
-    fn read_skin(
-        &mut self,
-        context: &mut Context<'a>,
-        sources: &mut Sources<'_, 'a>,
-        element: El<'a>,
-        placed: &Placed,
-    ) -> Step<Option<SkinId>> {
-        let points = sources.scene.meshes.get(placed.mesh.index()).map_or(0, |mesh| mesh.source_count as usize);
-        let Some((skin, names)) = skin::read(context, &mut self.arrays, sources.tree, element, points)? else { return Ok(None) };
-        sources.scene.skins.push(skin);
-        self.joint_names.push(names);
-        Ok(Some(SkinId(sources.scene.skins.len() as u32 - 1)))
+    /// The skin of a `skin` element, read the first time.
+    fn skin(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, element: El<'a>, points: usize) -> Step<Option<SkinId>> {
+        if let Some(known) = self.skins.get(&element.id()) {
+            return Ok(*known);
+        }
+        let read = skin::read(context, &mut self.arrays, sources.tree, element, points)?;
+        let id = read.map(|(skin, names)| {
+            sources.scene.skins.push(skin);
+            self.joint_names.push(names);
+            SkinId(sources.scene.skins.len() as u32 - 1)
+        });
+        self.skins.insert(element.id(), id);
+        Ok(id)
     }
 
     fn read_morph(
@@ -130,8 +126,14 @@ impl<'a> Controllers<'a> {
         placed: &Placed,
     ) -> Step<Option<MorphId>> {
         let Some(base) = &placed.geometry else { return Ok(None) };
-        let Some((morph, targets)) = morph::read(context, &mut self.arrays, sources, element, base)? else { return Ok(None) };
+        let Some((morph, mut targets)) = morph::read(context, &mut self.arrays, sources, element, base)? else { return Ok(None) };
         sources.scene.morphs.push(morph);
+        let mut skinned = Vec::new();
+        for shape in std::mem::take(&mut targets.skinned) {
+            let skin = self.skin(context, sources, shape.skin, base.points.len())?;
+            skinned.extend(skin.map(|skin| (shape, skin)));
+        }
+        self.skinned_targets.push(skinned);
         self.morph_targets.push(targets);
         Ok(Some(MorphId(sources.scene.morphs.len() as u32 - 1)))
     }

@@ -55,7 +55,7 @@ impl<'a> Effect<'a> {
     /// A colour or texture with its alpha; `None` where the shader has no such child.
     ///
     /// # Errors
-    /// Where decimal commas stand in its numbers.
+    /// Where commas separate its numbers.
     pub fn paint(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, tag: &str) -> Step<Option<(Paint, f32)>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         if let Some(texture) = child(slot, "texture") {
@@ -75,7 +75,7 @@ impl<'a> Effect<'a> {
     /// A number; `None` where the shader has none.
     ///
     /// # Errors
-    /// Where decimal commas stand in it.
+    /// Where commas separate numbers in it.
     pub fn number(&self, context: &mut Context<'a>, tag: &str) -> Step<Option<f32>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         let Some(value) = child(slot, "float").or_else(|| self.param(slot)) else { return Ok(None) };

@@ -27,6 +27,8 @@ pub struct Geometry {
     pub points: Vec<Vec3>,
     /// The vertex of each corner in file order; kept only where a morph may need them.
     pub corners: Vec<u32>,
+    /// Whether the file has nothing to draw in it, without anything wrong that was told.
+    empty: bool,
 }
 
 /// What instances need of a mesh.
@@ -69,13 +71,17 @@ impl Geometries {
     /// The mesh of a `geometry` element, put into the scene the first time; `None` where there is nothing to draw.
     ///
     /// # Errors
-    /// Where decimal commas stand in its numbers, or on cancel.
+    /// Where commas separate its numbers, or on cancel.
     pub fn place<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, element: El<'a>) -> Step<Option<Placed>> {
         if let Some(known) = self.placed.get(&element.id()) {
             return Ok(known.clone());
         }
         context.check_cancelled()?;
-        let placed = self.read(context, asset, element)?.map(|mut geometry| {
+        let geometry = self.read(context, asset, element)?;
+        if geometry.as_ref().is_some_and(|geometry| geometry.empty) {
+            context.report.warn(element, codes::NO_FACES, tr!("collada-no-faces"));
+        }
+        let placed = geometry.map(|mut geometry| {
             let id = MeshId(scene.meshes.len() as u32);
             let sets = Rc::from(geometry.sets.as_slice());
             if self.keep {
@@ -136,6 +142,7 @@ impl Geometries {
         let double_sided = children(element, "extra").chain(children(mesh, "extra")).any(is_double_sided);
         let own = Mesh { double_sided, name: name_of(element, || tr!("collada-unnamed-mesh")), id: id_of(element), ..Mesh::default() };
         let mut builder = Builder::new(own, sets.len(), raws.iter().any(|raw| raw.color.is_some()), self.keep);
+        let (mut told, mut wrong_counts) = (false, Vec::new());
         for raw in &raws {
             let part = Part {
                 symbol: raw.element.attribute("material").unwrap_or_default().to_owned(),
@@ -144,12 +151,23 @@ impl Geometries {
             };
             if let Some(layout) = self.layout(context, raw, &sets)? {
                 builder.start(&layout);
-                primitive::read(context, raw.element, raw.shape, &layout, &mut builder, &mut self.triangulator, &mut self.steps)?;
+                let (builder, triangulator) = (&mut builder, &mut self.triangulator);
+                let outcome = primitive::read(context, raw.element, raw.shape, &layout, builder, triangulator, &mut self.steps)?;
+                told |= outcome.told;
+                wrong_counts.extend(outcome.wrong_count.map(|(said, found)| (raw.element, said, found)));
+            } else {
+                told = true;
             }
             let (triangles, lines) = (builder.mesh.triangles.len() as u32, builder.mesh.lines.len() as u32);
             builder.mesh.parts.push(Part { triangles: part.triangles.start..triangles, lines: part.lines.start..lines, ..part });
         }
-        let mut geometry = Geometry { corners: builder.corners.take().unwrap_or_default(), mesh: builder.mesh, sets, points: Vec::new() };
+        let empty = builder.mesh.triangles.is_empty() && builder.mesh.lines.is_empty();
+        // That a mesh has no faces says all that a count of them could.
+        for (part, said, found) in wrong_counts.into_iter().filter(|_| !empty || told) {
+            context.report.wrong_count(part, said, found);
+        }
+        let corners = builder.corners.take().unwrap_or_default();
+        let mut geometry = Geometry { corners, mesh: builder.mesh, sets, points: Vec::new(), empty: empty && !told };
         finish(context, mesh, &mut geometry.mesh, &points);
         if self.keep {
             geometry.points = (0..geometry.mesh.source_count as usize).map(|i| Vec3::from_array(points.row(i, [0.0; 3]))).collect();
@@ -269,8 +287,7 @@ impl<'a> RawLayout<'a> {
 fn finish(context: &mut Context<'_>, element: El<'_>, mesh: &mut Mesh, points: &Accessor<f32>) {
     let used = mesh.source_vertex.iter().max().map_or(0, |last| *last as usize + 1);
     if used > points.count {
-        let message = tr!("collada-count-mismatch", said = points.count, found = points.available);
-        context.report.warn(element, codes::COUNT_MISMATCH, message);
+        context.report.wrong_count(element, points.count, points.available);
     }
     mesh.source_count = u32::try_from(points.count.max(used)).unwrap_or(u32::MAX);
     if mesh.positions.iter().any(|position| !position.is_finite()) {

@@ -2,6 +2,9 @@
 
 use std::sync::Arc;
 
+use glam::DMat4;
+
+use super::bind_pose::Bound;
 use super::context::{Context, Step, child, children, text_of};
 use super::controller::{Chain, Controllers, Link, Sources};
 use super::geometry::{Geometries, Placed};
@@ -9,9 +12,8 @@ use super::light_camera::LightsAndCameras;
 use super::material::Materials;
 use super::nodes::{Instance, Tree};
 use super::skin::JointFinder;
-use super::source::NameKind;
 use super::{Asset, El, codes};
-use crate::scene::{Content, Deformer, MaterialBinding, Mesh, MeshInstance, NodeId, NodeKind, Scene};
+use crate::scene::{Content, Deformer, MaterialBinding, Mesh, MeshInstance, NodeId, NodeKind, Scene, SkinId, SkinnedTarget};
 use crate::tr;
 
 /// What a binding of one part or joint takes, roughly, for the budget.
@@ -33,13 +35,15 @@ pub struct Libraries<'s, 'a> {
     pub tree: &'s Tree<'a>,
     /// Unit and axes of the document.
     pub asset: &'s Asset,
+    /// Where the nodes are at rest, in the document's own unit and axes.
+    pub rest: Vec<DMat4>,
 }
 
 impl<'a> Libraries<'_, 'a> {
     /// Hangs everything on its node.
     ///
     /// # Errors
-    /// Where decimal commas stand in numbers, or on cancel.
+    /// Where commas separate numbers, or on cancel.
     pub fn hang_all(&mut self, context: &mut Context<'a>, scene: &mut Scene) -> Step<()> {
         let total = self.tree.instances.len().max(1);
         for (done, instance) in self.tree.instances.iter().enumerate() {
@@ -92,13 +96,27 @@ impl<'a> Libraries<'_, 'a> {
         }
         let mut sources = Sources { scene, geometries: self.geometries, asset: self.asset, tree: self.tree };
         let Some(chain) = self.controllers.chain(context, &mut sources, target)? else { return Ok(None) };
-        let deformers = self.deformers(context, scene, instance, &chain);
-        Ok(Some(self.dressed(context, scene, instance.element, &chain.placed, deformers)))
+        let (deformers, skinned_targets) = self.deformers(context, scene, instance, &chain);
+        let dressed = self.dressed(context, scene, instance.element, &chain.placed, deformers);
+        Ok(Some(MeshInstance { skinned_targets, ..dressed }))
     }
 
-    fn deformers(&self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>, chain: &Chain) -> Vec<Deformer> {
+    fn deformers(
+        &self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        instance: &Instance<'a>,
+        chain: &Chain,
+    ) -> (Vec<Deformer>, Vec<SkinnedTarget>) {
+        // A morph below a skin moves the mesh before any joint does: skins of its targets play no part there.
+        let skin = chain.links.iter().rposition(|link| matches!(link, Link::Skin(_))).unwrap_or(0);
+        let above = chain.links.get(skin..).unwrap_or_default().iter().filter_map(|link| match link {
+            Link::Morph(morph) => Some((*morph, self.controllers.skinned_targets.get(morph.index())?)),
+            Link::Skin(_) => None,
+        });
+        let targets: Vec<_> = above.flat_map(|(morph, shapes)| shapes.iter().map(move |shape| (morph, shape))).collect();
         let mut roots: Vec<NodeId> = Vec::new();
-        let has_skin = chain.links.iter().any(|link| matches!(link, Link::Skin(_)));
+        let has_skin = !targets.is_empty() || chain.links.iter().any(|link| matches!(link, Link::Skin(_)));
         for skeleton in children(instance.element, "skeleton").filter(|_| has_skin) {
             let text = text_of(skeleton);
             let Some(root) = context.resolve(skeleton, text.trim(), &["node", "visual_scene"]) else { continue };
@@ -110,32 +128,64 @@ impl<'a> Libraries<'_, 'a> {
         for link in &chain.links {
             match link {
                 Link::Morph(morph) => deformers.push(Deformer::Morph(*morph)),
-                Link::Skin(id) => {
-                    let Some(skin) = scene.skins.get(id.index()) else { continue };
-                    if !context.spend(instance.element, skin.joints.len() * BINDING_BYTES) {
-                        continue;
-                    }
-                    let kind = self.controllers.joint_names.get(id.index()).map_or(NameKind::Name, |names| names.kind);
-                    let finder = JointFinder { tree: self.tree, graph: &scene.graph, instance: instance.node, roots: roots.clone() };
-                    let joints = finder.find_all(skin, kind);
-                    let lost: Vec<&str> =
-                        skin.joints.iter().zip(&joints).filter(|(_, node)| node.is_none()).map(|(joint, _)| joint.name.as_str()).collect();
-                    if let Some(first) = lost.first() {
-                        let message = tr!("collada-joint-not-found", count = lost.len(), first = super::context::shortened(first));
-                        context.report.warn(instance.element, codes::JOINT_NOT_FOUND, message);
-                    }
-                    // Exporters that know no joints write plain nodes; what moves a skin is a bone.
-                    for joint in joints.iter().flatten() {
-                        let node = scene.graph.node_mut(*joint);
-                        if node.kind == NodeKind::Node {
-                            node.kind = NodeKind::Joint;
-                        }
-                    }
-                    deformers.push(Deformer::Skin { skin: *id, joints });
+                Link::Skin(skin) => {
+                    let joints = self.joints(context, scene, instance, *skin, &roots);
+                    deformers.extend(joints.map(|joints| Deformer::Skin { skin: *skin, joints }));
                 }
             }
         }
-        deformers
+        let mut skinned = Vec::new();
+        for (morph, (shape, skin)) in targets {
+            if !context.spend(instance.element, size_of_val(shape.positions.as_slice())) {
+                break;
+            }
+            let joints = self.joints(context, scene, instance, *skin, &roots);
+            let positions = || shape.positions.clone();
+            skinned.extend(joints.map(|joints| SkinnedTarget {
+                morph,
+                target: shape.target,
+                positions: positions(),
+                skin: *skin,
+                joints,
+            }));
+        }
+        (deformers, skinned)
+    }
+
+    /// The nodes of a skin's joints for one instance; `None` where the budget is used up.
+    fn joints(
+        &self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        instance: &Instance<'a>,
+        id: SkinId,
+        roots: &[NodeId],
+    ) -> Option<Vec<Option<NodeId>>> {
+        let skin = scene.skins.get(id.index())?;
+        if !context.spend(instance.element, skin.joints.len() * BINDING_BYTES) {
+            return None;
+        }
+        let names = self.controllers.joint_names.get(id.index())?;
+        let finder = JointFinder { tree: self.tree, graph: &scene.graph, instance: instance.node, roots };
+        let joints = finder.find_all(skin, names.kind);
+        let lost: Vec<&str> =
+            skin.joints.iter().zip(&joints).filter(|(_, node)| node.is_none()).map(|(joint, _)| joint.name.as_str()).collect();
+        if let Some(first) = lost.first() {
+            let message = tr!("collada-joint-not-found", count = lost.len(), first = super::context::shortened(first));
+            context.report.warn(instance.element, codes::JOINT_NOT_FOUND, message);
+        }
+        let bound = Bound { skin, used: &names.used, joints: &joints, node: instance.node };
+        if let Some(message) = bound.mismatch(&scene.graph, &self.rest) {
+            context.report.warn(instance.element, codes::BIND_POSE_MISMATCH, message);
+        }
+        // Exporters that know no joints write plain nodes; what moves a skin is a bone.
+        for joint in joints.iter().flatten() {
+            let node = scene.graph.node_mut(*joint);
+            if node.kind == NodeKind::Node {
+                node.kind = NodeKind::Joint;
+            }
+        }
+        Some(joints)
     }
 
     /// A mesh with its materials.
@@ -180,7 +230,7 @@ impl<'a> Libraries<'_, 'a> {
             let message = tr!("collada-unbound-material", symbol = super::context::shortened(first));
             context.report.note(element, codes::UNBOUND_MATERIAL, message);
         }
-        MeshInstance { mesh: placed.mesh, deformers, materials }
+        MeshInstance { mesh: placed.mesh, deformers, materials, skinned_targets: Vec::new() }
     }
 
     /// What an instance binds: symbol to material with its sets of texture coordinates.

@@ -25,7 +25,7 @@ impl LightsAndCameras {
     /// The light of a `light` element, put into the scene the first time.
     ///
     /// # Errors
-    /// Where decimal commas stand in its numbers.
+    /// Where commas separate its numbers.
     pub fn light<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<LightId>> {
         if let Some(known) = self.lights.get(&element.id()) {
             return Ok(*known);
@@ -41,7 +41,7 @@ impl LightsAndCameras {
     /// The camera of a `camera` element, put into the scene the first time.
     ///
     /// # Errors
-    /// Where decimal commas stand in its numbers.
+    /// Where commas separate its numbers.
     pub fn camera<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<CameraId>> {
         if let Some(known) = self.cameras.get(&element.id()) {
             return Ok(*known);

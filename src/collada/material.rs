@@ -51,7 +51,7 @@ impl<'a> Materials<'a> {
     /// Reads all materials of the libraries.
     ///
     /// # Errors
-    /// Where decimal commas stand in their numbers.
+    /// Where commas separate their numbers.
     pub fn read(context: &mut Context<'a>, scene: &mut Scene, images: &mut Images) -> Step<Self> {
         let mut materials = Self::default();
         for library in children(context.root, "library_materials") {

@@ -10,7 +10,7 @@
 //! | `asset`, `image`, `effect`, `material` | unit and axes, materials |
 //! | `nodes` | the tree of nodes, instances resolved |
 //! | `geometry`, `primitive`, `triangulate`, `vertices` | meshes |
-//! | `controller`, `skin`, `morph`, `morph_shape` | deformers, joints found by name |
+//! | `controller`, `skin`, `bind_pose`, `morph`, `morph_shape` | deformers, joints found by name |
 //! | `instances`, `light_camera` | what hangs on the nodes |
 //! | `animation`, `target` | curves, clips, and what they move |
 //!
@@ -20,6 +20,7 @@ mod ahead;
 mod animation;
 mod archive;
 mod asset;
+mod bind_pose;
 pub mod codes;
 mod context;
 mod controller;
@@ -196,6 +197,7 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
         lights: &mut lights,
         tree: &tree,
         asset: &asset,
+        rest: bind_pose::rest(&scene.graph),
     };
     libraries.hang_all(context, &mut scene)?;
     drop(geometries);

@@ -1,12 +1,14 @@
 //! `morph`: shapes that a mesh is drawn towards.
 
+use std::borrow::Cow;
+
 use glam::Vec3;
 
-use super::context::{Context, Step, child, name_of, shortened};
+use super::context::{Context, Step, child, name_of};
 use super::controller::Sources;
 use super::geometry::Geometry;
 use super::morph_shape::Shape;
-use super::source::{Accessor, Arrays, NameKind, NameList, inputs, name_list};
+use super::source::{Accessor, Arrays, NameList, inputs, name_list};
 use super::{El, codes};
 use crate::scene::{Morph, MorphMethod, MorphTarget};
 use crate::tr;
@@ -19,14 +21,28 @@ pub struct MorphTargets<'a> {
     pub morph: El<'a>,
     /// The source of its weights.
     pub weights: Option<El<'a>>,
+    /// The `morph_weights` element that Khronos' exporters write beside them, which their animations name.
+    pub named: Option<El<'a>>,
     /// Number of targets.
     pub count: usize,
+    /// Targets that have skins of their own.
+    pub skinned: Vec<SkinnedShape<'a>>,
+}
+
+/// A morph target that a skin of its own places.
+pub struct SkinnedShape<'a> {
+    /// Its place among the targets.
+    pub target: u32,
+    /// The `skin` element.
+    pub skin: El<'a>,
+    /// For each vertex of the base where the target has it before its skin.
+    pub positions: Vec<Vec3>,
 }
 
 /// Reads a `morph` element over `base`.
 ///
 /// # Errors
-/// Where decimal commas stand in its numbers, or on cancel.
+/// Where commas separate its numbers, or on cancel.
 pub fn read<'a>(
     context: &mut Context<'a>,
     arrays: &mut Arrays<f64>,
@@ -42,6 +58,7 @@ pub fn read<'a>(
         method: lists.method,
         ..Morph::default()
     };
+    let mut skinned = Vec::new();
     for name in lists.targets() {
         context.check_cancelled()?;
         let target = match lists.element(context, element, name) {
@@ -51,10 +68,18 @@ pub fn read<'a>(
                     break;
                 }
                 let shape = Shape::read(context, arrays, sources, target, 0)?;
+                if let Some((skin, bare)) = Shape::before_its_skin(context, arrays, sources, target)?
+                    && bare.points().len() == base.points.len()
+                    && context.spend(element, base.mesh.positions.len() * size_of::<Vec3>())
+                {
+                    let point = |source: &u32| bare.points().get(*source as usize).copied().unwrap_or(Vec3::ZERO);
+                    let positions = base.mesh.source_vertex.iter().map(point).collect();
+                    skinned.push(SkinnedShape { target: morph.targets.len() as u32, skin, positions });
+                }
                 let deltas = shape.map(|shape| deltas(context, element, base, &shape, lists.method)).unwrap_or_default();
-                MorphTarget { name: name_of(target, || lists.id(name).to_owned()), ..deltas }
+                MorphTarget { name: name_of(target, || name.to_owned()), ..deltas }
             }
-            None => MorphTarget { name: lists.id(name).to_owned(), ..MorphTarget::default() },
+            None => MorphTarget { name: name.trim_start_matches('#').to_owned(), ..MorphTarget::default() },
         };
         morph.targets.push(target);
     }
@@ -62,12 +87,15 @@ pub fn read<'a>(
     for target in &mut morph.targets {
         target.position_deltas.resize(base.mesh.positions.len(), Vec3::ZERO);
     }
-    if lists.values.as_ref().is_none_or(|values| values.available < morph.targets.len()) {
+    let count = morph.targets.len();
+    let weights: Vec<Option<f64>> = (0..count).map(|place| lists.written(place)).collect();
+    if weights.contains(&None) {
         context.report.warn(element, codes::BAD_MORPH, tr!("collada-morph-weights"));
     }
-    morph.weights = (0..morph.targets.len()).map(|place| lists.weight(place)).collect();
-    let count = morph.targets.len();
-    Ok(Some((morph, MorphTargets { controller, morph: element, weights: lists.weights, count })))
+    context.finite(element, weights.iter().flatten().all(|weight| weight.is_finite()));
+    morph.weights = (0..count).map(|place| lists.weight(place)).collect();
+    let (weights, named) = (lists.weights, lists.named);
+    Ok(Some((morph, MorphTargets { controller, morph: element, weights, named, count, skinned })))
 }
 
 /// The targets and weights of a `morph` element.
@@ -75,6 +103,9 @@ pub struct Lists<'a> {
     names: NameList<'a>,
     values: Option<Accessor<f64>>,
     weights: Option<El<'a>>,
+    named: Option<El<'a>>,
+    /// The numbers in `named`.
+    stated: Vec<f64>,
     /// How the targets add up.
     pub method: MorphMethod,
 }
@@ -83,7 +114,7 @@ impl<'a> Lists<'a> {
     /// Finds them; `None`, reported, where there are no targets.
     ///
     /// # Errors
-    /// Where decimal commas stand in the weights.
+    /// Where commas separate the weights.
     pub fn read(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: El<'a>) -> Step<Option<Self>> {
         let (mut targets, mut weights) = (None, None);
         // 1.3 put the inputs into the morph itself.
@@ -106,7 +137,12 @@ impl<'a> Lists<'a> {
             Some(weights) => arrays.accessor(context, weights, 1)?,
             None => None,
         };
-        Ok(Some(Self { names, values, weights, method }))
+        let named = extra_weights(element);
+        let stated = match named {
+            Some(named) => context.reals(named, 0)?,
+            None => Vec::new(),
+        };
+        Ok(Some(Self { names, values, weights, named, stated, method }))
     }
 
     /// The targets as they are named.
@@ -116,25 +152,32 @@ impl<'a> Lists<'a> {
         self.names.entries().take(self.names.said.filter(agrees).unwrap_or(usize::MAX))
     }
 
-    /// The weight of a target at rest.
-    pub fn weight(&self, place: usize) -> f32 {
-        self.values.as_ref().and_then(|values| values.get(place, 0)).filter(|weight| weight.is_finite()).unwrap_or(0.0) as f32
+    /// The weight of a target as the file has it, if it has one.
+    fn written(&self, place: usize) -> Option<f64> {
+        self.values.as_ref().and_then(|values| values.get(place, 0)).or_else(|| self.stated.get(place).copied())
     }
 
-    /// The id in a target's name.
-    fn id<'n>(&self, name: &'n str) -> &'n str {
-        if self.names.kind == NameKind::Name { name.trim_start_matches('#') } else { name }
+    /// The weight of a target at rest.
+    pub fn weight(&self, place: usize) -> f32 {
+        self.written(place).filter(|weight| weight.is_finite()).unwrap_or(0.0) as f32
     }
 
     /// The target with this name; `None`, reported at `element`, where it isn't in the file.
     pub fn element(&self, context: &mut Context<'a>, element: El<'a>, name: &str) -> Option<El<'a>> {
-        let id = self.id(name);
-        let target = context.lookup.by_id(id, &["geometry", "controller"]);
-        if target.is_none() {
-            context.report.warn(element, codes::BROKEN_REFERENCE, tr!("collada-broken-reference", target = shortened(id)));
-        }
-        target
+        const TAGS: [&str; 2] = ["geometry", "controller"];
+        // By the letter it is an id, and many write the url of it.
+        context.lookup.by_id_near(element, name, &TAGS).or_else(|| {
+            let url = if name.contains('#') { Cow::Borrowed(name) } else { Cow::Owned(format!("#{name}")) };
+            context.resolve(element, &url, &TAGS)
+        })
     }
+}
+
+/// The `morph_weights` of a `morph` element, in its own `extra` or in that of the controller that it stands in.
+fn extra_weights(element: El<'_>) -> Option<El<'_>> {
+    let around = element.parent().filter(|above| above.tag_name().name() == "controller").unwrap_or(element);
+    let in_extra = |found: &El<'_>| found.ancestors().take_while(|above| *above != around).any(|above| above.tag_name().name() == "extra");
+    around.descendants().filter(|found| found.tag_name().name() == "morph_weights").find(in_extra)
 }
 
 /// What weight 1 of a target adds to each vertex of the base.

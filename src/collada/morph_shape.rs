@@ -45,7 +45,7 @@ impl Shape {
     /// leads to no mesh. `depth` counts the controllers that are being read as targets of each other.
     ///
     /// # Errors
-    /// Where decimal commas stand in its numbers, or on cancel.
+    /// Where commas separate its numbers, or on cancel.
     pub fn read<'a>(
         context: &mut Context<'a>,
         arrays: &mut Arrays<f64>,
@@ -73,6 +73,21 @@ impl Shape {
         let shape = Self::controlled(context, arrays, sources, target, depth + 1)?;
         sources.geometries.shapes.insert(target.id(), Known::Shape(shape.clone()));
         Ok(shape)
+    }
+
+    /// The outermost skin of a `controller` and the shape below it; `None` where its outermost layer is none.
+    ///
+    /// # Errors
+    /// As [`Shape::read`].
+    pub fn before_its_skin<'a>(
+        context: &mut Context<'a>,
+        arrays: &mut Arrays<f64>,
+        sources: &mut Sources<'_, 'a>,
+        target: El<'a>,
+    ) -> Step<Option<(El<'a>, Self)>> {
+        let Some(skin) = child(target, "skin") else { return Ok(None) };
+        let Some(below) = context.follow(skin, "source", &["geometry", "controller"]) else { return Ok(None) };
+        Ok(Self::read(context, arrays, sources, below, 1)?.map(|shape| (skin, shape)))
     }
 
     fn controlled<'a>(

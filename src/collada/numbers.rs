@@ -8,9 +8,11 @@ pub struct Parsed<T> {
     pub bad: usize,
     /// The first of them.
     pub first_bad: Option<String>,
+    /// The first entry with a decimal comma, which was read as a point.
+    pub decimal_comma: Option<String>,
 }
 
-/// An entry had a comma in it: a decimal mark or a separator that COLLADA does not have.
+/// A comma stands between numbers: a separator that COLLADA does not have.
 #[derive(Debug, PartialEq, Eq)]
 pub struct Comma {
     /// The entry.
@@ -51,7 +53,7 @@ impl Real for f64 {
 impl Parsed<f64> {
     /// The same as another number type.
     pub fn into_reals<T: Real>(self) -> Parsed<T> {
-        Parsed { values: T::all_from_f64(self.values), bad: self.bad, first_bad: self.first_bad }
+        Parsed { values: T::all_from_f64(self.values), bad: self.bad, first_bad: self.first_bad, decimal_comma: self.decimal_comma }
     }
 }
 
@@ -196,14 +198,41 @@ fn odd_number(entry: &[u8]) -> Option<f64> {
     }
 }
 
-/// Reads a list of decimal numbers separated by blanks.
+/// A number with a decimal comma: one comma with something on both sides, and no point.
+fn comma_number(entry: &[u8]) -> Option<f64> {
+    let mut pointed = [0; 64];
+    let pointed = pointed.get_mut(..entry.len())?;
+    pointed.copy_from_slice(entry);
+    let comma = entry.iter().position(|byte| *byte == b',')?;
+    if entry.contains(&b'.') || comma + 1 == entry.len() || comma == 0 || matches!(entry, [b'+' | b'-', b',', ..]) {
+        return None;
+    }
+    *pointed.get_mut(comma)? = b'.';
+    odd_number(pointed)
+}
+
+/// Whether commas stand between numbers in an entry, or at its ends.
+fn separates(entry: &[u8]) -> bool {
+    entry.split(|byte| *byte == b',').all(|part| part.is_empty() || odd_number(part).is_some())
+}
+
+/// The number in an attribute, also with a decimal comma, and whether it has one; `None` where it is no finite number.
+pub fn attribute_number(text: &str) -> Option<(f64, bool)> {
+    let text = text.trim();
+    match text.parse::<f64>() {
+        Ok(value) => value.is_finite().then_some((value, false)),
+        Err(_) => comma_number(text.as_bytes()).filter(|value| value.is_finite()).map(|value| (value, true)),
+    }
+}
+
+/// Reads a list of decimal numbers separated by blanks. A decimal comma, at most one in an entry, is read as a point.
 ///
 /// # Errors
-/// [`Comma`] at the first entry with a comma in it.
+/// [`Comma`] at the first entry in which commas stand between numbers.
 pub fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, Comma> {
     let bytes = text.as_bytes();
     // A count in a file may be a lie: a number takes two bytes at least.
-    let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None };
+    let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
     let mut rest = bytes;
     loop {
         while let [byte, tail @ ..] = rest
@@ -224,11 +253,17 @@ pub fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, Comma> {
         rest = tail;
         match odd_number(entry) {
             Some(value) => parsed.values.push(T::from_f64(value)),
-            None if entry.contains(&b',') => return Err(Comma { entry: shown(entry), at }),
-            None => {
-                parsed.note_bad(entry);
-                parsed.values.push(T::from_f64(0.0));
-            }
+            None => match comma_number(entry) {
+                Some(value) => {
+                    parsed.decimal_comma.get_or_insert_with(|| shown(entry));
+                    parsed.values.push(T::from_f64(value));
+                }
+                None if entry.contains(&b',') && separates(entry) => return Err(Comma { entry: shown(entry), at }),
+                None => {
+                    parsed.note_bad(entry);
+                    parsed.values.push(T::from_f64(0.0));
+                }
+            },
         }
     }
 }
@@ -239,7 +274,7 @@ pub fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, Comma> {
 /// [`Comma`] at the first entry with a comma in it.
 pub fn integers(text: &str, expected: usize) -> Result<Parsed<i32>, Comma> {
     let bytes = text.as_bytes();
-    let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None };
+    let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
     let mut rest = bytes;
     loop {
         while let [byte, tail @ ..] = rest
@@ -323,10 +358,27 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_counted_and_commas_are_refused() {
+    fn one_decimal_comma_an_entry_is_a_point_and_commas_between_numbers_are_refused() {
+        let parsed = reals::<f64>("-1,0 0,25 1,5e-3 -1,#IND 2.5 +7,", 6);
+        assert_eq!(parsed.err(), Some(Comma { entry: "+7,".into(), at: 29 }));
+        let parsed = reals::<f64>("-1,0 0,25 1,5e-3 2.5 3", 5).unwrap_or_else(|_| unreachable!("these are decimal commas"));
+        assert_eq!((parsed.values, parsed.bad, parsed.decimal_comma.as_deref()), (vec![-1.0, 0.25, 1.5e-3, 2.5, 3.0], 0, Some("-1,0")));
+        for refused in ["1,2,3", "1, 2, 3", "1 ,2", "-,5", "1.5,2.5", "1.000,5", ",", "0,5 1,2,3"] {
+            assert!(reals::<f32>(refused, 3).is_err(), "{refused}");
+        }
+        assert_eq!(attribute_number(" 0,01 "), Some((0.01, true)));
+        assert_eq!(attribute_number("0.01"), Some((0.01, false)));
+        for none in ["0,01,0", "inf", "x", "", "1,"] {
+            assert_eq!(attribute_number(none), None, "{none}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_number_is_counted() {
         let parsed = reals::<f32>("1 x 2e 3", 4).unwrap_or_else(|_| unreachable!("there is no comma"));
         assert_eq!((parsed.values, parsed.bad, parsed.first_bad.as_deref()), (vec![1.0, 0.0, 0.0, 3.0], 2, Some("x")));
-        assert_eq!(reals::<f32>("1 0,5", 2).err(), Some(Comma { entry: "0,5".into(), at: 2 }));
+        let parsed = reals::<f32>("1 x,y", 2).unwrap_or_else(|_| unreachable!("nothing is separated"));
+        assert_eq!((parsed.values, parsed.bad), (vec![1.0, 0.0], 1));
         assert_eq!(integers("1 2, 3", 3).err(), Some(Comma { entry: "2,".into(), at: 2 }));
     }
 
@@ -364,6 +416,13 @@ mod tests {
         fn what_was_printed_is_read_back_exactly(values in prop::collection::vec(any::<f64>().prop_filter("finite", |v| v.is_finite()), 0..20)) {
             let text: Vec<String> = values.iter().enumerate().map(|(i, v)| if i % 2 == 0 { format!("{v}") } else { format!("{v:e}") }).collect();
             prop_assert_eq!(read(&text.join(" ")), values);
+        }
+
+        #[test]
+        fn a_comma_for_the_point_changes_no_value(values in prop::collection::vec(-1e9..1e9f64, 1..20)) {
+            let text: Vec<String> = values.iter().map(|value| format!("{value:?}")).collect();
+            let text = text.join(" ");
+            prop_assert_eq!(read(&text.replace('.', ",")), read(&text));
         }
 
         #[test]

@@ -64,6 +64,14 @@ struct Reading<'r> {
     cut: Vec<[u32; 3]>,
 }
 
+/// What came of one primitive element.
+pub struct Outcome {
+    /// Whether faces were left out, which was told.
+    pub told: bool,
+    /// What its `count` says, where that is wrong.
+    pub wrong_count: Option<(usize, usize)>,
+}
+
 /// Reads all faces of `element` into the builder.
 ///
 /// # Errors
@@ -76,7 +84,7 @@ pub fn read<'a>(
     builder: &mut Builder,
     triangulator: &mut Triangulator,
     steps: &mut u64,
-) -> Step<()> {
+) -> Step<Outcome> {
     let mut reading = Reading {
         layout,
         builder,
@@ -106,12 +114,8 @@ pub fn read<'a>(
         }
     }
     let trouble = reading.trouble;
-    if let Some(said) = number_attribute(element, "count")
-        && said != faces
-        && trouble.incomplete == 0
-    {
-        context.report.warn(element, codes::COUNT_MISMATCH, tr!("collada-count-mismatch", said = said, found = faces));
-    }
+    let lacks = builder.lacks;
+    let said = number_attribute(element, "count").filter(|said| *said != faces && trouble.incomplete == 0);
     if trouble.out_of_range > 0 {
         context.report.warn(element, codes::INDEX_OUT_OF_RANGE, tr!("collada-index-out-of-range", count = trouble.out_of_range));
     }
@@ -121,7 +125,15 @@ pub fn read<'a>(
     if trouble.too_complex > 0 {
         context.report.warn(element, codes::POLYGON_TOO_COMPLEX, tr!("collada-polygon-too-complex", count = trouble.too_complex));
     }
-    context.check_cancelled()
+    if lacks.out_of_range > 0 {
+        context.report.warn(element, codes::INDEX_OUT_OF_RANGE, tr!("collada-values-out-of-range", count = lacks.out_of_range));
+    }
+    if lacks.not_finite > 0 {
+        context.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite-values", count = lacks.not_finite));
+    }
+    context.check_cancelled()?;
+    let told = trouble.out_of_range + trouble.incomplete + trouble.too_complex > 0;
+    Ok(Outcome { told, wrong_count: said.map(|said| (said, faces)) })
 }
 
 impl Reading<'_> {

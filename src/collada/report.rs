@@ -4,12 +4,29 @@ use std::cell::OnceCell;
 
 use memchr::memchr_iter;
 use roxmltree::NodeId as ElementId;
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::lists::Shortened;
 use super::{El, codes};
 use crate::health::{Finding, Severity};
 use crate::{limits, tr};
+
+/// Findings that have one cause however many elements they are met at, as long as they say the same: they are told once, with how often.
+const ONCE: [&str; 13] = [
+    codes::REPEATED_ID,
+    codes::BROKEN_REFERENCE,
+    codes::EXTERNAL_REFERENCE,
+    codes::UNSUPPORTED_GEOMETRY,
+    codes::JOINT_NOT_FOUND,
+    codes::BIND_POSE_MISMATCH,
+    codes::UNBOUND_MATERIAL,
+    codes::TEXTURE_NOT_FOUND,
+    codes::NO_COMMON_PROFILE,
+    codes::TRANSPARENCY_INVERTED,
+    codes::UNSUPPORTED_INTERPOLATION,
+    codes::MISSING_TANGENTS,
+    codes::SHEARED_KEYS,
+];
 
 /// Findings about one document, with their lines.
 pub struct Report<'a> {
@@ -20,13 +37,26 @@ pub struct Report<'a> {
     findings: Vec<Finding>,
     /// What was said of which element, so that nothing is said twice of what is read twice.
     said: FxHashSet<(ElementId, &'static str, String)>,
+    /// Where in `findings` what is told once a file stands, and how often it was met since.
+    once: FxHashMap<(&'static str, String), (usize, usize)>,
+    /// The entries of the libraries of which a wrong count was told.
+    counts: FxHashSet<ElementId>,
     dropped: usize,
 }
 
 impl<'a> Report<'a> {
     /// An empty report about `document`, which `lines_before` blank lines precede in the file.
     pub fn new(document: &'a Shortened<'a>, lines_before: u32) -> Self {
-        Self { document, lines_before, line_ends: OnceCell::new(), findings: Vec::new(), said: FxHashSet::default(), dropped: 0 }
+        Self {
+            document,
+            lines_before,
+            line_ends: OnceCell::new(),
+            findings: Vec::new(),
+            said: FxHashSet::default(),
+            once: FxHashMap::default(),
+            counts: FxHashSet::default(),
+            dropped: 0,
+        }
     }
 
     /// The line of an element, from 1.
@@ -62,20 +92,37 @@ impl<'a> Report<'a> {
         });
     }
 
+    /// A `count` that says another number than the data hold; told once for all lists of a mesh, a controller or an animation.
+    pub fn wrong_count(&mut self, element: El<'_>, said: usize, found: usize) {
+        let in_library = |above: &El<'_>| above.parent().is_some_and(|parent| parent.tag_name().name().starts_with("library_"));
+        let entry = element.ancestors().find(in_library).unwrap_or(element);
+        if self.counts.insert(entry.id()) {
+            self.warn(element, codes::COUNT_MISMATCH, tr!("collada-count-mismatch", said = said, found = found));
+        }
+    }
+
     /// A warning about the file as a whole.
     pub fn warn_file(&mut self, code: &'static str, message: String) {
         self.add(None, code, Severity::Warning, message);
     }
 
     fn add(&mut self, element: Option<El<'_>>, code: &'static str, severity: Severity, message: String) {
+        if let Some(element) = element
+            && self.findings.len() < limits::FINDINGS
+            && !self.said.insert((element.id(), code, message.clone()))
+        {
+            return;
+        }
+        if let Some(told) = self.once.get_mut(&(code, message.clone())) {
+            told.1 += 1;
+            return;
+        }
         if self.findings.len() >= limits::FINDINGS {
             self.dropped += 1;
             return;
         }
-        if let Some(element) = element
-            && !self.said.insert((element.id(), code, message.clone()))
-        {
-            return;
+        if ONCE.contains(&code) {
+            self.once.insert((code, message.clone()), (self.findings.len(), 0));
         }
         let line = element.map(|element| self.line(element));
         let element = element.map_or_else(String::new, describe);
@@ -84,6 +131,12 @@ impl<'a> Report<'a> {
 
     /// All findings, in file order.
     pub fn finish(&mut self) -> Vec<Finding> {
+        for (at, more) in std::mem::take(&mut self.once).into_values().filter(|(_, more)| *more > 0) {
+            if let Some(finding) = self.findings.get_mut(at) {
+                finding.message.push(' ');
+                finding.message.push_str(&tr!("collada-more-places", count = more));
+            }
+        }
         if self.dropped > 0 {
             let message = tr!("collada-more-findings", count = self.dropped, limit = limits::FINDINGS);
             self.dropped = 0;

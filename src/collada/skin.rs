@@ -15,6 +15,8 @@ use crate::tr;
 pub struct JointNames {
     /// How the names are looked up.
     pub kind: NameKind,
+    /// Which of the joints any point is weighted to.
+    pub used: Vec<bool>,
 }
 
 /// How far the weights of a point may be from 1 in sum without a word: six printed digits and a handful of influences stay well below.
@@ -23,7 +25,7 @@ const SUM_TOLERANCE: f64 = 1e-3;
 /// Reads a `skin` element over a mesh of `points` points.
 ///
 /// # Errors
-/// Where decimal commas stand in its numbers.
+/// Where commas separate its numbers.
 pub fn read<'a>(
     context: &mut Context<'a>,
     arrays: &mut Arrays<f64>,
@@ -48,7 +50,13 @@ pub fn read<'a>(
     let Some(kind) = joints(context, arrays, tree, element, weights, &mut skin)? else { return Ok(None) };
     let order = own_order(context, element, weights, &skin);
     influences(context, arrays, weights, points, order.as_deref(), &mut skin)?;
-    Ok(Some((skin, JointNames { kind })))
+    let mut used = vec![false; skin.joints.len()];
+    for influence in &skin.influences {
+        if let Some(used) = usize::try_from(influence.joint).ok().and_then(|joint| used.get_mut(joint)) {
+            *used = true;
+        }
+    }
+    Ok(Some((skin, JointNames { kind, used })))
 }
 
 /// Reads the joints; `None`, reported, where there are none.
@@ -84,8 +92,9 @@ fn joints<'a>(
     let mut names: Vec<String> = list.entries().map(ToOwned::to_owned).collect();
     // Without matrices the accessor tells where names have blanks in them.
     let said = list.said.filter(|said| *said < names.len());
-    // An array may hold the matrices of several skins; a count is believed where the names agree with it.
+    // An array may hold the matrices of several skins, and its own count may lie; the accessor's is believed where the names agree with it.
     let count = match &matrices {
+        Some(matrices) if matrices.said == Some(names.len()) && matrices.available >= names.len() => names.len(),
         Some(matrices) if matrices.count == names.len() => matrices.count,
         Some(matrices) => matrices.available,
         None => said.unwrap_or(names.len()),
@@ -101,7 +110,8 @@ fn joints<'a>(
     }
     if names.len() != count {
         context.report.warn(element, codes::COUNT_MISMATCH, tr!("collada-joint-count", names = names.len(), matrices = count));
-        names.resize(count, String::new());
+        // A matrix that has no name moves nothing.
+        names.truncate(count);
     }
     let (mut bad, mut tilted) = (false, false);
     for (i, name) in names.into_iter().enumerate() {
@@ -251,7 +261,7 @@ fn influences<'a>(
         context.report.warn(element, codes::SKIN_POINTS_MISMATCH, tr!("collada-skin-points", found = counts.len(), wanted = points));
     }
     let mut pairs = pairs.chunks_exact(stride);
-    let (mut out_of_range, mut unnormalised, mut missing) = (0, 0, 0usize);
+    let (mut out_of_range, mut not_finite, mut unnormalised, mut missing) = (0, 0, 0, 0usize);
     skin.offsets.push(0);
     for count in counts.iter().take(points) {
         let start = skin.influences.len();
@@ -274,6 +284,7 @@ fn influences<'a>(
                     sum += weight;
                     skin.influences.push(Influence { joint, weight: weight as f32 });
                 }
+                Some(_) if known => not_finite += 1,
                 _ => out_of_range += 1,
             }
         }
@@ -296,6 +307,9 @@ fn influences<'a>(
     if out_of_range > 0 {
         context.report.warn(element, codes::INDEX_OUT_OF_RANGE, tr!("collada-influences-out-of-range", count = out_of_range));
     }
+    if not_finite > 0 {
+        context.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite-weights", count = not_finite));
+    }
     if missing > 0 {
         context.report.warn(element, codes::COUNT_MISMATCH, tr!("collada-influences-missing", count = missing));
     }
@@ -314,7 +328,7 @@ pub struct JointFinder<'f, 'a> {
     /// The node that holds the instance.
     pub instance: NodeId,
     /// The nodes that the instance's `skeleton` elements name.
-    pub roots: Vec<NodeId>,
+    pub roots: &'f [NodeId],
 }
 
 impl JointFinder<'_, '_> {

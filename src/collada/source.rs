@@ -26,6 +26,8 @@ pub struct Accessor<T> {
     pub count: usize,
     /// Rows that the data reach for.
     pub available: usize,
+    /// Rows that the accessor says there are.
+    pub said: Option<usize>,
     /// Which numbers of a row count; a `param` without a name leaves its number out.
     components: Vec<usize>,
 }
@@ -91,7 +93,7 @@ impl<T: Real> Arrays<T> {
     /// The accessor of a source of numbers. `width` is what its use expects, for sources that don't say. `None` where there are no numbers.
     ///
     /// # Errors
-    /// Where decimal commas stand in the array.
+    /// Where commas separate the numbers of the array.
     pub fn accessor<'a>(&mut self, context: &mut Context<'a>, source: El<'a>, width: usize) -> Step<Option<Accessor<T>>> {
         let accessor = child(source, "technique_common").and_then(|technique| child(technique, "accessor"));
         let Some(array) = array_of(context, source, accessor, &NUMBER_ARRAYS) else { return Ok(None) };
@@ -117,8 +119,7 @@ impl<T: Real> Arrays<T> {
             && !follows_array(given)
             && self.said.insert(accessor.id())
         {
-            let message = tr!("collada-count-mismatch", said = given, found = available);
-            context.report.warn(accessor, codes::COUNT_MISMATCH, message);
+            context.report.wrong_count(accessor, given, available);
         }
         if let (Some(small), Some(accessor)) = (layout.small, accessor)
             && self.said_stride.insert(accessor.id())
@@ -132,6 +133,7 @@ impl<T: Real> Arrays<T> {
             stride: layout.stride,
             count,
             available,
+            said: given,
             components: layout.components,
         }))
     }
@@ -153,8 +155,7 @@ impl<T: Real> Arrays<T> {
         if let Some(said) = said
             && said != values.len()
         {
-            let message = tr!("collada-count-mismatch", said = said, found = values.len());
-            context.report.warn(array, codes::COUNT_MISMATCH, message);
+            context.report.wrong_count(array, said, values.len());
         }
         let values = Rc::new(values);
         self.read.insert(array.id(), values.clone());

@@ -73,7 +73,7 @@ impl<'s, 'a> Aims<'s, 'a> {
         for (index, morph) in controllers.morph_targets.iter().enumerate() {
             let id = MorphId(index as u32);
             let arrays = morph.weights.iter().flat_map(|weights| weights.children().filter(El::is_element));
-            for element in [Some(morph.controller), Some(morph.morph), morph.weights].into_iter().flatten().chain(arrays) {
+            for element in [Some(morph.controller), Some(morph.morph), morph.weights, morph.named].into_iter().flatten().chain(arrays) {
                 morphs.entry(element.id()).or_insert(id);
             }
         }

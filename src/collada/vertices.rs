@@ -31,31 +31,38 @@ pub struct Layout {
     pub color: Option<Stream>,
     /// Which corner offsets make a vertex, beyond that of the position.
     keys: Vec<usize>,
-    /// The lowest number of values behind each offset in `keys`, and behind the position.
-    limits: Vec<u32>,
     position_limit: u32,
 }
 
 impl Layout {
     /// A layout of these streams.
     pub fn new(stride: usize, position: Stream, normal: Option<Stream>, uvs: Vec<(usize, Stream)>, color: Option<Stream>) -> Self {
-        let rows = |stream: &Stream| u32::try_from(stream.values.available).unwrap_or(u32::MAX).min(i32::MAX as u32);
-        let mut position_limit = rows(&position);
-        let (mut keys, mut limits): (Vec<usize>, Vec<u32>) = (Vec::new(), Vec::new());
+        let position_limit = u32::try_from(position.values.available).unwrap_or(u32::MAX).min(i32::MAX as u32);
+        let mut keys: Vec<usize> = Vec::new();
         for stream in normal.iter().chain(uvs.iter().map(|(_, stream)| stream)).chain(&color) {
-            if stream.offset == position.offset {
-                position_limit = position_limit.min(rows(stream));
-            } else if let Some(known) = keys.iter().position(|offset| *offset == stream.offset) {
-                if let Some(limit) = limits.get_mut(known) {
-                    *limit = (*limit).min(rows(stream));
-                }
-            } else {
+            if stream.offset != position.offset && !keys.contains(&stream.offset) {
                 keys.push(stream.offset);
-                limits.push(rows(stream));
             }
         }
-        Self { stride, position, normal, uvs, color, keys, limits, position_limit }
+        Self { stride, position, normal, uvs, color, keys, position_limit }
     }
+}
+
+impl Stream {
+    /// The values that a corner points at; `None` where there are none.
+    fn row<const N: usize>(&self, corner: &[i32], fill: [f32; N]) -> Option<[f32; N]> {
+        let index = usize::try_from(*corner.get(self.offset)?).ok()?;
+        (index < self.values.available).then(|| self.values.row(index, fill))
+    }
+}
+
+/// What was wrong with the values beside the positions, counted in vertices.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Lacks {
+    /// An index points outside its list.
+    pub out_of_range: usize,
+    /// A value is infinite or not a number.
+    pub not_finite: usize,
 }
 
 /// Longest chain of vertices on one point that is walked; beyond it a hash table takes over, so that a fan of a million corners stays fast.
@@ -67,6 +74,8 @@ pub struct Builder {
     /// The mesh so far.
     pub mesh: Mesh,
     has_colors: bool,
+    /// What was wrong since [`Builder::start`].
+    pub lacks: Lacks,
     /// Index of each corner's vertex, in file order, where that is wanted.
     pub corners: Option<Vec<u32>>,
     /// Latest vertex on each point, with the primitive that made it.
@@ -88,6 +97,7 @@ impl Builder {
         Self {
             mesh,
             has_colors,
+            lacks: Lacks::default(),
             corners: want_corners.then(Vec::new),
             heads: Vec::new(),
             links: Vec::new(),
@@ -102,22 +112,20 @@ impl Builder {
     /// Starts a primitive: vertices are shared within it only, since the next may point into other lists.
     pub fn start(&mut self, layout: &Layout) {
         self.primitive += 1;
+        self.lacks = Lacks::default();
         self.overflow.clear();
         if self.heads.len() < layout.position.values.available {
             self.heads.resize(layout.position.values.available, (0, NONE));
         }
     }
 
-    /// The vertex of a corner; `None` where an index is out of range.
+    /// The vertex of a corner; `None` where its point is out of range. Of the other values what is out of range is left at its default, normals to be
+    /// computed.
     pub fn vertex(&mut self, layout: &Layout, corner: &[i32]) -> Option<u32> {
         let point = u32::try_from(*corner.get(layout.position.offset)?).ok().filter(|point| *point < layout.position_limit)?;
         self.key.clear();
-        for (offset, limit) in layout.keys.iter().zip(&layout.limits) {
-            let index = *corner.get(*offset)?;
-            if index < 0 || index as u32 >= *limit {
-                return None;
-            }
-            self.key.push(index);
+        for offset in &layout.keys {
+            self.key.push(*corner.get(*offset)?);
         }
         let width = self.key.len();
         let head = self.heads.get_mut(point as usize)?;
@@ -161,30 +169,39 @@ impl Builder {
     }
 
     fn push(&mut self, layout: &Layout, corner: &[i32], point: u32) -> u32 {
-        let row = |stream: &Stream| corner.get(stream.offset).map_or(0, |index| *index as usize);
         let mesh = &mut self.mesh;
+        let (mut outside, mut odd) = (false, false);
         let vertex = mesh.positions.len() as u32;
         mesh.positions.push(Vec3::from_array(layout.position.values.row(point as usize, [0.0; 3])));
         mesh.source_vertex.push(point);
         // What is missing is not a number until all primitives are there, and is computed then.
-        let normal = layout.normal.as_ref().map_or(Vec3::NAN, |stream| Vec3::from_array(stream.values.row(row(stream), [0.0; 3])));
-        mesh.normals.push(normal.try_normalize().unwrap_or(Vec3::NAN));
+        let normal = layout.normal.as_ref().and_then(|stream| noted(stream.row(corner, [0.0; 3]), &mut outside, &mut odd));
+        mesh.normals.push(normal.and_then(|normal| Vec3::from_array(normal).try_normalize()).unwrap_or(Vec3::NAN));
         for uvs in &mut mesh.uv_sets {
             uvs.push(Vec2::ZERO);
         }
         for (set, stream) in &layout.uvs {
             if let Some(uv) = mesh.uv_sets.get_mut(*set).and_then(|uvs| uvs.last_mut()) {
-                *uv = Vec2::from_array(stream.values.row(row(stream), [0.0; 2]));
+                *uv = noted(stream.row(corner, [0.0; 2]), &mut outside, &mut odd).map_or(Vec2::ZERO, Vec2::from_array);
             }
         }
         if self.has_colors {
-            let color =
-                layout.color.as_ref().map_or(Vec4::ONE, |stream| Vec4::from_array(stream.values.row(row(stream), [0.0, 0.0, 0.0, 1.0])));
-            mesh.colors.push(color.clamp(Vec4::ZERO, Vec4::ONE));
+            let color = layout.color.as_ref().and_then(|stream| noted(stream.row(corner, [0.0, 0.0, 0.0, 1.0]), &mut outside, &mut odd));
+            mesh.colors.push(color.map_or(Vec4::ONE, Vec4::from_array).clamp(Vec4::ZERO, Vec4::ONE));
         }
+        self.lacks.out_of_range += usize::from(outside);
+        self.lacks.not_finite += usize::from(odd);
         self.links.push(NONE);
         self.key_starts.push(self.keys.len() as u32);
         self.keys.extend_from_slice(&self.key);
         vertex
     }
+}
+
+/// Finite values; what is missing is noted as `outside`, what is not finite as `odd`.
+fn noted<const N: usize>(values: Option<[f32; N]>, outside: &mut bool, odd: &mut bool) -> Option<[f32; N]> {
+    *outside |= values.is_none();
+    let finite = values.filter(|values| values.iter().all(|value| value.is_finite()));
+    *odd |= values.is_some() && finite.is_none();
+    finite
 }

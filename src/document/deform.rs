@@ -1,20 +1,21 @@
-//! Deformed surfaces: morphs first, in the mesh's own space, then the skin into the world.
+//! Deformed surfaces: morphs in the mesh's own space, then the skin into the world, then what is mixed with the skinned shape.
 
 use glam::{DMat4, Vec3, Vec3A};
-use rustc_hash::FxHashMap;
 
+use super::mix::{Active, Mixer};
 use super::skinning::{Palette, normal_matrix};
 use super::{PoseState, Skinning};
-use crate::scene::{Bounds, Deformer, Mesh, MeshInstance, Morph, NodeId, Scene, Skin, SkinId, smooth_normals};
+use crate::scene::{Bounds, Deformer, Mesh, MeshInstance, Morph, NodeId, Scene, Skin, SkinId};
 
 /// What bending one instance needs, laid out once.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Bender {
     palette: Palette,
-    /// For morphs without normals: vertices that share point and normal, so that hard edges stay hard.
-    groups: Option<(Vec<u32>, usize)>,
+    mixer: Mixer,
     /// The shape after the morphs, where a skin follows; empty where there are none.
     morphed: (Vec<Vec3>, Vec<Vec3>),
+    /// Skins of morph targets, and what they make: those of [`MeshInstance::skinned_targets`], in their order.
+    targets: Vec<(Palette, Vec<Vec3>, Vec<Vec3>)>,
 }
 
 /// The skin of an instance, if it has one that the scene knows.
@@ -25,8 +26,12 @@ pub(super) fn skin_of<'a>(scene: &'a Scene, instance: &'a MeshInstance) -> Optio
     })
 }
 
-pub(super) fn morphs_of<'a>(scene: &'a Scene, instance: &'a MeshInstance) -> impl Iterator<Item = (usize, &'a Morph)> {
-    instance.deformers.iter().filter_map(|deformer| match deformer {
+/// The morphs of an instance below its skin, and those above it. Without a skin all are above: what they make is placed by the node.
+pub(super) fn morphs_of<'a>(scene: &'a Scene, instance: &'a MeshInstance, below: bool) -> impl Iterator<Item = (usize, &'a Morph)> {
+    let skin = instance.deformers.iter().position(|deformer| matches!(deformer, Deformer::Skin { .. })).unwrap_or(0);
+    let (first, last) = instance.deformers.split_at(skin);
+    let found = if below { first } else { last };
+    found.iter().filter_map(|deformer| match deformer {
         Deformer::Morph(id) => Some((id.index(), scene.morphs.get(id.index())?)),
         Deformer::Skin { .. } => None,
     })
@@ -35,9 +40,11 @@ pub(super) fn morphs_of<'a>(scene: &'a Scene, instance: &'a MeshInstance) -> imp
 impl Bender {
     /// Lays out the buffers for `instance` of `mesh`.
     pub(super) fn new(scene: &Scene, instance: &MeshInstance, mesh: &Mesh) -> Self {
+        let mut morphs = morphs_of(scene, instance, true).chain(morphs_of(scene, instance, false));
         let lacks_normals = |morph: &Morph| morph.targets.iter().any(|target| target.normal_deltas.len() != mesh.positions.len());
-        let groups = morphs_of(scene, instance).any(|(_, morph)| lacks_normals(morph)).then(|| groups(mesh));
-        Self { groups, ..Self::default() }
+        let smooths = !instance.skinned_targets.is_empty() || morphs.any(|(_, morph)| lacks_normals(morph));
+        let targets = instance.skinned_targets.iter().map(|_| Default::default()).collect();
+        Self { mixer: Mixer::new(mesh, smooths), targets, ..Self::default() }
     }
 
     /// Bends the instance on `node` into the buffers and says whether it is mirrored.
@@ -57,91 +64,86 @@ impl Bender {
         normals.resize(count, Vec3::Y);
         let at = |node: NodeId| world.get(node.index()).copied();
         let here = at(node).unwrap_or(DMat4::IDENTITY);
-        let Some((skin, joints)) = skin_of(scene, instance) else {
-            self.shape(scene, instance, mesh, morph_weights, positions, normals);
-            let (matrix, turn) = (here.as_mat4(), normal_matrix(&here));
-            for (position, normal) in positions.iter_mut().zip(normals.iter_mut()) {
-                *position = matrix.transform_point3(*position);
-                *normal = (turn * Vec3A::from(*normal)).normalize_or(Vec3A::Y).into();
-            }
-            return (Bounds::of(positions.iter().copied()), here.determinant() < 0.0);
-        };
         let file = at(root_of(scene, node)).unwrap_or(DMat4::IDENTITY);
-        let worlds = joints.iter().map(|joint| joint.and_then(at));
-        self.palette.set(skin, worlds, &here, &file, state.skinning == Skinning::DualQuaternion);
-        let as_it_is = morphs_of(scene, instance).next().is_none() && mesh.normals.len() == count;
-        let (mut p, mut n) = std::mem::take(&mut self.morphed);
-        let from = if as_it_is {
-            (mesh.positions.as_slice(), mesh.normals.as_slice())
+        let dual = state.skinning == Skinning::DualQuaternion;
+        let mut mirrored = here.determinant() < 0.0;
+        if let Some((skin, joints)) = skin_of(scene, instance) {
+            let last = instance.is_skinned();
+            let worlds = joints.iter().map(|joint| joint.and_then(at));
+            self.palette.set(skin, worlds, if last { &here } else { &file }, &file, dual);
+            let as_it_is = morphs_of(scene, instance, true).next().is_none() && mesh.normals.len() == count;
+            let (mut p, mut n) = std::mem::take(&mut self.morphed);
+            let from = if as_it_is {
+                (mesh.positions.as_slice(), mesh.normals.as_slice())
+            } else {
+                self.shape(scene, instance, mesh, morph_weights, (&mut p, &mut n));
+                (p.as_slice(), n.as_slice())
+            };
+            let bounds = self.palette.bend(skin, mesh, from, (positions, normals));
+            self.morphed = (p, n);
+            if last {
+                return (bounds, self.palette.mirrors());
+            }
+            mirrored ^= self.palette.mirrors();
+            // The targets are where the file's root is, not yet in metres.
+            carry(&file.inverse(), positions, normals);
         } else {
-            self.shape(scene, instance, mesh, morph_weights, &mut p, &mut n);
-            (p.as_slice(), n.as_slice())
-        };
-        let bounds = self.palette.bend(skin, mesh, from, (positions, normals));
-        self.morphed = (p, n);
-        (bounds, self.palette.mirrors())
+            begin(mesh, (positions, normals));
+        }
+        for ((palette, p, n), target) in self.targets.iter_mut().zip(&instance.skinned_targets) {
+            let Some(skin) = scene.skins.get(target.skin.index()) else { continue };
+            p.resize(count, Vec3::ZERO);
+            n.resize(count, Vec3::Y);
+            palette.set(skin, target.joints.iter().map(|joint| joint.and_then(at)), &file, &file, dual);
+            if target.positions.len() == count && mesh.normals.len() == count {
+                palette.bend(skin, mesh, (&target.positions, &mesh.normals), (p, n));
+                carry(&file.inverse(), p, n);
+            }
+        }
+        for (id, morph) in morphs_of(scene, instance, false) {
+            let Some(weights) = morph_weights.get(id) else { continue };
+            let given = instance.skinned_targets.iter().zip(&self.targets).filter(|(target, _)| target.morph.index() == id);
+            let given = given.map(|(target, (_, positions, _))| (target.target as usize, positions.as_slice()));
+            self.mixer.mix(&Active { morph, weights, mesh, given }, positions, normals);
+        }
+        carry(&here, positions, normals);
+        (Bounds::of(positions.iter().copied()), mirrored)
     }
 
-    /// The mesh after its morphs, in its own space.
+    /// The mesh after the morphs below its skin, in its own space.
     fn shape(
-        &self,
+        &mut self,
         scene: &Scene,
         instance: &MeshInstance,
         mesh: &Mesh,
         morph_weights: &[Vec<f32>],
-        positions: &mut Vec<Vec3>,
-        normals: &mut Vec<Vec3>,
+        (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>),
     ) {
-        positions.clear();
-        positions.extend_from_slice(&mesh.positions);
-        normals.clear();
-        normals.extend_from_slice(&mesh.normals);
-        normals.resize(positions.len(), Vec3::Y);
-        for (id, morph) in morphs_of(scene, instance) {
+        begin(mesh, (positions, normals));
+        for (id, morph) in morphs_of(scene, instance, true) {
             if let Some(weights) = morph_weights.get(id) {
-                self.morph(morph, weights, mesh, positions, normals);
+                self.mixer.mix(&Active { morph, weights, mesh, given: std::iter::empty() }, positions, normals);
             }
-        }
-    }
-
-    fn morph(&self, morph: &Morph, weights: &[f32], mesh: &Mesh, positions: &mut [Vec3], normals: &mut Vec<Vec3>) {
-        let mut moved = false;
-        for (target, weight) in morph.targets.iter().zip(weights) {
-            if *weight == 0.0 || !weight.is_finite() {
-                continue;
-            }
-            moved = true;
-            for (position, delta) in positions.iter_mut().zip(&target.position_deltas) {
-                *position += *delta * *weight;
-            }
-            for (normal, delta) in normals.iter_mut().zip(&target.normal_deltas) {
-                *normal += *delta * *weight;
-            }
-        }
-        match &self.groups {
-            _ if !moved => {}
-            Some((group, count)) => {
-                let of = |vertex: u32| group.get(vertex as usize).copied().unwrap_or(0);
-                smooth_normals(positions, &mesh.triangles, of, *count, normals);
-            }
-            None => normals.iter_mut().for_each(|normal| *normal = normal.normalize_or(Vec3::Y)),
         }
     }
 }
 
-/// Numbers the different pairs of point and normal; returns one number a vertex and how many there are.
-fn groups(mesh: &Mesh) -> (Vec<u32>, usize) {
-    let mut known = FxHashMap::default();
-    let group = mesh
-        .source_vertex
-        .iter()
-        .zip(&mesh.normals)
-        .map(|(point, normal)| {
-            let next = known.len() as u32;
-            *known.entry((*point, normal.to_array().map(f32::to_bits))).or_insert(next)
-        })
-        .collect();
-    (group, known.len())
+/// The mesh as it stands.
+fn begin(mesh: &Mesh, (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>)) {
+    positions.clear();
+    positions.extend_from_slice(&mesh.positions);
+    normals.clear();
+    normals.extend_from_slice(&mesh.normals);
+    normals.resize(positions.len(), Vec3::Y);
+}
+
+/// Moves a shape by a matrix.
+fn carry(by: &DMat4, positions: &mut [Vec3], normals: &mut [Vec3]) {
+    let (matrix, turn) = (by.as_mat4(), normal_matrix(by));
+    for (position, normal) in positions.iter_mut().zip(normals) {
+        *position = matrix.transform_point3(*position);
+        *normal = (turn * Vec3A::from(*normal)).normalize_or(Vec3A::Y).into();
+    }
 }
 
 /// The uppermost node above `node`: the root of its file.

@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec3, Vec3};
 
 use super::deform::{morphs_of, root_of, skin_of};
-use super::{Document, PoseBuffers};
+use super::{Document, PoseBuffers, mix};
 use crate::scene::{Content, Frame, NodeId};
 
 /// One bone's share in a vertex.
@@ -28,13 +28,13 @@ pub struct Explanation {
     pub vertex: u32,
     /// Its point in the file.
     pub point: u32,
-    /// The vertex before the skin, after the morphs; the mesh's own space.
+    /// The vertex before the skin, after the morphs below it; the mesh's own space.
     pub base: DVec3,
     /// The bones; empty where no skin moves it.
     pub shares: Vec<Share>,
     /// The sum of the parts: where linear blending puts the vertex; world, metres.
     pub sum: DVec3,
-    /// Where it is drawn; world, metres. Differs from the sum where dual quaternions are blended.
+    /// Where it is drawn; world, metres. Differs from the sum where dual quaternions are blended, and where a morph above the skin mixes the skinned shape.
     pub drawn: DVec3,
 }
 
@@ -47,10 +47,9 @@ impl Document {
         let v = vertex as usize;
         let point = *surface.mesh.source_vertex.get(v)?;
         let mut base: Vec3 = *surface.mesh.positions.get(v)?;
-        for (id, morph) in morphs_of(&self.scene, instance) {
-            for (target, weight) in morph.targets.iter().zip(buffers.pose().morph_weights.get(id)?) {
-                base += target.position_deltas.get(v).copied().unwrap_or(Vec3::ZERO) * *weight;
-            }
+        let skinned = skin_of(&self.scene, instance).is_some();
+        for (id, morph) in morphs_of(&self.scene, instance, skinned) {
+            base = mix::point(morph, buffers.pose().morph_weights.get(id)?, &surface.mesh, v, base);
         }
         let base = base.as_dvec3();
         let drawn = surface.position(vertex).as_dvec3();
@@ -75,8 +74,11 @@ impl Document {
                 Share { node, joint: joint.map_or_else(String::new, |joint| joint.name.clone()), weight, alone, part: alone * weight }
             })
             .collect();
-        let sum =
-            if shares.is_empty() { (here * skin.bind_shape).transform_point3(base) } else { shares.iter().map(|share| share.part).sum() };
+        let sum = match (shares.is_empty(), skin.binds_as_it_is() && instance.is_skinned()) {
+            (true, true) => here.transform_point3(base),
+            (true, false) => bind.transform_point3(base),
+            (false, _) => shares.iter().map(|share| share.part).sum(),
+        };
         Some(Explanation { vertex, point, base, shares, sum, drawn })
     }
 }

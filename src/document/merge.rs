@@ -47,18 +47,24 @@ impl Shift {
                 for deformer in &mut instance.deformers {
                     match deformer {
                         Deformer::Morph(morph) => *morph = MorphId(morph.0 + self.morph),
-                        Deformer::Skin { skin, joints } => {
-                            *skin = SkinId(skin.0 + self.skin);
-                            for joint in joints.iter_mut().flatten() {
-                                *joint = self.node(*joint);
-                            }
-                        }
+                        Deformer::Skin { skin, joints } => self.skin(skin, joints),
                     }
+                }
+                for target in &mut instance.skinned_targets {
+                    target.morph = MorphId(target.morph.0 + self.morph);
+                    self.skin(&mut target.skin, &mut target.joints);
                 }
             }
             Content::Light(id) => *id = LightId(id.0 + self.light),
             Content::Camera(id) => *id = CameraId(id.0 + self.camera),
             Content::Muscle(_) => {}
+        }
+    }
+
+    fn skin(&self, skin: &mut SkinId, joints: &mut [Option<NodeId>]) {
+        *skin = SkinId(skin.0 + self.skin);
+        for joint in joints.iter_mut().flatten() {
+            *joint = self.node(*joint);
         }
     }
 
@@ -105,7 +111,8 @@ pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Opt
     into.cameras.append(&mut scene.cameras);
     document.clips.extend(clips.into_iter().map(|clip| moved(clip, &shift)));
     document.health.extend(findings.into_iter().map(|mut finding| {
-        name.clone_into(&mut finding.file);
+        // A document inside an archive is named behind it.
+        finding.file = if finding.file.is_empty() { name.to_owned() } else { format!("{name}/{}", finding.file) };
         finding
     }));
     root

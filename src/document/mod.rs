@@ -17,6 +17,7 @@ mod hand;
 mod images;
 mod joint_angles;
 mod merge;
+mod mix;
 mod open;
 mod outline;
 mod over_time;

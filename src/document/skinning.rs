@@ -18,8 +18,8 @@ static LEVEL: LazyLock<Level> = LazyLock::new(Level::detect);
 /// Matrices of one skin at one moment, and what blending them needs. Kept between frames.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Palette {
-    /// Into the world: `Jᵢ · IBMᵢ · BSM`, one a joint; where points go that no joint moves (the holding node's world matrix times the bind shape
-    /// matrix); where the influence −1 puts a point (the bind shape in the file's world); then those that the plan wants blended beforehand.
+    /// Into the world: `Jᵢ · IBMᵢ · BSM`, one a joint; where points go that no joint moves (the bind shape, with the holding node's world matrix
+    /// where that is the identity); where the influence −1 puts a point (the bind shape in the file's world); then those that the plan wants blended beforehand.
     matrices: Vec<Affine>,
     /// Whether a matrix scales unevenly, so that normals need the inverse transpose.
     uneven: bool,
@@ -71,7 +71,7 @@ fn is_uneven(matrix: &Affine) -> bool {
 impl Palette {
     /// Computes the matrices of `skin` for nodes at `joint_worlds` (`None` where a joint has no node: it stays in its bind pose).
     ///
-    /// `node` is the world matrix of the node that holds the skin, `file` that of the file's root.
+    /// `node` is the world matrix of the node that places points without weights, `file` that of the file's root.
     pub(super) fn set(
         &mut self,
         skin: &Skin,
@@ -82,7 +82,9 @@ impl Palette {
     ) {
         self.matrices.clear();
         self.rigid.clear();
-        let (loose, bind) = (*node * skin.bind_shape, *file * skin.bind_shape);
+        let bind = *file * skin.bind_shape;
+        // A bind shape is where the node was when the skin was bound: both would place the point twice.
+        let loose = if skin.binds_as_it_is() { *node * skin.bind_shape } else { bind };
         let worlds = joint_worlds.chain(std::iter::repeat(None));
         let joints = skin.joints.iter().zip(worlds).map(|(joint, world)| match world {
             Some(world) => world * joint.inverse_bind * skin.bind_shape,

@@ -22,7 +22,7 @@ pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
 pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, Wrap};
 pub use mesh::{Mesh, Part, smooth_normals};
-pub use skin::{Deformer, Influence, MeshInstance, Morph, MorphMethod, MorphTarget, Skin, SkinJoint};
+pub use skin::{Deformer, Influence, MeshInstance, Morph, MorphMethod, MorphTarget, Skin, SkinJoint, SkinnedTarget};
 pub use transform::{Transform, TransformOp, affine, compose};
 
 use std::sync::Arc;

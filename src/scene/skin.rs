@@ -35,7 +35,8 @@ pub struct Skin {
     pub joints: Vec<SkinJoint>,
     /// First influence of each point of the *file* (see [`super::Mesh::source_vertex`]), and one past the last: length = points + 1.
     pub offsets: Vec<u32>,
-    /// All influences, normalised; a point may have any number, none included.
+    /// All influences, normalised; a point may have any number. One without any stays in its bind shape; only where that is the identity the node that
+    /// holds the skin places it, since a bind shape usually is where that node was.
     pub influences: Vec<Influence>,
 }
 
@@ -46,6 +47,13 @@ impl Skin {
             (Some(&from), Some(&to)) => self.influences.get(from as usize..to as usize).unwrap_or(&[]),
             _ => &[],
         }
+    }
+}
+
+impl Skin {
+    /// Whether the bind shape matrix is the identity, but for what printing costs.
+    pub fn binds_as_it_is(&self) -> bool {
+        self.bind_shape.abs_diff_eq(DMat4::IDENTITY, 1e-5)
     }
 }
 
@@ -64,7 +72,8 @@ pub enum MorphMethod {
 pub struct MorphTarget {
     /// What a person calls it.
     pub name: String,
-    /// For each vertex of the base mesh what weight 1 adds to its position, so that both methods are `base + Σ w·delta`.
+    /// For each vertex of the base mesh what weight 1 adds to its position, so that both methods are `base + Σ w·delta` over the bare mesh. Over another
+    /// deformer a normalised target is `mesh + delta`, and the result is mixed with it.
     pub position_deltas: Vec<Vec3>,
     /// The same for normals; empty where the target has none that fit.
     pub normal_deltas: Vec<Vec3>,
@@ -99,20 +108,45 @@ pub enum Deformer {
     },
 }
 
+/// A morph target that joints of its own place, so that it is another shape in every pose.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SkinnedTarget {
+    /// The morph, one of the instance's deformers.
+    pub morph: MorphId,
+    /// The place of the target in [`Morph::targets`]; what stands there is its shape in the bind pose.
+    pub target: u32,
+    /// For each vertex of the base mesh where the target has it before its skin.
+    pub positions: Vec<Vec3>,
+    /// The skin.
+    pub skin: SkinId,
+    /// Its joints, as in [`Deformer::Skin`].
+    pub joints: Vec<Option<NodeId>>,
+}
+
 /// A mesh on a node.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshInstance {
     /// The mesh.
     pub mesh: MeshId,
-    /// Applied in order, the first to the mesh itself. After a skin the result is in world space and the node's own transform is not applied.
+    /// Applied in order, the first to the mesh itself, at most one of them a skin. What a skin makes is in the world, and where it is the last step the
+    /// node's own transform is not applied; a morph above it mixes the skinned shape with its targets in the space of the file's root, and the node's
+    /// transform holds for the result.
     pub deformers: Vec<Deformer>,
+    /// Targets of these morphs that have skins of their own.
+    pub skinned_targets: Vec<SkinnedTarget>,
     /// One a part of the mesh; `None` where the file binds nothing.
     pub materials: Vec<Option<MaterialBinding>>,
 }
 
 impl MeshInstance {
-    /// Whether a skin moves it.
+    /// Whether a skin places it, so that the transform of its node does not.
     pub fn is_skinned(&self) -> bool {
-        self.deformers.iter().any(|deformer| matches!(deformer, Deformer::Skin { .. }))
+        matches!(self.deformers.last(), Some(Deformer::Skin { .. }))
+    }
+
+    /// Whether it can only be told from pose to pose: a morph above a skin, or between skinned shapes.
+    pub fn mixes_skins(&self) -> bool {
+        let skin = self.deformers.iter().position(|deformer| matches!(deformer, Deformer::Skin { .. }));
+        skin.is_some_and(|place| place + 1 < self.deformers.len()) || !self.skinned_targets.is_empty()
     }
 }

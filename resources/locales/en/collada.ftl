@@ -8,7 +8,7 @@ collada-too-deep = The elements are nested more than { $limit } levels deep.
 collada-too-many-attributes = An element has more than { $limit } attributes.
 collada-too-many-prefixes = The document declares more than { $limit } namespace prefixes.
 collada-entities = The document’s entities would expand to more than { $limit } MB.
-collada-comma = { $element }: “{ $entry }” has a comma in it. COLLADA numbers have a decimal point and are separated by blanks; export the file again with the decimal point set.
+collada-comma = { $element }: in “{ $entry }” a comma stands between numbers. COLLADA separates numbers by blanks; export the file again.
 collada-xml = The XML is broken at column { $column }.
 collada-xml-close-tag = The XML is broken: expected </{ $expected }>, found </{ $actual }>.
 collada-xml-cut-short = The XML ends in the middle: the file is cut short.
@@ -33,6 +33,7 @@ collada-broken-reference = Refers to “{ $target }”, which is not in the file
 collada-wrong-reference = Refers to “{ $target }”, which is a <{ $tag }> and cannot stand here; left out.
 collada-external-reference = Refers to another file, “{ $file }”, which is not loaded.
 collada-reference-cycle = Refers to itself in a circle; left out.
+collada-decimal-comma = Numbers have a decimal comma, the first is “{ $entry }”; it is read as a point.
 collada-bad-number = { $count ->
     [one] “{ $first }” is not a number; 0 is used.
    *[other] { $count } entries are not numbers, the first is “{ $first }”; 0 is used.
@@ -45,6 +46,19 @@ collada-index-out-of-range = { $count ->
     [one] One face points outside of its lists; it is left out.
    *[other] { $count } faces point outside of their lists; they are left out.
 }
+collada-values-out-of-range = { $count ->
+    [one] One vertex points outside of its lists of normals, texture coordinates or colours; it is drawn without, its normal computed.
+   *[other] { $count } vertices point outside of their lists of normals, texture coordinates or colours; they are drawn without, their normals computed.
+}
+collada-not-finite-values = { $count ->
+    [one] One vertex has a normal, texture coordinate or colour that is infinite or not a number; it is drawn without, its normal computed.
+   *[other] { $count } vertices have normals, texture coordinates or colours that are infinite or not numbers; they are drawn without, their normals computed.
+}
+collada-not-finite-weights = { $count ->
+    [one] One weight is infinite or not a number; it is left out.
+   *[other] { $count } weights are infinite or not numbers; they are left out.
+}
+collada-no-faces = The mesh has no faces and no lines, so there is nothing to draw.
 collada-empty-list = The list is empty; what points into it goes without.
 collada-incomplete-primitive = { $count ->
     [one] One face has too few corners; it is left out.
@@ -69,16 +83,19 @@ collada-joint-not-found = { $count ->
     [one] The joint “{ $first }” is not in the scene; it stays in its bind pose.
    *[other] { $count } joints are not in the scene, the first is “{ $first }”; they stay in their bind pose.
 }
+collada-bind-scale = The skin “{ $skin }” and its bones do not meet at rest: the inverse bind matrix of joint “{ $joint }” makes it { $factor } times as large, and no node makes up for that.
+collada-bind-node-scale = The skin “{ $skin }” and its bones do not meet at rest: joint “{ $joint }” makes it { $factor } times as large as the node that holds it does, and a skin does not go along with its node.
+collada-bind-node-turn = The skin “{ $skin }” and its bones do not meet at rest: joint “{ $joint }” turns it { $angle }° away from the node that holds it, and a skin does not go along with its node.
 collada-skeleton-not-in-scene = The skeleton is not part of the scene; it was added to it.
 collada-joint-names-rejoined = Joint names have blanks in them; they were put together again.
-collada-joint-count = There are { $names } joint names and { $matrices } inverse bind matrices; the number of matrices is used.
+collada-joint-count = There are { $names } joint names and { $matrices } inverse bind matrices; those that have both are used.
 collada-bad-skin = The skin has no usable { $what }; the mesh is shown without it.
-collada-no-weights = The skin has no usable WEIGHT; the mesh stands where its node stands.
+collada-no-weights = The skin has no usable WEIGHT; the mesh keeps to its bind shape.
 collada-no-inverse-bind = The skin has no usable INV_BIND_MATRIX; its joints are taken to be bound at the origin.
 collada-second-skin = The mesh has a skin over a skin; only the one nearer to the mesh is used.
 collada-nothing-to-show = The file has no scene and no geometry: there is nothing to show.
 collada-stride-mismatch = The stride says { $said }, the params take { $found }; { $found } is used.
-collada-skin-points = The weights speak of { $found } points, the mesh has { $wanted }; points without weights stand where the node stands.
+collada-skin-points = The weights speak of { $found } points, the mesh has { $wanted }; points without weights keep to their bind shape.
 collada-influences-out-of-range = { $count ->
     [one] One weight names a joint or value that is not there; it is left out.
    *[other] { $count } weights name joints or values that are not there; they are left out.
@@ -110,6 +127,10 @@ collada-no-common-profile = The effect has no common profile; a neutral material
 collada-transparency-inverted = By the letter the material would be invisible; its transparency is taken the other way round.
 collada-bad-light = The light has no kind that is known; left out.
 collada-bad-camera = The camera has no projection; left out.
+collada-more-places = { $count ->
+    [one] The same once more in this file.
+   *[other] The same { $count } times more in this file.
+}
 collada-more-findings = { $count ->
     [one] One more finding; only the first { $limit } are kept.
    *[other] { $count } more findings; only the first { $limit } are kept.
