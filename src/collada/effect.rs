@@ -121,7 +121,7 @@ impl<'a> Effect<'a> {
         };
         let wrap = |tag| sampler.and_then(|sampler| child(sampler, tag)).map_or(Wrap::Repeat, |wrap| wrap_mode(&text_of(wrap)));
         let semantic = texture.attribute("texcoord").unwrap_or_default().to_owned();
-        Some(TextureRef { image, semantic, wrap_s: wrap("wrap_s"), wrap_t: wrap("wrap_t") })
+        Some(TextureRef { image, semantic, wrap_s: wrap("wrap_s"), wrap_t: wrap("wrap_t"), placing: None })
     }
 
     fn sampled_image(

@@ -56,14 +56,27 @@ impl Materials {
         bound.map(|binding| binding.material).filter(|material| self.names.contains_key(material))
     }
 
-    /// The texture coordinates that a surface is written with: those of its first diffuse texture, else its first set.
-    pub fn uv_set<'a>(&self, frame: &Frame, surface: &'a Surface) -> Option<&'a [Vec2]> {
-        let textured = |binding: &crate::scene::MaterialBinding| {
-            let texture = frame.materials.get(binding.material.index())?.diffuse.texture.as_ref()?;
-            Some(binding.uv_set(texture) as usize)
-        };
-        let set = surface.materials.iter().flatten().find_map(textured).unwrap_or(0);
-        surface.mesh.uv_sets.get(set).map(Vec::as_slice).filter(|uvs| uvs.len() == surface.mesh.positions.len())
+    /// The texture coordinates that a surface is written with, one a vertex: those of the diffuse texture of its part, moved as that says, since the
+    /// format knows no turn; else those of its first set. `None` where it has none.
+    pub fn uvs(&self, frame: &Frame, surface: &Surface) -> Option<Vec<Vec2>> {
+        let mesh = &surface.mesh;
+        let whole = |set: usize| mesh.uv_sets.get(set).filter(|uvs| uvs.len() == mesh.positions.len());
+        let mut uvs = whole(0)?.clone();
+        for (part, binding) in mesh.parts.iter().zip(surface.materials.iter()) {
+            let Some(binding) = binding else { continue };
+            let Some(texture) = frame.materials.get(binding.material.index()).and_then(|material| material.diffuse.texture.as_ref()) else {
+                continue;
+            };
+            let Some(own) = whole(binding.uv_set(texture) as usize) else { continue };
+            let placing = texture.placing.map(|placing| placing.matrix()).unwrap_or_default();
+            // A vertex belongs to one part: what differs between two is split.
+            for corner in mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]).iter().flatten() {
+                if let (Some(uv), Some(own)) = (uvs.get_mut(*corner as usize), own.get(*corner as usize)) {
+                    *uv = placing.transform_point2(*own);
+                }
+            }
+        }
+        Some(uvs)
     }
 
     /// Writes the materials for an OBJ file that will lie at `obj`.

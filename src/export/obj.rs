@@ -69,8 +69,8 @@ fn write_surface(
         let Vec3 { x, y, z } = posed.position(*v);
         writeln!(out, "v {x} {y} {z}")?;
     }
-    let set = materials.uv_set(frame, surface);
-    if let Some(uvs) = set {
+    let set = materials.uvs(frame, surface);
+    if let Some(uvs) = &set {
         for v in posed.used() {
             // `+ 0.0` turns a negative zero into zero.
             let Vec2 { x, y } = uvs.get(*v as usize).copied().filter(|uv| uv.is_finite()).unwrap_or_default() + 0.0;

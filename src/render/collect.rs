@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Weak};
 
-use glam::Vec3;
+use glam::{Affine2, Vec3};
 
 use super::bin::Bands;
 use super::drawing::{Item, Source};
@@ -287,13 +287,16 @@ fn style(
     let neutral = Material::default();
     let heated = display.weights.is_some() && surface.muscle.is_none() && surface.ghost.is_none();
     let colored = display.materials && !heated && surface.ghost.is_none_or(|ghost| ghost.materials);
+    let tinted = colored && !surface.mesh.colors.is_empty();
+    // Colours of vertices stand for a material where none is bound; they multiply white.
+    let white = heated || (tinted && material.is_none());
     let material = material.filter(|_| colored).unwrap_or(&neutral);
     let mut style = Style {
-        albedo: if heated { [1.0; 3] } else { material.diffuse.color.to_array() },
+        albedo: if white { [1.0; 3] } else { material.diffuse.color.to_array() },
         opacity: if material.opacity.is_finite() { material.opacity.clamp(0.0, 1.0) } else { 1.0 },
         emission: material.emission.color.to_array(),
         mirrored: surface.mirrored,
-        tinted: heated || (colored && !surface.mesh.colors.is_empty()),
+        tinted: heated || tinted,
         depth_test: display.depth_test,
         both_sides: !display.cull_back_faces || material.double_sided || surface.mesh.double_sided,
         ..Style::default()
@@ -304,7 +307,8 @@ fn style(
             let pixels = scene.images.get(texture.image.index())?.pixels.as_ref()?;
             surface.mesh.uv_sets.get(set as usize)?;
             let wrap = [texture.wrap_s, texture.wrap_t];
-            Some(Sampler { texture: cache.get(pixels, alpha, wrap), wrap, uv_set: set })
+            let placing = texture.placing.map(|placing| placing.matrix()).filter(Affine2::is_finite);
+            Some(Sampler { placing, texture: cache.get(pixels, alpha, wrap), wrap, uv_set: set })
         };
         style.diffuse = material.diffuse.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
         let cutout = |(texture, source): &(TextureRef, AlphaSource)| sampler(texture, Alpha::From(*source));
@@ -364,7 +368,7 @@ fn flesh(style: &mut Style, cache: &mut Cache, display: &Display, surface: &Surf
     }
     let color = style.albedo.map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8);
     let texture = cache.muscle(color, !tendon);
-    style.diffuse = Some(Sampler { texture, wrap: super::muscle::WRAP, uv_set: 0 });
+    style.diffuse = Some(Sampler { placing: None, texture, wrap: super::muscle::WRAP, uv_set: 0 });
     // The fibres bring their own colour.
     style.albedo = [1.0; 3];
     style.tinted = false;

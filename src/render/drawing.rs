@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use glam::{Vec2, Vec3};
+use glam::{Affine2, Vec2, Vec3};
 
 use super::bins::Bins;
 use super::clip::Clipped;
@@ -188,14 +188,15 @@ impl<'a> Drawing<'a> {
     #[inline(always)]
     pub(super) fn feed(&self, item: &'a Item) -> Feed<'a> {
         let geometry = geometry(self.frame, self.bones, self.heat, item);
-        let uv = match (&item.source, &item.style.diffuse.or(item.style.cutout).or(item.style.glow)) {
+        let (uv, placing) = match (&item.source, &item.style.diffuse.or(item.style.cutout).or(item.style.glow)) {
             (Source::Surface { index, .. }, Some(sampler)) => {
-                self.frame.surfaces[*index as usize].mesh.uv_sets.get(sampler.uv_set as usize).map_or(&[][..], |set| set)
+                let set = self.frame.surfaces[*index as usize].mesh.uv_sets.get(sampler.uv_set as usize);
+                (set.map_or(&[][..], |set| set), sampler.placing)
             }
-            _ => &[],
+            _ => (&[][..], None),
         };
         let range = item.vertices.clone();
-        Feed { geometry, uv, screen: &self.screen[range.clone()], front: &self.front[range.clone()], back: &self.back[range] }
+        Feed { geometry, uv, placing, screen: &self.screen[range.clone()], front: &self.front[range.clone()], back: &self.back[range] }
     }
 }
 
@@ -205,6 +206,7 @@ impl<'a> Drawing<'a> {
 pub(super) struct Feed<'a> {
     pub geometry: Geometry<'a>,
     uv: &'a [Vec2],
+    placing: Option<Affine2>,
     screen: &'a [Screen],
     front: &'a [Quad],
     back: &'a [Quad],
@@ -242,7 +244,11 @@ impl Feed<'_> {
     /// Texture coordinates at the corners.
     #[inline(always)]
     pub(super) fn uvs(&self, t: usize) -> [Vec2; 3] {
-        self.geometry.triangles[t].map(|v| self.uv.get(v as usize).copied().unwrap_or_default())
+        let given = self.geometry.triangles[t].map(|v| self.uv.get(v as usize).copied().unwrap_or_default());
+        match &self.placing {
+            Some(placing) => given.map(|uv| placing.transform_point2(uv)),
+            None => given,
+        }
     }
 
     /// The colour that multiplies the material at corner `k`.

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use glam::Affine2;
+
 use super::muscle::Pattern;
 use super::srgb::Srgb;
 use crate::lanes::{Lanes, always};
@@ -13,6 +15,8 @@ const LEVELS: usize = 16;
 /// A use of a texture.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Sampler {
+    /// From the mesh's texture coordinates to those that the texture is read with; `None` where they are the same.
+    pub placing: Option<Affine2>,
     /// Index in the cache's list.
     pub texture: u32,
     /// Horizontally, vertically.

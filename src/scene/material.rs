@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{Affine2, Vec2, Vec3};
 
 use super::{ImageId, MaterialId};
 
@@ -21,6 +21,32 @@ pub enum Wrap {
     Border,
 }
 
+/// Where a texture lies on the texture coordinates that are given: `uv′ = turned(uv · repeat + offset)`, turned about the middle of a tile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placing {
+    /// How often it repeats along each axis.
+    pub repeat: Vec2,
+    /// What is added then, tiles.
+    pub offset: Vec2,
+    /// By how much the coordinates turn then about (½, ½), counter-clockwise, degrees.
+    pub turn: f32,
+}
+
+impl Default for Placing {
+    fn default() -> Self {
+        Self { repeat: Vec2::ONE, offset: Vec2::ZERO, turn: 0.0 }
+    }
+}
+
+impl Placing {
+    /// From the coordinates that are given to those that the image is read with.
+    pub fn matrix(&self) -> Affine2 {
+        const MIDDLE: Vec2 = Vec2::splat(0.5);
+        let turn = Affine2::from_translation(MIDDLE) * Affine2::from_angle(self.turn.to_radians()) * Affine2::from_translation(-MIDDLE);
+        turn * Affine2::from_scale_angle_translation(self.repeat, 0.0, self.offset)
+    }
+}
+
 /// A use of an image.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextureRef {
@@ -32,6 +58,8 @@ pub struct TextureRef {
     pub wrap_s: Wrap,
     /// Behaviour beyond the lower and upper edge.
     pub wrap_t: Wrap,
+    /// Where it lies on the texture coordinates; `None` as these say.
+    pub placing: Option<Placing>,
 }
 
 /// A colour, or a texture that multiplies it.
@@ -188,4 +216,22 @@ pub struct Image {
     pub archived: bool,
     /// The picture; `None` where it is missing or broken, and a neutral colour is drawn.
     pub pixels: Option<Arc<Pixels>>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_texture_repeats_then_moves_then_turns_about_the_middle_of_a_tile() {
+        let read = |placing: Placing, u: f32, v: f32| placing.matrix().transform_point2(Vec2::new(u, v));
+        assert_eq!(read(Placing::default(), 0.25, 0.75), Vec2::new(0.25, 0.75));
+        let moved = Placing { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.5, -0.25), turn: 0.0 };
+        assert_eq!(read(moved, 0.5, 1.0), Vec2::new(2.0, 1.75));
+        // A quarter turn takes the right edge's middle to the upper edge's.
+        let turned = read(Placing { turn: 90.0, ..Placing::default() }, 1.0, 0.5);
+        assert!(turned.abs_diff_eq(Vec2::new(0.5, 1.0), 1e-6), "{turned}");
+        let all = read(Placing { turn: 90.0, ..moved }, 0.5, 1.0);
+        assert!(all.abs_diff_eq(Vec2::new(-0.75, 2.0), 1e-6), "{all}");
+    }
 }

@@ -20,7 +20,7 @@ pub use camera::{Camera, OrbitCamera, Projection, StoredCamera, View};
 pub use frame::{Frame, Ghost, Joint, Mark, Placement, Surface};
 pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
-pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, Wrap};
+pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, Placing, ShadingModel, TextureRef, Wrap};
 pub use mesh::{Mesh, Part, smooth_normals};
 pub use skin::{Deformer, Influence, MeshInstance, Morph, MorphMethod, MorphTarget, Skin, SkinJoint, SkinnedTarget};
 pub use transform::{Transform, TransformOp, affine, compose};

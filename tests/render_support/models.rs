@@ -107,7 +107,13 @@ impl World {
     pub fn image(&mut self, width: u32, height: u32, texel: impl Fn(u32, u32) -> [u8; 4], wrap: Wrap) -> TextureRef {
         let rgba = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| texel(x, y)).collect();
         self.scene.images.push(Image { pixels: Some(Arc::new(Pixels { width, height, rgba })), ..Image::default() });
-        TextureRef { image: ImageId(self.scene.images.len() as u32 - 1), semantic: String::new(), wrap_s: wrap, wrap_t: wrap }
+        TextureRef {
+            image: ImageId(self.scene.images.len() as u32 - 1),
+            semantic: String::new(),
+            wrap_s: wrap,
+            wrap_t: wrap,
+            placing: None,
+        }
     }
 
     /// Puts a mesh into the world on a node of its own.

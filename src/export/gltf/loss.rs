@@ -10,6 +10,11 @@ pub enum Loss {
         /// The node's name.
         node: String,
     },
+    /// A morph above a skin, or of skinned shapes: the format morphs first and skins then. The surface is written as it stands at the start.
+    Mixed {
+        /// The mesh's name.
+        mesh: String,
+    },
     /// Colours, highlights or lights change over time; the format animates transforms and morph weights.
     Colours {
         /// The clip's name.
@@ -43,6 +48,7 @@ impl std::fmt::Display for Loss {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&match self {
             Self::Shear { node } => tr!("gltf-shear", node = node.as_str()),
+            Self::Mixed { mesh } => tr!("gltf-mixed", mesh = mesh.as_str()),
             Self::Colours { clip } => tr!("gltf-colours", clip = clip.as_str()),
             Self::Image { name } => tr!("gltf-image", name = name.as_str()),
             Self::AmbientLight { name } => tr!("gltf-ambient", name = name.as_str()),

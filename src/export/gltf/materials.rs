@@ -2,7 +2,7 @@
 
 use std::io::Cursor;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 
@@ -22,6 +22,8 @@ pub(super) struct Materials {
     pictures: FxHashMap<Picture, Option<usize>>,
     by_sampler: FxHashMap<(usize, u32, u32), usize>,
     unlit: bool,
+    placed: bool,
+    unbound: [Option<usize>; 4],
 }
 
 /// How a material is used: its number, its sets of texture coordinates, and whether it is seen from both sides.
@@ -34,6 +36,25 @@ impl Materials {
     /// Whether a material needs `KHR_materials_unlit`.
     pub fn uses_unlit(&self) -> bool {
         self.unlit
+    }
+
+    /// Whether a texture needs `KHR_texture_transform`.
+    pub fn uses_transform(&self) -> bool {
+        self.placed
+    }
+
+    /// The number of the material of what has none: white where vertices have colours, else the neutral colour; with `both_sides` it is seen from behind
+    /// too.
+    pub fn unbound(&mut self, colored: bool, both_sides: bool) -> usize {
+        let place = usize::from(colored) * 2 + usize::from(both_sides);
+        if let Some(number) = self.unbound[place] {
+            return number;
+        }
+        let tint = if colored { Vec3::ONE } else { linear(Material::default().diffuse.color) };
+        let surface = json!({"baseColorFactor": [tint.x, tint.y, tint.z, 1.0], "metallicFactor": 0.0, "roughnessFactor": 1.0});
+        self.materials.push(json!({"pbrMetallicRoughness": surface, "doubleSided": both_sides}));
+        self.unbound[place] = Some(self.materials.len() - 1);
+        self.materials.len() - 1
     }
 
     /// The number of the material that `binding` means, written if it is not yet; with `both_sides` it is seen from behind too.
@@ -79,7 +100,7 @@ impl Materials {
                 (paint.texture.as_ref().map(|texture| texture.image.0), opacity.map(|(texture, source)| (texture.image.0, *source as u8)));
             let texture = self.texture(scene, used, picture, opacity.map(|(_, source)| *source), buffer, losses);
             if let Some(texture) = texture {
-                surface["baseColorTexture"] = json!({"index": texture, "texCoord": binding.uv_set(used)});
+                surface["baseColorTexture"] = self.read_at(texture, used, binding);
             }
         }
         let mut value = json!({"name": material.name, "pbrMetallicRoughness": surface});
@@ -91,6 +112,22 @@ impl Materials {
             value["extensions"] = json!({"KHR_materials_unlit": {}});
         } else {
             self.emission(scene, &material.emission, binding, &mut value, buffer, losses);
+        }
+        value
+    }
+
+    /// A texture with the coordinates that it is read with.
+    fn read_at(&mut self, texture: usize, used: &TextureRef, binding: &MaterialBinding) -> Value {
+        let mut value = json!({"index": texture, "texCoord": binding.uv_set(used)});
+        if let Some(placing) = used.placing.filter(|placing| placing.matrix().is_finite()) {
+            // The format counts from the upper edge, and turns the other way for it: its rotation of the same angle is this one.
+            let moved = placing.matrix().transform_point2(Vec2::Y);
+            value["extensions"] = json!({"KHR_texture_transform": {
+                "offset": [moved.x, 1.0 - moved.y],
+                "rotation": placing.turn.to_radians(),
+                "scale": placing.repeat.to_array(),
+            }});
+            self.placed = true;
         }
         value
     }
@@ -112,7 +149,7 @@ impl Materials {
         if let Some(used) = &paint.texture
             && let Some(texture) = self.texture(scene, used, (Some(used.image.0), None), None, buffer, losses)
         {
-            value["emissiveTexture"] = json!({"index": texture, "texCoord": binding.uv_set(used)});
+            value["emissiveTexture"] = self.read_at(texture, used, binding);
         }
     }
 

@@ -19,7 +19,8 @@ pub use loss::Loss;
 
 use std::path::Path;
 
-use glam::DMat4;
+use glam::{DMat4, Vec3};
+use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 
 use self::buffer::Buffer;
@@ -32,7 +33,7 @@ use super::ExportError;
 use super::atomic::{self, Pending};
 use super::guard::Output;
 use crate::document::{Document, PoseBuffers};
-use crate::scene::{Content, Deformer, Frame, LightKind, MeshInstance, MorphId, NodeId, Projection};
+use crate::scene::{Content, Deformer, Frame, LightKind, Mesh, MeshInstance, MorphId, NodeId, Placement, Projection};
 
 /// Largest distance, in diagonals of the scene, that sampled movement is off.
 pub const ERROR: f64 = 2e-5;
@@ -102,6 +103,8 @@ struct Writer<'a> {
     cameras: Vec<Value>,
     /// Nodes with a skin that mirrors at the start.
     mirrored: Vec<NodeId>,
+    /// Surfaces that the format cannot bend, as they stand at the start: by node and place among its contents.
+    still: FxHashMap<(NodeId, usize), (Vec<Vec3>, Vec<Vec3>)>,
     /// Written nodes with morphs.
     morphed: Vec<(usize, Vec<MorphId>)>,
     losses: Vec<Loss>,
@@ -121,6 +124,7 @@ impl<'a> Writer<'a> {
             lights: Vec::new(),
             cameras: Vec::new(),
             mirrored: Vec::new(),
+            still: FxHashMap::default(),
             morphed: Vec::new(),
             losses: Vec::new(),
         }
@@ -131,6 +135,14 @@ impl<'a> Writer<'a> {
         self.document.pose(&self.document.start_state(), &mut buffers, &mut frame);
         let length = f64::from(frame.bounds.diagonal()) * ERROR;
         self.mirrored = frame.surfaces.iter().filter(|surface| surface.mirrored).map(|surface| surface.node).collect();
+        for surface in &frame.surfaces {
+            let content = self.document.scene.graph.node(surface.node).contents.get(surface.content as usize);
+            if let (Some(Content::Mesh(instance)), Placement::Deformed { positions, normals }) = (content, &surface.placement)
+                && instance.mixes_skins()
+            {
+                self.still.insert((surface.node, surface.content as usize), (positions.clone(), normals.clone()));
+            }
+        }
         self.write_nodes();
         self.write_contents();
         let takes = Take::all(self.document);
@@ -238,14 +250,32 @@ impl<'a> Writer<'a> {
     fn write_contents(&mut self) {
         let document = self.document;
         for (id, node) in document.scene.graph.iter() {
-            for content in &node.contents {
+            for (place, content) in node.contents.iter().enumerate() {
                 match content {
-                    Content::Mesh(instance) => self.write_mesh(id, instance),
+                    Content::Mesh(instance) => match self.still.remove(&(id, place)) {
+                        Some(posed) => self.write_still(id, instance, &posed),
+                        None => self.write_mesh(id, instance),
+                    },
                     Content::Light(light) => self.write_light(id, light.index()),
                     Content::Camera(camera) => self.write_camera(id, camera.index()),
                     Content::Muscle(_) => {}
                 }
             }
+        }
+    }
+
+    /// A surface in the world, at the root.
+    fn write_still(&mut self, node: NodeId, instance: &MeshInstance, (positions, normals): &(Vec<Vec3>, Vec<Vec3>)) {
+        let scene = &self.document.scene;
+        let Some(mesh) = scene.meshes.get(instance.mesh.index()) else { return };
+        let posed = Mesh { positions: positions.clone(), normals: normals.clone(), ..Mesh::clone(mesh) };
+        let mirrored = self.mirrored.contains(&node);
+        let bindings = &instance.materials;
+        let made = self.surfaces.still(scene, &posed, bindings, mirrored, &mut self.materials, &mut self.buffer, &mut self.losses);
+        if let Some(number) = made {
+            self.nodes.push(json!({"name": scene.graph.node(node).name, "mesh": number}));
+            self.roots.push(self.nodes.len() - 1);
+            self.losses.push(Loss::Mixed { mesh: mesh.name.clone() });
         }
     }
 
@@ -393,6 +423,9 @@ impl<'a> Writer<'a> {
         let mut extensions = Vec::new();
         if self.materials.uses_unlit() {
             extensions.push("KHR_materials_unlit");
+        }
+        if self.materials.uses_transform() {
+            extensions.push("KHR_texture_transform");
         }
         if !self.lights.is_empty() {
             extensions.push("KHR_lights_punctual");

@@ -31,12 +31,14 @@ pub(super) struct Bone {
     pub inverse_bind: DMat4,
 }
 
-/// Which joints a skin needs beside its own: the file's root for what the bind shape holds, the node itself for points without weights.
+/// Which joints a skin needs beside its own: the file's root for what keeps to the bind shape, the node itself for points without weights where that is
+/// the identity.
 fn extras(skin: &Skin, mesh: &Mesh) -> (bool, bool) {
     let own = skin.joints.len();
     let root = skin.influences.iter().any(|influence| usize::try_from(influence.joint).map_or(true, |joint| joint >= own));
     let loose = |point: usize| !skin.influences_of(point).iter().any(|influence| influence.weight > 0.0);
-    (root, (0..mesh.source_count as usize).any(loose))
+    let any_loose = (0..mesh.source_count as usize).any(loose);
+    (root || (any_loose && !skin.binds_as_it_is()), any_loose && skin.binds_as_it_is())
 }
 
 /// The joints that a skin is written with: its own, then those of [`extras`].
@@ -97,6 +99,27 @@ impl Surfaces {
         Some(self.meshes.len() - 1)
     }
 
+    /// Writes a mesh that stands still as it is given; returns its number, or `None` where nothing of it can be drawn.
+    #[allow(clippy::too_many_arguments)]
+    pub fn still(
+        &mut self,
+        scene: &Scene,
+        mesh: &Mesh,
+        bindings: &[Option<MaterialBinding>],
+        mirrored: bool,
+        materials: &mut Materials,
+        buffer: &mut Buffer,
+        losses: &mut Vec<Loss>,
+    ) -> Option<usize> {
+        let attributes = shape(mesh, buffer);
+        let primitives = primitives(scene, mesh, bindings, &attributes, &[], Sides { mirrored }, materials, buffer, losses);
+        if primitives.is_empty() {
+            return None;
+        }
+        self.meshes.push(json!({"name": mesh.name, "primitives": primitives}));
+        Some(self.meshes.len() - 1)
+    }
+
     /// Writes a skin of these nodes and matrices.
     pub fn skin(&mut self, name: &str, joints: &[usize], bones: &[Bone], buffer: &mut Buffer) -> usize {
         let rows: Vec<[f32; 16]> = bones.iter().map(|bone| upright(&bone.inverse_bind)).collect();
@@ -146,7 +169,11 @@ fn shape(mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
 /// Joints and weights, four to a set, the heaviest first, as many sets as the fullest point needs.
 fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
     let root = skin.joints.len() as u16;
-    let own = root + u16::from(extras(skin, mesh).0);
+    // Points without weights come behind the root where they have a joint of their own, and at the root else.
+    let own = match extras(skin, mesh) {
+        (at_root, true) => root + u16::from(at_root),
+        _ => root,
+    };
     let of_point = |point: usize| -> Vec<(u16, f32)> {
         let mut found: Vec<(u16, f32)> = Vec::new();
         for influence in skin.influences_of(point) {
@@ -244,9 +271,8 @@ pub(super) fn primitives(
             }
             let mut primitive = json!({"attributes": attributes, "indices": buffer.indices(&indices, count), "mode": mode});
             let binding = bindings.get(number).and_then(Option::as_ref);
-            if let Some(material) = binding.and_then(|binding| materials.number(scene, binding, both_sides, buffer, losses)) {
-                primitive["material"] = material.into();
-            }
+            let bound = binding.and_then(|binding| materials.number(scene, binding, both_sides, buffer, losses));
+            primitive["material"] = bound.unwrap_or_else(|| materials.unbound(mesh.colors.len() == count, both_sides)).into();
             if !targets.is_empty() {
                 primitive["targets"] = targets.into();
             }

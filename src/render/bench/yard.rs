@@ -25,7 +25,8 @@ impl Yard {
             let checker = |i: u32| if (i % 512 / 32 + i / 512 / 32).is_multiple_of(2) { [200, 180, 90, 255] } else { [90, 120, 200, 255] };
             let pixels = Pixels { width: 512, height: 512, rgba: (0..512 * 512).flat_map(checker).collect() };
             scene.images.push(Image { pixels: Some(Arc::new(pixels)), ..Image::default() });
-            let texture = TextureRef { image: ImageId(0), semantic: String::new(), wrap_s: Wrap::Repeat, wrap_t: Wrap::Repeat };
+            let texture =
+                TextureRef { image: ImageId(0), semantic: String::new(), wrap_s: Wrap::Repeat, wrap_t: Wrap::Repeat, placing: None };
             material.diffuse.texture = Some(texture);
         }
         scene.materials.push(material.clone());
