@@ -303,15 +303,15 @@ impl Curve {
         }
     }
 
-    /// The same curve with every value `v` as `start + slope · v`.
+    /// The same curve with another value for every value of a key or control point.
     #[must_use]
-    pub fn mapped(&self, start: f64, slope: f64) -> Self {
+    pub fn mapped(&self, change: impl Fn(f64) -> f64) -> Self {
         let mut curve = self.clone();
         for value in &mut curve.values {
-            *value = start + slope * *value;
+            *value = change(*value);
         }
         for cubic in &mut curve.cubics {
-            cubic.y = cubic.y.map(|y| start + slope * y);
+            cubic.y = cubic.y.map(&change);
         }
         curve
     }

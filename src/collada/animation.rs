@@ -6,6 +6,7 @@ use roxmltree::NodeId as ElementId;
 use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, children, id_of, name_of, shortened};
+use super::material::encoded;
 use super::source::{Arrays, inputs, name_list};
 use super::target::{Aim, Aims, Miss};
 use super::{El, codes};
@@ -30,7 +31,7 @@ struct Placed {
 pub fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip>> {
     let mut reader = Reader { arrays: Arrays::default(), curves: FxHashMap::default() };
     let mut placed = Vec::new();
-    for library in children(context.root, "library_animations") {
+    for library in context.libraries("library_animations") {
         // What stands under `extra` means something to one program only.
         let is_extra = |element: El<'a>| element.ancestors().any(|above| above.tag_name().name() == "extra");
         for element in library.descendants().filter(|element| element.tag_name().name() == "channel" && !is_extra(*element)) {
@@ -55,7 +56,7 @@ fn span(channels: &[Channel]) -> (f64, f64) {
 
 /// What one clip over everything is called: as the only animation, if there is one only.
 fn whole_name(context: &Context<'_>) -> String {
-    let mut animations = children(context.root, "library_animations").flat_map(|library| children(library, "animation"));
+    let mut animations = context.libraries("library_animations").into_iter().flat_map(|library| children(library, "animation"));
     match (animations.next(), animations.next()) {
         (Some(only), None) => name_of(only, || tr!("collada-clip-default")),
         _ => tr!("collada-clip-default"),
@@ -65,8 +66,7 @@ fn whole_name(context: &Context<'_>) -> String {
 /// The clips that the file names.
 fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
     let mut clips = Vec::new();
-    let root = context.root;
-    for element in children(root, "library_animation_clips").flat_map(|library| children(library, "animation_clip")) {
+    for element in context.libraries("library_animation_clips").into_iter().flat_map(|library| children(library, "animation_clip")) {
         let mut channels: Vec<Channel> = Vec::new();
         for instance in children(element, "instance_animation") {
             let Some(animation) = context.follow(instance, "url", &["animation"]) else { continue };
@@ -104,8 +104,10 @@ impl Reader {
     fn channel<'a>(&mut self, context: &mut Context<'a>, aims: &Aims<'_, 'a>, element: El<'a>, placed: &mut Vec<Placed>) -> Step<()> {
         context.check_cancelled()?;
         let address = element.attribute("target").unwrap_or_default();
-        let aim = match aims.find(context, address) {
+        let aim = match aims.find(context, element, address) {
             Ok(aim) => aim,
+            // Of a document that others take parts from, whatever they leave is still.
+            Err(_) if context.lookup.roots().iter().skip(1).any(|part| element.ancestors().any(|above| above == *part)) => return Ok(()),
             Err(Miss::Unknown) => {
                 context.report.warn(element, codes::UNKNOWN_TARGET, tr!("collada-unknown-target", target = shortened(address)));
                 return Ok(());
@@ -273,7 +275,8 @@ fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curv
     }
     let curve = &part.map_or_else(|| Arc::clone(curve), |(index, _)| Arc::new(curve.component(index)));
     let curve = match aim.line {
-        Some((start, slope)) => Arc::new(curve.mapped(start, slope)),
+        Some((start, slope)) => Arc::new(curve.mapped(|value| start + slope * value)),
+        None if aim.encode => Arc::new(curve.mapped(|value| f64::from(encoded(value as f32)))),
         None => Arc::clone(curve),
     };
     let at = element.range().start;

@@ -6,12 +6,16 @@ use std::path::PathBuf;
 
 use zip::ZipArchive;
 
+use super::bundle::{Bundle, normal};
 use super::lookup::percent_decoded;
 use super::{Loaded, Progress, ReadError, read_document};
 use crate::{limits, tr};
 
 /// Endings of files that textures may use.
 const IMAGES: [&str; 9] = ["png", "jpg", "jpeg", "tga", "bmp", "tif", "tiff", "gif", "jpe"];
+
+/// The file that names the root document.
+const MANIFEST: &str = "manifest.xml";
 
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
@@ -29,7 +33,7 @@ pub fn too_large() -> ReadError {
     refused(tr!("collada-archive-large", limit = limits::ARCHIVE_BYTES_PER_BYTE))
 }
 
-/// Reads the document that the archive's manifest names, with the images beside it.
+/// Reads the document that the archive's manifest names, with the documents that it refers to and the images beside it.
 ///
 /// # Errors
 /// [`ReadError`] where the archive is broken, unpacks to more than the limit, or has no document.
@@ -53,27 +57,34 @@ pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, Rea
     let document = unpack(&mut archive, index, &mut room)?;
     let mut archived = Vec::new();
     for (path, index) in &entries {
-        let ending = path.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
-        if IMAGES.contains(&ending.as_str()) {
+        if is_image(path) {
             archived.push((PathBuf::from(path), unpack(&mut archive, *index, &mut room)?));
         }
     }
-    let mut loaded = read_document(&document, name, &path, progress, Some(usize::try_from(room).unwrap_or(usize::MAX)))?;
-    drop(document);
-    let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
-    for image in &mut loaded.scene.images {
-        let inside = normal(&format!("{folder}/{}", image.uri));
-        if entries.contains_key(&inside) {
-            image.uri = inside;
-        }
+    let mut bundle = Bundle { path, files: entries, ..Bundle::default() };
+    if bundle.files.keys().any(|other| *other != bundle.path && other != MANIFEST && !is_image(other)) {
+        let first = super::text::decode(&document);
+        let beside = usize::try_from(room).unwrap_or(usize::MAX);
+        // Unpacked once here and held once more in the whole.
+        bundle.gather(&first.text, beside, |index| {
+            let bytes = unpack(&mut archive, index, &mut room)?;
+            room = room.checked_sub(bytes.len() as u64).ok_or_else(too_large)?;
+            Ok(bytes)
+        })?;
     }
+    let mut loaded = read_document(&document, name, bundle, progress, Some(usize::try_from(room).unwrap_or(usize::MAX)))?;
     loaded.archived.extend(archived);
     Ok(loaded)
 }
 
+fn is_image(path: &str) -> bool {
+    let ending = path.rsplit('.').next().unwrap_or_default().to_ascii_lowercase();
+    IMAGES.contains(&ending.as_str())
+}
+
 /// The document that the manifest names, if there is one and it is there.
 fn named_root(archive: &mut Archive<'_>, entries: &BTreeMap<String, usize>, room: &mut u64) -> Result<Option<(String, usize)>, ReadError> {
-    let Some(manifest) = entries.get("manifest.xml") else { return Ok(None) };
+    let Some(manifest) = entries.get(MANIFEST) else { return Ok(None) };
     let bytes = unpack(archive, *manifest, room)?;
     let text = super::text::decode(&bytes);
     let surveyed = super::xml::look_at(&text.text, None)?;
@@ -107,30 +118,4 @@ fn unpack(archive: &mut Archive<'_>, index: usize, room: &mut u64) -> Result<Vec
     open(archive, &mut bytes)?;
     *room = left;
     Ok(bytes)
-}
-
-/// A path with slashes and without `.` and `..`.
-fn normal(path: &str) -> String {
-    let mut parts: Vec<&str> = Vec::new();
-    for part in path.split(['/', '\\']) {
-        match part {
-            "" | "." => {}
-            ".." => {
-                parts.pop();
-            }
-            part => parts.push(part),
-        }
-    }
-    parts.join("/")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::normal;
-
-    #[test]
-    fn paths_are_made_plain() {
-        assert_eq!(normal("./models/../images\\a.png"), "images/a.png");
-        assert_eq!(normal("/../../a.dae"), "a.dae");
-    }
 }

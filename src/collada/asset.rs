@@ -33,6 +33,14 @@ pub fn read(context: &mut Context<'_>) -> Step<Asset> {
     Ok(asset)
 }
 
+/// Whether the document of an element has colours of materials as scene-linear values: Blender writes what it reckons with. All others write sRGB.
+pub fn is_scene_linear(element: El<'_>) -> bool {
+    let document = element.ancestors().find(|above| above.tag_name().name() == "COLLADA");
+    let Some(asset) = document.and_then(|document| child(document, "asset")) else { return false };
+    let mut tools = children(asset, "contributor").filter_map(|contributor| child(contributor, "authoring_tool"));
+    tools.any(|tool| text_of(tool).to_ascii_lowercase().contains("blender"))
+}
+
 /// Unit and axis that one `asset` element gives.
 struct Local {
     unit: Option<f64>,
@@ -82,12 +90,16 @@ fn conversion(axis: &str, unit: f64) -> DMat4 {
     DMat4::from_mat3(turn * unit)
 }
 
-/// From an element's own unit and axes to those of the document, where the element (or its library) has an `asset` of its own that differs.
-/// The unit and axis of an `asset` hold for everything in the element that it stands in (COLLADA 1.4.1, `unit`).
-pub fn own_space(context: &mut Context<'_>, document: &Asset, element: El<'_>) -> Option<DMat4> {
-    let asset = child(element, "asset")?;
-    let local = local(context, asset);
-    let (axis, unit) = (local.axis.unwrap_or(&document.up_axis), local.unit.unwrap_or(document.unit_metres));
+/// From an element's own unit and axes to those of the document, where an `asset` in it or around it says others. The unit and axis of an `asset` hold
+/// for everything in the element that it stands in (COLLADA 1.4.1, `unit`), the innermost first.
+pub fn space(context: &mut Context<'_>, document: &Asset, element: El<'_>) -> Option<DMat4> {
+    let (mut axis, mut unit) = (None, None);
+    let inside = element.ancestors().take_while(|above| *above != context.root && above.is_element());
+    for asset in inside.filter_map(|above| child(above, "asset")).collect::<Vec<_>>() {
+        let local = local(context, asset);
+        (axis, unit) = (axis.or(local.axis), unit.or(local.unit));
+    }
+    let (axis, unit) = (axis.unwrap_or(&document.up_axis), unit.unwrap_or(document.unit_metres));
     (axis != document.up_axis || unit != document.unit_metres).then(|| to_world(document).inverse() * conversion(axis, unit))
 }
 

@@ -1,11 +1,13 @@
 //! What every part of the reader carries along: the document, its index, the findings, the budget.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
 use glam::{DMat4, DVec3};
 
 use super::ahead::Ahead;
+use super::bundle::normal;
 use super::lists::Shortened;
 use super::lookup::{Lookup, Url};
 use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
@@ -26,6 +28,8 @@ pub struct Context<'a> {
     pub lookup: Lookup<'a>,
     /// The findings.
     pub report: Report<'a>,
+    /// The files of the archive, by path.
+    files: &'a BTreeMap<String, usize>,
     lists: &'a Shortened<'a>,
     ahead: &'a Ahead<'a>,
     progress: &'a Progress,
@@ -37,12 +41,21 @@ pub struct Context<'a> {
 
 impl<'a> Context<'a> {
     /// A context for a document that was parsed and of which some lists may be read `ahead`.
-    pub fn new(parsed: &'a Tree<'a>, ahead: &'a Ahead<'a>, report: Report<'a>, file_name: &str, progress: &'a Progress) -> Self {
+    /// `paths` are those of the document and of the ones behind it, `files` all of the archive.
+    pub fn new(
+        parsed: &'a Tree<'a>,
+        ahead: &'a Ahead<'a>,
+        report: Report<'a>,
+        paths: Vec<String>,
+        files: &'a BTreeMap<String, usize>,
+        progress: &'a Progress,
+    ) -> Self {
         let document = &parsed.document;
         Self {
             root: document.root_element(),
-            lookup: Lookup::new(document, file_name),
+            lookup: Lookup::new(document, paths),
             report,
+            files,
             lists: parsed.lists,
             ahead,
             progress,
@@ -85,11 +98,11 @@ impl<'a> Context<'a> {
 
     /// The element that `url` names, if its tag is one of `tags`; what doesn't lead there is reported at `from`.
     pub fn resolve(&mut self, from: El<'a>, url: &str, tags: &[&str]) -> Option<El<'a>> {
-        match self.lookup.url(url) {
-            Url::Local(id) => {
-                let found = self.lookup.by_id_near(from, &id, tags);
+        match self.lookup.url(from, url) {
+            Url::Here { document, id } => {
+                let found = self.lookup.in_document(from, document, &id, tags);
                 if found.is_none() {
-                    let message = match self.lookup.by_id(&id, &[]) {
+                    let message = match self.lookup.in_document(from, document, &id, &[]) {
                         Some(other) => tr!("collada-wrong-reference", target = shortened(url), tag = other.tag_name().name()),
                         None => tr!("collada-broken-reference", target = shortened(url)),
                     };
@@ -102,6 +115,19 @@ impl<'a> Context<'a> {
                 None
             }
         }
+    }
+
+    /// All libraries of a kind, those of the documents behind the first one last.
+    pub fn libraries(&self, tag: &str) -> Vec<El<'a>> {
+        let roots = self.lookup.roots().iter().copied();
+        roots.flat_map(|root| root.children().filter(move |library| library.tag_name().name() == tag)).collect()
+    }
+
+    /// The path in the archive of the file that `element` names by `uri`; `uri` where there is none.
+    pub fn in_archive(&self, element: El<'a>, uri: String) -> String {
+        let folder = self.lookup.path(element).rsplit_once('/').map_or("", |(folder, _)| folder);
+        let inside = normal(&format!("{folder}/{uri}"));
+        if self.files.contains_key(&inside) { inside } else { uri }
     }
 
     /// [`Context::resolve`] with the url in attribute `key`; `None` without a finding where there is none.

@@ -11,7 +11,7 @@ use super::morph::{self, MorphTargets, SkinnedShape};
 use super::nodes::Tree;
 use super::skin::{self, JointNames};
 use super::source::Arrays;
-use super::{Asset, El, codes};
+use super::{Asset, El, asset, codes};
 use crate::scene::{MorphId, Scene, SkinId};
 use crate::tr;
 
@@ -109,7 +109,14 @@ impl<'a> Controllers<'a> {
             return Ok(*known);
         }
         let read = skin::read(context, &mut self.arrays, sources.tree, element, points)?;
-        let id = read.map(|(skin, names)| {
+        let space = asset::space(context, sources.asset, element);
+        let id = read.map(|(mut skin, names)| {
+            if let Some(space) = space {
+                // Mesh and joints are in the document's unit and axes by now.
+                let back = space.inverse();
+                skin.bind_shape = space * skin.bind_shape * back;
+                skin.joints.iter_mut().for_each(|joint| joint.inverse_bind = space * joint.inverse_bind * back);
+            }
             sources.scene.skins.push(skin);
             self.joint_names.push(names);
             SkinId(sources.scene.skins.len() as u32 - 1)

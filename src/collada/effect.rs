@@ -2,12 +2,12 @@
 
 use std::collections::HashMap;
 
-use glam::{Vec3, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 
 use super::context::{Context, Step, child, children, text_of};
 use super::image::Images;
 use super::{El, codes};
-use crate::scene::{Paint, Scene, ShadingModel, TextureRef, Wrap};
+use crate::scene::{Paint, Placing, Scene, ShadingModel, TextureRef, Wrap};
 use crate::tr;
 
 /// The parameters that hold in one effect, by sid: an element with the value inside.
@@ -59,13 +59,14 @@ impl<'a> Effect<'a> {
     pub fn paint(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, tag: &str) -> Step<Option<(Paint, f32)>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         if let Some(texture) = child(slot, "texture") {
-            let Some(texture) = self.texture(context, scene, images, texture) else { return Ok(None) };
+            let Some(texture) = self.texture(context, scene, images, texture)? else { return Ok(None) };
             return Ok(Some((Paint { color: Vec3::ONE, texture: Some(texture) }, 1.0)));
         }
         let value = child(slot, "color").or_else(|| self.param(slot));
         let Some(value) = value else { return Ok(None) };
         let numbers: Vec<f32> = context.reals(value, 4)?;
         let mut color = Vec4::new(0.0, 0.0, 0.0, 1.0);
+        context.finite(value, numbers.iter().all(|number| number.is_finite()));
         for (channel, number) in color.as_mut().iter_mut().zip(numbers) {
             *channel = if number.is_finite() { number } else { 0.0 };
         }
@@ -79,7 +80,8 @@ impl<'a> Effect<'a> {
     pub fn number(&self, context: &mut Context<'a>, tag: &str) -> Step<Option<f32>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         let Some(value) = child(slot, "float").or_else(|| self.param(slot)) else { return Ok(None) };
-        Ok(context.reals::<f32>(value, 1)?.first().copied().filter(|value| value.is_finite()))
+        let number = context.reals::<f32>(value, 1)?.first().copied();
+        Ok(number.filter(|number| context.finite(value, number.is_finite())))
     }
 
     /// The element with the numbers of the parameter that `slot` refers to.
@@ -103,13 +105,13 @@ impl<'a> Effect<'a> {
         self.shader.children().find(refers).map(|slot| slot.tag_name().name())
     }
 
-    fn texture(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, texture: El<'a>) -> Option<TextureRef> {
+    fn texture(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, texture: El<'a>) -> Step<Option<TextureRef>> {
         let name = texture.attribute("texture").unwrap_or_default();
         let sampler = self.params.get(name).and_then(|param| sampler_of(*param));
         let image = match sampler {
             Some(sampler) => self.sampled_image(context, scene, images, sampler),
             // Straight to an image: not by the letter, but common.
-            None => context.lookup.by_id(name, &["image"]).map(|image| images.place(context, scene, image)),
+            None => context.lookup.by_id(texture, name, &["image"]).map(|image| images.place(context, scene, image)),
         };
         let Some(image) = image else {
             context.report.warn(
@@ -117,11 +119,13 @@ impl<'a> Effect<'a> {
                 codes::TEXTURE_NOT_FOUND,
                 tr!("collada-texture-not-found", name = super::context::shortened(name)),
             );
-            return None;
+            return Ok(None);
         };
         let wrap = |tag| sampler.and_then(|sampler| child(sampler, tag)).map_or(Wrap::Repeat, |wrap| wrap_mode(&text_of(wrap)));
         let semantic = texture.attribute("texcoord").unwrap_or_default().to_owned();
-        Some(TextureRef { image, semantic, wrap_s: wrap("wrap_s"), wrap_t: wrap("wrap_t"), placing: None })
+        let mut used = TextureRef { image, semantic, wrap_s: wrap("wrap_s"), wrap_t: wrap("wrap_t"), placing: None };
+        placed(context, texture, &mut used)?;
+        Ok(Some(used))
     }
 
     fn sampled_image(
@@ -146,13 +150,38 @@ impl<'a> Effect<'a> {
             }
             None => (sampler, source),
         };
-        match context.lookup.by_id(name.trim_start_matches('#'), &["image"]) {
+        match context.lookup.by_id(element, name.trim_start_matches('#'), &["image"]) {
             Some(image) => Some(images.place(context, scene, image)),
             // Some exporters put the file name here.
             None if surface.is_some() && name.contains('.') => Some(images.place_uri(context, scene, element, &name)),
             None => None,
         }
     }
+}
+
+/// What Maya says of a texture's place in an `extra` of its own: `repeatU`, `offsetU`, `rotateUV`, `wrapU`, `mirrorU` and the same for V.
+fn placed<'a>(context: &mut Context<'a>, texture: El<'a>, used: &mut TextureRef) -> Step<()> {
+    let mut techniques = children(texture, "extra").flat_map(|extra| children(extra, "technique"));
+    let is_maya = |technique: &El<'a>| technique.attribute("profile").is_some_and(|profile| profile.to_ascii_uppercase().contains("MAYA"));
+    let Some(technique) = techniques.find(is_maya) else { return Ok(()) };
+    let default = Placing::default();
+    let mut number = |tag, otherwise: f32| Ok(context.number(technique, tag)?.map_or(otherwise, |value| value as f32));
+    let placing = Placing {
+        repeat: Vec2::new(number("repeatU", default.repeat.x)?, number("repeatV", default.repeat.y)?),
+        offset: Vec2::new(number("offsetU", default.offset.x)?, number("offsetV", default.offset.y)?),
+        turn: number("rotateUV", default.turn)?,
+    };
+    used.placing = (placing != default).then_some(placing);
+    let says = |tag| Some(matches!(text_of(child(technique, tag)?).trim().to_ascii_lowercase().as_str(), "1" | "true"));
+    for (wrap, wraps, mirrors) in [(&mut used.wrap_s, says("wrapU"), says("mirrorU")), (&mut used.wrap_t, says("wrapV"), says("mirrorV"))] {
+        *wrap = match (wraps, mirrors) {
+            (Some(false), _) => Wrap::Border,
+            (_, Some(true)) => Wrap::Mirror,
+            (Some(true), _) => Wrap::Repeat,
+            (None, _) => *wrap,
+        };
+    }
+    Ok(())
 }
 
 fn sampler_of(param: El<'_>) -> Option<El<'_>> {

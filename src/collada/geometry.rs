@@ -172,9 +172,7 @@ impl Geometries {
         if self.keep {
             geometry.points = (0..geometry.mesh.source_count as usize).map(|i| Vec3::from_array(points.row(i, [0.0; 3]))).collect();
         }
-        let own_space = asset::own_space(context, asset, element)
-            .or_else(|| element.parent().filter(El::is_element).and_then(|library| asset::own_space(context, asset, library)));
-        if let Some(matrix) = own_space {
+        if let Some(matrix) = asset::space(context, asset, element) {
             move_to(&mut geometry, &matrix);
         }
         Ok(Some(geometry))

@@ -24,21 +24,26 @@ impl Images {
     /// Reads all images of the libraries.
     pub fn read(context: &mut Context<'_>, scene: &mut Scene) -> Self {
         let mut images = Self::default();
-        let libraries = context.root.children().filter(|library| library.tag_name().name() == "library_images");
-        for element in libraries.flat_map(|library| library.children()).filter(|child| child.tag_name().name() == "image") {
+        for element in context
+            .libraries("library_images")
+            .into_iter()
+            .flat_map(|library| library.children())
+            .filter(|child| child.tag_name().name() == "image")
+        {
             images.place(context, scene, element);
         }
         images
     }
 
     /// The image of an `image` element.
-    pub fn place(&mut self, context: &mut Context<'_>, scene: &mut Scene, element: El<'_>) -> ImageId {
+    pub fn place<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> ImageId {
         if let Some(known) = self.by_element.get(&element.id()) {
             return *known;
         }
         let id = ImageId(scene.images.len() as u32);
         let reference = child(element, "init_from");
         let mut uri = reference.map(|from| plain_uri(&child(from, "ref").map_or_else(|| text_of(from), text_of))).unwrap_or_default();
+        uri = context.in_archive(element, uri);
         let bytes = reference.and_then(|from| child(from, "hex")).or_else(|| child(element, "data"));
         if let Some(bytes) = bytes {
             let format = bytes.attribute("format").or_else(|| element.attribute("format")).unwrap_or("png").to_ascii_lowercase();
@@ -53,8 +58,8 @@ impl Images {
     }
 
     /// The image that a file name stands for, where a texture names a file instead of an image.
-    pub fn place_uri(&mut self, context: &mut Context<'_>, scene: &mut Scene, element: El<'_>, text: &str) -> ImageId {
-        let uri = plain_uri(text);
+    pub fn place_uri<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>, text: &str) -> ImageId {
+        let uri = context.in_archive(element, plain_uri(text));
         if let Some(known) = self.by_uri.get(&uri) {
             return *known;
         }

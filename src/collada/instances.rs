@@ -141,13 +141,7 @@ impl<'a> Libraries<'_, 'a> {
             }
             let joints = self.joints(context, scene, instance, *skin, &roots);
             let positions = || shape.positions.clone();
-            skinned.extend(joints.map(|joints| SkinnedTarget {
-                morph,
-                target: shape.target,
-                positions: positions(),
-                skin: *skin,
-                joints,
-            }));
+            skinned.extend(joints.map(|joints| SkinnedTarget { morph, target: shape.target, positions: positions(), skin: *skin, joints }));
         }
         (deformers, skinned)
     }
@@ -208,7 +202,7 @@ impl<'a> Libraries<'_, 'a> {
             }
             let bound = bindings.iter().find(|(symbol, _)| *symbol == part.symbol).map(|(_, binding)| binding.clone());
             let direct = || {
-                let material = context.lookup.by_id(&part.symbol, &["material"])?;
+                let material = context.lookup.by_id(element, &part.symbol, &["material"])?;
                 self.materials.of(material).map(MaterialBinding::plain)
             };
             let material = match bound {

@@ -1,47 +1,70 @@
 //! Finds elements by id and by scoped id, and takes urls apart.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::collections::hash_map::Entry;
 use std::collections::{HashMap, HashSet};
 
 use roxmltree::NodeId;
 
 use super::El;
+use super::bundle::Paths;
 
 /// What a url names.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Url<'a> {
-    /// An id in this document.
-    Local(Cow<'a, str>),
+    /// An id in one of the documents at hand, by its number.
+    Here {
+        /// 0 is the first document.
+        document: u32,
+        /// The id.
+        id: Cow<'a, str>,
+    },
     /// Another document.
     External(Cow<'a, str>),
 }
 
-/// The ids and scoped ids of a document.
+/// The ids and scoped ids of a document, and of those that stand in it (see [`super::bundle`]).
 pub struct Lookup<'a> {
     document: &'a roxmltree::Document<'a>,
-    ids: HashMap<&'a str, NodeId>,
+    /// The root of each document.
+    roots: Vec<El<'a>>,
+    /// The path of each.
+    paths: Vec<String>,
+    /// The numbers of the documents by their paths.
+    known: Paths,
+    ids: HashMap<Id<'a>, NodeId>,
     /// Ids that several elements have.
-    several: HashSet<&'a str>,
+    several: HashSet<Id<'a>>,
+    /// Where a reference had to choose between several: the first element of each such id.
+    met: RefCell<HashSet<NodeId>>,
     /// All elements of one tag with an id that several elements have, in document order.
-    repeats: HashMap<(&'a str, &'a str), Vec<NodeId>>,
+    repeats: HashMap<(Id<'a>, &'a str), Vec<NodeId>>,
     /// Elements by scoped id, in document order.
     sids: HashMap<&'a str, Vec<NodeId>>,
     found: HashMap<(NodeId, String), Option<NodeId>>,
-    file_name: String,
 }
 
+/// An id with the number of its document.
+type Id<'a> = (u32, &'a str);
+
 impl<'a> Lookup<'a> {
-    /// Indexes `document`, which lies in the file `file_name`.
-    pub fn new(document: &'a roxmltree::Document<'a>, file_name: &str) -> Self {
+    /// Indexes `document`; `paths` are those of the first document and of the ones that stand at its end.
+    pub fn new(document: &'a roxmltree::Document<'a>, paths: Vec<String>) -> Self {
+        let first = document.root_element();
+        let nested: Vec<El<'a>> = first.children().filter(|child| child.tag_name().name() == "COLLADA").collect();
+        let parts = nested.len().saturating_sub(paths.len().saturating_sub(1));
         let mut lookup = Self {
             document,
+            roots: std::iter::once(first).chain(nested.into_iter().skip(parts)).collect(),
+            known: Paths::new(paths.iter().cloned().zip(0..)),
+            paths,
+            met: RefCell::default(),
             ids: HashMap::new(),
             several: HashSet::new(),
             repeats: HashMap::new(),
             sids: HashMap::new(),
             found: HashMap::new(),
-            file_name: last_segment(file_name).to_owned(),
         };
         // What stands under `extra` belongs to one program and must not hide the document's own ids.
         let mut extra_end = 0;
@@ -53,8 +76,8 @@ impl<'a> Lookup<'a> {
             }
             for attribute in element.attributes() {
                 match attribute.name() {
-                    "id" if range.start < extra_end => later.push((attribute.value(), element.id())),
-                    "id" => lookup.add(attribute.value(), element),
+                    "id" if range.start < extra_end => later.push(((lookup.document_of(element), attribute.value()), element.id())),
+                    "id" => lookup.add((lookup.document_of(element), attribute.value()), element),
                     "sid" => lookup.sids.entry(attribute.value()).or_default().push(element.id()),
                     _ => {}
                 }
@@ -66,7 +89,23 @@ impl<'a> Lookup<'a> {
         lookup
     }
 
-    fn add(&mut self, id: &'a str, element: El<'a>) {
+    /// The root of each document.
+    pub fn roots(&self) -> &[El<'a>] {
+        &self.roots
+    }
+
+    /// The path of the document of an element.
+    pub fn path(&self, element: El<'a>) -> &str {
+        self.paths.get(self.document_of(element) as usize).map_or("", String::as_str)
+    }
+
+    /// The number of the document of an element. The further ones stand one after the other at the end.
+    fn document_of(&self, element: El<'a>) -> u32 {
+        let parts = self.roots.get(1..).unwrap_or_default();
+        parts.partition_point(|part| part.range().start <= element.range().start) as u32
+    }
+
+    fn add(&mut self, id: Id<'a>, element: El<'a>) {
         match self.ids.entry(id) {
             Entry::Vacant(free) => {
                 free.insert(element.id());
@@ -83,42 +122,78 @@ impl<'a> Lookup<'a> {
         }
     }
 
-    /// Elements whose id was taken already.
+    /// Elements whose id was taken already, where a reference had to choose between them and others.
     pub fn repeated(&self) -> Vec<El<'a>> {
-        let later = |((id, _), all): (&(&'a str, &'a str), &Vec<NodeId>)| {
+        let met = self.met.borrow();
+        let later = |((id, _), all): (&(Id<'a>, &'a str), &Vec<NodeId>)| {
             let first = self.ids.get(id).copied();
             all.iter().copied().filter(move |element| Some(*element) != first).collect::<Vec<_>>()
         };
-        let mut repeated: Vec<NodeId> = self.repeats.iter().flat_map(later).collect();
+        let mut repeated: Vec<NodeId> =
+            self.repeats.iter().filter(|((id, _), _)| self.ids.get(id).is_some_and(|first| met.contains(first))).flat_map(later).collect();
         repeated.sort_unstable_by_key(|id| id.get());
         repeated.into_iter().filter_map(|id| self.document.get_node(id)).collect()
     }
 
-    /// The first element with this id whose tag is one of `tags`; with no tags, the first at all. Tried as written, then percent-decoded.
-    pub fn by_id(&self, id: &str, tags: &[&str]) -> Option<El<'a>> {
-        self.decoded(id, |id| self.by_exact_id(id, tags))
+    /// The first element with this id in the document of `from` whose tag is one of `tags`; with no tags, the first at all. Tried as written, then
+    /// percent-decoded.
+    pub fn by_id(&self, from: El<'a>, id: &str, tags: &[&str]) -> Option<El<'a>> {
+        let document = self.document_of(from);
+        decoded(id, |id| {
+            self.note_choice((document, id), tags);
+            self.by_exact_id((document, id), tags)
+        })
     }
 
     /// [`Lookup::by_id`] as `from` means it: where several elements have the id, the one that shares the innermost element with `from`, the first
     /// among equals. Files put together from others repeat the ids of sources; each mesh and each sampler means its own.
     pub fn by_id_near(&self, from: El<'a>, id: &str, tags: &[&str]) -> Option<El<'a>> {
-        self.decoded(id, |id| {
-            let near =
-                || from.ancestors().find_map(|around| tags.iter().find_map(|tag| self.within(around, self.repeats.get(&(id, *tag))?)));
-            if self.several.contains(id) { near() } else { None }.or_else(|| self.by_exact_id(id, tags))
+        self.in_document(from, self.document_of(from), id, tags)
+    }
+
+    /// [`Lookup::by_id_near`] in a document of this number.
+    pub fn in_document(&self, from: El<'a>, document: u32, id: &str, tags: &[&str]) -> Option<El<'a>> {
+        decoded(id, |id| {
+            let id = (document, id);
+            if !self.several.contains(&id) {
+                return self.by_exact_id(id, tags);
+            }
+            let near = || {
+                let inside =
+                    |around: El<'a>| tags.iter().find_map(|tag| Some((around, self.within(around, self.repeats.get(&(id, *tag))?)?)));
+                from.ancestors().find_map(inside)
+            };
+            match near() {
+                // Alone in the innermost element around both: nobody could mean another.
+                Some((around, found)) if self.is_alone(around, id, tags) => Some(found),
+                found => {
+                    self.note_choice(id, tags);
+                    found.map(|(_, found)| found).or_else(|| self.by_exact_id(id, tags))
+                }
+            }
         })
     }
 
-    /// What `find` says to an id as written, else percent-decoded.
-    fn decoded(&self, id: &str, find: impl Fn(&str) -> Option<El<'a>>) -> Option<El<'a>> {
-        find(id).or_else(|| match percent_decoded(id) {
-            Cow::Owned(decoded) => find(&decoded),
-            Cow::Borrowed(_) => None,
-        })
+    /// Whether `around` is less than the document and holds one element with this id and one of these tags.
+    fn is_alone(&self, around: El<'a>, id: (u32, &str), tags: &[&str]) -> bool {
+        let range = around.range();
+        let inside = |all: &Vec<NodeId>| {
+            let from = all.partition_point(|id| self.start(*id) <= range.start);
+            all.get(from..).unwrap_or_default().iter().take(2).filter(|id| self.start(**id) < range.end).count()
+        };
+        !self.roots.contains(&around) && tags.iter().filter_map(|tag| self.repeats.get(&(id, *tag))).map(inside).sum::<usize>() == 1
     }
 
-    fn by_exact_id(&self, id: &str, tags: &[&str]) -> Option<El<'a>> {
-        let first = self.ids.get(id).and_then(|id| self.document.get_node(*id))?;
+    /// Notes an id of which there are several of the right kind.
+    fn note_choice(&self, id: (u32, &str), tags: &[&str]) {
+        let fitting = |tag: &&str| self.repeats.get(&(id, *tag)).map_or(0, Vec::len);
+        if self.several.contains(&id) && tags.iter().map(fitting).sum::<usize>() > 1 {
+            self.met.borrow_mut().extend(self.ids.get(&id));
+        }
+    }
+
+    fn by_exact_id(&self, id: (u32, &str), tags: &[&str]) -> Option<El<'a>> {
+        let first = self.ids.get(&id).and_then(|id| self.document.get_node(*id))?;
         if tags.is_empty() || tags.contains(&first.tag_name().name()) {
             return Some(first);
         }
@@ -138,21 +213,28 @@ impl<'a> Lookup<'a> {
         self.document.get_node(id).map_or(usize::MAX, |node| node.range().start)
     }
 
-    /// Takes a url apart. A url that names this very file is local; one without `#` that is an id here is taken for one.
-    pub fn url<'u>(&self, url: &'u str) -> Url<'u> {
+    /// Takes a url in `from` apart. A url that names a document at hand leads there; one without `#` that is an id here is taken for one.
+    pub fn url<'u>(&self, from: El<'a>, url: &'u str) -> Url<'u> {
         let url = url.trim();
+        let here = |id: &'u str| Url::Here { document: self.document_of(from), id: Cow::Borrowed(id) };
         match url.split_once('#') {
-            Some(("", id)) => Url::Local(Cow::Borrowed(id)),
-            Some((file, id)) => {
-                if last_segment(&percent_decoded(file)) == self.file_name && !self.file_name.is_empty() {
-                    Url::Local(Cow::Borrowed(id))
-                } else {
-                    Url::External(Cow::Borrowed(file))
-                }
-            }
-            None if self.by_id(url, &[]).is_none() && url.to_ascii_lowercase().ends_with(".dae") => Url::External(Cow::Borrowed(url)),
-            None => Url::Local(Cow::Borrowed(url)),
+            Some(("", id)) => here(id),
+            Some((file, id)) => match self.document_named(from, file) {
+                Some(document) => Url::Here { document, id: Cow::Borrowed(id) },
+                None => Url::External(Cow::Borrowed(file)),
+            },
+            None if url.to_ascii_lowercase().ends_with(".dae") && self.by_id(from, url, &[]).is_none() => Url::External(Cow::Borrowed(url)),
+            None => here(url),
         }
+    }
+
+    /// The document at hand that `from` means by a file; a plain document is known by its name alone.
+    fn document_named(&self, from: El<'a>, file: &str) -> Option<u32> {
+        if let [path] = self.paths.as_slice() {
+            let name = last_segment(path);
+            return (last_segment(&percent_decoded(file)) == name && !name.is_empty()).then_some(0);
+        }
+        self.known.find(self.path(from), file).map(|(_, document)| document as u32)
     }
 
     /// The element with scoped id `sid` that lies nearest below `element`, the first in document order among equals.
@@ -175,6 +257,14 @@ impl<'a> Lookup<'a> {
         self.found.insert(key, nearest);
         nearest.and_then(|id| self.document.get_node(id))
     }
+}
+
+/// What `find` says to an id as written, else percent-decoded.
+fn decoded<R>(id: &str, find: impl Fn(&str) -> Option<R>) -> Option<R> {
+    find(id).or_else(|| match percent_decoded(id) {
+        Cow::Owned(decoded) => find(&decoded),
+        Cow::Borrowed(_) => None,
+    })
 }
 
 /// What stands after the last slash or backslash.
@@ -218,37 +308,38 @@ mod tests {
     const TEXT: &str = "<COLLADA><extra><node id='a'/></extra><geometry id='a'/><node id='a'><node sid='deep'><node sid='x' name='far'/></node>\
                         <matrix sid='x' name='near'/></node><node id='b c'/></COLLADA>";
 
-    fn with<R>(check: impl FnOnce(&mut Lookup<'_>) -> R) -> R {
+    fn with<R>(check: impl for<'l> FnOnce(&mut Lookup<'l>, El<'l>) -> R) -> R {
         let document = roxmltree::Document::parse(TEXT).unwrap_or_else(|error| unreachable!("{error}"));
-        check(&mut Lookup::new(&document, "/some/where/this file.dae"))
+        check(&mut Lookup::new(&document, vec!["/some/where/this file.dae".into()]), document.root_element())
     }
 
     #[test]
     fn ids_are_found_by_kind_and_outside_of_extra_first() {
-        with(|lookup| {
-            assert_eq!(lookup.by_id("a", &[]).map(|e| e.tag_name().name()), Some("geometry"));
-            assert_eq!(lookup.by_id("a", &["node"]).and_then(|e| e.parent()).map(|e| e.tag_name().name()), Some("COLLADA"));
-            assert_eq!(lookup.by_id("b%20c", &[]).map(|e| e.tag_name().name()), Some("node"));
-            assert_eq!(lookup.repeated().len(), 1);
+        with(|lookup, root| {
+            assert_eq!(lookup.by_id(root, "a", &[]).map(|e| e.tag_name().name()), Some("geometry"));
+            assert_eq!(lookup.by_id(root, "a", &["node"]).and_then(|e| e.parent()).map(|e| e.tag_name().name()), Some("COLLADA"));
+            assert_eq!(lookup.by_id(root, "b%20c", &[]).map(|e| e.tag_name().name()), Some("node"));
+            // There is one of each kind: nothing had to be chosen.
+            assert_eq!(lookup.repeated().len(), 0);
         });
     }
 
     #[test]
     fn urls_are_local_or_name_another_file() {
-        with(|lookup| {
-            assert_eq!(lookup.url("#a"), Url::Local("a".into()));
-            assert_eq!(lookup.url("./this%20file.dae#a"), Url::Local("a".into()));
-            assert_eq!(lookup.url("file:///C:/some/this%20file.dae#a"), Url::Local("a".into()));
-            assert_eq!(lookup.url("other.dae#a"), Url::External("other.dae".into()));
-            assert_eq!(lookup.url("other.dae"), Url::External("other.dae".into()));
-            assert_eq!(lookup.url("a"), Url::Local("a".into()));
+        with(|lookup, root| {
+            assert_eq!(lookup.url(root, "#a"), Url::Here { document: 0, id: "a".into() });
+            assert_eq!(lookup.url(root, "./this%20file.dae#a"), Url::Here { document: 0, id: "a".into() });
+            assert_eq!(lookup.url(root, "file:///C:/some/this%20file.dae#a"), Url::Here { document: 0, id: "a".into() });
+            assert_eq!(lookup.url(root, "other.dae#a"), Url::External("other.dae".into()));
+            assert_eq!(lookup.url(root, "other.dae"), Url::External("other.dae".into()));
+            assert_eq!(lookup.url(root, "a"), Url::Here { document: 0, id: "a".into() });
         });
     }
 
     #[test]
     fn the_nearest_scoped_id_is_meant() {
-        with(|lookup| {
-            let node = lookup.by_id("a", &["node"]).unwrap_or_else(|| unreachable!("it is there"));
+        with(|lookup, root| {
+            let node = lookup.by_id(root, "a", &["node"]).unwrap_or_else(|| unreachable!("it is there"));
             assert_eq!(lookup.by_sid(node, "x").and_then(|e| e.attribute("name")), Some("near"));
             assert_eq!(
                 lookup.by_sid(node, "deep").and_then(|deep| lookup.by_sid(deep, "x")).and_then(|e| e.attribute("name")),

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use super::context::{Context, Step, child, children, id_of, name_of, text_of};
 use super::effect::Effect;
 use super::image::Images;
-use super::{El, codes};
+use super::{El, asset, codes};
 use crate::animation::MaterialSlot;
 use crate::scene::{AlphaSource, Material, MaterialId, Paint, Scene, ShadingModel};
 use crate::tr;
@@ -54,7 +54,7 @@ impl<'a> Materials<'a> {
     /// Where commas separate their numbers.
     pub fn read(context: &mut Context<'a>, scene: &mut Scene, images: &mut Images) -> Step<Self> {
         let mut materials = Self::default();
-        for library in children(context.root, "library_materials") {
+        for library in context.libraries("library_materials") {
             for element in children(library, "material") {
                 if !context.spend(element, MATERIAL_BYTES) {
                     return Ok(materials);
@@ -106,7 +106,11 @@ fn shade<'a>(
     material: &mut Material,
 ) -> Step<Opacity> {
     material.model = effect.model;
-    let mut paint = |tag| -> Step<Option<Paint>> { Ok(effect.paint(context, scene, images, tag)?.map(|(paint, _)| paint)) };
+    let linear = asset::is_scene_linear(effect.shader);
+    let mut paint = |tag| -> Step<Option<Paint>> {
+        let paint = effect.paint(context, scene, images, tag)?.map(|(paint, _)| paint);
+        Ok(paint.map(|paint| Paint { color: if linear { paint.color.map(encoded) } else { paint.color }, ..paint }))
+    };
     let emission = paint("emission")?;
     material.diffuse = match paint("diffuse")? {
         Some(diffuse) => diffuse,
@@ -179,6 +183,11 @@ fn opacity<'a>(
     }
     material.opacity = opacity;
     Ok(Opacity::line(line.0, line.1))
+}
+
+/// A scene-linear value as sRGB (IEC 61966-2-1).
+pub fn encoded(value: f32) -> f32 {
+    if value <= 0.003_130_8 { value.max(0.0) * 12.92 } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// The hint that several exporters put into `extra`.

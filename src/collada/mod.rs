@@ -4,7 +4,7 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | `archive`, `text`, `lists`, `xml` | from bytes to a tree of elements, within the [`limits`] |
+//! | `archive`, `bundle`, `text`, `lists`, `xml` | from bytes to a tree of elements, within the [`limits`] |
 //! | `context`, `lookup`, `report` | what all others carry along: ids and urls, findings with their lines, the budget |
 //! | `numbers`, `source` | lists of numbers, sources and their accessors |
 //! | `asset`, `image`, `effect`, `material` | unit and axes, materials |
@@ -21,6 +21,7 @@ mod animation;
 mod archive;
 mod asset;
 mod bind_pose;
+mod bundle;
 pub mod codes;
 mod context;
 mod controller;
@@ -57,6 +58,7 @@ use crate::scene::Scene;
 use crate::{limits, tr};
 
 use ahead::Ahead;
+use bundle::Bundle;
 use context::Context;
 use controller::Controllers;
 use geometry::Geometries;
@@ -143,12 +145,16 @@ pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, Rea
     if archive::is_archive(bytes) {
         return archive::read(bytes, name, progress);
     }
-    read_document(bytes, name, name, progress, None)
+    read_document(bytes, name, Bundle::alone(name), progress, None)
 }
 
-/// Reads one document; `file_name` is what references to itself use, `room` what it may take in bytes where that does not follow from its size.
-fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress, room: Option<usize>) -> Result<Loaded, ReadError> {
-    let decoded = text::decode(bytes);
+/// Reads one document with what is bundled with it; `room` is what it may take in bytes where that does not follow from its size.
+fn read_document(bytes: &[u8], name: &str, mut bundle: Bundle, progress: &Progress, room: Option<usize>) -> Result<Loaded, ReadError> {
+    let mut decoded = text::decode(bytes);
+    let mut stretches = Vec::new();
+    if let Some((whole, parts)) = bundle.compose(&decoded.text, decoded.lines_before) {
+        (decoded.text, stretches) = (Cow::Owned(whole), parts);
+    }
     let text = decoded.text.as_ref();
     let shift = |mut error: ReadError| {
         error.line = error.line.map(|line| line + decoded.lines_before);
@@ -159,7 +165,9 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress,
     let room = room.map(|room| room.saturating_sub(decoded_size));
     let surveyed = xml::look_at(text, room).map_err(shift)?;
     let parsed = xml::parse(&surveyed).map_err(shift)?;
-    let mut report = Report::new(parsed.lists, decoded.lines_before);
+    let paths: Vec<String> = std::iter::once(bundle.path.clone()).chain(stretches.iter().map(|part| part.path.clone())).collect();
+    let mut report = Report::new(parsed.lists, decoded.lines_before, stretches);
+    report.bring(bundle.findings);
     let root = parsed.document.root_element();
     if root.tag_name().name() != "COLLADA" {
         let message = tr!("collada-not-collada", element = context::shortened(root.tag_name().name()));
@@ -173,7 +181,7 @@ fn read_document(bytes: &[u8], name: &str, file_name: &str, progress: &Progress,
         report.note_at(parsed.lists.place(undeclared.at), codes::UNDECLARED_PREFIX, message);
     }
     let ahead = Ahead::of(root, parsed.lists);
-    let mut context = Context::new(&parsed, &ahead, report, file_name, progress);
+    let mut context = Context::new(&parsed, &ahead, report, paths, &bundle.files, progress);
     context.advance(0.2)?;
     ahead.while_doing(|| assemble(&mut context, name))
 }
@@ -215,7 +223,7 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
 fn skipped_libraries(context: &mut Context<'_>) {
     let skipped =
         ["library_formulas", "library_joints", "library_kinematics_models", "library_kinematics_scenes", "library_articulated_systems"];
-    for library in context.root.children().filter(|library| skipped.contains(&library.tag_name().name())) {
+    for library in skipped.iter().flat_map(|tag| context.libraries(tag)).collect::<Vec<_>>() {
         let has_content =
             |library: &El<'_>| library.children().any(|child| child.is_element() && !matches!(child.tag_name().name(), "asset" | "extra"));
         if has_content(&library) {

@@ -69,9 +69,7 @@ impl<'a> Tree<'a> {
         let mut todo = Vec::new();
         match scene_element(context) {
             Some(element) => {
-                let library = element.parent().filter(El::is_element);
-                let space = asset::own_space(context, asset, element)
-                    .or_else(|| library.and_then(|library| asset::own_space(context, asset, library)));
+                let space = asset::space(context, asset, element);
                 todo.extend(Todo::children(element, root, 1, space));
             }
             None => {
@@ -122,8 +120,7 @@ impl<'a> Tree<'a> {
                     context.report.warn(element, codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
                     return Ok(());
                 }
-                let library = target.parent().filter(|library| library.tag_name().name() == "library_nodes");
-                (target, library.and_then(|library| asset::own_space(context, asset, library)))
+                (target, target.parent().and_then(|around| asset::space(context, asset, around)))
             }
             _ => (element, space),
         };
@@ -138,7 +135,7 @@ impl<'a> Tree<'a> {
         if scene.graph.len().is_multiple_of(4096) {
             context.check_cancelled()?;
         }
-        let space = asset::own_space(context, asset, target).or(space);
+        let space = if child(target, "asset").is_some() { asset::space(context, asset, target) } else { space };
         let mut ops = transform(context, target)?;
         if let Some(space) = space {
             // In and out again, so that only this node's own lengths and directions are read in its unit and axes.
@@ -178,8 +175,8 @@ impl<'a> Tree<'a> {
         for instance in &self.instances {
             for skeleton in children(instance.element, "skeleton") {
                 let text = text_of(skeleton);
-                let Url::Local(id) = context.lookup.url(&text) else { continue };
-                let Some(node) = context.lookup.by_id_near(skeleton, &id, &["node"]) else { continue };
+                let Url::Here { document, id } = context.lookup.url(skeleton, &text) else { continue };
+                let Some(node) = context.lookup.in_document(skeleton, document, &id, &["node"]) else { continue };
                 if self.by_element.contains_key(&node.id()) {
                     continue;
                 }

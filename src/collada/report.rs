@@ -6,6 +6,7 @@ use memchr::memchr_iter;
 use roxmltree::NodeId as ElementId;
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::bundle::Stretch;
 use super::lists::Shortened;
 use super::{El, codes};
 use crate::health::{Finding, Severity};
@@ -32,6 +33,8 @@ const ONCE: [&str; 13] = [
 pub struct Report<'a> {
     document: &'a Shortened<'a>,
     lines_before: u32,
+    /// The documents behind the first one, in their order.
+    parts: Vec<Stretch>,
     /// Where each line ends; made when the first line is asked for.
     line_ends: OnceCell<Vec<u32>>,
     findings: Vec<Finding>,
@@ -46,10 +49,11 @@ pub struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// An empty report about `document`, which `lines_before` blank lines precede in the file.
-    pub fn new(document: &'a Shortened<'a>, lines_before: u32) -> Self {
+    pub fn new(document: &'a Shortened<'a>, lines_before: u32, parts: Vec<Stretch>) -> Self {
         Self {
             document,
             lines_before,
+            parts,
             line_ends: OnceCell::new(),
             findings: Vec::new(),
             said: FxHashSet::default(),
@@ -67,7 +71,19 @@ impl<'a> Report<'a> {
     /// The line of a byte of the whole document, from 1.
     pub fn line_of(&self, at: usize) -> u32 {
         let ends = self.line_ends.get_or_init(|| memchr_iter(b'\n', self.document.whole().as_bytes()).map(|at| at as u32).collect());
-        ends.partition_point(|end| (*end as usize) < at) as u32 + 1 + self.lines_before
+        let line = ends.partition_point(|end| (*end as usize) < at) as u32 + 1 + self.lines_before;
+        let later = self.part(at).map_or(0, |part| part.lines);
+        u32::try_from(i64::from(line) - later).unwrap_or(line)
+    }
+
+    /// The document behind the first one that a byte of the whole belongs to, if it does.
+    fn part(&self, at: usize) -> Option<&Stretch> {
+        self.parts.get(..self.parts.partition_point(|part| part.start <= at))?.last()
+    }
+
+    /// Takes in what was found before there was a document.
+    pub fn bring(&mut self, findings: Vec<Finding>) {
+        self.findings.extend(findings);
     }
 
     /// Something that may make the picture differ from what the author meant.
@@ -85,7 +101,7 @@ impl<'a> Report<'a> {
         self.findings.push(Finding {
             code,
             severity: Severity::Note,
-            file: String::new(),
+            file: self.part(at).map_or_else(String::new, |part| part.path.clone()),
             line: Some(self.line_of(at)),
             element: String::new(),
             message,
@@ -125,8 +141,10 @@ impl<'a> Report<'a> {
             self.once.insert((code, message.clone()), (self.findings.len(), 0));
         }
         let line = element.map(|element| self.line(element));
+        let part = element.and_then(|element| self.part(self.document.place(element.range().start)));
+        let file = part.map_or_else(String::new, |part| part.path.clone());
         let element = element.map_or_else(String::new, describe);
-        self.findings.push(Finding { code, severity, file: String::new(), line, element, message });
+        self.findings.push(Finding { code, severity, file, line, element, message });
     }
 
     /// All findings, in file order.
@@ -142,7 +160,7 @@ impl<'a> Report<'a> {
             self.dropped = 0;
             self.findings.push(Finding::note(codes::MORE_FINDINGS, None, "", message));
         }
-        self.findings.sort_by_key(|finding| finding.line.unwrap_or(u32::MAX));
+        self.findings.sort_by(|a, b| (&a.file, a.line.unwrap_or(u32::MAX)).cmp(&(&b.file, b.line.unwrap_or(u32::MAX))));
         std::mem::take(&mut self.findings)
     }
 }

@@ -224,8 +224,8 @@ fn array_of<'a>(context: &mut Context<'a>, source: El<'a>, accessor: Option<El<'
     match accessor.and_then(|accessor| accessor.attribute("source").map(|url| (accessor, url))) {
         // The usual case, without a look into the index.
         Some((_, url)) if own.is_some_and(|own| own.attribute("id").is_some_and(|id| url.strip_prefix('#') == Some(id))) => own,
-        Some((accessor, url)) => match context.lookup.url(url) {
-            super::lookup::Url::Local(id) => context.lookup.by_id_near(accessor, &id, tags).or(own),
+        Some((accessor, url)) => match context.lookup.url(accessor, url) {
+            super::lookup::Url::Here { document, id } => context.lookup.in_document(accessor, document, &id, tags).or(own),
             super::lookup::Url::External(_) => own.or_else(|| context.resolve(accessor, url, tags)),
         },
         None => own,

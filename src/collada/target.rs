@@ -3,12 +3,12 @@
 use roxmltree::NodeId as ElementId;
 use rustc_hash::FxHashMap;
 
-use super::El;
 use super::context::Context;
 use super::controller::Controllers;
 use super::light_camera::LightsAndCameras;
 use super::material::Materials;
 use super::nodes::{Tree, is_transform};
+use super::{El, asset};
 use crate::animation::{Lane, MaterialSlot, Target};
 use crate::scene::MorphId;
 
@@ -26,6 +26,8 @@ pub struct Aim {
     pub matrix: bool,
     /// The value as a line over that of the file: at 0, and what 1 adds.
     pub line: Option<(f64, f64)>,
+    /// Whether the values are scene-linear colours and are to be encoded as sRGB.
+    pub encode: bool,
     /// What keys of one number mean where more are asked for: the angle of a rotation.
     pub lone: Option<Lane>,
     /// Where one number is moved: which of how many it is, for keys that hold the whole value all the same.
@@ -34,7 +36,7 @@ pub struct Aim {
 
 impl Aim {
     fn new(targets: Vec<Target>, wanted: usize) -> Self {
-        Self { targets, wanted, matrix: false, line: None, lone: None, among: None }
+        Self { targets, wanted, matrix: false, line: None, encode: false, lone: None, among: None }
     }
 }
 
@@ -80,9 +82,10 @@ impl<'s, 'a> Aims<'s, 'a> {
         Self { tree, materials, lights, controllers, morphs }
     }
 
-    /// What `address` names.
-    pub fn find(&self, context: &mut Context<'a>, address: &str) -> Result<Aim, Miss> {
-        let (element, member, rest_is_weights) = self.element(context, address.trim().trim_start_matches('#')).ok_or(Miss::Unknown)?;
+    /// What `address` names in the document of `from`.
+    pub fn find(&self, context: &mut Context<'a>, from: El<'a>, address: &str) -> Result<Aim, Miss> {
+        let (element, member, rest_is_weights) =
+            self.element(context, from, address.trim().trim_start_matches('#')).ok_or(Miss::Unknown)?;
         if let Some(morph) = self.morphs.get(&element.id()) {
             return self.weights(*morph, &member);
         }
@@ -110,22 +113,22 @@ impl<'s, 'a> Aims<'s, 'a> {
     }
 
     /// The element that an address names, what part of it, and whether a last step was skipped that only morph weights may have.
-    fn element(&self, context: &mut Context<'a>, address: &str) -> Option<(El<'a>, Member, bool)> {
+    fn element(&self, context: &mut Context<'a>, from: El<'a>, address: &str) -> Option<(El<'a>, Member, bool)> {
         let mut steps = address.split('/');
         let first = steps.next()?;
         let steps: Vec<&str> = steps.take(crate::limits::DEPTH).collect();
         let Some((last, middle)) = steps.split_last() else {
-            return match context.lookup.by_id(first, &[]) {
+            return match context.lookup.by_id(from, first, &[]) {
                 Some(element) => Some((element, Member::All, false)),
                 None => {
                     let (id, member) = split_member(first);
-                    Some((context.lookup.by_id(id, &[])?, member, false))
+                    Some((context.lookup.by_id(from, id, &[])?, member, false))
                 }
             };
         };
         // Exporters give one id to a node and to what hangs on it; what is animated is the node, mostly.
         for tags in [&["node"][..], &["controller", "source", "effect", "material", "light", "camera"], &[]] {
-            if let Some(start) = context.lookup.by_id(first, tags)
+            if let Some(start) = context.lookup.by_id(from, first, tags)
                 && let Some(found) = self.below(context, self.tree.shown(start), middle, last)
             {
                 return Some(found);
@@ -136,7 +139,7 @@ impl<'s, 'a> Aims<'s, 'a> {
         for (taken, step) in middle.iter().enumerate().take(MOST_SLASHES) {
             id.push('/');
             id.push_str(step);
-            if let Some(start) = context.lookup.by_id(&id, &["node"])
+            if let Some(start) = context.lookup.by_id(from, &id, &["node"])
                 && let Some(found) = self.below(context, start, middle.get(taken + 1..).unwrap_or_default(), last)
             {
                 return Some(found);
@@ -220,7 +223,7 @@ impl<'s, 'a> Aims<'s, 'a> {
     fn material(&self, effect: El<'a>, element: El<'a>, member: &Member) -> Result<Aim, Miss> {
         let made = self.materials.made_by(effect);
         let owner = element.ancestors().find(|above| above.tag_name().name() == "newparam");
-        let (mut targets, mut wanted, mut line, mut part) = (Vec::new(), 0, None, None);
+        let (mut targets, mut wanted, mut line, mut part, mut encode) = (Vec::new(), 0, None, None, false);
         for made in made {
             let slot = match owner {
                 Some(param) => param.attribute("sid").and_then(|sid| made.effect.slot_of_param(sid)),
@@ -231,13 +234,14 @@ impl<'s, 'a> Aims<'s, 'a> {
             // The alpha of a colour is read and dropped.
             let (lane, numbers) = lane(member, size).ok_or(Miss::Unknown)?;
             (wanted, part) = (numbers, among(lane, numbers, size));
+            encode = size == 4 && asset::is_scene_linear(effect);
             if slot == MaterialSlot::Opacity {
                 slot = made.opacity.slot;
                 line = Some(made.opacity.line);
             }
             targets.push(Target::Material { material: made.material, slot, lane });
         }
-        if targets.is_empty() { Err(Miss::Unsupported) } else { Ok(Aim { line, among: part, ..Aim::new(targets, wanted) }) }
+        if targets.is_empty() { Err(Miss::Unsupported) } else { Ok(Aim { line, encode, among: part, ..Aim::new(targets, wanted) }) }
     }
 }
 

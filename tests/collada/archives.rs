@@ -3,6 +3,7 @@
 use std::io::{Cursor, Write};
 use std::path::PathBuf;
 
+use glam::Vec3;
 use sinew::collada::{Loaded, Progress, ReadError, read};
 use zip::write::SimpleFileOptions;
 
@@ -75,4 +76,94 @@ fn damage_anywhere_ends_in_a_result() {
         let _ = open(&damaged);
         let _ = open(&good[..at]);
     }
+}
+
+/// A document without a scene of its own, whose asset says this.
+fn part(asset: &str, body: &str) -> String {
+    headed("1.4.1", &format!("<asset>{asset}</asset>"), body).replace("<scene><instance_visual_scene url=\"#s\"/></scene>", "")
+}
+
+#[test]
+fn documents_inside_the_archive_are_read_where_they_are_referred_to() {
+    // Both documents have a mesh `g`; the part has a material and an image of its own, and it is in another folder.
+    let used = "<node><instance_geometry url=\"../parts/wheel.dae#g\"><bind_material><technique_common><instance_material symbol=\"m\" target=\"../parts/wheel.dae#m\"/>\
+                </technique_common></bind_material></instance_geometry></node><node><instance_geometry url=\"#g\"/></node>";
+    let root = document(&(triangle() + &scene(used)));
+    let library = "<library_images><image id=\"i\"><init_from>wood.png</init_from></image></library_images>\
+                   <library_effects><effect id=\"e\"><profile_COMMON><technique><lambert><diffuse><texture texture=\"i\" texcoord=\"\"/></diffuse></lambert></technique></profile_COMMON></effect></library_effects>\
+                   <library_materials><material id=\"m\" name=\"wood\"><instance_effect url=\"#e\"/></material></library_materials>";
+    let other =
+        geometries(&geometry("g", "0 0 0 3 0 0 0 3 0", &triangles("g", "0 1 2").replace("<triangles ", "<triangles material=\"m\" ")));
+    for manifest in [true, false] {
+        let wheel = part("<unit meter=\"1\"/><up_axis>Y_UP</up_axis>", &(library.to_owned() + &other));
+        let mut files: Vec<(&str, &[u8])> = vec![
+            ("models/a.dae", root.as_bytes()),
+            ("parts/wheel.dae", wheel.as_bytes()),
+            ("parts/wood.png", b"pixels"),
+            ("unused.dae", b"<broken"),
+        ];
+        if manifest {
+            files.push(("manifest.xml", b"<dae_root>models/a.dae</dae_root>"));
+        } else {
+            files.retain(|(name, _)| *name != "unused.dae");
+        }
+        let loaded = open(&packed(&files)).expect("readable");
+        assert!(loaded.findings.is_empty(), "{:?}", loaded.findings);
+        let areas: Vec<f32> = instances(&loaded).iter().map(|(_, instance)| area(&loaded.scene.meshes[instance.mesh.index()])).collect();
+        assert_eq!(areas, [4.5, 0.5]);
+        let binding = instances(&loaded)[0].1.materials[0].clone().expect("bound");
+        assert_eq!(loaded.scene.materials[binding.material.index()].name, "wood");
+        assert_eq!(loaded.scene.images[0].uri, "parts/wood.png");
+    }
+}
+
+#[test]
+fn a_document_behind_another_one_keeps_its_unit_axes_and_lines_and_leads_on() {
+    let root = document(&scene("<instance_node url=\"b.dae#arm\"/>"));
+    let arm = "<library_nodes><node id=\"arm\" name=\"arm\"><translate>0 0 100</translate><instance_geometry url=\"sub/c.dae#g\"/></node></library_nodes>";
+    let b = part("<unit meter=\"0.01\"/><up_axis>Z_UP</up_axis>", arm);
+    let c = part(
+        "<unit meter=\"0.1\"/><up_axis>Y_UP</up_axis>",
+        &("\n\n".to_owned()
+            + &triangle().replace("<p>0 1 2</p>", "<p>0 1 2 9 9 9</p>").replace("<triangles count=\"1\"", "<triangles count=\"2\"")),
+    );
+    let files: [(&str, &[u8]); 3] = [("a.dae", root.as_bytes()), ("b.dae", b.as_bytes()), ("sub/c.dae", c.as_bytes())];
+    let packed = packed(&[("manifest.xml", b"<dae_root>a.dae</dae_root>" as &[u8])].into_iter().chain(files).collect::<Vec<_>>());
+    let loaded = open(&packed).expect("readable");
+    assert_eq!(codes(&loaded), ["index-out-of-range"]);
+    let line = c.lines().position(|line| line.contains("<triangles")).expect("it is there") as u32 + 1;
+    assert_eq!((loaded.findings[0].file.as_str(), loaded.findings[0].line), ("sub/c.dae", Some(line)));
+    // One metre up, the triangle ten centimetres wide.
+    let points = drawn_bytes("model.zae", &packed, 0.0);
+    near32(points[0], Vec3::Y);
+    near32(points[1], Vec3::new(0.1, 1.0, 0.0));
+}
+
+#[test]
+fn documents_that_are_not_there_broken_or_refer_in_a_circle_are_told() {
+    let root =
+        document(&(triangle() + &scene("<node><instance_geometry url=\"b.dae#g\"/></node><node><instance_geometry url=\"#g\"/></node>")));
+    let open = |more: &[(&str, &[u8])]| {
+        let files = [("manifest.xml", b"<dae_root>a.dae</dae_root>" as &[u8]), ("a.dae", root.as_bytes())];
+        open(&packed(&files.into_iter().chain(more.iter().copied()).collect::<Vec<_>>())).expect("readable")
+    };
+    let lost = open(&[]);
+    assert_eq!((codes(&lost), lost.scene.meshes.len()), (vec!["external-reference"], 1));
+    for broken in ["<COLLADA><x></COLLADA>", "<html/>", "", "<!DOCTYPE COLLADA [<!ENTITY e \"x\">]><COLLADA>&e;</COLLADA>"] {
+        let loaded = open(&[("b.dae", broken.as_bytes())]);
+        assert!(codes(&loaded).iter().all(|code| *code == "external-reference"), "{broken}: {:?}", loaded.findings);
+        assert_eq!(loaded.scene.meshes.len(), 1, "{broken}");
+        assert!(loaded.findings.iter().any(|finding| finding.file == "b.dae"), "{broken}: {:?}", loaded.findings);
+    }
+    let circle =
+        part("", "<library_nodes><node id=\"g\"><instance_node url=\"a.dae#s\"/><instance_node url=\"b.dae#g\"/></node></library_nodes>");
+    assert!(!open(&[("b.dae", circle.as_bytes())]).findings.is_empty());
+}
+
+#[test]
+fn all_documents_of_an_archive_have_one_budget() {
+    let root = document(&scene("<node><instance_geometry url=\"b.dae#g\"/></node>"));
+    let blank = part("", &(" ".repeat(90 << 20) + &triangle()));
+    let packed = packed(&[("a.dae", root.as_bytes()), ("b.dae", blank.as_bytes())]);
+    assert!(open(&packed).is_err(), "{} bytes", packed.len());
 }

@@ -168,3 +168,85 @@ fn a_target_that_is_a_controller_looks_as_its_own_controllers_leave_it() {
     assert_eq!(loaded.scene.morphs[0].targets[1].position_deltas, [Vec3::Z; 3]);
     assert_eq!(codes(&loaded), ["reference-cycle"]);
 }
+
+/// The morph `m` over the skin `k` (bone moved by 3 along z), on a node that makes ten of one.
+fn over_skin(controllers: &str, more: &str) -> String {
+    let nodes = "<node id=\"B\" sid=\"bone\"><translate sid=\"t\">0 0 3</translate></node>\
+                 <node><scale>10 10 10</scale><instance_controller url=\"#m\"><skeleton>#B</skeleton></instance_controller></node>";
+    document(&(shapes() + "<library_controllers>" + controllers + "</library_controllers>" + more + &scene(nodes)))
+}
+
+#[track_caller]
+fn same(found: &[Vec3], wanted: [[f32; 3]; 3]) {
+    assert_eq!(found.len(), 3);
+    for (found, wanted) in found.iter().zip(wanted) {
+        near32(*found, Vec3::from_array(wanted));
+    }
+}
+
+#[test]
+fn a_morph_over_a_skin_mixes_the_skinned_shape_and_goes_with_its_node() {
+    // Half skinned base (z 3), half the target as it stands (z 0, twice as wide).
+    let normalized = morph("m", "k", "", "wide", "0.5") + &skin("k", "g");
+    same(&drawn(&over_skin(&normalized, ""), 0.0), [[0.0, 0.0, 15.0], [15.0, 0.0, 15.0], [0.0, 10.0, 15.0]]);
+    // The target is added to the whole base.
+    let relative = morph("m", "k", " method=\"RELATIVE\"", "wide", "0.5") + &skin("k", "g");
+    same(&drawn(&over_skin(&relative, ""), 0.0), [[0.0, 0.0, 30.0], [20.0, 0.0, 30.0], [0.0, 15.0, 30.0]]);
+    // A morph below the skin comes first: its shape is skinned, then mixed.
+    let below = morph("m", "k", "", "wide", "0.5") + &skin("k", "n") + &morph("n", "g", "", "high", "1");
+    same(&drawn(&over_skin(&below, ""), 0.0), [[0.0, 0.0, 20.0], [15.0, 0.0, 20.0], [0.0, 10.0, 20.0]]);
+    // In other axes and another unit it is the same picture, turned and scaled.
+    for (asset, turn) in [
+        ("<unit meter=\"0.1\"/><up_axis>Z_UP</up_axis>", [[0.0, 1.5, 0.0], [1.5, 1.5, 0.0], [0.0, 1.5, -1.0]]),
+        ("<unit meter=\"0.1\"/><up_axis>X_UP</up_axis>", [[0.0, 0.0, 1.5], [0.0, 1.5, 1.5], [-1.0, 0.0, 1.5]]),
+    ] {
+        let text = over_skin(&normalized, "").replace("<unit meter=\"1\"/><up_axis>Y_UP</up_axis>", asset);
+        same(&drawn(&text, 0.0), turn);
+    }
+}
+
+#[test]
+fn a_target_with_a_skin_of_its_own_is_skinned_and_follows_its_joints() {
+    let both = morph("m", "k", "", "l", "0.5") + &skin("k", "g") + &skin("l", "wide");
+    same(&drawn(&over_skin(&both, ""), 0.0), [[0.0, 0.0, 30.0], [15.0, 0.0, 30.0], [0.0, 10.0, 30.0]]);
+    let moves = animations(&animation("a", "B/t.Z", "0 1", "Z", "3 5", "LINEAR LINEAR"));
+    same(&drawn(&over_skin(&both, &moves), 1.0), [[0.0, 0.0, 50.0], [15.0, 0.0, 50.0], [0.0, 10.0, 50.0]]);
+    // Over plain geometry as well.
+    let over_mesh = morph("m", "g", "", "l", "0.5") + &skin("l", "wide");
+    same(&drawn(&over_skin(&over_mesh, ""), 0.0), [[0.0, 0.0, 15.0], [15.0, 0.0, 15.0], [0.0, 10.0, 15.0]]);
+}
+
+#[test]
+fn a_morph_over_a_morph_mixes_the_morphed_shape() {
+    let twice = morph("m", "n", "", "wide", "0.5") + &morph("n", "g", "", "high", "1");
+    same(&drawn(&over_skin(&twice, ""), 0.0), [[0.0, 0.0, 5.0], [15.0, 0.0, 5.0], [0.0, 10.0, 5.0]]);
+}
+
+#[test]
+fn the_weights_that_khronos_exporters_name_move_the_morph() {
+    let extra = "<extra><technique profile=\"KHR\"><morph_weights sid=\"MORPH_WEIGHT_TO_TARGET\" count=\"2\">0.25 0</morph_weights></technique></extra>";
+    for place in ["</morph></controller>", "</controller>", "</targets>"] {
+        let controller = morph("m", "g", "", "high wide", "0 0").replace(place, &format!("{extra}{place}"));
+        for (target, found) in [("m/MORPH_WEIGHT_TO_TARGET(1)", [0.0, 0.5]), ("m/MORPH_WEIGHT_TO_TARGET(0)", [0.5, 0.0])] {
+            let moves = animations(&animation("a", target, "0 1", "W", "0 1", "LINEAR LINEAR"));
+            let loaded = load_clean(&with(&controller, "m", &moves));
+            assert_eq!(pose(&loaded, 0, 0.5).morph_weights, [found], "{place} {target}");
+        }
+        // Where no other weights are given, these are those at rest.
+        let lone = controller.replace("semantic=\"MORPH_WEIGHT\"", "semantic=\"X\"");
+        assert_eq!(load_clean(&with(&lone, "m", "")).scene.morphs[0].weights, [0.25, 0.0], "{place}");
+    }
+    let moves = animations(&animation("a", "m/MORPH_WEIGHT_TO_TARGET(1)", "0 1", "W", "0 1", "LINEAR LINEAR"));
+    assert_eq!(pose(&load_clean(&with(&morph("m", "g", "", "high wide", "0 0"), "m", &moves)), 0, 0.5).morph_weights, [[0.0, 0.5]]);
+}
+
+#[test]
+fn targets_may_be_named_by_url() {
+    for names in ["#wide #high", "wide #high", "test.dae#wide high"] {
+        for tag in ["IDREF_array", "Name_array"] {
+            let loaded = load_clean(&with(&morph("m", "g", "", names, "1 0").replace("IDREF_array", tag), "m", ""));
+            assert_eq!(loaded.scene.morphs[0].targets[0].position_deltas, [Vec3::ZERO, Vec3::X, Vec3::ZERO], "{names}");
+        }
+    }
+    assert_eq!(codes(&load(&with(&morph("m", "g", "", "#nowhere", "1"), "m", ""))), ["broken-reference"]);
+}

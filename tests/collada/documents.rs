@@ -154,11 +154,16 @@ fn references_to_other_files_and_to_nothing_are_named() {
 }
 
 #[test]
-fn an_id_on_a_mesh_and_on_a_node_is_two_things_and_is_noted() {
+fn ids_that_repeat_are_told_once_and_only_where_a_reference_has_to_choose() {
     let text = document(&(triangle() + &scene("<node id=\"g\" name=\"n\"><instance_geometry url=\"#g\"/></node>")));
+    // A mesh and a node are two things.
+    assert_eq!(mesh(&load_clean(&text)).triangles.len(), 1);
+    let twins = geometry("g", "0 0 0 2 0 0 0 2 0", "").repeat(3);
+    let text = document(&(triangle() + &geometries(&twins) + &scene("<node><instance_geometry url=\"#g\"/></node>")));
     let loaded = load(&text);
     assert_eq!(codes(&loaded), ["repeated-id"]);
-    assert_eq!(mesh(&loaded).triangles.len(), 1);
+    assert!(loaded.findings[0].message.contains('2'), "{}", loaded.findings[0].message);
+    load_clean(&text.replace("<instance_geometry url=\"#g\"/>", ""));
 }
 
 #[test]
@@ -184,12 +189,28 @@ fn arrays_of_truths_and_words_are_known_and_are_no_numbers() {
 }
 
 #[test]
-fn decimal_commas_are_refused_with_their_line() {
-    let text = document(&shown()).replace("0 0 0 1 0 0 0 1 0", "0 0 0\n1 0,5 0 0 1 0");
-    let line = text.lines().position(|line| line.contains("0,5")).expect("it is there") as u32 + 1;
-    let error = try_load(&text).expect_err("refused");
-    assert_eq!(error.line, Some(line));
-    assert!(error.message.contains("0,5") && error.message.contains("g-p-a"), "{error}");
+fn decimal_commas_are_points_and_are_told_once() {
+    let text = document(&shown()).replace("0 0 0 1 0 0 0 1 0", "0,0 0 0\n1 0,5 0 0 1e0 -0,25");
+    let text =
+        text.replace("meter=\"1\"", "meter=\"0,01\"").replace("<instance_geometry", "<translate>1,5 0 0</translate><instance_geometry");
+    let loaded = load(&text);
+    assert_eq!(codes(&loaded), ["decimal-comma"]);
+    assert_eq!(loaded.asset.unit_metres, 0.01);
+    assert_eq!(corners(mesh(&loaded)), [[[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [0.0, 1.0, -0.25]]]);
+}
+
+#[test]
+fn commas_between_numbers_are_refused_with_their_line() {
+    for numbers in ["0 0 0\n1,0,5 0 0 1 0", "0 0 0\n1, 0.5 0 0 1 0", "0 0 0\n1.5,0 0 0 1 0", "0,5 0 0\n1 ,0 0 0 1 0"] {
+        let text = document(&shown()).replace("0 0 0 1 0 0 0 1 0", numbers);
+        let entry = numbers.lines().last().and_then(|line| line.split(' ').find(|entry| entry.contains(','))).expect("it is there");
+        let line =
+            text.lines().position(|line| line.starts_with(entry) || line.contains(&format!(" {entry}"))).expect("it is there") as u32 + 1;
+        let error = try_load(&text).expect_err("refused");
+        assert_eq!(error.line, Some(line), "{numbers}");
+        assert!(error.message.contains(entry) && error.message.contains("g-p-a"), "{error}");
+    }
+    assert!(try_load(&document(&shown()).replace("<p>0 1 2</p>", "<p>0,1,2</p>")).is_err());
 }
 
 #[test]
@@ -273,7 +294,8 @@ fn keys_are_all_there_whatever_the_counts_say() {
     ] {
         let loaded = load(&counted(arrays, accessors));
         near(posed_world(&loaded, 0, 1.0)[node(&loaded, "n").index()].w_axis.truncate(), DVec3::X * 8.0);
-        assert_eq!(codes(&loaded), vec!["count-mismatch"; findings], "{arrays:?} {accessors:?}");
+        // However many counts of one animation lie, it is told once.
+        assert_eq!(codes(&loaded), vec!["count-mismatch"; findings.min(1)], "{arrays:?} {accessors:?}");
     }
 }
 

@@ -1,9 +1,9 @@
 //! `library_materials`, `library_effects`, `library_images`.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use sinew::collada::Loaded;
 use sinew::health::Severity;
-use sinew::scene::{AlphaSource, Material, ShadingModel, Wrap};
+use sinew::scene::{AlphaSource, Material, Placing, ShadingModel, Wrap};
 
 use crate::build::*;
 
@@ -252,4 +252,72 @@ fn colours_opacity_and_lights_are_animated() {
     assert_eq!(pose.materials[0].diffuse.color, Vec3::new(0.0, 0.25, 0.0));
     assert_eq!(pose.materials[0].opacity, 0.75);
     assert_eq!(pose.light_colors, [Vec3::new(0.25, 0.125, 0.0)]);
+}
+
+/// A lambert material with a texture that has this `extra`, and this in its sampler.
+fn maya_texture(extra: &str, sampler: &str) -> String {
+    let images = "<library_images><image id=\"i\"><init_from>wood.png</init_from></image></library_images>";
+    let profile = format!(
+        "<newparam sid=\"u\"><surface type=\"2D\"><init_from>i</init_from></surface></newparam><newparam sid=\"v\"><sampler2D><source>u</source>{sampler}</sampler2D></newparam>"
+    );
+    let shader = format!("<lambert><diffuse><texture texture=\"v\" texcoord=\"UV\">{extra}</texture></diffuse></lambert>");
+    painted(&profile, &shader).replace("<library_materials>", &format!("{images}<library_materials>"))
+}
+
+#[test]
+fn the_place_that_maya_gives_a_texture_is_read() {
+    let maya = |profile: &str, inside: &str| format!("<extra type=\"x\"><technique profile=\"{profile}\">{inside}</technique></extra>");
+    let placed = |extra: &str, sampler: &str| {
+        let loaded = load_clean(&maya_texture(extra, sampler));
+        material(&loaded).diffuse.texture.clone().expect("a texture")
+    };
+    let full = "<repeatU>3</repeatU><repeatV sid=\"r\"> 2 </repeatV><offsetU>0.5</offsetU><offsetV>-0.25</offsetV><rotateUV>90</rotateUV>";
+    for profile in ["MAYA", "OpenCOLLADAMaya"] {
+        let texture = placed(&maya(profile, full), "");
+        assert_eq!(texture.placing, Some(Placing { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.5, -0.25), turn: 90.0 }));
+    }
+    assert_eq!(placed(&maya("MAX3D", full), "").placing, None);
+    assert_eq!(placed(&maya("MAYA", "<repeatU>1</repeatU><rotateUV>0</rotateUV>"), "").placing, None);
+    for (inside, wanted) in [
+        ("<wrapU>1</wrapU>", Wrap::Repeat),
+        ("<wrapU>FALSE</wrapU>", Wrap::Border),
+        ("<mirrorU>true</mirrorU>", Wrap::Mirror),
+        ("<wrapU>TRUE</wrapU><mirrorU>1</mirrorU>", Wrap::Mirror),
+        ("<repeatU>2</repeatU>", Wrap::Clamp),
+    ] {
+        let texture = placed(&maya("MAYA", inside), "<wrap_s>CLAMP</wrap_s>");
+        assert_eq!((texture.wrap_s, texture.wrap_t), (wanted, Wrap::Repeat), "{inside}");
+    }
+}
+
+#[test]
+fn blender_writes_colours_as_scene_linear_values_and_nobody_else_does() {
+    let shader = "<phong><emission><color>0 0 0 1</color></emission><diffuse><color sid=\"d\">0.5 0.002 1 1</color></diffuse><specular><color>0.25 0.25 0.25 1</color></specular>\
+                  <transparent opaque=\"RGB_ZERO\"><color>0.5 0.5 0.5 1</color></transparent></phong>";
+    let by = |tool: &str| {
+        painted("", shader).replace("<asset>", &format!("<asset><contributor><authoring_tool>{tool}</authoring_tool></contributor>"))
+    };
+    for (tool, wanted, specular) in [
+        ("Blender 3.4.1 commit date:2022-12-19", Vec3::new(0.735_357, 0.025_84, 1.0), 0.537_1),
+        ("Maya 2020", Vec3::new(0.5, 0.002, 1.0), 0.25),
+    ] {
+        let loaded = load_clean(&by(tool));
+        near32(material(&loaded).diffuse.color, wanted);
+        assert!((material(&loaded).specular.color.x - specular).abs() < 1e-4, "{tool}");
+        // Opacity is no colour.
+        assert!((material(&loaded).opacity - 0.5).abs() < 1e-6);
+        let moves = animations(&animation("a", "e/d", "0 1", "R G B A", "0.5 0.002 1 1 0.5 0.002 1 1", "LINEAR LINEAR"));
+        let animated = load_clean(&by(tool).replace("<library_visual_scenes>", &format!("{moves}<library_visual_scenes>")));
+        near32(pose(&animated, 0, 1.0).materials[0].diffuse.color, wanted);
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_material_that_occurs_often_is_told_once() {
+    let node = "<node><instance_geometry url=\"#g\"/></node>";
+    let materials = "<library_materials><material id=\"other\"/></library_materials>";
+    let text = document(&(triangle().replace("<triangles ", "<triangles material=\"lost\" ") + materials + &scene(&node.repeat(16))));
+    let loaded = load(&text);
+    assert_eq!(codes(&loaded), ["unbound-material"]);
+    assert!(loaded.findings[0].message.contains("15"), "{}", loaded.findings[0].message);
 }

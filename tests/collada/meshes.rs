@@ -166,12 +166,75 @@ fn indices_out_of_range_cost_their_primitive_alone() {
         assert_eq!(codes(&loaded).last(), Some(&"index-out-of-range"), "{bad}");
         assert_eq!(mesh(&loaded).triangles.len(), 2);
     }
-    let texture = floats("t", "S T", "0 0");
-    let primitive = format!(
-        "<triangles count=\"2\">{VERTEX}<input semantic=\"TEXCOORD\" source=\"#t\" offset=\"1\"/><p>0 0 1 0 2 1  0 0 2 0 3 0</p></triangles>"
-    );
-    let loaded = load(&with_sources(SQUARE, &texture, &primitive));
-    assert_eq!((codes(&loaded), mesh(&loaded).triangles.len()), (vec!["index-out-of-range"], 1));
+}
+
+#[test]
+fn indices_out_of_range_beside_the_points_cost_that_value_alone() {
+    for (semantic, names, values) in [("NORMAL", "X Y Z", "1 0 0"), ("TEXCOORD", "S T", "0.5 0.5"), ("COLOR", "R G B", "1 0 0")] {
+        for shared in [false, true] {
+            for bad in ["1", "-1", "4000000000"] {
+                let offset = usize::from(!shared);
+                let input = format!("{VERTEX}<input semantic=\"{semantic}\" source=\"#t\" offset=\"{offset}\"/>");
+                let corners = |points: &[&str]| -> String {
+                    points
+                        .iter()
+                        .map(
+                            |point| {
+                                if shared { format!("{point} ") } else { format!("{point} {} ", if *point == "2" { bad } else { "0" }) }
+                            },
+                        )
+                        .collect()
+                };
+                let (one, two, strip) = (corners(&["0", "1", "2"]), corners(&["0", "2", "3"]), corners(&["0", "1", "3", "2"]));
+                for (primitive, faces) in [
+                    (format!("<triangles count=\"2\">{input}<p>{one}{two}</p></triangles>"), 2),
+                    (format!("<polylist count=\"1\">{input}<vcount>4</vcount><p>{}</p></polylist>", corners(&["0", "1", "2", "3"])), 2),
+                    (format!("<polygons count=\"1\">{input}<p>{one}</p></polygons>"), 1),
+                    (format!("<trifans count=\"1\">{input}<p>{}</p></trifans>", corners(&["0", "1", "2", "3"])), 2),
+                    (format!("<tristrips count=\"1\">{input}<p>{strip}</p></tristrips>"), 2),
+                ] {
+                    let loaded = load(&with_sources(SQUARE, &floats("t", names, values), &primitive));
+                    let mesh = mesh(&loaded);
+                    assert_eq!((codes(&loaded), mesh.triangles.len()), (vec!["index-out-of-range"], faces), "{primitive}");
+                    let lost = mesh.source_vertex.iter().position(|point| *point == 2).expect("it is drawn");
+                    match semantic {
+                        "NORMAL" => assert!(mesh.normals[lost].z.abs() > 0.99, "{primitive}"),
+                        "TEXCOORD" => assert_eq!(mesh.uv_sets[0][lost], Vec2::ZERO),
+                        _ => assert_eq!(mesh.colors[lost], Vec4::ONE),
+                    }
+                }
+                let line = format!("<lines count=\"1\">{input}<p>{}</p></lines>", corners(&["1", "2"]));
+                assert_eq!(mesh(&load(&with_sources(SQUARE, &floats("t", names, values), &line))).lines.len(), 1);
+            }
+        }
+    }
+}
+
+#[test]
+fn values_that_are_no_numbers_beside_the_points_are_told_and_replaced() {
+    for (semantic, names, values) in
+        [("NORMAL", "X Y Z", "0 0 NaN 0 1.#QNAN 1"), ("TEXCOORD", "S T", "INF 0 0 -1.#IND"), ("COLOR", "R G B", "NaN 0 0 1 1 INF")]
+    {
+        let primitive = format!(
+            "<triangles count=\"1\">{VERTEX}<input semantic=\"{semantic}\" source=\"#t\" offset=\"1\"/><p>0 0 1 1 2 1</p></triangles>"
+        );
+        let loaded = load(&with_sources(SQUARE, &floats("t", names, values), &primitive));
+        assert_eq!(codes(&loaded), ["not-finite"], "{semantic}");
+        assert!(loaded.findings[0].element.contains("\"g\""), "{}", loaded.findings[0].element);
+        let mesh = mesh(&loaded);
+        assert!(mesh.normals.iter().all(|normal| normal.z.abs() > 0.99), "{semantic}");
+        assert!(mesh.uv_sets.iter().flatten().all(|uv| uv.is_finite()) && mesh.colors.iter().all(|color| color.is_finite()));
+    }
+}
+
+#[test]
+fn a_mesh_without_faces_is_told_once_and_a_wrong_count_of_them_not_beside_it() {
+    for primitives in ["", "<triangles count=\"2\"><input semantic=\"VERTEX\" source=\"#g-v\" offset=\"0\"/></triangles>"] {
+        let loaded =
+            load(&shown(SQUARE, primitives).replace("</visual_scene>", "<node><instance_geometry url=\"#g\"/></node></visual_scene>"));
+        assert_eq!(codes(&loaded), ["no-faces"], "{primitives}");
+        assert!(loaded.findings[0].element.contains("\"g\""), "{}", loaded.findings[0].element);
+    }
 }
 
 #[test]
@@ -188,7 +251,11 @@ fn lists_that_are_empty_cost_no_face() {
 
 #[test]
 fn empty_and_cut_off_primitives_are_harmless() {
-    load_clean(&shown(SQUARE, &format!("<triangles count=\"0\">{VERTEX}<p></p></triangles><triangles count=\"0\">{VERTEX}</triangles>")));
+    let whole = format!("<triangles count=\"1\">{VERTEX}<p>0 1 2</p></triangles>");
+    load_clean(&shown(
+        SQUARE,
+        &format!("<triangles count=\"0\">{VERTEX}<p></p></triangles><triangles count=\"0\">{VERTEX}</triangles>{whole}"),
+    ));
     for primitive in [
         format!("<triangles count=\"2\">{VERTEX}<p>0 1 2 3</p></triangles>"),
         format!("<polylist count=\"2\">{VERTEX}<vcount>3 4</vcount><p>0 1 2 3</p></polylist>"),

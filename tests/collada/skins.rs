@@ -161,7 +161,7 @@ fn joints_that_are_nowhere_are_told() {
 }
 
 #[test]
-fn the_number_of_joints_is_that_of_the_matrices() {
+fn joints_have_a_name_and_a_matrix() {
     for (joints, count) in [("a", 2), ("a b c", 2), ("a b", 1)] {
         let skin = Skin { joints, count, vcount: "1 1 1", v: "0 0 0 0 0 0", ..PLAIN };
         let loaded = load(&skin.text(&(BONES.to_owned() + USE)));
@@ -170,7 +170,7 @@ fn the_number_of_joints_is_that_of_the_matrices() {
             "{joints}: {:?}",
             codes(&loaded)
         );
-        assert_eq!(loaded.scene.skins[0].joints.len(), count);
+        assert_eq!(loaded.scene.skins[0].joints.len(), count.min(joints.split(' ').count()));
     }
 }
 
@@ -361,4 +361,75 @@ fn a_controller_hangs_on_either_kind_of_instance() {
     let text = PLAIN.text(&(BONES.to_owned() + USE)).replace("instance_controller", "instance_geometry");
     let loaded = load_clean(&text);
     assert_eq!(joints(&loaded, 0), nodes(&loaded, &["bone a", "bone b"]));
+}
+
+#[test]
+fn a_count_of_matrices_that_lies_makes_no_joint_without_a_name_and_is_told_once() {
+    // Two matrices where the array says sixteen numbers, the accessor one row, and there is one name.
+    let skin = Skin { joints: "a", count: 2, vcount: "1 1 1", v: "0 0 0 0 0 0", ..PLAIN };
+    let text = skin
+        .text(&(BONES.to_owned() + USE))
+        .replace("count=\"32\"", "count=\"16\"")
+        .replace("\"#m-a\" count=\"2\"", "\"#m-a\" count=\"1\"");
+    let loaded = load(&text);
+    assert_eq!((codes(&loaded), loaded.scene.skins[0].joints.len()), (vec!["count-mismatch"], 1));
+}
+
+/// The triangle on a skin with one bone whose points have these numbers of weights, with its bind shape and inverse bind matrix.
+fn bound(bind_shape: DMat4, inverse_bind: DMat4, vcount: &str, nodes: &str) -> String {
+    let skin = Skin { joints: "a", count: 1, weights: "1", vcount, v: "0 0 0 0 0 0", ..PLAIN };
+    let (old, moved) = (rows(&DMat4::from_translation(DVec3::new(0.0, 5.0, 0.0))), rows(&bind_shape));
+    // The one inverse bind matrix is written with a zero of its own.
+    let nought = rows(&DMat4::from_translation(DVec3::X * -0.0));
+    let text = skin.text(nodes);
+    assert!(text.contains(&old) && text.contains(&nought));
+    text.replace(&nought, &rows(&inverse_bind)).replace(&old, &moved)
+}
+
+#[test]
+fn a_point_without_weights_keeps_to_its_bind_shape_and_goes_with_its_node_only_where_that_is_the_identity() {
+    let nodes = "<node id=\"A\" sid=\"a\" type=\"JOINT\"/><node><translate>0 0 5</translate><instance_controller url=\"#c\"><skeleton>#A</skeleton></instance_controller></node>";
+    for (bind, wanted) in
+        [(DMat4::IDENTITY, 5.0), (DMat4::from_translation(DVec3::Z * 5.0), 5.0), (DMat4::from_translation(DVec3::Z * 2.0), 2.0)]
+    {
+        let points = drawn(&bound(bind, DMat4::IDENTITY, "1 1 0", nodes), 0.0);
+        assert!((points[2].z - wanted).abs() < 1e-6, "{bind}: {points:?}");
+        assert!((points[0].z - bind.w_axis.z as f32).abs() < 1e-6, "{bind}: {points:?}");
+    }
+}
+
+#[test]
+fn a_skin_and_bones_that_do_not_meet_at_rest_are_told_with_joint_and_factor() {
+    let told = |text: &str| -> Option<String> {
+        let loaded = load(text);
+        assert!(codes(&loaded).iter().all(|code| *code == "bind-pose-mismatch") && loaded.findings.len() < 2, "{:?}", loaded.findings);
+        loaded.findings.first().map(|finding| finding.message.clone())
+    };
+    let size = |factor: f64| DMat4::from_scale(DVec3::splat(factor));
+    let apart = |joint: &str| {
+        format!(
+            "<node id=\"A\" sid=\"a\" type=\"JOINT\">{joint}</node><node><instance_controller url=\"#c\"><skeleton>#A</skeleton></instance_controller></node>"
+        )
+    };
+    let beneath = |above: &str, joint: &str| {
+        format!(
+            "<node>{above}<node id=\"A\" sid=\"a\" type=\"JOINT\">{joint}</node><node><instance_controller url=\"#c\"><skeleton>#A</skeleton></instance_controller></node></node>"
+        )
+    };
+    let text = |ibm: f64, nodes: String| bound(DMat4::IDENTITY, size(ibm), "1 1 1", &nodes);
+    // A scale in the inverse bind matrix that no node has; and one that a node has.
+    let message = told(&text(10.0, apart(""))).expect("told");
+    assert!(message.contains("skin") && message.contains("“a”") && message.contains("10 times"), "{message}");
+    assert_eq!(told(&text(10.0, apart("<scale>0.1 0.1 0.1</scale>"))), None);
+    // A rig that is scaled as a whole, or posed, takes its skin along.
+    assert_eq!(told(&text(1.0, apart("<scale>3 3 3</scale>"))), None);
+    assert_eq!(told(&text(1.0, apart("<rotate>1 0 0 50</rotate>"))), None);
+    assert_eq!(told(&text(1.0, beneath("<scale>3 3 3</scale>", ""))), None);
+    assert_eq!(told(&text(1.0, beneath("<translate>3 3 3</translate>", "<rotate>0 0 1 20</rotate>"))), None);
+    // A mesh beneath the armature that its bones undo: scaled, or turned.
+    let message = told(&text(100.0, beneath("<scale>0.01 0.01 0.01</scale>", ""))).expect("told");
+    assert!(message.contains("“a”") && message.contains("100 times"), "{message}");
+    let turned = bound(DMat4::IDENTITY, DMat4::from_rotation_x(90_f64.to_radians()), "1 1 1", &beneath("<rotate>1 0 0 -90</rotate>", ""));
+    let message = told(&turned).expect("told");
+    assert!(message.contains("“a”") && message.contains("90°"), "{message}");
 }

@@ -4,7 +4,8 @@
 use glam::{DMat4, DVec3, Vec3};
 use sinew::animation::Pose;
 use sinew::collada::{Loaded, Progress, ReadError, read};
-use sinew::scene::{Content, Deformer, Graph, Mesh, MeshInstance, Node, NodeId};
+use sinew::document::{Document, PoseBuffers, PoseState};
+use sinew::scene::{Content, Deformer, Frame, Graph, Mesh, MeshInstance, Node, NodeId};
 
 /// Reads `text` as the file `test.dae`.
 pub fn try_load(text: &str) -> Result<Loaded, ReadError> {
@@ -210,4 +211,22 @@ pub fn near(found: DVec3, wanted: DVec3) {
 #[track_caller]
 pub fn near32(found: Vec3, wanted: Vec3) {
     assert!((found - wanted).length() < 1e-5, "{found} is not {wanted}");
+}
+
+/// Where the vertices of all surfaces of a file with these bytes are at `time`; world, metres.
+#[track_caller]
+pub fn drawn_bytes(name: &str, bytes: &[u8], time: f64) -> Vec<Vec3> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join(name);
+    std::fs::write(&file, bytes).expect("written");
+    let document = Document::open(&[file], &Progress::default()).expect("readable");
+    let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+    document.pose(&PoseState { time, ..document.start_state() }, &mut buffers, &mut frame);
+    frame.surfaces.iter().flat_map(|surface| (0..surface.mesh.positions.len() as u32).map(|v| surface.position(v))).collect()
+}
+
+/// [`drawn_bytes`] of a document.
+#[track_caller]
+pub fn drawn(text: &str, time: f64) -> Vec<Vec3> {
+    drawn_bytes("test.dae", text.as_bytes(), time)
 }
