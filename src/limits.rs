@@ -23,6 +23,10 @@ pub const SESSION_FILES: usize = 100;
 pub const IMAGE_BYTES: u64 = 256 << 20;
 /// Largest side of an image, pixels.
 pub const IMAGE_SIDE: u32 = 16_384;
+/// What all images of a document take together at most once they are drawn, mip levels included, bytes. Beyond it they are made smaller.
+pub const IMAGES_BYTES: u64 = 512 << 20;
+/// What decoding one image may take beside the picture that comes out, bytes.
+pub const IMAGE_DECODING_BYTES: u64 = 512 << 20;
 /// Deepest nesting of elements or nodes.
 pub const DEPTH: usize = 1_000;
 /// Most attributes of one XML element; the parser compares each with each.

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::failure::{Failure, answer, answer_json, display_name};
 use super::files;
 use crate::collada::Progress;
-use crate::document::{Document, OpenError};
+use crate::document::{Document, Images, OpenError, OpenOptions};
 use crate::health::{Finding, Severity};
 use crate::i18n::shown;
 use crate::tr;
@@ -70,7 +70,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
 }
 
 fn open(file: &Path) -> Result<Vec<Finding>, OpenError> {
-    Document::open(&[file], &Progress::default()).map(|document| document.health)
+    Document::open_with(&[file], OpenOptions { images: Images::Locate }, &Progress::default()).map(|document| document.health)
 }
 
 fn report(name: &str, result: &Result<Vec<Finding>, OpenError>) -> FileReport {

@@ -12,7 +12,7 @@ use super::failure::{Failure, answer, answer_json, display_name, output_name, wr
 use super::progress::leave_nothing;
 use super::{files, measured, value};
 use crate::collada::Progress;
-use crate::document::{Document, SourceKind};
+use crate::document::{Document, Images, OpenOptions, SourceKind};
 use crate::export::atomic::write_whole;
 use crate::export::ending::ending;
 use crate::export::guard::Guard;
@@ -57,7 +57,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     guard.output(&out)?;
     let table = measured::read(csv)?;
     let document = match &like {
-        Some(file) => Document::open(std::slice::from_ref(file), &Progress::default())?,
+        Some(file) => Document::open_with(std::slice::from_ref(file), OpenOptions { images: Images::Locate }, &Progress::default())?,
         None => Document::built_in(),
     };
     let target = guard.and(document.files()).output(&out)?;

@@ -13,7 +13,7 @@ use super::progress::leave_nothing;
 use super::values::{Angles, MOST_DEGREES, Times, plain};
 use super::{files, joints, value};
 use crate::collada::Progress;
-use crate::document::{Document, PoseState};
+use crate::document::{Document, Images, OpenOptions, PoseState};
 use crate::export::guard::Guard;
 use crate::export::tables::{Form, JointTable, MuscleTable, NoTable, Of, PLOT_SCALE, Table, even_times, unit_for_people};
 use crate::film::FPS;
@@ -23,7 +23,7 @@ use crate::tr;
 /// Runs the subcommand.
 pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
-    let document = Document::open(&files, &Progress::default())?;
+    let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
     let sheet = Sheet { given, guard: Guard::of_files(&files).and(document.files()) };
     let file = files.first().cloned().unwrap_or_default();
     if given.get_flag("joints") {

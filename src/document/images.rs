@@ -1,16 +1,20 @@
-//! Finds and decodes the images that a document names: only by paths relative to it, only regular files, never from a network.
+//! The images that the files of a document name: found only by paths relative to a file, only regular files, never from a network, and decoded together
+//! within one budget.
 
-use std::fs;
-use std::io::Cursor;
-use std::path::{Component, Path, PathBuf};
+use std::cmp::Reverse;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use image::{ImageFormat, ImageReader, Limits};
+use rustc_hash::FxHashSet;
 
-use super::Images;
-use crate::collada::{Loaded, Progress};
+use super::picture::{self, Head, Refusal};
+use super::places::{Place, Places, Sharing};
+use super::shares::{self, Wish};
+use super::{Document, Images};
+use crate::collada::{Progress, codes};
 use crate::health::Finding;
-use crate::scene::Pixels;
+use crate::scene::{Image, Scene, TextureRef};
 use crate::{limits, tr};
 
 /// Code of the finding that an image isn't there.
@@ -18,114 +22,278 @@ pub const MISSING: &str = "image-missing";
 /// Code of the finding that an image could not be decoded.
 pub const BROKEN: &str = "image-broken";
 
-/// Finds the images of `loaded` beside the document in `folder`, or in its archive, and decodes them if asked to.
-pub(super) fn load(loaded: &mut Loaded, folder: &Path, what: Images, progress: &Progress) {
-    let Loaded { scene, archived, findings, .. } = loaded;
-    for image in &mut scene.images {
-        if progress.is_cancelled() {
-            return;
-        }
-        let element = format!("<image> {:?}", if image.id.is_empty() { &image.name } else { &image.id });
-        let found = match in_archive(archived, &image.uri) {
-            Some((path, bytes)) => Some((path.clone(), Some(bytes.as_slice()))),
-            None => on_disk(folder, &image.uri).map(|path| (path, None)),
-        };
-        let Some((path, archived_bytes)) = found else {
-            findings.push(Finding::warning(MISSING, image.line, element, tr!("document-image-missing", uri = image.uri.as_str())));
-            continue;
-        };
-        let looked_at = |bytes: &[u8]| match what {
-            Images::Decode => decode(bytes, &path).map(Some),
-            Images::Locate => look_at(bytes, &path).map(|()| None),
-        };
-        let seen = match archived_bytes {
-            Some(bytes) => looked_at(bytes),
-            None => read(&path).and_then(|bytes| looked_at(&bytes)),
-        };
-        match seen {
-            Ok(pixels) => image.pixels = pixels.map(Arc::new),
-            Err(reason) => {
-                let message = tr!("document-image-broken", uri = image.uri.as_str(), reason = reason);
-                findings.push(Finding::warning(BROKEN, image.line, element, message));
+/// The images of the files that were read so far, which are looked for when all files are there.
+#[derive(Debug, Default)]
+pub(super) struct Pending {
+    files: Vec<OfFile>,
+}
+
+/// The images of one file.
+#[derive(Debug)]
+pub(super) struct OfFile {
+    /// The file, as messages name it.
+    name: String,
+    /// Where it lies.
+    pub folder: PathBuf,
+    /// Image files in it, by their path.
+    pub archived: Vec<(PathBuf, Vec<u8>)>,
+    /// Its images in the scene.
+    images: Range<usize>,
+}
+
+/// An image file, and the images of the scene that it stands for.
+struct Picture<'f> {
+    place: Place<'f>,
+    head: Head,
+    /// Place of the file in [`Pending::files`], and of the image in the scene.
+    images: Vec<(usize, usize)>,
+}
+
+impl Pending {
+    /// Keeps for later what a file has: its images in the scene, and image files inside of it.
+    pub(super) fn add(&mut self, name: &str, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>, images: Range<usize>) {
+        self.files.push(OfFile { name: name.to_owned(), folder: folder.to_owned(), archived, images });
+    }
+
+    /// Finds the images beside their files, or in them, and decodes them if asked to. What is odd becomes a finding of its file.
+    pub(super) fn load(&self, document: &mut Document, what: Images, progress: &Progress) {
+        let mut told = Told { files: &self.files, findings: vec![Vec::new(); self.files.len()] };
+        let scene = &mut document.scene;
+        let mut pictures = self.find(scene, &mut told, progress);
+        // What needs most on the way comes first, while nothing else is there.
+        pictures.sort_by_key(|picture| Reverse(picture.head.decoding));
+        let wishes = wishes(scene, &pictures);
+        let budget = if what == Images::Decode { room_for(&wishes) } else { limits::IMAGES_BYTES };
+        for (picture, size) in pictures.iter().zip(shares::sizes(&wishes, budget)) {
+            if progress.is_cancelled() {
+                return;
+            }
+            let Some(size) = size else {
+                told.about(scene, picture, codes::LIMIT_REACHED, |uri, [width, height]| {
+                    tr!("document-image-no-room", uri = uri, width = width, height = height, limit = budget >> 20)
+                });
+                continue;
+            };
+            if picture.head.decoding > limits::IMAGE_DECODING_BYTES {
+                told.about(scene, picture, codes::LIMIT_REACHED, |uri, [width, height]| {
+                    tr!("document-image-decoding", uri = uri, width = width, height = height, limit = limits::IMAGE_DECODING_BYTES >> 20)
+                });
+                continue;
+            }
+            if what == Images::Decode && !decode(scene, picture, size, &mut told) {
+                continue;
+            }
+            if size != picture.head.size {
+                told.about(scene, picture, codes::LIMIT_REACHED, |uri, [width, height]| {
+                    let [columns, rows] = size;
+                    tr!(
+                        "document-image-reduced",
+                        uri = uri,
+                        width = width,
+                        height = height,
+                        columns = columns,
+                        rows = rows,
+                        limit = budget >> 20
+                    )
+                });
             }
         }
-        image.archived = archived_bytes.is_some();
-        image.path = (!image.archived).then_some(path);
+        told.into(document);
     }
-    findings.sort_by_key(|finding| finding.line);
-}
 
-fn in_archive<'a>(archived: &'a [(PathBuf, Vec<u8>)], uri: &str) -> Option<&'a (PathBuf, Vec<u8>)> {
-    let wanted = Path::new(uri).components().filter(|part| matches!(part, Component::Normal(_))).collect::<PathBuf>();
-    archived.iter().find(|(path, _)| *path == wanted).or_else(|| archived.iter().find(|(path, _)| path.file_name() == wanted.file_name()))
-}
-
-/// The file that `uri` means: relative to the folder, else by its file name in the folder, whatever its case.
-fn on_disk(folder: &Path, uri: &str) -> Option<PathBuf> {
-    let uri = Path::new(uri);
-    let name = uri.file_name()?;
-    let relative = uri.is_relative().then(|| folder.join(uri));
-    [relative, Some(folder.join(name))].into_iter().flatten().find(|path| is_image_file(path)).or_else(|| {
-        let wanted = name.to_string_lossy().to_lowercase();
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        // A folder of many thousands of files is not searched to its end.
-        let entries = fs::read_dir(folder).ok()?.take(10_000).flatten();
-        let same = |path: &PathBuf| path.file_name().is_some_and(|name| name.to_string_lossy().to_lowercase() == wanted);
-        entries.map(|entry| entry.path()).filter(same).find(|path| is_image_file(path))
-    })
-}
-
-fn is_image_file(path: &Path) -> bool {
-    fs::metadata(path).is_ok_and(|about| about.is_file())
-}
-
-fn read(path: &Path) -> Result<Vec<u8>, String> {
-    let length = fs::metadata(path).map_err(|error| error.to_string())?.len();
-    if length > limits::IMAGE_BYTES {
-        return Err(tr!("document-too-large", limit = limits::IMAGE_BYTES >> 20));
+    /// Finds the files of all images and reads their heads; each file once, whatever it is called.
+    fn find<'f>(&'f self, scene: &mut Scene, told: &mut Told<'_>, progress: &Progress) -> Vec<Picture<'f>> {
+        let mut sharing = Sharing::default();
+        for (number, file) in self.files.iter().enumerate() {
+            let mut places = Places::of(file);
+            for index in file.images.clone() {
+                let Some(image) = scene.images.get_mut(index).filter(|_| !progress.is_cancelled()) else { break };
+                match places.find(&image.uri) {
+                    Some(place) => {
+                        image.archived = place.is_archived();
+                        image.path = (!image.archived).then(|| place.path().to_owned());
+                        sharing.add(place, (number, index));
+                    }
+                    None => told.of(number, image, MISSING, tr!("document-image-missing", uri = image.uri.as_str())),
+                }
+            }
+        }
+        let mut pictures = Vec::new();
+        for (place, images) in sharing.shared() {
+            let looked_at = place.stream().map_err(Refusal::from).and_then(|stream| picture::look_at(stream, place.path()));
+            let refusal = match looked_at {
+                Ok(head) => {
+                    pictures.push(Picture { place, head, images });
+                    continue;
+                }
+                Err(refusal) => refusal,
+            };
+            for (file, index) in images {
+                let Some(image) = scene.images.get(index) else { continue };
+                let (code, message) = refused(image, &refusal);
+                told.of(file, image, code, message);
+            }
+        }
+        for picture in &pictures {
+            for (_, index) in &picture.images {
+                if let Some(image) = scene.images.get_mut(*index) {
+                    image.size = Some(picture.head.size);
+                }
+            }
+        }
+        pictures
     }
-    fs::read(path).map_err(|error| error.to_string())
 }
 
-/// A reader of the format that the content shows, else that the file's ending names (TGA has no mark), within the limits.
-fn reader<'a>(bytes: &'a [u8], path: &Path) -> Result<ImageReader<Cursor<&'a [u8]>>, String> {
-    let mut reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|error| error.to_string())?;
-    if reader.format().is_none() {
-        let format = ImageFormat::from_path(path).map_err(|error| error.to_string())?;
-        reader.set_format(format);
+/// Code and message about an image that could not be read.
+fn refused(image: &Image, refusal: &Refusal) -> (&'static str, String) {
+    let uri = image.uri.as_str();
+    match refusal {
+        Refusal::Broken(reason) => (BROKEN, tr!("document-image-broken", uri = uri, reason = reason.as_str())),
+        Refusal::Memory => (codes::LIMIT_REACHED, tr!("document-image-memory", uri = uri)),
     }
-    let mut bounds = Limits::default();
-    bounds.max_image_width = Some(limits::IMAGE_SIDE);
-    bounds.max_image_height = Some(limits::IMAGE_SIDE);
-    bounds.max_alloc = Some(limits::IMAGE_BYTES * 2);
-    reader.limits(bounds);
-    Ok(reader)
 }
 
-/// Reads the head of an image alone: whether it is one.
-fn look_at(bytes: &[u8], path: &Path) -> Result<(), String> {
-    reader(bytes, path)?.into_dimensions().map(|_| ()).map_err(|error| error.to_string())
+/// Decodes a picture for all its images; what is wrong with it is told.
+fn decode(scene: &mut Scene, picture: &Picture<'_>, size: [u32; 2], told: &mut Told<'_>) -> bool {
+    let place = &picture.place;
+    let decoded =
+        place.stream().map_err(Refusal::from).and_then(|stream| picture::decode(stream, place.path(), &picture.head, size)).map(Arc::new);
+    for (file, index) in &picture.images {
+        let Some(image) = scene.images.get_mut(*index) else { continue };
+        match &decoded {
+            Ok(pixels) => image.pixels = Some(Arc::clone(pixels)),
+            Err(refusal) => {
+                let (code, message) = refused(image, refusal);
+                told.of(*file, image, code, message);
+            }
+        }
+    }
+    decoded.is_ok()
 }
 
-fn decode(bytes: &[u8], path: &Path) -> Result<Pixels, String> {
-    let rgba = reader(bytes, path)?.decode().map_err(|error| error.to_string())?.into_rgba8();
-    Ok(Pixels { width: rgba.width(), height: rgba.height(), rgba: rgba.into_raw() })
+/// What each picture asks for: its size, and the different textures that the materials make of it.
+fn wishes(scene: &Scene, pictures: &[Picture<'_>]) -> Vec<Wish> {
+    let mut of_image: Vec<Option<u32>> = vec![None; scene.images.len()];
+    for (number, picture) in (0..).zip(pictures) {
+        for (_, index) in &picture.images {
+            if let Some(of_image) = of_image.get_mut(*index) {
+                *of_image = Some(number);
+            }
+        }
+    }
+    let mut wishes: Vec<Wish> = pictures.iter().map(|picture| Wish { size: picture.head.size, textures: 0 }).collect();
+    let mut known = FxHashSet::default();
+    let mut count = |texture: &TextureRef, alpha: Option<u8>| {
+        let Some(Some(number)) = of_image.get(texture.image.index()) else { return };
+        if known.insert((*number, texture.wrap_s as u8, texture.wrap_t as u8, alpha))
+            && let Some(wish) = wishes.get_mut(*number as usize)
+        {
+            wish.textures += 1;
+        }
+    };
+    for material in &scene.materials {
+        for paint in [&material.diffuse, &material.emission] {
+            paint.texture.iter().for_each(|texture| count(texture, None));
+        }
+        material.opacity_texture.iter().for_each(|(texture, source)| count(texture, Some(*source as u8)));
+    }
+    wishes
+}
+
+/// The budget, or as large a part of it as the system would give now.
+fn room_for(wishes: &[Wish]) -> u64 {
+    let mut budget = limits::IMAGES_BYTES;
+    while budget > 1 << 20 && !picture::is_room(budget.min(shares::total(wishes))) {
+        budget /= 2;
+    }
+    budget
+}
+
+/// Findings about images, by file.
+struct Told<'f> {
+    files: &'f [OfFile],
+    findings: Vec<Vec<Finding>>,
+}
+
+impl Told<'_> {
+    fn of(&mut self, file: usize, image: &Image, code: &'static str, message: String) {
+        let element = format!("<image> {:?}", if image.id.is_empty() { &image.name } else { &image.id });
+        let mut finding = Finding::warning(code, image.line, element, message);
+        if let (Some(of_file), Some(findings)) = (self.files.get(file), self.findings.get_mut(file)) {
+            of_file.name.clone_into(&mut finding.file);
+            findings.push(finding);
+        }
+    }
+
+    /// Tells it once of a picture, where its first image stands.
+    fn about(&mut self, scene: &Scene, picture: &Picture<'_>, code: &'static str, message: impl Fn(&str, [u32; 2]) -> String) {
+        if let Some((file, index)) = picture.images.first()
+            && let Some(image) = scene.images.get(*index)
+        {
+            self.of(*file, image, code, message(&image.uri, picture.head.size));
+        }
+    }
+
+    /// Puts all among the findings of the document, those of each file together and by line.
+    fn into(self, document: &mut Document) {
+        if self.findings.iter().all(Vec::is_empty) {
+            return;
+        }
+        for mut findings in self.findings {
+            let more = findings.len().saturating_sub(limits::FINDINGS);
+            findings.sort_by_key(|finding| finding.line);
+            findings.truncate(limits::FINDINGS);
+            if let Some(last) = findings.last().filter(|_| more > 0) {
+                let message = tr!("collada-more-findings", count = more, limit = limits::FINDINGS);
+                let note = Finding { file: last.file.clone(), ..Finding::note(codes::MORE_FINDINGS, last.line, "", message) };
+                findings.push(note);
+            }
+            document.health.extend(findings);
+        }
+        let sources = &document.sources;
+        let place = |finding: &Finding| (sources.iter().position(|source| source.name == finding.file), finding.line);
+        document.health.sort_by_cached_key(place);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Image, Scene};
+    use crate::document::{Source, SourceKind};
+    use crate::scene::{ImageId, Material, Paint, Wrap};
+    use std::fs;
+    use std::io::Cursor;
 
-    fn png() -> Vec<u8> {
+    fn png_of(width: u32, height: u32, color: [u8; 4]) -> Vec<u8> {
         let mut bytes = Cursor::new(Vec::new());
-        image::RgbaImage::from_pixel(2, 1, image::Rgba([10, 20, 30, 255])).write_to(&mut bytes, ImageFormat::Png).expect("encodes");
+        image::RgbaImage::from_pixel(width, height, image::Rgba(color)).write_to(&mut bytes, image::ImageFormat::Png).expect("encodes");
         bytes.into_inner()
     }
 
-    fn loaded(uri: &str) -> Loaded {
-        let image = Image { uri: uri.into(), id: "skin".into(), line: Some(7), ..Image::default() };
-        Loaded { scene: Scene { images: vec![image], ..Scene::default() }, ..Loaded::default() }
+    fn png() -> Vec<u8> {
+        png_of(2, 1, [10, 20, 30, 255])
+    }
+
+    /// A document with an image for each uri, each on the skin of one material.
+    fn document(uris: &[&str]) -> Document {
+        let mut document = Document::default();
+        for (index, uri) in uris.iter().enumerate() {
+            let id = format!("skin{index}");
+            document.scene.images.push(Image { uri: (*uri).into(), id, line: Some(7), ..Image::default() });
+            let texture = TextureRef { image: ImageId(index as u32), semantic: String::new(), wrap_s: Wrap::Repeat, wrap_t: Wrap::Repeat };
+            let diffuse = Paint { texture: Some(texture), ..Paint::default() };
+            document.scene.materials.push(Material { diffuse, ..Material::default() });
+        }
+        let kind = SourceKind::Collada(crate::collada::Asset::default());
+        document.sources.push(Source { name: "a.dae".into(), path: None, root: None, kind });
+        document
+    }
+
+    fn load(document: &mut Document, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>) {
+        let mut pending = Pending::default();
+        pending.add("a.dae", folder, archived, 0..document.scene.images.len());
+        pending.load(document, Images::Decode, &Progress::default());
     }
 
     #[test]
@@ -135,11 +303,11 @@ mod tests {
         fs::write(folder.path().join("maps/Skin.png"), png()).expect("written");
         fs::write(folder.path().join("Other.PNG"), png()).expect("written");
         for uri in ["maps/Skin.png", "/home/artist/Other.PNG", "textures/other.png"] {
-            let mut loaded = loaded(uri);
-            load(&mut loaded, folder.path(), Images::Decode, &Progress::default());
-            let pixels = loaded.scene.images[0].pixels.as_ref().expect(uri);
+            let mut document = document(&[uri]);
+            load(&mut document, folder.path(), Vec::new());
+            let pixels = document.scene.images[0].pixels.as_ref().expect(uri);
             assert_eq!((pixels.width, pixels.height, &pixels.rgba[..4]), (2, 1, [10, 20, 30, 255].as_slice()));
-            assert!(loaded.findings.is_empty());
+            assert!(document.health.is_empty());
         }
     }
 
@@ -148,19 +316,66 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         fs::write(folder.path().join("bad.png"), b"\x89PNG\r\n\x1a\nxx").expect("written");
         for (uri, code) in [("none.png", MISSING), ("bad.png", BROKEN)] {
-            let mut loaded = loaded(uri);
-            load(&mut loaded, folder.path(), Images::Decode, &Progress::default());
-            assert_eq!(loaded.findings.len(), 1);
-            assert_eq!((loaded.findings[0].code, loaded.findings[0].line), (code, Some(7)));
-            assert!(loaded.scene.images[0].pixels.is_none());
+            let mut document = document(&[uri]);
+            load(&mut document, folder.path(), Vec::new());
+            assert_eq!(document.health.len(), 1);
+            assert_eq!((document.health[0].code, document.health[0].line), (code, Some(7)));
+            assert!(document.scene.images[0].pixels.is_none());
         }
     }
 
     #[test]
     fn an_image_in_the_archive_is_used() {
-        let mut loaded = loaded("./maps/a.png");
-        loaded.archived.push((PathBuf::from("maps/a.png"), png()));
-        load(&mut loaded, Path::new("nowhere"), Images::Decode, &Progress::default());
-        assert!(loaded.scene.images[0].pixels.is_some());
+        let mut document = document(&["./maps/a.png"]);
+        load(&mut document, Path::new("nowhere"), vec![(PathBuf::from("maps/a.png"), png())]);
+        assert!(document.scene.images[0].pixels.is_some());
+    }
+
+    #[test]
+    fn one_file_under_many_names_is_decoded_once() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for name in ["a.png", "b.png", "c.png"] {
+            fs::write(folder.path().join(name), png()).expect("written");
+        }
+        // As long, but another picture.
+        fs::write(folder.path().join("d.png"), png_of(2, 1, [10, 20, 31, 255])).expect("written");
+        let mut document = document(&["a.png", "b.png", "./c.png", "d.png", "a.png"]);
+        load(&mut document, folder.path(), vec![(PathBuf::from("b.png"), png())]);
+        let pixels: Vec<_> = document.scene.images.iter().map(|image| image.pixels.as_ref().expect("decoded")).collect();
+        assert!([0, 1, 2, 4].iter().all(|index| Arc::ptr_eq(pixels[0], pixels[*index])));
+        assert_eq!(pixels[3].rgba[2], 31);
+    }
+
+    #[test]
+    fn all_images_of_all_files_share_one_budget_and_what_is_made_smaller_is_told() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let names: Vec<String> = (0..4_u8).map(|i| format!("k{i}.png")).collect();
+        for (name, red) in names.iter().zip(0..) {
+            fs::write(folder.path().join(name), png_of(4096, 4096, [red, 0, 0, 255])).expect("written");
+        }
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let mut document = document(&names);
+        let mut second = document.sources[0].clone();
+        second.name = "b.dae".into();
+        document.sources.push(second);
+        let mut pending = Pending::default();
+        pending.add("a.dae", folder.path(), Vec::new(), 0..2);
+        pending.add("b.dae", folder.path(), Vec::new(), 2..4);
+        pending.load(&mut document, Images::Decode, &Progress::default());
+        let taken: usize = document.scene.images.iter().map(|image| image.pixels.as_ref().map_or(0, |pixels| pixels.rgba.len())).sum();
+        assert!((taken + taken * 4 / 3) as u64 <= limits::IMAGES_BYTES);
+        for (image, red) in document.scene.images.iter().zip(0..) {
+            let pixels = image.pixels.as_ref().expect("smaller, but there");
+            assert_eq!((pixels.width, pixels.rgba[0], image.size), (2048, red, Some([4096, 4096])));
+        }
+        assert_eq!(document.health.len(), 4);
+        assert!(document.health.iter().all(|finding| finding.code == codes::LIMIT_REACHED && finding.message.contains("2048")));
+        assert_eq!(document.health.iter().filter(|finding| finding.file == "a.dae").count(), 2);
+        // Looking at the heads alone tells the same.
+        let told = std::mem::take(&mut document.health);
+        document.scene.images.iter_mut().for_each(|image| image.pixels = None);
+        pending.load(&mut document, Images::Locate, &Progress::default());
+        assert_eq!(document.health, told);
+        assert!(document.scene.images.iter().all(|image| image.pixels.is_none()));
     }
 }

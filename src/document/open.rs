@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::file::{self, Format};
 use super::foreign::Foreign;
-use super::{Document, OpenError, Source, SourceKind, images, merge};
+use super::images::Pending;
+use super::{Document, OpenError, Source, SourceKind, merge};
 use crate::collada::{self, Progress};
 use crate::health::Finding;
 use crate::muscle::MuscleFile;
@@ -42,16 +43,23 @@ impl Document {
     /// [`OpenError`] for the first file that cannot be used.
     pub fn open_with<P: AsRef<Path>>(files: &[P], options: OpenOptions, progress: &Progress) -> Result<Self, OpenError> {
         let mut document = Self::default();
+        // Images have one budget, whatever file they belong to, so they wait for the last of these.
+        let mut images = Pending::default();
         for path in files {
-            document.add_file(path.as_ref(), options, progress)?;
+            document.add_file(path.as_ref(), &mut images, progress)?;
         }
-        document.add_named_clips(options, progress);
+        document.add_named_clips(&mut images, progress);
+        images.load(&mut document, options.images, progress);
+        if progress.is_cancelled() {
+            let name = files.last().map_or_else(String::new, |path| path.as_ref().display().to_string());
+            return Err(OpenError::whole(&name, tr!("document-cancelled")));
+        }
         document.place_muscles();
         Ok(document)
     }
 
     /// Opens the clips that muscle files name and that are not open yet. One that cannot be opened is a finding: the muscles are shown without it.
-    fn add_named_clips(&mut self, options: OpenOptions, progress: &Progress) {
+    fn add_named_clips(&mut self, images: &mut Pending, progress: &Progress) {
         for index in 0..self.sources.len() {
             let source = &self.sources[index];
             let SourceKind::Muscles(file, _) = &source.kind else { continue };
@@ -64,7 +72,7 @@ impl Document {
                 continue;
             }
             let name = source.name.clone();
-            if let Err(error) = self.add_file(&path, options, progress) {
+            if let Err(error) = self.add_file(&path, images, progress) {
                 let message = tr!("document-clip-not-opened", error = error.to_string());
                 let mut finding = Finding::warning("clip-not-opened", None, path.display().to_string(), message);
                 finding.file = name;
@@ -84,7 +92,7 @@ impl Document {
         opened.chain(clips).chain(images).collect()
     }
 
-    fn add_file(&mut self, path: &Path, options: OpenOptions, progress: &Progress) -> Result<(), OpenError> {
+    fn add_file(&mut self, path: &Path, images: &mut Pending, progress: &Progress) -> Result<(), OpenError> {
         let name = if path.as_os_str() == "-" { tr!("document-standard-input") } else { path.display().to_string() };
         let bytes = file::read(path, &name, limits::FILE_BYTES)?;
         if let Some(foreign) = Foreign::of(path, &bytes) {
@@ -95,25 +103,23 @@ impl Document {
             return Err(OpenError::whole(&name, tr!("document-too-large", limit = format.limit() >> 20)));
         }
         match format {
-            Format::Collada => self.add_collada(&bytes, &name, path, options, progress),
+            Format::Collada => self.add_collada(bytes, &name, path, images, progress),
             Format::Muscles => add_muscles(self, &bytes, &name, path),
         }
     }
 
-    fn add_collada(&mut self, bytes: &[u8], name: &str, path: &Path, options: OpenOptions, progress: &Progress) -> Result<(), OpenError> {
-        let mut loaded = collada::read(bytes, name, progress).map_err(|error| OpenError {
+    fn add_collada(&mut self, bytes: Vec<u8>, name: &str, path: &Path, images: &mut Pending, progress: &Progress) -> Result<(), OpenError> {
+        let mut loaded = collada::read(&bytes, name, progress).map_err(|error| OpenError {
             file: name.to_owned(),
             line: error.line,
             column: None,
             message: error.message,
         })?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        images::load(&mut loaded, folder, options.images, progress);
-        if progress.is_cancelled() {
-            return Err(OpenError::whole(name, tr!("document-cancelled")));
-        }
+        drop(bytes);
         let asset = loaded.asset.clone();
+        let (first, archived) = (self.scene.images.len(), std::mem::take(&mut loaded.archived));
         let root = merge::append(self, loaded, name);
+        images.add(name, path.parent().unwrap_or(Path::new("")), archived, first..self.scene.images.len());
         self.sources.push(Source { name: name.to_owned(), path: real_path(path), root, kind: SourceKind::Collada(asset) });
         Ok(())
     }

@@ -65,6 +65,10 @@ impl Texture {
             u32::from_be_bytes([a, r, g, b])
         };
         let full = pixels.width as usize * pixels.height as usize;
+        // The first level, then all levels. Where the system refuses so much, one white texel is drawn rather than the program ended.
+        if Vec::<u32>::new().try_reserve_exact(full.saturating_mul(3)).is_err() {
+            return Self::from_texels(Vec::new(), 0, 0, wrap);
+        }
         let mut texels: Vec<u32> = pixels.rgba.chunks_exact(4).take(full).map(texel).collect();
         // An image whose pixels are missing is white where they are.
         texels.resize(full, u32::MAX);

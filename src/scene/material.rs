@@ -214,6 +214,8 @@ pub struct Image {
     pub path: Option<PathBuf>,
     /// Whether it was found inside the document's own file.
     pub archived: bool,
+    /// Columns and rows of that file. The picture has fewer where the images of a document would take too much room.
+    pub size: Option<[u32; 2]>,
     /// The picture; `None` where it is missing or broken, and a neutral colour is drawn.
     pub pixels: Option<Arc<Pixels>>,
 }

@@ -237,7 +237,7 @@ fn encoded(scene: &Scene, (color, opacity): Picture, source: Option<AlphaSource>
 
 /// The file itself where it is PNG or JPEG, which every reader knows.
 fn as_it_stands(image: &Image) -> Option<(&'static str, Vec<u8>)> {
-    let (path, pixels) = (image.path.as_ref()?, image.pixels.as_ref()?);
+    let (path, size, _) = (image.path.as_ref()?, image.size?, image.pixels.as_ref()?);
     if std::fs::metadata(path).ok()?.len() > limits::IMAGE_BYTES {
         return None;
     }
@@ -248,8 +248,8 @@ fn as_it_stands(image: &Image) -> Option<(&'static str, Vec<u8>)> {
         _ => return None,
     };
     // A picture out of an archive has a path too, which may mean another file here.
-    let size = image::ImageReader::new(Cursor::new(&bytes)).with_guessed_format().ok()?.into_dimensions().ok()?;
-    (size == (pixels.width, pixels.height)).then_some((kind, bytes))
+    let found = image::ImageReader::new(Cursor::new(&bytes)).with_guessed_format().ok()?.into_dimensions().ok()?;
+    (size == <[u32; 2]>::from(found)).then_some((kind, bytes))
 }
 
 fn png(pixels: &Pixels) -> Option<(&'static str, Vec<u8>)> {
