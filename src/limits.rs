@@ -58,6 +58,10 @@ pub const ARCHIVE_BYTES_PER_BYTE: usize = 10;
 pub const BYTES_PER_NUMBER: usize = 12;
 /// Most nodes in a scene, instances counted.
 pub const NODES: usize = 1_000_000;
+/// What drawing the instances of a file takes at most, the first of each mesh not counted, bytes.
+pub const INSTANCES_BYTES: usize = 512 << 20;
+/// What converting a document to glTF takes at most beside the document, bytes.
+pub const CONVERTED_BYTES: usize = 1 << 30;
 /// Most nodes of one muscle.
 pub const MUSCLE_NODES: usize = 10_000;
 /// Most measured poses of one muscle.

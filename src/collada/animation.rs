@@ -35,6 +35,10 @@ pub fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip
         // What stands under `extra` means something to one program only.
         let is_extra = |element: El<'a>| element.ancestors().any(|above| above.tag_name().name() == "extra");
         for element in library.descendants().filter(|element| element.tag_name().name() == "channel" && !is_extra(*element)) {
+            // Each may move thousands of instances, which is looked up before it is known to be too much.
+            if context.is_spent() {
+                break;
+            }
             reader.channel(context, aims, element, &mut placed)?;
         }
     }

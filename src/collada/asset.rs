@@ -92,10 +92,11 @@ fn conversion(axis: &str, unit: f64) -> DMat4 {
 
 /// From an element's own unit and axes to those of the document, where an `asset` in it or around it says others. The unit and axis of an `asset` hold
 /// for everything in the element that it stands in (COLLADA 1.4.1, `unit`), the innermost first.
-pub fn space(context: &mut Context<'_>, document: &Asset, element: El<'_>) -> Option<DMat4> {
+pub fn space<'a>(context: &mut Context<'a>, document: &Asset, element: El<'a>) -> Option<DMat4> {
     let (mut axis, mut unit) = (None, None);
-    let inside = element.ancestors().take_while(|above| *above != context.root && above.is_element());
-    for asset in inside.filter_map(|above| child(above, "asset")).collect::<Vec<_>>() {
+    let root = context.root;
+    for around in element.ancestors().take_while(|around| *around != root && around.is_element()) {
+        let Some(asset) = context.asset_of(around) else { continue };
         let local = local(context, asset);
         (axis, unit) = (axis.or(local.axis), unit.or(local.unit));
     }

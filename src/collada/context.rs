@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use std::sync::atomic::Ordering;
 
 use glam::{DMat4, DVec3};
+use roxmltree::NodeId;
+use rustc_hash::FxHashMap;
 
 use super::ahead::Ahead;
 use super::bundle::normal;
@@ -15,7 +17,7 @@ use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
 use super::{El, Progress, ReadError, codes};
 use crate::scene::affine;
-use crate::tr;
+use crate::{limits, tr};
 
 /// The result of a step that may end the reading.
 pub type Step<T> = Result<T, ReadError>;
@@ -37,6 +39,9 @@ pub struct Context<'a> {
     budget: usize,
     said_budget: bool,
     said_comma: bool,
+    said_drawn: bool,
+    /// The `asset` of libraries that were asked for theirs.
+    assets: FxHashMap<NodeId, Option<NodeId>>,
 }
 
 impl<'a> Context<'a> {
@@ -62,6 +67,8 @@ impl<'a> Context<'a> {
             budget: parsed.budget,
             said_budget: false,
             said_comma: false,
+            said_drawn: false,
+            assets: FxHashMap::default(),
         }
     }
 
@@ -94,6 +101,27 @@ impl<'a> Context<'a> {
             self.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-reached"));
         }
         false
+    }
+
+    /// Whether references may make no more, since [`Context::spend`] once found too little left.
+    pub fn is_spent(&self) -> bool {
+        self.said_budget
+    }
+
+    /// Says once that instances are left out because drawing them would take too much.
+    pub fn say_once_drawn(&mut self, element: El<'_>) {
+        if !std::mem::replace(&mut self.said_drawn, true) {
+            self.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-drawn", limit = limits::INSTANCES_BYTES >> 20));
+        }
+    }
+
+    /// The `asset` right below an element. A library may have many thousands of children and is asked for each of them, so it is remembered.
+    pub fn asset_of(&mut self, element: El<'a>) -> Option<El<'a>> {
+        if !element.tag_name().name().starts_with("library_") {
+            return child(element, "asset");
+        }
+        let found = *self.assets.entry(element.id()).or_insert_with(|| child(element, "asset").map(|asset| asset.id()));
+        found.and_then(|id| element.document().get_node(id))
     }
 
     /// The element that `url` names, if its tag is one of `tags`; what doesn't lead there is reported at `from`.

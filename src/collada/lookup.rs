@@ -10,6 +10,9 @@ use roxmltree::NodeId;
 use super::El;
 use super::bundle::Paths;
 
+/// So many elements of one scoped id are looked at for the one that lies nearest; all but the strangest files have a handful.
+const NEAREST_OF: usize = 4_096;
+
 /// What a url names.
 #[derive(Debug, PartialEq, Eq)]
 pub enum Url<'a> {
@@ -40,6 +43,8 @@ pub struct Lookup<'a> {
     met: RefCell<HashSet<NodeId>>,
     /// All elements of one tag with an id that several elements have, in document order.
     repeats: HashMap<(Id<'a>, &'a str), Vec<NodeId>>,
+    /// The first child of an element with a scoped id.
+    children: HashMap<(NodeId, &'a str), NodeId>,
     /// Elements by scoped id, in document order.
     sids: HashMap<&'a str, Vec<NodeId>>,
     found: HashMap<(NodeId, String), Option<NodeId>>,
@@ -63,6 +68,7 @@ impl<'a> Lookup<'a> {
             ids: HashMap::new(),
             several: HashSet::new(),
             repeats: HashMap::new(),
+            children: HashMap::new(),
             sids: HashMap::new(),
             found: HashMap::new(),
         };
@@ -78,7 +84,12 @@ impl<'a> Lookup<'a> {
                 match attribute.name() {
                     "id" if range.start < extra_end => later.push(((lookup.document_of(element), attribute.value()), element.id())),
                     "id" => lookup.add((lookup.document_of(element), attribute.value()), element),
-                    "sid" => lookup.sids.entry(attribute.value()).or_default().push(element.id()),
+                    "sid" => {
+                        lookup.sids.entry(attribute.value()).or_default().push(element.id());
+                        if let Some(parent) = element.parent() {
+                            lookup.children.entry((parent.id(), attribute.value())).or_insert(element.id());
+                        }
+                    }
                     _ => {}
                 }
             }
@@ -239,8 +250,9 @@ impl<'a> Lookup<'a> {
 
     /// The element with scoped id `sid` that lies nearest below `element`, the first in document order among equals.
     pub fn by_sid(&mut self, element: El<'a>, sid: &str) -> Option<El<'a>> {
-        if let Some(child) = element.children().find(|child| child.attribute("sid") == Some(sid)) {
-            return Some(child);
+        let key: (NodeId, &str) = (element.id(), sid);
+        if let Some(child) = self.children.get(&key) {
+            return self.document.get_node(*child);
         }
         let key = (element.id(), sid.to_owned());
         if let Some(found) = self.found.get(&key) {
@@ -249,7 +261,7 @@ impl<'a> Lookup<'a> {
         let range = element.range();
         let all = self.sids.get(sid).map_or(&[][..], Vec::as_slice);
         let from = all.partition_point(|id| self.start(*id) <= range.start);
-        let below = all.get(from..).unwrap_or_default().iter().take_while(|id| self.start(**id) < range.end);
+        let below = all.get(from..).unwrap_or_default().iter().take(NEAREST_OF).take_while(|id| self.start(**id) < range.end);
         let nearest = below
             .filter_map(|id| self.document.get_node(*id))
             .min_by_key(|found| found.ancestors().take_while(|above| *above != element).count())

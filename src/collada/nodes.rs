@@ -1,6 +1,5 @@
 //! `library_visual_scenes` and `library_nodes`: the tree of nodes.
 
-use std::borrow::Cow;
 use std::collections::HashMap;
 
 use glam::{DMat4, DVec3};
@@ -39,6 +38,8 @@ pub struct Tree<'a> {
     sids: HashMap<&'a str, Vec<NodeId>>,
     ids: HashMap<&'a str, Vec<NodeId>>,
     names: HashMap<&'a str, Vec<NodeId>>,
+    /// Of names that several nodes have those that are joints, where some are and some are not.
+    joints: HashMap<(Key, &'a str), Vec<NodeId>>,
 }
 
 /// A piece of work while the tree is built: an element, and with `siblings` all that follow it. One entry stands for all children of a node, so that
@@ -139,6 +140,7 @@ impl<'a> Tree<'a> {
         let mut ops = transform(context, target)?;
         if let Some(space) = space {
             // In and out again, so that only this node's own lengths and directions are read in its unit and axes.
+            ops.reserve_exact(2);
             ops.insert(0, TransformOp::Matrix(space));
             ops.push(TransformOp::Matrix(space.inverse()));
         }
@@ -211,6 +213,20 @@ impl<'a> Tree<'a> {
                 *above = (*above).max(end);
             }
         }
+        self.index();
+        let mut joints = HashMap::new();
+        for (key, map) in [(Key::Sid, &self.sids), (Key::Id, &self.ids), (Key::Name, &self.names)] {
+            for (name, nodes) in map.iter().filter(|(_, nodes)| nodes.len() > 1) {
+                let only: Vec<NodeId> = nodes.iter().copied().filter(|node| self.is_joint(*node)).collect();
+                if !only.is_empty() && only.len() < nodes.len() {
+                    joints.insert((key, *name), only);
+                }
+            }
+        }
+        self.joints = joints;
+    }
+
+    fn index(&mut self) {
         for (index, element) in self.elements.iter().enumerate() {
             let Some(element) = element.filter(|element| element.tag_name().name() == "node") else { continue };
             let id = NodeId(index as u32);
@@ -253,18 +269,19 @@ impl<'a> Tree<'a> {
 
     /// The first node with scoped id `sid` at or below `root`.
     pub fn sid_below(&self, root: NodeId, sid: &str) -> Option<NodeId> {
-        self.below(root, self.sids.get(sid)?)
+        self.below(root, self.sids.get(sid)?, None)
     }
 
     /// The first node with this id at or below `root`.
     pub fn id_below(&self, root: NodeId, id: &str) -> Option<NodeId> {
-        self.below(root, self.ids.get(id)?)
+        self.below(root, self.ids.get(id)?, None)
     }
 
-    fn below(&self, root: NodeId, found: &[NodeId]) -> Option<NodeId> {
+    /// The first of `found`, which are in order, at or below `root`, but for `apart`.
+    fn below(&self, root: NodeId, found: &[NodeId], apart: Option<NodeId>) -> Option<NodeId> {
         let end = self.ends.get(root.index()).copied()?;
         let from = found.partition_point(|node| *node < root);
-        found.get(from).copied().filter(|node| node.0 < end)
+        found.get(from..)?.iter().copied().find(|node| Some(*node) != apart).filter(|node| node.0 < end)
     }
 
     /// The node with this sid, id or name anywhere but `apart`; where there are several a joint, and of these the one nearest to `near`.
@@ -274,14 +291,9 @@ impl<'a> Tree<'a> {
             Key::Id => &self.ids,
             Key::Name => &self.names,
         };
-        let mut found = Cow::from(map.get(name)?);
-        if found.iter().any(|node| Some(*node) == apart) {
-            found.to_mut().retain(|node| Some(*node) != apart);
-        }
-        if found.len() > 1 && found.iter().any(|node| self.is_joint(*node)) {
-            found.to_mut().retain(|node| self.is_joint(*node));
-        }
-        self.nearest(graph, near, &found)
+        let all = map.get(name)?.as_slice();
+        let joints = self.joints.get(&(key, name)).map(Vec::as_slice).filter(|joints| joints.iter().any(|node| Some(*node) != apart));
+        self.nearest_but(graph, near, joints.unwrap_or(all), apart)
     }
 
     /// Whether the file calls a node a joint.
@@ -296,20 +308,28 @@ impl<'a> Tree<'a> {
 
     /// Of several nodes the one whose way to `near` through a common parent starts lowest; the first among equals.
     pub fn nearest(&self, graph: &Graph, near: NodeId, found: &[NodeId]) -> Option<NodeId> {
-        let [_, _, ..] = found else { return found.first().copied() };
+        self.nearest_but(graph, near, found, None)
+    }
+
+    fn nearest_but(&self, graph: &Graph, near: NodeId, found: &[NodeId], apart: Option<NodeId>) -> Option<NodeId> {
+        let mut others = found.iter().copied().filter(|node| Some(*node) != apart);
+        let first = others.next()?;
+        if others.next().is_none() {
+            return Some(first);
+        }
         let mut above = Some(near);
         while let Some(root) = above {
-            if let Some(node) = self.below(root, found) {
+            if let Some(node) = self.below(root, found, apart) {
                 return Some(node);
             }
             above = graph.node(root).parent();
         }
-        found.first().copied()
+        Some(first)
     }
 }
 
 /// What a name is looked up as.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Key {
     /// A scoped id.
     Sid,
@@ -370,10 +390,14 @@ fn transform<'a>(context: &mut Context<'a>, node: El<'a>) -> Step<Vec<TransformO
     if node.tag_name().name() != "node" {
         return Ok(ops);
     }
-    for element in node.children().filter(|child| is_transform(child.tag_name().name())) {
-        if !context.spend(element, OP_BYTES) {
-            break;
-        }
+    let elements = || node.children().filter(|child| is_transform(child.tag_name().name()));
+    let count = elements().count();
+    if count > 0 && !context.spend(node, count * OP_BYTES) {
+        return Ok(ops);
+    }
+    // Most nodes have one, and a list that grows by itself begins with room for four.
+    ops.reserve_exact(count);
+    for element in elements() {
         let op = match element.tag_name().name() {
             "translate" => context.exactly(element)?.map(|by| TransformOp::Translate(vector(by))),
             "scale" => context.exactly(element)?.map(|by| TransformOp::Scale(vector(by))),

@@ -1,5 +1,7 @@
 //! What an animation channel moves: addresses such as `node/sid.X`, `node/sid(3)(0)`, `morph-weights(2)`.
 
+use std::cell::RefCell;
+
 use roxmltree::NodeId as ElementId;
 use rustc_hash::FxHashMap;
 
@@ -66,6 +68,8 @@ pub struct Aims<'s, 'a> {
     controllers: &'s Controllers<'a>,
     /// Morphs by every element that an address may name them by.
     morphs: FxHashMap<ElementId, MorphId>,
+    /// The place of each transform of the nodes that were looked at.
+    places: RefCell<FxHashMap<ElementId, u32>>,
 }
 
 impl<'s, 'a> Aims<'s, 'a> {
@@ -79,7 +83,7 @@ impl<'s, 'a> Aims<'s, 'a> {
                 morphs.entry(element.id()).or_insert(id);
             }
         }
-        Self { tree, materials, lights, controllers, morphs }
+        Self { tree, materials, lights, controllers, morphs, places: RefCell::default() }
     }
 
     /// What `address` names in the document of `from`.
@@ -187,8 +191,14 @@ impl<'s, 'a> Aims<'s, 'a> {
     }
 
     fn transform(&self, node: El<'a>, element: El<'a>, member: &Member) -> Result<Aim, Miss> {
-        let place = node.children().filter(|child| is_transform(child.tag_name().name())).position(|child| child == element);
-        let place = place.ok_or(Miss::Unknown)? as u32;
+        let known = self.places.borrow().get(&element.id()).copied();
+        let place = known.or_else(|| {
+            let mut places = self.places.borrow_mut();
+            let transforms = node.children().filter(|child| is_transform(child.tag_name().name()));
+            places.extend(transforms.map(|child| child.id()).zip(0..));
+            places.get(&element.id()).copied()
+        });
+        let place = place.ok_or(Miss::Unknown)?;
         let tag = element.tag_name().name();
         let size = match tag {
             "matrix" => 16,

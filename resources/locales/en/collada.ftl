@@ -81,6 +81,7 @@ collada-unsupported-element = <{ $element }> is not shown: kinematics and formul
 collada-limit-nodes = The scene has more than { $nodes } nodes or is more than { $depth } levels deep; the rest is left out.
 collada-morph-depth = Morph targets are made from one another in more than { $limit } steps; the rest is left out.
 collada-limit-reached = The scene grows too large for the file’s size; the rest is left out.
+collada-limit-drawn = Drawing all instances would take more than { $limit } MB; the rest is left out.
 collada-joint-not-found = { $count ->
     [one] The joint “{ $first }” is not in the scene; it stays in its bind pose.
    *[other] { $count } joints are not in the scene, the first is “{ $first }”; they stay in their bind pose.
