@@ -59,7 +59,7 @@ fn skinned(root: DMat4, node: DMat4, bind_shape: DMat4, joints: &[(DMat4, DMat4)
     scene.skins.push(skin);
     scene.meshes.push(Arc::new(mesh));
     let deformers = vec![Deformer::Skin { skin: SkinId(0), joints: bones }];
-    let instance = MeshInstance { mesh: MeshId(0), deformers, materials: vec![None], skinned_targets: Vec::new() };
+    let instance = MeshInstance { mesh: MeshId(0), deformers, materials: vec![None].into(), skinned_targets: Vec::new() };
     let holder = Node::new("holder").with_transform(Transform::from_matrix(node)).with_content(Content::Mesh(instance));
     let node = scene.graph.add(Some(top), holder);
     Skinned { document: document(scene), node }
@@ -189,7 +189,7 @@ fn morphs_add_their_weighted_deltas_and_get_new_normals() {
     scene.morphs.push(Morph { targets: vec![target], weights: vec![0.5], ..Morph::default() });
     scene.meshes.push(Arc::new(mesh));
     let instance =
-        MeshInstance { mesh: MeshId(0), deformers: vec![Deformer::Morph(MorphId(0))], materials: vec![None], skinned_targets: Vec::new() };
+        MeshInstance { mesh: MeshId(0), deformers: vec![Deformer::Morph(MorphId(0))], materials: vec![None].into(), skinned_targets: Vec::new() };
     let transform = Transform::from_translation(DVec3::Y);
     scene.graph.add(None, Node::new("face").with_transform(transform).with_content(Content::Mesh(instance)));
     let (positions, normals) = deformed(&document(scene), &PoseState::default());
@@ -204,7 +204,7 @@ fn morphs_add_their_weighted_deltas_and_get_new_normals() {
 fn the_model_matrix_moves_everything_and_the_bounds_follow() {
     let mut scene = Scene::default();
     scene.meshes.push(Arc::new(sheet(3)));
-    let instance = MeshInstance { mesh: MeshId(0), deformers: vec![], materials: vec![None], skinned_targets: Vec::new() };
+    let instance = MeshInstance { mesh: MeshId(0), deformers: vec![], materials: vec![None].into(), skinned_targets: Vec::new() };
     scene.graph.add(None, Node::new("sheet").with_content(Content::Mesh(instance)));
     let document = document(scene);
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());

@@ -40,7 +40,7 @@ pub struct Context<'a> {
     said_budget: bool,
     said_comma: bool,
     said_drawn: bool,
-    /// The `asset` of libraries that were asked for theirs.
+    /// The `asset` of elements that were asked for theirs.
     assets: FxHashMap<NodeId, Option<NodeId>>,
 }
 
@@ -115,11 +115,8 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// The `asset` right below an element. A library may have many thousands of children and is asked for each of them, so it is remembered.
+    /// The `asset` right below an element. A library or node may have many thousands of children and is asked for each of them, so it is remembered.
     pub fn asset_of(&mut self, element: El<'a>) -> Option<El<'a>> {
-        if !element.tag_name().name().starts_with("library_") {
-            return child(element, "asset");
-        }
         let found = *self.assets.entry(element.id()).or_insert_with(|| child(element, "asset").map(|asset| asset.id()));
         found.and_then(|id| element.document().get_node(id))
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::DMat4;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::bind_pose::Bound;
 use super::context::{Context, Step, child, children, text_of};
@@ -13,13 +14,47 @@ use super::material::Materials;
 use super::nodes::{Instance, Tree};
 use super::skin::JointFinder;
 use super::{Asset, El, codes};
-use crate::scene::{Content, Deformer, MaterialBinding, Mesh, MeshInstance, NodeId, NodeKind, Scene, SkinId, SkinnedTarget};
-use crate::tr;
+use crate::scene::{
+    Content, Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, NodeId, NodeKind, Part, Scene, SkinId, SkinnedTarget,
+};
+use crate::{limits, tr};
 
 /// What a binding of one part or joint takes, roughly, for the budget.
 const BINDING_BYTES: usize = 64;
 /// What one thing on a node takes, roughly.
 const CONTENT_BYTES: usize = 256;
+/// What drawing an instance takes: for each part, each triangle, each vertex as it is, each vertex that is deformed, each joint.
+const PART_BYTES: usize = 4_096;
+const TRIANGLE_BYTES: usize = 16;
+const VERTEX_BYTES: usize = 48;
+const DEFORMED_BYTES: usize = 96;
+const JOINT_BYTES: usize = 256;
+
+/// What an instance binds: a symbol, and the material that it means.
+type Bindings<'a> = Vec<(&'a str, Option<MaterialBinding>)>;
+
+/// The materials of the parts of a mesh, and the first symbol that is bound to nothing.
+#[derive(Clone)]
+struct Dressed {
+    materials: Arc<[Option<MaterialBinding>]>,
+    unbound: Option<String>,
+}
+
+/// What instances have in common and what is left for them.
+pub struct Sharing<'a> {
+    /// Materials of the parts of a mesh, by what is bound.
+    dressed: FxHashMap<(MeshId, Bindings<'a>), Dressed>,
+    /// Meshes that hang somewhere.
+    hung: FxHashSet<MeshId>,
+    /// Bytes that drawing further instances may take.
+    left: usize,
+}
+
+impl Default for Sharing<'_> {
+    fn default() -> Self {
+        Self { dressed: FxHashMap::default(), hung: FxHashSet::default(), left: limits::INSTANCES_BYTES }
+    }
+}
 
 /// Everything that instances refer to.
 pub struct Libraries<'s, 'a> {
@@ -37,6 +72,8 @@ pub struct Libraries<'s, 'a> {
     pub asset: &'s Asset,
     /// Where the nodes are at rest, in the document's own unit and axes.
     pub rest: Vec<DMat4>,
+    /// What instances share.
+    pub sharing: Sharing<'a>,
 }
 
 impl<'a> Libraries<'_, 'a> {
@@ -51,11 +88,42 @@ impl<'a> Libraries<'_, 'a> {
             if !context.spend(instance.element, CONTENT_BYTES) {
                 break;
             }
-            if let Some(content) = self.content(context, scene, instance)? {
-                scene.graph.node_mut(instance.node).contents.push(content);
+            if let Some(content) = self.content(context, scene, instance)?
+                && self.may_be_drawn(context, scene, instance.element, &content)
+            {
+                let contents = &mut scene.graph.node_mut(instance.node).contents;
+                // Most nodes hold one thing.
+                if contents.is_empty() {
+                    contents.reserve_exact(1);
+                }
+                contents.push(content);
             }
         }
         Ok(())
+    }
+
+    /// Takes what drawing an instance will need from what is left. The first of each mesh costs the file enough by itself.
+    fn may_be_drawn(&mut self, context: &mut Context<'a>, scene: &Scene, element: El<'a>, content: &Content) -> bool {
+        let Content::Mesh(instance) = content else { return true };
+        let Some(mesh) = scene.meshes.get(instance.mesh.index()) else { return true };
+        if self.sharing.hung.insert(instance.mesh) {
+            return true;
+        }
+        let joints: usize =
+            instance.deformers.iter().map(|deformer| if let Deformer::Skin { joints, .. } = deformer { joints.len() } else { 0 }).sum();
+        let vertex = if instance.deformers.is_empty() { VERTEX_BYTES } else { DEFORMED_BYTES };
+        let bytes =
+            mesh.parts.len() * PART_BYTES + mesh.triangles.len() * TRIANGLE_BYTES + mesh.positions.len() * vertex + joints * JOINT_BYTES;
+        match self.sharing.left.checked_sub(bytes) {
+            Some(left) => {
+                self.sharing.left = left;
+                true
+            }
+            None => {
+                context.say_once_drawn(element);
+                false
+            }
+        }
     }
 
     fn content(&mut self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>) -> Step<Option<Content>> {
@@ -184,7 +252,7 @@ impl<'a> Libraries<'_, 'a> {
 
     /// A mesh with its materials.
     fn dressed(
-        &self,
+        &mut self,
         context: &mut Context<'a>,
         scene: &Scene,
         element: El<'a>,
@@ -194,13 +262,33 @@ impl<'a> Libraries<'_, 'a> {
         let bindings = self.bindings(context, element, placed);
         let mesh: Option<&Arc<Mesh>> = scene.meshes.get(placed.mesh.index());
         let parts = mesh.map_or(&[][..], |mesh| &mesh.parts);
+        let key = (placed.mesh, bindings);
+        let dressed = match self.sharing.dressed.get(&key) {
+            Some(known) => known.clone(),
+            None => self.dress(context, scene, element, parts, key),
+        };
+        if let Some(first) = dressed.unbound {
+            let message = tr!("collada-unbound-material", symbol = super::context::shortened(&first));
+            context.report.note(element, codes::UNBOUND_MATERIAL, message);
+        }
+        MeshInstance { mesh: placed.mesh, deformers, materials: dressed.materials, skinned_targets: Vec::new() }
+    }
+
+    /// The materials of `parts` of a mesh, on which this is bound.
+    fn dress(&mut self, context: &mut Context<'a>, scene: &Scene, element: El<'a>, parts: &[Part], key: (MeshId, Bindings<'a>)) -> Dressed {
+        let bindings = &key.1;
+        let mut bound: FxHashMap<&str, &Option<MaterialBinding>> = FxHashMap::default();
+        for (symbol, binding) in bindings {
+            bound.entry(symbol).or_insert(binding);
+        }
         let mut materials = Vec::new();
-        let mut unbound = Vec::new();
+        let (mut unbound, mut whole) = (None, true);
         for part in parts {
             if !context.spend(element, BINDING_BYTES) {
+                whole = false;
                 break;
             }
-            let bound = bindings.iter().find(|(symbol, _)| *symbol == part.symbol).map(|(_, binding)| binding.clone());
+            let bound = bound.get(part.symbol.as_str()).map(|binding| (*binding).clone());
             let direct = || {
                 let material = context.lookup.by_id(element, &part.symbol, &["material"])?;
                 self.materials.of(material).map(MaterialBinding::plain)
@@ -211,7 +299,7 @@ impl<'a> Libraries<'_, 'a> {
                 None if !part.symbol.is_empty() => {
                     let direct = direct();
                     if direct.is_none() && !scene.materials.is_empty() {
-                        unbound.push(part.symbol.as_str());
+                        unbound.get_or_insert(part.symbol.as_str());
                     }
                     direct
                 }
@@ -220,15 +308,15 @@ impl<'a> Libraries<'_, 'a> {
             materials.push(material);
         }
         materials.resize(parts.len(), None);
-        if let Some(first) = unbound.first() {
-            let message = tr!("collada-unbound-material", symbol = super::context::shortened(first));
-            context.report.note(element, codes::UNBOUND_MATERIAL, message);
+        let dressed = Dressed { materials: materials.into(), unbound: unbound.map(ToOwned::to_owned) };
+        if whole && context.spend(element, 2 * BINDING_BYTES * (bindings.len() + 1)) {
+            self.sharing.dressed.insert(key, dressed.clone());
         }
-        MeshInstance { mesh: placed.mesh, deformers, materials, skinned_targets: Vec::new() }
+        dressed
     }
 
     /// What an instance binds: symbol to material with its sets of texture coordinates.
-    fn bindings(&self, context: &mut Context<'a>, element: El<'a>, placed: &Placed) -> Vec<(&'a str, Option<MaterialBinding>)> {
+    fn bindings(&self, context: &mut Context<'a>, element: El<'a>, placed: &Placed) -> Bindings<'a> {
         let common = child(element, "bind_material").and_then(|bind| child(bind, "technique_common"));
         let Some(common) = common else { return Vec::new() };
         let mut bindings = Vec::new();

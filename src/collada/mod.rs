@@ -63,7 +63,7 @@ use context::Context;
 use controller::Controllers;
 use geometry::Geometries;
 use image::Images;
-use instances::Libraries;
+use instances::{Libraries, Sharing};
 use light_camera::LightsAndCameras;
 use material::Materials;
 use nodes::Tree;
@@ -206,6 +206,7 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
         tree: &tree,
         asset: &asset,
         rest: bind_pose::rest(&scene.graph),
+        sharing: Sharing::default(),
     };
     libraries.hang_all(context, &mut scene)?;
     drop(geometries);

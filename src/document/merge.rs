@@ -1,11 +1,18 @@
 //! Puts a loaded file beside what is already open: every id moves up by the number of things before it.
 
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+
 use super::Document;
 use crate::animation::{Channel, Clip, Target};
 use crate::collada::Loaded;
 use crate::scene::{
     CameraId, Content, Deformer, ImageId, LightId, Material, MaterialBinding, MaterialId, MeshId, MorphId, NodeId, Scene, SkinId,
 };
+
+/// Materials of the parts of an instance.
+type Bound = Arc<[Option<MaterialBinding>]>;
 
 /// How far each kind of id moves.
 struct Shift {
@@ -37,13 +44,18 @@ impl Shift {
         NodeId(id.0 + self.node)
     }
 
-    fn content(&self, content: &mut Content) {
+    /// `moved`: lists of materials that instances share, by their address before, with what becomes of them.
+    fn content(&self, content: &mut Content, moved: &mut FxHashMap<*const Option<MaterialBinding>, (Bound, Bound)>) {
         match content {
             Content::Mesh(instance) => {
                 instance.mesh = MeshId(instance.mesh.0 + self.mesh);
-                for binding in instance.materials.iter_mut().flatten() {
-                    self.binding(binding);
-                }
+                let (_, materials) = moved.entry(instance.materials.as_ptr()).or_insert_with(|| {
+                    let mut materials = instance.materials.to_vec();
+                    materials.iter_mut().flatten().for_each(|binding| self.binding(binding));
+                    // The old list is kept, so that its address stays its own.
+                    (Arc::clone(&instance.materials), materials.into())
+                });
+                instance.materials = Arc::clone(materials);
                 for deformer in &mut instance.deformers {
                     match deformer {
                         Deformer::Morph(morph) => *morph = MorphId(morph.0 + self.morph),
@@ -93,13 +105,23 @@ impl Shift {
 /// Appends `loaded` to the document and returns its root node.
 pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Option<NodeId> {
     let Loaded { mut scene, clips, findings, .. } = loaded;
+    document.health.extend(findings.into_iter().map(|mut finding| {
+        name.clone_into(&mut finding.file);
+        finding
+    }));
+    if is_empty(&document.scene) && document.clips.is_empty() {
+        // The first one stays as it is, and is not held twice on the way.
+        let root = scene.graph.roots().first().copied();
+        (document.scene, document.clips) = (scene, clips);
+        return root;
+    }
     let shift = Shift::past(&document.scene);
     let root = scene.graph.roots().first().map(|root| shift.node(*root));
     let into = &mut document.scene;
-    for (_, node) in scene.graph.iter() {
-        let (parent, mut node) = (node.parent().map(|parent| shift.node(parent)), node.clone());
-        node.contents.iter_mut().for_each(|content| shift.content(content));
-        into.graph.add(parent, node);
+    let mut moved = FxHashMap::default();
+    for (parent, mut node) in std::mem::take(&mut scene.graph).into_nodes() {
+        node.contents.iter_mut().for_each(|content| shift.content(content, &mut moved));
+        into.graph.add(parent.map(|parent| shift.node(parent)), node);
     }
     scene.materials.iter_mut().for_each(|material| shift.material(material));
     into.meshes.append(&mut scene.meshes);
@@ -109,7 +131,7 @@ pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Opt
     into.images.append(&mut scene.images);
     into.lights.append(&mut scene.lights);
     into.cameras.append(&mut scene.cameras);
-    document.clips.extend(clips.into_iter().map(|clip| moved(clip, &shift)));
+    document.clips.extend(clips.into_iter().map(|clip| later(clip, &shift)));
     document.health.extend(findings.into_iter().map(|mut finding| {
         // A document inside an archive is named behind it.
         finding.file = if finding.file.is_empty() { name.to_owned() } else { format!("{name}/{}", finding.file) };
@@ -118,7 +140,11 @@ pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Opt
     root
 }
 
-fn moved(clip: Clip, shift: &Shift) -> Clip {
+fn is_empty(scene: &Scene) -> bool {
+    scene.graph.is_empty() && scene.meshes.is_empty() && scene.materials.is_empty() && scene.images.is_empty()
+}
+
+fn later(clip: Clip, shift: &Shift) -> Clip {
     let channels = clip.channels.into_iter().map(|Channel { mut target, curve }| {
         shift.target(&mut target);
         Channel { target, curve }

@@ -234,7 +234,7 @@ impl Document {
                             (Plan::Bent(Box::new(Bender::new(&self.scene, instance, mesh))), deformed())
                         };
                         buffers.plans.push(plan);
-                        frame.surfaces.push(blank(Arc::clone(mesh), instance.materials.as_slice().into(), placement, None));
+                        frame.surfaces.push(blank(Arc::clone(mesh), Arc::clone(&instance.materials), placement, None));
                     }
                     Content::Muscle(muscle) => {
                         let Some((rig, index)) = self.muscle(*muscle) else { continue };

@@ -14,7 +14,7 @@ pub fn hang(scene: &mut Scene, node: NodeId, mesh: Mesh, material: MaterialId) {
     let id = MeshId(scene.meshes.len() as u32);
     let materials = vec![Some(MaterialBinding::plain(material)); mesh.parts.len()];
     scene.meshes.push(Arc::new(mesh));
-    let instance = MeshInstance { mesh: id, deformers: Vec::new(), materials, skinned_targets: Vec::new() };
+    let instance = MeshInstance { mesh: id, deformers: Vec::new(), materials: materials.into(), skinned_targets: Vec::new() };
     scene.graph.node_mut(node).contents.push(Content::Mesh(instance));
 }
 

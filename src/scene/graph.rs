@@ -151,6 +151,11 @@ impl Graph {
         &mut self.nodes[id.index()]
     }
 
+    /// All nodes, each with its parent, parents before children.
+    pub fn into_nodes(self) -> impl ExactSizeIterator<Item = (Option<NodeId>, Node)> {
+        self.nodes.into_iter().map(|node| (node.parent, node))
+    }
+
     /// All nodes with their ids, parents before children.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = (NodeId, &Node)> {
         self.nodes.iter().enumerate().map(|(i, node)| (NodeId(i as u32), node))

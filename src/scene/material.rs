@@ -168,7 +168,7 @@ impl Material {
 }
 
 /// A material on a part of an instance.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct MaterialBinding {
     /// The material.
     pub material: MaterialId,

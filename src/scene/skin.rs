@@ -1,5 +1,7 @@
 //! What bends a mesh: skins and morphs, and an instance that puts them on it.
 
+use std::sync::Arc;
+
 use glam::{DMat4, Vec3};
 
 use super::{MaterialBinding, MeshId, MorphId, NodeId, SkinId};
@@ -134,8 +136,8 @@ pub struct MeshInstance {
     pub deformers: Vec<Deformer>,
     /// Targets of these morphs that have skins of their own.
     pub skinned_targets: Vec<SkinnedTarget>,
-    /// One a part of the mesh; `None` where the file binds nothing.
-    pub materials: Vec<Option<MaterialBinding>>,
+    /// One a part of the mesh; `None` where the file binds nothing. Instances that bind the same share one list.
+    pub materials: Arc<[Option<MaterialBinding>]>,
 }
 
 impl MeshInstance {

@@ -219,7 +219,7 @@ fn materials_are_bound_by_symbol_and_two_on_one_mesh_stay_apart() {
 #[test]
 fn what_is_not_bound_is_none_or_meant_directly() {
     let unbound = load(&painted("", "<lambert/>").replace("symbol=\"s\"", "symbol=\"z\""));
-    assert_eq!((codes(&unbound), instances(&unbound)[0].1.materials.clone()), (vec!["unbound-material"], vec![None]));
+    assert_eq!((codes(&unbound), instances(&unbound)[0].1.materials.to_vec()), (vec!["unbound-material"], vec![None]));
     let direct = load_clean(&painted("", "<lambert/>").replace("symbol=\"s\"", "symbol=\"z\"").replace("material=\"s\"", "material=\"m\""));
     assert_eq!(material(&direct).name, "paint");
 }

@@ -210,7 +210,7 @@ pub fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
     }
     world.scene.skins.push(skin);
     let deformers = vec![Deformer::Skin { skin: sinew::scene::SkinId(0), joints: vec![Some(joints[0]), Some(joints[1])] }];
-    let instance = MeshInstance { mesh: sinew::scene::MeshId(0), deformers, materials: vec![None], skinned_targets: Vec::new() };
+    let instance = MeshInstance { mesh: sinew::scene::MeshId(0), deformers, materials: vec![None].into(), skinned_targets: Vec::new() };
     let node = world.scene.graph.add(None, Node::new("skin").with_content(Content::Mesh(instance)));
     world.frame.world.push(DMat4::IDENTITY);
     world.frame.bounds.merge(&Bounds::of(positions.iter().copied()));

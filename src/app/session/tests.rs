@@ -302,7 +302,7 @@ pub(super) fn swinging() -> Document {
         ..Mesh::default()
     };
     document.scene.meshes.push(Arc::new(mesh));
-    let instance = MeshInstance { mesh: MeshId(0), deformers: Vec::new(), materials: vec![None], skinned_targets: Vec::new() };
+    let instance = MeshInstance { mesh: MeshId(0), deformers: Vec::new(), materials: vec![None].into(), skinned_targets: Vec::new() };
     document.scene.graph.node_mut(arm).contents.push(Content::Mesh(instance));
     let keys = Keys { times: vec![0.0, 0.5, 1.0], dimension: 1, values: vec![0.0, 60.0, 90.0], ..Keys::default() };
     let target = Target::Transform { node: arm, op: 0, lane: Lane::Component(3) };
