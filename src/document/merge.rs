@@ -106,7 +106,8 @@ impl Shift {
 pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Option<NodeId> {
     let Loaded { mut scene, clips, findings, .. } = loaded;
     document.health.extend(findings.into_iter().map(|mut finding| {
-        name.clone_into(&mut finding.file);
+        // A document inside an archive is named behind it.
+        finding.file = if finding.file.is_empty() { name.to_owned() } else { format!("{name}/{}", finding.file) };
         finding
     }));
     if is_empty(&document.scene) && document.clips.is_empty() {
@@ -132,11 +133,6 @@ pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Opt
     into.lights.append(&mut scene.lights);
     into.cameras.append(&mut scene.cameras);
     document.clips.extend(clips.into_iter().map(|clip| later(clip, &shift)));
-    document.health.extend(findings.into_iter().map(|mut finding| {
-        // A document inside an archive is named behind it.
-        finding.file = if finding.file.is_empty() { name.to_owned() } else { format!("{name}/{}", finding.file) };
-        finding
-    }));
     root
 }
 

@@ -26,7 +26,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::plot::PlotError;
-use crate::tr;
+use crate::{limits, tr};
 
 /// Why a file could not be written. Displays as one line: `file: what`.
 #[derive(Debug, thiserror::Error)]
@@ -58,6 +58,12 @@ pub enum ExportError {
         file: PathBuf,
         /// The longest side that the format can hold, pixels.
         limit: u32,
+    },
+    /// Converting the document would take more memory than [`limits::CONVERTED_BYTES`].
+    #[error("{}: {}", .file.display(), tr!("export-too-much", limit = limits::CONVERTED_BYTES >> 20))]
+    TooMuch {
+        /// The file that was to be written.
+        file: PathBuf,
     },
     /// Somebody asked to stop.
     #[error("{}", tr!("export-cancelled"))]

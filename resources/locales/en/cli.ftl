@@ -224,6 +224,7 @@ cli-compare-explained = The measured radii do not keep their volume: it differs 
 export-not-written = The file could not be written: { $reason }
 export-not-a-file = This is a folder or a device; choose a file name for the result.
 export-held = This file is open or belongs to what is open, and a result never replaces it; choose another name.
+export-too-much = Converting this document would take more than { NUMBER($limit, useGrouping: 0) } MB; nothing was written.
 export-too-large = This format holds at most { NUMBER($limit, useGrouping: 0) } pixels a side.
 export-io-not-found = the folder does not exist.
 export-io-denied = you may not write in this folder.

@@ -2,11 +2,16 @@
 
 use serde_json::{Value, json};
 
+use crate::limits;
+
 /// Component types of accessors, by their numbers in the format.
 const BYTE: u32 = 5121;
 const SHORT: u32 = 5123;
 const INT: u32 = 5125;
 const FLOAT: u32 = 5126;
+
+/// What an entry of the JSON takes while it is put together, roughly, bytes.
+pub(super) const ENTRY: usize = 1_024;
 
 /// What a view is for, where the format wants it said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,11 +30,24 @@ pub(super) struct Buffer {
     pub bytes: Vec<u8>,
     pub views: Vec<Value>,
     pub accessors: Vec<Value>,
+    /// Bytes that everything besides takes: entries of the JSON, and what is only looked at.
+    spent: usize,
 }
 
 impl Buffer {
+    /// Counts what is about to be made, bytes.
+    pub fn spend(&mut self, bytes: usize) {
+        self.spent = self.spent.saturating_add(bytes);
+    }
+
+    /// Whether the document takes more than converting may.
+    pub fn is_full(&self) -> bool {
+        self.spent.saturating_add(self.bytes.len()) > limits::CONVERTED_BYTES
+    }
+
     /// Adds bytes that begin at a multiple of four; returns the view.
     pub fn view(&mut self, usage: Usage, stride: Option<usize>, fill: impl FnOnce(&mut Vec<u8>)) -> usize {
+        self.spend(ENTRY);
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         let start = self.bytes.len();
         fill(&mut self.bytes);
@@ -47,6 +65,7 @@ impl Buffer {
     }
 
     fn accessor(&mut self, view: usize, component: u32, count: usize, shape: &str) -> usize {
+        self.spend(ENTRY);
         self.accessors.push(json!({"bufferView": view, "componentType": component, "count": count, "type": shape}));
         self.accessors.len() - 1
     }

@@ -35,12 +35,13 @@ pub(super) struct Moment {
     pub written: f32,
 }
 
-/// The moments of `times` (ascending), with one just before each of `jumps`, where the value leaps. `shift` is added to what is written.
+/// The moments of `times` (ascending), with one just before each of `jumps` (ascending too), where the value leaps. `shift` is added to what is written.
 pub(super) fn moments(times: &[f64], jumps: &[f64], shift: f64) -> Vec<Moment> {
     let mut found: Vec<Moment> = Vec::new();
     for &at in times {
         let written = (at + shift) as f32;
-        if jumps.contains(&at) && !found.is_empty() {
+        let leaps = jumps.binary_search_by(|jump| jump.partial_cmp(&at).unwrap_or(std::cmp::Ordering::Less)).is_ok();
+        if leaps && !found.is_empty() {
             let before = Moment { at: at.next_down(), written: written.next_down() };
             if found.last().is_some_and(|last| last.written < before.written) {
                 found.push(before);

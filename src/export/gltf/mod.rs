@@ -20,10 +20,10 @@ pub use loss::Loss;
 use std::path::Path;
 
 use glam::{DMat4, Vec3};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use serde_json::{Value, json};
 
-use self::buffer::Buffer;
+use self::buffer::{Buffer, ENTRY};
 use self::materials::Materials;
 use self::muscles::Muscles;
 use self::placing::Placing;
@@ -32,6 +32,7 @@ use self::takes::{Animation, Stage, Take, Weights};
 use super::ExportError;
 use super::atomic::{self, Pending};
 use super::guard::Output;
+use crate::animation::Pose;
 use crate::document::{Document, PoseBuffers};
 use crate::scene::{Content, Deformer, Frame, LightKind, Mesh, MeshInstance, MorphId, NodeId, Placement, Projection};
 
@@ -62,7 +63,8 @@ impl Form {
 /// Writes the document to `file`, whole or not at all, and tells what the format could not hold.
 ///
 /// # Errors
-/// [`ExportError`] where the file cannot be written, or would be larger than the 4 GiB that the binary form can be.
+/// [`ExportError`] where the file cannot be written, where converting would take more than [`crate::limits::CONVERTED_BYTES`], or where the file would be larger
+/// than the 4 GiB that the binary form can be.
 pub fn save(file: &Output, form: Form, document: &Document) -> Result<Vec<Loss>, ExportError> {
     let (pending, losses) = prepare(file, form, document)?;
     pending.put_in_place()?;
@@ -74,7 +76,7 @@ pub fn save(file: &Output, form: Form, document: &Document) -> Result<Vec<Loss>,
 /// # Errors
 /// As [`save`].
 pub fn prepare(file: &Output, form: Form, document: &Document) -> Result<(Pending, Vec<Loss>), ExportError> {
-    let (mut root, bytes, losses) = Writer::new(document).write();
+    let (mut root, bytes, losses) = Writer::new(document).write().ok_or_else(|| ExportError::TooMuch { file: file.file().to_owned() })?;
     let pending = atomic::prepare(file, |out| match form {
         Form::Binary => container::binary(out, &root, &bytes),
         Form::Text => container::text(out, &mut root, &bytes),
@@ -82,9 +84,9 @@ pub fn prepare(file: &Output, form: Form, document: &Document) -> Result<(Pendin
     Ok((pending, losses))
 }
 
-/// What the format could not hold of the document, with nothing written.
+/// What the format could not hold of the document, with nothing written; nothing either where the document cannot be converted.
 pub fn losses(document: &Document) -> Vec<Loss> {
-    Writer::new(document).write().2
+    Writer::new(document).write().map(|(_, _, losses)| losses).unwrap_or_default()
 }
 
 /// What a file is put together from.
@@ -102,7 +104,7 @@ struct Writer<'a> {
     lights: Vec<Value>,
     cameras: Vec<Value>,
     /// Nodes with a skin that mirrors at the start.
-    mirrored: Vec<NodeId>,
+    mirrored: FxHashSet<NodeId>,
     /// Surfaces that the format cannot bend, as they stand at the start: by node and place among its contents.
     still: FxHashMap<(NodeId, usize), (Vec<Vec3>, Vec<Vec3>)>,
     /// Written nodes with morphs.
@@ -123,14 +125,15 @@ impl<'a> Writer<'a> {
             roots: Vec::new(),
             lights: Vec::new(),
             cameras: Vec::new(),
-            mirrored: Vec::new(),
+            mirrored: FxHashSet::default(),
             still: FxHashMap::default(),
             morphed: Vec::new(),
             losses: Vec::new(),
         }
     }
 
-    fn write(mut self) -> (Value, Vec<u8>, Vec<Loss>) {
+    /// The JSON, the buffer and what got lost; `None` where the document would take more than converting may.
+    fn write(mut self) -> Option<(Value, Vec<u8>, Vec<Loss>)> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose(&self.document.start_state(), &mut buffers, &mut frame);
         let length = f64::from(frame.bounds.diagonal()) * ERROR;
@@ -143,16 +146,21 @@ impl<'a> Writer<'a> {
                 self.still.insert((surface.node, surface.content as usize), (positions.clone(), normals.clone()));
             }
         }
+        drop((buffers, frame.surfaces));
         self.write_nodes();
-        self.write_contents();
+        self.write_contents()?;
         let takes = Take::all(self.document);
         let mut animations: Vec<Animation> = takes.iter().map(|_| Animation::default()).collect();
         let scales = self.scales(&frame.world);
         let nodes: Vec<(usize, Placing)> = self.places.iter().map(|place| place.0).zip(self.rest.iter().copied()).collect();
         let stage = Stage { document: self.document, nodes: &nodes, length, scales: &scales };
+        let mut pose = Pose::rest(&self.document.scene);
         for (take, animation) in takes.iter().zip(&mut animations) {
-            stage.write(take, animation, &mut self.buffer, &mut self.losses);
+            stage.write(take, &mut pose, animation, &mut self.buffer, &mut self.losses);
             for (node, morphs) in &self.morphed {
+                if self.buffer.is_full() {
+                    return None;
+                }
                 Weights { node: *node, morphs }.write(self.document, take, animation, &mut self.buffer);
             }
         }
@@ -172,11 +180,14 @@ impl<'a> Writer<'a> {
                 None => self.roots.push(node),
             }
         }
+        if self.buffer.is_full() {
+            return None;
+        }
         // One thing may be met in several clips or on several meshes; it is told once, where it was first met.
-        let mut told = rustc_hash::FxHashSet::default();
+        let mut told = FxHashSet::default();
         self.losses.retain(|loss| told.insert(loss.clone()));
         let animations = takes.iter().zip(animations).filter_map(|(take, animation)| animation.value(take)).collect();
-        self.put_together(animations)
+        Some(self.put_together(animations))
     }
 
     /// World scale above each node, the cube root of the volume that its parent's matrix makes of a unit cube.
@@ -197,6 +208,7 @@ impl<'a> Writer<'a> {
                 *moving = true;
             }
         }
+        self.buffer.spend(graph.len() * ENTRY);
         for ((id, node), moves) in graph.iter().zip(moving) {
             let matrix = tame(&node.transform.matrix());
             let (placing, sheared) = Placing::of(&matrix);
@@ -247,10 +259,15 @@ impl<'a> Writer<'a> {
         new
     }
 
-    fn write_contents(&mut self) {
+    /// `None` where it would be too much.
+    fn write_contents(&mut self) -> Option<()> {
         let document = self.document;
         for (id, node) in document.scene.graph.iter() {
             for (place, content) in node.contents.iter().enumerate() {
+                self.buffer.spend(ENTRY);
+                if self.buffer.is_full() {
+                    return None;
+                }
                 match content {
                     Content::Mesh(instance) => match self.still.remove(&(id, place)) {
                         Some(posed) => self.write_still(id, instance, &posed),
@@ -262,6 +279,7 @@ impl<'a> Writer<'a> {
                 }
             }
         }
+        Some(())
     }
 
     /// A surface in the world, at the root.
@@ -285,19 +303,19 @@ impl<'a> Writer<'a> {
         let made = self.surfaces.mesh(scene, instance, mirrored, &mut self.materials, &mut self.buffer, &mut self.losses);
         let (Some(number), Some(mesh)) = (made, scene.meshes.get(instance.mesh.index())) else { return };
         let skin = instance.deformers.iter().find_map(|deformer| match deformer {
-            Deformer::Skin { skin, joints } => Some((scene.skins.get(skin.index())?, joints)),
+            Deformer::Skin { skin, joints } => Some((*skin, scene.skins.get(skin.index())?, joints)),
             Deformer::Morph(_) => None,
         });
         let holder = match skin {
             // The place of a skinned mesh means nothing, so it stands at the root, as the format advises.
-            Some((skin, joints)) => {
+            Some((id, skin, joints)) => {
                 let mut root = node;
                 while let Some(parent) = scene.graph.node(root).parent() {
                     root = parent;
                 }
                 let bones = bones(skin, mesh, joints, root, node);
                 let joints = self.joint_nodes(&bones);
-                let skin = self.surfaces.skin(&skin.name, &joints, &bones, &mut self.buffer);
+                let skin = self.surfaces.skin((instance.mesh, id), &skin.name, &joints, &bones, &mut self.buffer);
                 self.nodes.push(json!({"name": scene.graph.node(node).name, "skin": skin}));
                 self.roots.push(self.nodes.len() - 1);
                 self.nodes.len() - 1
@@ -320,7 +338,7 @@ impl<'a> Writer<'a> {
 
     /// The written nodes of a skin's joints. The format wants each once in a skin, so a second use gets a node of its own below the first.
     fn joint_nodes(&mut self, bones: &[Bone]) -> Vec<usize> {
-        let mut taken = rustc_hash::FxHashSet::default();
+        let mut taken = FxHashSet::default();
         bones
             .iter()
             .map(|bone| {

@@ -7,7 +7,7 @@ use super::buffer::{Buffer, Usage};
 use super::keys::Moment;
 use super::loss::Loss;
 use super::materials::Materials;
-use super::surfaces::{Sides, given_shape, primitives};
+use super::surfaces::{Indices, Sides, given_shape, primitives};
 use super::takes::{Animation, Take};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::limits;
@@ -99,7 +99,16 @@ impl<'a> Muscles<'a> {
         let vertices: usize = start.iter().map(|shape| shape.positions.len()).sum();
         let most = (limits::SHAPE_VERTICES / vertices.max(1) / takes.len().max(1)).min(SHAPES);
         let mut rough = false;
-        let keyed: Vec<Vec<(f32, Vec<Shape>)>> = takes.iter().map(|take| self.keys(take, diagonal * ERROR, most, &mut rough)).collect();
+        let mut keyed: Vec<Vec<(f32, Vec<Shape>)>> = Vec::new();
+        for take in takes {
+            let keys = self.keys(take, diagonal * ERROR, most, &mut rough);
+            let shapes = keys.iter().flat_map(|(_, shapes)| shapes);
+            buffer.spend(shapes.map(|shape| size_of_val(&*shape.positions) + size_of_val(&*shape.normals)).sum());
+            keyed.push(keys);
+            if buffer.is_full() {
+                return Vec::new();
+            }
+        }
         if rough && most < SHAPES {
             losses.push(Loss::Shapes { kept: if most < 2 { 0 } else { most } });
         }
@@ -119,8 +128,18 @@ impl<'a> Muscles<'a> {
             let attributes = given_shape(&base.positions, &base.normals, buffer);
             let scene = &self.document.scene;
             let shaped = crate::scene::Mesh { positions: base.positions.clone(), ..(*surface.mesh).clone() };
-            let primitives =
-                primitives(scene, &shaped, &surface.materials, &attributes, &targets, Sides::default(), materials, buffer, losses);
+            let primitives = primitives(
+                scene,
+                &shaped,
+                &surface.materials,
+                &attributes,
+                &targets,
+                Sides::default(),
+                &mut Indices::default(),
+                materials,
+                buffer,
+                losses,
+            );
             if primitives.is_empty() {
                 continue;
             }

@@ -4,10 +4,12 @@ use glam::{DMat4, Vec3};
 use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 
-use super::buffer::{Buffer, Usage};
+use super::buffer::{Buffer, ENTRY, Usage};
 use super::loss::Loss;
 use super::materials::Materials;
-use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, NodeId, Scene, Skin, SkinId, backed_triangles};
+use crate::scene::{
+    Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, MorphId, NodeId, Scene, Skin, SkinId, backed_triangles,
+};
 
 /// Vertex attributes by name.
 type Attributes = serde_json::Map<String, Value>;
@@ -21,6 +23,37 @@ pub(super) struct Surfaces {
     bindings: FxHashMap<(MeshId, SkinId), Attributes>,
     /// Which triangles of a mesh lie on others of the opposite winding.
     backed: FxHashMap<MeshId, Vec<bool>>,
+    targets: FxHashMap<(MeshId, MorphId), Vec<Value>>,
+    indices: FxHashMap<MeshId, Indices>,
+    /// The accessor of the matrices that each mesh was last bound with.
+    matrices: FxHashMap<(MeshId, SkinId), (Vec<[f32; 16]>, usize)>,
+    /// The number of each mesh that was written; `None` where nothing of it can be drawn.
+    written: FxHashMap<Look, Option<usize>>,
+}
+
+/// Accessors of the indices of a mesh: by part, mode, whether corners are turned round, and whether both sides are seen.
+pub(super) type Indices = FxHashMap<(usize, u32, bool, bool), usize>;
+
+/// What makes an instance look as it does. Instances that look alike are one mesh of the file on several nodes.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Look {
+    mesh: MeshId,
+    /// Skins and morphs in their order.
+    deformers: Vec<(Option<SkinId>, Option<MorphId>)>,
+    /// The address of the list that instances with the same materials share.
+    materials: *const Option<MaterialBinding>,
+    mirrored: bool,
+}
+
+impl Look {
+    fn of(instance: &MeshInstance, mirrored: bool) -> Self {
+        let deformer = |deformer: &Deformer| match deformer {
+            Deformer::Skin { skin, .. } => (Some(*skin), None),
+            Deformer::Morph(morph) => (None, Some(*morph)),
+        };
+        let deformers = instance.deformers.iter().map(deformer).collect();
+        Self { mesh: instance.mesh, deformers, materials: instance.materials.as_ptr(), mirrored }
+    }
 }
 
 /// A joint of a skin as it is written: a node, and the matrix that takes the mesh into its space.
@@ -55,8 +88,26 @@ pub(super) fn bones(skin: &Skin, mesh: &Mesh, joints: &[Option<NodeId>], root: N
 }
 
 impl Surfaces {
-    /// Writes a mesh with these deformers and materials; returns its number, or `None` where nothing of it can be drawn.
+    /// Writes a mesh with these deformers and materials, if none like it is written yet; returns its number, or `None` where nothing of it can be drawn.
     pub fn mesh(
+        &mut self,
+        scene: &Scene,
+        instance: &MeshInstance,
+        mirrored: bool,
+        materials: &mut Materials,
+        buffer: &mut Buffer,
+        losses: &mut Vec<Loss>,
+    ) -> Option<usize> {
+        let look = Look::of(instance, mirrored);
+        if let Some(known) = self.written.get(&look) {
+            return *known;
+        }
+        let number = self.new_mesh(scene, instance, mirrored, materials, buffer, losses);
+        self.written.insert(look, number);
+        number
+    }
+
+    fn new_mesh(
         &mut self,
         scene: &Scene,
         instance: &MeshInstance,
@@ -78,7 +129,8 @@ impl Surfaces {
                 }
                 Deformer::Morph(id) => {
                     let Some(morph) = scene.morphs.get(id.index()) else { continue };
-                    targets.extend(morph_targets(morph, mesh, buffer));
+                    let known = self.targets.entry((instance.mesh, *id)).or_insert_with(|| morph_targets(morph, mesh, buffer));
+                    targets.extend(known.iter().cloned());
                     weights.extend(morph.weights.iter().copied().chain(std::iter::repeat(0.0)).take(morph.targets.len()));
                     names.extend(morph.targets.iter().map(|target| target.name.clone()));
                 }
@@ -86,7 +138,8 @@ impl Surfaces {
         }
         let backed = self.backed.entry(instance.mesh).or_insert_with(|| backed_triangles(mesh));
         let sides = Sides { mirrored, backed };
-        let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, sides, materials, buffer, losses);
+        let indices = self.indices.entry(instance.mesh).or_default();
+        let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, sides, indices, materials, buffer, losses);
         if primitives.is_empty() {
             return None;
         }
@@ -112,7 +165,7 @@ impl Surfaces {
         losses: &mut Vec<Loss>,
     ) -> Option<usize> {
         let attributes = shape(mesh, buffer);
-        let primitives = primitives(scene, mesh, bindings, &attributes, &[], Sides { mirrored }, materials, buffer, losses);
+        let primitives = primitives(scene, mesh, bindings, &attributes, &[], Sides { mirrored, backed: &backed_triangles(mesh) }, &mut Indices::default(), materials, buffer, losses);
         if primitives.is_empty() {
             return None;
         }
@@ -121,9 +174,17 @@ impl Surfaces {
     }
 
     /// Writes a skin of these nodes and matrices.
-    pub fn skin(&mut self, name: &str, joints: &[usize], bones: &[Bone], buffer: &mut Buffer) -> usize {
+    pub fn skin(&mut self, of: (MeshId, SkinId), name: &str, joints: &[usize], bones: &[Bone], buffer: &mut Buffer) -> usize {
         let rows: Vec<[f32; 16]> = bones.iter().map(|bone| upright(&bone.inverse_bind)).collect();
-        let matrices = buffer.floats(Usage::Other, &rows, false);
+        buffer.spend(ENTRY + joints.len() * size_of::<Value>());
+        let matrices = match self.matrices.get(&of).filter(|(known, _)| *known == rows) {
+            Some((_, known)) => *known,
+            None => {
+                let matrices = buffer.floats(Usage::Other, &rows, false);
+                self.matrices.insert(of, (rows, matrices));
+                matrices
+            }
+        };
         self.skins.push(json!({"name": name, "joints": joints, "inverseBindMatrices": matrices}));
         self.skins.len() - 1
     }
@@ -248,6 +309,7 @@ pub(super) fn primitives(
     attributes: &Attributes,
     targets: &[Value],
     sides: Sides<'_>,
+    known: &mut Indices,
     materials: &mut Materials,
     buffer: &mut Buffer,
     losses: &mut Vec<Loss>,
@@ -256,6 +318,10 @@ pub(super) fn primitives(
     let good = |vertex: &u32| mesh.positions.get(*vertex as usize).is_some_and(|position| position.is_finite());
     let mut written = Vec::new();
     for (number, part) in mesh.parts.iter().enumerate() {
+        buffer.spend((2 + targets.len()) * ENTRY);
+        if buffer.is_full() {
+            break;
+        }
         let triangles = mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]);
         let lines = mesh.lines.get(part.lines.start as usize..part.lines.end as usize).unwrap_or(&[]);
         let turn = |&[a, b, c]: &[u32; 3]| if sides.mirrored { [a, c, b] } else { [a, b, c] };
@@ -264,13 +330,23 @@ pub(super) fn primitives(
             let wanted = triangles.iter().enumerate().filter(|(t, corners)| is_backed(*t) == backed && corners.iter().all(good));
             wanted.flat_map(|(_, corners)| turn(corners)).collect()
         };
-        let ends: Vec<u32> = lines.iter().filter(|ends| ends.iter().all(good)).flatten().copied().collect();
-        for (indices, mode, both_sides) in [(corners(false), 4, true), (corners(true), 4, false), (ends, 1, true)] {
-            if indices.is_empty() || attributes.is_empty() {
-                continue;
-            }
-            let mut primitive = json!({"attributes": attributes, "indices": buffer.indices(&indices, count), "mode": mode});
-            let binding = bindings.get(number).and_then(Option::as_ref);
+        let ends = || -> Vec<u32> { lines.iter().filter(|ends| ends.iter().all(good)).flatten().copied().collect() };
+        let binding = bindings.get(number).and_then(Option::as_ref);
+        for (mode, both_sides) in [(4, true), (4, false), (1, true)] {
+            let key = (number, mode, sides.mirrored, both_sides);
+            let indices = match known.get(&key) {
+                Some(known) => *known,
+                None => {
+                    let indices = if mode == 1 { ends() } else { corners(!both_sides) };
+                    if indices.is_empty() || attributes.is_empty() {
+                        continue;
+                    }
+                    let indices = buffer.indices(&indices, count);
+                    known.insert(key, indices);
+                    indices
+                }
+            };
+            let mut primitive = json!({"attributes": attributes, "indices": indices, "mode": mode});
             let bound = binding.and_then(|binding| materials.number(scene, binding, both_sides, buffer, losses));
             primitive["material"] = bound.unwrap_or_else(|| materials.unbound(mesh.colors.len() == count, both_sides)).into();
             if !targets.is_empty() {

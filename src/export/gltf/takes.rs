@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
 
-use super::buffer::{Buffer, Usage};
+use super::buffer::{Buffer, ENTRY, Usage};
 use super::keys::{Moment, Tolerance, moments, numbers, track};
 use super::loss::Loss;
 use super::placing::Placing;
@@ -166,11 +166,12 @@ impl Stage<'_> {
     }
 
     /// Writes the moving nodes of a take.
-    pub fn write(&self, take: &Take, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
+    /// `pose` rests; each node of it that is moved is put back before it is moved again.
+    pub fn write(&self, take: &Take, pose: &mut Pose, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
         match take.kind {
             Kind::Clip(number) => {
                 if let Some(clip) = self.document.clips.get(number) {
-                    self.write_clip(take, clip, animation, buffer, losses);
+                    self.write_clip(take, clip, pose, animation, buffer, losses);
                 }
             }
             Kind::Bend(_) | Kind::Contract => self.write_bend(take, animation, buffer),
@@ -191,7 +192,15 @@ impl Stage<'_> {
         }
     }
 
-    fn write_clip(&self, take: &Take, clip: &Clip, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
+    fn write_clip(
+        &self,
+        take: &Take,
+        clip: &Clip,
+        pose: &mut Pose,
+        animation: &mut Animation,
+        buffer: &mut Buffer,
+        losses: &mut Vec<Loss>,
+    ) {
         let mut by_node: Vec<(NodeId, Vec<&Channel>)> = Vec::new();
         let mut at_node = rustc_hash::FxHashMap::default();
         let mut colours = false;
@@ -214,9 +223,21 @@ impl Stage<'_> {
         if take.shift != 0.0 {
             losses.push(Loss::Moved { clip: clip.name.clone(), milliseconds: (take.shift * 1000.0).round() as i64 });
         }
-        let mut pose = Pose::rest(&self.document.scene);
         for (node, channels) in by_node {
-            self.write_node(take, node, &channels, &mut pose, animation, buffer, losses);
+            let keys: usize = channels.iter().map(|channel| channel.curve.times.len()).sum();
+            buffer.spend(6 * ENTRY + keys * size_of::<(f32, Placing)>());
+            if buffer.is_full() {
+                return;
+            }
+            self.put_back(pose, node);
+            self.write_node(take, node, &channels, pose, animation, buffer, losses);
+        }
+    }
+
+    fn put_back(&self, pose: &mut Pose, node: NodeId) {
+        let Some(range) = pose.ranges.get(node.index()).cloned() else { return };
+        if let Some(ops) = pose.ops.get_mut(range.start as usize..range.end as usize) {
+            ops.iter_mut().zip(&self.document.scene.graph.node(node).transform.ops).for_each(|(op, rest)| *op = *rest);
         }
     }
 
@@ -303,6 +324,8 @@ impl Weights<'_> {
     pub fn write(&self, document: &Document, take: &Take, animation: &mut Animation, buffer: &mut Buffer) {
         let Kind::Clip(number) = take.kind else { return };
         let Some(clip) = document.clips.get(number) else { return };
+        // All channels are looked through for each mesh that morphs.
+        buffer.spend(size_of_val(clip.channels.as_slice()));
         let moves = |channel: &&Channel| matches!(channel.target, Target::MorphWeight { morph, .. } if self.morphs.contains(&morph));
         let channels: Vec<&Channel> = clip.channels.iter().filter(moves).collect();
         if channels.is_empty() {
