@@ -3,6 +3,7 @@
 use std::sync::{Arc, Weak};
 
 use glam::{Affine2, Vec3};
+use rustc_hash::FxHashSet;
 
 use super::bin::Bands;
 use super::drawing::{Item, Source};
@@ -16,7 +17,7 @@ use super::texture::{Alpha, Cache, Sampler};
 use super::view::View;
 use super::{Display, Shading};
 use crate::scene::{
-    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, TextureRef, backed_triangles,
+    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Placement, Scene, ShadingModel, Surface, TextureRef, backed_triangles,
 };
 
 /// What was found out about meshes, kept from frame to frame.
@@ -27,6 +28,32 @@ pub(super) struct Collector {
     pending: Vec<Item>,
     /// Which triangles of a surface face the eye, while its outline is drawn.
     facing: Vec<bool>,
+    /// Opaque parts of shared meshes that are drawn in this frame: one more in the very same place would change no pixel.
+    drawn: FxHashSet<Spot>,
+}
+
+/// A part of a mesh in its place, with its materials; mesh and materials by their addresses.
+#[derive(Debug, PartialEq, Eq, Hash)]
+struct Spot {
+    mesh: usize,
+    part: usize,
+    materials: usize,
+    matrix: [u32; 16],
+}
+
+impl Spot {
+    /// `None` for what cannot stand twice in one place, or may look different there.
+    fn of(surface: &Surface, part: usize, style: &Style) -> Option<Self> {
+        let Placement::Rigid(matrix) = &surface.placement else { return None };
+        // The scene holds each mesh once, the frame once for each of its surfaces.
+        let shared = Arc::strong_count(&surface.mesh) > 2 && surface.ghost.is_none() && surface.muscle.is_none();
+        (shared && style.layer == Layer::Opaque && style.mark_share == 0.0).then(|| Self {
+            mesh: Arc::as_ptr(&surface.mesh) as usize,
+            part,
+            materials: surface.materials.as_ptr() as usize,
+            matrix: matrix.to_cols_array().map(f32::to_bits),
+        })
+    }
 }
 
 /// Facts about one mesh.
@@ -100,6 +127,7 @@ impl Buffers {
         let mut pending = std::mem::take(&mut self.collector.pending);
         pending.clear();
         self.heat.clear();
+        self.collector.drawn.clear();
         for (index, surface) in frame.surfaces.iter().enumerate() {
             if shown(display, surface) && !(without_ghosts && surface.ghost.is_some()) {
                 self.surface(&mut pending, cache, (scene, frame), view, display, index as u32, surface);
@@ -220,6 +248,12 @@ impl Buffers {
             let hides = style.layer == Layer::Opaque && hides_inside(view, surface, display);
             style.both_sides &= !hides;
             if style.opacity <= 0.0 {
+                continue;
+            }
+            if heat.is_none()
+                && let Some(spot) = Spot::of(surface, part, &style)
+                && !self.collector.drawn.insert(spot)
+            {
                 continue;
             }
             let facts = self.collector.facts(mesh);
