@@ -60,7 +60,9 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Refused> {
     if about.len() > limit {
         return Err(Refused::TooLarge(limit));
     }
-    let mut bytes = Vec::with_capacity(usize::try_from(about.len()).unwrap_or(0).saturating_add(1));
+    let mut bytes = Vec::new();
+    let size = usize::try_from(about.len()).unwrap_or(0).saturating_add(1);
+    bytes.try_reserve(size).map_err(|_| io::Error::from(io::ErrorKind::OutOfMemory))?;
     // Files of the system that tell no size, such as those in /proc, are held to the limit too.
     File::open(path)?.take(limit.saturating_add(1)).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > limit { Err(Refused::TooLarge(limit)) } else { Ok(bytes) }

@@ -114,7 +114,8 @@ fn unpack(archive: &mut Archive<'_>, index: usize, room: &mut u64) -> Result<Vec
     // What the archive says about sizes may be a lie: only what comes out counts, and it is counted before anything is kept.
     let length = open(archive, &mut std::io::sink())?;
     let left = room.checked_sub(length).ok_or_else(too_large)?;
-    let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(usize::try_from(length).unwrap_or(usize::MAX)).map_err(|_| too_large())?;
     open(archive, &mut bytes)?;
     *room = left;
     Ok(bytes)
