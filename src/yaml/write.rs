@@ -5,14 +5,22 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::YamlError;
-use crate::i18n::is_unsafe;
+use crate::i18n::{is_unsafe, json};
 
-/// A value as YAML in block style, with a line end.
+/// A value as YAML with a line end.
+///
+/// The block style of `serde_yaml`, which leaves some letters as they are that end lines for others, such as U+2028, and those that turn the reading
+/// order. A value with such a letter is written as JSON, which is YAML too and can escape them.
 ///
 /// # Errors
 /// [`YamlError`] for what has no form in YAML, such as paths that are no Unicode.
 pub fn to_text(value: &impl Serialize) -> Result<String, YamlError> {
-    serde_yaml::to_string(value).map_err(|error| YamlError::at(None, error.to_string()))
+    let text = serde_yaml::to_string(value).map_err(|error| YamlError::at(None, error.to_string()))?;
+    if !text.chars().any(|letter| is_unsafe(letter) && letter != '\n') {
+        return Ok(text);
+    }
+    let text = serde_json::to_string_pretty(value).map_err(|error| YamlError::at(None, error.to_string()))?;
+    Ok(json(&text).into_owned() + "\n")
 }
 
 /// Text in double quotes, with everything escaped that YAML does not take as it is, or that would act on whoever looks at the file.
@@ -56,6 +64,7 @@ mod tests {
         fn any_text_reads_back(texts in proptest::collection::vec(any::<String>(), 0..6), keys in proptest::collection::vec(any::<String>(), 0..4)) {
             let value: BTreeMap<String, Vec<String>> = keys.into_iter().map(|key| (key, texts.clone())).collect();
             let text = to_text(&value).unwrap();
+            prop_assert!(!text.chars().any(|letter| is_unsafe(letter) && letter != '\n'), "{text:?}");
             prop_assert_eq!(from_text::<BTreeMap<String, Vec<String>>>(&text, 1 << 20).unwrap(), value);
         }
 
