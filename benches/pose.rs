@@ -43,8 +43,12 @@ fn skinned() -> Document {
     };
     scene.meshes.push(Arc::new(mesh));
     scene.skins.push(skin);
-    let instance =
-        MeshInstance { mesh: MeshId(0), deformers: vec![Deformer::Skin { skin: SkinId(0), joints: bones }], materials: Vec::new() };
+    let instance = MeshInstance {
+        mesh: MeshId(0),
+        deformers: vec![Deformer::Skin { skin: SkinId(0), joints: bones }],
+        materials: Vec::new().into(),
+        skinned_targets: Vec::new(),
+    };
     scene.graph.add(None, Node::new("skin").with_content(Content::Mesh(instance)));
     let mut document = Document::default();
     document.scene = scene;

@@ -16,6 +16,7 @@ use proptest::test_runner::{Config, TestRunner};
 use sinew::collada::Progress;
 use sinew::document::{Document, Images, OpenOptions};
 use sinew::export::gltf::{self, Form};
+use sinew::export::guard::Output;
 use sinew::limits;
 use sinew::scene::Content;
 
@@ -46,7 +47,7 @@ fn hung(document: &Document) -> usize {
 
 fn converted(folder: &Path, document: &Document) -> (Result<Vec<gltf::Loss>, sinew::export::ExportError>, PathBuf) {
     let file = folder.join("a.glb");
-    (gltf::save(&file, Form::Binary, document), file)
+    (gltf::save(&Output::of_program(&file), Form::Binary, document), file)
 }
 
 /// Nodes of a library that hold instances of later ones: `edges[i]` are the steps forward from node i.

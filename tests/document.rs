@@ -188,8 +188,12 @@ fn morphs_add_their_weighted_deltas_and_get_new_normals() {
     let target = MorphTarget { name: "lift".into(), position_deltas: lift, normal_deltas: Vec::new() };
     scene.morphs.push(Morph { targets: vec![target], weights: vec![0.5], ..Morph::default() });
     scene.meshes.push(Arc::new(mesh));
-    let instance =
-        MeshInstance { mesh: MeshId(0), deformers: vec![Deformer::Morph(MorphId(0))], materials: vec![None].into(), skinned_targets: Vec::new() };
+    let instance = MeshInstance {
+        mesh: MeshId(0),
+        deformers: vec![Deformer::Morph(MorphId(0))],
+        materials: vec![None].into(),
+        skinned_targets: Vec::new(),
+    };
     let transform = Transform::from_translation(DVec3::Y);
     scene.graph.add(None, Node::new("face").with_transform(transform).with_content(Content::Mesh(instance)));
     let (positions, normals) = deformed(&document(scene), &PoseState::default());

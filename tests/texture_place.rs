@@ -14,6 +14,7 @@ use render_support::{World, camera_at, plain};
 use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers};
 use sinew::export::gltf::{self, Form};
+use sinew::export::guard::Output;
 use sinew::export::surface::SurfaceFormat;
 use sinew::render::Renderer;
 use sinew::scene::{Frame, Material, Paint, Placing, Wrap};
@@ -110,7 +111,7 @@ fn gltf_gets_the_place_as_an_extension_and_white_for_colours_without_a_material(
     let folder = tempfile::tempdir().expect("a folder");
     let document = Document::open(&[file(folder.path())], &Progress::default()).expect("readable");
     let out = folder.path().join("out.gltf");
-    gltf::save(&out, Form::Text, &document).expect("written");
+    gltf::save(&Output::of_program(&out), Form::Text, &document).expect("written");
     let root: serde_json::Value = serde_json::from_slice(&std::fs::read(&out).expect("there")).expect("JSON");
     assert!(root["extensionsUsed"].as_array().is_some_and(|used| used.contains(&"KHR_texture_transform".into())), "{root}");
     let place = &root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"];
@@ -139,7 +140,7 @@ fn obj_gets_coordinates_that_are_moved() {
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     document.pose(&document.start_state(), &mut buffers, &mut frame);
     let out = folder.path().join("out.obj");
-    SurfaceFormat::Obj.save(&out, &document.scene, &frame).expect("written");
+    SurfaceFormat::Obj.save(&Output::of_program(&out), &document.scene, &frame).expect("written");
     let text = std::fs::read_to_string(&out).expect("there");
     let found: Vec<Vec2> = text
         .lines()

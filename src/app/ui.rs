@@ -6,8 +6,8 @@ use gtk4::glib::{Object, Propagation, idle_add_local_once, markup_escape_text};
 use gtk4::prelude::*;
 use gtk4::{
     Builder, DropDown, Editable, Entry, EventControllerScroll, Expression, InputPurpose, Label, ListItem, ListView, MenuButton, Popover,
-    PropagationPhase, PropertyExpression, Scale, ScrolledWindow, SignalListItemFactory, SpinButton, StringList, StringObject, ToggleButton, Widget,
-    pango,
+    PropagationPhase, PropertyExpression, Scale, ScrolledWindow, SignalListItemFactory, SpinButton, StringList, StringObject, ToggleButton,
+    Widget, pango,
 };
 
 use super::actions::Command;

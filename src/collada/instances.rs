@@ -14,9 +14,7 @@ use super::material::Materials;
 use super::nodes::{Instance, Tree};
 use super::skin::JointFinder;
 use super::{Asset, El, codes};
-use crate::scene::{
-    Content, Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, NodeId, NodeKind, Part, Scene, SkinId, SkinnedTarget,
-};
+use crate::scene::{Content, Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, NodeId, NodeKind, Part, Scene, SkinId, SkinnedTarget};
 use crate::{limits, tr};
 
 /// What a binding of one part or joint takes, roughly, for the budget.

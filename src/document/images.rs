@@ -281,7 +281,13 @@ mod tests {
         for (index, uri) in uris.iter().enumerate() {
             let id = format!("skin{index}");
             document.scene.images.push(Image { uri: (*uri).into(), id, line: Some(7), ..Image::default() });
-            let texture = TextureRef { image: ImageId(index as u32), semantic: String::new(), wrap_s: Wrap::Repeat, wrap_t: Wrap::Repeat };
+            let texture = TextureRef {
+                image: ImageId(index as u32),
+                semantic: String::new(),
+                wrap_s: Wrap::Repeat,
+                wrap_t: Wrap::Repeat,
+                placing: None,
+            };
             let diffuse = Paint { texture: Some(texture), ..Paint::default() };
             document.scene.materials.push(Material { diffuse, ..Material::default() });
         }

@@ -17,7 +17,8 @@ use super::texture::{Alpha, Cache, Sampler};
 use super::view::View;
 use super::{Display, Shading};
 use crate::scene::{
-    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Placement, Scene, ShadingModel, Surface, TextureRef, backed_triangles,
+    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Placement, Scene, ShadingModel, Surface, TextureRef,
+    backed_triangles,
 };
 
 /// What was found out about meshes, kept from frame to frame.

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::YamlError;
-use crate::i18n::{is_unsafe, json};
+use crate::i18n::{is_unsafe, visible_json};
 
 /// A value as YAML with a line end.
 ///
@@ -20,7 +20,7 @@ pub fn to_text(value: &impl Serialize) -> Result<String, YamlError> {
         return Ok(text);
     }
     let text = serde_json::to_string_pretty(value).map_err(|error| YamlError::at(None, error.to_string()))?;
-    Ok(json(&text).into_owned() + "\n")
+    Ok(visible_json(&text).into_owned() + "\n")
 }
 
 /// Text in double quotes, with everything escaped that YAML does not take as it is, or that would act on whoever looks at the file.
@@ -54,8 +54,10 @@ mod tests {
 
     #[test]
     fn words_that_other_readers_take_for_values_stay_texts() {
-        let words = ["arm", "12", "yes", "null", "~", "1e5", ".5", "0x1F", "0o7", ".nan", "a: b", "", " ", "- a", "#", "&a", "*a", "<<", "NaN"];
-        let value: BTreeMap<String, Vec<String>> = words.iter().map(|word| ((*word).to_owned(), words.map(str::to_owned).to_vec())).collect();
+        let words =
+            ["arm", "12", "yes", "null", "~", "1e5", ".5", "0x1F", "0o7", ".nan", "a: b", "", " ", "- a", "#", "&a", "*a", "<<", "NaN"];
+        let value: BTreeMap<String, Vec<String>> =
+            words.iter().map(|word| ((*word).to_owned(), words.map(str::to_owned).to_vec())).collect();
         assert_eq!(from_text::<BTreeMap<String, Vec<String>>>(&to_text(&value).unwrap(), 1 << 20).unwrap(), value);
     }
 

@@ -7,9 +7,7 @@ use serde_json::{Value, json};
 use super::buffer::{Buffer, ENTRY, Usage};
 use super::loss::Loss;
 use super::materials::Materials;
-use crate::scene::{
-    Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, MorphId, NodeId, Scene, Skin, SkinId, backed_triangles,
-};
+use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, MorphId, NodeId, Scene, Skin, SkinId, backed_triangles};
 
 /// Vertex attributes by name.
 type Attributes = serde_json::Map<String, Value>;
@@ -165,7 +163,18 @@ impl Surfaces {
         losses: &mut Vec<Loss>,
     ) -> Option<usize> {
         let attributes = shape(mesh, buffer);
-        let primitives = primitives(scene, mesh, bindings, &attributes, &[], Sides { mirrored, backed: &backed_triangles(mesh) }, &mut Indices::default(), materials, buffer, losses);
+        let primitives = primitives(
+            scene,
+            mesh,
+            bindings,
+            &attributes,
+            &[],
+            Sides { mirrored, backed: &backed_triangles(mesh) },
+            &mut Indices::default(),
+            materials,
+            buffer,
+            losses,
+        );
         if primitives.is_empty() {
             return None;
         }
