@@ -6,7 +6,7 @@ use glam::{Mat4, Quat, Vec2, Vec3};
 use render_support::models::soup;
 use render_support::{World, camera_at, pixel_camera, plain};
 use sinew::render::{Display, Renderer, Samples, Shading};
-use sinew::scene::{Camera, Material, MaterialBinding, Paint, ShadingModel, TextureRef, Wrap};
+use sinew::scene::{Material, MaterialBinding, Paint, ShadingModel, TextureRef, Wrap};
 
 /// A colour from a texture alone, without light.
 fn painted(world: &mut World, texture: TextureRef) -> MaterialBinding {
@@ -67,29 +67,25 @@ fn no_texel_of_an_odd_side_is_left_out() {
 
 #[test]
 fn levels_pass_into_each_other_without_a_line() {
-    // Eight texels a cell on a ground that runs off: contrast falls from row to row, and nowhere at once.
-    let size = [400u32, 300];
-    let mut world = World::default();
-    let checker = world.image(64, 64, |x, y| if (x / 8 + y / 8) % 2 == 0 { [230; 4] } else { [40, 60, 120, 255] }, Wrap::Repeat);
-    let paint = painted(&mut world, checker);
-    let ground = rectangle([Vec2::splat(-50.0), Vec2::splat(50.0)], [Vec2::ZERO, Vec2::splat(16.0)]);
-    world.place(ground, Mat4::from_quat(Quat::from_rotation_x(-std::f32::consts::FRAC_PI_2)), Some(paint));
-    for (height, pitch) in [(9.0f32, -0.35f32), (20.0, -0.6)] {
-        let eye = Camera { eye: Vec3::new(3.0, height, 40.0), rotation: Quat::from_rotation_x(pitch), far: 1000.0, ..camera_at(0.0) };
-        let found = world.draw(&mut Renderer::new(Some(1)), &eye, &plain(), size);
-        let contrast = |y: u32| {
-            let row: Vec<f64> = found[(y * size[0]) as usize..][..size[0] as usize].iter().map(|p| f64::from(p >> 16 & 255)).collect();
-            let mean = row.iter().sum::<f64>() / row.len() as f64;
-            (row.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / row.len() as f64).sqrt()
-        };
-        let covered = |y: u32| found[(y * size[0]) as usize..][..size[0] as usize].iter().all(|pixel| pixel & 0xFF_FFFF != 0);
-        let rows: Vec<f64> = (0..size[1]).filter(|y| covered(*y)).map(contrast).collect();
-        // Few rows together, since cells and rows do not keep step.
-        let smooth: Vec<f64> = rows.windows(6).map(|rows| rows.iter().sum::<f64>() / 6.0).collect();
-        let steepest = smooth.windows(7).map(|pair| (pair[6] - pair[0]).abs()).fold(0.0, f64::max);
-        assert!(smooth.len() > 60 && smooth.iter().any(|c| *c > 70.0) && smooth.iter().any(|c| *c < 55.0), "{smooth:?}");
-        assert!(steepest < 16.0, "{steepest} in seven rows: {smooth:?}");
+    // The same ground, each time a fiftieth farther off: contrast falls by and by until all is grey, and nowhere at once.
+    let size = [160u32, 160];
+    let mut contrasts = Vec::new();
+    for step in 0..150 {
+        let texels_a_pixel = 1.02f32.powi(step);
+        let mut world = World::default();
+        let checker = world.image(64, 64, |x, y| if (x / 8 + y / 8) % 2 == 0 { [230; 4] } else { [40, 60, 120, 255] }, Wrap::Repeat);
+        let paint = painted(&mut world, checker);
+        let reach = 200.0 * texels_a_pixel / 64.0;
+        let ground = rectangle([Vec2::splat(-200.0), Vec2::splat(200.0)], [Vec2::splat(-reach), Vec2::splat(reach)]);
+        world.place(ground, Mat4::from_rotation_translation(Quat::from_rotation_z(0.3), Vec3::new(80.0, 80.0, 0.0)), Some(paint));
+        let found = world.draw(&mut Renderer::new(Some(1)), &pixel_camera(size), &plain(), size);
+        let red: Vec<f64> = found.iter().map(|pixel| f64::from(pixel >> 16 & 255)).collect();
+        let mean = red.iter().sum::<f64>() / red.len() as f64;
+        contrasts.push((red.iter().map(|value| (value - mean).powi(2)).sum::<f64>() / red.len() as f64).sqrt());
     }
+    let steepest = contrasts.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
+    assert!(contrasts[0] > 70.0 && contrasts[149] < 2.0, "{contrasts:?}");
+    assert!(steepest < 8.0, "{steepest} at once: {contrasts:?}");
 }
 
 /// A picture with no symmetry and no step at its edges where it repeats.

@@ -113,7 +113,7 @@ fn together(tables: &Srgb, samples: [u32; 4]) -> u32 {
             tables.light(color) * share
         };
         let color = tables.byte((samples.iter().map(light).sum::<u32>() + shares / 2) / shares);
-        (color * opacity + 127) / 255 << shift
+        ((color * opacity + 127) / 255) << shift
     };
     opacity << 24 | mean(16) | mean(8) | mean(0)
 }

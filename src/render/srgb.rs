@@ -31,8 +31,8 @@ impl Srgb {
         };
         let mut from = [FULL + 1; 257];
         from[0] = 0;
-        for byte in 1..256 {
-            from[byte] = light(byte as f64 - 0.5).ceil() as u32;
+        for (byte, from) in (1..256).zip(&mut from[1..]) {
+            *from = light(f64::from(byte) - 0.5).ceil() as u32;
         }
         let nearest = |of: u32| from.partition_point(|start| *start <= of).saturating_sub(1) as u8;
         Self {
