@@ -68,12 +68,33 @@ pub fn read(path: &Path, limit: u64) -> Result<Vec<u8>, Refused> {
     if bytes.len() as u64 > limit { Err(Refused::TooLarge(limit)) } else { Ok(bytes) }
 }
 
+/// [`read`] for a path of the command line, where `-` is standard input.
+///
+/// # Errors
+/// [`Refused`].
+pub fn read_argument(path: &Path, limit: u64) -> Result<Vec<u8>, Refused> {
+    if path.as_os_str() != "-" {
+        return read(path, limit);
+    }
+    let mut bytes = Vec::new();
+    io::stdin().lock().take(limit.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit { Err(Refused::TooLarge(limit)) } else { Ok(bytes) }
+}
+
 /// [`read`], as UTF-8 text.
 ///
 /// # Errors
 /// [`Refused`].
 pub fn read_text(path: &Path, limit: u64) -> Result<String, Refused> {
-    String::from_utf8(read(path, limit)?).map_err(|error| {
+    text(read(path, limit)?)
+}
+
+/// Bytes as UTF-8 text.
+///
+/// # Errors
+/// [`Refused::NotText`].
+pub fn text(bytes: Vec<u8>) -> Result<String, Refused> {
+    String::from_utf8(bytes).map_err(|error| {
         let before = error.as_bytes().get(..error.utf8_error().valid_up_to()).unwrap_or_default();
         Refused::NotText(line_after(before))
     })

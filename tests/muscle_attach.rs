@@ -98,7 +98,7 @@ fn a_bone_that_is_missing_is_a_finding_and_the_muscle_lies_on_its_own() {
 
 #[test]
 fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_length() {
-    let (mut scene, _) = leg(0.0);
+    let (mut scene, [thigh, _]) = leg(0.0);
     let yaml = MUSCLE
         .replace("    insertion", "    via: [{bone: thigh, offset: [0, 100, -200]}]\n    insertion")
         .replace("[5, 20, 5]", "[5, 8, 5]");
@@ -113,11 +113,14 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     let path = rig.centre_line(0, &solved, &before).unwrap();
     assert!((path.length() - length).abs() < 1e-9);
     assert!((path.sharpest(0.0, length) * 10.0 - 1.0).abs() < 1e-9);
+    let bone = before[thigh.index()];
+    let axes = [bone.x_axis, bone.y_axis, bone.z_axis].map(|axis| axis.truncate().normalize());
+    let place = bone.w_axis.truncate() * 1000.0 + axes[0] * via.x + axes[1] * via.y + axes[2] * via.z;
     let nearest =
-        (0..=1000).map(|step| path.station(length * f64::from(step) / 1000.0).position.distance(via)).fold(f64::INFINITY, f64::min);
+        (0..=1000).map(|step| path.station(length * f64::from(step) / 1000.0).position.distance(place)).fold(f64::INFINITY, f64::min);
     assert!(nearest < 2.0, "{nearest} mm past the via point");
     // A thick belly makes a wide arc, not another line of action.
-    let thick = yaml.replace("[5, 8, 5]", "[5, 300, 5]");
+    let thick = yaml.replace("[5, 8, 5]", "[5, 200, 5]");
     let mut rig = Rig::build(&MuscleFile::parse(&thick).unwrap(), "muscles", &mut scene, MuscleId(1));
     rig.attach(&scene);
     let world = world(&scene);
@@ -125,7 +128,12 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     assert!((solved.path_length - length).abs() < 1e-9);
     let path = rig.centre_line(0, &solved, &world).unwrap();
     assert!((path.length() - length).abs() < 1e-9);
-    assert!(path.sharpest(0.0, path.length()) * 300.0 < 1.0);
+    let sharpest = path.sharpest(0.0, path.length()) * 200.0;
+    assert!(sharpest < 1.0, "{sharpest}");
+    // One for which no arc of this length is wide enough is told.
+    let thicker = yaml.replace("[5, 8, 5]", "[5, 300, 5]");
+    let findings = Rig::build(&MuscleFile::parse(&thicker).unwrap(), "muscles", &mut scene, MuscleId(2)).attach(&scene);
+    assert!(findings.iter().any(|finding| finding.code == "muscle-bent-too-tight"), "{findings:?}");
 }
 
 #[test]

@@ -108,7 +108,7 @@ fn bad_files_are_refused_with_place_and_remedy() {
         (report("230.0", "-230.0"), 6, 17, &["0 or more"]),
         (report("230.0", "0"), 6, 10, &["elbow"]),
         (report("thickness: 5.0", "thickness: 0"), 7, 14, &["thickness", "above 0"]),
-        (report("thickness: 5.0", "thickness: 5.0\n---\na: 1"), 9, 0, &["second document"]),
+        (report("thickness: 5.0", "thickness: 5.0\n---\na: 1"), 8, 1, &["second document"]),
         (report("len: 250.0", "len: !big 250.0"), 4, 8, &["number", "tag"]),
         ("muscle_config:\n  radiuses: [1.0]\n  grow_mults: [1.0]\n  len: 5\n".into(), 2, 13, &["at least 2 nodes"]),
         (rich("unit: cm", "unit: parsec"), 1, 7, &["parsec", "mm"]),

@@ -114,8 +114,8 @@ fn the_ledger_says_which_root_and_what_limits_the_length() {
         Ledger::new(&profile, &profile.solve(length), None)
     };
     let swells = ledger(&[5.0, 10.0, 5.0], &[0.0, 1.0, 0.0], 80.0);
-    assert_eq!((swells.taken, swells.limits[0].cause, swells.limits[1].cause), (Root::Larger, LimitCause::Reach, LimitCause::Radius(1)));
-    assert_eq!((swells.largest_node, swells.held_at, swells.limits[0].length), (1, None, 1.0));
+    assert_eq!((swells.taken, swells.limits[0].cause, swells.limits[1].cause), (Root::Larger, LimitCause::Shortest, LimitCause::Radius(1)));
+    assert_eq!((swells.largest_node, swells.held_at, swells.limits[0].length), (1, None, 40.0));
     assert!(swells.roots[0] > swells.roots[1] && swells.delta == swells.roots[0]);
     let [a, b, c] = swells.quadratic;
     assert!((swells.discriminant - (b * b - 4.0 * a * c)).abs() < 1e-9);

@@ -303,7 +303,7 @@ fn what_is_wrong_over_the_range_of_the_joint_is_said_with_muscle_and_angle() {
             muscle(
                 "[-25, -20, 0]",
                 "[10, -47, 0]",
-                "radii: [4, 14, 18, 14, 4], growth: [0, 1, 1, 1, 0], via: [{bone: upper arm, offset: [0, -200, 0]}]",
+                "radii: [4, 14, 18, 14, 4], growth: [0, 1, 1, 1, 0], via: [{bone: upper arm, offset: [2, -120, 0]}, {bone: upper arm, offset: [2, -260, 0]}]",
             ),
             "muscle-through-bone",
         ),

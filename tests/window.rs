@@ -275,8 +275,9 @@ fn run_driver(manager: &str, script: &str) -> Result<String, String> {
     let (home, files) = (support::folder(), support::folder());
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let ended = command("env")
+        .args(["-u", "WAYLAND_DISPLAY"])
         .arg(format!("DISPLAY={}", display.name))
-        .args(["-u", "WAYLAND_DISPLAY", "PYTHONDONTWRITEBYTECODE=1", "LANG=C.UTF-8", "LC_ALL=C.UTF-8"])
+        .args(["PYTHONDONTWRITEBYTECODE=1", "LANG=C.UTF-8", "LC_ALL=C.UTF-8"])
         .arg(format!("XDG_CONFIG_HOME={}", home.path().display()))
         .arg(format!("XDG_DATA_HOME={}", home.path().display()))
         .arg(format!("XDG_STATE_HOME={}", home.path().join("state").display()))

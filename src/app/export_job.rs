@@ -446,7 +446,7 @@ mod tests {
         assert_eq!(options(Kind::Gif, Course::Contraction).sequence(&session), Err(Refusal::NoMuscle));
         assert_eq!(options(Kind::Gif, Course::Elbow).sequence(&session), Err(Refusal::NoElbow));
         let table = |kind| options(kind, Course::Whole).check(&session);
-        assert_eq!(table(Kind::Joints(tables::Form::Csv)), Err(Cannot::Table(NoTable::NoClip)));
+        assert_eq!(table(Kind::Joints(tables::Form::Csv)), Err(Cannot::Table(NoTable::NoJoint)));
         assert_eq!(table(Kind::Muscles(tables::Form::Json)), Err(Cannot::Table(NoTable::NoMuscle)));
         assert_eq!(Options { fps: 60.0, ..options(Kind::Gif, Course::Whole) }.check(&session), Err(Cannot::GifRate));
         for course in Course::ALL {

@@ -18,7 +18,7 @@ pub fn read(file: &Path) -> Result<Table, Failure> {
 }
 
 fn text(file: &Path) -> Result<String, Failure> {
-    input::read_text(file, limits::YAML_BYTES).map_err(|refused| match refused {
+    input::read_argument(file, limits::YAML_BYTES).and_then(input::text).map_err(|refused| match refused {
         Refused::NotText(_) => Failure::file(file, tr!("cli-table-not-text")),
         refused => Failure::file(file, refused),
     })

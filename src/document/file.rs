@@ -1,6 +1,5 @@
 //! Bytes of a file, within the limits, and what kind of file they are.
 
-use std::io::{self, Read};
 use std::path::Path;
 
 use super::OpenError;
@@ -29,16 +28,7 @@ impl Format {
 /// Reads a regular file, or standard input for `-`, of at most `limit` bytes.
 pub(super) fn read(path: &Path, name: &str, limit: u64) -> Result<Vec<u8>, OpenError> {
     let refuse = |refused: Refused| OpenError::whole(name, refused.to_string());
-    let bytes = if path.as_os_str() == "-" {
-        let mut bytes = Vec::new();
-        io::stdin().lock().take(limit + 1).read_to_end(&mut bytes).map_err(|error| refuse(error.into()))?;
-        if bytes.len() as u64 > limit {
-            return Err(refuse(Refused::TooLarge(limit)));
-        }
-        bytes
-    } else {
-        input::read(path, limit).map_err(refuse)?
-    };
+    let bytes = input::read_argument(path, limit).map_err(refuse)?;
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(OpenError::whole(name, tr!("document-empty")));
     }

@@ -132,6 +132,8 @@ pub(super) enum Foreign {
     Named(&'static str),
     /// A table of numbers, which other commands take.
     Table,
+    /// A session, which only some commands open.
+    Session,
     /// Nothing that is known: bytes, or a text that is not even like YAML.
     Unknown,
 }
@@ -155,6 +157,9 @@ impl Foreign {
         let is_xml = text.starts_with(b"<") || super::file::is_utf16(bytes);
         if is_xml {
             return root(text).and_then(|root| ROOTS.iter().find(|(known, _)| *known == root)).map(|(_, name)| Self::Named(name));
+        }
+        if text.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"sinew_session:")) {
+            return Some(Self::Session);
         }
         if matches!(ending.as_str(), "dae" | "zae" | "xml" | "yaml" | "yml") {
             return None;
@@ -182,6 +187,7 @@ impl Foreign {
         match self {
             Self::Named(format) => tr!("document-foreign", format = format),
             Self::Table => tr!("document-table"),
+            Self::Session => tr!("document-session"),
             Self::Unknown => tr!("document-unknown"),
         }
     }
@@ -252,6 +258,7 @@ mod tests {
         match Foreign::of(Path::new(path), bytes) {
             Some(Foreign::Named(name)) => Some(name),
             Some(Foreign::Table) => Some("table"),
+            Some(Foreign::Session) => Some("session"),
             Some(Foreign::Unknown) => Some("unknown"),
             None => None,
         }
@@ -261,6 +268,7 @@ mod tests {
     fn what_is_not_read_is_named_by_content() {
         for (bytes, name) in [
             (&b"glTF\x02\0\0\0"[..], "glTF (.glb)"),
+            (b"# mine\nsinew_session:\n  files: []\n", "session"),
             (b"Kaydara FBX Binary  \0\x1A\0", "FBX"),
             (b"; FBX 7.4.0 project file\n", "FBX"),
             (b"BLENDER-v300", "Blender (.blend)"),

@@ -79,7 +79,10 @@ enum Kind {
 }
 
 #[derive(Default)]
-struct Reading {
+struct Reading<'t> {
+    text: &'t str,
+    /// The lines of the text, found when the first block scalar asks for them.
+    lines: Option<Vec<&'t str>>,
     open: Vec<Open>,
     anchors: FxHashMap<usize, (Node, Amount)>,
     total: Amount,
@@ -95,11 +98,15 @@ pub fn read(text: &str, bytes: u64) -> Result<Node, YamlError> {
         return Err(too_large(bytes));
     }
     look_over(text, bytes)?;
-    let mut reading = Reading::default();
-    let mut parser = Parser::new_from_str(text.strip_prefix('\u{feff}').unwrap_or(text));
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut reading = Reading { text, ..Reading::default() };
+    let mut parser = Parser::new_from_str(text);
     let mut documents = 0;
     while let Some(event) = parser.next_event() {
-        let (event, span) = event.map_err(|error| YamlError::at(Some(Place::of(error.marker())), refusal(error.info())))?;
+        let (event, span) = event.map_err(|error| {
+            let before = text.char_indices().nth(error.marker().index()).map_or(text, |(end, _)| text.get(..end).unwrap_or(text));
+            YamlError::at(Some(Place::of(error.marker())), refusal(error.info(), before))
+        })?;
         let place = Place::of(&span.start);
         match event {
             Event::DocumentStart(_) => {
@@ -141,16 +148,40 @@ fn look_over(text: &str, bytes: u64) -> Result<(), YamlError> {
 }
 
 /// The parser has a bound of its own on brackets, which is beyond ours but met earlier where many stand on one line.
-fn refusal(info: &str) -> String {
-    if info.contains("recursion limit") { tr!("document-yaml-too-deep", limit = limits::YAML_DEPTH) } else { reasons::sentence(info) }
+fn refusal(info: &str, before: &str) -> String {
+    if info.contains("recursion limit") {
+        return tr!("document-yaml-too-deep", limit = limits::YAML_DEPTH);
+    }
+    // A colon out of place inside brackets most often stands behind one that was not closed.
+    match unclosed(before) {
+        Some(']') if reasons::is_about_colon(info) => reasons::sentence("parsing a flow sequence"),
+        Some('}') if reasons::is_about_colon(info) => reasons::sentence("parsing a flow mapping"),
+        _ => reasons::sentence(info),
+    }
 }
 
-impl Reading {
+/// The bracket that is missing at the end of a text; brackets in quotes and comments count too, which matters for the wording of an error alone.
+fn unclosed(text: &str) -> Option<char> {
+    let mut open = Vec::new();
+    for letter in text.chars() {
+        match letter {
+            '[' => open.push(']'),
+            '{' => open.push('}'),
+            ']' | '}' => drop(open.pop()),
+            _ => {}
+        }
+    }
+    open.pop()
+}
+
+impl Reading<'_> {
     fn take(&mut self, event: Event<'_>, span: &Span) -> Result<(), YamlError> {
         let place = Place::of(&span.start);
         match event {
             Event::Scalar(text, style, anchor, tag) => {
                 let amount = Amount { values: 1, text: text.len(), depth: 0 };
+                let is_block = matches!(style, ScalarStyle::Literal | ScalarStyle::Folded);
+                let place = if is_block { self.mark_of_block(place).unwrap_or(place) } else { place };
                 self.count(amount, place)?;
                 let value = match tag.as_deref().map(kind_of_tag) {
                     None if style == ScalarStyle::Plain => Value::Plain(text.as_ref().into()),
@@ -184,6 +215,19 @@ impl Reading {
             Event::Nothing | Event::StreamStart | Event::StreamEnd | Event::DocumentStart(_) | Event::DocumentEnd => {}
         }
         Ok(())
+    }
+
+    /// Where the `|` or `>` of a block scalar stands; the parser tells where its first line does.
+    fn mark_of_block(&mut self, first: Place) -> Option<Place> {
+        let text = self.text;
+        let lines = self.lines.get_or_insert_with(|| text.lines().collect());
+        let above = lines.get(..(first.line as usize).checked_sub(1)?)?;
+        let row = above.iter().rposition(|line| !line.trim().is_empty())?;
+        let header = above.get(row)?.split(" #").next()?.trim_end();
+        let at = header.rfind(['|', '>'])?;
+        let is_mark = header.get(at + 1..)?.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b'+' | b'-'));
+        let column = header.get(..at)?.chars().count();
+        is_mark.then(|| Place { line: row as u32 + 1, column: column as u32 + 1 })
     }
 
     /// Adds to what there is and holds it against the bounds.

@@ -9,6 +9,7 @@ document-too-large = The file is larger than the limit of { NUMBER($limit, useGr
 document-not-text = This is not UTF-8 text; a muscle is described in a YAML file.
 document-foreign = Sinew does not read { $format }; it reads COLLADA (.dae, .zae) and muscles (.yaml).
 document-table = This is a table, and nothing in it can be shown; measured radii are for sinew fit and sinew measure --compare.
+document-session = This is a session; the window, sinew info and sinew render open it.
 document-unknown = Sinew does not know this kind of file; it reads COLLADA (.dae, .zae) and muscles (.yaml).
 document-cancelled = Loading was cancelled.
 document-standard-input = standard input

@@ -9,6 +9,7 @@ document-too-large = Файл больше предела в { NUMBER($limit, us
 document-not-text = Это не текст в UTF-8, а мышца описывается в файле YAML.
 document-foreign = Sinew не читает { $format }; он читает COLLADA (.dae, .zae) и мышцы (.yaml).
 document-table = Это таблица, показывать в ней нечего; измеренные радиусы нужны командам sinew fit и sinew measure --compare.
+document-session = Это сеанс; его открывают окно, sinew info и sinew render.
 document-unknown = Файлы такого рода Sinew не знает; он читает COLLADA (.dae, .zae) и мышцы (.yaml).
 document-cancelled = Загрузка отменена.
 document-standard-input = стандартный ввод
