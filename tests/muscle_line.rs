@@ -52,7 +52,7 @@ fn assert_smooth(rig: &Rig, index: usize, angles: &[f64], what: &str) {
 fn every_shipped_muscle_keeps_the_sign_of_its_moment_arm_and_has_no_jump() {
     let mut muscles = 0;
     for path in shipped() {
-        let document = Document::open(&[path.clone()], &Progress::default()).unwrap();
+        let document = Document::open(std::slice::from_ref(&path), &Progress::default()).unwrap();
         let odd: Vec<String> = document
             .health
             .iter()

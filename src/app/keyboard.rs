@@ -170,10 +170,10 @@ fn is_for_widget(window: &Rc<Window>, key: gdk::Key, modifiers: gdk::ModifierTyp
         return plain && !function;
     }
     if is_typing(window) {
-        // No number has a space or a letter in it, so in a box of a number these do what they do elsewhere.
+        // No number has a space in it, so in a number box it plays as elsewhere. Letters do nothing there: a word that is typed by mistake is no command.
         let in_number = widget.ancestor(gtk::SpinButton::static_type()).is_some()
             || widget.ancestor(gtk::Entry::static_type()).and_downcast::<gtk::Entry>().is_some_and(|entry| ui::is_of_numbers(&entry));
-        if in_number && plain && (key == K::space || key.to_unicode().is_some_and(char::is_alphabetic)) {
+        if in_number && plain && key == K::space {
             return false;
         }
         let text_keys = [K::c, K::z, K::Z, K::y, K::Left, K::Right, K::o].contains(&key) && key != K::o;

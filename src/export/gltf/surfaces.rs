@@ -24,10 +24,13 @@ pub(super) struct Surfaces {
     targets: FxHashMap<(MeshId, MorphId), Vec<Value>>,
     indices: FxHashMap<MeshId, Indices>,
     /// The accessor of the matrices that each mesh was last bound with.
-    matrices: FxHashMap<(MeshId, SkinId), (Vec<[f32; 16]>, usize)>,
+    matrices: FxHashMap<(MeshId, SkinId), BindMatrices>,
     /// The number of each mesh that was written; `None` where nothing of it can be drawn.
     written: FxHashMap<Look, Option<usize>>,
 }
+
+/// Inverse bind matrices of a skin, and the accessor that holds them.
+type BindMatrices = (Vec<[f32; 16]>, usize);
 
 /// Accessors of the indices of a mesh: by part, mode, whether corners are turned round, and whether both sides are seen.
 pub(super) type Indices = FxHashMap<(usize, u32, bool, bool), usize>;
