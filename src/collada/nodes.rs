@@ -12,7 +12,7 @@ use crate::scene::{Graph, Node, NodeId, NodeKind, Scene, Transform, TransformOp}
 use crate::{limits, tr};
 
 /// What a node and one of its operations take, roughly, for the budget.
-const NODE_BYTES: usize = 512;
+const NODE_BYTES: usize = 640;
 const OP_BYTES: usize = 160;
 
 /// What hangs on a node, to be read when the tree is there.
