@@ -16,6 +16,7 @@ use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
 use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
 use super::{El, Progress, ReadError, codes};
+pub use crate::i18n::shortened;
 use crate::scene::affine;
 use crate::{limits, tr};
 
@@ -334,9 +335,4 @@ pub fn name_of(element: El<'_>, otherwise: impl FnOnce() -> String) -> String {
 /// The id of an element; empty where it has none.
 pub fn id_of(element: El<'_>) -> String {
     element.attribute("id").unwrap_or_default().to_owned()
-}
-
-/// Text from the file for a message: not too long.
-pub fn shortened(text: &str) -> String {
-    if text.chars().count() <= 80 { text.to_owned() } else { text.chars().take(79).chain(['…']).collect() }
 }

@@ -30,7 +30,7 @@ impl de::Error for YamlError {
     }
 
     fn unknown_variant(variant: &str, expected: &'static [&'static str]) -> Self {
-        Self::at(None, tr!("document-yaml-unknown-word", word = variant.to_owned(), known = expected.join(", ")))
+        Self::at(None, tr!("document-yaml-unknown-word", word = crate::i18n::shortened(variant), known = expected.join(", ")))
     }
 
     fn missing_field(field: &'static str) -> Self {

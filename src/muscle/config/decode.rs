@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use super::yaml::{Step, Yaml};
+use crate::i18n::shortened;
 use crate::tr;
 
 /// A complaint about the value at a path.
@@ -64,7 +65,7 @@ impl<'a> At<'a> {
             Yaml::Number(_) => Err(self.complain(tr!("muscle-yaml-not-finite", name = self.name()))),
             Yaml::Text(text) if text.replace(',', ".").trim().parse::<f64>().is_ok() => {
                 let number = text.replace(',', ".").trim().to_owned();
-                Err(self.complain(tr!("muscle-yaml-number-as-text", name = self.name(), text = text.clone(), number = number)))
+                Err(self.complain(tr!("muscle-yaml-number-as-text", name = self.name(), text = shortened(text), number = number)))
             }
             _ => Err(self.wrong("muscle-yaml-a-number")),
         }
@@ -124,12 +125,12 @@ impl<'a> At<'a> {
             if !known.contains(&key.as_str()) {
                 let list = known.join(", ");
                 return refuse(match nearest(key, known) {
-                    Some(near) => tr!("muscle-yaml-unknown-key-near", key = key.clone(), near = near, known = list),
-                    None => tr!("muscle-yaml-unknown-key", key = key.clone(), known = list),
+                    Some(near) => tr!("muscle-yaml-unknown-key-near", key = shortened(key), near = near, known = list),
+                    None => tr!("muscle-yaml-unknown-key", key = shortened(key), known = list),
                 });
             }
             if seen.contains(&key.as_str()) {
-                return refuse(tr!("muscle-yaml-repeated-key", key = key.clone()));
+                return refuse(tr!("muscle-yaml-repeated-key", key = shortened(key)));
             }
             seen.push(key);
         }

@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::decode::{At, Complaint, nearest};
 use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
+use crate::i18n::shortened;
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
 use crate::muscle::edit::VIA;
 use crate::muscle::profile::{Profile, ProfileError};
@@ -67,7 +68,7 @@ fn unit(at: &At<'_>) -> Result<f64, Complaint> {
     match at.text() {
         Ok(text) => {
             let found = UNITS.iter().find(|(name, _)| *name == text);
-            found.map(|(_, metres)| *metres).ok_or_else(|| at.complain(tr!("muscle-unknown-unit", unit = text.to_owned())))
+            found.map(|(_, metres)| *metres).ok_or_else(|| at.complain(tr!("muscle-unknown-unit", unit = shortened(text))))
         }
         Err(_) => at.positive(false),
     }
@@ -234,7 +235,7 @@ fn bone(at: &At<'_>, on_arm: bool) -> Result<String, Complaint> {
     let name = at.text()?;
     if on_arm && !BONES.contains(&name) {
         let near = nearest(name, BONES).unwrap_or(UPPER_ARM);
-        return Err(at.complain(tr!("muscle-unknown-arm-bone", bone = name.to_owned(), near = near, known = BONES.join(", "))));
+        return Err(at.complain(tr!("muscle-unknown-arm-bone", bone = shortened(name), near = near, known = BONES.join(", "))));
     }
     Ok(name.to_owned())
 }
@@ -244,6 +245,6 @@ fn color(at: &At<'_>) -> Result<[u8; 3], Complaint> {
     let parsed = text.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.bytes().all(|byte| byte.is_ascii_hexdigit()));
     match parsed.and_then(|digits| u32::from_str_radix(digits, 16).ok()) {
         Some(number) => Ok([(number >> 16) as u8, (number >> 8) as u8, number as u8]),
-        None => Err(at.complain(tr!("muscle-bad-color", text = text.to_owned()))),
+        None => Err(at.complain(tr!("muscle-bad-color", text = shortened(text)))),
     }
 }
