@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use proptest::prelude::*;
+use sinew::animation::Pose;
 use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::muscle::presets::{PRESETS, Preset};
@@ -194,6 +195,10 @@ impl Limb {
     }
 }
 
+fn grid() -> impl Strategy<Value = [i32; 3]> {
+    (-1..3_i32, -6..0_i32, -1..2_i32).prop_map(|(x, y, z)| [x * 10, y * 40, z * 10])
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 96, ..ProptestConfig::default() })]
 
@@ -226,6 +231,31 @@ proptest! {
         prop_assert!((slope - arm).abs() < 1e-3 + 1e-5 * arm.abs(), "{slope} {arm}\n{}", limb.yaml);
         prop_assert!(drawn.length >= 0.4 * rig.profile(0).unwrap().rest_length() * (1.0 - 1e-12), "{}", drawn.length);
         prop_assert!(drawn.volume_error.abs() < 1e-12);
+    }
+
+    /// Points on a coarse grid: lines that run back on themselves and points that fall together are common.
+    #[test]
+    fn a_line_over_any_via_points_is_drawn_as_long_as_it_is(
+        ends in [grid(), grid()],
+        via in prop::collection::vec((any::<bool>(), grid()), 1..5),
+        tendon in prop_oneof![Just(0.0), 0.0..30.0_f64],
+        angle in prop_oneof![Just(0.0), 0.0..140.0_f64],
+    ) {
+        let bone = |upper: bool| if upper { "upper arm" } else { "forearm" };
+        let via: Vec<String> = via.iter().map(|(upper, at)| format!("{{bone: {}, offset: {at:?}}}", bone(*upper))).collect();
+        let yaml = format!("arm: {{upper: 300, forearm: 260, thickness: 8, flexion: [0, 140]}}\nmuscles:\n  - {{length: 100, radii: [4, 12, 4], growth: [0, 1, 0], \
+            origin: {{bone: upper arm, offset: {:?}}}, insertion: {{bone: forearm, offset: {:?}}}, via: [{}], \
+            tendons: {{origin: {{length: {tendon:?}, radius: 3}}, insertion: {{length: {tendon:?}, radius: 3}}}}}}\n", ends[0], ends[1], via.join(", "));
+        let mut scene = Scene::default();
+        let rig = Rig::build(&MuscleFile::parse(&yaml).unwrap(), "via", &mut scene, MuscleId(0));
+        let mut pose = Pose::rest(&scene);
+        rig.apply(rig.at_flexion(angle), &mut pose);
+        let (mut local, mut world) = (Vec::new(), Vec::new());
+        pose.locals(&mut local);
+        scene.graph.world_from_local(&local, &mut world);
+        let drawn = rig.solve(0, rig.at_flexion(angle), &world);
+        let path = rig.centre_line(0, &drawn, &world).unwrap();
+        prop_assert!((path.length() - drawn.path_length).abs() < 1e-9 * drawn.path_length, "{} {}\n{yaml}", path.length(), drawn.path_length);
     }
 
     #[test]

@@ -3,6 +3,8 @@
 //! An arc takes the short cut round a corner. What all arcs take off is given back by moving the corners outward, each in the measure in which the line
 //! turns there, by one common share that is found by halving; the length rises with it. So the arcs pass close to the via points.
 
+use std::f64::consts::FRAC_PI_2;
+
 use glam::DVec3;
 
 use super::line::{Frames, Line, POINTS};
@@ -11,8 +13,9 @@ use super::wrap::Contact;
 
 /// Points that lie nearer to each other than this share of the line are one.
 const TINY: f64 = 1e-9;
-/// Tangents of half a turn are taken no greater than this, so that a line that turns right round is still one.
-const STEEP: f64 = 1e6;
+/// Most length that an arc takes of the stretches on either side, over the rounding: a line that turns by more than 2 atan 4 = 152° gets sharper arcs.
+/// Without a bound a line that turns right round would lose to its arc whatever it gained by moving its corner outward, and stay too short.
+const REACH: f64 = 4.0;
 /// Most steps in search of the share by which corners are moved outward.
 const STEPS: usize = 80;
 
@@ -37,7 +40,8 @@ struct Corner {
 
 impl Corner {
     fn tangent(&self) -> f64 {
-        (0.5 * self.angle).tan().clamp(0.0, STEEP)
+        // Rounding may put half of a half turn just beyond π/2, where the tangent is negative.
+        (0.5 * self.angle).min(FRAC_PI_2).tan()
     }
 
     fn radius(&self) -> f64 {
@@ -168,7 +172,7 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
             let inner = index > 0 && index < last;
             let corner = &mut self.corners[index];
             corner.angle = if inner { turn(corner.into, corner.out) } else { 0.0 };
-            corner.reach = self.line.rounding * corner.tangent();
+            corner.reach = self.line.rounding * corner.tangent().min(REACH);
         }
         let wishes = self.corners.map(|corner| corner.reach);
         for index in 1..last {
