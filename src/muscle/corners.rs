@@ -16,6 +16,8 @@ const TINY: f64 = 1e-9;
 /// Most length that an arc takes of the stretches on either side, over the rounding: a line that turns by more than 2 atan 4 = 152° gets sharper arcs.
 /// Without a bound a line that turns right round would lose to its arc whatever it gained by moving its corner outward, and stay too short.
 const REACH: f64 = 4.0;
+/// A drawn line that is off by no more than this share is as long as the line of action.
+const CLOSE: f64 = 1e-12;
 /// Most steps in search of the share by which corners are moved outward.
 const STEPS: usize = 80;
 
@@ -53,6 +55,8 @@ impl Corner {
 struct Corners<'a, F: Frames + ?Sized> {
     line: &'a Line,
     frames: &'a F,
+    /// Radius of the arcs at corners.
+    rounding: f64,
     /// Where the line of action passes.
     points: [DVec3; POINTS],
     /// Number of the first and the last point of the line that each stands for.
@@ -71,6 +75,7 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
         let mut all = Self {
             line,
             frames,
+            rounding: line.rounding,
             points: [DVec3::ZERO; POINTS],
             numbers: [(0, 0); POINTS],
             outward: [DVec3::ZERO; POINTS],
@@ -105,13 +110,23 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
         all
     }
 
-    /// Moves the corners outward until the rounded line is as long as the line of action.
+    /// Moves the corners outward until the rounded line is as long as the line of action. Where a corner on its way outward makes the line change the
+    /// side of the ball, the length leaps over the one that is wanted; there the corners stay where they are and sharp, which is as long to the bit.
     fn make_up(&mut self) {
         let wanted = self.line.length(self.frames);
+        if !self.moves_out(wanted) {
+            self.rounding = 0.0;
+            self.settle(0.0);
+        }
+    }
+
+    /// See [`Self::make_up`]; whether the length was reached.
+    fn moves_out(&mut self, wanted: f64) -> bool {
         let moves: f64 = self.outward.iter().map(|out| out.length_squared()).sum();
         let missing = wanted - self.settle(0.0);
+        let close = |off: f64| off.abs() <= CLOSE * wanted;
         if moves <= 0.0 || missing <= 1e-14 * wanted {
-            return;
+            return close(missing);
         }
         let (mut low, mut high) = (0.0, missing / moves);
         let mut doubled = 0;
@@ -119,15 +134,16 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
             (low, high) = (high, 2.0 * high);
             doubled += 1;
             if doubled == 40 {
-                return;
+                return false;
             }
         }
         // Regula falsi that halves the weight of an end that stays: it needs about eight steps where halving alone needs fifty.
         let (mut below, mut above) = (self.settle(low) - wanted, self.settle(high) - wanted);
+        let mut off = above;
         for _ in 0..STEPS {
             let share = (low * above - high * below) / (above - below);
             let share = if share > low && share < high { share } else { 0.5 * (low + high) };
-            let off = self.settle(share) - wanted;
+            off = self.settle(share) - wanted;
             if off.abs() <= 1e-14 * wanted || share == low || share == high {
                 break;
             }
@@ -137,6 +153,7 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
                 (high, above, below) = (share, off, 0.5 * below);
             }
         }
+        close(off)
     }
 
     /// Places the corners with this share of their way outward; returns the length of the rounded line.
@@ -172,7 +189,7 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
             let inner = index > 0 && index < last;
             let corner = &mut self.corners[index];
             corner.angle = if inner { turn(corner.into, corner.out) } else { 0.0 };
-            corner.reach = self.line.rounding * corner.tangent().min(REACH);
+            corner.reach = self.rounding * corner.tangent().min(REACH);
         }
         let wishes = self.corners.map(|corner| corner.reach);
         for index in 1..last {
