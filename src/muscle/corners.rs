@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::line::{Frames, Line, POINTS};
 use super::path::{Path, perpendicular};
-use super::wrap::Contact;
+use super::wrap::{Contact, Pulley};
 
 /// Points that lie nearer to each other than this share of the line are one.
 const TINY: f64 = 1e-9;
@@ -18,6 +18,8 @@ const TINY: f64 = 1e-9;
 const REACH: f64 = 4.0;
 /// A drawn line that is off by no more than this share is as long as the line of action.
 const CLOSE: f64 = 1e-12;
+/// Shares of the rounding that are tried one after the other. The last takes off less than 1e-10 of any line that has room for the first.
+const SHARPER: [f64; 6] = [1.0, 0.25, 0.0625, 0.016, 0.004, 1e-9];
 /// Most steps in search of the share by which corners are moved outward.
 const STEPS: usize = 80;
 
@@ -68,6 +70,8 @@ struct Corners<'a, F: Frames + ?Sized> {
     places: [DVec3; POINTS],
     contacts: [Option<Contact>; POINTS],
     corners: [Corner; POINTS],
+    /// The side on which the line of action passes the ball; moved corners do not change it.
+    side: Option<DVec3>,
 }
 
 impl<'a, F: Frames + ?Sized> Corners<'a, F> {
@@ -83,6 +87,7 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
             places: [DVec3::ZERO; POINTS],
             contacts: [None; POINTS],
             corners: [Corner::default(); POINTS],
+            side: None,
         };
         let mut long = 0.0;
         let mut before: Option<DVec3> = None;
@@ -103,6 +108,10 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
             (all.points[all.count], all.numbers[all.count]) = (place, (number, number));
             all.count += 1;
         }
+        all.side = line.pulley.and_then(|pulley| {
+            let index = (0..all.count.saturating_sub(1)).find(|index| all.is_at(*index, &pulley))?;
+            pulley.passes(frames, all.points[index], all.points[index + 1])
+        });
         all.settle(0.0);
         for index in 1..all.count.saturating_sub(1) {
             all.outward[index] = all.corners[index].into - all.corners[index].out;
@@ -110,14 +119,18 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
         all
     }
 
-    /// Moves the corners outward until the rounded line is as long as the line of action. Where a corner on its way outward makes the line change the
-    /// side of the ball, the length leaps over the one that is wanted; there the corners stay where they are and sharp, which is as long to the bit.
+    /// Moves the corners outward until the rounded line is as long as the line of action. Where a corner on its way outward comes into
+    /// the ball, the length may leap over the one that is wanted; there sharper arcs, which take off less, need less of that way. The last resort
+    /// are corners so sharp that they take off nothing that counts.
     fn make_up(&mut self) {
         let wanted = self.line.length(self.frames);
-        if !self.moves_out(wanted) {
-            self.rounding = 0.0;
-            self.settle(0.0);
+        for sharper in SHARPER {
+            self.rounding = self.line.rounding * sharper;
+            if self.moves_out(wanted) {
+                return;
+            }
         }
+        self.settle(0.0);
     }
 
     /// See [`Self::make_up`]; whether the length was reached.
@@ -207,11 +220,15 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
         length
     }
 
-    /// The ball between a point and the next one.
+    /// Whether the ball is between a point and the next one.
+    fn is_at(&self, index: usize, pulley: &Pulley) -> bool {
+        (self.numbers[index].1..self.numbers[index + 1].0).contains(&pulley.stretch)
+    }
+
+    /// Where the line lies on the ball between a point and the next one.
     fn contact(&self, index: usize) -> Option<Contact> {
-        let pulley = self.line.pulley.as_ref()?;
-        let there = (self.numbers[index].1..self.numbers[index + 1].0).contains(&pulley.stretch);
-        if there { pulley.between(self.frames, self.places[index], self.places[index + 1]) } else { None }
+        let pulley = self.line.pulley.as_ref().filter(|pulley| self.is_at(index, pulley))?;
+        pulley.on_the_side(self.frames, self.places[index], self.places[index + 1], self.side?)
     }
 
     fn path(&self, side: DVec3) -> Path {

@@ -52,16 +52,32 @@ impl Pulley {
     ///
     /// An end inside the ball leaves only as much of the ball as it does not lie in: then the line starts round it at that end.
     pub fn between(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<Contact> {
-        let along = (to - from).try_normalize()?;
-        let frame = frames.frame(self.center.bone);
-        let center = frame.transform_point3(self.center.local);
-        let side = frame.transform_vector3(self.side).normalize_or(DVec3::X);
+        self.on_the_side(frames, from, to, self.outward(frames))
+    }
+
+    /// The ball's side in the space of the frames, of length 1.
+    fn outward(&self, frames: &(impl Frames + ?Sized)) -> DVec3 {
+        frames.frame(self.center.bone).transform_vector3(self.side).normalize_or(DVec3::X)
+    }
+
+    /// The direction, perpendicular to the straight line, in which the path goes round the ball: a side that [`Pulley::on_the_side`] takes.
+    pub fn passes(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<DVec3> {
+        let center = frames.frame(self.center.bone).transform_point3(self.center.local);
+        Some(self.up(center, from, (to - from).try_normalize()?, self.outward(frames)))
+    }
+
+    fn up(&self, center: DVec3, from: DVec3, along: DVec3, side: DVec3) -> DVec3 {
         let out = (from - center).reject_from_normalized(along);
         // Twice made perpendicular: of a short vector the first time leaves as much as rounding of the long ones.
-        let mut up = perpendicular(if out.length() > CENTRAL * self.radius { out.normalize_or(side) } else { side }, along);
-        if up.dot(side) < -LEANS {
-            up = -up;
-        }
+        let up = perpendicular(if out.length() > CENTRAL * self.radius { out.normalize_or(side) } else { side }, along);
+        if up.dot(side) < -LEANS { -up } else { up }
+    }
+
+    /// [`Pulley::between`] with another side than the ball's own.
+    pub fn on_the_side(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3, side: DVec3) -> Option<Contact> {
+        let along = (to - from).try_normalize()?;
+        let center = frames.frame(self.center.bone).transform_point3(self.center.local);
+        let up = self.up(center, from, along, side);
         // Both ends seen from the centre: x along the straight line, y up.
         let flat = |point: DVec3| ((point - center).dot(along), (point - center).dot(up));
         let ((px, py), (qx, qy)) = (flat(from), flat(to));
