@@ -27,6 +27,10 @@ pub const IMAGE_SIDE: u32 = 16_384;
 pub const IMAGES_BYTES: u64 = 512 << 20;
 /// What decoding one image may take beside the picture that comes out, bytes.
 pub const IMAGE_DECODING_BYTES: u64 = 512 << 20;
+/// What decoding one image may take where it is only tested, bytes: less than what reading a file may take beside ten times its size.
+pub const IMAGE_TESTING_BYTES: u64 = 32 << 20;
+/// Pixels that are decoded at most to test the images of a document: about a second.
+pub const IMAGES_TESTED: u64 = 64 << 20;
 /// Deepest nesting of elements or nodes.
 pub const DEPTH: usize = 1_000;
 /// Most attributes of one XML element; the parser compares each with each.

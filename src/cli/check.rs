@@ -70,7 +70,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
 }
 
 fn open(file: &Path) -> Result<Vec<Finding>, OpenError> {
-    Document::open_with(&[file], OpenOptions { images: Images::Locate }, &Progress::default()).map(|document| document.health)
+    Document::open_with(&[file], OpenOptions { images: Images::Test }, &Progress::default()).map(|document| document.health)
 }
 
 fn report(name: &str, result: &Result<Vec<Finding>, OpenError>) -> FileReport {

@@ -14,7 +14,7 @@ use super::shares::{self, Wish};
 use super::{Document, Images};
 use crate::collada::{Progress, codes};
 use crate::health::Finding;
-use crate::scene::{Image, Scene, TextureRef};
+use crate::scene::{Image, Pixels, Scene, TextureRef};
 use crate::{limits, tr};
 
 /// Code of the finding that an image isn't there.
@@ -49,6 +49,12 @@ struct Picture<'f> {
     images: Vec<(usize, usize)>,
 }
 
+impl Picture<'_> {
+    fn decode(&self, size: [u32; 2]) -> Result<Pixels, Refusal> {
+        picture::decode(self.place.stream()?, self.place.path(), &self.head, size)
+    }
+}
+
 impl Pending {
     /// Keeps for later what a file has: its images in the scene, and image files inside of it.
     pub(super) fn add(&mut self, name: &str, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>, images: Range<usize>) {
@@ -64,6 +70,7 @@ impl Pending {
         pictures.sort_by_key(|picture| Reverse(picture.head.decoding));
         let wishes = wishes(scene, &pictures);
         let budget = if what == Images::Decode { room_for(&wishes) } else { limits::IMAGES_BYTES };
+        let mut tested = 0;
         for (picture, size) in pictures.iter().zip(shares::sizes(&wishes, budget)) {
             if progress.is_cancelled() {
                 return;
@@ -80,7 +87,12 @@ impl Pending {
                 });
                 continue;
             }
-            if what == Images::Decode && !decode(scene, picture, size, &mut told) {
+            let readable = match what {
+                Images::Decode => decode(scene, picture, size, &mut told),
+                Images::Test => test(scene, picture, &mut tested, &mut told),
+                Images::Locate => true,
+            };
+            if !readable {
                 continue;
             }
             if size != picture.head.size {
@@ -128,11 +140,7 @@ impl Pending {
                 }
                 Err(refusal) => refusal,
             };
-            for (file, index) in images {
-                let Some(image) = scene.images.get(index) else { continue };
-                let (code, message) = refused(image, &refusal);
-                told.of(file, image, code, message);
-            }
+            told.refused_for(scene, &images, &refusal);
         }
         for picture in &pictures {
             for (_, index) in &picture.images {
@@ -156,20 +164,36 @@ fn refused(image: &Image, refusal: &Refusal) -> (&'static str, String) {
 
 /// Decodes a picture for all its images; what is wrong with it is told.
 fn decode(scene: &mut Scene, picture: &Picture<'_>, size: [u32; 2], told: &mut Told<'_>) -> bool {
-    let place = &picture.place;
-    let decoded =
-        place.stream().map_err(Refusal::from).and_then(|stream| picture::decode(stream, place.path(), &picture.head, size)).map(Arc::new);
-    for (file, index) in &picture.images {
-        let Some(image) = scene.images.get_mut(*index) else { continue };
-        match &decoded {
-            Ok(pixels) => image.pixels = Some(Arc::clone(pixels)),
-            Err(refusal) => {
-                let (code, message) = refused(image, refusal);
-                told.of(*file, image, code, message);
+    match picture.decode(size).map(Arc::new) {
+        Ok(pixels) => {
+            for (_, index) in &picture.images {
+                if let Some(image) = scene.images.get_mut(*index) {
+                    image.pixels = Some(Arc::clone(&pixels));
+                }
             }
+            true
+        }
+        Err(refusal) => {
+            told.refused(scene, picture, &refusal);
+            false
         }
     }
-    decoded.is_ok()
+}
+
+/// Reads a picture through where it is small enough for that; what is wrong with it is told. `tested` counts the pixels.
+fn test(scene: &Scene, picture: &Picture<'_>, tested: &mut u64, told: &mut Told<'_>) -> bool {
+    let [width, height] = picture.head.size.map(u64::from);
+    if picture.head.decoding > limits::IMAGE_TESTING_BYTES || *tested + width * height > limits::IMAGES_TESTED {
+        return true;
+    }
+    *tested += width * height;
+    match picture.decode([1, 1]) {
+        Ok(_) => true,
+        Err(refusal) => {
+            told.refused(scene, picture, &refusal);
+            false
+        }
+    }
 }
 
 /// What each picture asks for: its size, and the different textures that the materials make of it.
@@ -223,6 +247,19 @@ impl Told<'_> {
         if let (Some(of_file), Some(findings)) = (self.files.get(file), self.findings.get_mut(file)) {
             of_file.name.clone_into(&mut finding.file);
             findings.push(finding);
+        }
+    }
+
+    /// Tells of each image of a picture why there is none.
+    fn refused(&mut self, scene: &Scene, picture: &Picture<'_>, refusal: &Refusal) {
+        self.refused_for(scene, &picture.images, refusal);
+    }
+
+    fn refused_for(&mut self, scene: &Scene, images: &[(usize, usize)], refusal: &Refusal) {
+        for (file, index) in images {
+            let Some(image) = scene.images.get(*index) else { continue };
+            let (code, message) = refused(image, refusal);
+            self.of(*file, image, code, message);
         }
     }
 
@@ -328,6 +365,25 @@ mod tests {
             assert_eq!((document.health[0].code, document.health[0].line), (code, Some(7)));
             assert!(document.scene.images[0].pixels.is_none());
         }
+    }
+
+    #[test]
+    fn an_image_that_breaks_behind_its_head_is_found_by_a_test() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let whole = png_of(64, 64, [1, 2, 3, 255]);
+        fs::write(folder.path().join("whole.png"), &whole).expect("written");
+        fs::write(folder.path().join("cut.png"), &whole[..whole.len() - 30]).expect("written");
+        let broken = |what: Images| {
+            let mut document = document(&["whole.png", "cut.png", "cut.png"]);
+            let mut pending = Pending::default();
+            pending.add("a.dae", folder.path(), Vec::new(), 0..3);
+            pending.load(&mut document, what, &Progress::default());
+            let kept = document.scene.images.iter().filter(|image| image.pixels.is_some()).count();
+            assert_eq!(kept, usize::from(what == Images::Decode));
+            assert!(document.health.iter().all(|finding| finding.code == BROKEN && finding.element.contains("skin")));
+            document.health.len()
+        };
+        assert_eq!([Images::Locate, Images::Test, Images::Decode].map(broken), [0, 2, 2]);
     }
 
     #[test]

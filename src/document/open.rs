@@ -19,6 +19,8 @@ pub enum Images {
     Decode,
     /// Find them and look at their heads only: enough to tell what is in a file, and quicker.
     Locate,
+    /// As [`Images::Locate`], and read through those that fit into the memory for reading, to find broken ones; no picture is kept.
+    Test,
 }
 
 /// How to open.

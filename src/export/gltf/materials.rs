@@ -1,6 +1,7 @@
 //! Materials and images: COLLADA's lighting formulas as metallic-roughness materials.
 
 use std::io::Cursor;
+use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 use rustc_hash::FxHashMap;
@@ -20,6 +21,8 @@ pub(super) struct Materials {
     pub images: Vec<Value>,
     known: FxHashMap<Use, usize>,
     pictures: FxHashMap<Picture, Option<usize>>,
+    /// The first image that was met with each decoded picture; one file may go by many ids.
+    first: FxHashMap<*const Pixels, u32>,
     by_sampler: FxHashMap<(usize, u32, u32), usize>,
     unlit: bool,
     placed: bool,
@@ -153,6 +156,14 @@ impl Materials {
         }
     }
 
+    /// The image that is written for an image: the first one with the same decoded picture.
+    fn first_of(&mut self, scene: &Scene, id: u32) -> u32 {
+        match scene.images.get(id as usize).and_then(|image| image.pixels.as_ref()) {
+            Some(pixels) => *self.first.entry(Arc::as_ptr(pixels)).or_insert(id),
+            None => id,
+        }
+    }
+
     fn texture(
         &mut self,
         scene: &Scene,
@@ -162,6 +173,7 @@ impl Materials {
         buffer: &mut Buffer,
         losses: &mut Vec<Loss>,
     ) -> Option<usize> {
+        let picture = (picture.0.map(|id| self.first_of(scene, id)), picture.1.map(|(id, source)| (self.first_of(scene, id), source)));
         let image = match self.pictures.get(&picture) {
             Some(known) => *known,
             None => {
