@@ -19,6 +19,11 @@ pub const YAML_TEXT: usize = 16 << 20;
 pub const YAML_DEPTH: usize = 100;
 /// Most files that one session or muscle file may bring into a scene.
 pub const SESSION_FILES: usize = 100;
+/// Whether the system would give so many bytes now. Whoever is refused memory in the middle of a library ends the program, so it is asked for before.
+pub fn is_room(bytes: u64) -> bool {
+    usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok())
+}
+
 /// Largest image file that is read, bytes.
 pub const IMAGE_BYTES: u64 = 256 << 20;
 /// Largest side of an image, pixels.

@@ -220,3 +220,29 @@ fn files_of_the_wrong_kind_are_told_so() {
     assert!(out.is_file());
     run(call(["measure", arg(&config("biceps-measured.yaml")), "--compare", "-", "--json"]), &radii).json();
 }
+
+/// Runs a call with no more than so many kB of addresses.
+fn in_little_memory(kilobytes: u32, words: &[&str]) -> Ended {
+    let mut command = std::process::Command::new("sh");
+    let own = call(words);
+    command.args(["-c", &format!("ulimit -v {kilobytes}; exec \"$0\" \"$@\"")]).arg(own.get_program()).args(own.get_args());
+    command.env_remove("LC_ALL").env_remove("LC_MESSAGES").env("LANG", "C.UTF-8");
+    run(command, b"")
+}
+
+#[test]
+fn pictures_for_which_there_is_no_memory_are_refused_in_one_sentence() {
+    let folder = folder();
+    let out = folder.path().join("out");
+    let curl = config("curl-muscles.yaml");
+    for (ending, more) in [("png", &["--time", "0"][..]), ("gif", &["--fps", "2"]), ("apng", &["--fps", "2"])] {
+        let file = out.with_extension(ending);
+        let words = [&["render", arg(&curl), "-o", arg(&file), "--size", "16384x16384"], more].concat();
+        let said = in_little_memory(800_000, &words).refused(1);
+        assert_eq!(said, format!("{}: The file could not be written: there is not enough memory for it.", file.display()));
+    }
+    let plot = out.with_extension("png");
+    let said = in_little_memory(150_000, &["measure", arg(&config("atlas-muscles.yaml")), "--plot", arg(&plot), "--scale", "8"]).refused(1);
+    assert!(said.contains("There is not enough memory for a picture of that size"), "{said}");
+    assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 0);
+}

@@ -28,7 +28,7 @@ pub fn watched(count: usize, run: impl FnOnce(&Work) -> Result<(), ExportError>)
     let shown = count > 1 && !is_quiet() && io::stderr().is_terminal();
     let over = AtomicBool::new(false);
     let result = std::thread::scope(|scope| {
-        let teller = shown.then(|| scope.spawn(|| tell(&work, count, &over)));
+        let teller = shown.then(|| std::thread::Builder::new().spawn_scoped(scope, || tell(&work, count, &over)).ok()).flatten();
         let result = run(&work);
         over.store(true, Ordering::Relaxed);
         if let Some(teller) = teller {

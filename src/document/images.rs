@@ -228,7 +228,7 @@ fn wishes(scene: &Scene, pictures: &[Picture<'_>]) -> Vec<Wish> {
 /// The budget, or as large a part of it as the system would give now.
 fn room_for(wishes: &[Wish]) -> u64 {
     let mut budget = limits::IMAGES_BYTES;
-    while budget > 1 << 20 && !picture::is_room(budget.min(shares::total(wishes))) {
+    while budget > 1 << 20 && !limits::is_room(budget.min(shares::total(wishes))) {
         budget /= 2;
     }
     budget

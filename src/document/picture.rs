@@ -144,16 +144,11 @@ fn bytes<const N: usize>(stream: &mut dyn Stream) -> io::Result<[u8; N]> {
     Ok(bytes)
 }
 
-/// Whether the system would give so many bytes now. A decoder that is refused memory ends the program, so it is asked for before.
-pub(super) fn is_room(bytes: u64) -> bool {
-    usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok())
-}
-
 /// Decodes an image whose head was read, to a picture of size `to`, which is no larger: each of its pixels is the mean of those that it stands for.
 pub(super) fn decode(stream: Box<dyn Stream + '_>, path: &Path, head: &Head, to: [u32; 2]) -> Result<Pixels, Refusal> {
     let reader = reader(stream, path)?;
     let mut canvas = Canvas::new(head.size, to).ok_or(Refusal::Memory)?;
-    if !is_room(head.decoding) {
+    if !limits::is_room(head.decoding) {
         return Err(Refusal::Memory);
     }
     if reader.format() == Some(ImageFormat::Png) {

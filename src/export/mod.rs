@@ -119,6 +119,7 @@ pub fn io_reason(error: &io::Error) -> String {
         io::ErrorKind::ReadOnlyFilesystem => tr!("export-io-read-only"),
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => tr!("export-io-full"),
         io::ErrorKind::NotADirectory => tr!("export-io-not-a-folder"),
+        io::ErrorKind::OutOfMemory => tr!("export-io-memory"),
         io::ErrorKind::InvalidFilename => tr!("export-io-name"),
         _ => error.to_string(),
     }

@@ -69,9 +69,14 @@ pub fn run<C, T: Send>(
     let threads = threads.max(1);
     let pictures = (MEMORY / (pixels * 4).max(1)).clamp(1, threads + 2).min(count.max(1));
     let (give_back, free) = channel();
-    for _ in 0..pictures {
-        // The receiver is there, so sending cannot fail.
-        let _ = give_back.send(Framebuffer { width: size.0, height: size.1, pixels: vec![0; pixels] });
+    for made in 0..pictures {
+        match Framebuffer::new(size.0, size.1) {
+            // The receiver is there, so sending cannot fail.
+            Ok(picture) => drop(give_back.send(picture)),
+            Err(error) if made == 0 => return Err(error),
+            // Fewer pictures on their way take longer, no more.
+            Err(_) => break,
+        }
     }
     let (hand_over, drawn) = channel::<(usize, Framebuffer)>();
     let drawn = Mutex::new(drawn);
@@ -79,9 +84,9 @@ pub fn run<C, T: Send>(
     let failed = AtomicBool::new(false);
     let (convert, converter, failed_hand, drawn) = (&convert, &converter, &failed, &drawn);
     thread::scope(|scope| {
-        for _ in 0..threads.min(pictures) {
+        for started in 0..threads.min(pictures) {
             let finish = finish.clone();
-            scope.spawn(move || {
+            let spawned = thread::Builder::new().spawn_scoped(scope, move || {
                 let mut own = converter();
                 while let Some((index, picture)) = next(drawn) {
                     let made = if failed_hand.load(Ordering::Relaxed) { Err(stopped()) } else { convert(&mut own, index, &picture) };
@@ -90,9 +95,14 @@ pub fn run<C, T: Send>(
                     }
                 }
             });
+            match spawned {
+                Err(error) if started == 0 => return Err(error),
+                Err(_) => break,
+                Ok(_) => {}
+            }
         }
         drop(finish);
-        let writer = scope.spawn(move || {
+        let writer = thread::Builder::new().spawn_scoped(scope, move || {
             let mut waiting = BTreeMap::new();
             let (mut expected, mut result) = (0, Ok(()));
             for (index, made, picture) in finished {
@@ -113,7 +123,7 @@ pub fn run<C, T: Send>(
                 }
             }
             result
-        });
+        })?;
         for index in 0..count {
             if failed.load(Ordering::Relaxed) || work.is_cancelled() {
                 break;

@@ -109,14 +109,15 @@ impl Sink {
         command.args(["-metadata", &format!("comment={note}"), "-f", kind.container(), "-y"]).arg(pending.file());
         command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|_| ExportError::NoEncoder { file: target.file().to_owned() })?;
-        let words = child.stderr.take().map(|mut words| {
-            std::thread::spawn(move || {
+        let words = child.stderr.take().and_then(|mut words| {
+            let listening = std::thread::Builder::new().spawn(move || {
                 let mut text = Vec::new();
                 // What was read before it broke off is still worth showing.
                 let _ = words.by_ref().take(1 << 16).read_to_end(&mut text);
                 let _ = io::copy(&mut words, &mut io::sink());
                 String::from_utf8_lossy(&text).into_owned()
-            })
+            });
+            listening.ok()
         });
         let pipe = child.stdin.take();
         Ok(Self { child, pipe, words, said: String::new(), pending: Some(pending), target: target.file().to_owned() })

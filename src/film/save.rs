@@ -81,7 +81,7 @@ fn write(
 ) -> Result<(), ExportError> {
     match target {
         Target::Picture(file) => {
-            let mut picture = blank(size);
+            let mut picture = Framebuffer::new(size.0, size.1).map_err(|error| ExportError::io(file, error))?;
             let shot = studio.draw(0, &mut picture);
             let (alpha, comment) = (studio.is_transparent(), note(&shot));
             let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
@@ -147,7 +147,7 @@ fn save_gif(studio: &mut Studio<'_>, size: (u32, u32), file: &Output, work: &Wor
     let count = studio.sequence.count;
     let tries = count.min(PALETTE_FRAMES);
     let mut sampler = Sampler::new(tries);
-    let mut picture = blank(size);
+    let mut picture = Framebuffer::new(size.0, size.1).map_err(|error| ExportError::io(file.file(), error))?;
     for i in 0..tries {
         if work.is_cancelled() {
             return Err(ExportError::Cancelled);
@@ -180,8 +180,4 @@ fn roll<C, T: Send>(
         studio.draw(index, picture);
     };
     pipeline::run((count, size, threads), work, draw, converter, convert, write)
-}
-
-fn blank((width, height): (u32, u32)) -> Framebuffer {
-    Framebuffer { width, height, pixels: vec![0; width as usize * height as usize] }
 }

@@ -3,7 +3,7 @@
 use super::raster::{Fonts, Pixels};
 use super::svg::Document;
 use super::{Anchor, Color, Ink, Plot, Stroke};
-use crate::tr;
+use crate::{limits, tr};
 
 /// Size of a plot on the page and the room about it, logical pixels.
 const WIDTH: f64 = 400.0;
@@ -32,6 +32,9 @@ pub enum PlotError {
     /// The picture would be too large.
     #[error("{}", tr!("plot-too-large"))]
     TooLarge,
+    /// The system gave no memory for it.
+    #[error("{}", tr!("plot-memory"))]
+    Memory,
     /// Packing failed.
     #[error("{0}")]
     Png(String),
@@ -80,6 +83,10 @@ impl Page {
         let (width, height) = self.size();
         if (width.max(height) * scale) > LARGEST {
             return Err(PlotError::TooLarge);
+        }
+        // The picture, its rows of three bytes a pixel, and what they are packed into.
+        if !limits::is_room((width * scale * height * scale * 10.0) as u64) {
+            return Err(PlotError::Memory);
         }
         let fonts = Fonts::find().ok_or(PlotError::NoFont)?;
         let mut pixels = Pixels::new(width, height, scale, &fonts).ok_or(PlotError::TooLarge)?;

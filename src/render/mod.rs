@@ -55,6 +55,20 @@ pub struct Framebuffer {
     pub pixels: Vec<u32>,
 }
 
+impl Framebuffer {
+    /// An empty picture.
+    ///
+    /// # Errors
+    /// [`std::io::ErrorKind::OutOfMemory`] where the system gives no memory for it.
+    pub fn new(width: u32, height: u32) -> std::io::Result<Self> {
+        let count = width as usize * height as usize;
+        let mut pixels = Vec::new();
+        pixels.try_reserve_exact(count).map_err(|_| std::io::ErrorKind::OutOfMemory)?;
+        pixels.resize(count, 0);
+        Ok(Self { width, height, pixels })
+    }
+}
+
 /// What lies under a pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pick {

@@ -230,6 +230,7 @@ export-io-not-found = the folder does not exist.
 export-io-denied = you may not write in this folder.
 export-io-read-only = the file system is read-only.
 export-io-full = the disk is full.
+export-io-memory = there is not enough memory for it.
 export-io-not-a-folder = a part of the path is not a folder.
 export-io-name = the file system does not allow this name.
 

@@ -224,6 +224,7 @@ export-io-not-found = такой папки нет.
 export-io-denied = нет права писать в эту папку.
 export-io-read-only = файловая система только для чтения.
 export-io-full = на диске нет места.
+export-io-memory = на это не хватает памяти.
 export-io-not-a-folder = часть пути – не папка.
 export-io-name = файловая система не допускает такого имени.
 
