@@ -106,6 +106,10 @@ impl Moment {
 
 /// The first of the clips that are nearest to `time`, seconds: those of a file share one time axis.
 fn clip_at(clips: &[Clip], time: f64) -> Option<usize> {
+    // Far away from all of them the differences would round to the same.
+    let end = clips.iter().map(|clip| clip.end).fold(f64::NEG_INFINITY, f64::max);
+    let start = clips.iter().map(|clip| clip.start).fold(f64::INFINITY, f64::min);
+    let time = time.min(end).max(start);
     let away = |clip: &Clip| (clip.start - time).max(time - clip.end).max(0.0);
     (0..clips.len()).min_by(|a, b| {
         let away = |index: &usize| clips.get(*index).map_or(f64::INFINITY, away);

@@ -27,6 +27,8 @@ const THROUGH: (f64, usize) = (0.25, 2);
 const THICK: f64 = 0.15;
 /// A muscle on a clip that begins nearer than this share of its rest length to the axis of its bone is a scheme that tells no side.
 const SCHEME: f64 = 0.02;
+/// Least range of the joint in which a ball that is not touched is one that does nothing, degrees.
+const TURNS: f64 = 1.0;
 /// Places along a bone, and along the belly, that are looked at.
 const PLACES: usize = 24;
 
@@ -218,7 +220,8 @@ fn inert(said: &mut Said<'_>, hinge: &Hinge, line: &Line, looks: &[Look]) {
         said.say("muscle-wrap-inert", message);
         return;
     }
-    if !looks.iter().any(|look| line.legs(&hinge.at(look.angle)).any(|leg| leg.contact.is_some())) {
+    let turns = hinge.range[1] - hinge.range[0] >= TURNS;
+    if turns && !looks.iter().any(|look| line.legs(&hinge.at(look.angle)).any(|leg| leg.contact.is_some())) {
         let (low, high) = (decimal(hinge.range[0], 1), decimal(hinge.range[1], 1));
         said.say("muscle-wrap-inert", tr!("muscle-wrap-never", low = low, high = high));
     }

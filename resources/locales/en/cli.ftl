@@ -38,7 +38,7 @@ cli-arg-background = What stands behind: #rrggbb, #rgb, a name such as white, or
 cli-arg-threads = Number of worker threads; one a core unless given. The picture is the same for any number
 cli-arg-stats = Print to standard error how many milliseconds each stage took (median over the frames)
 cli-arg-time = The moment, in seconds on the file's own time axis; held at the ends of the clip. The clip's start unless given
-cli-arg-clip = The clip to play, by its name, its id or its place (#2 = the second); the first unless given
+cli-arg-clip = The clip to play, by its name, its id or its place (#2 = the second); unless given the first, or with --time the one that holds that moment
 cli-arg-angle = Elbow angle in degrees, 0 = straight arm; of a clip: the elbow that is found in its skeleton, or the joint that a muscle file names
 cli-arg-on-top = Add --angle to what the clip does with the joint, instead of replacing it
 cli-arg-contraction = Contraction of the muscle, 0 to 100 per cent
@@ -151,7 +151,7 @@ cli-simd-unknown = SINEW_SIMD is "{ $name }", which is not an instruction set th
 cli-simd-missing = SINEW_SIMD is "{ $name }", which this processor does not have; it has { $names }.
 cli-stdout-failed = Standard output: { $reason }
 cli-angle-held = { $file }: the elbow goes from { $low }° to { $high }°, so { $angle }° is held at the limit.
-cli-export-nothing = There is no surface to export: the file has no mesh and no muscle.
+cli-export-nothing = There is no surface to export: nothing that is drawn here has faces, and there is no muscle.
 cli-check-clean = nothing odd.
 cli-measure-beyond = { $file }: the joint goes from { $low }° to { $high }°; what lies beyond is computed all the same.
 cli-measure-angle = angle, °
