@@ -66,7 +66,7 @@ SOAK_CASES ?= 3000
 soak: export PROPTEST_CASES := $(SOAK_CASES)
 soak:
 	@resources/setup.sh test
-	$(CARGO) test --locked --no-fail-fast --lib $(patsubst tests/%.rs,--test %,$(filter-out tests/window.rs,$(wildcard tests/*.rs)))
+	$(CARGO) test --locked --no-fail-fast --lib $(patsubst tests/%/main.rs,--test %,$(wildcard tests/*/main.rs))
 
 # Ten thousand random keys, clicks and drags on the window, with a window manager and without; takes minutes.
 monkey:

@@ -1,4 +1,4 @@
-//! An allocator that counts, for tests which claim that nothing is allocated, or not more than so much. It counts for the whole process, so such a test is alone in its file.
+//! An allocator that counts, for tests which claim that nothing is allocated, or not more than so much. It counts for the whole process, so such a test is alone in its process.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -10,13 +10,11 @@ static HELD: AtomicUsize = AtomicUsize::new(0);
 static PEAK: AtomicUsize = AtomicUsize::new(0);
 
 /// How often memory was asked for so far.
-#[allow(dead_code)]
 pub fn allocations() -> usize {
     ALLOCATIONS.load(Ordering::Relaxed)
 }
 
 /// What `work` returns, and the most bytes that were held at once meanwhile, beyond those before.
-#[allow(dead_code)]
 pub fn peak<T>(work: impl FnOnce() -> T) -> (T, usize) {
     let before = HELD.load(Ordering::Relaxed);
     PEAK.store(before, Ordering::Relaxed);

@@ -1,0 +1,20 @@
+//! The command line, called as a program.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod bench;
+mod export;
+mod film;
+mod guard;
+mod help;
+mod info;
+mod input;
+mod measure;
+mod render;
+mod simd;
+mod tables;
+mod terminal;
+mod whole;
+mod wrong;
+mod yaml;
