@@ -140,7 +140,8 @@ fn no_table(why: NoTable, file: &Path) -> Failure {
 fn say_what_no_joint_does(document: &Document, angles: &[f64], file: &Path) {
     for range in document.rigs().filter_map(|(rig, _)| rig.measured_range()) {
         if angles.iter().any(|angle| !range.contains(angle)) {
-            let (low, high) = (decimal(*range.start(), 1), decimal(*range.end(), 1));
+            let tenth = |degrees: f64| plain((10.0 * degrees).round() / 10.0);
+            let (low, high) = (tenth(*range.start()), tenth(*range.end()));
             notice(&tr!("cli-measure-beyond", file = display_name(file), low = low, high = high));
         }
     }
