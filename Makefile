@@ -56,7 +56,7 @@ test:
 
 # Random events on the window in Debian 13, with its GTK 4.18, or with NEWER=name another driver: a root of its own, by debootstrap, as root.
 test-newer:
-	@resources/setup.sh test
+	@resources/setup.sh newer
 	resources/test-newer.sh $(NEWER)
 
 # Ten thousand random keys, clicks and drags on the window, with a window manager and without; takes minutes.
