@@ -3,7 +3,7 @@
 import os
 import subprocess
 
-from drive import CLIP, Window, configs, fail, folder, pressed, run, still, told, value, wait
+from drive import CLIP, Atspi, Window, configs, fail, folder, pressed, run, still, told, value, wait
 from hands import at, click, focus_picture
 
 
@@ -15,7 +15,7 @@ def write(path, text):
 
 
 def text_of(node):
-    return node.get_text(0, node.get_character_count())
+    return Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node))
 
 
 def test_russian_numbers(path):

@@ -92,7 +92,7 @@ def at_rest(window):
 
 
 def start():
-    window = Window(os.path.join(configs, "walker.dae"))
+    window = Window(os.path.join(configs, "walker.dae"), flat=False)
     subprocess.run(["xdotool", "windowsize", window.window, str(WIDTH), str(HEIGHT)], check=False)
     window.get("slider", "Time")
     return window, Ear(window)

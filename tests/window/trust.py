@@ -10,7 +10,7 @@ from hands import at, click, focus_picture
 
 
 def text_of(node):
-    return node.get_text(0, node.get_character_count())
+    return Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node))
 
 
 def held_in(window):
