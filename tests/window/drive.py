@@ -129,6 +129,8 @@ def flatten():
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w") as file:
         file.write("*:not(highlight):not(progress):not(separator) { padding: 0; border-width: 0; }\n")
+        # A margin is told rightly, and at the sides of a page is where the wheel turns the page itself.
+        file.write(".page { margin: 0 18px 0 12px; }\n")
 
 
 class Window:
@@ -169,8 +171,9 @@ class Window:
         return None
 
     def find(self, role, name):
-        # A toggle button is a "push button" to some versions of GTK and a "toggle button" to others.
-        fits = lambda node: node.get_role_name().endswith(role) and called(node) == name
+        # A toggle button is a "push button" to some versions of GTK and a "toggle button" to others. A list that unfolds has since GTK 4.12 the name of
+        # what is chosen in it, and its own stands in the description.
+        fits = lambda node: node.get_role_name().endswith(role) and (called(node) == name or role == "combo box" and node.get_description() == name)
         return steadily(lambda: next(filter(fits, walk(self.root)), None))
 
     def get(self, role, name):

@@ -4,6 +4,7 @@ import os
 import subprocess
 
 from drive import CLIP, Atspi, Window, configs, fail, folder, pressed, run, still, told, value, wait
+from drive_hands import page
 from hands import at, click, focus_picture
 
 
@@ -108,6 +109,7 @@ def test_weights():
     window.quit()
     window = Window(os.path.join(configs, "biceps.yaml"))
     window.get("slider", "Contraction")
+    page(window, "Display")
     box = window.get("check box", "Weights of the selected bone")
     focus_picture()
     window.key("w")
