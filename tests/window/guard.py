@@ -30,11 +30,13 @@ def answer(window, replace):
     """Answers a question, which stands on Cancel: Return means that."""
     question = wait("a question comes up", window.others)[0]
     run("xdotool", "windowfocus", question)
-    if replace:
-        window.get("button", "Replace").do_action(0)
+    settled(question)
+    button = window.find("button", "Replace") if replace else None
+    if button:
+        button.do_action(0)
     else:
-        settled(question)
-        run("xdotool", "key", "Return")
+        # Older GTK has the buttons of questions in no tree; Replace is the one after Cancel.
+        run("xdotool", "key", *(["Tab"] if replace else []), "Return")
     wait("the question goes", lambda: not window.others())
     run("xdotool", "windowfocus", window.window)
 
