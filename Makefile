@@ -58,7 +58,7 @@ test:
 
 # Random events on the window in Debian 13, with its GTK 4.18, or with NEWER=name another driver: a root of its own, by debootstrap, as root.
 test-newer:
-	@resources/setup.sh test
+	@resources/setup.sh newer
 	resources/test-newer.sh $(NEWER)
 
 # Each property on that many new random inputs; takes about a quarter of an hour. What fails is printed with its input.

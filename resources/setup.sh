@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, Rust and system packages: setup.sh build | test
-# `build` is what the window is compiled with and runs on; `test` adds what drives and checks it without a screen.
+# Installs what is missing, Rust and system packages: setup.sh build | test | newer
+# `build` is what the window is compiled with and runs on; `test` adds what drives and checks it without a screen,
+# `newer` what makes a root of another Debian, to do that there.
 # It says what it installs before it does; at a terminal it asks about Rust first. SINEW_NO_INSTALL=1 lets it install nothing.
 set -euo pipefail
 . "$(dirname "$0")/rust.sh"
@@ -29,11 +30,16 @@ test=(
   librsvg2-bin
   mandoc
 )
+newer=(
+  debootstrap             # a root of another Debian
+  debian-archive-keyring  # and what its packages are signed with
+)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;
   test) wanted=("${build[@]}" "${test[@]}") ;;
-  *) echo "usage: setup.sh build|test" >&2; exit 2 ;;
+  newer) wanted=("${build[@]}" "${test[@]}" "${newer[@]}") ;;
+  *) echo "usage: setup.sh build|test|newer" >&2; exit 2 ;;
 esac
 
 log=

@@ -1,9 +1,6 @@
 #!/usr/bin/env bash
 # Runs drivers of the window in the next Debian: test-newer.sh [name of a test], by default the ten thousand random events.
 # Makes a root of it by debootstrap, once; the mirror is that of this system, else debootstrap's own. Needs the rights of root.
-#
-# Drivers that point at what the accessibility tree names mostly fail there: since GTK 4.10 the places that it tells lack the borders and paddings of
-# whatever surrounds a widget.
 set -euo pipefail
 
 suite=trixie
@@ -28,20 +25,22 @@ if [ ! -e "$root/sinew-is-complete" ]; then
   mkdir -p "$root"
   debootstrap --variant=minbase "$suite" "$root" ${mirror:+"$mirror"}
   chroot "$root" apt-get update
-  DEBIAN_FRONTEND=noninteractive chroot "$root" apt-get install --yes --no-install-recommends "${packages[@]}"
+  DEBIAN_FRONTEND=noninteractive LC_ALL=C chroot "$root" apt-get install --yes --no-install-recommends "${packages[@]}"
   touch "$root/sinew-is-complete"
 fi
 
 # The program is built by this system; in the other one it lies where it does here. All that is mounted goes with this process.
-cargo build --locked
+cargo=$(dirname "$0")/cargo.sh
+"$cargo" build --locked
+target=$(readlink -f "${CARGO_TARGET_DIR:-target}")
 exec unshare --mount -- bash -euo pipefail -c '
-  root=$1; shift
+  root=$1 target=$2 cargo=$3; shift 3
   mount -t proc proc "$root/proc"
   mount --rbind /dev "$root/dev"
-  for shared in /tmp "$PWD"; do
+  for shared in /tmp "$PWD" "$target"; do
     mkdir -p "$root$shared"
     mount --bind "$shared" "$root$shared"
   done
   echo "== The drivers of the window, with GTK $(chroot "$root" dpkg-query --show --showformat "\${Version}" libgtk-4-1)"
-  SINEW_TEST_ROOT=$root exec cargo test --locked --test window -- --include-ignored --nocapture --test-threads 1 "$@"
-' newer "$root" "${1:-ten_thousand}"
+  SINEW_TEST_ROOT=$root exec "$cargo" test --locked --test window -- --include-ignored --nocapture --test-threads 1 "$@"
+' newer "$root" "$target" "$cargo" "${1:-ten_thousand}"

@@ -30,6 +30,11 @@ mod imp {
         const NAME: &'static str = "SinewCanvas";
         type Type = super::Canvas;
         type ParentType = gtk::Widget;
+
+        fn class_init(class: &mut Self::Class) {
+            // GTK since 4.10 takes no name for what has no role.
+            class.set_accessible_role(gtk::AccessibleRole::Img);
+        }
     }
 
     impl ObjectImpl for Canvas {}

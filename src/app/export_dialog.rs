@@ -285,7 +285,7 @@ impl Dialog {
     }
 
     fn show_running(&self, running: bool) {
-        self.part::<gtk::Grid>("choices").set_sensitive(!running);
+        ui::allow(&self.part::<gtk::Grid>("choices"), !running);
         self.part::<gtk::Button>("export").set_sensitive(!running);
         self.part::<gtk::ProgressBar>("bar").set_visible(running);
         self.part::<gtk::ProgressBar>("bar").set_fraction(0.0);

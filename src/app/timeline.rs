@@ -315,14 +315,14 @@ impl Timeline {
             for (widget, per_second, step) in [(&self.seconds, 1.0, 1.0 / rate), (&self.frame, rate, 1.0)] {
                 widget.set_range(playback.start * per_second, playback.end * per_second);
                 widget.set_increments(step, per_second);
-                widget.set_sensitive(moves);
+                ui::allow(widget, moves);
             }
             // A clip that starts between two frames still shows the frame it starts in.
             self.frame.set_range(frame_of(playback.start, rate), frame_of(playback.end, rate));
             self.time.set_range(playback.start, playback.end.max(playback.start + 1e-9));
             self.time.set_increments(1.0 / rate, 1.0);
             self.time.set_sensitive(moves);
-            self.speed.set_sensitive(moves);
+            ui::allow(&self.speed, moves);
             self.speed.set_value(playback.speed);
             self.play_image.set_icon_name(Some(if playback.playing {
                 "media-playback-pause-symbolic"

@@ -121,6 +121,18 @@ pub fn narrow(list: &DropDown, chars: i32) {
     list.set_expression(Some(PropertyExpression::new(StringObject::static_type(), Expression::NONE, "string")));
 }
 
+/// Lets a widget be worked or not. One that has the keyboard, or holds what has it, loses it first: GTK takes it from a text without telling the text, whose
+/// cursor then blinks on and complains.
+pub fn allow(widget: &impl IsA<Widget>, may: bool) {
+    if !may
+        && let Some(root) = widget.root()
+        && root.focus().is_some_and(|focus| focus == *widget.upcast_ref::<Widget>() || focus.is_ancestor(widget))
+    {
+        root.set_focus(Widget::NONE);
+    }
+    widget.set_sensitive(may);
+}
+
 /// Moves a slider or a box to a value, unless that differs from its own by rounding alone: by less than the hundred thousandth part of a step. While a
 /// hand's value is being told, GTK tells of any other one after it; one that comes back from a pose rounded otherwise each time would be told of without end.
 pub fn show_value(adjustment: &gtk4::Adjustment, value: f64) {

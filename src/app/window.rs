@@ -143,6 +143,8 @@ impl Window {
             window.viewport.notice(&notice);
         }
         window.recovery.offer(&window);
+        // Newer GTK gives the keyboard to the first widget that takes it, which is the search of the tree; there keys would be letters.
+        window.viewport.take_focus();
         window.widget.present();
     }
 

@@ -150,7 +150,7 @@ def test_panels(window):
     wait("F9 folds both panels away", lambda: not shown("Scene tree") and not shown("Right panel"))
     window.key("F9")
     wait("and brings them back", lambda: (shown("Scene tree"), shown("Right panel")) == before)
-    for key, words in (("F1", "When something is wrong"), ("ctrl+question", "Next clip")):
+    for key, words in (("F1", "When something is wrong"), ("ctrl+question", "Both side panels")):
         window.key(key)
         other = wait(f"{key} shows a window", lambda: window.others())[0]
         wait(f"{key} shows: {words}", lambda: window.shows(words))

@@ -6,7 +6,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 sys.dont_write_bytecode = True
-from drive import CLIP, Atspi, Window, configs, fail, left_out, pressed, run, still, told, value, wait, write  # noqa: E402,F401
+from drive import CLIP, Atspi, Window, called, configs, fail, left_out, pressed, run, settled, still, told, value, wait, write  # noqa: E402,F401
 
 CAMERA = """<library_cameras><camera id="lens" name="Lens"><optics><technique_common><perspective><xfov>40</xfov><aspect_ratio>1.5</aspect_ratio>
   <znear>0.1</znear><zfar>100</zfar></perspective></technique_common></optics></camera></library_cameras>"""
@@ -40,8 +40,10 @@ def test_folder():
     wait("Ctrl+O shows the dialog", lambda: window.find("button", "Open") and window.shows("Animation clips and muscles"))
     dialog = wait("it is a window", lambda: run("xdotool", "search", "--name", "Open files").split()[0].decode())
     run("xdotool", "windowfocus", dialog)
-    run("xdotool", "type", "--window", dialog, paths[2])
-    run("xdotool", "key", "Return")
+    settled(dialog)
+    run("xdotool", "type", "--delay", "30", "--window", dialog, paths[2])
+    # What the entry proposes beyond what was typed goes.
+    run("xdotool", "key", "shift+End", "Delete", "Return")
     wait("a path that is typed opens", lambda: "two.dae" in title(window))
     told("the file dialog opens a file whose path is typed")
     run("xdotool", "windowfocus", window.window)
@@ -97,14 +99,14 @@ def test_camera_and_time():
     path = write("filmed.dae", CLIP.replace("<library_animations>", CAMERA + "<library_animations>").replace("</visual_scene>", EYE + "</visual_scene>"))
     window = Window(path)
     slider = window.get("slider", "Time")
-    rates = wait("there is a choice of frame rates", lambda: next((node for node in walk(window) if node.get_name() == "Frames a second of the frame numbers"), None))
+    rates = wait("there is a choice of frame rates", lambda: next((node for node in walk(window) if "Frames a second of the frame numbers" in (node.get_name(), node.get_description())), None))
     if rates is None:
         fail("the frame rate can be chosen")
     run("xdotool", "mousemove", 700, 90, "click", 1)
     window.key("1")
     front = still(window)
     press(window.get("button", "Camera"))
-    wait("the camera of the file is in the menu", lambda: any(node.get_name() == "Eye" and "menu" in node.get_role_name() for node in walk(window)))
+    wait("the camera of the file is in the menu", lambda: any("menu" in node.get_role_name() and called(node) == "Eye" for node in walk(window)))
     # It is the last one; a place in a popover cannot be asked for through the accessibility tree of GTK 4.8.
     window.key("Up", "Return")
     wait("the menu closes and its view is shown", lambda: not window.shows("Start view") and window.picture() != front)

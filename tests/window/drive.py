@@ -4,6 +4,7 @@ usage: drive.py PROGRAM FOLDER CONFIGS    (inside a D-Bus session with a display
 Prints what was proven, line by line; ends with 1 at the first thing that is not so.
 """
 
+import ctypes
 import os
 import subprocess
 import sys
@@ -96,10 +97,48 @@ def walk(node, depth=0):
         yield from walk(node.get_child_at_index(index), depth + 1)
 
 
+def called(node):
+    """The name of a node. GTK since 4.10 lets an item of a menu take its name from a label and then leaves the label's out: its text is asked for."""
+    if node.get_name() or node.get_role_name() != "menu item":
+        return node.get_name() or ""
+    labels = [relation.get_target(0) for relation in node.get_relation_set() if relation.get_relation_type() == Atspi.RelationType.LABELLED_BY]
+    return "".join(Atspi.Text.get_text(label, 0, Atspi.Text.get_character_count(label)) for label in labels)
+
+
+def settled(window):
+    """Waits until a window, of which all has come up, no longer changes: what is typed before that is lost."""
+    looks = []
+
+    def same():
+        looks.append(run("import", "-window", window, "-depth", "8", "rgb:-"))
+        return len(looks) > 4 and len(set(looks[-4:])) == 1
+
+    wait("a window comes to rest", same)
+
+
+def flatten():
+    """Takes all borders and paddings away where GTK tells places without them.
+
+    GTK since 4.10 adds up the places of widgets within their parents, each measured from inside the parent's border and padding, and forgets what these
+    take: everything is told too far to the left and too high, and what lies under a point likewise. Where there are none it tells the truth.
+    Highlights, bars of progress and separators hold nothing, and have margins below 0 that rely on theirs.
+    """
+    if ctypes.CDLL("libgtk-4.so.1").gtk_get_minor_version() < 10:
+        return
+    path = os.path.join(GLib.get_user_config_dir(), "gtk-4.0", "gtk.css")
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    with open(path, "w") as file:
+        file.write("*:not(highlight):not(progress):not(separator) { padding: 0; border-width: 0; }\n")
+        # A margin is told rightly, and at the sides of a page is where the wheel turns the page itself.
+        file.write(".page { margin: 0 18px 0 12px; }\n")
+
+
 class Window:
     """A running program."""
 
-    def __init__(self, *files, opens=True):
+    def __init__(self, *files, opens=True, flat=True):
+        if flat:
+            flatten()
         # For the program alone: this one's own library for the accessibility bus has critical messages of its own.
         environment = {"G_DEBUG": "fatal-criticals", **os.environ}
         self.process = subprocess.Popen([program, *files], stderr=subprocess.PIPE, text=True, env=environment)
@@ -132,8 +171,9 @@ class Window:
         return None
 
     def find(self, role, name):
-        # A toggle button is a "push button" to some versions of GTK and a "toggle button" to others.
-        fits = lambda node: node.get_name() == name and node.get_role_name().endswith(role)
+        # A toggle button is a "push button" to some versions of GTK and a "toggle button" to others. A list that unfolds has since GTK 4.12 the name of
+        # what is chosen in it, and its own stands in the description.
+        fits = lambda node: node.get_role_name().endswith(role) and (called(node) == name or role == "combo box" and node.get_description() == name)
         return steadily(lambda: next(filter(fits, walk(self.root)), None))
 
     def get(self, role, name):
@@ -145,7 +185,7 @@ class Window:
         def within(node):
             if not node.get_state_set().contains(Atspi.StateType.VISIBLE):
                 return False
-            if text in (node.get_name() or ""):
+            if text in called(node):
                 return True
             return any(within(node.get_child_at_index(index)) for index in range(node.get_child_count()))
 

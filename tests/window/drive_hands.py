@@ -5,7 +5,7 @@ import shutil
 import time
 
 import hands
-from drive import Atspi, Window, configs, folder, run, steadily, wait, walk
+from drive import Atspi, Window, called, configs, folder, run, steadily, wait, walk
 
 
 def named(window, name):
@@ -93,5 +93,5 @@ def new_muscle(window, name):
     """Chooses a ready muscle from the menu of the button New."""
     buttons = lambda: [node for node in walk(window.root) if node.get_name() == "New" and node.get_role_name().endswith("button")]
     click(wait("there is a button New", buttons)[0])
-    items = lambda: [node for node in walk(window.root) if node.get_role_name() == "menu item" and name in node.get_name()]
+    items = lambda: [node for node in walk(window.root) if node.get_role_name() == "menu item" and name in called(node)]
     click(wait(f"the menu offers {name}", items)[0])

@@ -5,7 +5,7 @@ from drive_hands import click, open_curl
 
 
 def one(window, name, *roles):
-    fits = lambda node: node.get_name() == name and node.get_role_name() in roles
+    fits = lambda node: name in (node.get_name(), node.get_description()) and node.get_role_name() in roles
     return wait(f"there is {name}", lambda: steadily(lambda: next(filter(fits, walk(window.root)), None)))
 
 

@@ -3,7 +3,7 @@
 import os
 import shutil
 
-from drive import Window, configs, fail, folder, told, wait, walk
+from drive import Window, called, configs, fail, folder, told, wait, walk
 from drive_hands import click, enter, muscle_page, named, reveal, text, title
 
 
@@ -14,7 +14,7 @@ def choose(window, item):
     button = wait("there is a menu for the muscle", buttons)[0]
     reveal(button)
     click(button)
-    items = lambda: [node.get_name() for node in walk(window.root) if node.get_role_name() == "menu item"]
+    items = lambda: [called(node) for node in walk(window.root) if node.get_role_name() == "menu item"]
     wait(f"the menu offers {item}", lambda: item in items())
     # By the keyboard: the menu says where its items are only while it is still coming up.
     place = ["Duplicate", "Delete"].index(item)

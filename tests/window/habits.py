@@ -3,7 +3,8 @@
 import os
 import subprocess
 
-from drive import CLIP, Window, configs, fail, folder, pressed, run, still, told, value, wait
+from drive import CLIP, Atspi, Window, configs, fail, folder, pressed, run, still, told, value, wait
+from drive_hands import page
 from hands import at, click, focus_picture
 
 
@@ -15,7 +16,7 @@ def write(path, text):
 
 
 def text_of(node):
-    return node.get_text(0, node.get_character_count())
+    return Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node))
 
 
 def test_russian_numbers(path):
@@ -108,6 +109,7 @@ def test_weights():
     window.quit()
     window = Window(os.path.join(configs, "biceps.yaml"))
     window.get("slider", "Contraction")
+    page(window, "Display")
     box = window.get("check box", "Weights of the selected bone")
     focus_picture()
     window.key("w")

@@ -26,7 +26,7 @@ VIEWS = {
 def shoot(view, language, style):
     files, names, keys = VIEWS[view]
     os.environ.update(LANG=LANGUAGES[language], LC_ALL=LANGUAGES[language], LANGUAGE=language, GTK_THEME=STYLES[style])
-    window = Window(*(os.path.join(configs, name) for name in files))
+    window = Window(*(os.path.join(configs, name) for name in files), flat=False)
     run("xdotool", "windowsize", window.window, *SIZE)
     if names:
         page(window, *names)

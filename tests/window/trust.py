@@ -3,6 +3,7 @@
 import os
 import signal
 import subprocess
+import time
 
 from drive import CLIP, Atspi, Window, configs, fail, folder, pressed, run, still, told, value, wait, walk, write
 from drive_hands import enter, named
@@ -10,7 +11,7 @@ from hands import at, click, focus_picture
 
 
 def text_of(node):
-    return node.get_text(0, node.get_character_count())
+    return Atspi.Text.get_text(node, 0, Atspi.Text.get_character_count(node))
 
 
 def held_in(window):
@@ -197,7 +198,21 @@ def test_starts():
     told("it starts without buses, with settings that are no file, and says that there are no fonts")
 
 
+def test_box_without_clip():
+    """A box that has the keyboard loses its clip: its cursor is not left blinking, of which GTK would complain a moment later."""
+    window = Window(write("closed.dae", CLIP))
+    box = window.get("spin button", "Exact time, seconds")
+    click(*at(box, 0.2))
+    wait("the box has the keyboard", lambda: box.get_state_set().contains(Atspi.StateType.FOCUSED))
+    window.key("ctrl+w")
+    wait("there is no time any more", lambda: not box.get_state_set().contains(Atspi.StateType.SENSITIVE))
+    time.sleep(2)  # a cursor blinks every 1.2 s
+    window.quit()
+    told("a box that loses its clip loses the keyboard")
+
+
 if __name__ == "__main__":
+    test_box_without_clip()
     test_undo()
     test_boxes()
     test_toast()
