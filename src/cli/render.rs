@@ -39,7 +39,9 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (size, scale) = size(given)?;
     let guard = Guard::of_files(&files);
     guard.output(&out)?;
-    let Opened { document, saved, compared } = stage::open(&files, OpenOptions::default(), &Progress::default())?;
+    let opened = stage::open(&files, OpenOptions::default(), &Progress::default())?;
+    let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
+    let Opened { document, saved, compared } = opened;
     remark(document.health.iter());
     let moment = Moment::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.state(&document));
@@ -51,8 +53,6 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     if matches!(target, Target::Gif(_)) && sequence.fps > gif::MOST_FPS {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
     }
-    let of_session = saved.iter().flat_map(|saved| saved.every_file(first.parent().unwrap_or(Path::new(""))));
-    let guard = guard.and(document.files()).and(of_session);
     target.files(&sequence).try_for_each(|file| guard.output(&file).map(drop))?;
     allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;

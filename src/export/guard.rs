@@ -48,6 +48,12 @@ impl Guard {
         Self::holding(held)
     }
 
+    /// Holds what another one holds too.
+    #[must_use]
+    pub fn and_of(&self, other: &Self) -> Self {
+        self.and(other.held.iter().cloned())
+    }
+
     /// Holds all but this file: what is saved where it came from replaces itself.
     #[must_use]
     pub fn but(&self, own: Option<&Path>) -> Self {
