@@ -63,6 +63,8 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let target = guard.and(document.files()).output(&out)?;
     let model = if value::<String>(given, "model").as_deref() == Some("poses") { Model::Poses } else { Model::Growth };
     let (file, rig) = muscles(&document, like.as_deref().unwrap_or(csv))?;
+    // What is made from it lies elsewhere.
+    let file = &document.muscle_file_for(0, file, &out);
     let mut fitted = fit_first(file, rig, &table, model).map_err(|error| Failure::file(csv, error))?;
     let misfit = if model == Model::Poses { fitted.poses } else { fitted.growth };
     let unit = unit_name(file.unit_metres);
