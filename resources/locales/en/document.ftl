@@ -14,12 +14,27 @@ document-unknown = Sinew does not know this kind of file; it reads COLLADA (.dae
 document-cancelled = Loading was cancelled.
 document-standard-input = standard input
 document-built-in = built-in biceps
-document-image-missing = The image "{ $uri }" was not found; the plain colour is drawn instead.
-document-image-broken = The image "{ $uri }" could not be decoded ({ $reason }); the plain colour is drawn instead.
-document-image-reduced = The image "{ $uri }" has { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } pixels and is drawn with { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }: all images of a document together may take { NUMBER($limit, useGrouping: 0) } MB.
-document-image-no-room = The image "{ $uri }" of { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } pixels is left out: all images of a document together may take { NUMBER($limit, useGrouping: 0) } MB.
+document-image-missing = The image "{ $uri }"{ $count ->
+        [1] {""}
+       *[other] , which { NUMBER($count, useGrouping: 0) } <image> elements name,
+    } was not found; the plain colour is drawn instead.
+document-image-broken = The image "{ $uri }"{ $count ->
+        [1] {""}
+       *[other] , which { NUMBER($count, useGrouping: 0) } <image> elements name,
+    } could not be decoded ({ $reason }); the plain colour is drawn instead.
+document-image-reduced = { $count ->
+        [1] The image "{ $uri }" has { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } pixels and is drawn with { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+       *[other] { NUMBER($count, useGrouping: 0) } images are drawn smaller than they are, the first of them, "{ $uri }" of { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } pixels, with { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+    }: all images of a document together may take { NUMBER($limit, useGrouping: 0) } MB.
+document-image-no-room = { $count ->
+        [1] The image "{ $uri }" of { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } pixels is left out
+       *[other] { NUMBER($count, useGrouping: 0) } images are left out, the first of them "{ $uri }" of { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } pixels
+    }: all images of a document together may take { NUMBER($limit, useGrouping: 0) } MB.
 document-image-decoding = The image "{ $uri }" of { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } pixels is left out: decoding it would take more than { NUMBER($limit, useGrouping: 0) } MB.
-document-image-memory = There is not enough memory for the image "{ $uri }"; the plain colour is drawn instead.
+document-image-memory = There is not enough memory for { $count ->
+        [1] the image "{ $uri }"
+       *[other] { NUMBER($count, useGrouping: 0) } images, the first of them "{ $uri }"
+    }; the plain colour is drawn instead.
 document-image-side = it has more than { NUMBER($limit, useGrouping: 0) } pixels a side
 document-image-no-pixels = pixels are missing
 document-image-colours = its kind of colours is not known

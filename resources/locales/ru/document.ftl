@@ -14,12 +14,40 @@ document-unknown = Файлы такого рода Sinew не знает; он 
 document-cancelled = Загрузка отменена.
 document-standard-input = стандартный ввод
 document-built-in = встроенный бицепс
-document-image-missing = Изображение «{ $uri }» не найдено; вместо него рисуется сплошной цвет.
-document-image-broken = Изображение «{ $uri }» не удалось прочитать ({ $reason }); вместо него рисуется сплошной цвет.
-document-image-reduced = В изображении «{ $uri }» { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется оно в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
-document-image-no-room = Изображение «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей пропущено: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
+document-image-missing = Изображение «{ $uri }»{ $count ->
+        [1] {""}
+        [one] , на которое ссылается { NUMBER($count, useGrouping: 0) } элемент <image>,
+        [few] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элемента <image>,
+       *[other] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элементов <image>,
+    } не найдено; вместо него рисуется сплошной цвет.
+document-image-broken = Изображение «{ $uri }»{ $count ->
+        [1] {""}
+        [one] , на которое ссылается { NUMBER($count, useGrouping: 0) } элемент <image>,
+        [few] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элемента <image>,
+       *[other] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элементов <image>,
+    } не удалось прочитать ({ $reason }); вместо него рисуется сплошной цвет.
+document-image-reduced = { $count ->
+        [1] В изображении «{ $uri }» { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется оно в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+        [one] { NUMBER($count, useGrouping: 0) } изображение рисуется уменьшенным, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+        [few] { NUMBER($count, useGrouping: 0) } изображения рисуются уменьшенными, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+       *[other] { NUMBER($count, useGrouping: 0) } изображений рисуются уменьшенными, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+    }: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
+document-image-no-room = { $count ->
+        [1] Изображение «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей пропущено
+        [one] { NUMBER($count, useGrouping: 0) } изображение пропущено, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей
+        [few] { NUMBER($count, useGrouping: 0) } изображения пропущены, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей
+       *[other] { NUMBER($count, useGrouping: 0) } изображений пропущены, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей
+    }: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
 document-image-decoding = Изображение «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей пропущено: чтение заняло бы больше { NUMBER($limit, useGrouping: 0) } МБ памяти.
-document-image-memory = На изображение «{ $uri }» не хватает памяти; вместо него рисуется сплошной цвет.
+document-image-memory = На { $count ->
+        [1] изображение «{ $uri }»
+        [one] { NUMBER($count, useGrouping: 0) } изображение, первое из них – «{ $uri }»,
+        [few] { NUMBER($count, useGrouping: 0) } изображения, первое из них – «{ $uri }»,
+       *[other] { NUMBER($count, useGrouping: 0) } изображений, первое из них – «{ $uri }»,
+    } не хватает памяти; вместо { $count ->
+        [1] него
+       *[other] них
+    } рисуется сплошной цвет.
 document-image-side = по одной стороне больше { NUMBER($limit, useGrouping: 0) } пикселей
 document-image-no-pixels = не хватает пикселей
 document-image-colours = такой вид цветов неизвестен
