@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use crate::system::{Doing, reason};
 use crate::tr;
 
 /// Why a file is not read.
@@ -29,7 +30,7 @@ impl Refused {
                 io::ErrorKind::NotFound => tr!("document-not-found"),
                 io::ErrorKind::PermissionDenied => tr!("document-permission"),
                 io::ErrorKind::IsADirectory => tr!("document-folder"),
-                _ => tr!("document-io", reason = error.to_string()),
+                _ => tr!("document-io", reason = reason(error, Doing::Reading)),
             },
             Self::Folder => tr!("document-folder"),
             Self::NotRegular => tr!("document-not-regular"),

@@ -9,6 +9,7 @@ use super::save_as::{self, Wanted};
 use super::window::Window;
 use crate::export::atomic::write_whole;
 use crate::export::guard::Output;
+use crate::system::{Doing, reason};
 use crate::tr;
 
 /// Asks where to and saves what is open and how it is looked at. Of the files that are open, only the session file itself may be replaced.
@@ -24,7 +25,7 @@ fn write(window: &Rc<Window>, output: &Output) {
     let folder = path.parent().unwrap_or(Path::new(""));
     let text = window.look(|session| session.to_saved(folder).text());
     let written = text
-        .map_err(|error| error.to_string())
+        .map_err(|error| reason(&error, Doing::Writing))
         .and_then(|text| write_whole(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));
     match written {
         Ok(()) => {

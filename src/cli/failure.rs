@@ -10,6 +10,7 @@ use clap::ArgMatches;
 use crate::document::OpenError;
 use crate::export::ExportError;
 use crate::i18n;
+use crate::system::{Doing, reason};
 
 /// The exit code of a program that Ctrl+C stopped, as shells have it.
 pub const STOPPED: u8 = 130;
@@ -147,7 +148,7 @@ pub fn answer(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(i18n::shown_lines(text).as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::ReaderGone,
-        _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = crate::export::io_reason(&error))]),
+        _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = reason(&error, Doing::Writing))]),
     })
 }
 
