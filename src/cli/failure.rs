@@ -9,6 +9,7 @@ use clap::ArgMatches;
 
 use crate::document::OpenError;
 use crate::export::ExportError;
+use crate::film::Pattern;
 use crate::i18n;
 use crate::system::{Doing, reason};
 
@@ -94,6 +95,17 @@ pub fn output_name(file: &Path) -> String {
 pub fn wrong_ending(out: &Path, key: &str) -> Failure {
     let has_name = out.file_name().is_none_or(|name| out.extension().is_some() || !name.as_encoded_bytes().starts_with(b"."));
     Failure::usage(if has_name { crate::tr!(key, out = output_name(out)) } else { crate::tr!("cli-ending-alone", out = output_name(out)) })
+}
+
+/// Refuses a place for a number in the name of a result that is one file: else the file would be called so to the letter.
+///
+/// # Errors
+/// [`Failure::Usage`].
+pub fn one_file(out: &Path) -> Result<(), Failure> {
+    match Pattern::of(out) {
+        Some(_) => Err(Failure::usage(crate::tr!("cli-pattern-one-file", out = output_name(out)))),
+        None => Ok(()),
+    }
 }
 
 /// Writes one line to standard error; a closed one is nothing to stop for.

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::compare::rms_lines;
 use super::export::allow_overwriting;
-use super::failure::{Failure, answer, answer_json, display_name, output_name, wrong_ending};
+use super::failure::{Failure, answer, answer_json, display_name, one_file, output_name, wrong_ending};
 use super::progress::leave_nothing;
 use super::{files, measured, value};
 use crate::collada::Progress;
@@ -52,6 +52,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     if !matches!(ending(&out).as_str(), "yaml" | "yml") {
         return Err(wrong_ending(&out, "cli-fit-ending"));
     }
+    one_file(&out)?;
     let like = value::<PathBuf>(given, "like");
     let guard = Guard::of_files(files.iter().chain(&like));
     guard.output(&out)?;

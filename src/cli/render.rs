@@ -6,7 +6,7 @@ use clap::ArgMatches;
 use glam::Vec3;
 
 use super::export::allow_overwriting;
-use super::failure::{Failure, complain, display_name, output_name, remark, wrong_ending};
+use super::failure::{Failure, complain, display_name, one_file, output_name, remark, wrong_ending};
 use super::moment::Moment;
 use super::values::{Backdrop, Span, plain};
 use super::{files, progress, value};
@@ -33,8 +33,12 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
     let target = Target::of(&out).ok_or_else(|| wrong_ending(&out, "cli-render-ending"))?;
-    if matches!(&target, Target::Pictures(pattern) if pattern.has_second()) {
-        return Err(Failure::usage(tr!("cli-pattern-twice", out = output_name(&out))));
+    match &target {
+        Target::Pictures(pattern) if pattern.has_second() => {
+            return Err(Failure::usage(tr!("cli-pattern-twice", out = output_name(&out))));
+        }
+        Target::Pictures(_) => {}
+        _ => one_file(&out)?,
     }
     let (size, scale) = size(given)?;
     let guard = Guard::of_files(&files);

@@ -139,6 +139,7 @@ cli-gif-fps = A .gif shows at most { $limit } frames a second; give a lower --fp
 cli-render-ending = { $out }: the ending must be .png, .gif, .apng, .mp4 or .webm.
 cli-ending-alone = { $out } is an ending alone; put a name before it.
 cli-pattern-twice = { $out } has two places for a number; leave one of them, or write %% for a plain per cent sign.
+cli-pattern-one-file = { $out }: a place for a number such as %d is for numbered pictures, which sinew render writes as .png; this is one file, so give it a name without %d.
 cli-export-ending = { $out }: the ending must be .obj, .ply or .stl.
 cli-out-is-input = { $out } is one of the files that are read; choose another name for the result.
 
