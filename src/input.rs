@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use crate::system::{Doing, reason};
 use crate::tr;
 
 /// Why a file is not read.
@@ -29,7 +30,7 @@ impl Refused {
                 io::ErrorKind::NotFound => tr!("document-not-found"),
                 io::ErrorKind::PermissionDenied => tr!("document-permission"),
                 io::ErrorKind::IsADirectory => tr!("document-folder"),
-                _ => tr!("document-io", reason = error.to_string()),
+                _ => tr!("document-io", reason = reason(error, Doing::Reading)),
             },
             Self::Folder => tr!("document-folder"),
             Self::NotRegular => tr!("document-not-regular"),
@@ -106,6 +107,26 @@ pub fn named_in(folder: &Path, name: &Path) -> PathBuf {
     if path.as_os_str() == "-" { Path::new(".").join(path) } else { path }
 }
 
+/// The name by which a file in `folder` names `file`: the way there, with slashes, whether anything is there or not; [`named_in`] is the way back.
+/// Links to folders are followed, since `..` leads back from where they lead to; a link to the file keeps its own name.
+pub fn named_from(folder: &Path, file: &Path) -> String {
+    let (folder, file) =
+        (true_folder(folder), true_folder(file.parent().unwrap_or(Path::new(""))).join(file.file_name().unwrap_or_default()));
+    let common = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();
+    if common == 0 {
+        // On another disk.
+        return file.to_string_lossy().into_owned();
+    }
+    let up = folder.components().skip(common).map(|_| "..".into());
+    let down = file.components().skip(common).map(|part| part.as_os_str().to_string_lossy());
+    up.chain(down).collect::<Vec<_>>().join("/")
+}
+
+fn true_folder(folder: &Path) -> PathBuf {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    folder.canonicalize().or_else(|_| std::path::absolute(folder)).unwrap_or_else(|_| folder.to_owned())
+}
+
 /// The line that the byte after `before` is in, from 1.
 pub fn line_after(before: &[u8]) -> u32 {
     u32::try_from(memchr::memchr_iter(b'\n', before).count()).unwrap_or(u32::MAX).saturating_add(1)
@@ -133,6 +154,33 @@ mod tests {
         assert_eq!(named_in(Path::new(""), Path::new("-")).as_os_str(), "./-");
         assert_eq!(named_in(Path::new("a"), Path::new("-")), Path::new("a/-"));
         assert_eq!(named_in(Path::new(""), Path::new("walk.dae")), Path::new("walk.dae"));
+    }
+
+    #[test]
+    fn the_way_to_a_file_is_named_from_where_it_is_named() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir_all(at("a/b")).expect("made");
+        fs::create_dir_all(at("c")).expect("made");
+        for (from, file, way) in [
+            ("a", "a/x.dae", "x.dae"),
+            ("a/b", "a/x.dae", "../x.dae"),
+            ("c", "a/b/x.dae", "../a/b/x.dae"),
+            ("", "a/x.dae", "a/x.dae"),
+            ("a/b", "a/../c/./x.dae", "../../c/x.dae"),
+            // Folders that are not there.
+            ("new", "a/x.dae", "../a/x.dae"),
+        ] {
+            assert_eq!(named_from(&at(from), &at(file)), way, "{from} {file}");
+        }
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(at("a/b"), at("deep")).expect("links work");
+            fs::write(at("a/x.dae"), "x").expect("written");
+            std::os::unix::fs::symlink("a/x.dae", at("y.dae")).expect("links work");
+            assert_eq!(named_from(&at("deep"), &at("y.dae")), "../../y.dae");
+            assert!(named_in(&at("deep"), Path::new(&named_from(&at("deep"), &at("y.dae")))).exists());
+        }
     }
 
     #[cfg(unix)]

@@ -8,7 +8,8 @@
 //! | [`i18n`] | the translation catalogue (English, Russian) | nobody |
 //! | [`health`] | findings: what a reader saw and what it did about it | nobody |
 //! | [`limits`] | every bound on what input may ask for, in one place | nobody |
-//! | [`input`] | the one door for files: regular ones, within a bound | `i18n` |
+//! | [`system`] | what the system says where it refuses, for people | `i18n` |
+//! | [`input`] | the one door for files: regular ones, within a bound | `system` |
 //! | [`yaml`] | the one reader of YAML, within bounds | `i18n`, `limits` |
 //! | `lanes` | vectors of numbers, the same bits with every instruction set | nobody |
 //! | [`scene`] | graph, meshes, skins, materials, lights, cameras, the posed [`scene::Frame`] | `glam` |
@@ -45,4 +46,5 @@ pub mod plot;
 pub mod render;
 pub mod scene;
 pub mod stage;
+pub mod system;
 pub mod yaml;

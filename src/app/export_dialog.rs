@@ -1,7 +1,7 @@
 //! The export dialog: what, how large, how long; then progress with a way to stop.
 
 use std::cell::{Cell, RefCell};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -11,11 +11,10 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::export_job::{Course, Job, Kind, Options, first_numbered};
+use super::export_job::{Course, Job, Kind, Options};
 use super::window::{Window, part};
 use super::{files, format, save_as, ui};
 use crate::export::ExportError;
-use crate::export::ending::completed;
 use crate::export::pipeline::Work;
 use crate::export::{gltf, video};
 use crate::tr;
@@ -221,29 +220,19 @@ impl Dialog {
 
     fn ask_where(self: &Rc<Self>) {
         let options = self.options();
-        let chooser = gtk::FileChooserNative::new(
-            Some(&tr!("app-export-title")),
-            Some(&self.part::<gtk::Window>("root")),
-            gtk::FileChooserAction::Save,
-            Some(&tr!("app-save")),
-            Some(&tr!("app-cancel")),
-        );
-        let files = self.window.look(|session| session.files());
-        let name = files.first().and_then(|path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-        chooser.set_current_name(&format!("{}.{}", name.unwrap_or_else(|| "sinew".into()), options.kind.ending()));
-        let (keep, dialog) = (RefCell::new(Some(chooser.clone())), self.clone());
-        chooser.connect_response(move |chooser, response| {
-            keep.take();
-            if let (gtk::ResponseType::Accept, Some(path)) = (response, chooser.file().and_then(|file| file.path())) {
-                dialog.prepare(options, path);
-            }
-        });
-        chooser.show();
+        let (window, kind) = (&self.window, options.kind);
+        let folder = save_as::usual_folder(window);
+        let name = save_as::name_like_open(window, kind.ending());
+        let there = folder.clone().unwrap_or_default();
+        let name = files::guard(window).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
+        let name = save_as::name_of(&kind.completed(Path::new(&name)));
+        let (asked, dialog) = (save_as::Asked { title: tr!("app-export-title"), name, folder }, self.clone());
+        save_as::choose(&self.part("root"), asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
     }
 
     /// Completes the name, refuses files that are open, and asks about those that are there and that the chooser did not ask about.
     fn prepare(self: &Rc<Self>, options: Options, chosen: PathBuf) {
-        let file = completed(&chosen, &[options.kind.ending()]);
+        let file = options.kind.completed(&chosen);
         let guard = files::guard(&self.window);
         let job = match self.window.look(|session| Job::new(session, options, guard.clone())) {
             Ok(job) => job,
@@ -272,7 +261,7 @@ impl Dialog {
             dialog.show_running(false);
             match result {
                 Ok(Ok(())) => {
-                    let file = if kind == Kind::Pictures { first_numbered(&file).unwrap_or(file) } else { file };
+                    let file = kind.first_files(&file).into_iter().next().unwrap_or(file);
                     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
                     dialog.window.viewport.toast(&tr!("app-saved", file = name), Some(file));
                     dialog.part::<gtk::Window>("root").close();

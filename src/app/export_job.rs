@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::session::{Eye, Session, Viewpoint};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::export::ExportError;
+use crate::export::ending::completed;
 use crate::export::gltf::{self, Form};
 use crate::export::guard::Guard;
 use crate::export::mtl;
@@ -115,6 +116,21 @@ impl Kind {
             Self::Muscles(tables::Form::Json) | Self::Joints(tables::Form::Json) => "json",
             Self::Muscles(tables::Form::Png) | Self::Joints(tables::Form::Png) => "png",
             Self::Muscles(tables::Form::Svg) | Self::Joints(tables::Form::Svg) => "svg",
+        }
+    }
+
+    /// A chosen name with what it lacks: the ending, and the place for the number in the names of numbered pictures.
+    pub fn completed(self, chosen: &Path) -> PathBuf {
+        let file = completed(chosen, &[self.ending()]);
+        if self == Self::Pictures { with_number(&file) } else { file }
+    }
+
+    /// The first file that is written under a completed name, with what lies beside it.
+    pub fn first_files(self, file: &Path) -> Vec<PathBuf> {
+        match self {
+            Self::Pictures => vec![numbered(file).map_or_else(|| file.to_owned(), |pattern| pattern.file(0))],
+            Self::Obj => vec![file.to_owned(), mtl::library(file)],
+            _ => vec![file.to_owned()],
         }
     }
 
@@ -323,18 +339,15 @@ impl Job {
         self.sequence.count
     }
 
-    /// The files that would be written to `file` and beside it.
+    /// The files that would be written to `file`, a completed name, and beside it.
     pub fn files(&self, file: &Path) -> Vec<PathBuf> {
-        match self.options.kind {
-            Kind::Pictures => {
-                numbered(file).map_or_else(|| vec![file.to_owned()], |pattern| Target::Pictures(pattern).files(&self.sequence).collect())
-            }
-            Kind::Obj => vec![file.to_owned(), mtl::library(file)],
-            _ => vec![file.to_owned()],
+        match numbered(file).filter(|_| self.options.kind == Kind::Pictures) {
+            Some(pattern) => Target::Pictures(pattern).files(&self.sequence).collect(),
+            None => self.options.kind.first_files(file),
         }
     }
 
-    /// Makes the files; numbered pictures get their numbers between name and ending.
+    /// Makes the files; `file` is a completed name.
     ///
     /// # Errors
     /// [`ExportError`]; then everything is as it was.
@@ -387,15 +400,21 @@ impl Job {
     }
 }
 
-/// `name-%04d.png` for `name.png`, whatever percent signs the name has.
+/// Where the number stands in the completed names of numbered pictures.
+const NUMBER: &str = "-%04d";
+
+/// The row of files that a completed name stands for.
 fn numbered(file: &Path) -> Option<Pattern> {
-    let plain = file.file_stem()?.to_str()?.replace('%', "%%");
-    Pattern::of(&file.with_file_name(format!("{plain}-%04d.png")))
+    let is_completed = file.file_stem()?.to_str()?.ends_with(NUMBER);
+    Pattern::of(file).filter(|pattern| is_completed && !pattern.has_second())
 }
 
-/// The first file that numbered pictures are written to.
-pub fn first_numbered(file: &Path) -> Option<PathBuf> {
-    numbered(file).map(|pattern| pattern.file(0))
+/// `name-%04d.png` for `name.png`, whatever percent signs the name has; a completed name is one already.
+fn with_number(file: &Path) -> PathBuf {
+    match file.file_stem().and_then(|stem| stem.to_str()).filter(|_| numbered(file).is_none()) {
+        Some(stem) => file.with_file_name(format!("{}{NUMBER}.png", stem.replace('%', "%%"))),
+        None => file.to_owned(),
+    }
 }
 
 /// What stands in a picture about how it was made.
@@ -430,11 +449,12 @@ mod tests {
         let mut session = Session::new(Document::built_in());
         for kind in Kind::ALL.into_iter().filter(|kind| !matches!(kind, Kind::Mp4 | Kind::Webm | Kind::Joints(_))) {
             assert!(!kind.label().starts_with("app-export"), "{kind:?} has no name");
-            let file = folder.path().join(format!("50%d.{}", kind.ending()));
+            let file = kind.completed(&folder.path().join(format!("50%d.{}", kind.ending())));
+            assert_eq!(kind.completed(&file), file);
             let job = Job::new(&mut session, options(kind, Course::Elbow), Guard::default()).expect("the arm bends");
             assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
             job.run(&file, &Work::default()).expect("written");
-            let first = if kind == Kind::Pictures { first_numbered(&file).expect("a name") } else { file };
+            let first = kind.first_files(&file).remove(0);
             assert!(fs::metadata(&first).is_ok_and(|found| found.len() > 100), "{}", first.display());
         }
         assert!(folder.path().join("50%d-0004.png").is_file());

@@ -46,6 +46,8 @@ pub struct Files {
     asking: Cell<bool>,
     /// The session file that what is open came from, or was saved to.
     session_file: RefCell<Option<PathBuf>>,
+    /// What that session names, whether it could be opened or not.
+    session_names: RefCell<Vec<PathBuf>>,
     /// The measured radii that muscles are compared with.
     table: RefCell<Option<PathBuf>>,
     /// Whether muscles on an arm of their own are hung on the clip that they come with.
@@ -102,6 +104,13 @@ impl Files {
         self.session_file.replace(Some(path));
     }
 
+    /// What is open comes from this session file, which names these files; or from none.
+    fn came_from(&self, session: Option<(PathBuf, Vec<PathBuf>)>) {
+        let (file, names) = session.map_or_else(Default::default, |(file, names)| (Some(file), names));
+        self.session_file.replace(file);
+        self.session_names.replace(names);
+    }
+
     /// Muscles are compared with the measured radii of this file, or no longer of any.
     pub fn compares_table(&self, path: Option<PathBuf>) {
         self.table.replace(path);
@@ -116,7 +125,8 @@ impl Files {
 /// Holds every file that is open in a window, with what belongs to it: no result replaces one of them.
 pub fn guard(window: &Rc<Window>) -> Guard {
     let files = &window.files;
-    window.look(|session| session.guard()).and(files.session_file()).and(files.table.borrow().clone())
+    let (names, table) = (files.session_names.borrow().clone(), files.table.borrow().clone());
+    window.look(|session| session.guard()).and(names).and(files.session_file()).and(table)
 }
 
 /// Opens files side by side into one scene. What is open stays until they are read; whatever was being read is given up.
@@ -144,7 +154,7 @@ pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<Musc
             window.files.stop();
             window.start_page(false);
             window.give_looks_back();
-            window.files.session_file.replace(None);
+            window.files.came_from(None);
             window.viewport.hush();
             window.act(|session| {
                 session.show(Document::built_in(), Arrival::New);
@@ -267,7 +277,8 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
     if arrival == Arrival::New {
         window.give_looks_back();
-        window.files.session_file.replace(saved.is_some().then(|| paths.first().cloned()).flatten());
+        let session = saved.as_ref().zip(paths.first());
+        window.files.came_from(session.map(|(saved, file)| (file.clone(), saved.every_file(file.parent().unwrap_or(Path::new(""))))));
     }
     match &saved {
         Some(saved) => window.borrow_looks(|session| {
@@ -419,7 +430,7 @@ pub fn forget(window: &Rc<Window>) {
     window.files.carried.replace(None);
     window.files.hang.set(false);
     window.files.monitors.replace(Vec::new());
-    window.files.session_file.replace(None);
+    window.files.came_from(None);
     window.viewport.loading(None);
     window.viewport.hush();
     window.error_bar.hide();

@@ -34,40 +34,96 @@ pub struct Wanted {
 /// file dialog was answered.
 pub fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Window>, &Output) + 'static) {
     let Wanted { title, name, folder, endings, own } = wanted;
-    let dialog = gtk::FileChooserNative::new(
-        Some(&title),
-        Some(&window.widget),
-        gtk::FileChooserAction::Save,
-        Some(&tr!("app-save")),
-        Some(&tr!("app-cancel")),
+    let folder = folder.or_else(|| usual_folder(window));
+    let its = own.clone();
+    let is_own = move |file: &Path| its.as_deref().is_some_and(|own| is_same(own, file));
+    let there = folder.clone().unwrap_or_default();
+    let name = if is_own(&there.join(&name)) { name } else { files::guard(window).free_name(&there, &name, |file| vec![file.to_owned()]) };
+    let complete = move |chosen: &Path| if is_own(chosen) { chosen.to_owned() } else { completed(chosen, endings) };
+    let asked = Asked { title, name, folder };
+    choose(
+        window.widget.upcast_ref(),
+        asked,
+        complete.clone(),
+        glib::clone!(
+            #[weak]
+            window,
+            move |chosen: PathBuf| {
+                let path = complete(&chosen);
+                let output = match files::guard(&window).but(own.as_deref()).output(&path) {
+                    Ok(output) => output,
+                    Err(error) => return failed(&window, &path, error.to_string()),
+                };
+                // The dialog asked about the name that it showed.
+                let unasked = if path == chosen { Vec::new() } else { vec![path] };
+                let again = window.clone();
+                ask_to_replace(window.widget.upcast_ref(), unasked, move || then(&again, &output));
+            }
+        ),
     );
-    dialog.set_current_name(&shown(&name));
-    let folder = folder.or_else(|| window.settings.borrow().folder.clone());
-    if let Some(folder) = folder.filter(|folder| folder.is_dir()) {
+}
+
+/// The folder that was opened from last.
+pub fn usual_folder(window: &Rc<Window>) -> Option<PathBuf> {
+    window.settings.borrow().folder.clone().filter(|folder| folder.is_dir())
+}
+
+/// What a file dialog starts from.
+pub struct Asked {
+    /// The title of the dialog.
+    pub title: String,
+    /// The name to start from.
+    pub name: String,
+    /// Where to start; none = where the dialog likes.
+    pub folder: Option<PathBuf>,
+}
+
+/// Asks for a file to write; `then` gets it unless the person thinks better of it. What is typed is completed before the dialog looks whether such a
+/// file is there: it asks about what will be written. For that the dialog is GTK's own; another one would ask before anybody could complete the name.
+pub fn choose(parent: &gtk::Window, asked: Asked, complete: impl Fn(&Path) -> PathBuf + 'static, then: impl FnOnce(PathBuf) + 'static) {
+    let dialog = gtk::FileChooserDialog::builder()
+        .title(asked.title)
+        .transient_for(parent)
+        .modal(true)
+        .action(gtk::FileChooserAction::Save)
+        .use_header_bar(1)
+        .build();
+    dialog.add_button(&tr!("app-cancel"), gtk::ResponseType::Cancel);
+    let save = gtk::Button::with_label(&tr!("app-save"));
+    save.add_css_class("suggested-action");
+    // Connected before the dialog's own handler, so that it runs first.
+    save.connect_clicked(glib::clone!(
+        #[weak]
+        dialog,
+        move |_| complete_name(&dialog, &complete)
+    ));
+    dialog.add_action_widget(&save, gtk::ResponseType::Accept);
+    dialog.set_default_response(gtk::ResponseType::Accept);
+    dialog.set_current_name(&shown(&asked.name));
+    if let Some(folder) = asked.folder.filter(|folder| folder.is_dir()) {
         // Where the folder cannot be shown, the dialog starts where it likes.
         let _ = dialog.set_current_folder(Some(&gio::File::for_path(folder)));
     }
-    let (keep, then) = (RefCell::new(Some(dialog.clone())), RefCell::new(Some(then)));
-    dialog.connect_response(glib::clone!(
-        #[weak]
-        window,
-        move |dialog, response| {
-            keep.take();
-            let path = dialog.file().and_then(|file| file.path()).filter(|_| response == gtk::ResponseType::Accept);
-            let (Some(chosen), Some(then)) = (path, then.take()) else { return };
-            let is_own = own.as_deref().is_some_and(|own| is_same(own, &chosen));
-            let path = if is_own { chosen.clone() } else { completed(&chosen, endings) };
-            let output = match files::guard(&window).but(own.as_deref()).output(&path) {
-                Ok(output) => output,
-                Err(error) => return failed(&window, &path, error.to_string()),
-            };
-            // The dialog asked about the name that was typed.
-            let unasked = if path == chosen { Vec::new() } else { vec![path] };
-            let again = window.clone();
-            ask_to_replace(window.widget.upcast_ref(), unasked, move || then(&again, &output));
+    let then = RefCell::new(Some(then));
+    dialog.connect_response(move |dialog, response| {
+        let path = dialog.file().and_then(|file| file.path()).filter(|_| response == gtk::ResponseType::Accept);
+        dialog.destroy();
+        if let (Some(path), Some(then)) = (path, then.take()) {
+            then(path);
         }
-    ));
-    dialog.show();
+    });
+    dialog.present();
+}
+
+/// Puts the completed name into the dialog; the folder before it stays as it was typed, and the name of a folder stays what leads there.
+fn complete_name(dialog: &gtk::FileChooserDialog, complete: &dyn Fn(&Path) -> PathBuf) {
+    let (Some(typed), Some(file)) = (dialog.current_name(), dialog.file().and_then(|file| file.path())) else { return };
+    let whole = complete(&file);
+    let name = |file: &Path| file.file_name().map(|name| name.to_string_lossy().into_owned());
+    let (Some(before), Some(after)) = (name(&file), name(&whole)) else { return };
+    if let Some(folder) = typed.strip_suffix(before.as_str()).filter(|_| before != after && !file.is_dir()) {
+        dialog.set_current_name(&format!("{folder}{after}"));
+    }
 }
 
 /// Does `then`; asks first where one of these files is there, which the file dialog has not asked about.

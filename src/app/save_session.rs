@@ -9,13 +9,15 @@ use super::save_as::{self, Wanted};
 use super::window::Window;
 use crate::export::atomic::write_whole;
 use crate::export::guard::Output;
+use crate::system::{Doing, reason};
 use crate::tr;
 
 /// Asks where to and saves what is open and how it is looked at. Of the files that are open, only the session file itself may be replaced.
 pub fn save(window: &Rc<Window>) {
-    let name = save_as::name_like_open(window, "session.yaml");
     let own = window.files.session_file();
-    let wanted = Wanted { title: tr!("app-session-title"), name, folder: None, endings: &["yaml", "yml"], own };
+    let name = own.as_deref().map_or_else(|| save_as::name_like_open(window, "session.yaml"), save_as::name_of);
+    let folder = own.as_deref().and_then(Path::parent).map(Path::to_path_buf);
+    let wanted = Wanted { title: tr!("app-session-title"), name, folder, endings: &["yaml", "yml"], own };
     save_as::ask(window, wanted, write);
 }
 
@@ -24,7 +26,7 @@ fn write(window: &Rc<Window>, output: &Output) {
     let folder = path.parent().unwrap_or(Path::new(""));
     let text = window.look(|session| session.to_saved(folder).text());
     let written = text
-        .map_err(|error| error.to_string())
+        .map_err(|error| reason(&error, Doing::Writing))
         .and_then(|text| write_whole(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));
     match written {
         Ok(()) => {

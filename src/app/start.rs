@@ -14,6 +14,7 @@ use super::session::{Arrival, Session};
 use super::window::{Window, part};
 use super::{files, recent, saving, ui};
 use crate::document::Document;
+use crate::export::ExportError;
 use crate::render::Theme;
 use crate::tr;
 
@@ -130,7 +131,7 @@ pub fn open_demo(window: &Rc<Window>, demo: Demo) {
         }),
         Err(error) => window.error_bar.show(Trouble {
             headline: tr!("app-demo-unwritten", folder = demos::folder().display().to_string()),
-            message: error.to_string(),
+            message: ExportError::io(&demos::folder(), error).to_string(),
             details: String::new(),
             again: None,
         }),

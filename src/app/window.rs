@@ -35,6 +35,7 @@ use super::{files, ghosts_panel, heading, keyboard, menus, perform, saving, side
 use crate::document::Document;
 use crate::muscle::EditError;
 use crate::scene::NodeId;
+use crate::system::{Doing, reason};
 use crate::tr;
 
 /// The main window.
@@ -480,7 +481,7 @@ impl Window {
         }
         *settings = self.looks_of_user(&settings);
         if let Err(error) = settings.save(&Settings::path()) {
-            eprintln!("{}", tr!("app-settings-unsaved", reason = error.to_string()));
+            eprintln!("{}", tr!("app-settings-unsaved", reason = reason(&error, Doing::Writing)));
         }
     }
 }

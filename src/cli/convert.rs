@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 
 use super::export::allow_overwriting;
-use super::failure::{Failure, notice, output_name, remark, wrong_ending};
+use super::failure::{Failure, notice, one_file, output_name, remark, wrong_ending};
 use super::progress::leave_nothing;
 use super::{files, value};
 use crate::collada::Progress;
@@ -20,6 +20,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     // Required by the parser.
     let Some(out) = value::<PathBuf>(given, "out") else { return Err(Failure::usage(tr!("cli-call-wrong"))) };
     let form = Form::of(&out).ok_or_else(|| wrong_ending(&out, "cli-convert-ending"))?;
+    one_file(&out)?;
     let guard = Guard::of_files(&files);
     guard.output(&out)?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::ArgMatches;
 
-use super::failure::{Failure, complain_part, is_quiet, output_name, remark, wrong_ending};
+use super::failure::{Failure, complain_part, is_quiet, one_file, output_name, remark, wrong_ending};
 use super::moment::Moment;
 use super::progress::leave_nothing;
 use super::{files, value};
@@ -25,6 +25,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
     let format = SurfaceFormat::of(&out).ok_or_else(|| wrong_ending(&out, "cli-export-ending"))?;
+    one_file(&out)?;
     let library = (format == SurfaceFormat::Obj).then(|| mtl::library(&out));
     let outs = || std::iter::once(out.clone()).chain(library.clone());
     let guard = Guard::of_files(&files);

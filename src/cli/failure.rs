@@ -9,7 +9,9 @@ use clap::ArgMatches;
 
 use crate::document::OpenError;
 use crate::export::ExportError;
+use crate::film::Pattern;
 use crate::i18n;
+use crate::system::{Doing, reason};
 
 /// The exit code of a program that Ctrl+C stopped, as shells have it.
 pub const STOPPED: u8 = 130;
@@ -95,6 +97,17 @@ pub fn wrong_ending(out: &Path, key: &str) -> Failure {
     Failure::usage(if has_name { crate::tr!(key, out = output_name(out)) } else { crate::tr!("cli-ending-alone", out = output_name(out)) })
 }
 
+/// Refuses a place for a number in the name of a result that is one file: else the file would be called so to the letter.
+///
+/// # Errors
+/// [`Failure::Usage`].
+pub fn one_file(out: &Path) -> Result<(), Failure> {
+    match Pattern::of(out) {
+        Some(_) => Err(Failure::usage(crate::tr!("cli-pattern-one-file", out = output_name(out)))),
+        None => Ok(()),
+    }
+}
+
 /// Writes one line to standard error; a closed one is nothing to stop for.
 pub fn complain(line: &str) {
     let _ = writeln!(io::stderr(), "{}", one_line(line));
@@ -147,7 +160,7 @@ pub fn answer(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(i18n::shown_lines(text).as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::ReaderGone,
-        _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = crate::export::io_reason(&error))]),
+        _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = reason(&error, Doing::Writing))]),
     })
 }
 

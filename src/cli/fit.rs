@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::compare::rms_lines;
 use super::export::allow_overwriting;
-use super::failure::{Failure, answer, answer_json, display_name, output_name, wrong_ending};
+use super::failure::{Failure, answer, answer_json, display_name, one_file, output_name, wrong_ending};
 use super::progress::leave_nothing;
 use super::{files, measured, value};
 use crate::collada::Progress;
@@ -52,6 +52,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     if !matches!(ending(&out).as_str(), "yaml" | "yml") {
         return Err(wrong_ending(&out, "cli-fit-ending"));
     }
+    one_file(&out)?;
     let like = value::<PathBuf>(given, "like");
     let guard = Guard::of_files(files.iter().chain(&like));
     guard.output(&out)?;
@@ -63,6 +64,8 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     let target = guard.and(document.files()).output(&out)?;
     let model = if value::<String>(given, "model").as_deref() == Some("poses") { Model::Poses } else { Model::Growth };
     let (file, rig) = muscles(&document, like.as_deref().unwrap_or(csv))?;
+    // What is made from it lies elsewhere.
+    let file = &document.muscle_file_for(0, file, &out);
     let mut fitted = fit_first(file, rig, &table, model).map_err(|error| Failure::file(csv, error))?;
     let misfit = if model == Model::Poses { fitted.poses } else { fitted.growth };
     let unit = unit_name(file.unit_metres);

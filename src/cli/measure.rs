@@ -7,7 +7,7 @@ use clap::ArgMatches;
 
 use super::compare::Comparison;
 use super::export::allow_overwriting;
-use super::failure::{Failure, answer, answer_json, display_name, notice, output_name, remark, wrong_ending};
+use super::failure::{Failure, answer, answer_json, display_name, notice, one_file, output_name, remark, wrong_ending};
 use super::moment::unknown_clip;
 use super::progress::leave_nothing;
 use super::values::{Angles, MOST_DEGREES, Times, plain};
@@ -102,6 +102,7 @@ impl Sheet<'_> {
 
     fn draw(&self, table: &Table, out: &Path) -> Result<(), Failure> {
         let form = Form::of_plot(out).ok_or_else(|| wrong_ending(out, "cli-plot-ending"))?;
+        one_file(out)?;
         let target = self.guard.output(out)?;
         allow_overwriting(self.given, std::iter::once(out.to_owned()))?;
         leave_nothing();

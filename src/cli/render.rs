@@ -6,7 +6,7 @@ use clap::ArgMatches;
 use glam::Vec3;
 
 use super::export::allow_overwriting;
-use super::failure::{Failure, complain, display_name, output_name, remark, wrong_ending};
+use super::failure::{Failure, complain, display_name, one_file, output_name, remark, wrong_ending};
 use super::moment::Moment;
 use super::values::{Backdrop, Span, plain};
 use super::{files, progress, value};
@@ -33,13 +33,19 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
     let target = Target::of(&out).ok_or_else(|| wrong_ending(&out, "cli-render-ending"))?;
-    if matches!(&target, Target::Pictures(pattern) if pattern.has_second()) {
-        return Err(Failure::usage(tr!("cli-pattern-twice", out = output_name(&out))));
+    match &target {
+        Target::Pictures(pattern) if pattern.has_second() => {
+            return Err(Failure::usage(tr!("cli-pattern-twice", out = output_name(&out))));
+        }
+        Target::Pictures(_) => {}
+        _ => one_file(&out)?,
     }
     let (size, scale) = size(given)?;
     let guard = Guard::of_files(&files);
     guard.output(&out)?;
-    let Opened { document, saved, compared } = stage::open(&files, OpenOptions::default(), &Progress::default())?;
+    let opened = stage::open(&files, OpenOptions::default(), &Progress::default())?;
+    let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
+    let Opened { document, saved, compared } = opened;
     remark(document.health.iter());
     let moment = Moment::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.state(&document));
@@ -51,8 +57,6 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
     if matches!(target, Target::Gif(_)) && sequence.fps > gif::MOST_FPS {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
     }
-    let of_session = saved.iter().flat_map(|saved| saved.every_file(first.parent().unwrap_or(Path::new(""))));
-    let guard = guard.and(document.files()).and(of_session);
     target.files(&sequence).try_for_each(|file| guard.output(&file).map(drop))?;
     allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::failure::Failure;
+use crate::system::{Doing, reason};
 use crate::tr;
 
 /// What opens the window with these files.
@@ -40,17 +41,20 @@ fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
     use std::os::unix::process::CommandExt;
     // Returns only where it fails.
     let error = command.exec();
-    Failure::Files(vec![tr!("cli-window-not-started", program = program.display().to_string(), reason = error.to_string())]).report()
+    Failure::Files(vec![tr!("cli-window-not-started", program = program.display().to_string(), reason = reason(&error, Doing::Reading))])
+        .report()
 }
 
 #[cfg(not(unix))]
 fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
     match command.status() {
         Ok(status) => u8::try_from(status.code().unwrap_or(1)).map_or(ExitCode::FAILURE, ExitCode::from),
-        Err(error) => {
-            Failure::Files(vec![tr!("cli-window-not-started", program = program.display().to_string(), reason = error.to_string())])
-                .report()
-        }
+        Err(error) => Failure::Files(vec![tr!(
+            "cli-window-not-started",
+            program = program.display().to_string(),
+            reason = reason(&error, Doing::Reading)
+        )])
+        .report(),
     }
 }
 

@@ -3,10 +3,10 @@
 
 use std::cmp::Reverse;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::picture::{self, Head, Refusal};
 use super::places::{Place, Places, Sharing};
@@ -63,22 +63,20 @@ impl Pending {
 
     /// Finds the images beside their files, or in them, and decodes them if asked to. What is odd becomes a finding of its file.
     pub(super) fn load(&self, document: &mut Document, what: Images, progress: &Progress) {
-        let mut told = Told { files: &self.files, findings: vec![Vec::new(); self.files.len()] };
+        let mut told = Told { files: &self.files, findings: vec![Vec::new(); self.files.len()], memory: Tally::default() };
         let scene = &mut document.scene;
         let mut pictures = self.find(scene, &mut told, progress);
         // What needs most on the way comes first, while nothing else is there.
         pictures.sort_by_key(|picture| Reverse(picture.head.decoding));
         let wishes = wishes(scene, &pictures);
         let budget = if what == Images::Decode { room_for(&wishes) } else { limits::IMAGES_BYTES };
-        let mut tested = 0;
+        let (mut tested, mut reduced, mut left_out) = (0, Tally::default(), Tally::default());
         for (picture, size) in pictures.iter().zip(shares::sizes(&wishes, budget)) {
             if progress.is_cancelled() {
                 return;
             }
             let Some(size) = size else {
-                told.about(scene, picture, codes::LIMIT_REACHED, |uri, [width, height]| {
-                    tr!("document-image-no-room", uri = uri, width = width, height = height, limit = budget >> 20)
-                });
+                left_out.add(&picture.images, [0, 0]);
                 continue;
             };
             if picture.head.decoding > limits::IMAGE_DECODING_BYTES {
@@ -96,20 +94,27 @@ impl Pending {
                 continue;
             }
             if size != picture.head.size {
-                told.about(scene, picture, codes::LIMIT_REACHED, |uri, [width, height]| {
-                    let [columns, rows] = size;
-                    tr!(
-                        "document-image-reduced",
-                        uri = uri,
-                        width = width,
-                        height = height,
-                        columns = columns,
-                        rows = rows,
-                        limit = budget >> 20
-                    )
-                });
+                reduced.add(&picture.images, size);
             }
         }
+        let limit = budget >> 20;
+        told.tally(scene, &left_out, |uri, [width, height], _, count| {
+            tr!("document-image-no-room", uri = uri, width = width, height = height, limit = limit, count = count)
+        });
+        told.tally(scene, &reduced, |uri, [width, height], [columns, rows], count| {
+            tr!(
+                "document-image-reduced",
+                uri = uri,
+                width = width,
+                height = height,
+                columns = columns,
+                rows = rows,
+                limit = limit,
+                count = count
+            )
+        });
+        let memory = std::mem::take(&mut told.memory);
+        told.tally(scene, &memory, |uri, _, _, count| tr!("document-image-memory", uri = uri, count = count));
         told.into(document);
     }
 
@@ -118,6 +123,7 @@ impl Pending {
         let mut sharing = Sharing::default();
         for (number, file) in self.files.iter().enumerate() {
             let mut places = Places::of(file);
+            let mut missing = Grouped::default();
             for index in file.images.clone() {
                 let Some(image) = scene.images.get_mut(index).filter(|_| !progress.is_cancelled()) else { break };
                 match places.find(&image.uri) {
@@ -126,9 +132,10 @@ impl Pending {
                         image.path = (!image.archived).then(|| place.path().to_owned());
                         sharing.add(place, (number, index));
                     }
-                    None => told.of(number, image, MISSING, tr!("document-image-missing", uri = image.uri.as_str())),
+                    None => missing.add(number, index, &image.uri),
                 }
             }
+            told.each(scene, missing, MISSING, |uri, count| tr!("document-image-missing", uri = uri, count = count));
         }
         let mut pictures = Vec::new();
         for (place, images) in sharing.shared() {
@@ -140,7 +147,7 @@ impl Pending {
                 }
                 Err(refusal) => refusal,
             };
-            told.refused_for(scene, &images, &refusal);
+            told.refused(scene, &images, &refusal);
         }
         for picture in &pictures {
             for (_, index) in &picture.images {
@@ -150,15 +157,6 @@ impl Pending {
             }
         }
         pictures
-    }
-}
-
-/// Code and message about an image that could not be read.
-fn refused(image: &Image, refusal: &Refusal) -> (&'static str, String) {
-    let uri = image.uri.as_str();
-    match refusal {
-        Refusal::Broken(reason) => (BROKEN, tr!("document-image-broken", uri = uri, reason = reason.as_str())),
-        Refusal::Memory => (codes::LIMIT_REACHED, tr!("document-image-memory", uri = uri)),
     }
 }
 
@@ -174,7 +172,7 @@ fn decode(scene: &mut Scene, picture: &Picture<'_>, size: [u32; 2], told: &mut T
             true
         }
         Err(refusal) => {
-            told.refused(scene, picture, &refusal);
+            told.refused(scene, &picture.images, &refusal);
             false
         }
     }
@@ -190,7 +188,7 @@ fn test(scene: &Scene, picture: &Picture<'_>, tested: &mut u64, told: &mut Told<
     match picture.decode([1, 1]) {
         Ok(_) => true,
         Err(refusal) => {
-            told.refused(scene, picture, &refusal);
+            told.refused(scene, &picture.images, &refusal);
             false
         }
     }
@@ -234,10 +232,52 @@ fn room_for(wishes: &[Wish]) -> u64 {
     budget
 }
 
-/// Findings about images, by file.
+/// Images of the scene by the file that each document calls the same, in the order in which they come.
+#[derive(Default)]
+struct Grouped {
+    /// Place of the document in [`Pending::files`], and its images in the scene.
+    groups: Vec<(usize, Vec<usize>)>,
+    known: FxHashMap<(usize, PathBuf), usize>,
+}
+
+impl Grouped {
+    /// Adds image `index` of document `file`, which calls it `uri`.
+    fn add(&mut self, file: usize, index: usize, uri: &str) {
+        let plain = Path::new(uri).components().filter(|part| *part != Component::CurDir).collect();
+        let group = *self.known.entry((file, plain)).or_insert(self.groups.len());
+        match self.groups.get_mut(group) {
+            Some((_, images)) => images.push(index),
+            None => self.groups.push((file, vec![index])),
+        }
+    }
+}
+
+/// How many pictures one and the same limit concerns, and the first of them in the order of the files.
+#[derive(Default)]
+struct Tally {
+    count: usize,
+    /// Its image, as in [`Picture::images`], and the size that it is given.
+    first: Option<((usize, usize), [u32; 2])>,
+}
+
+impl Tally {
+    /// Counts a picture of these images.
+    fn add(&mut self, images: &[(usize, usize)], size: [u32; 2]) {
+        self.count += 1;
+        if let Some(place) = images.iter().min()
+            && self.first.is_none_or(|(first, _)| *place < first)
+        {
+            self.first = Some((*place, size));
+        }
+    }
+}
+
+/// Findings about images, by file. One cause is told once, however many images it concerns.
 struct Told<'f> {
     files: &'f [OfFile],
     findings: Vec<Vec<Finding>>,
+    /// Pictures that the system gave no memory for.
+    memory: Tally,
 }
 
 impl Told<'_> {
@@ -250,16 +290,37 @@ impl Told<'_> {
         }
     }
 
-    /// Tells of each image of a picture why there is none.
-    fn refused(&mut self, scene: &Scene, picture: &Picture<'_>, refusal: &Refusal) {
-        self.refused_for(scene, &picture.images, refusal);
+    /// Tells of each file that images name, with how many do, where the first of them stands.
+    fn each(&mut self, scene: &Scene, named: Grouped, code: &'static str, message: impl Fn(&str, usize) -> String) {
+        for (file, images) in named.groups {
+            if let Some(image) = images.first().and_then(|first| scene.images.get(*first)) {
+                self.of(file, image, code, message(&image.uri, images.len()));
+            }
+        }
     }
 
-    fn refused_for(&mut self, scene: &Scene, images: &[(usize, usize)], refusal: &Refusal) {
+    /// Tells why there is none of a picture with these images.
+    fn refused(&mut self, scene: &Scene, images: &[(usize, usize)], refusal: &Refusal) {
+        let reason = match refusal {
+            Refusal::Memory => return self.memory.add(images, [0, 0]),
+            Refusal::Broken(reason) => reason.as_str(),
+        };
+        let mut named = Grouped::default();
         for (file, index) in images {
-            let Some(image) = scene.images.get(*index) else { continue };
-            let (code, message) = refused(image, refusal);
-            self.of(*file, image, code, message);
+            if let Some(image) = scene.images.get(*index) {
+                named.add(*file, *index, &image.uri);
+            }
+        }
+        self.each(scene, named, BROKEN, |uri, count| tr!("document-image-broken", uri = uri, reason = reason, count = count));
+    }
+
+    /// Tells what a limit did to all pictures together, where the first one stands; `message` gets its name, its size and the one that it is given.
+    fn tally(&mut self, scene: &Scene, tally: &Tally, message: impl Fn(&str, [u32; 2], [u32; 2], usize) -> String) {
+        if let Some(((file, index), given)) = tally.first
+            && let Some(image) = scene.images.get(index)
+        {
+            let message = message(&image.uri, image.size.unwrap_or_default(), given, tally.count);
+            self.of(file, image, codes::LIMIT_REACHED, message);
         }
     }
 
@@ -383,7 +444,35 @@ mod tests {
             assert!(document.health.iter().all(|finding| finding.code == BROKEN && finding.element.contains("skin")));
             document.health.len()
         };
-        assert_eq!([Images::Locate, Images::Test, Images::Decode].map(broken), [0, 2, 2]);
+        assert_eq!([Images::Locate, Images::Test, Images::Decode].map(broken), [0, 1, 1]);
+    }
+
+    #[test]
+    fn one_cause_is_told_once_however_many_images_it_concerns() {
+        let folder = tempfile::tempdir().expect("a folder");
+        fs::write(folder.path().join("bad.png"), b"\x89PNG\r\n\x1a\nxx").expect("written");
+        let uris = ["none.png", "bad.png", "./none.png", "other.png", "none.png", "bad.png", "none.png", "none.png"];
+        let mut document = document(&uris);
+        let mut second = document.sources[0].clone();
+        second.name = "b.dae".into();
+        document.sources.push(second);
+        let mut pending = Pending::default();
+        pending.add("a.dae", folder.path(), Vec::new(), 0..6);
+        // Another file names it for itself.
+        pending.add("b.dae", folder.path(), Vec::new(), 6..8);
+        pending.load(&mut document, Images::Decode, &Progress::default());
+        let told: Vec<_> = document.health.iter().map(|finding| (finding.file.as_str(), finding.code, finding.message.as_str())).collect();
+        for (file, code, parts) in [
+            ("a.dae", MISSING, &["\"none.png\"", "3 <image>"][..]),
+            ("a.dae", MISSING, &["\"other.png\" was"]),
+            ("a.dae", BROKEN, &["\"bad.png\"", "2 <image>"]),
+            ("b.dae", MISSING, &["\"none.png\"", "2 <image>"]),
+        ] {
+            let is_it =
+                |(of, what, text): &&(&str, &str, &str)| *of == file && *what == code && parts.iter().all(|part| text.contains(part));
+            assert_eq!(told.iter().filter(is_it).count(), 1, "{file} {code} {parts:?}: {told:?}");
+        }
+        assert_eq!(told.len(), 4, "{told:?}");
     }
 
     #[test]
@@ -430,9 +519,10 @@ mod tests {
             let pixels = image.pixels.as_ref().expect("smaller, but there");
             assert_eq!((pixels.width, pixels.rgba[0], image.size), (2048, red, Some([4096, 4096])));
         }
-        assert_eq!(document.health.len(), 4);
-        assert!(document.health.iter().all(|finding| finding.code == codes::LIMIT_REACHED && finding.message.contains("2048")));
-        assert_eq!(document.health.iter().filter(|finding| finding.file == "a.dae").count(), 2);
+        // One limit is told once.
+        let [told] = &document.health[..] else { panic!("{:?}", document.health) };
+        assert_eq!((told.code, told.file.as_str()), (codes::LIMIT_REACHED, "a.dae"));
+        assert!(["4 images", "k0.png", "4096 × 4096", "2048 × 2048"].iter().all(|part| told.message.contains(part)), "{}", told.message);
         // Looking at the heads alone tells the same.
         let told = std::mem::take(&mut document.health);
         document.scene.images.iter_mut().for_each(|image| image.pixels = None);

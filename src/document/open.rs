@@ -66,11 +66,7 @@ impl Document {
             let source = &self.sources[index];
             let SourceKind::Muscles(file, _) = &source.kind else { continue };
             let Some(path) = named_clip(source, file) else { continue };
-            let same = |other: &Path| match (other.canonicalize(), path.canonicalize()) {
-                (Ok(other), Ok(path)) => other == path,
-                _ => other == path,
-            };
-            if self.sources.iter().any(|source| source.path.as_deref().is_some_and(same)) {
+            if self.sources.iter().any(|source| source.path.as_deref().is_some_and(|other| is_same(other, &path))) {
                 continue;
             }
             let name = source.name.clone();
@@ -92,6 +88,20 @@ impl Document {
         });
         let images = self.scene.images.iter().filter_map(|image| image.path.clone());
         opened.chain(clips).chain(images).collect()
+    }
+
+    /// `file`, made of muscle file `index`, as it is to be written to `target`: its clip is named from there. That is the one that the muscle file names;
+    /// where only another one is open, or it names none and stands on bones, the first that is open.
+    pub fn muscle_file_for(&self, index: usize, file: &MuscleFile, target: &Path) -> MuscleFile {
+        let is_muscles = |source: &&Source| matches!(source.kind, SourceKind::Muscles(..));
+        let named = self.sources.iter().filter(is_muscles).nth(index).and_then(|source| named_clip(source, file));
+        let open =
+            || self.sources.iter().filter(|source| matches!(source.kind, SourceKind::Collada(_))).filter_map(|source| source.path.clone());
+        let is_open = named.as_ref().is_some_and(|named| open().any(|clip| is_same(&clip, named)));
+        let on_clip = file.arm.is_none() && file.muscles.iter().any(|muscle| muscle.origin.is_some());
+        let stands_in = open().next().filter(|_| !is_open && (named.is_some() || on_clip));
+        let clip = stands_in.or(named).map(|clip| input::named_from(target.parent().unwrap_or(Path::new("")), &clip));
+        MuscleFile { clip: clip.or_else(|| file.clip.clone()), ..file.clone() }
     }
 
     fn add_file(&mut self, path: &Path, images: &mut Pending, progress: &Progress) -> Result<(), OpenError> {
@@ -156,6 +166,13 @@ fn named_clip(source: &Source, file: &MuscleFile) -> Option<PathBuf> {
     let clip = Path::new(file.clip.as_ref()?);
     let relative = if clip.is_relative() { clip } else { Path::new(clip.file_name()?) };
     Some(input::named_in(source.path.as_deref().and_then(Path::parent).unwrap_or(Path::new("")), relative))
+}
+
+fn is_same(one: &Path, other: &Path) -> bool {
+    match (one.canonicalize(), other.canonicalize()) {
+        (Ok(one), Ok(other)) => one == other,
+        _ => one == other,
+    }
 }
 
 fn real_path(path: &Path) -> Option<PathBuf> {

@@ -8,6 +8,7 @@ use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limit
 
 use super::canvas::{Canvas, Depth, Layout};
 use crate::scene::Pixels;
+use crate::system::{Doing, plain, reason};
 use crate::{limits, tr};
 
 /// What an image is read from.
@@ -37,14 +38,14 @@ impl From<ImageError> for Refusal {
         match error {
             ImageError::Limits(limit) if limit.kind() == LimitErrorKind::InsufficientMemory => Self::Memory,
             ImageError::IoError(error) => error.into(),
-            error => Self::Broken(error.to_string()),
+            error => Self::Broken(plain(&error.to_string())),
         }
     }
 }
 
 impl From<io::Error> for Refusal {
     fn from(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::OutOfMemory { Self::Memory } else { Self::Broken(error.to_string()) }
+        if error.kind() == io::ErrorKind::OutOfMemory { Self::Memory } else { Self::Broken(reason(&error, Doing::Reading)) }
     }
 }
 
@@ -53,7 +54,7 @@ impl From<png::DecodingError> for Refusal {
         match error {
             png::DecodingError::LimitsExceeded => Self::Memory,
             png::DecodingError::IoError(error) => error.into(),
-            error => Self::Broken(error.to_string()),
+            error => Self::Broken(plain(&error.to_string())),
         }
     }
 }

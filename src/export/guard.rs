@@ -13,6 +13,9 @@ use crate::document::Document;
 /// How many symbolic links are followed to a file that is not there yet; systems give up at about as many.
 const LINKS: usize = 40;
 
+/// How many numbers are tried for a free name.
+const NUMBERS: usize = 10_000;
+
 /// Files that no result may replace, by whatever name: through symbolic and hard links, `./a/../b`, another mount or, where the file system does not
 /// tell them apart, capital letters.
 #[derive(Debug, Clone, Default)]
@@ -48,6 +51,12 @@ impl Guard {
         Self::holding(held)
     }
 
+    /// Holds what another one holds too.
+    #[must_use]
+    pub fn and_of(&self, other: &Self) -> Self {
+        self.and(other.held.iter().cloned())
+    }
+
     /// Holds all but this file: what is saved where it came from replaces itself.
     #[must_use]
     pub fn but(&self, own: Option<&Path>) -> Self {
@@ -68,6 +77,16 @@ impl Guard {
         let output = Output { file: file.to_owned(), guard: self.clone() };
         output.check()?;
         Ok(output)
+    }
+
+    /// A name for a result in `folder` under which nothing lies there yet and nothing that is held would be replaced: `name` itself, else with a number
+    /// before its ending. `written` tells which files a result of a name consists of.
+    pub fn free_name(&self, folder: &Path, name: &str, written: impl Fn(&Path) -> Vec<PathBuf>) -> String {
+        let (stem, ending) = name.rsplit_once('.').map_or((name, String::new()), |(stem, ending)| (stem, format!(".{ending}")));
+        let is_free =
+            |name: &String| written(&folder.join(name)).iter().all(|file| fs::symlink_metadata(file).is_err() && !self.holds(file));
+        let numbered = (1..NUMBERS).map(|number| format!("{stem}-{number}{ending}"));
+        std::iter::once(name.to_owned()).chain(numbered).find(is_free).unwrap_or_else(|| name.to_owned())
     }
 
     fn holds(&self, file: &Path) -> bool {
@@ -175,6 +194,24 @@ mod tests {
         for other in ["clip.png", "sub/clip.dae", "new/clip.dae"] {
             assert!(guard.output(&at(other)).is_ok(), "{other}");
         }
+    }
+
+    #[test]
+    fn a_free_name_is_one_that_may_be_written_and_replaces_nothing() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        let guard = Guard::of_files([at("walk.png"), at("gone-2.png")]);
+        for name in ["walk.png", "walk-1.png", "walk-2.obj", "arm.mtl", "gone.png", "gone-1.png"] {
+            fs::write(at(name), "x").expect("written");
+        }
+        let one = |file: &Path| vec![file.to_owned()];
+        let with_library = |file: &Path| vec![file.to_owned(), file.with_extension("mtl")];
+        for (name, expected) in [("walk.png", "walk-2.png"), ("new.png", "new.png"), ("gone.png", "gone-3.png"), ("walk", "walk")] {
+            let free = guard.free_name(folder.path(), name, one);
+            assert_eq!(free, expected);
+            assert!(guard.output(&at(&free)).is_ok() && !at(&free).exists());
+        }
+        assert_eq!(guard.free_name(folder.path(), "arm.obj", with_library), "arm-1.obj");
     }
 
     #[test]

@@ -26,13 +26,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::plot::PlotError;
+use crate::system::{Doing, reason};
 use crate::{limits, tr};
 
 /// Why a file could not be written. Displays as one line: `file: what`.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
     /// The folder, the disk or the file system refused.
-    #[error("{}: {}", .file.display(), tr!("export-not-written", reason = io_reason(.source)))]
+    #[error("{}: {}", .file.display(), tr!("export-not-written", reason = reason(.source, Doing::Writing)))]
     Io {
         /// The file that was to be written.
         file: PathBuf,
@@ -108,19 +109,5 @@ impl ExportError {
             Ok(own) => own,
             Err(source) => Self::Io { file: file.to_owned(), source },
         }
-    }
-}
-
-/// What the system said, in the user's language for the kinds that people meet.
-pub fn io_reason(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::NotFound => tr!("export-io-not-found"),
-        io::ErrorKind::PermissionDenied => tr!("export-io-denied"),
-        io::ErrorKind::ReadOnlyFilesystem => tr!("export-io-read-only"),
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => tr!("export-io-full"),
-        io::ErrorKind::NotADirectory => tr!("export-io-not-a-folder"),
-        io::ErrorKind::OutOfMemory => tr!("export-io-memory"),
-        io::ErrorKind::InvalidFilename => tr!("export-io-name"),
-        _ => error.to_string(),
     }
 }

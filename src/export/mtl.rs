@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::io::{self, Write};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use glam::{Vec2, Vec3};
 
 use super::obj::{group_name, unique};
 use super::surface::visible;
+use crate::input;
 use crate::scene::{Frame, MaterialId, Paint, Scene, Surface, TextureRef};
 
 /// The file with the materials of an OBJ file: beside it, with the ending `.mtl`.
@@ -113,39 +114,6 @@ impl Materials {
 
 /// A texture's file as seen from the folder of `obj`; `None` where it was not found.
 fn image(scene: &Scene, texture: &TextureRef, obj: &Path) -> Option<String> {
-    let file = std::path::absolute(scene.images.get(texture.image.index())?.path.as_ref()?).ok()?;
-    let folder = std::path::absolute(obj).ok()?.parent()?.to_owned();
-    let plain = |path: &Path| path.canonicalize().unwrap_or_else(|_| path.to_owned());
-    Some(relative(&plain(&file), &plain(&folder)).to_string_lossy().replace('\\', "/"))
-}
-
-/// The way from `folder` to `file`, both absolute; `file` itself where they share no root.
-fn relative(file: &Path, folder: &Path) -> PathBuf {
-    let (mut to, mut from) = (file.components().peekable(), folder.components().peekable());
-    let mut shared = 0;
-    while let (Some(a), Some(b)) = (to.peek(), from.peek()) {
-        if a != b {
-            break;
-        }
-        to.next();
-        from.next();
-        shared += 1;
-    }
-    if shared == 0 {
-        return file.to_owned();
-    }
-    from.map(|_| Component::ParentDir).chain(to).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_way_to_a_texture_is_relative() {
-        let way = |file: &str, folder: &str| relative(Path::new(file), Path::new(folder)).to_string_lossy().into_owned();
-        assert_eq!(way("/a/b/skin.png", "/a/b"), "skin.png");
-        assert_eq!(way("/a/b/skin.png", "/a/out/deep"), "../../b/skin.png");
-        assert_eq!(way("/a/skin.png", "/"), "a/skin.png");
-    }
+    let file = scene.images.get(texture.image.index())?.path.as_ref()?;
+    Some(input::named_from(obj.parent().unwrap_or(Path::new("")), file).replace('\\', "/"))
 }

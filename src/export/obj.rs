@@ -23,8 +23,10 @@ pub fn save(file: &Output, scene: &Scene, frame: &Frame) -> Result<(), ExportErr
     }
     let library = file.with(&mtl::library(file.file()))?;
     let name = library.file().file_name().map(|name| name.to_string_lossy().into_owned());
+    // First the one that was asked for: where nothing can be written, that one is named.
+    let asked_for = prepare(file, |out| write(out, scene, frame, &materials, name.as_deref()))?;
     let beside = prepare(&library, |out| materials.write(out, scene, frame, file.file()))?;
-    prepare(file, |out| write(out, scene, frame, &materials, name.as_deref()))?.put_in_place()?;
+    asked_for.put_in_place()?;
     beside.put_in_place()
 }
 

@@ -8,6 +8,7 @@ use std::thread::JoinHandle;
 use super::ExportError;
 use super::atomic::Pending;
 use super::guard::Output;
+use crate::system::{Doing, reason};
 
 /// The kinds of film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -167,8 +168,8 @@ impl Sink {
         if FULL.iter().any(|words| said.contains(words)) {
             return ExportError::Io { file: self.target.clone(), source: io::ErrorKind::StorageFull.into() };
         }
-        let reason = said.lines().rev().find(|line| !line.trim().is_empty()).map(|line| line.trim().to_owned());
-        let reason = reason.unwrap_or_else(|| status.map_or_else(|error| error.to_string(), |status| status.to_string()));
+        let last = said.lines().rev().find(|line| !line.trim().is_empty()).map(|line| line.trim().to_owned());
+        let reason = last.unwrap_or_else(|| status.map_or_else(|error| reason(&error, Doing::Reading), |status| status.to_string()));
         ExportError::EncoderFailed { file: self.target.clone(), reason }
     }
 }

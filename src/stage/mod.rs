@@ -26,7 +26,7 @@ pub use ghosts::Ghosts;
 pub use light::LightAim;
 pub use looks::{Backdrop, SHADINGS, SWITCHES, Switch};
 pub use model::ModelTransform;
-pub use open::{Opened, open};
+pub use open::{Opened, held, open};
 pub use saved::{Saved, SavedCamera, SavedComparison, SavedModel, SavedNode, SavedTurn, SessionError, name_of};
 pub use settings::{Colours, Settings, SheetPage};
 pub use unsaved::Unsaved;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use super::Saved;
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
+use crate::export::guard::Guard;
 use crate::input;
 
 /// What was opened.
@@ -16,6 +17,20 @@ pub struct Opened {
     pub saved: Option<Box<Saved>>,
     /// The file that a session compares with, where it names one that can be opened.
     pub compared: Option<(PathBuf, Document)>,
+}
+
+impl Opened {
+    /// Holds everything that was opened, and what a session names besides, whether that could be opened or not; `folder` is that of the session file.
+    pub fn guard(&self, folder: &Path) -> Guard {
+        let named = self.saved.iter().flat_map(|saved| saved.every_file(folder));
+        held(&self.document, self.compared.as_ref().map(|(file, other)| (file.as_path(), other))).and(named)
+    }
+}
+
+/// Holds every file that a document and the one that it is compared with were made from: clips that muscles name and images too.
+pub fn held(document: &Document, compared: Option<(&Path, &Document)>) -> Guard {
+    let with = compared.into_iter().flat_map(|(file, other)| std::iter::once(file.to_owned()).chain(other.files()));
+    Guard::of_document(document).and(with)
 }
 
 /// Opens files, or the files that a session file names.

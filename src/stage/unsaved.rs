@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::export::atomic::write_whole;
 use crate::export::guard::Output;
 use crate::muscle::MuscleFile;
+use crate::system::{Doing, reason};
 use crate::yaml::{self, YamlError};
 use crate::{input, limits};
 
@@ -59,9 +60,9 @@ impl Unsaved {
     /// # Errors
     /// Whatever stands in the way; the old file stays then.
     pub fn write(&self, path: &Path) -> Result<(), String> {
-        let text = self.text().map_err(|error| error.to_string())?;
+        let text = self.text().map_err(|error| reason(&error, Doing::Writing))?;
         if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
+            std::fs::create_dir_all(folder).map_err(|error| reason(&error, Doing::Writing))?;
         }
         write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
     }

@@ -10,7 +10,7 @@ use std::process::Stdio;
 use crate::support::{arg, call, config, folder, models, run, sinew, sinew_ru};
 use proptest::prelude::*;
 use sinew::collada::Progress;
-use sinew::document::{Document, PoseBuffers};
+use sinew::document::{Document, OpenOptions, PoseBuffers};
 use sinew::export::atomic::write_whole;
 use sinew::export::gltf::{self, Form};
 use sinew::export::guard::{Guard, is_same};
@@ -19,6 +19,7 @@ use sinew::export::tables::{self, Of, Table};
 use sinew::export::{ExportError, png};
 use sinew::render::Framebuffer;
 use sinew::scene::Frame;
+use sinew::stage;
 
 const MUSCLES: &str = "clip: column.dae
 muscles:
@@ -183,6 +184,53 @@ fn no_command_replaces_what_it_reads() {
         }
         assert!(contents(&files) == before, "{number}");
         assert_eq!(hidden(folder.path()), Vec::<String>::new());
+    }
+}
+
+#[test]
+fn what_belongs_to_a_compared_file_is_held_as_what_is_open_is() {
+    // The session shows a cube alone; the muscles that it is compared with bring their clip, and that its picture.
+    for way in 0..6 {
+        let folder = folder();
+        let folder = fs::canonicalize(folder.path()).expect("there");
+        let files = sources(&folder);
+        let session = models::write(&folder, "session.yaml", "sinew_session:\n  files: [other.dae]\n  compared: {file: muscles.yaml}\n");
+        let [clip, skin, muscles, _, other, _] = &files[..] else { panic!("six files") };
+        let held = [clip, skin, muscles, other, &session];
+        let before = contents(&[files.as_slice(), std::slice::from_ref(&session)].concat());
+        let opened = stage::open(&[&session], OpenOptions::default(), &Progress::default()).expect("opened");
+        let compared = opened.compared.as_ref().map(|(file, document)| (file.as_path(), document));
+        // The command line and the window ask the same.
+        let guards = [opened.guard(&folder), stage::held(&opened.document, compared)].map(|guard| guard.and([&session]));
+        for source in held {
+            for ending in ["png", "gif"] {
+                let out = alias(&folder, source, way, ending);
+                assert!(guards.iter().all(|guard| matches!(guard.output(&out), Err(ExportError::Held { .. }))), "{}", out.display());
+                if out.extension().is_some_and(|there| there == ending) {
+                    let turning = (ending == "gif").then_some("--turntable");
+                    let words = ["render", arg(&session), "-o", arg(&out), "--size", "16x16"].into_iter().chain(turning);
+                    let said = sinew(words).refused(2);
+                    assert!(said.ends_with("is one of the files that are read; choose another name for the result."), "{said}");
+                }
+                for link in ["alias", "second"] {
+                    let _ = fs::remove_file(folder.join(format!("{link}.{ending}")));
+                }
+                let _ = fs::remove_file(folder.join("round"));
+            }
+            let numbered = folder.join("fr-1.png");
+            if fs::hard_link(source, &numbered).is_ok() {
+                let pattern = folder.join("fr-%d.png");
+                let row = ["render", arg(&session), "-o", arg(&pattern), "--size", "16x16", "--turntable", "--duration", "1", "--fps", "4"];
+                sinew(row).refused(2);
+                sinew_ru(row).refused(2);
+                fs::remove_file(&numbered).expect("ours");
+            }
+        }
+        assert!(contents(&before.keys().cloned().collect::<Vec<_>>()) == before, "{way}");
+        assert_eq!(hidden(&folder), Vec::<String>::new());
+        let out = folder.join("free.png");
+        sinew(["render", arg(&session), "-o", arg(&out), "--size", "16x16"]).well();
+        assert!(out.is_file());
     }
 }
 

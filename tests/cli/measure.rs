@@ -234,6 +234,13 @@ fn a_fit_is_written_whole_and_measures_as_it_says() {
     assert!(said.contains("RMS") && !said.contains("the file’s"), "{said}");
     // Wrong calls: an ending, an input as output, a folder that is not there, a table that is none.
     sinew(["fit", arg(&csv), "-o", "x.txt"]).refused(2);
+    // Muscles like those on a clip stay on it, wherever they are written.
+    let below = folder.path().join("sub");
+    std::fs::create_dir(&below).expect("made");
+    let moved = below.join("x.yaml");
+    sinew(["fit", arg(&csv), "-o", arg(&moved), "--like", arg(&config("curl-muscles.yaml"))]).well();
+    let joints = |file: &std::path::Path| sinew(["info", arg(file), "--json"]).json()["joints"].clone();
+    assert_eq!(joints(&moved), joints(&config("curl.dae")));
     sinew(["fit", arg(&csv), "-o", arg(&like), "--like", arg(&like)]).refused(2);
     let nowhere = folder.path().join("none/x.yaml");
     let said = sinew(["fit", arg(&csv), "-o", arg(&nowhere)]).refused(1);

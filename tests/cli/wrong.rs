@@ -181,6 +181,73 @@ fn a_pattern_has_one_number() {
 }
 
 #[test]
+fn one_file_has_no_place_for_a_number() {
+    let folder = folder();
+    let clip = models::write(folder.path(), "column.dae", &models::column());
+    let (csv, muscle) = (config("biceps-radii.csv"), config("biceps.yaml"));
+    let at = |ending: &str| folder.path().join(format!("f-%d.{ending}")).to_string_lossy().into_owned();
+    let mut calls: Vec<Vec<String>> = Vec::new();
+    let mut add = |words: &[&str]| calls.push(words.iter().map(|word| (*word).to_owned()).collect());
+    for ending in ["gif", "apng", "mp4", "webm"] {
+        add(&["render", arg(&clip), "-o", &at(ending)]);
+    }
+    for ending in ["obj", "ply", "stl"] {
+        add(&["export", arg(&clip), "-o", &at(ending)]);
+    }
+    for ending in ["glb", "gltf"] {
+        add(&["convert", arg(&clip), &at(ending)]);
+    }
+    for ending in ["yaml", "yml"] {
+        add(&["fit", arg(&csv), "-o", &at(ending)]);
+    }
+    for ending in ["png", "svg"] {
+        add(&["measure", arg(&muscle), "--plot", &at(ending)]);
+    }
+    for words in &calls {
+        let words: Vec<&str> = words.iter().map(String::as_str).collect();
+        let said = told(&words, 2);
+        assert!(said.contains("f-%d.") && said.contains("is for numbered pictures") && said.contains("this is one file"), "{said}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 1, "nothing was written");
+}
+
+#[cfg(unix)]
+#[test]
+fn what_the_system_refuses_is_told_without_its_numbers() {
+    let folder = folder();
+    let clip = models::write(folder.path(), "column.dae", &models::column());
+    let at = |name: &str| folder.path().join(name);
+    std::os::unix::fs::symlink("round.dae", at("round.dae")).expect("links work");
+    let long = format!("{}.dae", "x".repeat(300));
+    for (name, part) in [
+        ("column.dae/a.dae", "a part of the path is not a folder."),
+        ("round.dae", "symbolic links lead round in a circle."),
+        (&long, "the file system does not allow this name."),
+    ] {
+        let path = at(name);
+        for words in [&["info", arg(&path)][..], &["check", arg(&path)], &["render", arg(&path), "-o", "x.png"]] {
+            let said = told(words, 1);
+            assert!(said.ends_with(part) && !said.contains("os error"), "{said}");
+        }
+    }
+    // A result is told by the name that it was asked for by, also where another file belongs to it.
+    for (name, part) in [
+        ("no/such/out.obj", "the folder does not exist."),
+        ("column.dae/out.obj", "a part of the path is not a folder."),
+        ("no/such/out.stl", "the folder does not exist."),
+    ] {
+        let out = at(name);
+        let said = told(&["export", arg(&clip), "-o", arg(&out)], 1);
+        assert!(said.starts_with(arg(&out)) && said.ends_with(part) && !said.contains("os error"), "{said}");
+    }
+    // The other one is named where it alone stands in the way.
+    std::fs::create_dir(at("out.mtl")).expect("made");
+    let said = told(&["export", arg(&clip), "-o", arg(&at("out.obj"))], 1);
+    assert!(said.contains("out.mtl: This is a folder"), "{said}");
+    assert!(!at("out.obj").exists());
+}
+
+#[test]
 fn files_of_the_wrong_kind_are_told_so() {
     let folder = folder();
     let cube = models::write(folder.path(), "cube.dae", &models::cube("1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"));

@@ -1,6 +1,10 @@
 //! Saving over a text: what changed is changed, all else stays to the letter, and what is written reads back the same.
 
+use std::path::Path;
+
 use proptest::prelude::*;
+use sinew::collada::Progress;
+use sinew::document::{Document, Images, OpenOptions};
 use sinew::muscle::{Anchor, MuscleFile, Profile, Tendon};
 
 const SHIPPED: [&str; 7] = [
@@ -203,4 +207,51 @@ proptest! {
         prop_assert_eq!(again.muscles, file.muscles);
         prop_assert_eq!((again.arm, again.joint, again.clip), (file.arm, file.joint, file.clip));
     }
+}
+
+/// Muscles on bones, which name their clip.
+fn on_clip(clip: &str) -> String {
+    include_str!("../../configs/curl-muscles.yaml").replace("curl.dae", clip)
+}
+
+#[test]
+fn the_clip_is_named_from_where_the_muscles_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    for name in ["a/b", "c", "sub"] {
+        std::fs::create_dir_all(at(name)).unwrap();
+    }
+    for name in ["a/curl.dae", "c/curl.dae"] {
+        std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl.dae"), at(name)).unwrap();
+    }
+    let open = |files: &[&Path]| Document::open_with(files, OpenOptions { images: Images::Locate }, &Progress::default()).unwrap();
+    // As many files as there are, the muscles' own clip is meant: another one that is open beside it is not.
+    for (from, clip, beside) in
+        [("a/m.yaml", "curl.dae", None), ("a/b/m.yaml", "../curl.dae", Some("c/curl.dae")), ("m.yaml", "./c/../a/curl.dae", None)]
+    {
+        std::fs::write(at(from), on_clip(clip)).unwrap();
+        let beside = beside.map(at);
+        let own = at(from);
+        let document = open(&beside.iter().map(|path| path.as_path()).chain([own.as_path()]).collect::<Vec<_>>());
+        let file = document.muscle_files().next().unwrap();
+        for (to, way) in
+            [("a/n.yaml", "curl.dae"), ("sub/n.yaml", "../a/curl.dae"), ("n.yaml", "a/curl.dae"), ("a/b/n.yaml", "../curl.dae")]
+        {
+            let written = document.muscle_file_for(0, file, &at(to));
+            assert_eq!(written.clip.as_deref(), Some(way), "{from} {to}");
+            assert_eq!(MuscleFile { clip: file.clip.clone(), ..written.clone() }, *file);
+            std::fs::write(at(to), written.to_yaml()).unwrap();
+            let again = open(&[&at(to)]);
+            assert_eq!(again.sources.len(), 2, "{to}: {:?}", again.health);
+        }
+    }
+    // One that is not there is named from there all the same.
+    std::fs::write(at("a/m.yaml"), on_clip("gone.dae")).unwrap();
+    let lost = open(&[&at("a/m.yaml")]);
+    let file = lost.muscle_files().next().unwrap();
+    assert_eq!(lost.muscle_file_for(0, file, &at("sub/n.yaml")).clip.as_deref(), Some("../a/gone.dae"));
+    // Where another clip stands in for it, that one is.
+    let helped = open(&[&at("c/curl.dae"), &at("a/m.yaml")]);
+    let file = helped.muscle_files().next().unwrap();
+    assert_eq!(helped.muscle_file_for(0, file, &at("sub/n.yaml")).clip.as_deref(), Some("../c/curl.dae"));
 }

@@ -139,6 +139,7 @@ cli-gif-fps = A .gif shows at most { $limit } frames a second; give a lower --fp
 cli-render-ending = { $out }: the ending must be .png, .gif, .apng, .mp4 or .webm.
 cli-ending-alone = { $out } is an ending alone; put a name before it.
 cli-pattern-twice = { $out } has two places for a number; leave one of them, or write %% for a plain per cent sign.
+cli-pattern-one-file = { $out }: a place for a number such as %d is for numbered pictures, which sinew render writes as .png; this is one file, so give it a name without %d.
 cli-export-ending = { $out }: the ending must be .obj, .ply or .stl.
 cli-out-is-input = { $out } is one of the files that are read; choose another name for the result.
 
@@ -149,7 +150,7 @@ cli-no-display = There is no display to open a window on; draw without one: sine
 cli-simd-empty = The variable SINEW_SIMD is set to nothing; it can name an instruction set ({ $names }), or not be set.
 cli-simd-unknown = SINEW_SIMD is "{ $name }", which is not an instruction set that Sinew knows: { $names }.
 cli-simd-missing = SINEW_SIMD is "{ $name }", which this processor does not have; it has { $names }.
-cli-stdout-failed = Standard output: { $reason }
+cli-stdout-failed = Standard output: { $reason }.
 cli-angle-held = { $file }: the elbow goes from { $low }° to { $high }°, so { $angle }° is held at the limit.
 cli-export-nothing = There is no surface to export: nothing that is drawn here has faces, and there is no muscle.
 cli-check-clean = nothing odd.
@@ -221,18 +222,11 @@ cli-compare-ratio = From { $from }° to { $to }° the measured radii grow { $rat
 cli-compare-explained = The measured radii do not keep their volume: it differs by { $spread } % between angles, so no muscle of constant volume can follow them.
 
 # Writing files.
-export-not-written = The file could not be written: { $reason }
+export-not-written = The file could not be written: { $reason }.
 export-not-a-file = This is a folder or a device; choose a file name for the result.
 export-held = This file is open or belongs to what is open, and a result never replaces it; choose another name.
 export-too-much = Converting this document would take more than { NUMBER($limit, useGrouping: 0) } MB; nothing was written.
 export-too-large = This format holds at most { NUMBER($limit, useGrouping: 0) } pixels a side.
-export-io-not-found = the folder does not exist.
-export-io-denied = you may not write in this folder.
-export-io-read-only = the file system is read-only.
-export-io-full = the disk is full.
-export-io-memory = there is not enough memory for it.
-export-io-not-a-folder = a part of the path is not a folder.
-export-io-name = the file system does not allow this name.
 
 cli-about-fit = Makes a muscle file from measured radii: growth multipliers by least squares under conserved volume, or the measured poses themselves.
 cli-arg-fit-table = Measured radii: a row "node,deg0,deg30 …" and a row for each node

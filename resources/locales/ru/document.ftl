@@ -4,7 +4,7 @@ document-permission = Нет права на чтение этого файла.
 document-folder = Это папка, а не файл.
 document-not-regular = Это не обычный файл.
 document-empty = Файл пуст.
-document-io = Не удалось прочитать файл: { $reason }
+document-io = Не удалось прочитать файл: { $reason }.
 document-too-large = Файл больше предела в { NUMBER($limit, useGrouping: 0) } МиБ.
 document-not-text = Это не текст в UTF-8, а мышца описывается в файле YAML.
 document-foreign = Sinew не читает { $format }; он читает COLLADA (.dae, .zae) и мышцы (.yaml).
@@ -14,18 +14,69 @@ document-unknown = Файлы такого рода Sinew не знает; он 
 document-cancelled = Загрузка отменена.
 document-standard-input = стандартный ввод
 document-built-in = встроенный бицепс
-document-image-missing = Изображение «{ $uri }» не найдено; вместо него рисуется сплошной цвет.
-document-image-broken = Изображение «{ $uri }» не удалось прочитать ({ $reason }); вместо него рисуется сплошной цвет.
-document-image-reduced = В изображении «{ $uri }» { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется оно в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
-document-image-no-room = Изображение «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей пропущено: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
+document-image-missing = Изображение «{ $uri }»{ $count ->
+        [1] {""}
+        [one] , на которое ссылается { NUMBER($count, useGrouping: 0) } элемент <image>,
+        [few] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элемента <image>,
+       *[other] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элементов <image>,
+    } не найдено; вместо него рисуется сплошной цвет.
+document-image-broken = Изображение «{ $uri }»{ $count ->
+        [1] {""}
+        [one] , на которое ссылается { NUMBER($count, useGrouping: 0) } элемент <image>,
+        [few] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элемента <image>,
+       *[other] , на которое ссылаются { NUMBER($count, useGrouping: 0) } элементов <image>,
+    } не удалось прочитать ({ $reason }); вместо него рисуется сплошной цвет.
+document-image-reduced = { $count ->
+        [1] В изображении «{ $uri }» { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется оно в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+        [one] { NUMBER($count, useGrouping: 0) } изображение рисуется уменьшенным, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+        [few] { NUMBER($count, useGrouping: 0) } изображения рисуются уменьшенными, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+       *[other] { NUMBER($count, useGrouping: 0) } изображений рисуются уменьшенными, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей, рисуется в { NUMBER($columns, useGrouping: 0) } × { NUMBER($rows, useGrouping: 0) }
+    }: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
+document-image-no-room = { $count ->
+        [1] Изображение «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей пропущено
+        [one] { NUMBER($count, useGrouping: 0) } изображение пропущено, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей
+        [few] { NUMBER($count, useGrouping: 0) } изображения пропущены, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей
+       *[other] { NUMBER($count, useGrouping: 0) } изображений пропущены, первое из них – «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей
+    }: все изображения документа вместе могут занять { NUMBER($limit, useGrouping: 0) } МБ.
 document-image-decoding = Изображение «{ $uri }» в { NUMBER($width, useGrouping: 0) } × { NUMBER($height, useGrouping: 0) } пикселей пропущено: чтение заняло бы больше { NUMBER($limit, useGrouping: 0) } МБ памяти.
-document-image-memory = На изображение «{ $uri }» не хватает памяти; вместо него рисуется сплошной цвет.
+document-image-memory = На { $count ->
+        [1] изображение «{ $uri }»
+        [one] { NUMBER($count, useGrouping: 0) } изображение, первое из них – «{ $uri }»,
+        [few] { NUMBER($count, useGrouping: 0) } изображения, первое из них – «{ $uri }»,
+       *[other] { NUMBER($count, useGrouping: 0) } изображений, первое из них – «{ $uri }»,
+    } не хватает памяти; вместо { $count ->
+        [1] него
+       *[other] них
+    } рисуется сплошной цвет.
 document-image-side = по одной стороне больше { NUMBER($limit, useGrouping: 0) } пикселей
 document-image-no-pixels = не хватает пикселей
 document-image-colours = такой вид цветов неизвестен
 document-clip-not-opened = Не удалось открыть клип, для которого сделаны мышцы ({ $error }); проверьте «clip» в файле мышц.
 document-new-muscles = новые мышцы
 document-new-muscles-number = новые мышцы { $number }
+
+# Что говорит система, когда отказывает: конец предложения о том, чего не удалось сделать.
+io-not-found = такого файла или папки нет
+io-no-folder = такой папки нет
+io-denied = на это нет прав
+io-no-writing = нет права писать в эту папку
+io-not-a-folder = часть пути – не папка
+io-a-folder = это папка
+io-read-only = файловая система только для чтения
+io-full = на диске нет места
+io-quota = ваша доля диска исчерпана
+io-memory = на это не хватает памяти
+io-name = файловая система не допускает такого имени
+io-too-large = файловая система не допускает файлов такого размера
+io-too-many-open = открыто слишком много файлов
+io-link-loop = символические ссылки ведут по кругу
+io-busy = файл занят другой программой
+io-there-already = такое имя уже занято
+io-device = устройство работает с ошибками
+io-gone = тот, кому это предназначалось, больше не читает
+io-cut-short = данные обрываются слишком рано
+io-not-supported = здесь система этого не умеет
+io-slow = ответа пришлось ждать слишком долго
 
 document-yaml-several-documents = Здесь начинается второй документ, а в файле он один. Уберите это «---» и всё, что после него, или сохраните отдельным файлом.
 document-yaml-too-many-values = В файле больше { NUMBER($limit, useGrouping: 0) } значений, если считать ссылки каждый раз.

@@ -44,7 +44,7 @@ pub use time::Mark;
 pub use tool::Tool;
 
 use std::cell::OnceCell;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use follow::Follow;
@@ -58,7 +58,7 @@ use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
-use crate::stage::Company;
+use crate::stage::{self, Company};
 
 /// How another document comes in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -270,10 +270,10 @@ impl Session {
     /// Holds every file that is open, with what belongs to it: clips that muscles name, images, the file that is compared with and what belongs to that.
     pub fn guard(&self) -> Guard {
         let compared = match self.compared_with() {
-            Some(With::File(document, _)) => document.files(),
-            _ => Vec::new(),
+            Some(With::File(document, name)) => Some((Path::new(name), &**document)),
+            _ => None,
         };
-        Guard::of_document(&self.document).and(self.compared_file()).and(compared)
+        stage::held(&self.document, compared)
     }
 
     /// Those of the open files that are clips.

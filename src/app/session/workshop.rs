@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use super::{Changes, Session, Step};
-use crate::document::SourceKind;
 use crate::muscle::presets::Preset;
 use crate::muscle::{Edit, EditError, MuscleFile};
 use crate::scene::MuscleId;
@@ -126,14 +125,8 @@ impl Session {
 
     /// Muscle file `index` as it is to be written to `target`: a clip that it names is named from there.
     pub fn file_for(&self, index: usize, target: &Path) -> Option<MuscleFile> {
-        let mut file = self.document.muscle_files().nth(index)?.clone();
-        let on_clip = file.arm.is_none() && file.muscles.iter().any(|muscle| muscle.origin.is_some());
-        let mut clips = self.document.sources.iter().filter(|source| matches!(source.kind, SourceKind::Collada(_)));
-        let clip = clips.find_map(|source| source.path.as_deref()).filter(|_| file.clip.is_some() || on_clip);
-        if let Some(named) = clip.and_then(|clip| from_folder(target.parent()?, clip)) {
-            file.clip = Some(named);
-        }
-        Some(file)
+        let file = self.document.muscle_files().nth(index)?;
+        Some(self.document.muscle_file_for(index, file, target))
     }
 
     /// Says that muscle file `index` was written to `path` as `file`.
@@ -150,16 +143,6 @@ impl Session {
         }
         self.changed(Changes::EDIT | Changes::HISTORY | Changes::PLAYBACK);
     }
-}
-
-/// The way from a folder to a file, with slashes; `None` where one of them cannot be found.
-fn from_folder(folder: &Path, file: &Path) -> Option<String> {
-    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let (folder, file) = (folder.canonicalize().ok()?, file.canonicalize().ok()?);
-    let common = folder.components().zip(file.components()).take_while(|(a, b)| a == b).count();
-    let up = folder.components().skip(common).map(|_| "..".to_owned());
-    let down = file.components().skip(common).map(|part| part.as_os_str().to_string_lossy().into_owned());
-    Some(up.chain(down).collect::<Vec<_>>().join("/"))
 }
 
 #[cfg(test)]
@@ -198,16 +181,5 @@ mod tests {
             session.take_ready(MuscleId(0), preset).unwrap();
             assert!(!session.frame().bounds.is_empty(), "{}", preset.id);
         }
-    }
-
-    #[test]
-    fn a_clip_is_named_from_the_folder_of_the_muscle_file() {
-        let folder = tempfile::tempdir().unwrap();
-        std::fs::create_dir_all(folder.path().join("a/b")).unwrap();
-        std::fs::create_dir_all(folder.path().join("c")).unwrap();
-        std::fs::write(folder.path().join("c/clip.dae"), "").unwrap();
-        let named = from_folder(&folder.path().join("a/b"), &folder.path().join("c/clip.dae"));
-        assert_eq!(named.as_deref(), Some("../../c/clip.dae"));
-        assert_eq!(from_folder(&folder.path().join("none"), Path::new("x")), None);
     }
 }
