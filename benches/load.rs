@@ -4,7 +4,7 @@
 //! busy machine too.
 
 // It can also tell the memory bandwidth, which is not needed here.
-#[allow(dead_code)]
+#[allow(dead_code, reason = "tests use the rest of it")]
 mod support;
 
 use std::fmt::Write;

@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 /// Median seconds of one call of `work`, over up to 400 calls or one second after a warm-up.
-pub fn median(mut work: impl FnMut()) -> f64 {
+pub(crate) fn median(mut work: impl FnMut()) -> f64 {
     for _ in 0..5 {
         work();
     }
@@ -19,7 +19,7 @@ pub fn median(mut work: impl FnMut()) -> f64 {
 }
 
 /// Seconds that copying `bytes` bytes takes on one thread.
-pub fn copy_time(bytes: usize) -> f64 {
+pub(crate) fn copy_time(bytes: usize) -> f64 {
     let (from, mut to) = (vec![1u8; bytes], vec![0u8; bytes]);
     median(|| {
         to.copy_from_slice(black_box(&from));

@@ -35,7 +35,7 @@ const SECTIONS: [&[Group]; 4] = [
 ];
 
 /// Shows all keys and what the mouse does.
-pub fn shortcuts(window: &Rc<Window>) {
+pub(super) fn shortcuts(window: &Rc<Window>) {
     let shortcuts: gtk::ShortcutsWindow = part(&gtk::Builder::from_string(&shortcuts_ui()), "shortcuts");
     shortcuts.set_transient_for(Some(&window.widget));
     shortcuts.present();
@@ -102,7 +102,7 @@ fn write_mouse(text: &mut String, open_group: &dyn Fn(&mut String, &str)) {
 }
 
 /// Shows what the program is.
-pub fn about(window: &Rc<Window>) {
+pub(super) fn about(window: &Rc<Window>) {
     let about = gtk::AboutDialog::builder()
         .transient_for(&window.widget)
         .modal(true)

@@ -7,14 +7,14 @@ use super::session::Session;
 use crate::tr;
 
 /// A few words over an empty picture.
-pub struct Bare {
+pub(super) struct Bare {
     /// The words.
     pub root: gtk::Label,
 }
 
 impl Bare {
     /// Hidden until they are true.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let root = gtk::Label::builder()
             .label(tr!("app-nothing-drawn"))
             .halign(gtk::Align::Center)
@@ -31,7 +31,7 @@ impl Bare {
     }
 
     /// Shows them where they are true of what is open.
-    pub fn refresh(&self, session: &mut Session) {
+    pub(super) fn refresh(&self, session: &mut Session) {
         self.root.set_visible(session.draws_nothing());
     }
 }

@@ -14,11 +14,12 @@ mod imp {
     use super::*;
 
     /// Paints a canvas of a width and height, logical pixels.
-    pub type Painter = Box<dyn Fn(&super::Canvas, &gtk::Snapshot, f64, f64)>;
+    pub(super) type Painter = Box<dyn Fn(&super::Canvas, &gtk::Snapshot, f64, f64)>;
     /// Hears of a new width and height.
-    pub type Resized = Box<dyn Fn(i32, i32)>;
+    pub(super) type Resized = Box<dyn Fn(i32, i32)>;
 
     #[derive(Default)]
+    #[expect(unnameable_types, reason = "the macro below makes it part of the public wrapper")]
     pub struct Canvas {
         pub painter: RefCell<Option<Painter>>,
         pub resized: RefCell<Option<Resized>>,
@@ -112,31 +113,31 @@ impl Canvas {
 }
 
 /// The colour of text in a widget.
-pub fn text_color(widget: &impl IsA<gtk::Widget>) -> gdk::RGBA {
+pub(super) fn text_color(widget: &impl IsA<gtk::Widget>) -> gdk::RGBA {
     // From 4.10 on a widget has its own `color`; this one is there in all versions.
-    #[allow(deprecated)]
+    #[allow(deprecated, reason = "GTK 4.8 has no other way to ask for a colour of the theme")]
     widget.style_context().color()
 }
 
 /// A cairo context over the whole of a snapshot.
-pub fn cairo(snapshot: &gtk::Snapshot, width: f64, height: f64) -> cairo::Context {
+pub(super) fn cairo(snapshot: &gtk::Snapshot, width: f64, height: f64) -> cairo::Context {
     snapshot.append_cairo(&graphene::Rect::new(0.0, 0.0, width as f32, height as f32))
 }
 
 /// Sets the colour that a cairo context draws with.
-pub fn set_color(context: &cairo::Context, color: &gdk::RGBA, opacity: f64) {
+pub(super) fn set_color(context: &cairo::Context, color: &gdk::RGBA, opacity: f64) {
     context.set_source_rgba(color.red().into(), color.green().into(), color.blue().into(), f64::from(color.alpha()) * opacity);
 }
 
 /// A colour from `0xRRGGBB`.
-pub fn rgb(color: u32) -> gdk::RGBA {
+pub(super) fn rgb(color: u32) -> gdk::RGBA {
     let part = |shift: u32| ((color >> shift) & 0xFF) as f32 / 255.0;
     gdk::RGBA::new(part(16), part(8), part(0), 1.0)
 }
 
 /// Where text stands against its point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Align {
+pub(super) enum Align {
     /// The point is the upper left corner.
     Left,
     /// The point is the middle of the upper edge.
@@ -146,7 +147,7 @@ pub enum Align {
 }
 
 /// Writes a letter or two such that what is seen of them has its middle at a point.
-pub fn write_amid(canvas: &Canvas, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
+pub(super) fn write_amid(canvas: &Canvas, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
     let layout = canvas.create_pango_layout(Some(&*shown_lines(text)));
     let attributes = gtk::pango::AttrList::new();
     attributes.insert(gtk::pango::AttrFloat::new_scale(size));
@@ -163,7 +164,7 @@ pub fn write_amid(canvas: &Canvas, snapshot: &gtk::Snapshot, text: &str, (x, y):
 }
 
 /// Writes text as [`write`] does, on a ground that keeps it legible over anything; returns its width.
-pub fn write_on(
+pub(super) fn write_on(
     canvas: &Canvas,
     snapshot: &gtk::Snapshot,
     text: &str,
@@ -187,8 +188,8 @@ pub fn write_on(
 }
 
 /// Writes text in the widget's own font, `size` times as large, held within the canvas' width; returns its width and height.
-#[allow(clippy::too_many_arguments)]
-pub fn write(
+#[allow(clippy::too_many_arguments, reason = "the words, their style and their place")]
+pub(super) fn write(
     canvas: &Canvas,
     snapshot: &gtk::Snapshot,
     text: &str,

@@ -14,7 +14,7 @@ use crate::document::Document;
 use crate::tr;
 
 /// Asks for a file and compares what is open with it.
-pub fn choose(window: &Rc<Window>) {
+pub(super) fn choose(window: &Rc<Window>) {
     files::ask_for_files(window, &tr!("app-choose-compared"), false, |window, mut paths| {
         if let Some(path) = paths.pop() {
             open(window, path);
@@ -23,7 +23,7 @@ pub fn choose(window: &Rc<Window>) {
 }
 
 /// Compares what is open with a file.
-pub fn open(window: &Rc<Window>, path: PathBuf) {
+pub(super) fn open(window: &Rc<Window>, path: PathBuf) {
     let name = path.display().to_string();
     files::read_apart(window, path, move |window, document| {
         window.act(|session| session.compare(Some(With::File(Box::new(document), name))));
@@ -32,7 +32,7 @@ pub fn open(window: &Rc<Window>, path: PathBuf) {
 }
 
 /// Reads the file that is compared with again, where it is that one still. One that cannot be read now, as while it is being written, leaves what is shown.
-pub fn read_again(window: &Rc<Window>, path: &Path) {
+pub(super) fn read_again(window: &Rc<Window>, path: &Path) {
     let (window, path) = (window.clone(), path.to_path_buf());
     glib::spawn_future_local(async move {
         let wanted = path.clone();

@@ -17,7 +17,7 @@ const DENSE: f64 = 7.0;
 
 /// What the curve view shows.
 #[derive(Debug, Clone, Default)]
-pub struct CurvePlot {
+pub(super) struct CurvePlot {
     /// The graph; none where nothing is animated.
     pub graph: Option<Graph>,
     /// Colours of X, Y, Z.
@@ -30,12 +30,12 @@ pub struct CurvePlot {
 
 impl CurvePlot {
     /// One without a graph, which says so.
-    pub fn new(empty: String) -> Self {
+    pub(super) fn new(empty: String) -> Self {
         Self { empty, ..Self::default() }
     }
 
     /// Shows another graph over a stretch of time.
-    pub fn set(&mut self, graph: Option<Graph>, (start, end): (f64, f64)) {
+    pub(super) fn set(&mut self, graph: Option<Graph>, (start, end): (f64, f64)) {
         let mut range = (f64::INFINITY, f64::NEG_INFINITY);
         let mut see = |value: f64| {
             if value.is_finite() {
@@ -66,7 +66,14 @@ impl CurvePlot {
     }
 
     /// Paints it; the time axis is that of `track`, which is `width` wide and starts at `left`.
-    pub fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, (full, height): (f64, f64), track: &Track, (left, width): (f64, f64)) {
+    pub(super) fn paint(
+        &self,
+        canvas: &Canvas,
+        snapshot: &gtk::Snapshot,
+        (full, height): (f64, f64),
+        track: &Track,
+        (left, width): (f64, f64),
+    ) {
         let text = canvas.text_color();
         let Some(graph) = self.graph.as_ref().filter(|_| track.range.1 > track.range.0) else {
             write(canvas, snapshot, &self.empty, full / 2.0, height / 2.0 - 9.0, Align::Centre, 1.0, &text.with_alpha(0.55));
@@ -161,7 +168,7 @@ impl CurvePlot {
 }
 
 /// A diamond about a point.
-pub fn diamond(context: &Context, (x, y): (f64, f64), half: f64) {
+pub(super) fn diamond(context: &Context, (x, y): (f64, f64), half: f64) {
     context.move_to(x, y - half);
     context.line_to(x + half, y);
     context.line_to(x, y + half);

@@ -12,7 +12,7 @@ use crate::scene::{Frame, OrbitCamera, View};
 
 /// A shipped scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Demo {
+pub(super) struct Demo {
     /// The key of its name in the catalogue.
     pub name: &'static str,
     /// Its files, the one to open first; none = the built-in scene. Clips that a muscle file names come after it.
@@ -26,7 +26,7 @@ macro_rules! shipped {
 }
 
 /// All demos, in the order of the start page.
-pub const DEMOS: [Demo; 5] = [
+pub(super) const DEMOS: [Demo; 5] = [
     Demo { name: "app-demo-biceps", files: &[] },
     Demo { name: "app-demo-curl", files: shipped!("curl-muscles.yaml", "curl.dae") },
     Demo { name: "app-demo-atlas", files: shipped!("atlas-muscles.yaml", "atlas.dae") },
@@ -39,7 +39,7 @@ impl Demo {
     ///
     /// # Errors
     /// Whatever the file system says.
-    pub fn unpack(&self, folder: &Path) -> std::io::Result<Option<PathBuf>> {
+    pub(super) fn unpack(&self, folder: &Path) -> std::io::Result<Option<PathBuf>> {
         for (name, bytes) in self.files {
             let path = folder.join(name);
             if std::fs::read(&path).ok().as_deref() != Some(*bytes) {
@@ -51,7 +51,7 @@ impl Demo {
     }
 
     /// Draws it, a third of its clip on or half bent, in the colours of a theme; `width · height` pixels of `0xAARRGGBB`. `None` where it cannot be written.
-    pub fn draw(&self, folder: &Path, theme: Theme, width: u32, height: u32) -> Option<Vec<u32>> {
+    pub(super) fn draw(&self, folder: &Path, theme: Theme, width: u32, height: u32) -> Option<Vec<u32>> {
         let document = match self.unpack(folder).ok()? {
             Some(path) => Document::open(&[path], &Progress::default()).ok()?,
             None => Document::built_in(),
@@ -81,7 +81,7 @@ impl Demo {
 }
 
 /// Where demos are written: `sinew/demos` in the user's cache folder.
-pub fn folder() -> PathBuf {
+pub(super) fn folder() -> PathBuf {
     gtk4::glib::user_cache_dir().join("sinew").join("demos")
 }
 

@@ -27,7 +27,7 @@ fn cell_name(cell: Option<f32>) -> String {
 }
 
 /// The panel.
-pub struct DisplayPanel {
+pub(super) struct DisplayPanel {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     shading: gtk::DropDown,
@@ -46,7 +46,7 @@ pub struct DisplayPanel {
 
 impl DisplayPanel {
     /// A panel that is not connected yet.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::DISPLAY_PANEL);
         let list = |id: &str, keys: &[&str]| {
             let words: Vec<String> = keys.iter().map(|key| tr!(key)).collect();
@@ -79,7 +79,7 @@ impl DisplayPanel {
     }
 
     /// Lets the lists and the slider change the display.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.ghosts.connect(window);
         self.shading.connect_selected_notify(glib::clone!(
             #[weak]
@@ -142,7 +142,7 @@ impl DisplayPanel {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
         self.ghosts.refresh(session, changes);
         if changes.any(Changes::DISPLAY) {
             let display = session.display();

@@ -13,7 +13,7 @@ use super::window::{Window, part};
 use super::{files, ui};
 
 /// The bar.
-pub struct ErrorBar {
+pub(super) struct ErrorBar {
     /// The whole.
     pub root: gtk::InfoBar,
     headline: gtk::Label,
@@ -26,7 +26,7 @@ pub struct ErrorBar {
 }
 
 /// What went wrong.
-pub struct Trouble {
+pub(super) struct Trouble {
     /// One line: what could not be done.
     pub headline: String,
     /// Why, and where.
@@ -39,7 +39,7 @@ pub struct Trouble {
 
 impl ErrorBar {
     /// A folded bar.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::ERROR_BAR);
         Self {
             root: part(&builder, "root"),
@@ -54,7 +54,7 @@ impl ErrorBar {
     }
 
     /// Lets the buttons work.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.root.connect_response(glib::clone!(
             #[weak]
             window,
@@ -84,7 +84,7 @@ impl ErrorBar {
     }
 
     /// Shows what went wrong, until it is closed or something opens.
-    pub fn show(&self, trouble: Trouble) {
+    pub(super) fn show(&self, trouble: Trouble) {
         ui::say(&self.headline, &trouble.headline);
         ui::say(&self.message, &trouble.message);
         ui::say(&self.details, &trouble.details);
@@ -97,7 +97,7 @@ impl ErrorBar {
     }
 
     /// Folds it away.
-    pub fn hide(&self) {
+    pub(super) fn hide(&self) {
         self.root.set_revealed(false);
         self.root.set_visible(false);
         self.again.replace(None);

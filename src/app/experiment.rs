@@ -33,7 +33,7 @@ struct Experiment {
 }
 
 /// Opens the experiment of a muscle.
-pub fn show(window: &Rc<Window>, muscle: MuscleId) {
+pub(super) fn show(window: &Rc<Window>, muscle: MuscleId) {
     // The table that comes with the program is parsed by a test.
     let Ok(table) = Table::parse(published::MEASURED_RADII) else { return };
     let data = RefCell::new((table, "biceps-radii.csv".to_owned()));

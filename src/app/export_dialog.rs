@@ -36,7 +36,7 @@ struct Dialog {
 }
 
 /// Opens the dialog.
-pub fn show(window: &Rc<Window>) {
+pub(super) fn show(window: &Rc<Window>) {
     let builder = ui::builder(ui::EXPORT);
     let dialog = Rc::new(Dialog {
         builder,

@@ -21,7 +21,7 @@ use crate::tr;
 
 /// The kinds of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub(super) enum Kind {
     /// One PNG.
     Picture,
     /// GIF.
@@ -52,7 +52,7 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of the list.
-    pub const ALL: [Self; 19] = [
+    pub(super) const ALL: [Self; 19] = [
         Self::Picture,
         Self::Gif,
         Self::Apng,
@@ -75,7 +75,7 @@ impl Kind {
     ];
 
     /// What a person calls it.
-    pub fn label(self) -> String {
+    pub(super) fn label(self) -> String {
         tr!(match self {
             Self::Picture => "app-export-picture",
             Self::Gif => "app-export-gif",
@@ -100,7 +100,7 @@ impl Kind {
     }
 
     /// The ending of its files.
-    pub fn ending(self) -> &'static str {
+    pub(super) fn ending(self) -> &'static str {
         match self {
             Self::Picture | Self::Pictures => "png",
             Self::Gif => "gif",
@@ -120,13 +120,13 @@ impl Kind {
     }
 
     /// A chosen name with what it lacks: the ending, and the place for the number in the names of numbered pictures.
-    pub fn completed(self, chosen: &Path) -> PathBuf {
+    pub(super) fn completed(self, chosen: &Path) -> PathBuf {
         let file = completed(chosen, &[self.ending()]);
         if self == Self::Pictures { with_number(&file) } else { file }
     }
 
     /// The first file that is written under a completed name, with what lies beside it.
-    pub fn first_files(self, file: &Path) -> Vec<PathBuf> {
+    pub(super) fn first_files(self, file: &Path) -> Vec<PathBuf> {
         match self {
             Self::Pictures => vec![numbered(file).map_or_else(|| file.to_owned(), |pattern| pattern.file(0))],
             Self::Obj => vec![file.to_owned(), mtl::library(file)],
@@ -135,22 +135,22 @@ impl Kind {
     }
 
     /// Whether it is drawn.
-    pub fn is_drawn(self) -> bool {
+    pub(super) fn is_drawn(self) -> bool {
         self == Self::Picture || self.is_film()
     }
 
     /// Whether the whole scene goes into another format, which may not hold all of it.
-    pub fn is_scene(self) -> bool {
+    pub(super) fn is_scene(self) -> bool {
         matches!(self, Self::Glb | Self::Gltf)
     }
 
     /// Whether `ffmpeg` makes it.
-    pub fn is_made_by_ffmpeg(self) -> bool {
+    pub(super) fn is_made_by_ffmpeg(self) -> bool {
         matches!(self, Self::Mp4 | Self::Webm)
     }
 
     /// What it is a table of.
-    pub fn table(self) -> Option<(Of, tables::Form)> {
+    pub(super) fn table(self) -> Option<(Of, tables::Form)> {
         match self {
             Self::Muscles(form) => Some((Of::Muscles, form)),
             Self::Joints(form) => Some((Of::Joints, form)),
@@ -159,14 +159,14 @@ impl Kind {
     }
 
     /// Whether it has several pictures.
-    pub fn is_film(self) -> bool {
+    pub(super) fn is_film(self) -> bool {
         matches!(self, Self::Gif | Self::Apng | Self::Pictures | Self::Mp4 | Self::Webm)
     }
 }
 
 /// What moves in a film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Course {
+pub(super) enum Course {
     /// The whole clip, or an arm's swing.
     Whole,
     /// Between the marks A and B.
@@ -181,10 +181,10 @@ pub enum Course {
 
 impl Course {
     /// All courses, in the order of the list.
-    pub const ALL: [Self; 5] = [Self::Whole, Self::Marks, Self::Elbow, Self::Contraction, Self::Turntable];
+    pub(super) const ALL: [Self; 5] = [Self::Whole, Self::Marks, Self::Elbow, Self::Contraction, Self::Turntable];
 
     /// What a person calls it.
-    pub fn label(self) -> String {
+    pub(super) fn label(self) -> String {
         tr!(match self {
             Self::Whole => "app-export-whole",
             Self::Marks => "app-export-marks",
@@ -195,19 +195,19 @@ impl Course {
     }
 
     /// Whether it goes from one value to another.
-    pub fn is_sweep(self) -> bool {
+    pub(super) fn is_sweep(self) -> bool {
         matches!(self, Self::Elbow | Self::Contraction)
     }
 
     /// Whether it lasts as long as one likes.
-    pub fn has_duration(self) -> bool {
+    pub(super) fn has_duration(self) -> bool {
         self.is_sweep() || self == Self::Turntable
     }
 }
 
 /// What is set in the dialog.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
+pub(super) struct Options {
     /// The kind of file.
     pub kind: Kind,
     /// What moves.
@@ -230,7 +230,7 @@ pub struct Options {
 
 /// Why the dialog cannot make what is set in it. Displays as one sentence.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Cannot {
+pub(super) enum Cannot {
     /// There is no such film.
     Film(Refusal),
     /// There is no such table.
@@ -257,7 +257,7 @@ impl Options {
     ///
     /// # Errors
     /// [`Cannot`], where it cannot be made.
-    pub fn check(&self, session: &Session) -> Result<Sequence, Cannot> {
+    pub(super) fn check(&self, session: &Session) -> Result<Sequence, Cannot> {
         if let Some((of, _)) = self.kind.table() {
             NoTable::check(of, session.document(), &session.state(), self.fps).map_err(Cannot::Table)?;
         }
@@ -271,7 +271,7 @@ impl Options {
     ///
     /// # Errors
     /// [`Refusal`] where there are none.
-    pub fn sequence(&self, session: &Session) -> Result<Sequence, Refusal> {
+    pub(super) fn sequence(&self, session: &Session) -> Result<Sequence, Refusal> {
         let state = session.state();
         if !self.kind.is_film() {
             return Ok(Sequence::single(state));
@@ -290,7 +290,7 @@ impl Options {
 }
 
 /// One export, independent of the window.
-pub struct Job {
+pub(super) struct Job {
     document: Document,
     /// What accompanies it, with its frame rate.
     company: (Company, f64),
@@ -308,7 +308,7 @@ impl Job {
     ///
     /// # Errors
     /// As [`Options::check`].
-    pub fn new(session: &mut Session, options: Options, guard: Guard) -> Result<Self, Cannot> {
+    pub(super) fn new(session: &mut Session, options: Options, guard: Guard) -> Result<Self, Cannot> {
         let sequence = options.check(session)?;
         let (_, _, _, mut display) = session.picture();
         display.scale = options.scale;
@@ -335,12 +335,12 @@ impl Job {
     }
 
     /// How many frames it has.
-    pub fn count(&self) -> usize {
+    pub(super) fn count(&self) -> usize {
         self.sequence.count
     }
 
     /// The files that would be written to `file`, a completed name, and beside it.
-    pub fn files(&self, file: &Path) -> Vec<PathBuf> {
+    pub(super) fn files(&self, file: &Path) -> Vec<PathBuf> {
         match numbered(file).filter(|_| self.options.kind == Kind::Pictures) {
             Some(pattern) => Target::Pictures(pattern).files(&self.sequence).collect(),
             None => self.options.kind.first_files(file),
@@ -351,7 +351,7 @@ impl Job {
     ///
     /// # Errors
     /// [`ExportError`]; then everything is as it was.
-    pub fn run(self, file: &Path, work: &Work) -> Result<(), ExportError> {
+    pub(super) fn run(self, file: &Path, work: &Work) -> Result<(), ExportError> {
         let target = match self.options.kind {
             Kind::Picture => Target::Picture(file.to_owned()),
             Kind::Gif => Target::Gif(file.to_owned()),
@@ -418,7 +418,7 @@ fn with_number(file: &Path) -> PathBuf {
 }
 
 /// What stands in a picture about how it was made.
-pub fn note<'a>(document: &'a Document, eye: &Eye) -> impl Fn(&Shot) -> String + Sync + use<'a> {
+pub(super) fn note<'a>(document: &'a Document, eye: &Eye) -> impl Fn(&Shot) -> String + Sync + use<'a> {
     let orbit = *eye.orbit();
     move |shot| {
         let files: Vec<&str> = document.sources.iter().map(|source| source.name.as_str()).collect();

@@ -31,7 +31,7 @@ const SETTLED: Duration = Duration::from_millis(300);
 
 /// What is being read and watched.
 #[derive(Default)]
-pub struct Files {
+pub(super) struct Files {
     reading: RefCell<Option<Arc<Progress>>>,
     /// What is being read is to take the place of what is open, not the same files again.
     replaces: Cell<bool>,
@@ -72,17 +72,17 @@ fn is_newest(reading: &RefCell<Option<Arc<Progress>>>, progress: &Arc<Progress>)
 
 impl Files {
     /// Whether something is being read.
-    pub fn is_loading(&self) -> bool {
+    pub(super) fn is_loading(&self) -> bool {
         self.reading.borrow().is_some() || self.apart.borrow().is_some()
     }
 
     /// Stops reading, whatever it is.
-    pub fn stop(&self) {
+    pub(super) fn stop(&self) {
         [&self.reading, &self.apart].into_iter().for_each(cancel);
     }
 
     /// Says what was written to a file that may be watched.
-    pub fn wrote(&self, path: PathBuf, text: String) {
+    pub(super) fn wrote(&self, path: PathBuf, text: String) {
         self.written.replace(Some((path, text)));
     }
 
@@ -95,12 +95,12 @@ impl Files {
     }
 
     /// The session file that what is open came from, or was saved to last.
-    pub fn session_file(&self) -> Option<PathBuf> {
+    pub(super) fn session_file(&self) -> Option<PathBuf> {
         self.session_file.borrow().clone()
     }
 
     /// What is open was saved as this session file.
-    pub fn saved_session(&self, path: PathBuf) {
+    pub(super) fn saved_session(&self, path: PathBuf) {
         self.session_file.replace(Some(path));
     }
 
@@ -112,25 +112,25 @@ impl Files {
     }
 
     /// Muscles are compared with the measured radii of this file, or no longer of any.
-    pub fn compares_table(&self, path: Option<PathBuf>) {
+    pub(super) fn compares_table(&self, path: Option<PathBuf>) {
         self.table.replace(path);
     }
 
     /// Whether there is a file that could not be opened.
-    pub fn can_retry(&self) -> bool {
+    pub(super) fn can_retry(&self) -> bool {
         self.failed.get()
     }
 }
 
 /// Holds every file that is open in a window, with what belongs to it: no result replaces one of them.
-pub fn guard(window: &Rc<Window>) -> Guard {
+pub(super) fn guard(window: &Rc<Window>) -> Guard {
     let files = &window.files;
     let (names, table) = (files.session_names.borrow().clone(), files.table.borrow().clone());
     window.look(|session| session.guard()).and(names).and(files.session_file()).and(table)
 }
 
 /// Opens files side by side into one scene. What is open stays until they are read; whatever was being read is given up.
-pub fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
+pub(super) fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     if paths.is_empty() {
         return;
     }
@@ -138,7 +138,7 @@ pub fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
 }
 
 /// Tries once more to open files that could not be; what was to be done with them then is still to be done.
-pub fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
+pub(super) fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
     saving::ask_first(window, move |window| {
         let (hang, carried) = (window.files.hang.get(), window.files.carried.take());
         open_now(window, paths, arrival, carried);
@@ -147,7 +147,7 @@ pub fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
 }
 
 /// Opens files (none: the built-in scene) and puts muscles that are not saved into them; `then` runs once they are there.
-pub fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<MuscleFile>, then: impl FnOnce() + 'static) {
+pub(super) fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<MuscleFile>, then: impl FnOnce() + 'static) {
     saving::ask_first(window, move |window| {
         let carried = Carried { muscles, then: Box::new(then) };
         if paths.is_empty() {
@@ -215,7 +215,7 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival, carried:
 
 /// Reads a file off the interface thread, with progress and Cancel, and hands the document on; what is open stays as it is, and what is being opened
 /// goes on.
-pub fn read_apart(window: &Rc<Window>, path: PathBuf, then: impl FnOnce(&Rc<Window>, Document) + 'static) {
+pub(super) fn read_apart(window: &Rc<Window>, path: PathBuf, then: impl FnOnce(&Rc<Window>, Document) + 'static) {
     cancel(&window.files.apart);
     let progress = Arc::new(Progress::default());
     window.files.apart.replace(Some(progress.clone()));
@@ -339,7 +339,7 @@ fn tell_refusal(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathB
 }
 
 /// Watches the files: when one is written again, all are read again; the one that is compared with, for itself.
-pub fn watch(window: &Rc<Window>) {
+pub(super) fn watch(window: &Rc<Window>) {
     let (paths, compared) = window.look(|session| (session.files(), session.compared_file()));
     let make = |path: PathBuf, again: fn(&Rc<Window>, &Path)| {
         let monitor = gio::File::for_path(&path).monitor_file(gio::FileMonitorFlags::WATCH_MOVES, gio::Cancellable::NONE).ok()?;
@@ -369,7 +369,7 @@ pub fn watch(window: &Rc<Window>) {
 }
 
 /// Reads the open files again, and the one that is compared with.
-pub fn reload(window: &Rc<Window>) {
+pub(super) fn reload(window: &Rc<Window>) {
     if let Some(path) = window.look(|session| session.compared_file()) {
         compare_file::read_again(window, &path);
     }
@@ -408,7 +408,7 @@ fn reload_own(window: &Rc<Window>) {
 }
 
 /// Closes the files; the start page comes up. With nothing open the window closes.
-pub fn close(window: &Rc<Window>) {
+pub(super) fn close(window: &Rc<Window>) {
     saving::ask_first(window, close_now);
 }
 
@@ -423,7 +423,7 @@ fn close_now(window: &Rc<Window>) {
 }
 
 /// Stops reading and watching, and takes the message away.
-pub fn forget(window: &Rc<Window>) {
+pub(super) fn forget(window: &Rc<Window>) {
     window.files.stop();
     window.files.reading.replace(None);
     window.files.apart.replace(None);
@@ -437,7 +437,7 @@ pub fn forget(window: &Rc<Window>) {
 }
 
 /// Opens the next (or previous) file of the folder, by name.
-pub fn neighbour(window: &Rc<Window>, by: isize) {
+pub(super) fn neighbour(window: &Rc<Window>, by: isize) {
     let main = window.look(|session| heading::sources(session.document()).first().and_then(|source| source.path.clone()));
     let Some(open_now) = main.and_then(|path| std::path::absolute(path).ok()) else { return };
     let Some(entries) = open_now.parent().and_then(|folder| std::fs::read_dir(folder).ok()) else { return };
@@ -456,12 +456,12 @@ fn is_ours(path: &Path) -> bool {
 }
 
 /// Lets the user choose files to open.
-pub fn choose(window: &Rc<Window>) {
+pub(super) fn choose(window: &Rc<Window>) {
     ask_for_files(window, &tr!("app-choose-title"), true, |window, paths| open(window, paths, Arrival::New));
 }
 
 /// Lets the user choose files, one or several, and hands them on.
-pub fn ask_for_files(window: &Rc<Window>, title: &str, several: bool, then: impl Fn(&Rc<Window>, Vec<PathBuf>) + 'static) {
+pub(super) fn ask_for_files(window: &Rc<Window>, title: &str, several: bool, then: impl Fn(&Rc<Window>, Vec<PathBuf>) + 'static) {
     let dialog = gtk::FileChooserNative::new(
         Some(title),
         Some(&window.widget),
@@ -502,7 +502,7 @@ pub fn ask_for_files(window: &Rc<Window>, title: &str, several: bool, then: impl
 }
 
 /// Files can be dropped on the picture; the place is marked while they hang over it. The Cancel button stops reading.
-pub fn accept_drops(window: &Rc<Window>) {
+pub(super) fn accept_drops(window: &Rc<Window>) {
     let target = gtk::DropTarget::new(gdk::FileList::static_type(), gdk::DragAction::COPY);
     target.connect_enter(glib::clone!(
         #[weak]
@@ -527,7 +527,7 @@ pub fn accept_drops(window: &Rc<Window>) {
         move |_, value, _, _| {
             window.viewport.drop_here(false);
             let Ok(files) = value.get::<gdk::FileList>() else { return false };
-            let paths: Vec<PathBuf> = files.files().iter().filter_map(gio::prelude::FileExt::path).collect();
+            let paths: Vec<PathBuf> = files.files().iter().filter_map(FileExt::path).collect();
             let any = !paths.is_empty();
             open_dropped(&window, paths);
             any

@@ -13,7 +13,7 @@ use super::{format, ui};
 use crate::tr;
 
 /// Ghosts and comparison.
-pub struct GhostsPanel {
+pub(super) struct GhostsPanel {
     /// The whole.
     pub root: gtk::Box,
     before: gtk::SpinButton,
@@ -28,7 +28,7 @@ pub struct GhostsPanel {
 
 impl GhostsPanel {
     /// One that is not connected yet.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::GHOSTS);
         ui::narrow(&part(&builder, "with"), 18);
         Self {
@@ -45,7 +45,7 @@ impl GhostsPanel {
     }
 
     /// Lets hands choose.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         for number in [&self.before, &self.after, &self.step] {
             let [before, after, step] = [&self.before, &self.after, &self.step].map(gtk::SpinButton::clone);
             number.connect_value_changed(glib::clone!(
@@ -78,7 +78,7 @@ impl GhostsPanel {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
         if changes.any(Changes::GHOSTS) {
             let ghosts = session.ghosts();
             self.before.set_value(ghosts.before.into());
@@ -124,7 +124,7 @@ impl GhostsPanel {
 }
 
 /// The name of a file without its folder.
-pub fn file_name(path: &str) -> String {
+pub(super) fn file_name(path: &str) -> String {
     Path::new(path).file_name().map_or_else(|| path.to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
@@ -139,7 +139,7 @@ fn choose(session: &mut Session, place: u32) {
 }
 
 /// How far the two are apart, in one line.
-pub fn difference(session: &Session, compared: &Compared) -> String {
+pub(super) fn difference(session: &Session, compared: &Compared) -> String {
     match compared.farthest {
         None => tr!("app-compare-nothing-common"),
         Some((Some(joint), far)) => {

@@ -8,7 +8,7 @@ use super::canvas::{Canvas, cairo, set_color};
 
 /// What an icon shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Glyph {
+pub(super) enum Glyph {
     /// A file.
     File,
     /// An ordinary node.
@@ -44,7 +44,7 @@ pub enum Glyph {
 }
 
 /// A canvas of 16 × 16 that shows a glyph.
-pub fn image(glyph: Glyph) -> Canvas {
+pub(super) fn image(glyph: Glyph) -> Canvas {
     let canvas = Canvas::new(16, 16);
     set(&canvas, glyph);
     canvas.set_valign(gtk::Align::Center);
@@ -53,7 +53,7 @@ pub fn image(glyph: Glyph) -> Canvas {
 }
 
 /// Makes a canvas show a glyph.
-pub fn set(canvas: &Canvas, glyph: Glyph) {
+pub(super) fn set(canvas: &Canvas, glyph: Glyph) {
     canvas.set_painter(move |canvas, snapshot, width, height| {
         let context = cairo(snapshot, width, height);
         let side = width.min(height);
@@ -82,7 +82,7 @@ fn head(context: &Context, (x, y): (f64, f64), (dx, dy): (f64, f64)) {
     path(context, &[(x - 2.2 * dx - 2.0 * dy, y - 2.2 * dy + 2.0 * dx), (x, y), (x - 2.2 * dx + 2.0 * dy, y - 2.2 * dy - 2.0 * dx)], false);
 }
 
-fn draw(context: &Context, glyph: Glyph) -> Result<(), gtk::cairo::Error> {
+fn draw(context: &Context, glyph: Glyph) -> Result<(), cairo::Error> {
     let circle = std::f64::consts::TAU;
     match glyph {
         Glyph::File => {

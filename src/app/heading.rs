@@ -12,7 +12,7 @@ use crate::i18n::{shown, shown_lines};
 use crate::tr;
 
 /// Names what is open in the header bar and in the title of the window, with what it lacks.
-pub fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &Session) {
+pub(super) fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &Session) {
     let names = names(session.document());
     let mut title = title_of(&names).unwrap_or_else(|| tr!("app-name"));
     if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
@@ -46,7 +46,7 @@ pub fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &S
 }
 
 /// The open files, the one that the others belong to first: clips before muscles, else as they were named.
-pub fn sources(document: &Document) -> Vec<&Source> {
+pub(super) fn sources(document: &Document) -> Vec<&Source> {
     let mut sources: Vec<&Source> = document.sources.iter().collect();
     sources.sort_by_key(|source| !matches!(source.kind, SourceKind::Collada(_)));
     sources
@@ -72,7 +72,7 @@ fn title_of(names: &[String]) -> Option<String> {
 }
 
 /// Says at the buttons what undo and redo would do.
-pub fn name_steps(builder: &gtk::Builder, session: &Session) {
+pub(super) fn name_steps(builder: &gtk::Builder, session: &Session) {
     let (back, forward) = session.step_names();
     for (id, command, step) in [("undo", Command::Undo, back), ("redo", Command::Redo, forward)] {
         let text = match step {
@@ -84,7 +84,7 @@ pub fn name_steps(builder: &gtk::Builder, session: &Session) {
 }
 
 /// Says in the status line how many triangles are drawn and how much memory the program takes.
-pub fn tell_size(builder: &gtk::Builder, triangles: u64) {
+pub(super) fn tell_size(builder: &gtk::Builder, triangles: u64) {
     let text = tr!("app-status-triangles", count = triangles, shown = format::count(triangles));
     part::<gtk::Label>(builder, "status_triangles").set_text(&text);
     if let Some(megabytes) = memory::resident() {

@@ -15,7 +15,7 @@ use crate::scene::{Content, Deformer, Node, NodeId, Scene};
 use crate::tr;
 
 /// The panel.
-pub struct HealthPanel {
+pub(super) struct HealthPanel {
     /// The whole.
     pub root: gtk::Box,
     summary: gtk::Label,
@@ -27,7 +27,7 @@ pub struct HealthPanel {
 
 impl HealthPanel {
     /// A panel of nothing.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::HEALTH_PANEL);
         let list: gtk::ListView = part(&builder, "list");
         list.set_factory(Some(&factory()));
@@ -42,7 +42,7 @@ impl HealthPanel {
     }
 
     /// Lets a click select what a finding speaks of.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.list.connect_activate(glib::clone!(
             #[weak]
             window,
@@ -69,7 +69,7 @@ impl HealthPanel {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
         if !changes.any(Changes::DOCUMENT) {
             return;
         }

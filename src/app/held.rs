@@ -11,7 +11,7 @@ use super::ui;
 use super::window::{Window, part};
 
 /// A few words and a button.
-pub struct Held {
+pub(super) struct Held {
     /// Both; hidden while no joint is held.
     pub root: gtk::Box,
     label: gtk::Label,
@@ -20,13 +20,13 @@ pub struct Held {
 
 impl Held {
     /// Hidden until a joint is held.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::HELD);
         Self { root: part(&builder, "root"), label: part(&builder, "label"), release: part(&builder, "release") }
     }
 
     /// Lets the button release the joint.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.release.connect_clicked(glib::clone!(
             #[weak]
             window,
@@ -39,7 +39,7 @@ impl Held {
     }
 
     /// Says what is held.
-    pub fn refresh(&self, session: &mut Session) {
+    pub(super) fn refresh(&self, session: &mut Session) {
         let told = session.told_held();
         self.root.set_visible(told.is_some());
         self.label.set_text(&told.unwrap_or_default());

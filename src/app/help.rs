@@ -32,7 +32,7 @@ fn text(key: &str, key_of: impl Fn(Command) -> String) -> String {
 }
 
 /// Shows the help beside the window, so that it can be read while doing what it says.
-pub fn show(window: &Rc<Window>) {
+pub(super) fn show(window: &Rc<Window>) {
     if let Some(open) = gtk::Window::list_toplevels().into_iter().find(|open| open.widget_name() == NAME) {
         // A second one would hide the first.
         return open.downcast::<gtk::Window>().map_or((), |open| open.present());

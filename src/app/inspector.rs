@@ -25,7 +25,7 @@ const MOMENTS: usize = 241;
 const MOST: usize = 12;
 
 /// The inspector.
-pub struct Inspector {
+pub(super) struct Inspector {
     /// The whole; hidden while nothing is selected.
     pub root: gtk::Box,
     builder: gtk::Builder,
@@ -50,7 +50,7 @@ fn number_label() -> gtk::Label {
 
 impl Inspector {
     /// An inspector of nothing.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::INSPECTOR);
         let transform: gtk::Grid = part(&builder, "transform");
         let labels = std::array::from_fn(|row| {
@@ -104,7 +104,7 @@ impl Inspector {
     }
 
     /// Lets hands choose, copy and turn.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         let wanted = self.wanted.clone();
         self.space.connect_selected_notify(glib::clone!(
             #[weak]
@@ -209,7 +209,7 @@ impl Inspector {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
         let other = changes.any(Changes::DOCUMENT | Changes::SELECTION);
         let moved = Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::HAND | Changes::PINS | Changes::DISPLAY;
         if !other && !changes.any(moved | Changes::PLAYBACK) {

@@ -10,7 +10,7 @@ use crate::tr;
 
 /// Which of a node's matrices is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Space {
+pub(super) enum Space {
     /// Under the node above.
     Local,
     /// In the world.
@@ -23,10 +23,10 @@ pub enum Space {
 
 impl Space {
     /// All, in the order of the list.
-    pub const ALL: [Self; 4] = [Self::Local, Self::World, Self::Bind, Self::InverseBind];
+    pub(super) const ALL: [Self; 4] = [Self::Local, Self::World, Self::Bind, Self::InverseBind];
 
     /// What a person calls it.
-    pub fn label(self) -> String {
+    pub(super) fn label(self) -> String {
         tr!(match self {
             Self::Local => "app-space-local",
             Self::World => "app-space-world",
@@ -36,7 +36,7 @@ impl Space {
     }
 
     /// The matrix; `None` for the bind matrices of what no skin is bound to.
-    pub fn of(self, matrices: &Matrices) -> Option<DMat4> {
+    pub(super) fn of(self, matrices: &Matrices) -> Option<DMat4> {
         match self {
             Self::Local => Some(matrices.local),
             Self::World => Some(matrices.world),
@@ -47,13 +47,13 @@ impl Space {
 }
 
 /// A rotation as turns about X, then Y, then Z, degrees.
-pub fn degrees(rotation: DQuat) -> DVec3 {
+pub(super) fn degrees(rotation: DQuat) -> DVec3 {
     let (z, y, x) = rotation.to_euler(EulerRot::ZYX);
     DVec3::new(x.to_degrees(), y.to_degrees(), z.to_degrees())
 }
 
 /// Everything about the selection's place as text, for programs: decimal points, full precision.
-pub fn report(session: &mut Session) -> String {
+pub(super) fn report(session: &mut Session) -> String {
     let Some(node) = session.selected() else { return String::new() };
     let Some(matrices) = session.matrices(node) else { return String::new() };
     let mut text = format!("{}, t = {} s\n", session.document().scene.graph.node(node).name, session.playback().time);
@@ -79,7 +79,7 @@ fn unsigned(value: f64) -> f64 {
 }
 
 /// How large a mesh is, and what bends it.
-pub fn mesh(scene: &Scene, instance: &MeshInstance) -> String {
+pub(super) fn mesh(scene: &Scene, instance: &MeshInstance) -> String {
     let Some(mesh) = scene.meshes.get(instance.mesh.index()) else { return String::new() };
     let count = |value: usize| format::count(value as u64);
     let mut lines = vec![
@@ -103,7 +103,7 @@ pub fn mesh(scene: &Scene, instance: &MeshInstance) -> String {
 }
 
 /// A material in a line or two.
-pub fn material(scene: &Scene, material: &Material) -> String {
+pub(super) fn material(scene: &Scene, material: &Material) -> String {
     let texture = material.diffuse.texture.as_ref().and_then(|texture| scene.images.get(texture.image.index()));
     match texture {
         Some(image) if image.pixels.is_none() => tr!("app-material-lost", name = material.name.as_str(), image = image.uri.as_str()),
@@ -113,7 +113,7 @@ pub fn material(scene: &Scene, material: &Material) -> String {
 }
 
 /// The rows of a vertex' bones: name, weight, x, y, z of the part, and last the sum.
-pub fn shares(told: &Explanation, most: usize) -> Vec<[String; 5]> {
+pub(super) fn shares(told: &Explanation, most: usize) -> Vec<[String; 5]> {
     let row = |name: String, weight: String, part: DVec3| {
         let [x, y, z] = part.to_array().map(|value| format::number(value, 4));
         [name, weight, x, y, z]
@@ -134,7 +134,7 @@ pub fn shares(told: &Explanation, most: usize) -> Vec<[String; 5]> {
 }
 
 /// How the sum and the picture compare.
-pub fn vertex_note(told: &Explanation) -> String {
+pub(super) fn vertex_note(told: &Explanation) -> String {
     let apart = (told.sum - told.drawn).length();
     if told.shares.is_empty() {
         tr!("app-vertex-rigid")
@@ -146,7 +146,7 @@ pub fn vertex_note(told: &Explanation) -> String {
 }
 
 /// How far the last two points are apart.
-pub fn distance(pinned: [Option<Vec3>; 2]) -> String {
+pub(super) fn distance(pinned: [Option<Vec3>; 2]) -> String {
     match pinned {
         [Some(a), Some(b)] => tr!("app-distance", distance = format::number(f64::from(a.distance(b)), 4)),
         _ => tr!("app-distance-one"),

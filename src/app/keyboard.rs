@@ -13,7 +13,7 @@ use super::ui;
 use super::window::Window;
 
 /// Listens at the window.
-pub fn connect(window: &Rc<Window>) {
+pub(super) fn connect(window: &Rc<Window>) {
     let keys = gtk::EventControllerKey::new();
     keys.set_propagation_phase(gtk::PropagationPhase::Capture);
     keys.connect_key_pressed(glib::clone!(
@@ -67,7 +67,7 @@ pub fn connect(window: &Rc<Window>) {
 /// Remembers what an entry said when the keyboard came to it, for Esc.
 fn remember_text(window: &Rc<Window>) {
     window.widget.connect_focus_widget_notify(|widget| {
-        if let Some(text) = gtk::prelude::GtkWindowExt::focus(widget).and_downcast::<gtk::Text>() {
+        if let Some(text) = GtkWindowExt::focus(widget).and_downcast::<gtk::Text>() {
             muscle_editor::remember_shown(&text);
         }
     });
@@ -151,7 +151,7 @@ fn letter(key: gdk::Key, hardware: Option<u32>) -> Option<char> {
 }
 
 fn focus(window: &Rc<Window>) -> Option<gtk::Widget> {
-    gtk::prelude::GtkWindowExt::focus(&window.widget)
+    GtkWindowExt::focus(&window.widget)
 }
 
 /// Whether text is being typed somewhere.

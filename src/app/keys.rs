@@ -19,7 +19,7 @@ const ALT: u8 = 4;
 const SUPER: u8 = 8;
 
 /// Finds commands by keys.
-pub struct Keys {
+pub(super) struct Keys {
     commands: HashMap<Chord, Command>,
 }
 
@@ -32,13 +32,13 @@ impl Default for Keys {
 
 impl Keys {
     /// The command of a key press; `hardware` is its keycode where keycodes are those of X11 and Wayland.
-    pub fn command(&self, key: gdk::Key, hardware: Option<u32>, modifiers: gdk::ModifierType) -> Option<Command> {
+    pub(super) fn command(&self, key: gdk::Key, hardware: Option<u32>, modifiers: gdk::ModifierType) -> Option<Command> {
         chords(key, hardware, modifiers).iter().find_map(|chord| self.commands.get(chord)).copied()
     }
 }
 
 /// The letter or sign at a place of the keyboard, as on a US one.
-pub fn at_place(hardware: u32) -> Option<char> {
+pub(super) fn at_place(hardware: u32) -> Option<char> {
     ROWS.iter().find_map(|(first, row)| hardware.checked_sub(*first).and_then(|place| row.chars().nth(place as usize)))
 }
 

@@ -46,7 +46,7 @@ const ON_PAPER: u32 = 0xB8_322E;
 const PICTURE_SCALE: f64 = 2.0;
 
 /// The panel.
-pub struct MeasurePanel {
+pub(super) struct MeasurePanel {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
@@ -58,7 +58,7 @@ pub struct MeasurePanel {
 
 impl MeasurePanel {
     /// A panel of no muscle.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::MEASURE_PANEL);
         let slot: gtk::Box = part(&builder, "slot");
         let plots = std::array::from_fn(|_| {
@@ -79,7 +79,7 @@ impl MeasurePanel {
     }
 
     /// Lets the plots set the angle.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         for (canvas, plot) in &self.plots {
             let set = {
                 let (weak, plot, canvas) = (Rc::downgrade(window), plot.clone(), canvas.downgrade());
@@ -161,7 +161,7 @@ impl MeasurePanel {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
         if changes.any(Changes::DOCUMENT) {
             self.muscle.set(MuscleId(0));
             self.stale.set(true);

@@ -1,7 +1,7 @@
 //! How much memory the program holds.
 
 /// Megabytes of the program's memory that are in the machine's; `None` where the system does not say.
-pub fn resident() -> Option<f64> {
+pub(super) fn resident() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmRSS:"))?;
     let kibibytes: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;

@@ -17,7 +17,7 @@ use crate::tr;
 const LOOK_THROUGH: &str = "look-through";
 
 /// Puts the menus into the header.
-pub fn connect(window: &Rc<Window>, builder: &gtk::Builder) {
+pub(super) fn connect(window: &Rc<Window>, builder: &gtk::Builder) {
     window.menu.set_menu_model(Some(&main_menu()));
     part::<gtk::MenuButton>(builder, "display_menu").set_menu_model(Some(&display_menu()));
     let look = gio::SimpleAction::new(LOOK_THROUGH, Some(glib::VariantTy::UINT32));
@@ -91,7 +91,7 @@ fn display_menu() -> gio::Menu {
 }
 
 /// The camera menu, with the cameras of the file.
-pub fn list_cameras(button: &gtk::MenuButton, session: &Session) {
+pub(super) fn list_cameras(button: &gtk::MenuButton, session: &Session) {
     use Command as C;
     let menu = gio::Menu::new();
     section(&menu, &[C::Fit, C::ResetCamera, C::Centre, C::Follow]);

@@ -15,7 +15,7 @@ use crate::scene::MuscleId;
 
 /// Changes the muscle that is shown.
 #[derive(Clone)]
-pub struct Editor {
+pub(super) struct Editor {
     /// The window.
     pub window: Weak<Window>,
     /// The muscle that is shown.
@@ -26,18 +26,18 @@ pub struct Editor {
 
 impl Editor {
     /// The muscle that is shown.
-    pub fn id(&self) -> MuscleId {
+    pub(super) fn id(&self) -> MuscleId {
         MuscleId(self.shown.get())
     }
 
     /// Makes a change; whether it was made.
-    pub fn edit(&self, edit: &Edit, step: Step) -> bool {
+    pub(super) fn edit(&self, edit: &Edit, step: Step) -> bool {
         let id = self.id();
         self.tell(|session| session.edit_muscle(id, edit, step))
     }
 
     /// Does something to the session that may be refused; whether it was done.
-    pub fn tell(&self, change: impl FnOnce(&mut Session) -> Result<(), EditError>) -> bool {
+    pub(super) fn tell(&self, change: impl FnOnce(&mut Session) -> Result<(), EditError>) -> bool {
         let Some(window) = self.window.upgrade() else { return false };
         let mut result = Ok(());
         window.act(|session| result = change(session));
@@ -49,7 +49,7 @@ impl Editor {
     }
 
     /// What the muscle shown says; `None` while another document is being shown: an entry that goes away then still wants what was typed to be taken.
-    pub fn spec(&self) -> Option<MuscleSpec> {
+    pub(super) fn spec(&self) -> Option<MuscleSpec> {
         let id = self.id();
         let spec = |session: &mut Session| {
             let (rig, index) = session.document().muscle(id)?;
@@ -63,7 +63,7 @@ impl Editor {
 const TYPED: &str = "typed";
 
 /// Lets an entry take what was typed into it, with Enter and when the hand goes elsewhere. `take` marks with the class `error` what cannot be taken.
-pub fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + 'static) {
+pub(super) fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + 'static) {
     let commit = Rc::new(move |entry: &gtk::Entry| {
         take(entry);
         if !entry.has_css_class("error") {
@@ -88,19 +88,19 @@ thread_local! {
 }
 
 /// Remembers what an entry says, now that the keyboard comes to it.
-pub fn remember_shown(text: &gtk::Text) {
+pub(super) fn remember_shown(text: &gtk::Text) {
     SHOWN.set(text.text().into());
 }
 
 /// Lets the entry that has the keyboard say again what it said when that came to it.
-pub fn show_as_before(entry: &gtk::Entry) {
+pub(super) fn show_as_before(entry: &gtk::Entry) {
     entry.set_text(&SHOWN.with_borrow(String::clone));
     entry.remove_css_class(TYPED);
     entry.remove_css_class("error");
 }
 
 /// Shows a text in an entry. What somebody is typing stays while something else changes, and so does what was refused, unless all is `anew`.
-pub fn show_text(entry: &gtk::Entry, text: &str, anew: bool) {
+pub(super) fn show_text(entry: &gtk::Entry, text: &str, anew: bool) {
     let typing = entry.has_css_class(TYPED) && entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN);
     let text = &*shown(text);
     if entry.text() != text && (anew || !entry.has_css_class("error")) && !typing {

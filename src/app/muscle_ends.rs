@@ -13,14 +13,14 @@ use crate::scene::MuscleId;
 const NAMES: [&str; 2] = ["origin", "insertion"];
 
 /// Both ends.
-pub struct MuscleEnds {
+pub(super) struct MuscleEnds {
     ends: [PlaceField; 2],
     units: [gtk::Label; 2],
 }
 
 impl MuscleEnds {
     /// Those of a panel.
-    pub fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
+    pub(super) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
         Self {
             ends: [0, 1].map(|end| PlaceField::new(builder, NAMES[end], Handhold::End(end), bones)),
             units: NAMES.map(|name| part(builder, &format!("{name}_unit"))),
@@ -28,12 +28,12 @@ impl MuscleEnds {
     }
 
     /// Lets hands choose, pick and type.
-    pub fn connect(&self, editor: &Editor) {
+    pub(super) fn connect(&self, editor: &Editor) {
         self.ends.iter().for_each(|end| end.connect(editor));
     }
 
     /// Shows where the muscle is attached.
-    pub fn show(&self, session: &Session, id: MuscleId, unit: &str, anew: bool) {
+    pub(super) fn show(&self, session: &Session, id: MuscleId, unit: &str, anew: bool) {
         let Some((rig, index)) = session.document().muscle(id) else { return };
         let has_ends = rig.spec(index).is_some_and(|spec| spec.origin.is_some());
         for (end, label) in self.ends.iter().zip(&self.units) {

@@ -18,7 +18,7 @@ use crate::tr;
 const AXES: [JointAxis; 4] = [JointAxis::Hinge, JointAxis::Own(0), JointAxis::Own(1), JointAxis::Own(2)];
 
 /// Sliders and joint.
-pub struct MuscleJoint {
+pub(super) struct MuscleJoint {
     builder: gtk::Builder,
     contraction: gtk::Scale,
     flexion: gtk::Scale,
@@ -31,7 +31,7 @@ pub struct MuscleJoint {
 
 impl MuscleJoint {
     /// Those of a panel.
-    pub fn new(builder: &gtk::Builder) -> Self {
+    pub(super) fn new(builder: &gtk::Builder) -> Self {
         let (joint, axis): (gtk::DropDown, gtk::DropDown) = (part(builder, "joint"), part(builder, "joint_axis"));
         ui::narrow(&joint, 12);
         let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
@@ -48,7 +48,7 @@ impl MuscleJoint {
     }
 
     /// Lets the sliders drive.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.contraction.connect_value_changed(glib::clone!(
             #[weak]
             window,
@@ -92,7 +92,7 @@ impl MuscleJoint {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
         if changes.any(Changes::DOCUMENT) {
             self.list_joints(session);
         }

@@ -27,7 +27,7 @@ use crate::scene::MuscleId;
 use crate::tr;
 
 /// The panel.
-pub struct MusclePanel {
+pub(super) struct MusclePanel {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
@@ -107,7 +107,7 @@ fn field_text(spec: &MuscleSpec, field: usize) -> String {
 }
 
 /// A muscle's file unit, for numbers.
-pub struct Unit {
+pub(super) struct Unit {
     /// The sign of a length.
     pub length: String,
     /// Metres a unit.
@@ -119,7 +119,7 @@ pub struct Unit {
 
 impl Unit {
     /// The unit of the file that a rig was made from.
-    pub fn of_rig(document: &Document, rig: &Rig) -> Self {
+    pub(super) fn of_rig(document: &Document, rig: &Rig) -> Self {
         let metres = document.sources.iter().find_map(|source| match &source.kind {
             SourceKind::Muscles(file, own) if std::ptr::eq(&raw const **own, rig) => Some(file.unit_metres),
             _ => None,
@@ -143,7 +143,7 @@ impl Unit {
 
 impl MusclePanel {
     /// A panel of no muscle.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::MUSCLE_PANEL);
         let bones = Bones::new();
         let profile = ProfileView::new();
@@ -185,7 +185,7 @@ impl MusclePanel {
     }
 
     /// Lets the sliders drive.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.joint.connect(window);
         self.connect_edits(&self.editor(window));
         self.which.connect_selected_notify(glib::clone!(
@@ -200,12 +200,12 @@ impl MusclePanel {
     }
 
     /// What changes the muscle that is shown.
-    pub fn editor(&self, window: &Rc<Window>) -> Editor {
+    pub(super) fn editor(&self, window: &Rc<Window>) -> Editor {
         Editor { window: Rc::downgrade(window), shown: self.shown.clone(), refused: self.refused.clone() }
     }
 
     /// Adds, copies or takes away a muscle.
-    pub fn change(&self, window: &Rc<Window>, command: Command) {
+    pub(super) fn change(&self, window: &Rc<Window>, command: Command) {
         let editor = self.editor(window);
         let id = editor.id();
         editor.tell(|session| match command {
@@ -298,7 +298,7 @@ impl MusclePanel {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
         if changes.any(Changes::DOCUMENT) {
             self.refresh_document(session);
         }
@@ -430,7 +430,7 @@ impl MusclePanel {
 }
 
 /// Hangs the muscles of all files that are on an arm of their own on the clip that is open with them; whether there were any.
-pub fn hang_all(window: &Rc<Window>) -> bool {
+pub(super) fn hang_all(window: &Rc<Window>) -> bool {
     let files = window.look(|session| session.document().muscle_files().count());
     hang(window, 0..files)
 }

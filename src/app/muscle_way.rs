@@ -36,7 +36,7 @@ struct Rows {
 }
 
 /// The whole.
-pub struct MuscleWay {
+pub(super) struct MuscleWay {
     builder: gtk::Builder,
     bones: Bones,
     list: gtk::Box,
@@ -50,7 +50,7 @@ pub struct MuscleWay {
 
 impl MuscleWay {
     /// That of a panel.
-    pub fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
+    pub(super) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
         Self {
             builder: builder.clone(),
             bones: bones.clone(),
@@ -65,7 +65,7 @@ impl MuscleWay {
     }
 
     /// Lets hands add, choose, pick and type. What is refused is told beside the widget that it was asked of.
-    pub fn connect(&self, editor: &Editor) {
+    pub(super) fn connect(&self, editor: &Editor) {
         let [of_via, of_wrap] = self.refused.clone().map(|refused| Editor { refused, ..editor.clone() });
         let own = of_via.clone();
         self.rows.add.connect_clicked(move |_| {
@@ -86,12 +86,12 @@ impl MuscleWay {
     }
 
     /// What was refused is no longer of interest.
-    pub fn forget_refusals(&self) {
+    pub(super) fn forget_refusals(&self) {
         self.refused.iter().for_each(|refused| refused.set_visible(false));
     }
 
     /// Shows the way of a muscle.
-    pub fn show(&self, session: &Session, id: MuscleId, unit: &str, anew: bool) {
+    pub(super) fn show(&self, session: &Session, id: MuscleId, unit: &str, anew: bool) {
         let Some((rig, index)) = session.document().muscle(id) else { return };
         let Some(spec) = rig.spec(index) else { return };
         let (held, has_ends) = (rig.is_attached(index), spec.origin.is_some());

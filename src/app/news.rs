@@ -13,7 +13,7 @@ use crate::tr;
 const NAMED: usize = 3;
 
 /// What is different, by name where there are names: bones, clips, shapes, keys, findings.
-pub fn what_changed(before: &Document, after: &Document) -> String {
+pub(super) fn what_changed(before: &Document, after: &Document) -> String {
     let nodes = |document: &Document| tally(document.scene.graph.iter().map(|(_, node)| node.name.clone()));
     let clips = |document: &Document| tally(document.clips.iter().map(|clip| clip.name.clone()));
     let mut changes = Vec::new();

@@ -37,7 +37,7 @@ struct Values {
 }
 
 /// The table.
-pub struct NodeTable {
+pub(super) struct NodeTable {
     view: gtk::ColumnView,
     values: Rc<Values>,
     store: gio::ListStore,
@@ -45,7 +45,7 @@ pub struct NodeTable {
 
 impl NodeTable {
     /// Puts the columns into a view.
-    pub fn new(view: &gtk::ColumnView) -> Self {
+    pub(super) fn new(view: &gtk::ColumnView) -> Self {
         let store = gio::ListStore::new::<glib::BoxedAnyObject>();
         view.set_model(Some(&gtk::NoSelection::new(Some(store.clone()))));
         let table = Self { view: view.clone(), values: Rc::default(), store };
@@ -58,13 +58,13 @@ impl NodeTable {
     }
 
     /// Sets who hears of what is typed, and of the node at hand.
-    pub fn connect(&self, typed: impl Fn(Edit) -> bool + 'static, chosen: impl Fn(usize) + 'static) {
+    pub(super) fn connect(&self, typed: impl Fn(Edit) -> bool + 'static, chosen: impl Fn(usize) + 'static) {
         self.values.typed.replace(Some(Box::new(typed)));
         self.values.chosen.replace(Some(Box::new(chosen)));
     }
 
     /// Tells the node at hand: the one whose cell was entered last.
-    pub fn at_hand(&self) -> impl Fn() -> usize + 'static {
+    pub(super) fn at_hand(&self) -> impl Fn() -> usize + 'static {
         let values = self.values.clone();
         move || values.current.get()
     }
@@ -96,7 +96,7 @@ impl NodeTable {
     }
 
     /// Shows a muscle; `anew` where it is another one.
-    pub fn show(&self, profile: &Profile, radii: &[f64], unit: &str, anew: bool) {
+    pub(super) fn show(&self, profile: &Profile, radii: &[f64], unit: &str, anew: bool) {
         self.values.columns.replace([profile.radii().to_vec(), profile.growth().to_vec(), radii.to_vec()]);
         let mut cells = std::mem::take(&mut *self.values.cells.borrow_mut());
         for cell in &mut cells {

@@ -18,7 +18,7 @@ use crate::scene::View;
 use crate::tr;
 
 /// One action a command; those that are on or off have a state.
-pub fn make_actions() -> HashMap<Command, gio::SimpleAction> {
+pub(super) fn make_actions() -> HashMap<Command, gio::SimpleAction> {
     let probe = Session::default();
     let make = |command: Command| match switch_state(command, &probe) {
         Some(_) => gio::SimpleAction::new_stateful(command.id(), None, &false.to_variant()),
@@ -29,7 +29,7 @@ pub fn make_actions() -> HashMap<Command, gio::SimpleAction> {
 }
 
 /// Lets the actions perform their commands.
-pub fn connect(window: &Rc<Window>) {
+pub(super) fn connect(window: &Rc<Window>) {
     for (command, action) in window.actions() {
         let command = *command;
         action.connect_activate(glib::clone!(
@@ -41,7 +41,7 @@ pub fn connect(window: &Rc<Window>) {
 }
 
 /// Shows in the actions what is on and what can be done.
-pub fn show_states(window: &Rc<Window>, session: &Session, actions: &HashMap<Command, gio::SimpleAction>) {
+pub(super) fn show_states(window: &Rc<Window>, session: &Session, actions: &HashMap<Command, gio::SimpleAction>) {
     for (command, action) in actions {
         if let Some(on) = switch_state(*command, session).or_else(|| window_state(window, *command)) {
             action.set_state(&on.to_variant());
@@ -160,7 +160,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
 }
 
 /// Does it.
-pub fn perform(window: &Rc<Window>, command: Command) {
+pub(super) fn perform(window: &Rc<Window>, command: Command) {
     use Command as C;
     if let Some(switch) = command.switch() {
         return window.act(|session| {

@@ -52,13 +52,13 @@ fn texture(picture: &Picture) -> gdk::Texture {
 }
 
 /// Copies the picture.
-pub fn copy(window: &Rc<Window>) {
+pub(super) fn copy(window: &Rc<Window>) {
     window.widget.clipboard().set_texture(&texture(&take(window, false)));
     window.viewport.toast(&tr!("app-picture-copied"), None);
 }
 
 /// Asks where to and saves the picture.
-pub fn save(window: &Rc<Window>, transparent: bool) {
+pub(super) fn save(window: &Rc<Window>, transparent: bool) {
     let picture = take(window, transparent);
     let name = save_as::name_like_open(window, "png");
     let wanted = Wanted { title: tr!("app-picture-title"), name, folder: None, endings: &["png"], own: None };

@@ -17,7 +17,7 @@ use crate::tr;
 
 /// The bones that a muscle can be attached to, as rows of lists: one model for all of them.
 #[derive(Clone)]
-pub struct Bones {
+pub(super) struct Bones {
     nodes: Rc<RefCell<Vec<NodeId>>>,
     /// Their names; before them, in the second, a row for none.
     names: gtk::StringList,
@@ -26,12 +26,12 @@ pub struct Bones {
 
 impl Bones {
     /// No bones yet.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self { nodes: Rc::default(), names: ui::words::<&str>(&[]), or_none: ui::words(&[tr!("app-ends-none")]) }
     }
 
     /// Lists those of a muscle.
-    pub fn list(&self, session: &Session, id: MuscleId) {
+    pub(super) fn list(&self, session: &Session, id: MuscleId) {
         let graph = &session.document().scene.graph;
         let nodes: Vec<NodeId> = session.bones_for(id).into_iter().map(|(node, _)| node).collect();
         let names: Vec<_> = nodes.iter().map(|node| i18n::shown(&graph.node(*node).name)).collect();
@@ -63,7 +63,7 @@ impl Bones {
 
 /// The widgets of one point.
 #[derive(Clone)]
-pub struct PlaceField {
+pub(super) struct PlaceField {
     hold: Handhold,
     bone: gtk::DropDown,
     pick: gtk::ToggleButton,
@@ -76,7 +76,7 @@ pub struct PlaceField {
 
 impl PlaceField {
     /// That of the widgets whose names begin with `name`. A via point is always on some bone; all else can be on none.
-    pub fn new(builder: &gtk::Builder, name: &str, hold: Handhold, bones: &Bones) -> Self {
+    pub(super) fn new(builder: &gtk::Builder, name: &str, hold: Handhold, bones: &Bones) -> Self {
         let bone: gtk::DropDown = part(builder, &format!("{name}_bone"));
         let or_none = !matches!(hold, Handhold::Via(_));
         ui::narrow(&bone, 12);
@@ -93,7 +93,7 @@ impl PlaceField {
     }
 
     /// Lets hands choose, pick and type.
-    pub fn connect(&self, editor: &Editor) {
+    pub(super) fn connect(&self, editor: &Editor) {
         let (own, field) = (editor.clone(), self.clone());
         self.bone.connect_selected_notify(move |list| {
             let row = list.selected();
@@ -116,7 +116,7 @@ impl PlaceField {
     }
 
     /// Shows where the point is.
-    pub fn show(&self, session: &Session, id: MuscleId, anew: bool) {
+    pub(super) fn show(&self, session: &Session, id: MuscleId, anew: bool) {
         let Some((rig, index)) = session.document().muscle(id) else { return };
         let Some(spec) = rig.spec(index) else { return };
         let row = self.bones.row(rig.hold_bone(index, self.hold));
@@ -134,7 +134,7 @@ impl PlaceField {
 }
 
 /// Lets a button begin and leave picking.
-pub fn connect_pick(pick: &gtk::ToggleButton, editor: &Editor, what: Picked) {
+pub(super) fn connect_pick(pick: &gtk::ToggleButton, editor: &Editor, what: Picked) {
     let own = editor.clone();
     pick.connect_clicked(move |pick| {
         let (id, on) = (own.id(), pick.is_active());
@@ -149,7 +149,7 @@ pub fn connect_pick(pick: &gtk::ToggleButton, editor: &Editor, what: Picked) {
 }
 
 /// Shows in a button whether this is being picked.
-pub fn show_pick(pick: &gtk::ToggleButton, session: &Session, id: MuscleId, what: Picked) {
+pub(super) fn show_pick(pick: &gtk::ToggleButton, session: &Session, id: MuscleId, what: Picked) {
     pick.set_active(session.picking().is_some_and(|picking| picking.muscle == id && picking.what == what));
 }
 

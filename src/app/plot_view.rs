@@ -8,7 +8,7 @@ use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
 use crate::plot::{Anchor, Color, Ink, Plot, Stroke};
 
 /// Paints a plot over the whole canvas.
-pub fn paint(plot: &Plot, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn paint(plot: &Plot, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let text = canvas.text_color();
     let mut ink = Shapes { context: cairo(snapshot, width, height), text, texts: Vec::new() };
     plot.draw(&mut ink, width, height);

@@ -23,7 +23,7 @@ const MUSCLE: u32 = 0xB8322E;
 
 /// A muscle at rest and now; lengths in the file's unit.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Shape {
+pub(super) struct Shape {
     /// Radii at rest.
     pub rest: Vec<f64>,
     /// Length at rest.
@@ -51,7 +51,7 @@ struct Grip {
 }
 
 /// The drawing.
-pub struct ProfileView {
+pub(super) struct ProfileView {
     /// Where it is drawn.
     pub canvas: Canvas,
     shape: Rc<RefCell<Shape>>,
@@ -60,7 +60,7 @@ pub struct ProfileView {
 
 impl ProfileView {
     /// A drawing of nothing.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let canvas = Canvas::named(&tr!("app-profile"), 120, 130);
         canvas.set_hexpand(true);
         let shape = Rc::new(RefCell::new(Shape::default()));
@@ -96,7 +96,7 @@ impl ProfileView {
     }
 
     /// Lets handles be dragged: up and down for the radius, with Shift for the growth. The first change of a drag comes with `true`.
-    pub fn connect(&self, change: impl Fn(Edit, bool) + 'static) {
+    pub(super) fn connect(&self, change: impl Fn(Edit, bool) + 'static) {
         let drag = gtk::GestureDrag::new();
         let (shape, grip, canvas) = (self.shape.clone(), self.grip.clone(), self.canvas.downgrade());
         drag.connect_drag_begin(move |_, x, y| {
@@ -128,7 +128,7 @@ impl ProfileView {
     }
 
     /// Shows a shape.
-    pub fn show(&self, shape: Shape) {
+    pub(super) fn show(&self, shape: Shape) {
         if *self.shape.borrow() != shape {
             self.shape.replace(shape);
             self.canvas.queue_draw();

@@ -18,12 +18,12 @@ use crate::tr;
 const MOST: usize = 8;
 
 /// Remembers a file that was opened.
-pub fn remember(path: &Path) {
+pub(super) fn remember(path: &Path) {
     gtk::RecentManager::default().add_item(&gio::File::for_path(path).uri());
 }
 
 /// The files that this program opened and that are still there, the last one first.
-pub fn list() -> Vec<PathBuf> {
+pub(super) fn list() -> Vec<PathBuf> {
     let ours = |path: &Path| {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         matches!(ending.as_deref(), Some("dae" | "zae" | "yaml" | "yml"))
@@ -41,7 +41,7 @@ pub fn list() -> Vec<PathBuf> {
 }
 
 /// Fills a box with a button a file; `done` runs before one opens.
-pub fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'static) {
+pub(super) fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'static) {
     while let Some(child) = slot.first_child() {
         slot.remove(&child);
     }
@@ -81,7 +81,7 @@ pub fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'sta
 }
 
 /// Adds a button a demo below; `done` runs before one opens.
-pub fn add_demos(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'static) {
+pub(super) fn add_demos(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone + 'static) {
     slot.append(&gtk::Label::builder().label(tr!("app-start-demos")).xalign(0.0).css_classes(["heading"]).build());
     for demo in DEMOS {
         let label = gtk::Label::builder().label(tr!(demo.name)).xalign(0.0).build();

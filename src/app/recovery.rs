@@ -37,7 +37,7 @@ impl Unsaved {
 }
 
 /// The recovery file of a window, and the bar that offers those of others.
-pub struct Recovery {
+pub(super) struct Recovery {
     /// The bar.
     pub root: gtk::InfoBar,
     message: gtk::Label,
@@ -80,7 +80,7 @@ impl Lock {
 
 impl Recovery {
     /// Nothing written, nothing offered.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         static NEXT: AtomicU32 = AtomicU32::new(0);
         let builder = ui::builder(ui::RECOVERY_BAR);
         let name = format!("{NAME}{}-{}.yaml", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
@@ -97,7 +97,7 @@ impl Recovery {
     }
 
     /// Lets the bar's buttons work.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.root.set_visible(false);
         self.root.connect_response(glib::clone!(
             #[weak]
@@ -117,7 +117,7 @@ impl Recovery {
     }
 
     /// Offers what a program that ended without saving has left.
-    pub fn offer(&self, window: &Rc<Window>) {
+    pub(super) fn offer(&self, window: &Rc<Window>) {
         self.look(&Rc::downgrade(window), LOOKS);
     }
 
@@ -148,7 +148,7 @@ impl Recovery {
     }
 
     /// The muscles, or whether they are saved, changed: at once they are written down, or the file goes.
-    pub fn note(&self, window: &Rc<Window>, session: &Session) {
+    pub(super) fn note(&self, window: &Rc<Window>, session: &Session) {
         if !session.is_unsaved() {
             return self.clear();
         }
@@ -176,7 +176,7 @@ impl Recovery {
     }
 
     /// All is saved, or was let go by a hand.
-    pub fn clear(&self) {
+    pub(super) fn clear(&self) {
         self.changed.set(false);
         if let Some(lock) = self.lock.take() {
             forget_files(&self.path, &lock);

@@ -17,7 +17,7 @@ use crate::i18n::shown;
 use crate::tr;
 
 /// What is to be saved.
-pub struct Wanted {
+pub(super) struct Wanted {
     /// The title of the dialog.
     pub title: String,
     /// The name to start from.
@@ -32,7 +32,7 @@ pub struct Wanted {
 
 /// Asks for a place; `then` gets it unless the person thinks better of it. A file that is open, or belongs to one that is, is refused, whatever the
 /// file dialog was answered.
-pub fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Window>, &Output) + 'static) {
+pub(super) fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Window>, &Output) + 'static) {
     let Wanted { title, name, folder, endings, own } = wanted;
     let folder = folder.or_else(|| usual_folder(window));
     let its = own.clone();
@@ -64,12 +64,12 @@ pub fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Window>, &
 }
 
 /// The folder that was opened from last.
-pub fn usual_folder(window: &Rc<Window>) -> Option<PathBuf> {
+pub(super) fn usual_folder(window: &Rc<Window>) -> Option<PathBuf> {
     window.settings.borrow().folder.clone().filter(|folder| folder.is_dir())
 }
 
 /// What a file dialog starts from.
-pub struct Asked {
+pub(super) struct Asked {
     /// The title of the dialog.
     pub title: String,
     /// The name to start from.
@@ -80,7 +80,12 @@ pub struct Asked {
 
 /// Asks for a file to write; `then` gets it unless the person thinks better of it. What is typed is completed before the dialog looks whether such a
 /// file is there: it asks about what will be written. For that the dialog is GTK's own; another one would ask before anybody could complete the name.
-pub fn choose(parent: &gtk::Window, asked: Asked, complete: impl Fn(&Path) -> PathBuf + 'static, then: impl FnOnce(PathBuf) + 'static) {
+pub(super) fn choose(
+    parent: &gtk::Window,
+    asked: Asked,
+    complete: impl Fn(&Path) -> PathBuf + 'static,
+    then: impl FnOnce(PathBuf) + 'static,
+) {
     let dialog = gtk::FileChooserDialog::builder()
         .title(asked.title)
         .transient_for(parent)
@@ -127,7 +132,7 @@ fn complete_name(dialog: &gtk::FileChooserDialog, complete: &dyn Fn(&Path) -> Pa
 }
 
 /// Does `then`; asks first where one of these files is there, which the file dialog has not asked about.
-pub fn ask_to_replace(parent: &gtk::Window, files: Vec<PathBuf>, then: impl FnOnce() + 'static) {
+pub(super) fn ask_to_replace(parent: &gtk::Window, files: Vec<PathBuf>, then: impl FnOnce() + 'static) {
     let there: Vec<PathBuf> = files.into_iter().filter(|file| file.exists()).collect();
     let Some(first) = there.first() else { return then() };
     let dialog = gtk::MessageDialog::builder()
@@ -151,24 +156,24 @@ pub fn ask_to_replace(parent: &gtk::Window, files: Vec<PathBuf>, then: impl FnOn
 }
 
 /// The name of the first open file with another ending, else the program's.
-pub fn name_like_open(window: &Rc<Window>, ending: &str) -> String {
+pub(super) fn name_like_open(window: &Rc<Window>, ending: &str) -> String {
     let stem = window.look(|session| session.files().first().and_then(|path| Some(path.file_stem()?.to_string_lossy().into_owned())));
     format!("{}.{ending}", stem.unwrap_or_else(|| "sinew".into()))
 }
 
 /// A file's name as messages give it.
-pub fn name_of(path: &Path) -> String {
+pub(super) fn name_of(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
 /// Says that a file was saved, by the name that it has now.
-pub fn done(window: &Rc<Window>, path: &Path) {
+pub(super) fn done(window: &Rc<Window>, path: &Path) {
     window.error_bar.hide();
     window.viewport.toast(&tr!("app-saved", file = name_of(path)), Some(path.to_owned()));
 }
 
 /// Says that something could not be saved, and why.
-pub fn failed(window: &Rc<Window>, path: &Path, reason: String) {
+pub(super) fn failed(window: &Rc<Window>, path: &Path, reason: String) {
     window.error_bar.show(Trouble {
         headline: tr!("app-unsaved", file = name_of(path)),
         message: reason,

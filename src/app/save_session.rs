@@ -13,7 +13,7 @@ use crate::system::{Doing, reason};
 use crate::tr;
 
 /// Asks where to and saves what is open and how it is looked at. Of the files that are open, only the session file itself may be replaced.
-pub fn save(window: &Rc<Window>) {
+pub(super) fn save(window: &Rc<Window>) {
     let own = window.files.session_file();
     let name = own.as_deref().map_or_else(|| save_as::name_like_open(window, "session.yaml"), save_as::name_of);
     let folder = own.as_deref().and_then(Path::parent).map(Path::to_path_buf);

@@ -17,7 +17,7 @@ use crate::export::guard::Output;
 use crate::{input, limits, tr};
 
 /// Saves the muscle files that changed, each over the file it came from; one that has none asks for a name. `then` runs once all are saved.
-pub fn save(window: &Rc<Window>, then: impl FnOnce() + 'static) {
+pub(super) fn save(window: &Rc<Window>, then: impl FnOnce() + 'static) {
     let (unsaved, first) = window.look(|session| (session.unsaved_files(), session.document().muscle_file_path(0).map(Path::to_path_buf)));
     // With nothing changed there is still something to save where no file has it yet.
     let wanted = if unsaved.is_empty() && first.is_none() { vec![0] } else { unsaved };
@@ -45,7 +45,7 @@ fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()
 }
 
 /// Asks where to and saves the first file that changed, else the first.
-pub fn save_as(window: &Rc<Window>) {
+pub(super) fn save_as(window: &Rc<Window>) {
     let index = window.look(|session| session.unsaved_files().first().copied().unwrap_or(0));
     choose(window, index, || ());
 }
@@ -92,7 +92,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
 
 /// Asks which of two versions of a muscle file is to be: the one in the window (`Some(true)`), or the one that another program wrote. `None` where no
 /// answer is given.
-pub fn ask_which(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>, Option<bool>) + 'static) {
+pub(super) fn ask_which(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>, Option<bool>) + 'static) {
     let dialog = gtk::MessageDialog::builder()
         .transient_for(&window.widget)
         .modal(true)
@@ -123,7 +123,7 @@ pub fn ask_which(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>, Option<bool
 }
 
 /// Does `then`; where something is not saved, asks first whether to save it, to let it go, or to stay.
-pub fn ask_first(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>) + 'static) {
+pub(super) fn ask_first(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>) + 'static) {
     if !window.look(|session| session.is_unsaved()) {
         return then(window);
     }

@@ -25,7 +25,7 @@ const UNFOLDED: usize = 300;
 const SETTLED: Duration = Duration::from_millis(300);
 
 /// The tree.
-pub struct SceneTree {
+pub(super) struct SceneTree {
     /// The whole.
     pub root: gtk::Box,
     list: gtk::ListView,
@@ -41,7 +41,7 @@ pub struct SceneTree {
 
 impl SceneTree {
     /// A tree of nothing.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::SCENE_TREE);
         Self {
             root: part(&builder, "root"),
@@ -57,7 +57,7 @@ impl SceneTree {
     }
 
     /// Lets hands select, search and hide.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.window.replace(Rc::downgrade(window));
         self.list.set_factory(Some(&factory(window)));
         // The inspector comes up below with the first selection; the row stays under the pointer that chose it, for a second click.
@@ -97,7 +97,7 @@ impl SceneTree {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
         let scene = &session.document().scene;
         if changes.any(Changes::DOCUMENT | Changes::LIST) {
             *self.rows.borrow_mut() = scene.graph.iter().map(|(id, _)| Row::of(scene, id)).collect();
@@ -294,7 +294,7 @@ fn show_eye(eye: &gtk::ToggleButton, visible: bool) {
 
 impl SceneTree {
     /// The row of a node.
-    pub fn row(&self, node: NodeId) -> Option<Row> {
+    pub(super) fn row(&self, node: NodeId) -> Option<Row> {
         self.rows.borrow().get(node.index()).cloned()
     }
 }

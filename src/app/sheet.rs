@@ -50,7 +50,7 @@ impl Shown {
 }
 
 /// The dope sheet and the curve view.
-pub struct Sheet {
+pub(super) struct Sheet {
     /// The whole.
     pub root: gtk::Box,
     stack: gtk::Stack,
@@ -74,7 +74,7 @@ pub struct Sheet {
 
 impl Sheet {
     /// An empty one, below this track.
-    pub fn new(track: Rc<RefCell<Track>>, track_canvas: &Canvas) -> Self {
+    pub(super) fn new(track: Rc<RefCell<Track>>, track_canvas: &Canvas) -> Self {
         let builder = ui::builder(ui::SHEET);
         let shown = Rc::new(Shown {
             track,
@@ -124,7 +124,7 @@ impl Sheet {
     }
 
     /// Lets hands choose rows and graphs, and seek.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.list.set_factory(Some(&factory(window, &self.shown)));
         self.selection.connect_selected_notify(glib::clone!(
             #[weak]
@@ -178,7 +178,7 @@ impl Sheet {
     }
 
     /// The time axis is another one.
-    pub fn draw_anew(&self) {
+    pub(super) fn draw_anew(&self) {
         self.curves.queue_draw();
         self.cursors.iter().for_each(Canvas::queue_draw);
         let rows = std::iter::successors(self.list.first_child(), WidgetExt::next_sibling);
@@ -187,7 +187,7 @@ impl Sheet {
     }
 
     /// Folds it away or shows one of its pages.
-    pub fn show(&self, session: &Session, page: SheetPage) {
+    pub(super) fn show(&self, session: &Session, page: SheetPage) {
         self.page.set(page);
         self.root.set_visible(page != SheetPage::None);
         self.stack.set_visible_child_name(if page == SheetPage::Curves { "curves" } else { "keys" });
@@ -195,7 +195,7 @@ impl Sheet {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
         if self.page.get() == SheetPage::None {
             return;
         }

@@ -12,7 +12,7 @@ use super::window::part;
 const ROOM_FOR_BOTH: i32 = 1000;
 
 /// Both sides.
-pub struct Sides {
+pub(super) struct Sides {
     tree: gtk::Box,
     panel: gtk::Box,
     /// The tree was folded for want of room, not by a hand.
@@ -23,7 +23,7 @@ pub struct Sides {
 
 impl Sides {
     /// Those of a window.
-    pub fn new(builder: &gtk::Builder) -> Self {
+    pub(super) fn new(builder: &gtk::Builder) -> Self {
         Self {
             tree: part(builder, "tree_slot"),
             panel: part(builder, "panel_slot"),
@@ -33,18 +33,18 @@ impl Sides {
     }
 
     /// Whether the tree and the right panel are shown.
-    pub fn shown(&self) -> (bool, bool) {
+    pub(super) fn shown(&self) -> (bool, bool) {
         (self.tree.is_visible(), self.panel.is_visible())
     }
 
     /// Whether the tree and the right panel would be shown if there were room.
-    pub fn wanted(&self) -> (bool, bool) {
+    pub(super) fn wanted(&self) -> (bool, bool) {
         let (tree, panel) = self.shown();
         (tree || self.tree_gave_way.get(), panel || self.panel_gave_way.get())
     }
 
     /// Shows or folds away both. Where there is no room for both, the one that comes takes the other's place.
-    pub fn show(&self, window: &gtk::ApplicationWindow, mut tree: bool, mut panel: bool) {
+    pub(super) fn show(&self, window: &gtk::ApplicationWindow, mut tree: bool, mut panel: bool) {
         self.tree_gave_way.set(false);
         self.panel_gave_way.set(false);
         if tree && panel && window.is_visible() && is_narrow(window) {
@@ -61,7 +61,7 @@ impl Sides {
     }
 
     /// Folds the tree away in a window that has become too narrow for both, and brings back what gave way when it is wide again; whether it did either.
-    pub fn follow(&self, window: &gtk::ApplicationWindow) -> bool {
+    pub(super) fn follow(&self, window: &gtk::ApplicationWindow) -> bool {
         let ((tree, panel), narrow) = (self.shown(), is_narrow(window));
         if narrow && tree && panel && window.is_visible() {
             self.show(window, false, panel);
@@ -76,7 +76,7 @@ impl Sides {
     }
 
     /// Makes the right panel as wide from the start as its widest page can get: what a scene brings up or hides must not move the picture.
-    pub fn keep_width(&self, pages: &gtk::Stack) {
+    pub(super) fn keep_width(&self, pages: &gtk::Stack) {
         let (widest, ..) = pages.measure(gtk::Orientation::Horizontal, -1);
         self.panel.set_width_request(widest.max(self.panel.width_request()));
     }
@@ -88,7 +88,7 @@ fn is_narrow(window: &gtk::ApplicationWindow) -> bool {
 }
 
 /// A size of the window that fits on the largest screen there is.
-pub fn on_screen(width: i32, height: i32) -> (i32, i32) {
+pub(super) fn on_screen(width: i32, height: i32) -> (i32, i32) {
     let monitors = gdk::Display::default().map(|display| display.monitors());
     let sizes = monitors.iter().flat_map(|list| (0..list.n_items()).filter_map(|at| list.item(at).and_downcast::<gdk::Monitor>()));
     let largest = sizes.map(|monitor| monitor.geometry()).max_by_key(|area| i64::from(area.width()) * i64::from(area.height()));

@@ -22,7 +22,7 @@ use crate::tr;
 const PICTURE: (i32, i32) = (144, 108);
 
 /// The page, over the picture.
-pub struct StartPage {
+pub(super) struct StartPage {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
@@ -33,14 +33,14 @@ pub struct StartPage {
 
 impl StartPage {
     /// A page that is not connected yet.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::START);
         let pictures = DEMOS.iter().map(|_| Canvas::new(PICTURE.0, PICTURE.1)).collect();
         Self { root: part(&builder, "root"), builder, pictures, drawn_for: Cell::default(), wanted: Cell::default() }
     }
 
     /// Lets the buttons work; recent files are listed anew whenever the page appears.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.root.set_visible(false);
         let flow: gtk::FlowBox = part(&self.builder, "demos");
         for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
@@ -76,17 +76,17 @@ impl StartPage {
     }
 
     /// Asks for the page, or sends it away.
-    pub fn want(&self, wanted: bool) {
+    pub(super) fn want(&self, wanted: bool) {
         self.wanted.set(wanted);
     }
 
     /// Gives the keyboard to the page.
-    pub fn take_focus(&self) {
+    pub(super) fn take_focus(&self) {
         part::<gtk::Button>(&self.builder, "open").grab_focus();
     }
 
     /// Shows the page where it belongs: wanted, or nothing is open and nothing on its way.
-    pub fn refresh(&self, session: &Session, is_loading: bool) {
+    pub(super) fn refresh(&self, session: &Session, is_loading: bool) {
         let empty = session.is_empty() && !is_loading;
         self.root.set_visible(empty || self.wanted.get());
         part::<gtk::Button>(&self.builder, "back").set_visible(!session.is_empty());
@@ -120,7 +120,7 @@ fn draw(demo: Demo, canvas: &Canvas, theme: Theme) {
 }
 
 /// Opens a demo.
-pub fn open_demo(window: &Rc<Window>, demo: Demo) {
+pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
     match demo.unpack(&demos::folder()) {
         Ok(Some(path)) => files::open(window, vec![path], Arrival::New),
         Ok(None) => saving::ask_first(window, |window| {

@@ -11,7 +11,7 @@ use crate::scene::{Material, Pixels, Scene, ShadingModel};
 const SIDE: i32 = 32;
 
 /// The picture of a material.
-pub fn of(scene: &Scene, material: &Material) -> Canvas {
+pub(super) fn of(scene: &Scene, material: &Material) -> Canvas {
     let canvas = Canvas::new(SIDE, SIDE);
     canvas.set_valign(gtk::Align::Center);
     let [red, green, blue] = material.diffuse.color.to_array();

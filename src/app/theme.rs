@@ -18,7 +18,7 @@ const APPEARANCE: &str = "org.freedesktop.appearance";
 const COLOR_SCHEME: &str = "color-scheme";
 
 /// Loads the program's few styles.
-pub fn load_style() {
+pub(super) fn load_style() {
     let Some(display) = gdk::Display::default() else { return };
     let provider = gtk::CssProvider::new();
     provider.load_from_data(include_str!("../../resources/style.css"));
@@ -26,12 +26,12 @@ pub fn load_style() {
 }
 
 /// Whether the desktop wants animation.
-pub fn animates() -> bool {
+pub(super) fn animates() -> bool {
     gtk::Settings::default().is_none_or(|settings| settings.is_gtk_enable_animations())
 }
 
 /// Follows the desktop's colours, or the user's choice, from now on.
-pub fn follow(window: &Rc<Window>) {
+pub(super) fn follow(window: &Rc<Window>) {
     choose(window.settings.borrow().colours);
     show(window);
     let Some(settings) = gtk::Settings::default() else { return };
@@ -58,7 +58,7 @@ pub fn follow(window: &Rc<Window>) {
 }
 
 /// Sets light or dark. What the desktop wants is asked of its portal, which GTK before 4.20 does not do by itself.
-pub fn choose(colours: Colours) {
+pub(super) fn choose(colours: Colours) {
     let Some(settings) = gtk::Settings::default() else { return };
     match colours {
         Colours::System => {

@@ -41,7 +41,7 @@ enum Grip {
 }
 
 /// The timeline.
-pub struct Timeline {
+pub(super) struct Timeline {
     /// The whole.
     pub root: gtk::Box,
     /// What is unfolded below the track.
@@ -61,7 +61,7 @@ pub struct Timeline {
 
 impl Timeline {
     /// A timeline of nothing.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::TIMELINE);
         let canvas = Canvas::new(160, 72);
         let over_track: gtk::Overlay = part(&builder, "track");
@@ -101,24 +101,24 @@ impl Timeline {
     }
 
     /// Shows another part of the clip.
-    pub fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
+    pub(super) fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
         look(&mut self.track.borrow_mut());
         self.canvas.queue_draw();
         self.sheet.draw_anew();
     }
 
     /// What lies over the track.
-    pub fn over_track(&self) -> gtk::Overlay {
+    pub(super) fn over_track(&self) -> gtk::Overlay {
         self.over_track.clone()
     }
 
     /// Whether a widget is the timeline itself, on which the keys of playing mean what they mean everywhere.
-    pub fn is_track(&self, widget: &gtk::Widget) -> bool {
+    pub(super) fn is_track(&self, widget: &gtk::Widget) -> bool {
         self.time.upcast_ref::<gtk::Widget>() == widget
     }
 
     /// Lets hands seek and choose.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         self.connect_track(window);
         self.sheet.connect(window);
         self.rate.connect_selected_notify(glib::clone!(
@@ -289,7 +289,7 @@ impl Timeline {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
         self.show(session, changes);
         self.sheet.refresh(session, changes);
     }
@@ -370,7 +370,7 @@ impl Timeline {
 }
 
 /// The wheel over a time axis: with Ctrl it looks closer at a moment, with Shift it slides what is shown.
-pub fn look_about(window: &Rc<Window>, held: gdk::ModifierType, notches: f64, about: Option<f64>) -> glib::Propagation {
+pub(super) fn look_about(window: &Rc<Window>, held: gdk::ModifierType, notches: f64, about: Option<f64>) -> glib::Propagation {
     if held.contains(gdk::ModifierType::CONTROL_MASK) {
         window.look_at_time(|track| track.zoom(CLOSER.powf(-notches), about.unwrap_or(track.time)));
     } else if held.contains(gdk::ModifierType::SHIFT_MASK) {
@@ -382,7 +382,7 @@ pub fn look_about(window: &Rc<Window>, held: gdk::ModifierType, notches: f64, ab
 }
 
 /// While a hand holds the present moment it stays in the hand; what plays goes on from where it is let go.
-pub fn hold_while(drag: &gtk::GestureDrag, window: &Rc<Window>) {
+pub(super) fn hold_while(drag: &gtk::GestureDrag, window: &Rc<Window>) {
     let hold = |held: bool| {
         let weak = Rc::downgrade(window);
         move || {

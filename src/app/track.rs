@@ -26,7 +26,7 @@ const TAB: f64 = 14.0;
 
 /// What the track shows.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Track {
+pub(super) struct Track {
     /// First and last moment of the clip, seconds.
     pub whole: (f64, f64),
     /// First and last moment that are shown, seconds.
@@ -55,19 +55,19 @@ pub struct Track {
 
 impl Track {
     /// Shows another stretch of time, all of it; the same one stays as closely looked at as it is.
-    pub fn show(&mut self, whole: (f64, f64)) {
+    pub(super) fn show(&mut self, whole: (f64, f64)) {
         if self.whole != whole {
             (self.whole, self.range) = (whole, whole);
         }
     }
 
     /// Whether not all of it is shown.
-    pub fn is_close(&self) -> bool {
+    pub(super) fn is_close(&self) -> bool {
         self.range != self.whole
     }
 
     /// Looks `factor` times as closely, a moment staying where it is; at most all of it, at least a few frames.
-    pub fn zoom(&mut self, factor: f64, about: f64) {
+    pub(super) fn zoom(&mut self, factor: f64, about: f64) {
         let (start, end) = self.range;
         let all = self.whole.1 - self.whole.0;
         if all <= 0.0 || factor.is_nan() || factor <= 0.0 || self.rate <= 0.0 {
@@ -80,13 +80,13 @@ impl Track {
     }
 
     /// Moves what is shown by a part of it.
-    pub fn slide(&mut self, part: f64) {
+    pub(super) fn slide(&mut self, part: f64) {
         let span = self.range.1 - self.range.0;
         self.begin(self.range.0 + part * span, span);
     }
 
     /// Lets a moment that is not shown come in at the near end.
-    pub fn keep(&mut self, time: f64) {
+    pub(super) fn keep(&mut self, time: f64) {
         let (start, end) = self.range;
         if time > end {
             self.begin(time - 0.1 * (end - start), end - start);
@@ -107,14 +107,14 @@ impl Track {
     }
 
     /// Where a moment stands on a track of this width.
-    pub fn x(&self, time: f64, width: f64) -> f64 {
+    pub(super) fn x(&self, time: f64, width: f64) -> f64 {
         let (start, end) = self.range;
         let part = if end > start { (time - start) / (end - start) } else { 0.0 };
         INSET + part * (width - 2.0 * INSET).max(1.0)
     }
 
     /// Which moment stands at a place, held within the range.
-    pub fn time_at(&self, x: f64, width: f64) -> f64 {
+    pub(super) fn time_at(&self, x: f64, width: f64) -> f64 {
         let (start, end) = self.range;
         let part = (x - INSET) / (width - 2.0 * INSET).max(1.0);
         start + part.clamp(0.0, 1.0) * (end - start)
@@ -128,7 +128,7 @@ impl Track {
     }
 
     /// The mark whose tab lies at a place.
-    pub fn mark_at(&self, x: f64, y: f64, width: f64) -> Option<Mark> {
+    pub(super) fn mark_at(&self, x: f64, y: f64, width: f64) -> Option<Mark> {
         let within = |mark: Option<f64>, from: f64, to: f64| mark.is_some_and(|mark| (from..=to).contains(&(x - self.x(mark, width))));
         if !(TOP - 2.0..=TOP + TAB + 2.0).contains(&y) || self.range.1 <= self.range.0 {
             None
@@ -154,7 +154,7 @@ impl Track {
     }
 
     /// Paints it.
-    pub fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    pub(super) fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
         let text = canvas.text_color();
         let context = cairo(snapshot, width, height);
         let (top, bottom) = (TOP, height - 18.0);
@@ -298,7 +298,7 @@ impl Track {
 }
 
 /// The frame that is shown at a moment.
-pub fn frame_of(time: f64, rate: f64) -> f64 {
+pub(super) fn frame_of(time: f64, rate: f64) -> f64 {
     (time * rate + 1e-4).floor()
 }
 

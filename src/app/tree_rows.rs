@@ -5,7 +5,7 @@ use crate::scene::{Content, Node, NodeId, NodeKind, Scene};
 
 /// A row of the tree.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub(super) struct Row {
     /// The node.
     pub node: NodeId,
     /// What a person calls it.
@@ -20,7 +20,7 @@ pub struct Row {
 
 impl Row {
     /// The row of a node.
-    pub fn of(scene: &Scene, id: NodeId) -> Self {
+    pub(super) fn of(scene: &Scene, id: NodeId) -> Self {
         let node = scene.graph.node(id);
         Self { node: id, name: node.name.clone(), glyph: glyph(node), visible: node.visible, children: node.children().to_vec() }
     }
@@ -43,7 +43,7 @@ fn glyph(node: &Node) -> Glyph {
 }
 
 /// How small the steps of a tree are: the class in `style.css` for one of so many levels, such that all its steps take about 100 pixels. Empty = the usual ones.
-pub fn steps(scene: &Scene) -> &'static str {
+pub(super) fn steps(scene: &Scene) -> &'static str {
     let mut levels: Vec<usize> = Vec::with_capacity(scene.graph.len());
     for (_, node) in scene.graph.iter() {
         // A parent stands before what is below it.
@@ -59,14 +59,14 @@ pub fn steps(scene: &Scene) -> &'static str {
 }
 
 /// The nodes whose name or id holds `text`, letter case aside, in file order.
-pub fn search(scene: &Scene, text: &str) -> Vec<NodeId> {
+pub(super) fn search(scene: &Scene, text: &str) -> Vec<NodeId> {
     let text = text.trim().to_lowercase();
     let holds = |node: &Node| node.name.to_lowercase().contains(&text) || node.id.to_lowercase().contains(&text);
     scene.graph.iter().filter(|(_, node)| holds(node)).map(|(id, _)| id).collect()
 }
 
 /// A node with all nodes above it, from the root down.
-pub fn path_to(scene: &Scene, id: NodeId) -> Vec<NodeId> {
+pub(super) fn path_to(scene: &Scene, id: NodeId) -> Vec<NodeId> {
     let mut path: Vec<NodeId> = std::iter::successors(Some(id), |id| scene.graph.node(*id).parent()).collect();
     path.reverse();
     path

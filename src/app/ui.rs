@@ -20,7 +20,7 @@ macro_rules! files {
     ($($name:ident = $file:literal),+ $(,)?) => {
         $(
             #[doc = concat!("`", $file, ".ui`.")]
-            pub const $name: &str = include_str!(concat!("../../resources/ui/", $file, ".ui"));
+            pub(super) const $name: &str = include_str!(concat!("../../resources/ui/", $file, ".ui"));
         )+
         #[cfg(test)]
         const ALL: &[(&str, &str)] = &[$(($file, $name)),+];
@@ -51,12 +51,12 @@ files! {
 }
 
 /// A builder of one of the files, in the user's language.
-pub fn builder(text: &str) -> Builder {
+pub(super) fn builder(text: &str) -> Builder {
     numbered(text, 1)
 }
 
 /// A builder of a file of which there are several, told apart by a number from 1.
-pub fn numbered(text: &str, number: usize) -> Builder {
+pub(super) fn numbered(text: &str, number: usize) -> Builder {
     let builder = Builder::from_string(&translate(text, number));
     for object in &builder.objects() {
         hush(object);
@@ -73,25 +73,25 @@ pub fn numbered(text: &str, number: usize) -> Builder {
 }
 
 /// Writes a text of any origin on a label; what came from a file is [`shown_lines`].
-pub fn say(label: &Label, text: &str) {
+pub(super) fn say(label: &Label, text: &str) {
     label.set_text(&shown_lines(text));
 }
 
 /// A list of names of any origin, each on one line.
-pub fn words<T: AsRef<str>>(names: &[T]) -> StringList {
+pub(super) fn words<T: AsRef<str>>(names: &[T]) -> StringList {
     let names: Vec<_> = names.iter().map(|name| shown(name.as_ref())).collect();
     StringList::new(&names.iter().map(AsRef::as_ref).collect::<Vec<_>>())
 }
 
 /// A widget of a class that GTK or this program has, with the name that those are told who do not see it. GTK before 4.10 takes such names from `.ui` texts only.
-pub fn named<T: IsA<Object>>(class: &str, name: &str) -> T {
+pub(super) fn named<T: IsA<Object>>(class: &str, name: &str) -> T {
     let label = format!("<accessibility><property name=\"label\">{}</property></accessibility>", markup_escape_text(&shown(name)));
     let builder = Builder::from_string(&format!("<interface><object class=\"{class}\" id=\"named\">{label}</object></interface>"));
     super::window::part(&builder, "named")
 }
 
 /// Lets a list be as narrow as there is room: its button shortens the name that is chosen to some `chars` characters; its rows show names in full.
-pub fn narrow(list: &DropDown, chars: i32) {
+pub(super) fn narrow(list: &DropDown, chars: i32) {
     let factory = move |short: bool| {
         let factory = SignalListItemFactory::new();
         factory.connect_setup(move |_, item| {
@@ -123,7 +123,7 @@ pub fn narrow(list: &DropDown, chars: i32) {
 
 /// Lets a widget be worked or not. One that has the keyboard, or holds what has it, loses it first: GTK takes it from a text without telling the text, whose
 /// cursor then blinks on and complains.
-pub fn allow(widget: &impl IsA<Widget>, may: bool) {
+pub(super) fn allow(widget: &impl IsA<Widget>, may: bool) {
     if !may
         && let Some(root) = widget.root()
         && root.focus().is_some_and(|focus| focus == *widget.upcast_ref::<Widget>() || focus.is_ancestor(widget))
@@ -135,14 +135,14 @@ pub fn allow(widget: &impl IsA<Widget>, may: bool) {
 
 /// Moves a slider or a box to a value, unless that differs from its own by rounding alone: by less than the hundred thousandth part of a step. While a
 /// hand's value is being told, GTK tells of any other one after it; one that comes back from a pose rounded otherwise each time would be told of without end.
-pub fn show_value(adjustment: &gtk4::Adjustment, value: f64) {
+pub(super) fn show_value(adjustment: &gtk4::Adjustment, value: f64) {
     if (value - adjustment.value()).abs() > 1e-5 * adjustment.step_increment() {
         adjustment.set_value(value);
     }
 }
 
 /// Scrolls a list to a row, once whoever is told of a change of its rows has been told. A list that is not seen has nowhere to scroll.
-pub fn scroll_to(list: &ListView, row: u32) {
+pub(super) fn scroll_to(list: &ListView, row: u32) {
     let list = list.downgrade();
     idle_add_local_once(move || {
         let there = |list: &ListView| list.is_mapped() && list.model().is_some_and(|rows| row < rows.n_items());
@@ -169,7 +169,7 @@ fn speak_numbers(number: &SpinButton) {
 }
 
 /// Lets a box or an entry take numbers only: a letter is never a part of one.
-pub fn take_numbers(editable: &impl IsA<Editable>) {
+pub(super) fn take_numbers(editable: &impl IsA<Editable>) {
     if let Some(text) = editable.delegate() {
         text.connect_insert_text(|text, inserted, _| {
             if inserted.chars().any(char::is_alphabetic) {
@@ -180,7 +180,7 @@ pub fn take_numbers(editable: &impl IsA<Editable>) {
 }
 
 /// Whether an entry is one of numbers.
-pub fn is_of_numbers(entry: &Entry) -> bool {
+pub(super) fn is_of_numbers(entry: &Entry) -> bool {
     entry.input_purpose() == InputPurpose::Number
 }
 

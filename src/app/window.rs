@@ -39,7 +39,7 @@ use crate::system::{Doing, reason};
 use crate::tr;
 
 /// The main window.
-pub struct Window {
+pub(super) struct Window {
     /// The window itself.
     pub widget: gtk::ApplicationWindow,
     /// What is remembered.
@@ -82,13 +82,13 @@ pub struct Window {
 ///
 /// # Panics
 /// Where the file lacks it: the files are compiled in, and the first start of the window would show the slip.
-pub fn part<T: IsA<glib::Object>>(builder: &gtk::Builder, id: &str) -> T {
+pub(super) fn part<T: IsA<glib::Object>>(builder: &gtk::Builder, id: &str) -> T {
     builder.object(id).unwrap_or_else(|| panic!("the .ui file has no {id}"))
 }
 
 impl Window {
     /// Opens a window that shows `files`, or the built-in biceps.
-    pub fn open(application: &gtk::Application, files: Vec<PathBuf>) {
+    pub(super) fn open(application: &gtk::Application, files: Vec<PathBuf>) {
         theme::load_style();
         let (settings, notice) = Settings::load(&Settings::path());
         let builder = ui::builder(ui::WINDOW);
@@ -224,7 +224,7 @@ impl Window {
     }
 
     /// Does something to the session and shows what came of it. Nothing happens while widgets are being refreshed: their signals are echoes.
-    pub fn act(self: &Rc<Self>, change: impl FnOnce(&mut Session)) {
+    pub(super) fn act(self: &Rc<Self>, change: impl FnOnce(&mut Session)) {
         if self.refreshing.get() {
             return;
         }
@@ -233,22 +233,22 @@ impl Window {
     }
 
     /// Looks at the session.
-    pub fn look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> T {
+    pub(super) fn look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> T {
         look(&mut self.session.borrow_mut())
     }
 
     /// Looks at the session, unless widgets are being refreshed: what one that goes away meanwhile still tells is about what is no longer open.
-    pub fn try_look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> Option<T> {
+    pub(super) fn try_look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> Option<T> {
         self.session.try_borrow_mut().ok().map(|mut session| look(&mut session))
     }
 
     /// Asks the session something, unless widgets are being refreshed: then no.
-    pub fn look_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
+    pub(super) fn look_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
         !self.refreshing.get() && ask(&self.session.borrow())
     }
 
     /// Refreshes the parts that show what changed.
-    pub fn refresh(self: &Rc<Self>) {
+    pub(super) fn refresh(self: &Rc<Self>) {
         let changes = self.session.borrow_mut().take_changes();
         if changes == Changes::default() {
             return;
@@ -327,13 +327,13 @@ impl Window {
     }
 
     /// Shows or folds away what lies below the track.
-    pub fn show_sheet(&self) {
+    pub(super) fn show_sheet(&self) {
         let page = self.settings.borrow().sheet;
         self.sheet(|sheet, session| sheet.show(session, page));
     }
 
     /// Lets what lies below the track show something else of the session. Signals of its widgets are no hand's meanwhile.
-    pub fn sheet(&self, work: impl FnOnce(&Sheet, &Session)) {
+    pub(super) fn sheet(&self, work: impl FnOnce(&Sheet, &Session)) {
         if !self.refreshing.replace(true) {
             work(&self.timeline.sheet, &self.session.borrow());
             self.refreshing.set(false);
@@ -341,17 +341,17 @@ impl Window {
     }
 
     /// Shows another part of the clip on the timeline.
-    pub fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
+    pub(super) fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
         self.timeline.look_at_time(look);
     }
 
     /// Whether a widget is the timeline.
-    pub fn is_track(&self, widget: &gtk::Widget) -> bool {
+    pub(super) fn is_track(&self, widget: &gtk::Widget) -> bool {
         self.timeline.is_track(widget)
     }
 
     /// Starts the clock for something that the session does not know of, such as a key held in flight.
-    pub fn wake(self: &Rc<Self>) {
+    pub(super) fn wake(self: &Rc<Self>) {
         self.tick();
     }
 
@@ -368,35 +368,35 @@ impl Window {
     }
 
     /// Says what is drawn: triangles in the status line, times over the picture.
-    pub fn show_stats(&self, triangles: u64) {
+    pub(super) fn show_stats(&self, triangles: u64) {
         heading::tell_size(&self.builder, triangles);
     }
 
     /// Says where the pointer is in the world.
-    pub fn show_position(&self, text: &str) {
+    pub(super) fn show_position(&self, text: &str) {
         ui::say(&part(&self.builder, "status_position"), text);
     }
 
     /// Whether the tree and the right panel are shown.
-    pub fn sides(&self) -> (bool, bool) {
+    pub(super) fn sides(&self) -> (bool, bool) {
         self.sides.shown()
     }
 
     /// Shows or folds away the tree and the right panel. Where there is no room for both, the one that comes takes the other's place.
-    pub fn show_side(self: &Rc<Self>, tree: bool, panel: bool) {
+    pub(super) fn show_side(self: &Rc<Self>, tree: bool, panel: bool) {
         self.sides.show(&self.widget, tree, panel);
         self.show_states();
     }
 
     /// Shows the states of the actions anew.
-    pub fn show_states(self: &Rc<Self>) {
+    pub(super) fn show_states(self: &Rc<Self>) {
         if let Ok(session) = self.session.try_borrow() {
             perform::show_states(self, &session, &self.actions);
         }
     }
 
     /// Brings the start page up over what is open, or sends it away.
-    pub fn start_page(self: &Rc<Self>, wanted: bool) {
+    pub(super) fn start_page(self: &Rc<Self>, wanted: bool) {
         let was_there = self.start.root.is_visible();
         self.start.want(wanted);
         self.act(Session::touch);
@@ -409,7 +409,7 @@ impl Window {
     }
 
     /// Sends the start page away where it came up over a scene; whether it did.
-    pub fn leave_start_page(self: &Rc<Self>) -> bool {
+    pub(super) fn leave_start_page(self: &Rc<Self>) -> bool {
         let came = self.start.root.is_visible() && !self.session.borrow().is_empty();
         if came {
             self.start_page(false);
@@ -418,22 +418,22 @@ impl Window {
     }
 
     /// What the scene tree shows of a node.
-    pub fn tree_row(&self, node: NodeId) -> Option<Row> {
+    pub(super) fn tree_row(&self, node: NodeId) -> Option<Row> {
         self.tree.row(node)
     }
 
     /// Whether the page of muscles is looked at; then the picture shows the dots of their ends.
-    pub fn shows_muscles(&self) -> bool {
+    pub(super) fn shows_muscles(&self) -> bool {
         self.muscle.root.is_mapped()
     }
 
     /// Lets a click give the end of a muscle its place; the muscle panel says why it cannot.
-    pub fn pick_end(self: &Rc<Self>, pick: impl FnOnce(&mut Session) -> Result<(), EditError>) {
+    pub(super) fn pick_end(self: &Rc<Self>, pick: impl FnOnce(&mut Session) -> Result<(), EditError>) {
         self.muscle.editor(self).tell(pick);
     }
 
     /// Adds, copies or takes away a muscle; the muscle panel says why it cannot.
-    pub fn change_muscles(self: &Rc<Self>, command: Command) {
+    pub(super) fn change_muscles(self: &Rc<Self>, command: Command) {
         self.muscle.change(self, command);
     }
 
@@ -445,7 +445,7 @@ impl Window {
     }
 
     /// Something else is about to be shown: the looks that a session file brought go with it.
-    pub fn give_looks_back(self: &Rc<Self>) {
+    pub(super) fn give_looks_back(self: &Rc<Self>) {
         let own = self.looks_of_user(&self.settings.borrow());
         if self.own_looks.take().is_some() {
             self.act(|session| own.apply(session));
@@ -453,7 +453,7 @@ impl Window {
     }
 
     /// Lets a session file's looks come; the user's own are kept aside.
-    pub fn borrow_looks(self: &Rc<Self>, show: impl FnOnce(&mut Session)) {
+    pub(super) fn borrow_looks(self: &Rc<Self>, show: impl FnOnce(&mut Session)) {
         let own = self.looks_of_user(&self.settings.borrow());
         self.act(show);
         let mut file = own.clone();
@@ -462,7 +462,7 @@ impl Window {
     }
 
     /// The actions, to connect them.
-    pub fn actions(&self) -> &HashMap<Command, gio::SimpleAction> {
+    pub(super) fn actions(&self) -> &HashMap<Command, gio::SimpleAction> {
         &self.actions
     }
 

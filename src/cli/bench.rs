@@ -82,7 +82,7 @@ impl From<Row> for Scene {
 }
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let budget = Duration::from_secs_f64(value::<f64>(given, "seconds").unwrap_or(1.0));
     let only = value::<String>(given, "scene");
     let wanted = |label: &str| only.as_deref().is_none_or(|part| label.contains(part));

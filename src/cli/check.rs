@@ -33,7 +33,7 @@ struct Refusal {
 
 /// One finding.
 #[derive(Debug, Serialize)]
-pub struct FindingReport {
+pub(super) struct FindingReport {
     code: &'static str,
     severity: &'static str,
     line: Option<u32>,
@@ -57,7 +57,7 @@ impl From<&Finding> for FindingReport {
 }
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let opened: Vec<_> = files(given).into_iter().map(|file| (display_name(&file), open(&file))).collect();
     if given.get_flag("json") {
         let reports: Vec<_> = opened.iter().map(|(name, result)| report(name, result)).collect();

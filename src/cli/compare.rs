@@ -21,7 +21,7 @@ use crate::tr;
 
 /// All muscles of a file that the table fits.
 #[derive(Debug, Serialize)]
-pub struct Comparison {
+pub(super) struct Comparison {
     file: String,
     compared_with: String,
     unit: String,
@@ -74,7 +74,7 @@ impl Comparison {
     ///
     /// # Errors
     /// [`Failure::Files`] where the table cannot be read or fits no muscle, [`Failure::Usage`] where there is no arm to bend.
-    pub fn of(document: &Document, file: &Path, csv: &Path) -> Result<Self, Failure> {
+    pub(super) fn of(document: &Document, file: &Path, csv: &Path) -> Result<Self, Failure> {
         let table = measured::read(csv)?;
         let muscles = || document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(move |index| (rig, index)));
         if muscles().all(|(rig, index)| rig.measured_range().is_none() || !rig.is_attached(index)) {
@@ -94,7 +94,7 @@ impl Comparison {
     }
 
     /// A line for each muscle, node and angle. Numbers have a point and every digit.
-    pub fn csv(&self) -> String {
+    pub(super) fn csv(&self) -> String {
         let mut text = String::from("muscle,node,angle,model,measured,difference\n");
         for muscle in &self.muscles {
             for pair in &muscle.samples {
@@ -109,7 +109,7 @@ impl Comparison {
     }
 
     /// Tables for people.
-    pub fn text(&self) -> String {
+    pub(super) fn text(&self) -> String {
         let mut text = String::new();
         for muscle in &self.muscles {
             if !text.is_empty() {
@@ -137,7 +137,7 @@ impl Comparison {
 }
 
 /// How far each model is from a table, a line each.
-pub fn rms_lines(own: Option<f64>, fitted: f64, poses: f64, unit: &str) -> String {
+pub(super) fn rms_lines(own: Option<f64>, fitted: f64, poses: f64, unit: &str) -> String {
     let mut rows = vec![];
     for (name, rms) in [(tr!("cli-rms-own"), own), (tr!("cli-rms-fitted"), Some(fitted)), (tr!("cli-rms-poses"), Some(poses))] {
         rows.extend(rms.map(|rms| (name, decimal(rms, 2))));

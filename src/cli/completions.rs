@@ -9,7 +9,7 @@ use super::value;
 use crate::tr;
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let shell = match value::<String>(given, "shell").as_deref() {
         Some("zsh") => Shell::Zsh,
         Some("fish") => Shell::Fish,

@@ -15,7 +15,7 @@ use crate::export::guard::Guard;
 use crate::tr;
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Required by the parser.
     let Some(out) = value::<PathBuf>(given, "out") else { return Err(Failure::usage(tr!("cli-call-wrong"))) };

@@ -18,7 +18,7 @@ use crate::scene::Frame;
 use crate::tr;
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Both are required by the parser.
     let (Some(file), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
@@ -52,7 +52,7 @@ pub fn run(given: &ArgMatches) -> Result<(), Failure> {
 ///
 /// # Errors
 /// [`Failure::Files`] where the answer is no.
-pub fn allow_overwriting(given: &ArgMatches, outs: impl Iterator<Item = PathBuf>) -> Result<(), Failure> {
+pub(super) fn allow_overwriting(given: &ArgMatches, outs: impl Iterator<Item = PathBuf>) -> Result<(), Failure> {
     if given.get_flag("force") || is_quiet() || !io::stdin().is_terminal() || !io::stderr().is_terminal() {
         return Ok(());
     }

@@ -14,11 +14,11 @@ use crate::i18n;
 use crate::system::{Doing, reason};
 
 /// The exit code of a program that Ctrl+C stopped, as shells have it.
-pub const STOPPED: u8 = 130;
+pub(super) const STOPPED: u8 = 130;
 
 /// Why a command stopped.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Failure {
+pub(super) enum Failure {
     /// The call was wrong: exit code 2.
     Usage(String),
     /// Files could not be used, one line each: exit code 1.
@@ -31,17 +31,17 @@ pub enum Failure {
 
 impl Failure {
     /// A call that was wrong.
-    pub fn usage(sentence: impl Into<String>) -> Self {
+    pub(super) fn usage(sentence: impl Into<String>) -> Self {
         Self::Usage(sentence.into())
     }
 
     /// One file that could not be used: `file: what`.
-    pub fn file(file: &Path, what: impl std::fmt::Display) -> Self {
+    pub(super) fn file(file: &Path, what: impl std::fmt::Display) -> Self {
         Self::Files(vec![format!("{}: {what}", display_name(file))])
     }
 
     /// Says what happened on standard error and returns the exit code.
-    pub fn report(&self) -> ExitCode {
+    pub(super) fn report(&self) -> ExitCode {
         match self {
             Self::Usage(sentence) => {
                 complain(&format!("sinew: {sentence}"));
@@ -79,7 +79,7 @@ impl From<ExportError> for Failure {
 }
 
 /// The name of a file in messages: as given, in words for standard input.
-pub fn display_name(file: &Path) -> String {
+pub(super) fn display_name(file: &Path) -> String {
     if file.as_os_str() == "-" {
         return crate::tr!("document-standard-input");
     }
@@ -87,12 +87,12 @@ pub fn display_name(file: &Path) -> String {
 }
 
 /// The name of a file that is written: `-` has no other meaning there.
-pub fn output_name(file: &Path) -> String {
+pub(super) fn output_name(file: &Path) -> String {
     one_line(&file.to_string_lossy())
 }
 
 /// A result whose name has not one of the endings that it may have: `key` is the sentence that lists them.
-pub fn wrong_ending(out: &Path, key: &str) -> Failure {
+pub(super) fn wrong_ending(out: &Path, key: &str) -> Failure {
     let has_name = out.file_name().is_none_or(|name| out.extension().is_some() || !name.as_encoded_bytes().starts_with(b"."));
     Failure::usage(if has_name { crate::tr!(key, out = output_name(out)) } else { crate::tr!("cli-ending-alone", out = output_name(out)) })
 }
@@ -101,7 +101,7 @@ pub fn wrong_ending(out: &Path, key: &str) -> Failure {
 ///
 /// # Errors
 /// [`Failure::Usage`].
-pub fn one_file(out: &Path) -> Result<(), Failure> {
+pub(super) fn one_file(out: &Path) -> Result<(), Failure> {
     match Pattern::of(out) {
         Some(_) => Err(Failure::usage(crate::tr!("cli-pattern-one-file", out = output_name(out)))),
         None => Ok(()),
@@ -109,12 +109,12 @@ pub fn one_file(out: &Path) -> Result<(), Failure> {
 }
 
 /// Writes one line to standard error; a closed one is nothing to stop for.
-pub fn complain(line: &str) {
+pub(super) fn complain(line: &str) {
     let _ = writeln!(io::stderr(), "{}", one_line(line));
 }
 
 /// Writes a question to standard error; the answer stands behind it.
-pub fn complain_part(question: &str) {
+pub(super) fn complain_part(question: &str) {
     let _ = write!(io::stderr(), "{} ", one_line(question));
     let _ = io::stderr().flush();
 }
@@ -123,25 +123,25 @@ pub fn complain_part(question: &str) {
 static LOUDNESS: AtomicU8 = AtomicU8::new(1);
 
 /// Takes `--quiet` and `--verbose`.
-pub fn set_loudness(given: &ArgMatches) {
+pub(super) fn set_loudness(given: &ArgMatches) {
     let flag = |id| given.try_get_one::<bool>(id).ok().flatten().copied().unwrap_or(false);
     LOUDNESS.store(if flag("quiet") { 0 } else { 1 + u8::from(flag("verbose")) }, Ordering::Relaxed);
 }
 
 /// Whether nothing but problems is to be said.
-pub fn is_quiet() -> bool {
+pub(super) fn is_quiet() -> bool {
     LOUDNESS.load(Ordering::Relaxed) == 0
 }
 
 /// Writes a notice to standard error, unless the call is quiet.
-pub fn notice(line: &str) {
+pub(super) fn notice(line: &str) {
     if !is_quiet() {
         complain(line);
     }
 }
 
 /// Writes to standard error what only `--verbose` wants to know.
-pub fn remark(lines: impl IntoIterator<Item = impl std::fmt::Display>) {
+pub(super) fn remark(lines: impl IntoIterator<Item = impl std::fmt::Display>) {
     if LOUDNESS.load(Ordering::Relaxed) > 1 {
         lines.into_iter().for_each(|line| complain(&line.to_string()));
     }
@@ -156,7 +156,7 @@ fn one_line(text: &str) -> String {
 ///
 /// # Errors
 /// [`Failure::ReaderGone`] where the reader closed the pipe, [`Failure::Files`] where the output cannot be written, such as a full disk.
-pub fn answer(text: &str) -> Result<(), Failure> {
+pub(super) fn answer(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(i18n::shown_lines(text).as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::ReaderGone,
@@ -168,7 +168,7 @@ pub fn answer(text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// As [`answer`].
-pub fn answer_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+pub(super) fn answer_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let mut text = serde_json::to_string_pretty(value).map_err(|error| Failure::Files(vec![error.to_string()]))?;
     text.push('\n');
     answer(&i18n::visible_json(&text))

@@ -43,7 +43,7 @@ struct Rms {
 }
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Both are required by the parser.
     let (Some(csv), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {

@@ -80,13 +80,14 @@ struct BoundsInfo {
 }
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // What images show says nothing about the file; that they are there and are images does.
     let document = stage::open(&files, OpenOptions { images: Images::Locate }, &Progress::default())?.document;
     let name = files.first().map(|file| display_name(file)).unwrap_or_default();
     let info = Info::of(&document, name);
     // The program ends here: giving back what was read piece by piece would only take time.
+    #[expect(clippy::mem_forget, reason = "nothing in a document does anything when it is dropped but give back memory")]
     std::mem::forget(document);
     if given.get_flag("json") { answer_json(&info) } else { answer(&info.text()) }
 }

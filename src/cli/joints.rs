@@ -6,7 +6,7 @@ use crate::i18n::decimal;
 use crate::tr;
 
 /// A line a joint, for people: from where to where it goes. All rows are for programs.
-pub fn text(table: &JointTable) -> String {
+pub(super) fn text(table: &JointTable) -> String {
     let mut rows = vec![vec![
         tr!("cli-joints-name"),
         tr!("cli-joints-flexion-least"),

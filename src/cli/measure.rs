@@ -21,7 +21,7 @@ use crate::i18n::{self, decimal};
 use crate::tr;
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
     let sheet = Sheet { given, guard: Guard::of_files(&files).and(document.files()) };
@@ -176,7 +176,7 @@ fn text(table: &MuscleTable) -> String {
                 decimal(row.length, 2) + mark,
                 dash(row.moment_arm, 2),
                 decimal(row.volume, 1),
-                crate::i18n::localise_decimal_mark(&format!("{:.1e}", row.volume_error)),
+                i18n::localise_decimal_mark(&format!("{:.1e}", row.volume_error)),
                 decimal(row.delta, 4),
                 decimal(row.largest_radius, 2),
             ];
@@ -191,7 +191,7 @@ fn text(table: &MuscleTable) -> String {
 }
 
 /// Right-aligned columns.
-pub fn columns(rows: &[Vec<String>]) -> String {
+pub(super) fn columns(rows: &[Vec<String>]) -> String {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let widths: Vec<usize> =
         (0..count).map(|i| rows.iter().filter_map(|row| row.get(i)).map(|cell| cell.chars().count()).max().unwrap_or(0)).collect();

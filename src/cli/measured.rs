@@ -11,7 +11,7 @@ use crate::{limits, tr};
 ///
 /// # Errors
 /// [`Failure::Files`] with `file:line:column: what`.
-pub fn read(file: &Path) -> Result<Table, Failure> {
+pub(super) fn read(file: &Path) -> Result<Table, Failure> {
     let text = text(file)?;
     Table::parse(&text)
         .map_err(|error| Failure::Files(vec![format!("{}:{}:{}: {}", display_name(file), error.line, error.column, error.message)]))

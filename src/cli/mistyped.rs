@@ -9,7 +9,7 @@ use crate::tr;
 
 /// `sinew rendr walk.dae -o walk.png`: a first argument that is neither a command nor a file, and has neither an ending nor a folder as a file would.
 /// Says so, and which command is like it.
-pub fn first_word(arguments: &[OsString], all: &Command) -> Option<String> {
+pub(super) fn first_word(arguments: &[OsString], all: &Command) -> Option<String> {
     let word = arguments.get(1)?.to_str()?;
     if word.is_empty() || word.starts_with('-') || word.contains(['.', '/', '\\']) || Path::new(word).exists() {
         return None;
@@ -24,7 +24,7 @@ pub fn first_word(arguments: &[OsString], all: &Command) -> Option<String> {
 }
 
 /// The command that a word is nearest to, if it is near to one: it begins like it, or a third of its letters is wrong at most.
-pub fn like<'a>(word: &str, all: &'a Command) -> Option<&'a str> {
+pub(super) fn like<'a>(word: &str, all: &'a Command) -> Option<&'a str> {
     let word = word.to_lowercase();
     let names = || all.get_subcommands().map(Command::get_name);
     let near = |name: &&str| edits(&word, name);

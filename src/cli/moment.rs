@@ -18,7 +18,7 @@ const FAR: f64 = 3600.0;
 
 /// What the options say.
 #[derive(Debug, Clone, Default)]
-pub struct Moment {
+pub(super) struct Moment {
     /// Seconds on the file's own time axis.
     pub time: Option<f64>,
     clip: Option<String>,
@@ -29,7 +29,7 @@ pub struct Moment {
 
 impl Moment {
     /// Takes the options from the command line.
-    pub fn given(given: &ArgMatches) -> Self {
+    pub(super) fn given(given: &ArgMatches) -> Self {
         Self {
             time: value(given, "time"),
             clip: value(given, "clip"),
@@ -40,7 +40,7 @@ impl Moment {
     }
 
     /// Whether the elbow angle or the contraction is fixed.
-    pub fn fixes_muscles(&self) -> bool {
+    pub(super) fn fixes_muscles(&self) -> bool {
         self.angle.is_some() || self.contraction.is_some()
     }
 
@@ -48,7 +48,7 @@ impl Moment {
     ///
     /// # Errors
     /// [`Failure::Usage`] for a clip that the document has not, or an angle where nothing follows it.
-    pub fn state(&self, document: &Document, file: &Path) -> Result<PoseState, Failure> {
+    pub(super) fn state(&self, document: &Document, file: &Path) -> Result<PoseState, Failure> {
         self.over(document.start_state(), document, file)
     }
 
@@ -56,7 +56,7 @@ impl Moment {
     ///
     /// # Errors
     /// As there.
-    pub fn over(&self, mut state: PoseState, document: &Document, file: &Path) -> Result<PoseState, Failure> {
+    pub(super) fn over(&self, mut state: PoseState, document: &Document, file: &Path) -> Result<PoseState, Failure> {
         if let Some(name) = &self.clip {
             let found = document.clip_named(name).ok_or_else(|| unknown_clip(document, file, name))?;
             state.clip = Some(found);
@@ -127,7 +127,7 @@ fn nothing_to_bend(document: &Document, file: &Path) -> Failure {
 }
 
 /// No clip has the name that was given.
-pub fn unknown_clip(document: &Document, file: &Path, name: &str) -> Failure {
+pub(super) fn unknown_clip(document: &Document, file: &Path, name: &str) -> Failure {
     /// A sentence with more names than this is no sentence.
     const NAMED: usize = 20;
     let file = display_name(file);

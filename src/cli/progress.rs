@@ -21,7 +21,7 @@ static CURRENT: Mutex<Option<Arc<Work>>> = Mutex::new(None);
 ///
 /// # Errors
 /// What the work returns.
-pub fn watched(count: usize, run: impl FnOnce(&Work) -> Result<(), ExportError>) -> Result<(), Failure> {
+pub(super) fn watched(count: usize, run: impl FnOnce(&Work) -> Result<(), ExportError>) -> Result<(), Failure> {
     let work = Arc::new(Work::default());
     *CURRENT.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&work));
     leave_nothing();
@@ -40,13 +40,14 @@ pub fn watched(count: usize, run: impl FnOnce(&Work) -> Result<(), ExportError>)
 }
 
 /// From now on Ctrl+C, or whoever ends the program, leaves no half file behind: work that is [`watched`] is stopped, anything else is swept away.
-pub fn leave_nothing() {
+pub(super) fn leave_nothing() {
     // Where the system has no such thing the program just ends.
     let _ = ctrlc::set_handler(|| match &*CURRENT.lock().unwrap_or_else(PoisonError::into_inner) {
         Some(work) => work.cancelled.store(true, Ordering::Relaxed),
         None => {
             sweep();
             Failure::Stopped.report();
+            #[expect(clippy::exit, reason = "a signal handler has nobody to return to")]
             std::process::exit(i32::from(STOPPED));
         }
     });

@@ -26,7 +26,7 @@ use crate::tr;
 const SIZE: (u32, u32) = (1280, 720);
 
 /// Runs the subcommand.
-pub fn run(given: &ArgMatches) -> Result<(), Failure> {
+pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Both are required by the parser.
     let (Some(first), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {

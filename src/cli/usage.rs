@@ -5,7 +5,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use crate::tr;
 
 /// The sentence for an error of the argument parser.
-pub fn sentence(error: &clap::Error) -> String {
+pub(super) fn sentence(error: &clap::Error) -> String {
     let option = text(error, ContextKind::InvalidArg);
     let given = text(error, ContextKind::InvalidValue);
     match error.kind() {

@@ -9,10 +9,10 @@ use crate::tr;
 const ANGLES: usize = 100_000;
 
 /// Beyond so many degrees an angle is a slip of the hand: its sine would have few digits left.
-pub const MOST_DEGREES: f64 = 1e6;
+pub(super) const MOST_DEGREES: f64 = 1e6;
 
 /// A finite number with a decimal point.
-pub fn number(text: &str) -> Result<f64, String> {
+pub(super) fn number(text: &str) -> Result<f64, String> {
     match text.trim().parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value),
         Ok(_) => Err(tr!("cli-value-not-finite")),
@@ -22,7 +22,7 @@ pub fn number(text: &str) -> Result<f64, String> {
 }
 
 /// A number within a range, both ends included.
-pub fn number_within(low: f64, high: f64) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+pub(super) fn number_within(low: f64, high: f64) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
     move |text| {
         let value = number(text)?;
         if (low..=high).contains(&value) { Ok(value) } else { Err(tr!("cli-value-out-of-range", low = plain(low), high = plain(high))) }
@@ -30,12 +30,12 @@ pub fn number_within(low: f64, high: f64) -> impl Fn(&str) -> Result<f64, String
 }
 
 /// A number as options take it: no thousands marks, decimal point; a power of ten where it would have very many digits.
-pub fn plain(value: f64) -> String {
+pub(super) fn plain(value: f64) -> String {
     if value != 0.0 && !(1e-6..1e15).contains(&value.abs()) { format!("{value:e}") } else { format!("{value}") }
 }
 
 /// `1280x720`.
-pub fn size(text: &str) -> Result<(u32, u32), String> {
+pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     let wrong = || tr!("cli-value-not-size", limit = plain(limits::PICTURE_SIDE.into()));
     let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(wrong)?;
     let side = |text: &str| text.trim().parse::<u32>().ok().filter(|side| (1..=limits::PICTURE_SIDE).contains(side)).ok_or_else(wrong);
@@ -43,7 +43,7 @@ pub fn size(text: &str) -> Result<(u32, u32), String> {
 }
 
 /// `X,Y,Z` in metres.
-pub fn point(text: &str) -> Result<Vec3, String> {
+pub(super) fn point(text: &str) -> Result<Vec3, String> {
     let parts = text.split(',').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| tr!("cli-value-not-point"))?;
     match parts[..] {
         [x, y, z] => {
@@ -55,7 +55,7 @@ pub fn point(text: &str) -> Result<Vec3, String> {
 
 /// A background: nothing, or `0xRRGGBB`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Backdrop {
+pub(super) enum Backdrop {
     /// `none`: the picture has an alpha channel.
     None,
     /// One colour, `0xRRGGBB`.
@@ -63,7 +63,7 @@ pub enum Backdrop {
 }
 
 /// `none`, `#rrggbb`, `#rgb` (the mark may be left out) or one of CSS's sixteen basic names.
-pub fn backdrop(text: &str) -> Result<Backdrop, String> {
+pub(super) fn backdrop(text: &str) -> Result<Backdrop, String> {
     const NAMES: [(&str, u32); 17] = [
         ("black", 0x000000),
         ("silver", 0xC0C0C0),
@@ -104,7 +104,7 @@ pub fn backdrop(text: &str) -> Result<Backdrop, String> {
 }
 
 /// A number of threads.
-pub fn threads(text: &str) -> Result<usize, String> {
+pub(super) fn threads(text: &str) -> Result<usize, String> {
     text.trim()
         .parse::<usize>()
         .ok()
@@ -114,10 +114,10 @@ pub fn threads(text: &str) -> Result<usize, String> {
 
 /// Angles in degrees, in the order given.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Angles(pub Vec<f64>);
+pub(super) struct Angles(pub Vec<f64>);
 
 /// `0,30,60,90`.
-pub fn angles(text: &str) -> Result<Angles, String> {
+pub(super) fn angles(text: &str) -> Result<Angles, String> {
     let angles = text.split(',').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| tr!("cli-value-not-angles"))?;
     if angles.len() > ANGLES { Err(too_many()) } else { Ok(Angles(angles)) }
 }
@@ -131,7 +131,7 @@ struct Words {
 }
 
 /// `FROM:TO:STEP` in degrees, both ends included where the step meets them.
-pub fn sweep(text: &str) -> Result<Angles, String> {
+pub(super) fn sweep(text: &str) -> Result<Angles, String> {
     let words = Words {
         wrong: || tr!("cli-value-not-sweep"),
         empty: || tr!("cli-value-sweep-empty"),
@@ -143,10 +143,10 @@ pub fn sweep(text: &str) -> Result<Angles, String> {
 
 /// Times in seconds, in the order given.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Times(pub Vec<f64>);
+pub(super) struct Times(pub Vec<f64>);
 
 /// `FROM:TO:STEP` in seconds, both ends included where the step meets them.
-pub fn times(text: &str) -> Result<Times, String> {
+pub(super) fn times(text: &str) -> Result<Times, String> {
     let words = Words {
         wrong: || tr!("cli-value-not-times"),
         empty: || tr!("cli-value-times-empty"),
@@ -177,10 +177,10 @@ fn stepped(text: &str, words: &Words) -> Result<Vec<f64>, String> {
 
 /// From one value to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span(pub f64, pub f64);
+pub(super) struct Span(pub f64, pub f64);
 
 /// `FROM:TO`, each within a range.
-pub fn span(low: f64, high: f64) -> impl Fn(&str) -> Result<Span, String> + Clone + Send + Sync + 'static {
+pub(super) fn span(low: f64, high: f64) -> impl Fn(&str) -> Result<Span, String> + Clone + Send + Sync + 'static {
     move |text| {
         let wrong = || tr!("cli-value-not-span", example = format!("0:{}", plain(high.min(130.0))));
         let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| wrong())?;

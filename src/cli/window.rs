@@ -14,7 +14,7 @@ use crate::tr;
 pub type Opener = fn(Vec<PathBuf>) -> ExitCode;
 
 /// Opens the window with these files.
-pub fn open(files: Vec<PathBuf>, opener: Opener) -> ExitCode {
+pub(super) fn open(files: Vec<PathBuf>, opener: Opener) -> ExitCode {
     if cfg!(not(feature = "gui")) {
         return Failure::Files(vec![tr!("cli-no-window")]).report();
     }

@@ -67,7 +67,7 @@ impl Drop for Begun<'_, '_> {
 
 /// The lists that may be read ahead.
 #[derive(Default)]
-pub struct Ahead<'a> {
+pub(super) struct Ahead<'a> {
     jobs: Vec<Job<'a>>,
     places: FxHashMap<NodeId, usize>,
     held: AtomicUsize,
@@ -79,7 +79,7 @@ impl<'a> Ahead<'a> {
     ///
     /// Those of geometries come first, from the last to the first: they are needed at once, and the other thread begins with the first. The rest is in the
     /// order in which it is needed.
-    pub fn of(root: El<'a>, lists: &'a Shortened<'a>) -> Self {
+    pub(super) fn of(root: El<'a>, lists: &'a Shortened<'a>) -> Self {
         let mut ahead = Self::default();
         let arrays_in = |tag| {
             let inside = children(root, tag).flat_map(|library| library.descendants());
@@ -100,7 +100,7 @@ impl<'a> Ahead<'a> {
     }
 
     /// Does `work` on this thread while another reads ahead, if there is anything to read.
-    pub fn while_doing<R>(&self, work: impl FnOnce() -> R) -> R {
+    pub(super) fn while_doing<R>(&self, work: impl FnOnce() -> R) -> R {
         if self.jobs.is_empty() {
             return work();
         }
@@ -139,7 +139,7 @@ impl<'a> Ahead<'a> {
     }
 
     /// The list in `array`, if somebody has read it or is about to; `None` where the caller has to.
-    pub fn take(&self, array: NodeId) -> Option<List> {
+    pub(super) fn take(&self, array: NodeId) -> Option<List> {
         let job = self.jobs.get(*self.places.get(&array)?)?;
         let mut state = job.state();
         while matches!(*state, State::Begun) {

@@ -28,7 +28,7 @@ struct Placed {
 ///
 /// # Errors
 /// Where commas separate numbers, or on cancel.
-pub fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip>> {
+pub(super) fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip>> {
     let mut reader = Reader { arrays: Arrays::default(), curves: FxHashMap::default() };
     let mut placed = Vec::new();
     for library in context.libraries("library_animations") {

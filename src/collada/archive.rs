@@ -20,7 +20,7 @@ const MANIFEST: &str = "manifest.xml";
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
 /// Whether the bytes start like a zip file.
-pub fn is_archive(bytes: &[u8]) -> bool {
+pub(super) fn is_archive(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
 }
 
@@ -29,7 +29,7 @@ fn refused(message: String) -> ReadError {
 }
 
 /// The refusal of an archive that unpacks to more than the limit.
-pub fn too_large() -> ReadError {
+pub(super) fn too_large() -> ReadError {
     refused(tr!("collada-archive-large", limit = limits::ARCHIVE_BYTES_PER_BYTE))
 }
 
@@ -37,7 +37,7 @@ pub fn too_large() -> ReadError {
 ///
 /// # Errors
 /// [`ReadError`] where the archive is broken, unpacks to more than the limit, or has no document.
-pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
+pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| refused(tr!("collada-archive-broken")))?;
     if archive.len() > limits::ARCHIVE_FILES {
         return Err(refused(tr!("collada-archive-files", limit = limits::ARCHIVE_FILES)));

@@ -10,7 +10,7 @@ use crate::tr;
 ///
 /// # Errors
 /// None of its own; see [`Context::reals`].
-pub fn read(context: &mut Context<'_>) -> Step<Asset> {
+pub(super) fn read(context: &mut Context<'_>) -> Step<Asset> {
     let root = context.root;
     let version = root.attribute("version").unwrap_or_default().trim().to_owned();
     if !(version.starts_with("1.4") || version.starts_with("1.5")) {
@@ -34,7 +34,7 @@ pub fn read(context: &mut Context<'_>) -> Step<Asset> {
 }
 
 /// Whether the document of an element has colours of materials as scene-linear values: Blender writes what it reckons with. All others write sRGB.
-pub fn is_scene_linear(element: El<'_>) -> bool {
+pub(super) fn is_scene_linear(element: El<'_>) -> bool {
     let document = element.ancestors().find(|above| above.tag_name().name() == "COLLADA");
     let Some(asset) = document.and_then(|document| child(document, "asset")) else { return false };
     let mut tools = children(asset, "contributor").filter_map(|contributor| child(contributor, "authoring_tool"));
@@ -77,7 +77,7 @@ fn local(context: &mut Context<'_>, asset: El<'_>) -> Local {
 }
 
 /// From the file's unit and axes to metres, Y up: Z_UP (x,y,z)→(x,z,−y), X_UP (x,y,z)→(−y,x,z).
-pub fn to_world(asset: &Asset) -> DMat4 {
+pub(super) fn to_world(asset: &Asset) -> DMat4 {
     conversion(&asset.up_axis, asset.unit_metres)
 }
 
@@ -92,7 +92,7 @@ fn conversion(axis: &str, unit: f64) -> DMat4 {
 
 /// From an element's own unit and axes to those of the document, where an `asset` in it or around it says others. The unit and axis of an `asset` hold
 /// for everything in the element that it stands in (COLLADA 1.4.1, `unit`), the innermost first.
-pub fn space<'a>(context: &mut Context<'a>, document: &Asset, element: El<'a>) -> Option<DMat4> {
+pub(super) fn space<'a>(context: &mut Context<'a>, document: &Asset, element: El<'a>) -> Option<DMat4> {
     let (mut axis, mut unit) = (None, None);
     let root = context.root;
     for around in element.ancestors().take_while(|around| *around != root && around.is_element()) {

@@ -12,7 +12,7 @@ const SIZE: f64 = 0.01;
 const TURN: f64 = 1.0;
 
 /// Where the nodes of the graph are at rest below its root, in the file's own unit and axes.
-pub fn rest(graph: &Graph) -> Vec<DMat4> {
+pub(super) fn rest(graph: &Graph) -> Vec<DMat4> {
     let mut locals = graph.rest_locals();
     if let Some(root) = locals.first_mut() {
         *root = DMat4::IDENTITY;
@@ -23,7 +23,7 @@ pub fn rest(graph: &Graph) -> Vec<DMat4> {
 }
 
 /// A skin on its joints.
-pub struct Bound<'b> {
+pub(super) struct Bound<'b> {
     /// The skin.
     pub skin: &'b Skin,
     /// Which of its joints points are weighted to.
@@ -40,7 +40,7 @@ impl Bound<'_> {
     /// A rest pose may be any pose, so turned joints prove nothing, and a rig that is scaled as a whole takes its skin along. What no pose explains is size
     /// in an inverse bind matrix that no node gives back, and a mesh beneath the same scaled or turned node as its joints, which goes along with it on
     /// paper and not in the skin (Blender's armatures).
-    pub fn mismatch(&self, graph: &Graph, rest: &[DMat4]) -> Option<String> {
+    pub(super) fn mismatch(&self, graph: &Graph, rest: &[DMat4]) -> Option<String> {
         let at = |node: NodeId| rest.get(node.index()).copied();
         let bound = || {
             let joints = self.skin.joints.iter().zip(self.joints).zip(self.used);

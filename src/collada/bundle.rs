@@ -16,7 +16,7 @@ const LONGEST: usize = 4096;
 
 /// A further document.
 #[derive(Debug)]
-pub struct Part {
+pub(super) struct Part {
     /// Its path in the archive.
     pub path: String,
     /// From its root element on.
@@ -27,7 +27,7 @@ pub struct Part {
 
 /// Where a document stands in the whole.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Stretch {
+pub(super) struct Stretch {
     /// Its first byte.
     pub start: usize,
     /// Its path in the archive.
@@ -38,7 +38,7 @@ pub struct Stretch {
 
 /// What a document is read from.
 #[derive(Debug, Default)]
-pub struct Bundle {
+pub(super) struct Bundle {
     /// The path of the first document: its file name, or its path in the archive.
     pub path: String,
     /// The documents behind it.
@@ -51,7 +51,7 @@ pub struct Bundle {
 
 impl Bundle {
     /// A document that comes alone.
-    pub fn alone(file_name: &str) -> Self {
+    pub(super) fn alone(file_name: &str) -> Self {
         Self { path: file_name.to_owned(), ..Self::default() }
     }
 
@@ -59,7 +59,7 @@ impl Bundle {
     ///
     /// # Errors
     /// What `unpack` returns.
-    pub fn gather(
+    pub(super) fn gather(
         &mut self,
         first: &str,
         room: usize,
@@ -99,7 +99,7 @@ impl Bundle {
     }
 
     /// The text of all documents and where each further one stands in it; `None` where there is only `first`.
-    pub fn compose(&mut self, first: &str, lines_before: u32) -> Option<(String, Vec<Stretch>)> {
+    pub(super) fn compose(&mut self, first: &str, lines_before: u32) -> Option<(String, Vec<Stretch>)> {
         if self.parts.is_empty() {
             return None;
         }
@@ -164,14 +164,14 @@ fn root(text: &str, room: usize) -> Result<usize, ReadError> {
 
 /// Files by their path, and by their name where only one has it.
 #[derive(Debug, Default)]
-pub struct Paths {
+pub(super) struct Paths {
     by_path: BTreeMap<String, usize>,
     by_name: HashMap<String, Option<String>>,
 }
 
 impl Paths {
     /// An index of these paths, each with its number.
-    pub fn new(all: impl IntoIterator<Item = (String, usize)>) -> Self {
+    pub(super) fn new(all: impl IntoIterator<Item = (String, usize)>) -> Self {
         let mut paths = Self::default();
         for (path, number) in all {
             let only = paths.by_name.entry(last_segment(&path).to_owned()).and_modify(|only| *only = None);
@@ -182,7 +182,7 @@ impl Paths {
     }
 
     /// The file that the document at `from` means by `reference`: relative to it, from the top of the archive, or the only file of that name.
-    pub fn find(&self, from: &str, reference: &str) -> Option<(&String, usize)> {
+    pub(super) fn find(&self, from: &str, reference: &str) -> Option<(&String, usize)> {
         let plain = plain_uri(reference);
         let folder = from.rsplit_once('/').map_or("", |(folder, _)| folder);
         let exact = |wanted: &str| self.by_path.get_key_value(wanted).map(|(path, number)| (path, *number));
@@ -192,7 +192,7 @@ impl Paths {
 }
 
 /// A path with slashes and without `.` and `..`.
-pub fn normal(path: &str) -> String {
+pub(super) fn normal(path: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
     for part in path.split(['/', '\\']) {
         match part {

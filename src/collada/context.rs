@@ -16,15 +16,15 @@ use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
 use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
 use super::{El, Progress, ReadError, codes};
-pub use crate::i18n::shortened;
+pub(super) use crate::i18n::shortened;
 use crate::scene::affine;
 use crate::{limits, tr};
 
 /// The result of a step that may end the reading.
-pub type Step<T> = Result<T, ReadError>;
+pub(super) type Step<T> = Result<T, ReadError>;
 
 /// The document with everything that reading it needs.
-pub struct Context<'a> {
+pub(super) struct Context<'a> {
     /// The root element.
     pub root: El<'a>,
     /// Ids and scoped ids.
@@ -48,7 +48,7 @@ pub struct Context<'a> {
 impl<'a> Context<'a> {
     /// A context for a document that was parsed and of which some lists may be read `ahead`.
     /// `paths` are those of the document and of the ones behind it, `files` all of the archive.
-    pub fn new(
+    pub(super) fn new(
         parsed: &'a Tree<'a>,
         ahead: &'a Ahead<'a>,
         report: Report<'a>,
@@ -77,14 +77,14 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where somebody asked to stop.
-    pub fn advance(&self, part: f32) -> Step<()> {
+    pub(super) fn advance(&self, part: f32) -> Step<()> {
         self.progress.set(part);
         self.check_cancelled()
     }
 
     /// # Errors
     /// Where somebody asked to stop.
-    pub fn check_cancelled(&self) -> Step<()> {
+    pub(super) fn check_cancelled(&self) -> Step<()> {
         if self.progress.cancelled.load(Ordering::Relaxed) {
             return Err(ReadError { line: None, message: tr!("collada-cancelled") });
         }
@@ -92,7 +92,7 @@ impl<'a> Context<'a> {
     }
 
     /// Takes `bytes` from what references may make; `false`, with one finding for the file, where too little is left.
-    pub fn spend(&mut self, element: El<'_>, bytes: usize) -> bool {
+    pub(super) fn spend(&mut self, element: El<'_>, bytes: usize) -> bool {
         if let Some(left) = self.budget.checked_sub(bytes) {
             self.budget = left;
             return true;
@@ -105,25 +105,25 @@ impl<'a> Context<'a> {
     }
 
     /// Whether references may make no more, since [`Context::spend`] once found too little left.
-    pub fn is_spent(&self) -> bool {
+    pub(super) fn is_spent(&self) -> bool {
         self.said_budget
     }
 
     /// Says once that instances are left out because drawing them would take too much.
-    pub fn say_once_drawn(&mut self, element: El<'_>) {
+    pub(super) fn say_once_drawn(&mut self, element: El<'_>) {
         if !std::mem::replace(&mut self.said_drawn, true) {
             self.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-drawn", limit = limits::INSTANCES_BYTES >> 20));
         }
     }
 
     /// The `asset` right below an element. A library or node may have many thousands of children and is asked for each of them, so it is remembered.
-    pub fn asset_of(&mut self, element: El<'a>) -> Option<El<'a>> {
+    pub(super) fn asset_of(&mut self, element: El<'a>) -> Option<El<'a>> {
         let found = *self.assets.entry(element.id()).or_insert_with(|| child(element, "asset").map(|asset| asset.id()));
         found.and_then(|id| element.document().get_node(id))
     }
 
     /// The element that `url` names, if its tag is one of `tags`; what doesn't lead there is reported at `from`.
-    pub fn resolve(&mut self, from: El<'a>, url: &str, tags: &[&str]) -> Option<El<'a>> {
+    pub(super) fn resolve(&mut self, from: El<'a>, url: &str, tags: &[&str]) -> Option<El<'a>> {
         match self.lookup.url(from, url) {
             Url::Here { document, id } => {
                 let found = self.lookup.in_document(from, document, &id, tags);
@@ -144,26 +144,26 @@ impl<'a> Context<'a> {
     }
 
     /// All libraries of a kind, those of the documents behind the first one last.
-    pub fn libraries(&self, tag: &str) -> Vec<El<'a>> {
+    pub(super) fn libraries(&self, tag: &str) -> Vec<El<'a>> {
         let roots = self.lookup.roots().iter().copied();
         roots.flat_map(|root| root.children().filter(move |library| library.tag_name().name() == tag)).collect()
     }
 
     /// The path in the archive of the file that `element` names by `uri`; `uri` where there is none.
-    pub fn in_archive(&self, element: El<'a>, uri: String) -> String {
+    pub(super) fn in_archive(&self, element: El<'a>, uri: String) -> String {
         let folder = self.lookup.path(element).rsplit_once('/').map_or("", |(folder, _)| folder);
         let inside = normal(&format!("{folder}/{uri}"));
         if self.files.contains_key(&inside) { inside } else { uri }
     }
 
     /// [`Context::resolve`] with the url in attribute `key`; `None` without a finding where there is none.
-    pub fn follow(&mut self, from: El<'a>, key: &str, tags: &[&str]) -> Option<El<'a>> {
+    pub(super) fn follow(&mut self, from: El<'a>, key: &str, tags: &[&str]) -> Option<El<'a>> {
         let url = from.attribute(key)?;
         self.resolve(from, url, tags)
     }
 
     /// [`text_of`] an element that may hold a long list.
-    pub fn list_of(&self, element: El<'a>) -> Cow<'a, str> {
+    pub(super) fn list_of(&self, element: El<'a>) -> Cow<'a, str> {
         match element.first_child().and_then(|text| self.lists.list_at(text.range().start)) {
             Some(list) => Cow::Borrowed(list),
             None => text_of(element),
@@ -174,7 +174,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> Step<Vec<T>> {
+    pub(super) fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> Step<Vec<T>> {
         let parsed = match self.ahead.take(element.id()) {
             Some(list) => list.map(Parsed::into_reals),
             None => reals(&self.list_of(element), expected),
@@ -186,7 +186,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas stand in the list.
-    pub fn integers(&mut self, element: El<'a>) -> Step<Vec<i32>> {
+    pub(super) fn integers(&mut self, element: El<'a>) -> Step<Vec<i32>> {
         let text = self.list_of(element);
         let parsed = integers(&text, text.len() / 4);
         self.checked(element, parsed)
@@ -212,14 +212,14 @@ impl<'a> Context<'a> {
     }
 
     /// Tells that numbers have decimal commas, once a file.
-    pub fn decimal_comma(&mut self, element: El<'_>, entry: &str) {
+    pub(super) fn decimal_comma(&mut self, element: El<'_>, entry: &str) {
         if !std::mem::replace(&mut self.said_comma, true) {
             self.report.note(element, codes::DECIMAL_COMMA, tr!("collada-decimal-comma", entry = shortened(entry)));
         }
     }
 
     /// The number in attribute `key`; `None` where it is missing or no finite number.
-    pub fn attribute(&mut self, element: El<'_>, key: &str) -> Option<f64> {
+    pub(super) fn attribute(&mut self, element: El<'_>, key: &str) -> Option<f64> {
         let text = element.attribute(key)?;
         let (value, comma) = attribute_number(text)?;
         if comma {
@@ -232,7 +232,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub fn exactly<const N: usize>(&mut self, element: El<'a>) -> Step<Option<[f64; N]>> {
+    pub(super) fn exactly<const N: usize>(&mut self, element: El<'a>) -> Step<Option<[f64; N]>> {
         let values: Vec<f64> = self.reals(element, N)?;
         let Ok(values) = <[f64; N]>::try_from(values.as_slice()) else {
             let message = tr!("collada-bad-transform", wanted = N, found = values.len());
@@ -250,7 +250,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub fn matrix(&mut self, element: El<'a>) -> Step<Option<DMat4>> {
+    pub(super) fn matrix(&mut self, element: El<'a>) -> Step<Option<DMat4>> {
         let Some(rows) = self.exactly::<16>(element)? else { return Ok(None) };
         if !ends_upright(&rows) {
             self.report.warn(element, codes::BAD_TRANSFORM, tr!("collada-bottom-row"));
@@ -259,7 +259,7 @@ impl<'a> Context<'a> {
     }
 
     /// Whether a value is `finite`; tells where it is not.
-    pub fn finite(&mut self, element: El<'a>, finite: bool) -> bool {
+    pub(super) fn finite(&mut self, element: El<'a>, finite: bool) -> bool {
         if !finite {
             self.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite"));
         }
@@ -270,7 +270,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub fn number(&mut self, parent: El<'a>, tag: &str) -> Step<Option<f64>> {
+    pub(super) fn number(&mut self, parent: El<'a>, tag: &str) -> Step<Option<f64>> {
         match child(parent, tag) {
             Some(element) => {
                 let value = self.reals::<f64>(element, 1)?.first().copied();
@@ -282,33 +282,33 @@ impl<'a> Context<'a> {
 }
 
 /// Numbers that go row by row as a matrix that places something in space: with a bottom row of 0 0 0 1.
-pub fn from_rows(rows: &[f64; 16]) -> DMat4 {
+pub(super) fn from_rows(rows: &[f64; 16]) -> DMat4 {
     affine(DMat4::from_cols_array(rows).transpose())
 }
 
 /// Whether the bottom row of a matrix that goes row by row is 0 0 0 1, but for what printing costs.
-pub fn ends_upright(rows: &[f64; 16]) -> bool {
+pub(super) fn ends_upright(rows: &[f64; 16]) -> bool {
     let [.., x, y, z, w] = rows;
     [x, y, z, &(w - 1.0)].iter().all(|value| value.abs() < 1e-4)
 }
 
 /// Three numbers as a vector.
-pub fn vector(values: [f64; 3]) -> DVec3 {
+pub(super) fn vector(values: [f64; 3]) -> DVec3 {
     DVec3::from_array(values)
 }
 
 /// The first child with this tag.
-pub fn child<'a>(parent: El<'a>, tag: &str) -> Option<El<'a>> {
+pub(super) fn child<'a>(parent: El<'a>, tag: &str) -> Option<El<'a>> {
     parent.children().find(|element| element.tag_name().name() == tag)
 }
 
 /// All children with this tag.
-pub fn children<'a>(parent: El<'a>, tag: &'static str) -> impl Iterator<Item = El<'a>> {
+pub(super) fn children<'a>(parent: El<'a>, tag: &'static str) -> impl Iterator<Item = El<'a>> {
     parent.children().filter(move |element| element.tag_name().name() == tag)
 }
 
 /// An element's text; comments in it cut it into pieces, which are put together.
-pub fn text_of(element: El<'_>) -> Cow<'_, str> {
+pub(super) fn text_of(element: El<'_>) -> Cow<'_, str> {
     let mut pieces = element.children().filter(El::is_text).filter_map(|node| node.text());
     let Some(first) = pieces.next() else { return Cow::Borrowed("") };
     match pieces.next() {
@@ -325,7 +325,7 @@ pub fn text_of(element: El<'_>) -> Cow<'_, str> {
 }
 
 /// What a person calls an element: its name, else its id, else `otherwise`.
-pub fn name_of(element: El<'_>, otherwise: impl FnOnce() -> String) -> String {
+pub(super) fn name_of(element: El<'_>, otherwise: impl FnOnce() -> String) -> String {
     ["name", "id", "sid"]
         .iter()
         .find_map(|key| element.attribute(*key).filter(|name| !name.trim().is_empty()))
@@ -333,6 +333,6 @@ pub fn name_of(element: El<'_>, otherwise: impl FnOnce() -> String) -> String {
 }
 
 /// The id of an element; empty where it has none.
-pub fn id_of(element: El<'_>) -> String {
+pub(super) fn id_of(element: El<'_>) -> String {
     element.attribute("id").unwrap_or_default().to_owned()
 }

@@ -17,7 +17,7 @@ use crate::tr;
 
 /// One step of a chain, from the mesh outwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Link {
+pub(super) enum Link {
     /// A morph.
     Morph(MorphId),
     /// A skin.
@@ -26,7 +26,7 @@ pub enum Link {
 
 /// A mesh with the controllers over it.
 #[derive(Clone)]
-pub struct Chain {
+pub(super) struct Chain {
     /// The mesh.
     pub placed: Placed,
     /// The controllers, the first to the mesh itself.
@@ -35,7 +35,7 @@ pub struct Chain {
 
 /// Reads controllers, each once.
 #[derive(Default)]
-pub struct Controllers<'a> {
+pub(super) struct Controllers<'a> {
     arrays: Arrays<f64>,
     chains: FxHashMap<NodeId, Option<Rc<Chain>>>,
     skins: FxHashMap<NodeId, Option<SkinId>>,
@@ -49,7 +49,7 @@ pub struct Controllers<'a> {
 }
 
 /// What reading a controller needs besides the document.
-pub struct Sources<'s, 'a> {
+pub(super) struct Sources<'s, 'a> {
     /// The scene so far.
     pub scene: &'s mut Scene,
     /// The meshes.
@@ -65,7 +65,12 @@ impl<'a> Controllers<'a> {
     ///
     /// # Errors
     /// Where commas separate its numbers, or on cancel.
-    pub fn chain(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, controller: El<'a>) -> Step<Option<Rc<Chain>>> {
+    pub(super) fn chain(
+        &mut self,
+        context: &mut Context<'a>,
+        sources: &mut Sources<'_, 'a>,
+        controller: El<'a>,
+    ) -> Step<Option<Rc<Chain>>> {
         if let Some(known) = self.chains.get(&controller.id()) {
             return Ok(known.clone());
         }
@@ -147,7 +152,7 @@ impl<'a> Controllers<'a> {
 }
 
 /// Walks from a controller down to its geometry: the `skin` and `morph` elements on the way, the outermost first.
-pub fn layers<'a>(context: &mut Context<'a>, controller: El<'a>) -> Option<(El<'a>, Vec<El<'a>>)> {
+pub(super) fn layers<'a>(context: &mut Context<'a>, controller: El<'a>) -> Option<(El<'a>, Vec<El<'a>>)> {
     let mut layers: Vec<El<'a>> = Vec::new();
     let mut next = controller;
     loop {

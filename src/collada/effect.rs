@@ -11,10 +11,10 @@ use crate::scene::{Paint, Placing, Scene, ShadingModel, TextureRef, Wrap};
 use crate::tr;
 
 /// The parameters that hold in one effect, by sid: an element with the value inside.
-pub type Params<'a> = HashMap<&'a str, El<'a>>;
+pub(super) type Params<'a> = HashMap<&'a str, El<'a>>;
 
 /// An effect's common profile.
-pub struct Effect<'a> {
+pub(super) struct Effect<'a> {
     /// The element of the lighting formula, such as `phong`.
     pub shader: El<'a>,
     /// The formula.
@@ -25,7 +25,7 @@ pub struct Effect<'a> {
 
 impl<'a> Effect<'a> {
     /// The common profile of `effect` with what `instance` sets; `None`, reported, where there is none.
-    pub fn find(context: &mut Context<'a>, effect: El<'a>, instance: El<'a>) -> Option<Self> {
+    pub(super) fn find(context: &mut Context<'a>, effect: El<'a>, instance: El<'a>) -> Option<Self> {
         let profile = child(effect, "profile_COMMON");
         let technique = profile.and_then(|profile| child(profile, "technique"));
         let shader = technique.and_then(|technique| {
@@ -56,7 +56,7 @@ impl<'a> Effect<'a> {
     ///
     /// # Errors
     /// Where commas separate its numbers.
-    pub fn paint(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, tag: &str) -> Step<Option<(Paint, f32)>> {
+    pub(super) fn paint(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, tag: &str) -> Step<Option<(Paint, f32)>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         if let Some(texture) = child(slot, "texture") {
             let Some(texture) = self.texture(context, scene, images, texture)? else { return Ok(None) };
@@ -77,7 +77,7 @@ impl<'a> Effect<'a> {
     ///
     /// # Errors
     /// Where commas separate numbers in it.
-    pub fn number(&self, context: &mut Context<'a>, tag: &str) -> Step<Option<f32>> {
+    pub(super) fn number(&self, context: &mut Context<'a>, tag: &str) -> Step<Option<f32>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         let Some(value) = child(slot, "float").or_else(|| self.param(slot)) else { return Ok(None) };
         let number = context.reals::<f32>(value, 1)?.first().copied();
@@ -100,7 +100,7 @@ impl<'a> Effect<'a> {
     }
 
     /// The tag of the shader's child that refers to parameter `sid`.
-    pub fn slot_of_param(&self, sid: &str) -> Option<&'a str> {
+    pub(super) fn slot_of_param(&self, sid: &str) -> Option<&'a str> {
         let refers = |slot: &El<'a>| child(*slot, "param").is_some_and(|param| param.attribute("ref") == Some(sid));
         self.shader.children().find(refers).map(|slot| slot.tag_name().name())
     }

@@ -18,7 +18,7 @@ use crate::scene::{Mesh, MeshId, Part, Scene, smooth_normals};
 use crate::{limits, tr};
 
 /// A mesh that was read.
-pub struct Geometry {
+pub(super) struct Geometry {
     /// The mesh, until it is put into a scene.
     pub mesh: Mesh,
     /// The `set` number of each of the mesh's sets of texture coordinates.
@@ -33,7 +33,7 @@ pub struct Geometry {
 
 /// What instances need of a mesh.
 #[derive(Clone)]
-pub struct Placed {
+pub(super) struct Placed {
     /// The mesh in the scene.
     pub mesh: MeshId,
     /// The `set` number of each set of texture coordinates.
@@ -43,7 +43,7 @@ pub struct Placed {
 }
 
 /// Reads geometries, each once.
-pub struct Geometries {
+pub(super) struct Geometries {
     arrays: Arrays<f32>,
     placed: FxHashMap<NodeId, Option<Placed>>,
     targets: FxHashMap<NodeId, Option<Rc<Geometry>>>,
@@ -56,7 +56,7 @@ pub struct Geometries {
 
 impl Geometries {
     /// A reader that keeps points and corners if the document has a morph.
-    pub fn new(has_morph: bool) -> Self {
+    pub(super) fn new(has_morph: bool) -> Self {
         Self {
             arrays: Arrays::default(),
             placed: FxHashMap::default(),
@@ -72,7 +72,13 @@ impl Geometries {
     ///
     /// # Errors
     /// Where commas separate its numbers, or on cancel.
-    pub fn place<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, element: El<'a>) -> Step<Option<Placed>> {
+    pub(super) fn place<'a>(
+        &mut self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        asset: &Asset,
+        element: El<'a>,
+    ) -> Step<Option<Placed>> {
         if let Some(known) = self.placed.get(&element.id()) {
             return Ok(known.clone());
         }
@@ -100,7 +106,7 @@ impl Geometries {
     ///
     /// # Errors
     /// As [`Geometries::place`].
-    pub fn target<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> Step<Option<Rc<Geometry>>> {
+    pub(super) fn target<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> Step<Option<Rc<Geometry>>> {
         if let Some(Some(placed)) = self.placed.get(&element.id()) {
             return Ok(placed.geometry.clone());
         }

@@ -13,7 +13,7 @@ use crate::tr;
 
 /// The images that were read.
 #[derive(Default)]
-pub struct Images {
+pub(super) struct Images {
     by_element: FxHashMap<NodeId, ImageId>,
     by_uri: FxHashMap<String, ImageId>,
     /// Images whose bytes stand in the document itself, under the name that their uri has.
@@ -22,7 +22,7 @@ pub struct Images {
 
 impl Images {
     /// Reads all images of the libraries.
-    pub fn read(context: &mut Context<'_>, scene: &mut Scene) -> Self {
+    pub(super) fn read(context: &mut Context<'_>, scene: &mut Scene) -> Self {
         let mut images = Self::default();
         for element in context
             .libraries("library_images")
@@ -36,7 +36,7 @@ impl Images {
     }
 
     /// The image of an `image` element.
-    pub fn place<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> ImageId {
+    pub(super) fn place<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> ImageId {
         if let Some(known) = self.by_element.get(&element.id()) {
             return *known;
         }
@@ -58,7 +58,7 @@ impl Images {
     }
 
     /// The image that a file name stands for, where a texture names a file instead of an image.
-    pub fn place_uri<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>, text: &str) -> ImageId {
+    pub(super) fn place_uri<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>, text: &str) -> ImageId {
         let uri = context.in_archive(element, plain_uri(text));
         if let Some(known) = self.by_uri.get(&uri) {
             return *known;
@@ -72,7 +72,7 @@ impl Images {
 }
 
 /// A reference to a file as a plain path with slashes: blanks round it, `file://`, percent escapes and backslashes resolved.
-pub fn plain_uri(text: &str) -> String {
+pub(super) fn plain_uri(text: &str) -> String {
     let text = text.trim();
     let (scheme, path) = match text.get(..5) {
         Some(scheme) if scheme.eq_ignore_ascii_case("file:") => (true, text.get(5..).unwrap_or_default()),

@@ -39,7 +39,7 @@ struct Dressed {
 }
 
 /// What instances have in common and what is left for them.
-pub struct Sharing<'a> {
+pub(super) struct Sharing<'a> {
     /// Materials of the parts of a mesh, by what is bound.
     dressed: FxHashMap<(MeshId, Bindings<'a>), Dressed>,
     /// Meshes that hang somewhere.
@@ -55,7 +55,7 @@ impl Default for Sharing<'_> {
 }
 
 /// Everything that instances refer to.
-pub struct Libraries<'s, 'a> {
+pub(super) struct Libraries<'s, 'a> {
     /// The meshes.
     pub geometries: &'s mut Geometries,
     /// Skins and morphs.
@@ -79,7 +79,7 @@ impl<'a> Libraries<'_, 'a> {
     ///
     /// # Errors
     /// Where commas separate numbers, or on cancel.
-    pub fn hang_all(&mut self, context: &mut Context<'a>, scene: &mut Scene) -> Step<()> {
+    pub(super) fn hang_all(&mut self, context: &mut Context<'a>, scene: &mut Scene) -> Step<()> {
         let total = self.tree.instances.len().max(1);
         for (done, instance) in self.tree.instances.iter().enumerate() {
             context.advance(0.4 + 0.4 * done as f32 / total as f32)?;

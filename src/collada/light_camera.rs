@@ -11,14 +11,14 @@ use crate::tr;
 
 /// The lights and cameras that were read.
 #[derive(Default)]
-pub struct LightsAndCameras {
+pub(super) struct LightsAndCameras {
     lights: FxHashMap<NodeId, Option<LightId>>,
     cameras: FxHashMap<NodeId, Option<CameraId>>,
 }
 
 impl LightsAndCameras {
     /// The light of an element, if it was read.
-    pub fn light_of(&self, element: El<'_>) -> Option<LightId> {
+    pub(super) fn light_of(&self, element: El<'_>) -> Option<LightId> {
         self.lights.get(&element.id()).copied().flatten()
     }
 
@@ -26,7 +26,7 @@ impl LightsAndCameras {
     ///
     /// # Errors
     /// Where commas separate its numbers.
-    pub fn light<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<LightId>> {
+    pub(super) fn light<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<LightId>> {
         if let Some(known) = self.lights.get(&element.id()) {
             return Ok(*known);
         }
@@ -42,7 +42,7 @@ impl LightsAndCameras {
     ///
     /// # Errors
     /// Where commas separate its numbers.
-    pub fn camera<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<CameraId>> {
+    pub(super) fn camera<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<CameraId>> {
         if let Some(known) = self.cameras.get(&element.id()) {
             return Ok(*known);
         }

@@ -10,16 +10,16 @@ use std::ops::Range;
 /// What stands where a list was.
 const STAND_IN: char = '0';
 /// Shorter lists stay where they are.
-pub const LONG: usize = 512;
+pub(super) const LONG: usize = 512;
 
 /// Whether an element of this name holds a list that only the readers of lists look at.
-pub fn holds_list(name: &[u8]) -> bool {
+pub(super) fn holds_list(name: &[u8]) -> bool {
     let local = name.iter().rposition(|byte| *byte == b':').and_then(|at| name.get(at + 1..)).unwrap_or(name);
     matches!(local, b"p" | b"v" | b"vcount" | b"h" | b"float_array" | b"int_array" | b"Name_array" | b"IDREF_array" | b"SIDREF_array")
 }
 
 /// Whether text means itself: no markup, no references, nothing that XML forbids. Looks at blocks, so that the compiler can take many bytes at once.
-pub fn is_plain(text: &[u8]) -> bool {
+pub(super) fn is_plain(text: &[u8]) -> bool {
     let odd = |byte: u8| !(matches!(byte, b'\t' | b'\n') || (b' '..=b'~').contains(&byte)) || byte == b'&' || byte == b'>';
     text.chunks(256).all(|block| !block.iter().fold(false, |found, byte| found | odd(*byte)))
 }
@@ -35,7 +35,7 @@ struct List {
 
 /// A document without its long lists.
 #[derive(Debug)]
-pub struct Shortened<'a> {
+pub(super) struct Shortened<'a> {
     whole: &'a str,
     text: Cow<'a, str>,
     lists: Vec<List>,
@@ -43,7 +43,7 @@ pub struct Shortened<'a> {
 
 impl<'a> Shortened<'a> {
     /// Sets aside what stands at `lists` in `whole`, ascending ranges of [plain](is_plain) text; all of it stays where it is if that gains little.
-    pub fn new(whole: &'a str, lists: Vec<Range<usize>>) -> Self {
+    pub(super) fn new(whole: &'a str, lists: Vec<Range<usize>>) -> Self {
         let length: usize = lists.iter().map(Range::len).sum();
         if length < whole.len() / 2 {
             return Self { whole, text: Cow::Borrowed(whole), lists: Vec::new() };
@@ -61,29 +61,29 @@ impl<'a> Shortened<'a> {
     }
 
     /// The whole document.
-    pub fn whole(&self) -> &'a str {
+    pub(super) fn whole(&self) -> &'a str {
         self.whole
     }
 
     /// What the parser reads.
-    pub fn text(&self) -> &str {
+    pub(super) fn text(&self) -> &str {
         &self.text
     }
 
     /// Has the parser read `text` instead, in which every byte has the place it had.
-    pub fn reword(&mut self, text: String) {
+    pub(super) fn reword(&mut self, text: String) {
         debug_assert_eq!(text.len(), self.text.len());
         self.text = Cow::Owned(text);
     }
 
     /// The list whose stand-in is at `at` in the short text.
-    pub fn list_at(&self, at: usize) -> Option<&'a str> {
+    pub(super) fn list_at(&self, at: usize) -> Option<&'a str> {
         let found = self.lists.binary_search_by_key(&at, |list| list.at).ok()?;
         self.whole.get(self.lists.get(found)?.range.clone())
     }
 
     /// The place in the whole document of a place in the short text.
-    pub fn place(&self, at: usize) -> usize {
+    pub(super) fn place(&self, at: usize) -> usize {
         let before = self.lists.partition_point(|list| list.at < at);
         match before.checked_sub(1).and_then(|last| self.lists.get(last)) {
             Some(last) => at - last.at - STAND_IN.len_utf8() + last.range.end,

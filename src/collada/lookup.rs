@@ -15,7 +15,7 @@ const NEAREST_OF: usize = 4_096;
 
 /// What a url names.
 #[derive(Debug, PartialEq, Eq)]
-pub enum Url<'a> {
+pub(super) enum Url<'a> {
     /// An id in one of the documents at hand, by its number.
     Here {
         /// 0 is the first document.
@@ -28,7 +28,7 @@ pub enum Url<'a> {
 }
 
 /// The ids and scoped ids of a document, and of those that stand in it (see [`super::bundle`]).
-pub struct Lookup<'a> {
+pub(super) struct Lookup<'a> {
     document: &'a roxmltree::Document<'a>,
     /// The root of each document.
     roots: Vec<El<'a>>,
@@ -55,7 +55,7 @@ type Id<'a> = (u32, &'a str);
 
 impl<'a> Lookup<'a> {
     /// Indexes `document`; `paths` are those of the first document and of the ones that stand at its end.
-    pub fn new(document: &'a roxmltree::Document<'a>, paths: Vec<String>) -> Self {
+    pub(super) fn new(document: &'a roxmltree::Document<'a>, paths: Vec<String>) -> Self {
         let first = document.root_element();
         let nested: Vec<El<'a>> = first.children().filter(|child| child.tag_name().name() == "COLLADA").collect();
         let parts = nested.len().saturating_sub(paths.len().saturating_sub(1));
@@ -101,12 +101,12 @@ impl<'a> Lookup<'a> {
     }
 
     /// The root of each document.
-    pub fn roots(&self) -> &[El<'a>] {
+    pub(super) fn roots(&self) -> &[El<'a>] {
         &self.roots
     }
 
     /// The path of the document of an element.
-    pub fn path(&self, element: El<'a>) -> &str {
+    pub(super) fn path(&self, element: El<'a>) -> &str {
         self.paths.get(self.document_of(element) as usize).map_or("", String::as_str)
     }
 
@@ -134,7 +134,7 @@ impl<'a> Lookup<'a> {
     }
 
     /// Elements whose id was taken already, where a reference had to choose between them and others.
-    pub fn repeated(&self) -> Vec<El<'a>> {
+    pub(super) fn repeated(&self) -> Vec<El<'a>> {
         let met = self.met.borrow();
         let later = |((id, _), all): (&(Id<'a>, &'a str), &Vec<NodeId>)| {
             let first = self.ids.get(id).copied();
@@ -148,7 +148,7 @@ impl<'a> Lookup<'a> {
 
     /// The first element with this id in the document of `from` whose tag is one of `tags`; with no tags, the first at all. Tried as written, then
     /// percent-decoded.
-    pub fn by_id(&self, from: El<'a>, id: &str, tags: &[&str]) -> Option<El<'a>> {
+    pub(super) fn by_id(&self, from: El<'a>, id: &str, tags: &[&str]) -> Option<El<'a>> {
         let document = self.document_of(from);
         decoded(id, |id| {
             self.note_choice((document, id), tags);
@@ -158,12 +158,12 @@ impl<'a> Lookup<'a> {
 
     /// [`Lookup::by_id`] as `from` means it: where several elements have the id, the one that shares the innermost element with `from`, the first
     /// among equals. Files put together from others repeat the ids of sources; each mesh and each sampler means its own.
-    pub fn by_id_near(&self, from: El<'a>, id: &str, tags: &[&str]) -> Option<El<'a>> {
+    pub(super) fn by_id_near(&self, from: El<'a>, id: &str, tags: &[&str]) -> Option<El<'a>> {
         self.in_document(from, self.document_of(from), id, tags)
     }
 
     /// [`Lookup::by_id_near`] in a document of this number.
-    pub fn in_document(&self, from: El<'a>, document: u32, id: &str, tags: &[&str]) -> Option<El<'a>> {
+    pub(super) fn in_document(&self, from: El<'a>, document: u32, id: &str, tags: &[&str]) -> Option<El<'a>> {
         decoded(id, |id| {
             let id = (document, id);
             if !self.several.contains(&id) {
@@ -225,7 +225,7 @@ impl<'a> Lookup<'a> {
     }
 
     /// Takes a url in `from` apart. A url that names a document at hand leads there; one without `#` that is an id here is taken for one.
-    pub fn url<'u>(&self, from: El<'a>, url: &'u str) -> Url<'u> {
+    pub(super) fn url<'u>(&self, from: El<'a>, url: &'u str) -> Url<'u> {
         let url = url.trim();
         let here = |id: &'u str| Url::Here { document: self.document_of(from), id: Cow::Borrowed(id) };
         match url.split_once('#') {
@@ -249,7 +249,7 @@ impl<'a> Lookup<'a> {
     }
 
     /// The element with scoped id `sid` that lies nearest below `element`, the first in document order among equals.
-    pub fn by_sid(&mut self, element: El<'a>, sid: &str) -> Option<El<'a>> {
+    pub(super) fn by_sid(&mut self, element: El<'a>, sid: &str) -> Option<El<'a>> {
         let key: (NodeId, &str) = (element.id(), sid);
         if let Some(child) = self.children.get(&key) {
             return self.document.get_node(*child);
@@ -280,12 +280,12 @@ fn decoded<R>(id: &str, find: impl Fn(&str) -> Option<R>) -> Option<R> {
 }
 
 /// What stands after the last slash or backslash.
-pub fn last_segment(path: &str) -> &str {
+pub(super) fn last_segment(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
 /// Percent escapes resolved; bytes that make no UTF-8 stay escaped.
-pub fn percent_decoded(text: &str) -> Cow<'_, str> {
+pub(super) fn percent_decoded(text: &str) -> Cow<'_, str> {
     if !text.contains('%') {
         return Cow::Borrowed(text);
     }

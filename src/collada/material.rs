@@ -15,7 +15,7 @@ use crate::tr;
 const MATERIAL_BYTES: usize = 640;
 
 /// A material that an effect made, for animation.
-pub struct Made<'a> {
+pub(super) struct Made<'a> {
     /// The material.
     pub material: MaterialId,
     /// Its effect's common profile.
@@ -26,7 +26,7 @@ pub struct Made<'a> {
 
 /// What the file's transparency sets in a material.
 #[derive(Debug, Clone, Copy)]
-pub struct Opacity {
+pub(super) struct Opacity {
     /// Opacity, or the share of its texture.
     pub slot: MaterialSlot,
     /// The value as a line over transparency: at 0, and what 1 adds.
@@ -41,7 +41,7 @@ impl Opacity {
 
 /// The materials that were read.
 #[derive(Default)]
-pub struct Materials<'a> {
+pub(super) struct Materials<'a> {
     by_element: FxHashMap<NodeId, MaterialId>,
     /// What each effect made.
     by_effect: FxHashMap<NodeId, Vec<Made<'a>>>,
@@ -52,7 +52,7 @@ impl<'a> Materials<'a> {
     ///
     /// # Errors
     /// Where commas separate their numbers.
-    pub fn read(context: &mut Context<'a>, scene: &mut Scene, images: &mut Images) -> Step<Self> {
+    pub(super) fn read(context: &mut Context<'a>, scene: &mut Scene, images: &mut Images) -> Step<Self> {
         let mut materials = Self::default();
         for library in context.libraries("library_materials") {
             for element in children(library, "material") {
@@ -66,12 +66,12 @@ impl<'a> Materials<'a> {
     }
 
     /// The material of a `material` element.
-    pub fn of(&self, element: El<'_>) -> Option<MaterialId> {
+    pub(super) fn of(&self, element: El<'_>) -> Option<MaterialId> {
         self.by_element.get(&element.id()).copied()
     }
 
     /// The materials that an `effect` element made.
-    pub fn made_by(&self, effect: El<'_>) -> &[Made<'a>] {
+    pub(super) fn made_by(&self, effect: El<'_>) -> &[Made<'a>] {
         self.by_effect.get(&effect.id()).map_or(&[], Vec::as_slice)
     }
 
@@ -186,12 +186,12 @@ fn opacity<'a>(
 }
 
 /// A scene-linear value as sRGB (IEC 61966-2-1).
-pub fn encoded(value: f32) -> f32 {
+pub(super) fn encoded(value: f32) -> f32 {
     if value <= 0.003_130_8 { value.max(0.0) * 12.92 } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// The hint that several exporters put into `extra`.
-pub fn is_double_sided(element: El<'_>) -> bool {
+pub(super) fn is_double_sided(element: El<'_>) -> bool {
     element
         .descendants()
         .filter(|hint| hint.tag_name().name() == "double_sided")

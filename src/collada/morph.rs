@@ -14,7 +14,7 @@ use crate::scene::{Morph, MorphMethod, MorphTarget};
 use crate::tr;
 
 /// Where a morph stands in the file, for animation of its weights.
-pub struct MorphTargets<'a> {
+pub(super) struct MorphTargets<'a> {
     /// The `controller` element.
     pub controller: El<'a>,
     /// The `morph` element.
@@ -30,7 +30,7 @@ pub struct MorphTargets<'a> {
 }
 
 /// A morph target that a skin of its own places.
-pub struct SkinnedShape<'a> {
+pub(super) struct SkinnedShape<'a> {
     /// Its place among the targets.
     pub target: u32,
     /// The `skin` element.
@@ -43,7 +43,7 @@ pub struct SkinnedShape<'a> {
 ///
 /// # Errors
 /// Where commas separate its numbers, or on cancel.
-pub fn read<'a>(
+pub(super) fn read<'a>(
     context: &mut Context<'a>,
     arrays: &mut Arrays<f64>,
     sources: &mut Sources<'_, 'a>,
@@ -99,7 +99,7 @@ pub fn read<'a>(
 }
 
 /// The targets and weights of a `morph` element.
-pub struct Lists<'a> {
+pub(super) struct Lists<'a> {
     names: NameList<'a>,
     values: Option<Accessor<f64>>,
     weights: Option<El<'a>>,
@@ -115,7 +115,7 @@ impl<'a> Lists<'a> {
     ///
     /// # Errors
     /// Where commas separate the weights.
-    pub fn read(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: El<'a>) -> Step<Option<Self>> {
+    pub(super) fn read(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: El<'a>) -> Step<Option<Self>> {
         let (mut targets, mut weights) = (None, None);
         // 1.3 put the inputs into the morph itself.
         for input in inputs(child(element, "targets").unwrap_or(element)) {
@@ -146,7 +146,7 @@ impl<'a> Lists<'a> {
     }
 
     /// The targets as they are named.
-    pub fn targets(&self) -> impl Iterator<Item = &str> {
+    pub(super) fn targets(&self) -> impl Iterator<Item = &str> {
         // An array may hold the targets of several morphs; a count is believed where the weights agree with it.
         let agrees = |said: &usize| self.values.as_ref().is_some_and(|values| values.count == *said);
         self.names.entries().take(self.names.said.filter(agrees).unwrap_or(usize::MAX))
@@ -158,12 +158,12 @@ impl<'a> Lists<'a> {
     }
 
     /// The weight of a target at rest.
-    pub fn weight(&self, place: usize) -> f32 {
+    pub(super) fn weight(&self, place: usize) -> f32 {
         self.written(place).filter(|weight| weight.is_finite()).unwrap_or(0.0) as f32
     }
 
     /// The target with this name; `None`, reported at `element`, where it isn't in the file.
-    pub fn element(&self, context: &mut Context<'a>, element: El<'a>, name: &str) -> Option<El<'a>> {
+    pub(super) fn element(&self, context: &mut Context<'a>, element: El<'a>, name: &str) -> Option<El<'a>> {
         const TAGS: [&str; 2] = ["geometry", "controller"];
         // By the letter it is an id, and many write the url of it.
         context.lookup.by_id_near(element, name, &TAGS).or_else(|| {

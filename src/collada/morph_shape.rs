@@ -15,7 +15,7 @@ use crate::{limits, tr};
 
 /// The shape of a morph target.
 #[derive(Clone)]
-pub struct Shape {
+pub(super) struct Shape {
     /// The mesh.
     pub geometry: Rc<Geometry>,
     /// The mesh's points as its controllers leave them; `None` where there are none, or where they change nothing.
@@ -23,7 +23,7 @@ pub struct Shape {
 }
 
 /// What is known of a controller's shape.
-pub enum Known {
+pub(super) enum Known {
     /// Who meets it now has gone in a circle.
     BeingRead,
     /// What came out.
@@ -32,12 +32,12 @@ pub enum Known {
 
 impl Shape {
     /// The points of the file.
-    pub fn points(&self) -> &[Vec3] {
+    pub(super) fn points(&self) -> &[Vec3] {
         self.moved.as_ref().map_or(&self.geometry.points, |moved| moved)
     }
 
     /// Whether the mesh's own normals are still its normals.
-    pub fn has_normals(&self) -> bool {
+    pub(super) fn has_normals(&self) -> bool {
         self.moved.is_none()
     }
 
@@ -46,7 +46,7 @@ impl Shape {
     ///
     /// # Errors
     /// Where commas separate its numbers, or on cancel.
-    pub fn read<'a>(
+    pub(super) fn read<'a>(
         context: &mut Context<'a>,
         arrays: &mut Arrays<f64>,
         sources: &mut Sources<'_, 'a>,
@@ -79,7 +79,7 @@ impl Shape {
     ///
     /// # Errors
     /// As [`Shape::read`].
-    pub fn before_its_skin<'a>(
+    pub(super) fn before_its_skin<'a>(
         context: &mut Context<'a>,
         arrays: &mut Arrays<f64>,
         sources: &mut Sources<'_, 'a>,

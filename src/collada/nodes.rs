@@ -16,7 +16,7 @@ const NODE_BYTES: usize = 640;
 const OP_BYTES: usize = 160;
 
 /// What hangs on a node, to be read when the tree is there.
-pub struct Instance<'a> {
+pub(super) struct Instance<'a> {
     /// The node.
     pub node: NodeId,
     /// The `instance_…` element.
@@ -25,7 +25,7 @@ pub struct Instance<'a> {
 
 /// Which graph nodes an element of the file became, and how to find nodes by name.
 #[derive(Default)]
-pub struct Tree<'a> {
+pub(super) struct Tree<'a> {
     by_element: FxHashMap<roxmltree::NodeId, Vec<NodeId>>,
     /// The element of each graph node; `None` for the asset node.
     elements: Vec<Option<El<'a>>>,
@@ -59,7 +59,7 @@ impl<'a> Tree<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of a transform, or on cancel.
-    pub fn read(context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, name: &str) -> Step<Self> {
+    pub(super) fn read(context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, name: &str) -> Step<Self> {
         let mut tree = Self::default();
         let mut top = Node::new(if name.is_empty() { "COLLADA" } else { name });
         top.kind = NodeKind::Asset;
@@ -239,12 +239,12 @@ impl<'a> Tree<'a> {
     }
 
     /// The graph nodes that a `node` element became.
-    pub fn nodes_of(&self, element: El<'_>) -> &[NodeId] {
+    pub(super) fn nodes_of(&self, element: El<'_>) -> &[NodeId] {
         self.by_element.get(&element.id()).map_or(&[], Vec::as_slice)
     }
 
     /// A `node` element, or where the scene doesn't show it the first of its id that it shows: files with several scenes repeat ids.
-    pub fn shown(&self, element: El<'a>) -> El<'a> {
+    pub(super) fn shown(&self, element: El<'a>) -> El<'a> {
         let first_of = |id| self.ids.get(id).and_then(|nodes| self.elements.get(nodes.first()?.index()).copied().flatten());
         match element.attribute("id").and_then(first_of) {
             Some(other) if element.tag_name().name() == "node" && self.nodes_of(element).is_empty() => other,
@@ -253,7 +253,7 @@ impl<'a> Tree<'a> {
     }
 
     /// The only `node` element that goes by `name` as its sid, else as its name.
-    pub fn only_element(&self, name: &str) -> Option<El<'a>> {
+    pub(super) fn only_element(&self, name: &str) -> Option<El<'a>> {
         let only = |found: &Vec<NodeId>| {
             let mut elements = found.iter().map(|node| self.elements.get(node.index()).copied().flatten());
             let first = elements.next().flatten()?;
@@ -263,17 +263,17 @@ impl<'a> Tree<'a> {
     }
 
     /// Operations of this node that stand before those of the file.
-    pub fn lead(&self, node: NodeId) -> u32 {
+    pub(super) fn lead(&self, node: NodeId) -> u32 {
         self.lead.get(node.index()).copied().unwrap_or(0)
     }
 
     /// The first node with scoped id `sid` at or below `root`.
-    pub fn sid_below(&self, root: NodeId, sid: &str) -> Option<NodeId> {
+    pub(super) fn sid_below(&self, root: NodeId, sid: &str) -> Option<NodeId> {
         self.below(root, self.sids.get(sid)?, None)
     }
 
     /// The first node with this id at or below `root`.
-    pub fn id_below(&self, root: NodeId, id: &str) -> Option<NodeId> {
+    pub(super) fn id_below(&self, root: NodeId, id: &str) -> Option<NodeId> {
         self.below(root, self.ids.get(id)?, None)
     }
 
@@ -285,7 +285,7 @@ impl<'a> Tree<'a> {
     }
 
     /// The node with this sid, id or name anywhere but `apart`; where there are several a joint, and of these the one nearest to `near`.
-    pub fn anywhere(&self, graph: &Graph, near: NodeId, key: Key, name: &str, apart: Option<NodeId>) -> Option<NodeId> {
+    pub(super) fn anywhere(&self, graph: &Graph, near: NodeId, key: Key, name: &str, apart: Option<NodeId>) -> Option<NodeId> {
         let map = match key {
             Key::Sid => &self.sids,
             Key::Id => &self.ids,
@@ -297,17 +297,17 @@ impl<'a> Tree<'a> {
     }
 
     /// Whether the file calls a node a joint.
-    pub fn is_joint(&self, node: NodeId) -> bool {
+    pub(super) fn is_joint(&self, node: NodeId) -> bool {
         self.elements.get(node.index()).copied().flatten().is_some_and(|element| element.attribute("type") == Some("JOINT"))
     }
 
     /// Whether any node goes by this name in any way.
-    pub fn knows(&self, name: &str) -> bool {
+    pub(super) fn knows(&self, name: &str) -> bool {
         self.sids.contains_key(name) || self.ids.contains_key(name) || self.names.contains_key(name)
     }
 
     /// Of several nodes the one whose way to `near` through a common parent starts lowest; the first among equals.
-    pub fn nearest(&self, graph: &Graph, near: NodeId, found: &[NodeId]) -> Option<NodeId> {
+    pub(super) fn nearest(&self, graph: &Graph, near: NodeId, found: &[NodeId]) -> Option<NodeId> {
         self.nearest_but(graph, near, found, None)
     }
 
@@ -330,7 +330,7 @@ impl<'a> Tree<'a> {
 
 /// What a name is looked up as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Key {
+pub(super) enum Key {
     /// A scoped id.
     Sid,
     /// An id.
@@ -380,7 +380,7 @@ fn loose_parts<'a>(context: &mut Context<'a>) -> Vec<El<'a>> {
 }
 
 /// Whether a child of a node is one of its transforms.
-pub fn is_transform(tag: &str) -> bool {
+pub(super) fn is_transform(tag: &str) -> bool {
     matches!(tag, "lookat" | "matrix" | "rotate" | "scale" | "skew" | "translate")
 }
 

@@ -1,7 +1,7 @@
 //! Lists of numbers, straight from the text.
 
 /// What a list of numbers held.
-pub struct Parsed<T> {
+pub(super) struct Parsed<T> {
     /// The values; 0 for what was no number.
     pub values: Vec<T>,
     /// Entries that were no number.
@@ -14,7 +14,7 @@ pub struct Parsed<T> {
 
 /// A comma stands between numbers: a separator that COLLADA does not have.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Comma {
+pub(super) struct Comma {
     /// The entry.
     pub entry: String,
     /// Its byte position in the list.
@@ -22,7 +22,7 @@ pub struct Comma {
 }
 
 /// A number type that lists are read into.
-pub trait Real: Copy {
+pub(super) trait Real: Copy {
     /// The nearest value.
     fn from_f64(value: f64) -> Self;
 
@@ -52,7 +52,7 @@ impl Real for f64 {
 
 impl Parsed<f64> {
     /// The same as another number type.
-    pub fn into_reals<T: Real>(self) -> Parsed<T> {
+    pub(super) fn into_reals<T: Real>(self) -> Parsed<T> {
         Parsed { values: T::all_from_f64(self.values), bad: self.bad, first_bad: self.first_bad, decimal_comma: self.decimal_comma }
     }
 }
@@ -217,7 +217,7 @@ fn separates(entry: &[u8]) -> bool {
 }
 
 /// The number in an attribute, also with a decimal comma, and whether it has one; `None` where it is no finite number.
-pub fn attribute_number(text: &str) -> Option<(f64, bool)> {
+pub(super) fn attribute_number(text: &str) -> Option<(f64, bool)> {
     let text = text.trim();
     match text.parse::<f64>() {
         Ok(value) => value.is_finite().then_some((value, false)),
@@ -229,7 +229,7 @@ pub fn attribute_number(text: &str) -> Option<(f64, bool)> {
 ///
 /// # Errors
 /// [`Comma`] at the first entry in which commas stand between numbers.
-pub fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, Comma> {
+pub(super) fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, Comma> {
     let bytes = text.as_bytes();
     // A count in a file may be a lie: a number takes two bytes at least.
     let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
@@ -272,7 +272,7 @@ pub fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, Comma> {
 ///
 /// # Errors
 /// [`Comma`] at the first entry with a comma in it.
-pub fn integers(text: &str, expected: usize) -> Result<Parsed<i32>, Comma> {
+pub(super) fn integers(text: &str, expected: usize) -> Result<Parsed<i32>, Comma> {
     let bytes = text.as_bytes();
     let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
     let mut rest = bytes;
@@ -320,7 +320,7 @@ fn whole(entry: &str) -> Option<i32> {
 }
 
 /// The entries of a list of names.
-pub fn names(text: &str) -> impl Iterator<Item = &str> {
+pub(super) fn names(text: &str) -> impl Iterator<Item = &str> {
     let mut at = 0;
     std::iter::from_fn(move || next_entry(text.as_bytes(), &mut at).and_then(|range| text.get(range)))
 }

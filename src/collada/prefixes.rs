@@ -9,7 +9,7 @@ const BUILT_IN: [&[u8]; 2] = [b"xml", b"xmlns"];
 
 /// A prefix that nobody declared.
 #[derive(Debug, PartialEq, Eq)]
-pub struct Undeclared {
+pub(super) struct Undeclared {
     /// The prefix.
     pub prefix: String,
     /// Where it is used first.
@@ -17,7 +17,7 @@ pub struct Undeclared {
 }
 
 /// `text` without the prefixes that are not among `declared`, and which they were; `None` where all are declared, or more than `most` are not.
-pub fn without(text: &str, declared: &[String], most: usize) -> Option<(String, Vec<Undeclared>)> {
+pub(super) fn without(text: &str, declared: &[String], most: usize) -> Option<(String, Vec<Undeclared>)> {
     if !is_suspect(text.as_bytes(), declared) {
         return None;
     }

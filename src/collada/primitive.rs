@@ -10,7 +10,7 @@ use glam::Vec3;
 
 /// How the corners of a primitive make faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
+pub(super) enum Shape {
     /// Three corners each.
     Triangles,
     /// A fan in each `p`.
@@ -29,7 +29,7 @@ pub enum Shape {
 
 impl Shape {
     /// The shape of a tag; `None` where it is no primitive.
-    pub fn of(tag: &str) -> Option<Self> {
+    pub(super) fn of(tag: &str) -> Option<Self> {
         Some(match tag {
             "triangles" => Self::Triangles,
             "trifans" => Self::Fans,
@@ -65,7 +65,7 @@ struct Reading<'r> {
 }
 
 /// What came of one primitive element.
-pub struct Outcome {
+pub(super) struct Outcome {
     /// Whether faces were left out, which was told.
     pub told: bool,
     /// What its `count` says, where that is wrong.
@@ -76,7 +76,7 @@ pub struct Outcome {
 ///
 /// # Errors
 /// Where commas stand among the indices, or on cancel.
-pub fn read<'a>(
+pub(super) fn read<'a>(
     context: &mut Context<'a>,
     element: El<'a>,
     shape: Shape,

@@ -30,7 +30,7 @@ const ONCE: [&str; 13] = [
 ];
 
 /// Findings about one document, with their lines.
-pub struct Report<'a> {
+pub(super) struct Report<'a> {
     document: &'a Shortened<'a>,
     lines_before: u32,
     /// The documents behind the first one, in their order.
@@ -49,7 +49,7 @@ pub struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// An empty report about `document`, which `lines_before` blank lines precede in the file.
-    pub fn new(document: &'a Shortened<'a>, lines_before: u32, parts: Vec<Stretch>) -> Self {
+    pub(super) fn new(document: &'a Shortened<'a>, lines_before: u32, parts: Vec<Stretch>) -> Self {
         Self {
             document,
             lines_before,
@@ -64,12 +64,12 @@ impl<'a> Report<'a> {
     }
 
     /// The line of an element, from 1.
-    pub fn line(&self, element: El<'_>) -> u32 {
+    pub(super) fn line(&self, element: El<'_>) -> u32 {
         self.line_of(self.document.place(element.range().start))
     }
 
     /// The line of a byte of the whole document, from 1.
-    pub fn line_of(&self, at: usize) -> u32 {
+    pub(super) fn line_of(&self, at: usize) -> u32 {
         let ends = self.line_ends.get_or_init(|| memchr_iter(b'\n', self.document.whole().as_bytes()).map(|at| at as u32).collect());
         let line = ends.partition_point(|end| (*end as usize) < at) as u32 + 1 + self.lines_before;
         let later = self.part(at).map_or(0, |part| part.lines);
@@ -82,22 +82,22 @@ impl<'a> Report<'a> {
     }
 
     /// Takes in what was found before there was a document.
-    pub fn bring(&mut self, findings: Vec<Finding>) {
+    pub(super) fn bring(&mut self, findings: Vec<Finding>) {
         self.findings.extend(findings);
     }
 
     /// Something that may make the picture differ from what the author meant.
-    pub fn warn(&mut self, element: El<'_>, code: &'static str, message: String) {
+    pub(super) fn warn(&mut self, element: El<'_>, code: &'static str, message: String) {
         self.add(Some(element), code, Severity::Warning, message);
     }
 
     /// Something that was put right.
-    pub fn note(&mut self, element: El<'_>, code: &'static str, message: String) {
+    pub(super) fn note(&mut self, element: El<'_>, code: &'static str, message: String) {
         self.add(Some(element), code, Severity::Note, message);
     }
 
     /// Something that was put right at a byte of the whole document.
-    pub fn note_at(&mut self, at: usize, code: &'static str, message: String) {
+    pub(super) fn note_at(&mut self, at: usize, code: &'static str, message: String) {
         self.findings.push(Finding {
             code,
             severity: Severity::Note,
@@ -109,7 +109,7 @@ impl<'a> Report<'a> {
     }
 
     /// A `count` that says another number than the data hold; told once for all lists of a mesh, a controller or an animation.
-    pub fn wrong_count(&mut self, element: El<'_>, said: usize, found: usize) {
+    pub(super) fn wrong_count(&mut self, element: El<'_>, said: usize, found: usize) {
         let in_library = |above: &El<'_>| above.parent().is_some_and(|parent| parent.tag_name().name().starts_with("library_"));
         let entry = element.ancestors().find(in_library).unwrap_or(element);
         if self.counts.insert(entry.id()) {
@@ -118,7 +118,7 @@ impl<'a> Report<'a> {
     }
 
     /// A warning about the file as a whole.
-    pub fn warn_file(&mut self, code: &'static str, message: String) {
+    pub(super) fn warn_file(&mut self, code: &'static str, message: String) {
         self.add(None, code, Severity::Warning, message);
     }
 
@@ -148,7 +148,7 @@ impl<'a> Report<'a> {
     }
 
     /// All findings, in file order.
-    pub fn finish(&mut self) -> Vec<Finding> {
+    pub(super) fn finish(&mut self) -> Vec<Finding> {
         for (at, more) in std::mem::take(&mut self.once).into_values().filter(|(_, more)| *more > 0) {
             if let Some(finding) = self.findings.get_mut(at) {
                 finding.message.push(' ');
@@ -166,7 +166,7 @@ impl<'a> Report<'a> {
 }
 
 /// An element as messages name it: `<skin> "Body"`, by its id, name or sid or those of the nearest element above that has one.
-pub fn describe(element: El<'_>) -> String {
+pub(super) fn describe(element: El<'_>) -> String {
     let own = element.tag_name().name();
     for above in element.ancestors().filter(El::is_element) {
         if let Some(name) = ["id", "name", "sid"].iter().find_map(|key| above.attribute(*key)).filter(|name| !name.is_empty()) {

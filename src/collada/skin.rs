@@ -12,7 +12,7 @@ use crate::scene::{Graph, Influence, NodeId, Skin, SkinJoint};
 use crate::tr;
 
 /// What the joints of a skin are called.
-pub struct JointNames {
+pub(super) struct JointNames {
     /// How the names are looked up.
     pub kind: NameKind,
     /// Which of the joints any point is weighted to.
@@ -26,7 +26,7 @@ const SUM_TOLERANCE: f64 = 1e-3;
 ///
 /// # Errors
 /// Where commas separate its numbers.
-pub fn read<'a>(
+pub(super) fn read<'a>(
     context: &mut Context<'a>,
     arrays: &mut Arrays<f64>,
     tree: &Tree<'a>,
@@ -320,7 +320,7 @@ fn influences<'a>(
 }
 
 /// Finds the nodes of a skin's joints for one instance.
-pub struct JointFinder<'f, 'a> {
+pub(super) struct JointFinder<'f, 'a> {
     /// The nodes.
     pub tree: &'f Tree<'a>,
     /// The graph.
@@ -338,7 +338,7 @@ impl JointFinder<'_, '_> {
     }
 
     /// The node of each joint.
-    pub fn find_all(&self, skin: &Skin, kind: NameKind) -> Vec<Option<NodeId>> {
+    pub(super) fn find_all(&self, skin: &Skin, kind: NameKind) -> Vec<Option<NodeId>> {
         let mut found: HashMap<&str, Option<NodeId>> = HashMap::new();
         skin.joints.iter().map(|joint| *found.entry(&joint.name).or_insert_with(|| self.find(&joint.name, kind))).collect()
     }

@@ -17,7 +17,7 @@ const NAME_ARRAYS: [&str; 4] = ["Name_array", "IDREF_array", "SIDREF_array", "bo
 
 /// A view on an array: rows of components.
 #[derive(Debug, Clone)]
-pub struct Accessor<T> {
+pub(super) struct Accessor<T> {
     data: Rc<Vec<T>>,
     array: NodeId,
     offset: usize,
@@ -34,18 +34,18 @@ pub struct Accessor<T> {
 
 impl<T: Copy> Accessor<T> {
     /// Numbers a row.
-    pub fn width(&self) -> usize {
+    pub(super) fn width(&self) -> usize {
         self.components.len()
     }
 
     /// One number; `None` outside of the data.
-    pub fn get(&self, row: usize, component: usize) -> Option<T> {
+    pub(super) fn get(&self, row: usize, component: usize) -> Option<T> {
         let column = self.components.get(component)?;
         self.data.get(row.checked_mul(self.stride)?.checked_add(self.offset)?.checked_add(*column)?).copied()
     }
 
     /// The first numbers of a row, with `fill` for those that it lacks.
-    pub fn row<const N: usize>(&self, row: usize, fill: [T; N]) -> [T; N] {
+    pub(super) fn row<const N: usize>(&self, row: usize, fill: [T; N]) -> [T; N] {
         let start = row.saturating_mul(self.stride).saturating_add(self.offset);
         let mut values = fill;
         for (value, column) in values.iter_mut().zip(&self.components) {
@@ -57,7 +57,7 @@ impl<T: Copy> Accessor<T> {
     }
 
     /// All numbers of the first `count` rows, as far as the data reach.
-    pub fn first_rows(&self, count: usize) -> Vec<T> {
+    pub(super) fn first_rows(&self, count: usize) -> Vec<T> {
         let count = count.min(self.available);
         let dense = self.components.len() == self.stride && self.components.iter().enumerate().all(|(place, column)| place == *column);
         if dense {
@@ -73,7 +73,7 @@ impl<T: Copy> Accessor<T> {
 }
 
 /// The arrays that were read, so that each is read once.
-pub struct Arrays<T> {
+pub(super) struct Arrays<T> {
     read: FxHashMap<NodeId, Rc<Vec<T>>>,
     /// Accessors whose count was found wrong, so that it is said once.
     said: FxHashSet<NodeId>,
@@ -94,7 +94,7 @@ impl<T: Real> Arrays<T> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the array.
-    pub fn accessor<'a>(&mut self, context: &mut Context<'a>, source: El<'a>, width: usize) -> Step<Option<Accessor<T>>> {
+    pub(super) fn accessor<'a>(&mut self, context: &mut Context<'a>, source: El<'a>, width: usize) -> Step<Option<Accessor<T>>> {
         let accessor = child(source, "technique_common").and_then(|technique| child(technique, "accessor"));
         let Some(array) = array_of(context, source, accessor, &NUMBER_ARRAYS) else { return Ok(None) };
         let data = self.array(context, array)?;
@@ -139,7 +139,7 @@ impl<T: Real> Arrays<T> {
     }
 
     /// Lets go of the numbers that `accessor` walks, most of which are used once. What is used twice stays from then on.
-    pub fn release(&mut self, accessor: Accessor<T>) {
+    pub(super) fn release(&mut self, accessor: Accessor<T>) {
         let (id, data) = (accessor.array, accessor.data);
         if Rc::strong_count(&data) == 2 && self.released.insert(id) {
             self.read.remove(&id);
@@ -215,7 +215,7 @@ fn param_size(kind: &str) -> usize {
 }
 
 /// A whole number in an attribute; `None` where it is missing or none.
-pub fn number_attribute(element: El<'_>, key: &str) -> Option<usize> {
+pub(super) fn number_attribute(element: El<'_>, key: &str) -> Option<usize> {
     element.attribute(key).and_then(|value| value.trim().parse().ok())
 }
 
@@ -234,7 +234,7 @@ fn array_of<'a>(context: &mut Context<'a>, source: El<'a>, accessor: Option<El<'
 
 /// What the names of a list are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NameKind {
+pub(super) enum NameKind {
     /// Plain names: sids, mostly.
     Name,
     /// Ids.
@@ -244,7 +244,7 @@ pub enum NameKind {
 }
 
 /// A source of names.
-pub struct NameList<'a> {
+pub(super) struct NameList<'a> {
     text: Cow<'a, str>,
     offset: usize,
     stride: usize,
@@ -256,13 +256,13 @@ pub struct NameList<'a> {
 
 impl NameList<'_> {
     /// The entries, whether or not the accessor counts them.
-    pub fn entries(&self) -> impl Iterator<Item = &str> {
+    pub(super) fn entries(&self) -> impl Iterator<Item = &str> {
         names(&self.text).skip(self.offset).step_by(self.stride)
     }
 }
 
 /// The names of a source; `None` where it has none.
-pub fn name_list<'a>(context: &mut Context<'a>, source: El<'a>) -> Option<NameList<'a>> {
+pub(super) fn name_list<'a>(context: &mut Context<'a>, source: El<'a>) -> Option<NameList<'a>> {
     let accessor = child(source, "technique_common").and_then(|technique| child(technique, "accessor"));
     let array = array_of(context, source, accessor, &NAME_ARRAYS)?;
     let kind = match array.tag_name().name() {
@@ -282,7 +282,7 @@ pub fn name_list<'a>(context: &mut Context<'a>, source: El<'a>) -> Option<NameLi
 
 /// An `input` of a mesh, skin, morph or sampler.
 #[derive(Debug, Clone, Copy)]
-pub struct Input<'a> {
+pub(super) struct Input<'a> {
     /// The element.
     pub element: El<'a>,
     /// What it holds, such as `POSITION`.
@@ -294,7 +294,7 @@ pub struct Input<'a> {
 }
 
 /// The inputs of an element.
-pub fn inputs<'a>(parent: El<'a>) -> Vec<Input<'a>> {
+pub(super) fn inputs<'a>(parent: El<'a>) -> Vec<Input<'a>> {
     children(parent, "input")
         .map(|element| Input {
             element,

@@ -19,7 +19,7 @@ const MOST_SLASHES: usize = 16;
 
 /// What a channel moves, and what its keys have to be like.
 #[derive(Debug)]
-pub struct Aim {
+pub(super) struct Aim {
     /// All that it moves: a node may stand in the scene several times.
     pub targets: Vec<Target>,
     /// Numbers a key.
@@ -44,7 +44,7 @@ impl Aim {
 
 /// Why a channel moves nothing.
 #[derive(Debug, PartialEq, Eq)]
-pub enum Miss {
+pub(super) enum Miss {
     /// The address leads nowhere in the scene.
     Unknown,
     /// It leads to something that isn't shown moving.
@@ -61,7 +61,7 @@ enum Member {
 }
 
 /// Resolves addresses.
-pub struct Aims<'s, 'a> {
+pub(super) struct Aims<'s, 'a> {
     tree: &'s Tree<'a>,
     materials: &'s Materials<'a>,
     lights: &'s LightsAndCameras,
@@ -74,7 +74,12 @@ pub struct Aims<'s, 'a> {
 
 impl<'s, 'a> Aims<'s, 'a> {
     /// A resolver for what was read.
-    pub fn new(tree: &'s Tree<'a>, materials: &'s Materials<'a>, lights: &'s LightsAndCameras, controllers: &'s Controllers<'a>) -> Self {
+    pub(super) fn new(
+        tree: &'s Tree<'a>,
+        materials: &'s Materials<'a>,
+        lights: &'s LightsAndCameras,
+        controllers: &'s Controllers<'a>,
+    ) -> Self {
         let mut morphs = FxHashMap::default();
         for (index, morph) in controllers.morph_targets.iter().enumerate() {
             let id = MorphId(index as u32);
@@ -87,7 +92,7 @@ impl<'s, 'a> Aims<'s, 'a> {
     }
 
     /// What `address` names in the document of `from`.
-    pub fn find(&self, context: &mut Context<'a>, from: El<'a>, address: &str) -> Result<Aim, Miss> {
+    pub(super) fn find(&self, context: &mut Context<'a>, from: El<'a>, address: &str) -> Result<Aim, Miss> {
         let (element, member, rest_is_weights) =
             self.element(context, from, address.trim().trim_start_matches('#')).ok_or(Miss::Unknown)?;
         if let Some(morph) = self.morphs.get(&element.id()) {

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use encoding_rs::{Encoding, UTF_8, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
 /// A document as text with `\n` line ends.
-pub struct Decoded<'a> {
+pub(super) struct Decoded<'a> {
     /// The text; starts at the XML declaration or the first tag.
     pub text: Cow<'a, str>,
     /// Blank lines that were dropped before the XML declaration.
@@ -15,7 +15,7 @@ pub struct Decoded<'a> {
 }
 
 /// Decodes a document. Never fails: bytes that fit no encoding become replacement characters.
-pub fn decode(bytes: &[u8]) -> Decoded<'_> {
+pub(super) fn decode(bytes: &[u8]) -> Decoded<'_> {
     let (text, misfit) = to_text(bytes);
     // Some exporters write the zero that ends their strings.
     let text = match unix_lines(text) {

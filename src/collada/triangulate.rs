@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3, Vec3};
 
 /// What cutting one polygon needs, kept from one to the next.
 #[derive(Default)]
-pub struct Triangulator {
+pub(super) struct Triangulator {
     flat: Vec<DVec2>,
     /// The outline with its holes joined in: indices into `flat`, each with its neighbours.
     ring: Vec<Corner>,
@@ -34,7 +34,7 @@ fn doubled_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 impl Triangulator {
     /// Cuts the polygon whose corners are `points`; `rings` are the lengths of the outline and of each hole, in order. Appends index triples to
     /// `triangles`. Takes what it does from `steps`; `false` where they run out, and nothing is appended.
-    pub fn cut(&mut self, points: &[Vec3], rings: &[usize], steps: &mut u64, triangles: &mut Vec<[u32; 3]>) -> bool {
+    pub(super) fn cut(&mut self, points: &[Vec3], rings: &[usize], steps: &mut u64, triangles: &mut Vec<[u32; 3]>) -> bool {
         let outline = rings.first().copied().unwrap_or(0).min(points.len());
         match (outline, rings.len()) {
             (0..=2, _) => return true,

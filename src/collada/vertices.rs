@@ -9,7 +9,7 @@ use crate::scene::Mesh;
 
 /// One list of values that a primitive's corners point into.
 #[derive(Clone)]
-pub struct Stream {
+pub(super) struct Stream {
     /// Where its index stands in a corner.
     pub offset: usize,
     /// The values.
@@ -18,7 +18,7 @@ pub struct Stream {
 
 /// The lists that one primitive uses.
 #[derive(Clone)]
-pub struct Layout {
+pub(super) struct Layout {
     /// Numbers a corner.
     pub stride: usize,
     /// Points.
@@ -36,7 +36,7 @@ pub struct Layout {
 
 impl Layout {
     /// A layout of these streams.
-    pub fn new(stride: usize, position: Stream, normal: Option<Stream>, uvs: Vec<(usize, Stream)>, color: Option<Stream>) -> Self {
+    pub(super) fn new(stride: usize, position: Stream, normal: Option<Stream>, uvs: Vec<(usize, Stream)>, color: Option<Stream>) -> Self {
         let position_limit = u32::try_from(position.values.available).unwrap_or(u32::MAX).min(i32::MAX as u32);
         let mut keys: Vec<usize> = Vec::new();
         for stream in normal.iter().chain(uvs.iter().map(|(_, stream)| stream)).chain(&color) {
@@ -58,7 +58,7 @@ impl Stream {
 
 /// What was wrong with the values beside the positions, counted in vertices.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Lacks {
+pub(super) struct Lacks {
     /// An index points outside its list.
     pub out_of_range: usize,
     /// A value is infinite or not a number.
@@ -70,7 +70,7 @@ const CHAIN: usize = 16;
 const NONE: u32 = u32::MAX;
 
 /// Builds the vertex lists of one mesh.
-pub struct Builder {
+pub(super) struct Builder {
     /// The mesh so far.
     pub mesh: Mesh,
     has_colors: bool,
@@ -91,7 +91,7 @@ pub struct Builder {
 
 impl Builder {
     /// A builder for a mesh with `sets` sets of texture coordinates.
-    pub fn new(mesh: Mesh, sets: usize, has_colors: bool, want_corners: bool) -> Self {
+    pub(super) fn new(mesh: Mesh, sets: usize, has_colors: bool, want_corners: bool) -> Self {
         let mut mesh = mesh;
         mesh.uv_sets = vec![Vec::new(); sets];
         Self {
@@ -110,7 +110,7 @@ impl Builder {
     }
 
     /// Starts a primitive: vertices are shared within it only, since the next may point into other lists.
-    pub fn start(&mut self, layout: &Layout) {
+    pub(super) fn start(&mut self, layout: &Layout) {
         self.primitive += 1;
         self.lacks = Lacks::default();
         self.overflow.clear();
@@ -121,7 +121,7 @@ impl Builder {
 
     /// The vertex of a corner; `None` where its point is out of range. Of the other values what is out of range is left at its default, normals to be
     /// computed.
-    pub fn vertex(&mut self, layout: &Layout, corner: &[i32]) -> Option<u32> {
+    pub(super) fn vertex(&mut self, layout: &Layout, corner: &[i32]) -> Option<u32> {
         let point = u32::try_from(*corner.get(layout.position.offset)?).ok().filter(|point| *point < layout.position_limit)?;
         self.key.clear();
         for offset in &layout.keys {

@@ -32,7 +32,7 @@ struct Survey {
 }
 
 /// A document that was looked at and may be parsed.
-pub struct Surveyed<'a> {
+pub(super) struct Surveyed<'a> {
     /// The document without its long lists.
     pub shortened: Shortened<'a>,
     /// Prefixes that were taken out because nobody declares them.
@@ -43,7 +43,7 @@ pub struct Surveyed<'a> {
 }
 
 /// A document and what is left for the scene that is made from it.
-pub struct Parsed<'a> {
+pub(super) struct Parsed<'a> {
     /// The tree.
     pub document: roxmltree::Document<'a>,
     /// The lists that were set aside.
@@ -65,7 +65,7 @@ impl Survey {
 ///
 /// # Errors
 /// [`ReadError`] where it asks for more than the limits allow.
-pub fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, ReadError> {
+pub(super) fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, ReadError> {
     let mut survey = survey(text)?;
     let mut budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
     if let Some(room) = room {
@@ -111,7 +111,7 @@ fn numbers_in(text: &str) -> usize {
 ///
 /// # Errors
 /// [`ReadError`] with the line where it is not well-formed XML.
-pub fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<Parsed<'a>, ReadError> {
+pub(super) fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<Parsed<'a>, ReadError> {
     let nodes_limit = u32::try_from(surveyed.budget / NODE_BYTES).unwrap_or(u32::MAX);
     let options = || roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
     let (short, whole) = (surveyed.shortened.text(), surveyed.shortened.whole());

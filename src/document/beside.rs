@@ -19,14 +19,14 @@ pub(super) struct Beside {
 
 impl Beside {
     /// Beside the box round a scene.
-    pub fn of(bounds: &Bounds) -> Self {
+    pub(super) fn of(bounds: &Bounds) -> Self {
         let there = !bounds.is_empty() && bounds.min.is_finite() && bounds.max.is_finite();
         let right = there.then_some(f64::from(bounds.max.x));
         Self { right, depth: if there { f64::from(bounds.center().z) } else { 0.0 } }
     }
 
     /// Takes the place for an arm, with room for its forearm when it bends; `None` where it can stay where it is, because there is nothing else.
-    pub fn take(&mut self, arm: &Arm, file: &MuscleFile) -> Option<DVec3> {
+    pub(super) fn take(&mut self, arm: &Arm, file: &MuscleFile) -> Option<DVec3> {
         let unit = file.unit_metres;
         let thickest = file.muscles.iter().flat_map(|muscle| muscle.profile.radii()).copied().fold(arm.thickness, f64::max);
         // Muscles lie before and behind the rods and bulge.

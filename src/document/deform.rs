@@ -48,7 +48,10 @@ impl Bender {
     }
 
     /// Bends the instance on `node` into the buffers and says whether it is mirrored.
-    #[allow(clippy::too_many_arguments)]
+    #[allow(
+        clippy::too_many_arguments,
+        reason = "the matrices and buffers of one surface, each borrowed from another part of the document"
+    )]
     pub(super) fn bend(
         &mut self,
         scene: &Scene,

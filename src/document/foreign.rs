@@ -140,7 +140,7 @@ pub(super) enum Foreign {
 
 impl Foreign {
     /// What a file is that is not read, by its content and its ending; `None` for what its reader is to look at.
-    pub fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
+    pub(super) fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
         let head = bytes.get(..HEAD).unwrap_or(bytes);
         let text = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(head).trim_ascii_start();
         let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).unwrap_or_default();
@@ -183,7 +183,7 @@ impl Foreign {
 
 impl Foreign {
     /// Says so, and what is read instead.
-    pub fn sentence(self) -> String {
+    pub(super) fn sentence(self) -> String {
         match self {
             Self::Named(format) => tr!("document-foreign", format = format),
             Self::Table => tr!("document-table"),

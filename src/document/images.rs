@@ -18,9 +18,9 @@ use crate::scene::{Image, Pixels, Scene, TextureRef};
 use crate::{limits, tr};
 
 /// Code of the finding that an image isn't there.
-pub const MISSING: &str = "image-missing";
+pub(super) const MISSING: &str = "image-missing";
 /// Code of the finding that an image could not be decoded.
-pub const BROKEN: &str = "image-broken";
+pub(super) const BROKEN: &str = "image-broken";
 
 /// The images of the files that were read so far, which are looked for when all files are there.
 #[derive(Debug, Default)]

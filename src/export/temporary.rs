@@ -96,7 +96,7 @@ pub(super) struct Temporary {
 
 impl Temporary {
     /// An empty file in `folder`.
-    pub fn begin(folder: &Path) -> io::Result<(File, Self)> {
+    pub(super) fn begin(folder: &Path) -> io::Result<(File, Self)> {
         // Held until the file is known: one that is made at the same moment as the sweep is swept or never made.
         let mut unfinished = Unfinished::lock();
         if unfinished.over {
@@ -118,12 +118,12 @@ impl Temporary {
     }
 
     /// The file.
-    pub fn path(&self) -> &Path {
+    pub(super) fn path(&self) -> &Path {
         self.path.as_deref().unwrap_or(Path::new(""))
     }
 
     /// Gives it the name `place`.
-    pub fn persist(mut self, place: &Path) -> io::Result<()> {
+    pub(super) fn persist(mut self, place: &Path) -> io::Result<()> {
         fs::rename(self.path(), place)?;
         if let Some(path) = self.path.take() {
             Unfinished::lock().forget(&self.folder, &path);

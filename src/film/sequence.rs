@@ -7,7 +7,7 @@ use crate::muscle::{Joint, Rig};
 pub const FPS: f64 = 25.0;
 
 /// Seconds of a turn or an arm's swing where nobody says.
-pub const TURN_SECONDS: f64 = 4.0;
+pub(super) const TURN_SECONDS: f64 = 4.0;
 
 /// Most frames of a film.
 pub const FRAMES: usize = 100_000;

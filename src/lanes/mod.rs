@@ -222,10 +222,10 @@ impl Level {
 macro_rules! kernel {
     ($(#[$doc:meta])* narrow $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
         $(#[$doc])*
-        #[allow(clippy::too_many_arguments)]
+        #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
         $visible fn $name $(<$($life),*>)? (level: $crate::lanes::Level, $($argument: $type),*) {
             #[cfg(target_arch = "x86_64")]
-            #[allow(clippy::too_many_arguments)]
+            #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
             #[target_feature(enable = "avx2")]
             fn avx2 $(<$($life),*>)? (lanes: $crate::lanes::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
@@ -245,16 +245,16 @@ macro_rules! kernel {
     };
     ($(#[$doc:meta])* $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
         $(#[$doc])*
-        #[allow(clippy::too_many_arguments)]
+        #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
         $visible fn $name $(<$($life),*>)? (level: $crate::lanes::Level, $($argument: $type),*) {
             #[cfg(target_arch = "x86_64")]
-            #[allow(clippy::too_many_arguments)]
+            #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
             #[target_feature(enable = "avx2")]
             fn avx2 $(<$($life),*>)? (lanes: $crate::lanes::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
             #[cfg(target_arch = "x86_64")]
-            #[allow(clippy::too_many_arguments)]
+            #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
             #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
             fn avx512 $(<$($life),*>)? (lanes: $crate::lanes::Avx512, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)

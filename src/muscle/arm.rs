@@ -24,11 +24,11 @@ pub const FOREARM: &str = "forearm";
 /// The farthest that an elbow bends, degrees.
 pub const FULL_FLEXION: f64 = 150.0;
 /// Radius of the elbow's ball over that of the rods.
-pub const ELBOW: f64 = 1.35;
+pub(super) const ELBOW: f64 = 1.35;
 /// Radius of the balls at the free ends over that of the rods.
 const END: f64 = 1.2;
 /// The axis that the elbow turns about; the forearm goes from −Y towards +X.
-pub const AXIS: DVec3 = DVec3::Z;
+pub(super) const AXIS: DVec3 = DVec3::Z;
 
 /// Two rods and the elbow between them. Lengths are in the file's unit.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -75,7 +75,7 @@ const HELPERS: [&str; 24] = [
 
 /// Side of the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
+pub(super) enum Side {
     /// The character's left.
     Left,
     /// The character's right.
@@ -84,7 +84,7 @@ pub enum Side {
 
 /// What a bone's name says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Meaning {
+pub(super) struct Meaning {
     /// Place in [`FOREARM`] of the word that it has: the lower, the surer.
     pub rank: usize,
     /// Whether it is also called a helper of some kind.
@@ -94,7 +94,7 @@ pub struct Meaning {
 }
 
 /// What `name` says about a forearm; `None` where it names something else.
-pub fn forearm(name: &str) -> Option<Meaning> {
+pub(super) fn forearm(name: &str) -> Option<Meaning> {
     let words = words(name);
     let joined = words.concat();
     let rank = FOREARM.iter().position(|group| group.iter().any(|word| joined.contains(word)))?;

@@ -17,7 +17,7 @@ const TOUCH: f64 = 0.08;
 
 /// What was found for one muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Fit {
+pub(super) struct Fit {
     /// Ends and side of the drawn centre line.
     pub drawn: Drawn,
     /// The greatest flexion at which it stays clear of the rods, degrees.
@@ -29,7 +29,7 @@ pub struct Fit {
 /// The ends lie beside the line of action's own, out on the rods' surfaces by the thickness of rod and muscle, and slid towards the elbow. Without
 /// a slide the straight arm would leave no length for an arch; with more than needed the belly stands off when the arm is bent. So the smallest
 /// slide is taken that keeps clear up to the greatest angle.
-pub fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> Fit {
+pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> Fit {
     let hinge = Hinge::elbow(arm, range);
     let side = flexor_side(&hinge, line);
     let end_radius = |end: usize, radius: Option<&f64>| {

@@ -24,7 +24,7 @@ const SHARPER: [f64; 6] = [1.0, 0.25, 0.0625, 0.016, 0.004, 1e-9];
 const STEPS: usize = 80;
 
 /// The drawn centre line of a line that is no arch.
-pub fn rounded(line: &Line, frames: &(impl Frames + ?Sized)) -> Path {
+pub(super) fn rounded(line: &Line, frames: &(impl Frames + ?Sized)) -> Path {
     let side = line.pulley.map_or(DVec3::X, |pulley| frames.frame(pulley.center.bone).transform_vector3(pulley.side));
     let mut corners = Corners::new(line, frames);
     corners.make_up();

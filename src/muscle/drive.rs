@@ -4,11 +4,11 @@ use super::Drive;
 use super::profile::SHORTEST;
 
 /// Longest and shortest length of a muscle that no arm drives, as shares of its length at rest.
-pub const FREE: [f64; 2] = [2.5, SHORTEST];
+pub(super) const FREE: [f64; 2] = [2.5, SHORTEST];
 
 /// How an arm drives its first muscle: angles and the lengths at both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Span {
+pub(super) struct Span {
     /// Least and greatest flexion, degrees.
     pub flexion: [f64; 2],
     /// Length of the line of action at these two.
@@ -19,7 +19,7 @@ pub struct Span {
 
 impl Span {
     /// Looks at `length` over a range of angles.
-    pub fn new(flexion: [f64; 2], length: impl Fn(f64) -> f64) -> Self {
+    pub(super) fn new(flexion: [f64; 2], length: impl Fn(f64) -> f64) -> Self {
         const STEPS: usize = 64;
         let at = |step: usize| length(flexion[0] + (flexion[1] - flexion[0]) * step as f64 / STEPS as f64);
         let lengths = [at(0), at(STEPS)];
@@ -30,14 +30,14 @@ impl Span {
     }
 
     /// The state at this flexion, held within the range.
-    pub fn at_flexion(&self, degrees: f64, length: impl Fn(f64) -> f64) -> Drive {
+    pub(super) fn at_flexion(&self, degrees: f64, length: impl Fn(f64) -> f64) -> Drive {
         let [low, high] = self.flexion;
         let flexion = if degrees.is_nan() { low } else { degrees.clamp(low, high) };
         Drive { flexion, contraction: 100.0 * self.share(flexion, &length) }
     }
 
     /// The state at this contraction, held within 0 to 100.
-    pub fn at_contraction(&self, per_cent: f64, length: impl Fn(f64) -> f64) -> Drive {
+    pub(super) fn at_contraction(&self, per_cent: f64, length: impl Fn(f64) -> f64) -> Drive {
         let contraction = if per_cent.is_nan() { 0.0 } else { per_cent.clamp(0.0, 100.0) };
         let wanted = contraction / 100.0;
         let [low, high] = self.flexion;
@@ -75,7 +75,7 @@ impl Span {
 }
 
 /// The first stretch of `range` (degrees) in which `fits` holds, its limits found by halving; all of it where it holds nowhere.
-pub fn valid_part(range: [f64; 2], fits: impl Fn(f64) -> bool) -> [f64; 2] {
+pub(super) fn valid_part(range: [f64; 2], fits: impl Fn(f64) -> bool) -> [f64; 2] {
     const STEPS: usize = 300;
     let angle = |step: usize| range[0] + (range[1] - range[0]) * step as f64 / STEPS as f64;
     let all: Vec<bool> = (0..=STEPS).map(|step| fits(angle(step))).collect();

@@ -71,14 +71,14 @@ pub(super) struct Data {
 }
 
 impl Data {
-    pub fn new(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
+    pub(super) fn new(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
         let data = Self::resized(rig, index, table)?;
         let (rows, nodes) = (table.radii.len(), rig.profile(index).map_or(0, |profile| profile.radii().len()));
         if data.columns.iter().any(|column| column.len() != nodes) { Err(CompareError::Nodes { rows, nodes }) } else { Ok(data) }
     }
 
     /// The same for a table of any number of rows: with as many as the muscle has nodes they are all nodes, else all but the two ends.
-    pub fn resized(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
+    pub(super) fn resized(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
         let profile =
             rig.profile(index).filter(|_| rig.is_attached(index) && rig.measured_range().is_some()).ok_or(CompareError::NoJoint)?;
         let rows = table.radii.len();
@@ -98,7 +98,7 @@ impl Data {
     }
 
     /// Root mean square of model − table over the table's nodes and all angles.
-    pub fn rms(&self, model: &[Vec<f64>]) -> f64 {
+    pub(super) fn rms(&self, model: &[Vec<f64>]) -> f64 {
         rms(self.rows.clone(), self.columns.iter().zip(model))
     }
 }

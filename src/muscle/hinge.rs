@@ -10,7 +10,7 @@ use super::line::Frames;
 
 /// A joint with one axis, and what it moves. Everything is seen from the rig's root, in the file's unit, unless it says otherwise.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Hinge {
+pub(super) struct Hinge {
     /// The node above the joint.
     pub above: DMat4,
     /// The way back into it; `None` where it is flat, and nothing can be turned in it.
@@ -29,7 +29,7 @@ pub struct Hinge {
 
 /// A bone of a [`Hinge`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bone {
+pub(super) struct Bone {
     /// Its matrix as the pose has it.
     pub matrix: DMat4,
     /// Whether the joint moves it.
@@ -40,25 +40,25 @@ pub struct Bone {
 
 impl Hinge {
     /// A joint at `pivot` with this axis, both in the axes of the node above it, whose matrix is `above`.
-    pub fn new(above: DMat4, pivot: DVec3, axis: DVec3, bones: Vec<Bone>) -> Self {
+    pub(super) fn new(above: DMat4, pivot: DVec3, axis: DVec3, bones: Vec<Bone>) -> Self {
         let back = Some(above.inverse()).filter(|back| back.is_finite() && above.determinant().abs() > f64::MIN_POSITIVE);
         Self { above, back, pivot, axis, bones, at_rest: 0.0, range: [0.0, 0.0] }
     }
 
     /// The elbow of an arm; bone 0 is the upper rod, bone 1 the forearm.
-    pub fn elbow(arm: &Arm, range: [f64; 2]) -> Self {
+    pub(super) fn elbow(arm: &Arm, range: [f64; 2]) -> Self {
         let [upper, forearm] = arm.frames(0.0);
         let bone = |matrix, moves| Bone { matrix, moves, plain: true };
         Self { range, ..Self::new(DMat4::IDENTITY, arm.elbow(), AXIS, vec![bone(upper, false), bone(forearm, true)]) }
     }
 
     /// Where the tip of a vector that is fixed below the joint moves to as the angle rises.
-    pub fn bends(&self, vector: DVec3) -> DVec3 {
+    pub(super) fn bends(&self, vector: DVec3) -> DVec3 {
         self.back.map_or(DVec3::ZERO, |back| self.above.transform_vector3(self.axis.cross(back.transform_vector3(vector))))
     }
 
     /// The bones with the joint at this angle.
-    pub fn at(&self, degrees: f64) -> Turned<'_> {
+    pub(super) fn at(&self, degrees: f64) -> Turned<'_> {
         let Some(back) = self.back else { return Turned { hinge: self, turn: DMat4::IDENTITY, rate: DMat4::ZERO } };
         let turn = DMat3::from_quat(DQuat::from_axis_angle(self.axis, (degrees - self.at_rest).to_radians()));
         let [x, y, z] = [turn.x_axis, turn.y_axis, turn.z_axis].map(|column| self.axis.cross(column));
@@ -76,7 +76,7 @@ impl Hinge {
 
 /// A hinge's bones at one angle.
 #[derive(Debug, Clone, Copy)]
-pub struct Turned<'a> {
+pub(super) struct Turned<'a> {
     hinge: &'a Hinge,
     turn: DMat4,
     /// Its change a radian; the last row is zero.
@@ -85,7 +85,7 @@ pub struct Turned<'a> {
 
 impl Turned<'_> {
     /// The change of [`Frames::frame`] a radian; a matrix whose last row is zero.
-    pub fn rate(&self, index: usize) -> DMat4 {
+    pub(super) fn rate(&self, index: usize) -> DMat4 {
         let Some(bone) = self.hinge.bones.get(index).filter(|bone| bone.moves) else { return DMat4::ZERO };
         let (mut frame, mut rate) = (self.turn * bone.matrix, self.rate * bone.matrix);
         rate.w_axis.w = 0.0;
@@ -110,7 +110,7 @@ impl Frames for Turned<'_> {
 }
 
 /// The same place and directions with axes of length 1: offsets are in the muscle's own unit, whatever the bone's scale.
-pub fn plain(mut frame: DMat4) -> DMat4 {
+pub(super) fn plain(mut frame: DMat4) -> DMat4 {
     for axis in [&mut frame.x_axis, &mut frame.y_axis, &mut frame.z_axis] {
         *axis = axis.normalize_or_zero();
     }

@@ -14,7 +14,7 @@ use crate::scene::{Graph, NodeId, NodeKind, Scene};
 /// Farthest that an elbow which was found is bent, degrees.
 const FLEXION: f64 = 150.0;
 /// Farthest that a joint which a person chose turns either way, degrees.
-pub const AROUND: f64 = 150.0;
+pub(super) const AROUND: f64 = 150.0;
 /// Moments of each clip that are looked at.
 const MOMENTS: usize = 24;
 /// Bend that tells an axis, degrees: in a clip, and at rest, where bones that are not quite straight mislead.

@@ -18,7 +18,7 @@ use super::wrap::{Contact, Pulley};
 
 /// A point that moves with a bone.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Point {
+pub(super) struct Point {
     /// Index of the bone in the rig's list.
     pub bone: usize,
     /// Place in the bone's axes, in the file's unit.
@@ -26,7 +26,7 @@ pub struct Point {
 }
 
 /// Frames of the rig's bones in the space of its root: positions in the file's unit, axes of length 1 unless the muscles scale with the bones.
-pub trait Frames {
+pub(super) trait Frames {
     /// The frame of bone `index`.
     fn frame(&self, index: usize) -> DMat4;
 
@@ -38,7 +38,7 @@ pub trait Frames {
 
 /// A line of action.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Line {
+pub(super) struct Line {
     /// Where it begins.
     pub origin: Point,
     /// Where it ends.
@@ -55,7 +55,7 @@ pub struct Line {
 
 /// How the drawn centre line differs from the line of action.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drawn {
+pub(super) struct Drawn {
     /// Ends on the bones' surfaces.
     pub ends: [Point; 2],
     /// Side that the arch bulges to, in the axes of both ends' bones.
@@ -64,7 +64,7 @@ pub struct Drawn {
 
 /// The part of a line of action between two of its points.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Leg {
+pub(super) struct Leg {
     /// The points.
     pub from: Point,
     /// See `from`.
@@ -79,7 +79,7 @@ pub struct Leg {
 
 impl Leg {
     /// Its length.
-    pub fn length(&self) -> f64 {
+    pub(super) fn length(&self) -> f64 {
         match &self.contact {
             None => self.start.distance(self.end),
             Some(arc) => self.start.distance(arc.touch) + arc.radius * arc.angle + arc.lift.distance(self.end),
@@ -88,13 +88,13 @@ impl Leg {
 }
 
 /// Most points of a line.
-pub const POINTS: usize = VIA + 2;
+pub(super) const POINTS: usize = VIA + 2;
 /// Share of the length in each shoulder of the arch: steep at the ends and flat along the belly.
 const SHOULDER: f64 = 0.36;
 
 impl Line {
     /// The same line with the ball and the rounding multiplied by `scale`: offsets are scaled by the bones that they are on.
-    pub fn scaled(mut self, scale: f64) -> Self {
+    pub(super) fn scaled(mut self, scale: f64) -> Self {
         self.rounding *= scale;
         if let Some(pulley) = &mut self.pulley {
             pulley.radius *= scale;
@@ -103,12 +103,12 @@ impl Line {
     }
 
     /// Its points in order: origin, via points, insertion.
-    pub fn points(&self) -> impl Iterator<Item = Point> + Clone + '_ {
+    pub(super) fn points(&self) -> impl Iterator<Item = Point> + Clone + '_ {
         [self.origin].into_iter().chain(self.via.iter().take(VIA).copied()).chain([self.insertion])
     }
 
     /// Its parts between one point and the next.
-    pub fn legs<'a>(&'a self, frames: &'a (impl Frames + ?Sized)) -> impl Iterator<Item = Leg> + 'a {
+    pub(super) fn legs<'a>(&'a self, frames: &'a (impl Frames + ?Sized)) -> impl Iterator<Item = Leg> + 'a {
         let pulley = self.pulley.as_ref();
         let mut before = (self.origin, frames.place(self.origin));
         self.points().skip(1).enumerate().map(move |(stretch, point)| {
@@ -120,12 +120,12 @@ impl Line {
     }
 
     /// Length of the line of action.
-    pub fn length(&self, frames: &(impl Frames + ?Sized)) -> f64 {
+    pub(super) fn length(&self, frames: &(impl Frames + ?Sized)) -> f64 {
         self.legs(frames).map(|leg| leg.length()).sum()
     }
 
     /// The centre line that is drawn; `length` is that of the line of action or, where the muscle is held at a limit, another.
-    pub fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
+    pub(super) fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
         match &self.drawn {
             Some(drawn) => drawn.lay(frames, length),
             None => corners::rounded(self, frames),
@@ -135,7 +135,7 @@ impl Line {
 
 impl Drawn {
     /// The arch of this length between the drawn ends.
-    pub fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
+    pub(super) fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
         let [start, end] = self.ends.map(|point| frames.place(point));
         let [above, below] = self.ends.map(|point| frames.frame(point.bone).transform_vector3(self.side));
         Path::arch(start, end, length, SHOULDER, above + below)

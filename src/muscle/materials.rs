@@ -4,24 +4,24 @@ use crate::scene::{Material, MaterialId, Paint, Scene, ShadingModel};
 use crate::tr;
 
 /// Flesh without a colour of its own, sRGB: #B8322E.
-pub const FLESH: [u8; 3] = [0xB8, 0x32, 0x2E];
+pub(super) const FLESH: [u8; 3] = [0xB8, 0x32, 0x2E];
 /// Tendon, sRGB: #E8DFC8.
-pub const TENDON: [u8; 3] = [0xE8, 0xDF, 0xC8];
+pub(super) const TENDON: [u8; 3] = [0xE8, 0xDF, 0xC8];
 /// Bone, sRGB: #E9E2D0.
 const BONE: [u8; 3] = [0xE9, 0xE2, 0xD0];
 
 /// A new material for a muscle of this name.
-pub fn muscle(scene: &mut Scene, name: &str, color: Option<[u8; 3]>) -> MaterialId {
+pub(super) fn muscle(scene: &mut Scene, name: &str, color: Option<[u8; 3]>) -> MaterialId {
     add(scene, name.to_owned(), "muscle", color.unwrap_or(FLESH), 0.16, 24.0)
 }
 
 /// A new material for tendons.
-pub fn tendon(scene: &mut Scene) -> MaterialId {
+pub(super) fn tendon(scene: &mut Scene) -> MaterialId {
     add(scene, tr!("muscle-material-tendon"), "tendon", TENDON, 0.14, 30.0)
 }
 
 /// A new material for rods and balls.
-pub fn bone(scene: &mut Scene) -> MaterialId {
+pub(super) fn bone(scene: &mut Scene) -> MaterialId {
     add(scene, tr!("muscle-material-bone"), "bone", BONE, 0.10, 30.0)
 }
 

@@ -9,7 +9,7 @@ use super::line::{Frames, Leg, Line, Point};
 ///
 /// By virtual work, which is exact for a shortest path: a point that the line leaves in one direction and reaches in another pulls at its bone with the
 /// difference, and a ball that the line lies on is a point as well, its centre, for nothing rubs. On the two-rod arm that is `p d sin φ / L`.
-pub fn moment_arm(hinge: &Hinge, line: &Line, degrees: f64) -> f64 {
+pub(super) fn moment_arm(hinge: &Hinge, line: &Line, degrees: f64) -> f64 {
     let frames = hinge.at(degrees);
     -line.legs(&frames).map(|leg| slope(&frames, line, &leg)).sum::<f64>()
 }

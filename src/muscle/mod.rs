@@ -65,7 +65,7 @@ mod trouble;
 mod way;
 mod wrap;
 
-pub use arm::{Arm, FOREARM, FULL_FLEXION, UPPER_ARM};
+pub use arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 pub use bones::{Handhold, bone_name};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
 pub use driving::Driving;
@@ -73,7 +73,7 @@ pub use edit::{Edit, EditError};
 pub(crate) use joint::rotation;
 pub use joint::{FoundBy, Joint, Turn};
 pub use ledger::{Ledger, Root};
-pub use path::{Path, Station};
+pub use path::{Cursor, Path, Station};
 pub use poses::Pose;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use rig::Rig;

@@ -6,11 +6,11 @@
 use glam::DVec3;
 
 /// Most pieces of one path.
-pub const PIECES: usize = 32;
+pub(super) const PIECES: usize = 32;
 
 /// A straight piece or an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Piece {
+pub(super) struct Piece {
     start: DVec3,
     tangent: DVec3,
     /// Unit vector towards the centre of the arc; any perpendicular one on a straight piece.
@@ -197,7 +197,7 @@ impl Piece {
 }
 
 /// The unit vector nearest `wish` that is perpendicular to the unit vector `axis`.
-pub fn perpendicular(wish: DVec3, axis: DVec3) -> DVec3 {
+pub(super) fn perpendicular(wish: DVec3, axis: DVec3) -> DVec3 {
     let across = wish - axis * wish.dot(axis);
     // Below this the direction would be rounding noise.
     if across.length_squared() > 1e-12 * wish.length_squared() {

@@ -21,7 +21,7 @@ pub struct Pose {
 pub(super) struct Poses(Vec<Pose>);
 
 impl Poses {
-    pub fn new(mut poses: Vec<Pose>) -> Result<Self, ProfileError> {
+    pub(super) fn new(mut poses: Vec<Pose>) -> Result<Self, ProfileError> {
         let Some(nodes) = poses.first().map(|pose| pose.radii.len()) else { return Err(ProfileError::TooFewNodes(0)) };
         if poses.len() > limits::MUSCLE_POSES {
             return Err(ProfileError::TooManyPoses(poses.len()));
@@ -49,13 +49,13 @@ impl Poses {
     }
 
     /// The same poses with all lengths multiplied by `scale`.
-    pub fn scaled(&self, scale: f64) -> Self {
+    pub(super) fn scaled(&self, scale: f64) -> Self {
         let times = |pose: &Pose| Pose { length: pose.length * scale, radii: pose.radii.iter().map(|radius| radius * scale).collect() };
         Self(self.0.iter().map(times).collect())
     }
 
     /// Writes the blended radii at `length`, before any scaling.
-    pub fn shape_into(&self, length: f64, radii: &mut Vec<f64>) {
+    pub(super) fn shape_into(&self, length: f64, radii: &mut Vec<f64>) {
         radii.clear();
         let next = self.0.partition_point(|pose| pose.length < length);
         match (next.checked_sub(1).and_then(|before| self.0.get(before)), self.0.get(next)) {

@@ -29,7 +29,7 @@ use crate::{limits, tr};
 /// How far from rest a length may grow at all, as a factor; profiles that could go on for ever stop here.
 const REACH: f64 = 100.0;
 /// The shortest that a belly gets, as a share of its length at rest: no muscle contracts further, and what keeps its volume would become a pancake.
-pub const SHORTEST: f64 = 0.4;
+pub(super) const SHORTEST: f64 = 0.4;
 /// What is left of a radius, as a share of itself, where it would reach zero.
 const SLIVER: f64 = 1e-9;
 
@@ -109,7 +109,7 @@ pub struct Limit {
 }
 
 /// Largest magnitude of a radius, growth or length: beyond it squares would leave the range of `f64`.
-pub const LARGEST: f64 = 1e12;
+pub(super) const LARGEST: f64 = 1e12;
 
 /// A muscle's shape at rest, checked, with everything about the quadratic that does not change with the length.
 #[derive(Debug, Clone, PartialEq)]

@@ -76,7 +76,7 @@ pub(super) struct WorldFrames<'a> {
 
 impl WorldFrames<'_> {
     /// Bone `index` as a hinge has it.
-    pub fn bone(&self, index: usize, moves: bool) -> Bone {
+    pub(super) fn bone(&self, index: usize, moves: bool) -> Bone {
         let world = self.bones.get(index).and_then(|node| self.world.get(node.index()));
         let mut matrix = world.map_or(DMat4::IDENTITY, |world| self.from_world * *world);
         let ride = self.bones.get(index).and_then(|node| self.ride?.get(node.index())).copied();
@@ -317,14 +317,14 @@ impl Rig {
 
 impl Muscle {
     /// Multiplies the lengths of the file by `scale`; one that is no number or not above 0 is 1.
-    pub fn rescale(&mut self, scale: f64) {
+    pub(super) fn rescale(&mut self, scale: f64) {
         self.scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
         self.shape = self.spec.profile.scaled(self.scale);
         self.tendons = self.spec.tendons.map(|tendon| Tendon { length: tendon.length * self.scale, radius: tendon.radius * self.scale });
     }
 
     /// Length that the tendons take.
-    pub fn fixed(&self) -> f64 {
+    pub(super) fn fixed(&self) -> f64 {
         self.tendons[0].length + self.tendons[1].length
     }
 

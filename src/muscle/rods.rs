@@ -7,10 +7,10 @@ use glam::{DAffine3, DMat3, DVec3};
 use crate::scene::{Content, MaterialBinding, MaterialId, Mesh, MeshId, MeshInstance, NodeId, Part, Scene};
 
 /// A row of a surface of revolution: height, radius, and the normal's components up and outward.
-pub type Row = (f64, f64, [f64; 2]);
+pub(super) type Row = (f64, f64, [f64; 2]);
 
 /// Adds a mesh to the scene and hangs it on a node in one material.
-pub fn hang(scene: &mut Scene, node: NodeId, mesh: Mesh, material: MaterialId) {
+pub(super) fn hang(scene: &mut Scene, node: NodeId, mesh: Mesh, material: MaterialId) {
     let id = MeshId(scene.meshes.len() as u32);
     let materials = vec![Some(MaterialBinding::plain(material)); mesh.parts.len()];
     scene.meshes.push(Arc::new(mesh));
@@ -19,7 +19,7 @@ pub fn hang(scene: &mut Scene, node: NodeId, mesh: Mesh, material: MaterialId) {
 }
 
 /// Rows of a sphere about the origin, from the top down.
-pub fn ball(radius: f64) -> Vec<Row> {
+pub(super) fn ball(radius: f64) -> Vec<Row> {
     const ROWS: usize = 16;
     let row = |i: usize| {
         let (sin, cos) = (std::f64::consts::PI * i as f64 / ROWS as f64).sin_cos();
@@ -29,12 +29,12 @@ pub fn ball(radius: f64) -> Vec<Row> {
 }
 
 /// Segments round a ball.
-pub const ROUND: u32 = 32;
+pub(super) const ROUND: u32 = 32;
 /// Segments round a rod, whose outline is straight however many there are.
-pub const SLENDER: u32 = 20;
+pub(super) const SLENDER: u32 = 20;
 
 /// A surface of revolution about the Y axis, in so many segments round it. Heights fall from row to row.
-pub fn revolved(name: String, rows: &[Row], segments: u32) -> Mesh {
+pub(super) fn revolved(name: String, rows: &[Row], segments: u32) -> Mesh {
     let mut mesh = Mesh { name, ..Mesh::default() };
     let mut uvs = Vec::new();
     let widest = rows.iter().map(|(_, radius, _)| radius.abs()).fold(0.0, f64::max);
@@ -74,7 +74,7 @@ pub fn revolved(name: String, rows: &[Row], segments: u32) -> Mesh {
 }
 
 /// A short tapered root from `from` to `to`, with a radius at either end. Its ends are open, to be hidden inside what it joins.
-pub fn root(name: String, from: DVec3, to: DVec3, radii: [f64; 2]) -> Mesh {
+pub(super) fn root(name: String, from: DVec3, to: DVec3, radii: [f64; 2]) -> Mesh {
     let length = from.distance(to);
     let lean = [(radii[1] - radii[0]) / length.max(f64::MIN_POSITIVE), 1.0];
     let mut mesh = revolved(name, &[(0.0, radii[0], lean), (-length, radii[1], lean)], SLENDER);

@@ -17,7 +17,7 @@ pub fn of_bone(graph: &Graph, world: &[DMat4], node: NodeId) -> f64 {
 
 /// By what offsets on each node are multiplied along its axes, as seen from a root that is scaled to `unit` metres, so that they are in that unit where
 /// the bone has the scale `at`.
-pub fn ride(graph: &Graph, unit: f64, at: f64) -> Vec<f64> {
+pub(super) fn ride(graph: &Graph, unit: f64, at: f64) -> Vec<f64> {
     let mut files: Vec<f64> = Vec::with_capacity(graph.len());
     for (id, node) in graph.iter() {
         let above = node.parent().and_then(|parent| files.get(parent.index())).copied();

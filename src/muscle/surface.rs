@@ -26,7 +26,7 @@ const TENDON: usize = 12;
 
 /// What decides the topology: it stays the same for all lengths of the muscle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Layout {
+pub(super) struct Layout {
     nodes: usize,
     /// Rings a span between two nodes.
     steps: usize,
@@ -51,7 +51,7 @@ struct Ring {
 }
 
 /// Matrices from the space of the centre line to the world.
-pub struct ToWorld {
+pub(super) struct ToWorld {
     matrix: DMat4,
     normals: DMat3,
     /// Whether `normals` only turns: then normals of a ring have one length, known before they are made.
@@ -60,7 +60,7 @@ pub struct ToWorld {
 
 impl ToWorld {
     /// For the rig's root at this world matrix.
-    pub fn new(matrix: DMat4) -> Self {
+    pub(super) fn new(matrix: DMat4) -> Self {
         let linear = DMat3::from_mat4(matrix);
         // A flattened matrix has no inverse; then any normals do.
         let normals = if linear.determinant().abs() > f64::MIN_POSITIVE { linear.inverse().transpose() } else { linear };
@@ -74,7 +74,7 @@ impl ToWorld {
 
 impl Layout {
     /// For a muscle of `nodes` nodes with these tendons.
-    pub fn new(nodes: usize, tendons: &[Tendon; 2]) -> Self {
+    pub(super) fn new(nodes: usize, tendons: &[Tendon; 2]) -> Self {
         let spans = nodes.saturating_sub(1).max(1);
         Self { nodes, steps: (FINE / spans).clamp(1, 8), tendons: [tendons[0].length > 0.0, tendons[1].length > 0.0] }
     }
@@ -84,18 +84,18 @@ impl Layout {
     }
 
     /// Number of vertices of the mesh.
-    pub fn vertices(&self) -> usize {
+    pub(super) fn vertices(&self) -> usize {
         let tendons = self.tendons.iter().filter(|there| **there).count() * TENDON;
         self.belly_rings().saturating_add(tendons).saturating_mul(RING)
     }
 
     /// Number of parts of the mesh: the belly and each tendon.
-    pub fn parts(&self) -> usize {
+    pub(super) fn parts(&self) -> usize {
         1 + self.tendons.iter().filter(|there| **there).count()
     }
 
     /// The mesh: topology, texture coordinates and parts; positions are those of [`Layout::deform`] and empty here but for their number.
-    pub fn mesh(&self, name: &str) -> Arc<Mesh> {
+    pub(super) fn mesh(&self, name: &str) -> Arc<Mesh> {
         let mut mesh = Mesh { name: name.to_owned(), ..Mesh::default() };
         let mut uvs = Vec::new();
         let tubes = [Some(self.belly_rings()), self.tendons[0].then_some(TENDON), self.tendons[1].then_some(TENDON)];
@@ -139,7 +139,7 @@ impl Layout {
     }
 
     /// Writes positions and normals in the world for this solution along `path`.
-    pub fn deform(
+    pub(super) fn deform(
         &self,
         solved: &Solved,
         tendons: &[Tendon; 2],

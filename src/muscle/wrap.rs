@@ -14,7 +14,7 @@ const LEANS: f64 = 1e-9;
 
 /// A ball that the line goes round.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pulley {
+pub(super) struct Pulley {
     /// Its centre.
     pub center: Point,
     /// The side that the line passes on: a direction in the axes of the centre's bone.
@@ -27,7 +27,7 @@ pub struct Pulley {
 
 /// The arc of a line that lies on a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Contact {
+pub(super) struct Contact {
     /// Where it begins.
     pub touch: DVec3,
     /// Where it ends.
@@ -51,7 +51,7 @@ impl Pulley {
     /// centre. Of its two ways round it takes the one on the ball's side. `None` where the straight line clears the ball.
     ///
     /// An end inside the ball leaves only as much of the ball as it does not lie in: then the line starts round it at that end.
-    pub fn between(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<Contact> {
+    pub(super) fn between(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<Contact> {
         self.on_the_side(frames, from, to, self.outward(frames))
     }
 
@@ -61,7 +61,7 @@ impl Pulley {
     }
 
     /// The direction, perpendicular to the straight line, in which the path goes round the ball: a side that [`Pulley::on_the_side`] takes.
-    pub fn passes(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<DVec3> {
+    pub(super) fn passes(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<DVec3> {
         let center = frames.frame(self.center.bone).transform_point3(self.center.local);
         Some(self.up(center, from, (to - from).try_normalize()?, self.outward(frames)))
     }
@@ -74,7 +74,7 @@ impl Pulley {
     }
 
     /// [`Pulley::between`] with another side than the ball's own.
-    pub fn on_the_side(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3, side: DVec3) -> Option<Contact> {
+    pub(super) fn on_the_side(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3, side: DVec3) -> Option<Contact> {
         let along = (to - from).try_normalize()?;
         let center = frames.frame(self.center.bone).transform_point3(self.center.local);
         let up = self.up(center, from, along, side);

@@ -19,7 +19,7 @@ pub(super) struct Fonts(FontVec);
 
 impl Fonts {
     /// The first of the known families, else any upright font that has letters.
-    pub fn find() -> Option<Self> {
+    pub(super) fn find() -> Option<Self> {
         let mut found = fontdb::Database::new();
         found.load_system_fonts();
         let families = FAMILIES.map(fontdb::Family::Name);
@@ -42,13 +42,13 @@ pub(super) struct Pixels<'a> {
 
 impl<'a> Pixels<'a> {
     /// An empty one of this size in logical pixels; `None` where it would be empty or too large.
-    pub fn new(width: f64, height: f64, scale: f64, fonts: &'a Fonts) -> Option<Self> {
+    pub(super) fn new(width: f64, height: f64, scale: f64, fonts: &'a Fonts) -> Option<Self> {
         let map = Pixmap::new((width * scale).round() as u32, (height * scale).round() as u32)?;
         Some(Self { map, scale: scale as f32, font: &fonts.0 })
     }
 
     /// As PNG.
-    pub fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
+    pub(super) fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
         let mut bytes = Vec::new();
         let mut encoder = png::Encoder::new(&mut bytes, self.map.width(), self.map.height());
         encoder.set_color(png::ColorType::Rgb);

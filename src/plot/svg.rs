@@ -16,7 +16,7 @@ pub(super) struct Document {
 
 impl Document {
     /// An empty one of this size, logical pixels.
-    pub fn new(width: f64, height: f64) -> Self {
+    pub(super) fn new(width: f64, height: f64) -> Self {
         let text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" height=\"{height}\" \
              font-family=\"sans-serif\" font-size=\"{SIZE}\">\n"
@@ -25,7 +25,7 @@ impl Document {
     }
 
     /// The whole.
-    pub fn finish(mut self) -> String {
+    pub(super) fn finish(mut self) -> String {
         self.text.push_str("</svg>\n");
         self.text
     }

@@ -216,7 +216,7 @@ impl Buffers {
         self.strokes = strokes;
     }
 
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
     fn surface(
         &mut self,
         pending: &mut Vec<Item>,
@@ -309,7 +309,7 @@ fn own_color(frame: &Frame, display: &Display, surface: &Surface) -> [f32; 3] {
 }
 
 /// How a part of a surface is drawn.
-#[allow(clippy::too_many_arguments)]
+#[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
 fn style(
     cache: &mut Cache,
     scene: &Scene,
@@ -387,7 +387,7 @@ fn style(
 }
 
 /// Turns a muscle's plain colour into fibres, with a soft shine; a flat look has none.
-#[allow(clippy::too_many_arguments)]
+#[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
 fn flesh(style: &mut Style, cache: &mut Cache, display: &Display, surface: &Surface, part: usize, material: &Material, neutral: &Material) {
     let tendon = surface.mesh.parts.get(part).is_some_and(|part| part.symbol == "tendon");
     if std::ptr::eq(material, neutral) {

@@ -1,7 +1,7 @@
 //! The kernels that fill triangles: which pixels, which of them are in front, what colour.
 
 // Several arrays are walked with one index; iterators would hide that and have to be trusted to dissolve.
-#![allow(clippy::needless_range_loop)]
+#![allow(clippy::needless_range_loop, reason = "the index counts lanes of several arrays at once")]
 
 use super::drawing::{Drawing, Item, Unit};
 use super::plane::Plane;

@@ -146,7 +146,7 @@ impl Renderer {
 
     /// Like [`Renderer::draw`], straight into `target`: rows of `stride` bytes, the pixel format of [`Framebuffer`]. Rows or pixels that do not
     /// fit are left out.
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "what is drawn and where to, as few words for a caller as a struct would be")]
     pub fn draw_into(
         &mut self,
         scene: &Scene,
@@ -162,7 +162,7 @@ impl Renderer {
     }
 
     /// What lies under pixel (`x`, `y`) of a picture of that size; nothing is drawn.
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "what is drawn and where to, as few words for a caller as a struct would be")]
     pub fn pick(
         &mut self,
         scene: &Scene,

@@ -23,7 +23,7 @@ struct Hit {
 
 impl Buffers {
     /// What lies under the pixel that holds (`x`, `y`).
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
     pub(super) fn pick(
         &mut self,
         pool: &Pool,

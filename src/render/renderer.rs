@@ -121,7 +121,7 @@ impl Canvas {
 
 impl Buffers {
     /// Draws one frame into `target`, rows of `stride` bytes.
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
     pub(super) fn draw(
         &mut self,
         pool: &Pool,
@@ -202,7 +202,7 @@ impl Buffers {
     }
 
     /// Makes the list of the triangles that are to be drawn, or that can be picked.
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
     pub(super) fn prepare(
         &mut self,
         scene: &Scene,

@@ -9,7 +9,7 @@
 //! in `f64` from the first pixel of the box that lies in the picture, which is the same whatever the bands are; a row starts from `f64` and steps in `f32`.
 
 // Several arrays are walked with one index.
-#![allow(clippy::needless_range_loop)]
+#![allow(clippy::needless_range_loop, reason = "the index counts lanes of several arrays at once")]
 
 use super::view::{SUB, Screen};
 

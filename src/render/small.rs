@@ -5,7 +5,7 @@
 //! much as its pixels do. Whether a triangle is small depends on its corners alone, so the picture stays the same for all vector widths and bands.
 
 // Several arrays are walked with one index.
-#![allow(clippy::needless_range_loop)]
+#![allow(clippy::needless_range_loop, reason = "the index counts lanes of several arrays at once")]
 
 use super::drawing::Drawing;
 use super::fill::{STRAIGHT, bends};

@@ -19,7 +19,7 @@ pub(super) struct Texels<L: Lanes> {
 
 impl<L: Lanes> Texels<L> {
     #[inline(always)]
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "values of one loop, which stay in registers")]
     pub(super) fn read<const K: usize>(
         l: L,
         drawing: &Drawing<'_>,
@@ -57,7 +57,7 @@ impl<L: Lanes> Texels<L> {
 
 /// A texture where a pixel sees it: from one level of its mip chain, or from two that pass into each other.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)]
+#[allow(clippy::too_many_arguments, reason = "values of one loop, which stay in registers")]
 fn filtered<L: Lanes, const K: usize>(
     l: L,
     texture: &Texture,

@@ -22,14 +22,14 @@ pub(super) struct Onion {
 
 impl Onion {
     /// Takes surfaces back from the frame.
-    pub fn recall(&mut self, frame: &mut Frame) {
+    pub(super) fn recall(&mut self, frame: &mut Frame) {
         for skin in self.skins.iter_mut().rev() {
             skin.take_back(frame);
         }
     }
 
     /// Poses the moments and puts them into the frame.
-    pub fn invite(&mut self, host: &Host<'_>, ghosts: Ghosts, frame: &mut Frame) {
+    pub(super) fn invite(&mut self, host: &Host<'_>, ghosts: Ghosts, frame: &mut Frame) {
         let clip = host.state.clip.and_then(|clip| host.document.clips.get(clip));
         let moments = moments(clip, host.state.time, host.rate, ghosts);
         self.skins.resize_with(moments.len(), Companion::default);

@@ -18,7 +18,7 @@ const KEY: &str = "sinew_session";
 
 /// A whole session file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SessionFile {
+pub(super) struct SessionFile {
     /// The session.
     pub sinew_session: Saved,
 }

@@ -34,12 +34,12 @@ const REASONS: [(&str, &str); 27] = [
 ];
 
 /// The sentence for what the parser says.
-pub fn sentence(info: &str) -> String {
+pub(super) fn sentence(info: &str) -> String {
     let known = REASONS.iter().find(|(theirs, _)| info.contains(theirs));
     tr!("document-yaml-syntax", reason = tr!(known.map_or("document-yaml-reason-content", |(_, key)| key)))
 }
 
 /// Whether the parser speaks of a colon that is out of place.
-pub fn is_about_colon(info: &str) -> bool {
+pub(super) fn is_about_colon(info: &str) -> bool {
     REASONS.iter().find(|(theirs, _)| info.contains(theirs)).is_some_and(|(_, key)| *key == "document-yaml-reason-colon")
 }

@@ -6,13 +6,13 @@ use std::process::Command;
 use serde_json::Value;
 
 /// A folder with the readers installed.
-pub struct Node {
+pub(crate) struct Node {
     folder: PathBuf,
 }
 
 impl Node {
     /// Installs the readers below `target/`, once; `None`, with a word why, where Node is missing or cannot fetch them.
-    pub fn install() -> Option<Self> {
+    pub(crate) fn install() -> Option<Self> {
         let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/gltf");
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("gltf-readers");
         std::fs::create_dir_all(&folder).expect("a folder below target/");
@@ -46,7 +46,7 @@ impl Node {
     }
 
     /// Holds the files against the validator, which may find nothing wrong.
-    pub fn validate(&self, files: &[PathBuf]) {
+    pub(crate) fn validate(&self, files: &[PathBuf]) {
         let names: Vec<&str> = files.iter().map(|file| file.to_str().expect("text")).collect();
         let rows = self.run(&[&["validate.mjs"], names.as_slice()].concat());
         assert_eq!(rows.len(), files.len());
@@ -56,7 +56,7 @@ impl Node {
     }
 
     /// Reads files with three.js and holds their surfaces against OBJ files. Returns how far each surface goes in [`crate::expected::directions`].
-    pub fn read_back(&self, list: &Path, cases: &[Value], apart: f64) -> Vec<Vec<f64>> {
+    pub(crate) fn read_back(&self, list: &Path, cases: &[Value], apart: f64) -> Vec<Vec<f64>> {
         std::fs::write(list, serde_json::to_vec(cases).expect("JSON")).expect("written");
         let rows = self.run(&["readback.mjs", list.to_str().expect("text")]);
         assert_eq!(rows.len(), cases.iter().map(|case| case["poses"].as_array().map_or(0, Vec::len)).sum::<usize>());

@@ -6,7 +6,7 @@ use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value;
 
 /// An open file.
-pub struct Glb {
+pub(crate) struct Glb {
     root: Value,
     bytes: Vec<u8>,
 }
@@ -28,7 +28,7 @@ fn index(value: &Value) -> Option<usize> {
 
 impl Glb {
     /// Reads the chunks.
-    pub fn read(file: &[u8]) -> Self {
+    pub(crate) fn read(file: &[u8]) -> Self {
         let number = |at: usize| u32::from_le_bytes(file[at..at + 4].try_into().expect("four bytes")) as usize;
         assert_eq!((&file[..4], number(4), number(8)), (b"glTF".as_slice(), 2, file.len()));
         let text = number(12);
@@ -43,12 +43,12 @@ impl Glb {
     }
 
     /// The JSON part.
-    pub fn root(&self) -> &Value {
+    pub(crate) fn root(&self) -> &Value {
         &self.root
     }
 
     /// The rows of an accessor.
-    pub fn rows(&self, accessor: usize) -> Vec<Vec<f64>> {
+    pub(crate) fn rows(&self, accessor: usize) -> Vec<Vec<f64>> {
         let accessor = &self.root["accessors"][accessor];
         let view = &self.root["bufferViews"][index(&accessor["bufferView"]).expect("a view")];
         let columns = match accessor["type"].as_str().expect("a type") {
@@ -82,7 +82,7 @@ impl Glb {
     }
 
     /// The animation of that name.
-    pub fn animation(&self, name: &str) -> Option<&Value> {
+    pub(crate) fn animation(&self, name: &str) -> Option<&Value> {
         list(&self.root, "animations").iter().find(|animation| animation["name"] == name)
     }
 
@@ -127,7 +127,7 @@ impl Glb {
     }
 
     /// The positions of all vertices that a triangle uses, in the world, with this animation at this time.
-    pub fn surface(&self, animation: Option<&Value>, time: f64) -> Vec<DVec3> {
+    pub(crate) fn surface(&self, animation: Option<&Value>, time: f64) -> Vec<DVec3> {
         let mut points = Vec::new();
         for part in self.parts(animation, time) {
             let mut used = part.corners;
@@ -140,7 +140,7 @@ impl Glb {
 
     /// What the surface encloses, positive where its triangles are counter-clockwise seen from outside (section 3.7.4 of the specification: a node's
     /// matrix that mirrors turns them round).
-    pub fn volume(&self, animation: Option<&Value>, time: f64) -> f64 {
+    pub(crate) fn volume(&self, animation: Option<&Value>, time: f64) -> f64 {
         let of = |part: &Part| {
             let at = |corner: usize| part.placed[corner];
             let cones = part.corners.as_chunks::<3>().0.iter().map(|&[a, b, c]| at(a).dot(at(b).cross(at(c))) / 6.0);

@@ -184,7 +184,7 @@ fn repeated_names_take_linear_time(folder: &Path) {
     takes_linear_time(folder, "parts and instances", 60, |n| parts_on_nodes(50, n * 10, 1));
 }
 
-pub fn small_files_ask_for_little() {
+pub(crate) fn small_files_ask_for_little() {
     let folder = tempfile::tempdir().expect("a folder");
     instancing_of_any_shape_stays_within_bounds(folder.path());
     instances_share_what_they_have_in_common(folder.path());

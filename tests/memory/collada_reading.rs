@@ -45,7 +45,7 @@ fn check_bytes(what: &str, bytes: &[u8]) {
     assert!(taken <= allowed, "{what}: {} MB of file took {} MB", bytes.len() >> 20, taken >> 20);
 }
 
-pub fn memory_stays_within_ten_times_the_file() {
+pub(crate) fn memory_stays_within_ten_times_the_file() {
     let n = 1_000_000;
     check("empty elements", &document(&format!("<extra>{}</extra>", "<a/>".repeat(3 * n))));
     check("nodes", &document(&scene(&"<node/>".repeat(n))));

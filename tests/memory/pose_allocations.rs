@@ -7,7 +7,7 @@ use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
 use sinew::scene::Frame;
 
-pub fn posing_again_allocates_nothing() {
+pub(crate) fn posing_again_allocates_nothing() {
     let configs = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs");
     for name in ["curl.dae", "walker.dae", "lamp.dae", "biceps.yaml"] {
         let document = Document::open(&[configs.join(name)], &Progress::default()).expect(name);

@@ -7,7 +7,7 @@ use glam::{Mat4, Vec3};
 use sinew::render::{Display, Renderer, Samples, Shading};
 use sinew::scene::{Material, OrbitCamera};
 
-pub fn frames_after_the_first_allocate_nothing() {
+pub(crate) fn frames_after_the_first_allocate_nothing() {
     let mut world = World::default();
     let glass = world.material(Material { opacity: 0.5, ..Material::default() });
     world.place(sphere(60, 31), Mat4::IDENTITY, Some(glass));

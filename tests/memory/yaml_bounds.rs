@@ -45,7 +45,7 @@ fn both(text: &str) -> [String; 2] {
     [text.to_owned(), format!("sinew_session: {{time: 1}}\nrest:\n  {}", text.replace('\n', "\n  "))]
 }
 
-pub fn what_the_parser_would_choke_on_is_refused_or_read() {
+pub(crate) fn what_the_parser_would_choke_on_is_refused_or_read() {
     let n = 200_000;
     let chain: String = (1..60).map(|i| format!("a{i}: &a{i} [*a{}, *a{}]\n", i - 1, i - 1)).collect();
     let wide: String = (1..9).map(|i| format!("a{i}: &a{i} [{}]\n", vec![format!("*a{}", i - 1); 10].join(", "))).collect();
@@ -106,11 +106,11 @@ pub fn what_the_parser_would_choke_on_is_refused_or_read() {
     }
 }
 
-pub fn a_second_document_is_refused() {
+pub(crate) fn a_second_document_is_refused() {
     assert!(stays_small(&"---\n".repeat(50_000)).iter().all(Option::is_some));
 }
 
-pub fn limits_are_named() {
+pub(crate) fn limits_are_named() {
     let deep = format!("sinew_session: {}", "[".repeat(101));
     for said in refusals(&deep).into_iter().flatten() {
         assert!(said.contains("100") || said.contains("session"), "{said}");
@@ -122,7 +122,7 @@ pub fn limits_are_named() {
     assert!(Saved::parse(&fits).expect("a session").is_ok());
 }
 
-pub fn the_product_of_nodes_and_muscles_is_bounded_before_anything_is_built() {
+pub(crate) fn the_product_of_nodes_and_muscles_is_bounded_before_anything_is_built() {
     let file = |muscles: usize, nodes: usize| {
         let (radii, growth) = (vec!["9"; nodes].join(","), vec!["1"; nodes].join(","));
         let first = format!("muscles:\n  - {{length: 267, radii: &r [{radii}], growth: &g [{growth}]}}\n");
@@ -230,7 +230,7 @@ proptest! {
     }
 }
 
-pub fn random_texts_are_small() {
+pub(crate) fn random_texts_are_small() {
     alias_bombs_of_any_shape_are_small();
     nesting_of_any_shape_is_small();
 }

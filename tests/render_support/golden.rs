@@ -11,7 +11,7 @@ fn folder() -> PathBuf {
 }
 
 /// Compares a picture of `width` columns with the golden one of that name. Colours are compared as they are stored: not premultiplied.
-pub fn check(name: &str, pixels: &[u32], width: u32) {
+pub(crate) fn check(name: &str, pixels: &[u32], width: u32) {
     let rgba: Vec<u8> = pixels.iter().flat_map(|p| straight(*p)).collect();
     let height = pixels.len() as u32 / width;
     let path = folder().join(format!("{name}.png"));
@@ -32,14 +32,14 @@ pub fn check(name: &str, pixels: &[u32], width: u32) {
 }
 
 /// Un-premultiplies `0xAARRGGBB` to R, G, B, A.
-pub fn straight(pixel: u32) -> [u8; 4] {
+pub(crate) fn straight(pixel: u32) -> [u8; 4] {
     let [a, r, g, b] = pixel.to_be_bytes();
     let part = |c: u8| if a == 0 { 0 } else { ((u32::from(c) * 255 + u32::from(a) / 2) / u32::from(a)).min(255) as u8 };
     [part(r), part(g), part(b), a]
 }
 
 /// Writes `0xAARRGGBB` pixels, to be looked at.
-pub fn write_pixels(path: &Path, pixels: &[u32], width: u32) {
+pub(crate) fn write_pixels(path: &Path, pixels: &[u32], width: u32) {
     let rgba: Vec<u8> = pixels.iter().flat_map(|p| straight(*p)).collect();
     write(path, &rgba, width, pixels.len() as u32 / width);
 }

@@ -1,10 +1,10 @@
 //! Scenes and helpers of the rasterizer's tests. Everything is made here; no file is needed.
-#![allow(dead_code)]
+#![allow(dead_code, reason = "each test target uses a part of it")]
 
-pub mod golden;
-pub mod models;
-pub mod reference;
-pub mod rng;
+pub(crate) mod golden;
+pub(crate) mod models;
+pub(crate) mod reference;
+pub(crate) mod rng;
 
 use glam::{Quat, Vec3};
 use sinew::render::{Background, Display, Renderer, Samples};
@@ -12,20 +12,20 @@ use sinew::scene::{Camera, Frame, Projection, Scene};
 
 /// A scene with its frame.
 #[derive(Default)]
-pub struct World {
+pub(crate) struct World {
     pub scene: Scene,
     pub frame: Frame,
 }
 
 impl World {
     /// Draws into a fresh vector of pixels.
-    pub fn draw(&self, renderer: &mut Renderer, camera: &Camera, display: &Display, size: [u32; 2]) -> Vec<u32> {
+    pub(crate) fn draw(&self, renderer: &mut Renderer, camera: &Camera, display: &Display, size: [u32; 2]) -> Vec<u32> {
         renderer.draw(&self.scene, &self.frame, camera, display, size[0], size[1]).pixels.clone()
     }
 }
 
 /// A camera on +Z that looks at the origin from this far.
-pub fn camera_at(distance: f32) -> Camera {
+pub(crate) fn camera_at(distance: f32) -> Camera {
     Camera {
         eye: Vec3::Z * distance,
         rotation: Quat::IDENTITY,
@@ -36,7 +36,7 @@ pub fn camera_at(distance: f32) -> Camera {
 }
 
 /// A camera under which world x and y *are* pixel coordinates (y upward from the bottom edge) of a picture of this size.
-pub fn pixel_camera(size: [u32; 2]) -> Camera {
+pub(crate) fn pixel_camera(size: [u32; 2]) -> Camera {
     let [w, h] = size.map(|side| side as f32);
     Camera {
         eye: Vec3::new(w * 0.5, h * 0.5, 10.0),
@@ -48,6 +48,6 @@ pub fn pixel_camera(size: [u32; 2]) -> Camera {
 }
 
 /// Nothing but the surfaces: black background, one sample, no grid.
-pub fn plain() -> Display {
+pub(crate) fn plain() -> Display {
     Display { background: Background::Solid(0), samples: Samples::One, grid: false, ..Display::default() }
 }

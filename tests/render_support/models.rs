@@ -11,7 +11,7 @@ use sinew::scene::{
 use super::World;
 
 /// A UV sphere of radius 1 with (u, v) over it.
-pub fn sphere(segments: u32, rings: u32) -> Mesh {
+pub(crate) fn sphere(segments: u32, rings: u32) -> Mesh {
     let mut mesh = Mesh { name: "sphere".into(), ..Mesh::default() };
     let mut uv = Vec::new();
     for ring in 0..=rings {
@@ -42,7 +42,7 @@ pub fn sphere(segments: u32, rings: u32) -> Mesh {
 }
 
 /// A muscle's belly: radius over length from a smooth profile, u round it and v along it, along +Y from −1 to 1.
-pub fn belly(nodes: u32, segments: u32, radius: impl Fn(f32) -> f32) -> Mesh {
+pub(crate) fn belly(nodes: u32, segments: u32, radius: impl Fn(f32) -> f32) -> Mesh {
     let mut mesh = Mesh { name: "belly".into(), ..Mesh::default() };
     let mut uv = Vec::new();
     for node in 0..nodes {
@@ -73,7 +73,7 @@ pub fn belly(nodes: u32, segments: u32, radius: impl Fn(f32) -> f32) -> Mesh {
 }
 
 /// A square in the XY plane from −1 to 1, facing +Z, with (u, v) from 0 to 1.
-pub fn square() -> Mesh {
+pub(crate) fn square() -> Mesh {
     soup(
         vec![Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, -1.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::new(-1.0, 1.0, 0.0)],
         vec![[0, 1, 2], [0, 2, 3]],
@@ -82,13 +82,13 @@ pub fn square() -> Mesh {
 }
 
 /// Any triangles, with normals towards +Z.
-pub fn soup(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>, uv: Vec<Vec2>) -> Mesh {
+pub(crate) fn soup(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>, uv: Vec<Vec2>) -> Mesh {
     let normals = vec![Vec3::Z; positions.len()];
     finish(Mesh { name: "soup".into(), positions, normals, triangles, uv_sets: vec![uv], ..Mesh::default() })
 }
 
 /// One part over everything, each vertex its own point.
-pub fn finish(mut mesh: Mesh) -> Mesh {
+pub(crate) fn finish(mut mesh: Mesh) -> Mesh {
     mesh.source_count = mesh.positions.len() as u32;
     mesh.source_vertex = (0..mesh.source_count).collect();
     mesh.parts = vec![Part { symbol: String::new(), triangles: 0..mesh.triangles.len() as u32, lines: 0..mesh.lines.len() as u32 }];
@@ -97,14 +97,14 @@ pub fn finish(mut mesh: Mesh) -> Mesh {
 
 impl World {
     /// Adds a material and returns its binding.
-    pub fn material(&mut self, material: Material) -> MaterialBinding {
+    pub(crate) fn material(&mut self, material: Material) -> MaterialBinding {
         self.scene.materials.push(material.clone());
         self.frame.materials.push(material);
         MaterialBinding::plain(MaterialId(self.scene.materials.len() as u32 - 1))
     }
 
     /// Adds an image and returns a reference to it.
-    pub fn image(&mut self, width: u32, height: u32, texel: impl Fn(u32, u32) -> [u8; 4], wrap: Wrap) -> TextureRef {
+    pub(crate) fn image(&mut self, width: u32, height: u32, texel: impl Fn(u32, u32) -> [u8; 4], wrap: Wrap) -> TextureRef {
         let rgba = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| texel(x, y)).collect();
         self.scene.images.push(Image { pixels: Some(Arc::new(Pixels { width, height, rgba })), ..Image::default() });
         TextureRef {
@@ -117,12 +117,12 @@ impl World {
     }
 
     /// Puts a mesh into the world on a node of its own.
-    pub fn place(&mut self, mesh: Mesh, matrix: Mat4, material: Option<MaterialBinding>) -> NodeId {
+    pub(crate) fn place(&mut self, mesh: Mesh, matrix: Mat4, material: Option<MaterialBinding>) -> NodeId {
         self.put(Arc::new(mesh), matrix, material, None)
     }
 
     /// The same for a muscle.
-    pub fn place_muscle(&mut self, mesh: Mesh, matrix: Mat4, material: Option<MaterialBinding>) -> NodeId {
+    pub(crate) fn place_muscle(&mut self, mesh: Mesh, matrix: Mat4, material: Option<MaterialBinding>) -> NodeId {
         self.put(Arc::new(mesh), matrix, material, Some(MuscleId(0)))
     }
 
@@ -151,7 +151,7 @@ impl World {
     }
 
     /// A sphere of that many segments and rings in a plain colour.
-    pub fn sphere(segments: u32, rings: u32, color: [f32; 3]) -> Self {
+    pub(crate) fn sphere(segments: u32, rings: u32, color: [f32; 3]) -> Self {
         let mut world = Self::default();
         let material = world.material(Material { diffuse: Paint::color(color[0], color[1], color[2]), ..Material::default() });
         world.place(sphere(segments, rings), Mat4::IDENTITY, Some(material));
@@ -159,20 +159,20 @@ impl World {
     }
 
     /// The box round everything.
-    pub fn bounds(&self) -> Bounds {
+    pub(crate) fn bounds(&self) -> Bounds {
         self.frame.bounds
     }
 }
 
 /// A checkerboard with a gradient, so that every corner can be told from the others.
-pub fn checker(x: u32, y: u32, cells: u32, size: u32) -> [u8; 4] {
+pub(crate) fn checker(x: u32, y: u32, cells: u32, size: u32) -> [u8; 4] {
     let dark = (x * cells / size + y * cells / size).is_multiple_of(2);
     let shade = if dark { 60 } else { 255 };
     [(shade * x / size.max(1)) as u8, (shade * y / size.max(1)) as u8, shade as u8, 255]
 }
 
 /// An arm: a skinned tube along +X from 0 to 2 with three joints, the elbow at 1 bent by `degrees`. Returns the joints.
-pub fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
+pub(crate) fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
     use glam::{DMat4, DVec3};
     use sinew::scene::{Content, Deformer, Influence, Joint, MeshInstance, NodeKind, Skin, SkinJoint};
     let (rings, segments) = (40u32, 24u32);
@@ -234,6 +234,6 @@ pub fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
 }
 
 /// A biceps-like outline: thin at the ends, thick a little above the middle.
-pub fn profile(v: f32) -> f32 {
+pub(crate) fn profile(v: f32) -> f32 {
     0.06 + 0.30 * (std::f32::consts::PI * v.powf(0.9)).sin().max(0.0).powf(1.3)
 }

@@ -5,7 +5,7 @@ use super::rng::Rng;
 
 /// A corner on the picture: whole sub-pixels (1/256) from the top left, distance, colour from 0 to 255.
 #[derive(Debug, Clone, Copy)]
-pub struct Corner {
+pub(crate) struct Corner {
     pub x: i64,
     pub y: i64,
     pub distance: f64,
@@ -13,7 +13,7 @@ pub struct Corner {
 }
 
 /// The samples of a pixel, from its centre, in sub-pixels.
-pub const GRID: [[i64; 2]; 4] = [[-32, -96], [96, -32], [-96, 32], [32, 96]];
+pub(crate) const GRID: [[i64; 2]; 4] = [[-32, -96], [96, -32], [-96, 32], [32, 96]];
 
 /// Which side of the line p → q the point is on, doubled area in square sub-pixels.
 fn side(p: &Corner, q: &Corner, x: i64, y: i64) -> i128 {
@@ -21,7 +21,7 @@ fn side(p: &Corner, q: &Corner, x: i64, y: i64) -> i128 {
 }
 
 /// Whether a point is in the triangle by the top-left rule, and the corners' shares of the area.
-pub fn inside(triangle: &[Corner; 3], x: i64, y: i64) -> Option<[f64; 3]> {
+pub(crate) fn inside(triangle: &[Corner; 3], x: i64, y: i64) -> Option<[f64; 3]> {
     let [a, b, c] = triangle;
     let area = side(a, b, c.x, c.y);
     if area == 0 {
@@ -62,7 +62,7 @@ fn retreat(triangle: &[Corner; 3]) -> f64 {
 }
 
 /// Colours 0 to 255 of a picture of these triangles before black, one sample a pixel; `None` where nothing is drawn.
-pub fn draw(triangles: &[[Corner; 3]], width: u32, height: u32) -> Vec<Option<[f64; 3]>> {
+pub(crate) fn draw(triangles: &[[Corner; 3]], width: u32, height: u32) -> Vec<Option<[f64; 3]>> {
     let mut picture = vec![None; (width * height) as usize];
     let mut nearest = vec![0.0; picture.len()];
     for triangle in triangles {
@@ -84,7 +84,7 @@ pub fn draw(triangles: &[[Corner; 3]], width: u32, height: u32) -> Vec<Option<[f
 }
 
 /// A triangle somewhere on and around a picture.
-pub fn random(rng: &mut Rng, width: u32, height: u32) -> [Corner; 3] {
+pub(crate) fn random(rng: &mut Rng, width: u32, height: u32) -> [Corner; 3] {
     std::array::from_fn(|_| Corner {
         x: rng.between(-60.0, f64::from(width) + 60.0).floor() as i64 * 256 + rng.between(0.0, 256.0) as i64,
         y: rng.between(-60.0, f64::from(height) + 60.0).floor() as i64 * 256 + rng.between(0.0, 256.0) as i64,
@@ -94,19 +94,19 @@ pub fn random(rng: &mut Rng, width: u32, height: u32) -> [Corner; 3] {
 }
 
 /// The light of a byte of colour, 0 to 1 (IEC 61966-2-1), and back.
-pub fn light(byte: f64) -> f64 {
+pub(crate) fn light(byte: f64) -> f64 {
     let c = byte / 255.0;
     if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
 }
 
 /// See [`light`].
-pub fn byte(light: f64) -> f64 {
+pub(crate) fn byte(light: f64) -> f64 {
     (if light <= 0.003_130_8 { light * 12.92 } else { 1.055 * light.powf(1.0 / 2.4) - 0.055 }) * 255.0
 }
 
 /// Colours 0 to 255 of a picture of glass before black: every triangle is laid over all that is farther, once a sample, its colour that of its first corner.
 /// The samples of a pixel are averaged as light.
-pub fn draw_glass(triangles: &[[Corner; 3]], opacity: f64, samples: usize, [width, height]: [u32; 2]) -> Vec<[f64; 3]> {
+pub(crate) fn draw_glass(triangles: &[[Corner; 3]], opacity: f64, samples: usize, [width, height]: [u32; 2]) -> Vec<[f64; 3]> {
     let nearness = |triangle: &&[Corner; 3]| triangle.iter().map(|corner| 1.0 / corner.distance).sum::<f64>();
     let mut order: Vec<&[Corner; 3]> = triangles.iter().collect();
     order.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));

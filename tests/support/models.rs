@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 
 /// Writes `text` to `name` in `folder`.
-pub fn write(folder: &Path, name: &str, text: &str) -> PathBuf {
+pub(crate) fn write(folder: &Path, name: &str, text: &str) -> PathBuf {
     let path = folder.join(name);
     std::fs::write(&path, text).expect("a writable folder");
     path
@@ -14,7 +14,7 @@ pub fn write(folder: &Path, name: &str, text: &str) -> PathBuf {
 
 /// A square column of two bones that bends: Z up, centimetres, 20 × 20 × 200, bones of 100. From 0.5 s to 1.5 s the upper bone turns about
 /// X from 0° to 90°, in whole-matrix keys. The lower ring follows the lower bone, the upper ring the upper bone, the middle ring both.
-pub fn column() -> String {
+pub(crate) fn column() -> String {
     let rings = [0, 100, 200];
     let mut points = String::new();
     for z in rings {
@@ -34,7 +34,7 @@ pub fn column() -> String {
 }
 
 /// Where a point of the column's upper ring, (x, y, 200) in the file, stands in the world when the upper bone has turned by `degrees`.
-pub fn column_top(x: f64, y: f64, degrees: f64) -> DVec3 {
+pub(crate) fn column_top(x: f64, y: f64, degrees: f64) -> DVec3 {
     let (sin, cos) = degrees.to_radians().sin_cos();
     let (y, z) = (y * cos - 100.0 * sin, y * sin + 100.0 * cos + 100.0);
     // Z up to Y up, centimetres to metres.
@@ -128,7 +128,7 @@ const COLUMN: &str = r##"<?xml version="1.0" encoding="utf-8"?>
 "##;
 
 /// A unit cube on a node with this transform (elements as COLLADA writes them), metres, Y up, nothing animated.
-pub fn cube(transform: &str) -> String {
+pub(crate) fn cube(transform: &str) -> String {
     CUBE.replace("TRANSFORM", transform)
 }
 
@@ -159,7 +159,7 @@ const CUBE: &str = r##"<?xml version="1.0" encoding="utf-8"?>
 "##;
 
 /// A muscle on an arm, in the short form: 4 nodes, millimetres, at rest as long as the straight arm's span.
-pub const BICEPS: &str = "\
+pub(crate) const BICEPS: &str = "\
 muscle_config:
   radiuses: [5.0, 15.0, 12.0, 5.0]
   grow_mults: [0.0, 2.0, 1.0, 0.0]
@@ -171,14 +171,14 @@ carcass_config:
 ";
 
 /// The figures of [`BICEPS`]: attachment to elbow on the first and on the second rod.
-pub const BICEPS_ARM: (f64, f64) = (220.0, 30.0);
+pub(crate) const BICEPS_ARM: (f64, f64) = (220.0, 30.0);
 /// Radii of [`BICEPS`] at rest.
-pub const BICEPS_RADII: [f64; 4] = [5.0, 15.0, 12.0, 5.0];
+pub(crate) const BICEPS_RADII: [f64; 4] = [5.0, 15.0, 12.0, 5.0];
 /// Growth multipliers of [`BICEPS`].
-pub const BICEPS_GROWTH: [f64; 4] = [0.0, 2.0, 1.0, 0.0];
+pub(crate) const BICEPS_GROWTH: [f64; 4] = [0.0, 2.0, 1.0, 0.0];
 
 /// Distance of the attachments at an elbow angle in degrees, and the moment arm.
-pub fn biceps_length(degrees: f64) -> (f64, f64) {
+pub(crate) fn biceps_length(degrees: f64) -> (f64, f64) {
     let (p, d) = BICEPS_ARM;
     let (sin, cos) = degrees.to_radians().sin_cos();
     let length = (p * p + d * d + 2.0 * p * d * cos).sqrt();
@@ -186,13 +186,13 @@ pub fn biceps_length(degrees: f64) -> (f64, f64) {
 }
 
 /// Volume of truncated cones through `radii` at equal spacing over `length`.
-pub fn cones(radii: &[f64], length: f64) -> f64 {
+pub(crate) fn cones(radii: &[f64], length: f64) -> f64 {
     let sum: f64 = radii.windows(2).map(|r| (r[0] * r[0] + r[0] * r[1] + r[1] * r[1]) / 3.0).sum();
     std::f64::consts::PI * length / (radii.len() - 1) as f64 * sum
 }
 
 /// δ of [`BICEPS`] at a length, by bisection: the volume grows with δ, since no growth multiplier is negative.
-pub fn biceps_delta(length: f64) -> f64 {
+pub(crate) fn biceps_delta(length: f64) -> f64 {
     let rest = cones(&BICEPS_RADII, 250.0);
     let at = |delta: f64| cones(&std::array::from_fn::<f64, 4, _>(|i| BICEPS_RADII[i] + BICEPS_GROWTH[i] * delta), length);
     let (mut low, mut high) = (-5.0, 50.0);

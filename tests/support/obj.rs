@@ -6,7 +6,7 @@ use glam::DVec3;
 
 /// One group of triangles.
 #[derive(Debug, Default, Clone)]
-pub struct Group {
+pub(crate) struct Group {
     /// Its name.
     pub name: String,
     /// Corners: position and normal.
@@ -14,7 +14,7 @@ pub struct Group {
 }
 
 /// Reads the groups of a file; every line must be one that the program is meant to write.
-pub fn read(path: &Path) -> Vec<Group> {
+pub(crate) fn read(path: &Path) -> Vec<Group> {
     let text = std::fs::read_to_string(path).expect("an OBJ file");
     let (mut points, mut normals, mut groups, mut uvs) = (Vec::new(), Vec::new(), Vec::<Group>::new(), 0);
     for line in text.lines() {
@@ -54,13 +54,13 @@ fn vector(text: &str) -> DVec3 {
 
 impl Group {
     /// Lowest and highest corner.
-    pub fn bounds(&self) -> (DVec3, DVec3) {
+    pub(crate) fn bounds(&self) -> (DVec3, DVec3) {
         let points = || self.triangles.iter().flatten().map(|(point, _)| *point);
         (points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max))
     }
 
     /// Surface area, and its centroid.
-    pub fn area(&self) -> (f64, DVec3) {
+    pub(crate) fn area(&self) -> (f64, DVec3) {
         let (mut area, mut moment) = (0.0, DVec3::ZERO);
         for [(a, _), (b, _), (c, _)] in &self.triangles {
             let part = (*b - *a).cross(*c - *a).length() / 2.0;
@@ -71,12 +71,12 @@ impl Group {
     }
 
     /// Enclosed volume, positive where triangles are counter-clockwise seen from outside.
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         self.triangles.iter().map(|[(a, _), (b, _), (c, _)]| a.dot(b.cross(*c)) / 6.0).sum()
     }
 
     /// Whether every normal is a unit vector that looks out of its triangle's side.
-    pub fn normals_point_out(&self) -> bool {
+    pub(crate) fn normals_point_out(&self) -> bool {
         self.triangles.iter().all(|corners| {
             let [a, b, c] = corners.map(|(point, _)| point);
             let plane = (b - a).cross(c - a);
@@ -86,6 +86,6 @@ impl Group {
 }
 
 /// All groups as one.
-pub fn whole(groups: &[Group]) -> Group {
+pub(crate) fn whole(groups: &[Group]) -> Group {
     Group { name: String::new(), triangles: groups.iter().flat_map(|group| group.triangles.clone()).collect() }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// A decoded picture.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Picture {
+pub(crate) struct Picture {
     /// Columns and rows.
     pub size: (u32, u32),
     /// Channels: 3 or 4.
@@ -18,7 +18,7 @@ pub struct Picture {
 }
 
 /// Reads a PNG.
-pub fn read(path: &Path) -> Picture {
+pub(crate) fn read(path: &Path) -> Picture {
     let file = BufReader::new(File::open(path).unwrap_or_else(|error| panic!("{}: {error}", path.display())));
     let mut reader = png::Decoder::new(file).read_info().expect("a PNG");
     let mut bytes = vec![0; reader.output_buffer_size().expect("small")];
@@ -35,18 +35,18 @@ pub fn read(path: &Path) -> Picture {
 
 impl Picture {
     /// The channels of a pixel.
-    pub fn pixel(&self, x: u32, y: u32) -> &[u8] {
+    pub(crate) fn pixel(&self, x: u32, y: u32) -> &[u8] {
         let at = (y as usize * self.size.0 as usize + x as usize) * self.channels;
         &self.bytes[at..at + self.channels]
     }
 
     /// How many pixels differ from `color`.
-    pub fn unlike(&self, color: &[u8]) -> usize {
+    pub(crate) fn unlike(&self, color: &[u8]) -> usize {
         self.bytes.chunks_exact(self.channels).filter(|pixel| *pixel != color).count()
     }
 
     /// First and last column and row of what differs from `color`.
-    pub fn extent(&self, color: &[u8]) -> Option<[u32; 4]> {
+    pub(crate) fn extent(&self, color: &[u8]) -> Option<[u32; 4]> {
         let mut found: Option<[u32; 4]> = None;
         for (i, _) in self.bytes.chunks_exact(self.channels).enumerate().filter(|(_, pixel)| *pixel != color) {
             let (x, y) = (i as u32 % self.size.0, i as u32 / self.size.0);
@@ -58,7 +58,7 @@ impl Picture {
 }
 
 /// A frame of an animation as a viewer shows it, with its delay in hundredths of a second.
-pub struct GifFrame {
+pub(crate) struct GifFrame {
     /// Red, green, blue, alpha.
     pub rgba: Vec<u8>,
     /// Hundredths of a second.
@@ -66,7 +66,7 @@ pub struct GifFrame {
 }
 
 /// Plays a GIF: its size, and all frames.
-pub fn play(path: &Path) -> ((u32, u32), Vec<GifFrame>) {
+pub(crate) fn play(path: &Path) -> ((u32, u32), Vec<GifFrame>) {
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
     let mut decoder = options.read_info(BufReader::new(File::open(path).expect("a GIF file"))).expect("a GIF");

@@ -55,7 +55,7 @@ pub struct ModelDrag {
 }
 
 /// The directions of the handles.
-pub const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
+pub(super) const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
 
 impl Handles<'_> {
     /// Where a point of the world falls, logical pixels; `None` behind the eye.

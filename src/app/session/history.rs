@@ -10,7 +10,7 @@ use crate::stage::{LightAim, ModelTransform};
 
 /// What an undo brings back.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Snapshot {
+pub(super) struct Snapshot {
     /// The model's transform.
     pub model: ModelTransform,
     /// The light; `None` = the default one.
@@ -59,7 +59,7 @@ struct Taken {
 
 /// The steps taken and taken back.
 #[derive(Debug, Default)]
-pub struct History {
+pub(super) struct History {
     done: Vec<Taken>,
     undone: Vec<Taken>,
     /// How the last change came, while the next may go on with its step: until an undo or a redo.
@@ -73,10 +73,10 @@ impl History {
     const DEPTH: usize = 200;
 
     /// Changes of the same thing that follow each other this closely are one step.
-    pub const GESTURE: Duration = Duration::from_millis(800);
+    pub(super) const GESTURE: Duration = Duration::from_millis(800);
 
     /// Notes a change that was made: how things were before it, and what it did.
-    pub fn note(&mut self, before: Snapshot, what: String, step: Step) {
+    pub(super) fn note(&mut self, before: Snapshot, what: String, step: Step) {
         let goes_on = match (self.open, step) {
             (Some(_), Step::Same) => true,
             (Some(Step::Near { of: last, now: then }), Step::Near { of, now }) => last == of && now.duration_since(then) < Self::GESTURE,
@@ -94,7 +94,7 @@ impl History {
     }
 
     /// Goes back one step from `now`. A step in which nothing changed is passed over.
-    pub fn undo(&mut self, now: Snapshot) -> Option<Snapshot> {
+    pub(super) fn undo(&mut self, now: Snapshot) -> Option<Snapshot> {
         self.open = None;
         let back = std::iter::from_fn(|| self.done.pop()).find(|step| step.other_side != now)?;
         self.undone.push(Taken { what: back.what, other_side: now });
@@ -102,7 +102,7 @@ impl History {
     }
 
     /// Goes forward one step from `now`.
-    pub fn redo(&mut self, now: Snapshot) -> Option<Snapshot> {
+    pub(super) fn redo(&mut self, now: Snapshot) -> Option<Snapshot> {
         self.open = None;
         let next = std::iter::from_fn(|| self.undone.pop()).find(|step| step.other_side != now)?;
         self.done.push(Taken { what: next.what, other_side: now });
@@ -110,17 +110,17 @@ impl History {
     }
 
     /// What the step back and the step forward did.
-    pub fn names(&self) -> (Option<&str>, Option<&str>) {
+    pub(super) fn names(&self) -> (Option<&str>, Option<&str>) {
         (self.done.last().map(|step| step.what.as_str()), self.undone.last().map(|step| step.what.as_str()))
     }
 
     /// Whether there is a step back.
-    pub fn can_undo(&self) -> bool {
+    pub(super) fn can_undo(&self) -> bool {
         !self.done.is_empty()
     }
 
     /// Whether there is a step forward.
-    pub fn can_redo(&self) -> bool {
+    pub(super) fn can_redo(&self) -> bool {
         !self.undone.is_empty()
     }
 }

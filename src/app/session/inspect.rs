@@ -10,7 +10,7 @@ use crate::tr;
 
 /// A point on a surface, or a bone; it moves with what it is on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pin {
+pub(super) struct Pin {
     node: NodeId,
     surface: Option<u32>,
     triangle: u32,
@@ -19,7 +19,7 @@ pub struct Pin {
 
 /// The last two points and the vertex nearest to the last one.
 #[derive(Debug, Clone, Default)]
-pub struct Pins {
+pub(super) struct Pins {
     last: [Option<Pin>; 2],
     vertex: Option<(usize, u32)>,
     /// Three bones chosen by hand for the joint angle.

@@ -24,7 +24,7 @@ pub enum JointAxis {
 
 /// What is known and chosen about that joint.
 #[derive(Debug, Default)]
-pub struct JointHand {
+pub(super) struct JointHand {
     /// The elbow found in the skeleton.
     elbow: OnceCell<Option<Joint>>,
     chosen: Option<(NodeId, JointAxis)>,
@@ -36,14 +36,14 @@ pub struct JointHand {
 
 impl JointHand {
     /// The muscles of the document changed: what joint they cross is to be asked anew.
-    pub fn muscles_changed(&mut self) {
+    pub(super) fn muscles_changed(&mut self) {
         self.joint = OnceCell::new();
     }
 }
 
 /// What undo brings back of it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Held {
+pub(super) struct Held {
     chosen: Option<(NodeId, JointAxis)>,
     on_top: bool,
     turn: Option<Turn>,
@@ -277,7 +277,7 @@ impl Session {
 }
 
 /// The bones of all skeletons, without those of muscles' own arms; where there are no joints, all nodes.
-pub fn bones(document: &Document) -> Vec<NodeId> {
+pub(super) fn bones(document: &Document) -> Vec<NodeId> {
     let graph = &document.scene.graph;
     let mut own = vec![false; graph.len()];
     for root in document.rig_roots() {

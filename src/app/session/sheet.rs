@@ -141,7 +141,7 @@ fn moved(channel: &Channel) -> Moved {
 }
 
 /// The rows of a clip, in the order in which the file animates them.
-pub fn rows(scene: &Scene, clip: &Clip) -> Vec<SheetRow> {
+pub(super) fn rows(scene: &Scene, clip: &Clip) -> Vec<SheetRow> {
     let mut places: HashMap<Moved, usize> = HashMap::new();
     let mut rows: Vec<SheetRow> = Vec::new();
     for channel in &clip.channels {
@@ -172,7 +172,7 @@ fn name(scene: &Scene, what: Moved) -> String {
 }
 
 /// The graphs of a row, in a fixed order, as far as the clip moves them.
-pub fn graphs(scene: &Scene, clip: &Clip, what: Moved) -> Vec<Graph> {
+pub(super) fn graphs(scene: &Scene, clip: &Clip, what: Moved) -> Vec<Graph> {
     use GraphKind as K;
     let mut graphs: Vec<Graph> = Vec::new();
     for channel in clip.channels.iter().filter(|channel| moved(channel) == what) {

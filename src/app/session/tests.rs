@@ -208,7 +208,7 @@ fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
 
 #[test]
 fn a_session_file_without_a_camera_is_fitted_whatever_the_window_becomes() {
-    let saved = crate::stage::Saved::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
+    let saved = stage::Saved::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
     let mut session = Session::default();
     session.show_saved(clip().document().clone(), &saved);
     assert!(session.compared().is_some());
@@ -254,7 +254,7 @@ fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
     let mut session = Session::new(document);
     session.set_clip(Some(2));
     session.compare(Some(With::Clip(1)));
-    let saved = session.to_saved(std::path::Path::new("/somewhere"));
+    let saved = session.to_saved(Path::new("/somewhere"));
     assert_eq!((saved.clip.as_deref(), saved.compared.and_then(|compared| compared.clip).as_deref()), (Some("#3"), Some("run")));
     session.show(nameless(["walk", "walk", "run"]), Arrival::Again);
     assert_eq!((session.clip_index(), session.compared_with().map(|with| matches!(with, With::Clip(2)))), (Some(2), Some(true)));

@@ -14,7 +14,7 @@ use crate::tr;
 const DIGITS: usize = 4;
 
 /// Writes width, height and depth while the box is shown.
-pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let (_, frame, camera, display) = session.picture();
     if !display.bounding_box || frame.bounds.is_empty() {
         return;

@@ -17,7 +17,7 @@ const DASHES: [f64; 2] = [6.0, 4.0];
 
 /// Paints them: the origin full, the insertion hollow, points on the way and the middle of a ball small. The one under the pointer (`lit`) says what
 /// it is.
-pub fn draw(
+pub(super) fn draw(
     grips: &[Grip],
     ring: Option<Ring>,
     lit: Option<Handhold>,

@@ -38,14 +38,14 @@ fn nearness(camera: &Camera, direction: Vec3) -> f32 {
 }
 
 /// The view that a click at a place of a picture of this height asks for, logical pixels.
-pub fn hit(camera: &Camera, x: f64, y: f64, height: f64) -> Option<View> {
+pub(super) fn hit(camera: &Camera, x: f64, y: f64, height: f64) -> Option<View> {
     let from = DVec2::new(x - INSET, y - (height - INSET));
     let under = ENDS.iter().filter(|(direction, ..)| (place(camera, *direction) - from).length() <= BALL + 2.0);
     under.max_by(|a, b| nearness(camera, a.0).total_cmp(&nearness(camera, b.0))).map(|end| end.3)
 }
 
 /// Draws the axes into the lower left corner, the end under the pointer larger.
-pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, height: f64, pointer: Option<(f64, f64)>) {
+pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, height: f64, pointer: Option<(f64, f64)>) {
     let (_, _, camera, display) = session.picture();
     let lit = pointer.and_then(|(x, y)| hit(&camera, x, y, height));
     let mut ends = ENDS;

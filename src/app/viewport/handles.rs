@@ -9,7 +9,7 @@ use crate::app::canvas::{Canvas, cairo, rgb, set_color, write_amid};
 use crate::app::session::{Handle, Handles, Tool};
 
 /// Paints them; `lit` is under the pointer or held.
-pub fn draw(handles: &Handles, colors: [u32; 3], lit: Option<Handle>, canvas: &Canvas, snapshot: &gtk::Snapshot) {
+pub(super) fn draw(handles: &Handles, colors: [u32; 3], lit: Option<Handle>, canvas: &Canvas, snapshot: &gtk::Snapshot) {
     let Some(middle) = handles.place(handles.middle) else { return };
     let context = cairo(snapshot, handles.size.x, handles.size.y);
     context.set_line_cap(LineCap::Round);

@@ -38,7 +38,7 @@ enum Grip {
 
 /// What the hands hold.
 #[derive(Default)]
-pub struct Hands {
+pub(super) struct Hands {
     grip: Cell<Option<Grip>>,
     last: Cell<(f64, f64)>,
     moved: Cell<bool>,
@@ -59,27 +59,27 @@ pub struct Hands {
 
 impl Hands {
     /// Whether a drag is under way.
-    pub fn is_dragging(&self) -> bool {
+    pub(super) fn is_dragging(&self) -> bool {
         self.grip.get().is_some()
     }
 
     /// Where the pointer is, logical pixels.
-    pub fn pointer(&self) -> Option<(f64, f64)> {
+    pub(super) fn pointer(&self) -> Option<(f64, f64)> {
         self.pointer.get()
     }
 
     /// The handle of the tool that is under the pointer or held.
-    pub fn handle(&self) -> Option<Handle> {
+    pub(super) fn handle(&self) -> Option<Handle> {
         self.handle.get()
     }
 
     /// The dot of a muscle that is under the pointer or held.
-    pub fn dot(&self) -> Option<Handhold> {
+    pub(super) fn dot(&self) -> Option<Handhold> {
         self.dot.get()
     }
 
     /// Flies, or lands.
-    pub fn toggle_flight(&self, window: &Rc<Window>) {
+    pub(super) fn toggle_flight(&self, window: &Rc<Window>) {
         self.held.borrow_mut().clear();
         window.act(|session| session.change_eye(|eye| if eye.flying().is_some() { eye.land() } else { eye.fly() }));
     }
@@ -91,13 +91,13 @@ impl Hands {
     }
 
     /// Lets go of all keys of flight: nobody tells of those that are released elsewhere.
-    pub fn let_go(&self) {
+    pub(super) fn let_go(&self) {
         self.held.borrow_mut().clear();
         self.pace.set((false, false));
     }
 
     /// Takes a key in flight; whether it was one of flight's.
-    pub fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gdk::Key, pressed: bool) -> bool {
+    pub(super) fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gdk::Key, pressed: bool) -> bool {
         if !window.look(|session| matches!(session.eye().viewpoint(), Viewpoint::Fly(_))) {
             return false;
         }
@@ -120,7 +120,7 @@ impl Hands {
     }
 
     /// Flies on for `seconds`; whether a key is held.
-    pub fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
+    pub(super) fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
         if self.held.borrow().is_empty() {
             return false;
         }
@@ -146,7 +146,7 @@ impl Hands {
 }
 
 /// Connects everything to the canvas.
-pub fn connect(window: &Rc<Window>, canvas: &Canvas) {
+pub(super) fn connect(window: &Rc<Window>, canvas: &Canvas) {
     connect_drag(window, canvas);
     connect_clicks(window, canvas);
     zoom::connect(window, canvas);
@@ -372,7 +372,7 @@ fn point(window: &Rc<Window>, x: f64, y: f64) {
 }
 
 /// Something else is under a pointer that rests: what was said of it is no longer true, and is said anew once the picture rests too.
-pub fn point_again(window: &Rc<Window>) {
+pub(super) fn point_again(window: &Rc<Window>) {
     let hands = &window.viewport.hands;
     if hands.pointer.get().is_none() {
         return;

@@ -11,7 +11,7 @@ use crate::document::Skinning;
 use crate::tr;
 
 /// Names the two that are compared: over each where they stand side by side, else one below the other at the upper edge.
-pub fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let Some(compared) = session.compared() else { return };
     let Some(names) = names(session) else { return };
     let palette = &session.display().palette;

@@ -15,7 +15,7 @@ const MARGIN: f64 = 24.0;
 const SUN: u32 = 0xFF_DB73;
 
 /// Draws it over the picture.
-pub fn draw(session: &mut Session, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn draw(session: &mut Session, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let aim = session.light_aim();
     let (_, frame, camera, _) = session.picture();
     let (middle, light) = (frame.bounds.center(), aim.position(&frame.bounds));
@@ -51,7 +51,7 @@ pub fn draw(session: &mut Session, snapshot: &gtk::Snapshot, width: f64, height:
 }
 
 /// A dot with eight rays.
-fn sun(context: &gtk::cairo::Context, at: DVec2, line: f64) {
+fn sun(context: &cairo::Context, at: DVec2, line: f64) {
     context.arc(at.x, at.y, 4.0 + line / 2.0, 0.0, std::f64::consts::TAU);
     ignore(context.fill());
     for ray in 0..8 {

@@ -15,7 +15,7 @@ const RIGHT: f64 = 24.0;
 const BELOW: f64 = 96.0;
 
 /// Draws the ramp with the bone's name, while weights are painted.
-pub fn draw(session: &Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn draw(session: &Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let Some(bone) = session.display().weights else { return };
     let (x, y) = (width - RIGHT - WIDTH, height - BELOW);
     if x < 60.0 || y < 60.0 {

@@ -33,7 +33,7 @@ unsafe extern "C" {
 }
 
 /// A source of the pixels of `surface`, its corner at the origin.
-pub fn source(surface: &ImageSurface) -> Pattern {
+pub(super) fn source(surface: &ImageSurface) -> Pattern {
     let lent = surface.to_raw_none();
     // SAFETY: the pattern holds a reference to the surface, taken here and given back by `finish`; copies of it take theirs. The callbacks are told the
     // pointer that is passed here. Width and height are the surface's, which is an image.

@@ -41,7 +41,7 @@ const HEAVY_MS: f64 = 14.0;
 const REST: Duration = Duration::from_millis(120);
 
 /// The picture with what stands over it.
-pub struct Viewport {
+pub(super) struct Viewport {
     /// The whole.
     pub root: gtk::Overlay,
     canvas: Canvas,
@@ -57,7 +57,7 @@ pub struct Viewport {
 
 impl Viewport {
     /// An empty one; [`Viewport::connect`] brings it to life.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         let builder = ui::builder(ui::VIEWPORT);
         let root: gtk::Overlay = part(&builder, "root");
         let canvas = Canvas::named(&tr!("app-viewport"), 150, 150);
@@ -84,7 +84,7 @@ impl Viewport {
     }
 
     /// Connects painter, hands and buttons.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         let weak = Rc::downgrade(window);
         let screen = self.screen.clone();
         self.canvas.set_painter(move |canvas, snapshot, width, height| {
@@ -119,7 +119,7 @@ impl Viewport {
     }
 
     /// Shows what changed.
-    pub fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
         if changes.any(Changes::PICTURE) {
             self.invalidate();
         }
@@ -143,7 +143,7 @@ impl Viewport {
     }
 
     /// The picture is no longer true.
-    pub fn invalidate(&self) {
+    pub(super) fn invalidate(&self) {
         self.screen.borrow_mut().fresh = false;
         self.canvas.queue_draw();
     }
@@ -155,33 +155,33 @@ impl Viewport {
     }
 
     /// What stands over the picture is no longer true.
-    pub fn draw_over(&self) {
+    pub(super) fn draw_over(&self) {
         self.canvas.queue_draw();
     }
 
     /// Logical width and height.
-    pub fn size(&self) -> (i32, i32) {
+    pub(super) fn size(&self) -> (i32, i32) {
         (self.canvas.width(), self.canvas.height())
     }
 
     /// Pixels of the device a logical pixel.
-    pub fn scale(&self) -> i32 {
+    pub(super) fn scale(&self) -> i32 {
         self.canvas.scale_factor()
     }
 
     /// Where dropped files are accepted.
-    pub fn add_controller(&self, controller: &impl IsA<gtk::EventController>) {
+    pub(super) fn add_controller(&self, controller: &impl IsA<gtk::EventController>) {
         self.root.add_controller(controller.clone());
     }
 
     /// Gives the keyboard to the picture. A hand that did so knows where it is: nothing frames the picture then.
-    pub fn take_focus(&self) {
+    pub(super) fn take_focus(&self) {
         self.canvas.grab_focus();
         self.canvas.remove_css_class(REACHED);
     }
 
     /// What lies under a point, logical pixels.
-    pub fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<Pick> {
+    pub(super) fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<Pick> {
         let ((width, height), scale) = (self.size(), self.scale());
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;
@@ -191,25 +191,25 @@ impl Viewport {
     }
 
     /// The renderer, for pictures to take away.
-    pub fn with_renderer<T>(&self, work: impl FnOnce(&mut Renderer) -> T) -> T {
+    pub(super) fn with_renderer<T>(&self, work: impl FnOnce(&mut Renderer) -> T) -> T {
         work(&mut self.screen.borrow_mut().renderer)
     }
 
     /// Says for a while what a drag does.
-    pub fn hint(&self, text: &str) {
+    pub(super) fn hint(&self, text: &str) {
         let label: gtk::Label = part(&self.builder, "hint");
         ui::say(&label, text);
         label.set_visible(!text.is_empty());
     }
 
     /// Whether frame times stand over the picture.
-    pub fn show_times(&self, shown: bool) {
+    pub(super) fn show_times(&self, shown: bool) {
         part::<gtk::Label>(&self.builder, "times").set_visible(shown);
         self.invalidate();
     }
 
     /// Says something in passing; with the file that was written, offers its folder.
-    pub fn toast(&self, text: &str, file: Option<PathBuf>) {
+    pub(super) fn toast(&self, text: &str, file: Option<PathBuf>) {
         ui::say(&part(&self.builder, "toast_label"), text);
         part::<gtk::Button>(&self.builder, "toast_folder").set_visible(file.is_some());
         self.toast_file.replace(file);
@@ -228,13 +228,13 @@ impl Viewport {
     }
 
     /// Says something in passing that is about the program, whatever is open.
-    pub fn notice(&self, text: &str) {
+    pub(super) fn notice(&self, text: &str) {
         self.toast(text, None);
         self.toast_stays.set(true);
     }
 
     /// Takes away what was said in passing about what is no longer open.
-    pub fn hush(&self) {
+    pub(super) fn hush(&self) {
         if !self.toast_stays.get() {
             self.toasts.set(self.toasts.get().wrapping_add(1));
             part::<gtk::Label>(&self.builder, "toast_label").set_text("");
@@ -245,7 +245,7 @@ impl Viewport {
     }
 
     /// Shows how far reading is; `None` = nothing is being read.
-    pub fn loading(&self, state: Option<(&str, f64)>) {
+    pub(super) fn loading(&self, state: Option<(&str, f64)>) {
         part::<gtk::Box>(&self.builder, "loading").set_visible(state.is_some());
         if let Some((text, part_done)) = state {
             ui::say(&part(&self.builder, "loading_label"), text);
@@ -255,37 +255,37 @@ impl Viewport {
     }
 
     /// The button that stops reading.
-    pub fn cancel_button(&self) -> gtk::Button {
+    pub(super) fn cancel_button(&self) -> gtk::Button {
         part(&self.builder, "loading_cancel")
     }
 
     /// Marks the place where files can be dropped.
-    pub fn drop_here(&self, shown: bool) {
+    pub(super) fn drop_here(&self, shown: bool) {
         part::<gtk::Label>(&self.builder, "drop_here").set_visible(shown);
     }
 
     /// Flies, or lands.
-    pub fn toggle_flight(&self, window: &Rc<Window>) {
+    pub(super) fn toggle_flight(&self, window: &Rc<Window>) {
         self.hands.toggle_flight(window);
     }
 
     /// Lets go of all keys of flight.
-    pub fn let_go(&self) {
+    pub(super) fn let_go(&self) {
         self.hands.let_go();
     }
 
     /// Says anew what is under a pointer that rests, where that is another thing now.
-    pub fn point_again(&self, window: &Rc<Window>) {
+    pub(super) fn point_again(&self, window: &Rc<Window>) {
         hands::point_again(window);
     }
 
     /// Takes a key in flight; whether it was one of flight's.
-    pub fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
+    pub(super) fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
         self.hands.flight_key(window, letter, key, pressed)
     }
 
     /// Flies on for `seconds`; whether a key is held.
-    pub fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
+    pub(super) fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
         self.hands.fly(window, seconds)
     }
 }

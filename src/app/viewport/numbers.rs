@@ -20,7 +20,7 @@ const FRAME: i32 = 26;
 
 /// Three boxes, of which Scale uses one.
 #[derive(Clone)]
-pub struct Numbers {
+pub(super) struct Numbers {
     root: gtk::Box,
     label: gtk::Label,
     boxes: [gtk::SpinButton; 3],
@@ -33,7 +33,7 @@ pub struct Numbers {
 
 impl Numbers {
     /// From the viewport's `.ui` file.
-    pub fn new(builder: &gtk::Builder) -> Self {
+    pub(super) fn new(builder: &gtk::Builder) -> Self {
         Self {
             root: part(builder, "numbers"),
             label: part(builder, "numbers_label"),
@@ -45,7 +45,7 @@ impl Numbers {
     }
 
     /// Lets the boxes change the model.
-    pub fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, window: &Rc<Window>) {
         for (axis, number) in (0..).zip(&self.boxes) {
             let (boxes, tool) = (self.boxes.clone(), self.tool.clone());
             number.connect_value_changed(glib::clone!(
@@ -69,7 +69,7 @@ impl Numbers {
 
     /// Takes no more room than a picture of this width has, logical pixels: does without the buttons of the boxes, then without the name of the whole, and
     /// at last stands upright. Typing, the wheel and keys change numbers without buttons too.
-    pub fn fit(&self, width: i32) {
+    pub(super) fn fit(&self, width: i32) {
         let room = width - self.root.margin_start() - MARGIN;
         for (buttons, named, upright) in [(true, true, false), (false, true, false), (false, false, false), (true, true, true)] {
             for number in &self.boxes {
@@ -97,7 +97,7 @@ impl Numbers {
     }
 
     /// Shows the numbers of a tool.
-    pub fn refresh(&self, tool: Tool, model: &ModelTransform) {
+    pub(super) fn refresh(&self, tool: Tool, model: &ModelTransform) {
         let other = self.tool.replace(tool) != tool;
         self.root.set_visible(tool != Tool::Navigate);
         let [_, y, z] = &self.axes;

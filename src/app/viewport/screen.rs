@@ -16,7 +16,7 @@ use crate::render::{Renderer, Stats};
 const FRAMES: usize = 30;
 
 /// The kept surfaces and what draws into them.
-pub struct Screen {
+pub(super) struct Screen {
     /// The rasterizer.
     pub renderer: Renderer,
     /// Whether the surface shows the session as it is.
@@ -32,7 +32,7 @@ pub struct Screen {
 
 impl Screen {
     /// An empty one.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             renderer: Renderer::new(None),
             fresh: false,
@@ -44,12 +44,12 @@ impl Screen {
     }
 
     /// Whether the surface shows the session as it is, in this size.
-    pub fn is_fresh(&self, width: i32, height: i32) -> bool {
+    pub(super) fn is_fresh(&self, width: i32, height: i32) -> bool {
         self.fresh && self.size == (width, height)
     }
 
     /// Frames a second over the last few; 0 where the last one is long ago.
-    pub fn rate(&self) -> f64 {
+    pub(super) fn rate(&self) -> f64 {
         match (self.times.front(), self.times.back()) {
             (Some(first), Some(last)) if last > first && last.elapsed().as_secs_f64() < 1.0 => {
                 (self.times.len() - 1) as f64 / (*last - *first).as_secs_f64()
@@ -59,7 +59,7 @@ impl Screen {
     }
 
     /// Draws the session; `coarse` at half the resolution. `None` where there is no memory for the picture.
-    pub fn draw(&mut self, session: &mut Session, width: i32, height: i32, scale: i32, coarse: bool) -> Option<Stats> {
+    pub(super) fn draw(&mut self, session: &mut Session, width: i32, height: i32, scale: i32, coarse: bool) -> Option<Stats> {
         let part = if coarse { 2 } else { 1 };
         let (drawn_width, drawn_height) = ((width / part).max(1), (height / part).max(1));
         let fits = |surface: &ImageSurface| surface.width() == drawn_width && surface.height() == drawn_height;
@@ -92,7 +92,7 @@ impl Screen {
     }
 
     /// Puts the surface on the screen, pixel for pixel.
-    pub fn show(&self, context: &Context, scale: i32) {
+    pub(super) fn show(&self, context: &Context, scale: i32) {
         let [Some(surface), ..] = &self.surfaces else { return };
         let (width, height) = (f64::from(self.size.0) / f64::from(scale), f64::from(self.size.1) / f64::from(scale));
         context.scale(width / f64::from(surface.width()), height / f64::from(surface.height()));

@@ -47,7 +47,7 @@ impl Fingers {
 }
 
 /// Lets wheel and fingers zoom.
-pub fn connect(window: &Rc<Window>, canvas: &Canvas) {
+pub(super) fn connect(window: &Rc<Window>, canvas: &Canvas) {
     let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL);
     wheel.connect_scroll(glib::clone!(
         #[weak]
@@ -100,7 +100,7 @@ fn size(window: &Rc<Window>) -> (f64, f64) {
 }
 
 /// Moves the picture with a hand that went this way; logical pixels of a picture of this height.
-pub fn pan(orbit: &mut OrbitCamera, (dx, dy): (f64, f64), height: f64) {
+pub(super) fn pan(orbit: &mut OrbitCamera, (dx, dy): (f64, f64), height: f64) {
     orbit.pan((-dx / height) as f32, (dy / height) as f32);
 }
 

@@ -36,17 +36,17 @@ pub(super) struct Buffer {
 
 impl Buffer {
     /// Counts what is about to be made, bytes.
-    pub fn spend(&mut self, bytes: usize) {
+    pub(super) fn spend(&mut self, bytes: usize) {
         self.spent = self.spent.saturating_add(bytes);
     }
 
     /// Whether the document takes more than converting may.
-    pub fn is_full(&self) -> bool {
+    pub(super) fn is_full(&self) -> bool {
         self.spent.saturating_add(self.bytes.len()) > limits::CONVERTED_BYTES
     }
 
     /// Adds bytes that begin at a multiple of four; returns the view.
-    pub fn view(&mut self, usage: Usage, stride: Option<usize>, fill: impl FnOnce(&mut Vec<u8>)) -> usize {
+    pub(super) fn view(&mut self, usage: Usage, stride: Option<usize>, fill: impl FnOnce(&mut Vec<u8>)) -> usize {
         self.spend(ENTRY);
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         let start = self.bytes.len();
@@ -71,7 +71,7 @@ impl Buffer {
     }
 
     /// Adds rows of `N` floats. With `bounds` the smallest and largest of each column are noted, which positions and times must have.
-    pub fn floats<const N: usize>(&mut self, usage: Usage, rows: &[[f32; N]], bounds: bool) -> usize {
+    pub(super) fn floats<const N: usize>(&mut self, usage: Usage, rows: &[[f32; N]], bounds: bool) -> usize {
         let view = self.view(usage, None, |bytes| {
             bytes.reserve(rows.len() * N * 4);
             rows.iter().flatten().for_each(|number| bytes.extend_from_slice(&number.to_le_bytes()));
@@ -98,12 +98,12 @@ impl Buffer {
     }
 
     /// Adds a list of single floats.
-    pub fn scalars(&mut self, numbers: &[f32], bounds: bool) -> usize {
+    pub(super) fn scalars(&mut self, numbers: &[f32], bounds: bool) -> usize {
         self.floats(Usage::Other, numbers.as_chunks::<1>().0, bounds)
     }
 
     /// Adds vertex indices of a mesh of `vertices` vertices, in two bytes each where they fit.
-    pub fn indices(&mut self, indices: &[u32], vertices: usize) -> usize {
+    pub(super) fn indices(&mut self, indices: &[u32], vertices: usize) -> usize {
         // The largest number of each width is kept for restarting strips and may not be used.
         let short = vertices <= usize::from(u16::MAX);
         let view = self.view(Usage::Indices, None, |bytes| {
@@ -118,7 +118,7 @@ impl Buffer {
     }
 
     /// Adds four joint numbers a vertex, in a byte each where they fit.
-    pub fn joints(&mut self, rows: &[[u16; 4]]) -> usize {
+    pub(super) fn joints(&mut self, rows: &[[u16; 4]]) -> usize {
         let small = rows.iter().flatten().all(|joint| *joint <= u16::from(u8::MAX));
         let view = self.view(Usage::Vertices, None, |bytes| {
             for &joint in rows.iter().flatten() {

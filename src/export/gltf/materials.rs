@@ -37,18 +37,18 @@ type Picture = (Option<u32>, Option<(u32, u8)>);
 
 impl Materials {
     /// Whether a material needs `KHR_materials_unlit`.
-    pub fn uses_unlit(&self) -> bool {
+    pub(super) fn uses_unlit(&self) -> bool {
         self.unlit
     }
 
     /// Whether a texture needs `KHR_texture_transform`.
-    pub fn uses_transform(&self) -> bool {
+    pub(super) fn uses_transform(&self) -> bool {
         self.placed
     }
 
     /// The number of the material of what has none: white where vertices have colours, else the neutral colour; with `both_sides` it is seen from behind
     /// too.
-    pub fn unbound(&mut self, colored: bool, both_sides: bool) -> usize {
+    pub(super) fn unbound(&mut self, colored: bool, both_sides: bool) -> usize {
         let place = usize::from(colored) * 2 + usize::from(both_sides);
         if let Some(number) = self.unbound[place] {
             return number;
@@ -61,7 +61,7 @@ impl Materials {
     }
 
     /// The number of the material that `binding` means, written if it is not yet; with `both_sides` it is seen from behind too.
-    pub fn number(
+    pub(super) fn number(
         &mut self,
         scene: &Scene,
         binding: &MaterialBinding,

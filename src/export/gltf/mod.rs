@@ -373,7 +373,7 @@ impl<'a> Writer<'a> {
         value["name"] = light.name.clone().into();
         // Colours of lights are linear in both formats; what is brighter than 1 goes into the intensity.
         let brightest = light.color.max_element().max(1.0);
-        let color = (light.color / brightest).clamp(glam::Vec3::ZERO, glam::Vec3::ONE);
+        let color = (light.color / brightest).clamp(Vec3::ZERO, Vec3::ONE);
         value["color"] = json!(if color.is_finite() { color.to_array() } else { [1.0; 3] });
         value["intensity"] = json!(if brightest.is_finite() { brightest } else { 1.0 });
         self.lights.push(value);

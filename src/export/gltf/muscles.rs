@@ -51,7 +51,7 @@ struct Stretch {
 }
 
 impl<'a> Muscles<'a> {
-    pub fn new(document: &'a Document) -> Self {
+    pub(super) fn new(document: &'a Document) -> Self {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         document.pose(&document.start_state(), &mut buffers, &mut frame);
         let bone = |muscle: MuscleId| document.muscle(muscle).and_then(|(rig, index)| rig.origin_bone(index));
@@ -82,8 +82,8 @@ impl<'a> Muscles<'a> {
     }
 
     /// Writes all muscles and the movement of their shapes into the takes' `animations`. Returns the new nodes, each with the bone that it belongs under.
-    #[allow(clippy::too_many_arguments)]
-    pub fn write(
+    #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
+    pub(super) fn write(
         &mut self,
         takes: &[Take],
         diagonal: f32,

@@ -16,7 +16,7 @@ pub(super) struct Placing {
 
 impl Placing {
     /// The parts of a matrix and whether shear was lost on the way. A mirror goes into the x scale.
-    pub fn of(matrix: &DMat4) -> (Self, bool) {
+    pub(super) fn of(matrix: &DMat4) -> (Self, bool) {
         let axes = DMat3::from_mat4(*matrix);
         let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
         let longest = lengths.iter().copied().fold(0.0, f64::max);
@@ -40,7 +40,7 @@ impl Placing {
     }
 
     /// A point of the way from `self` to `to`, as a glTF player goes it: straight, and along the shorter arc.
-    pub fn between(&self, to: &Self, part: f64) -> Self {
+    pub(super) fn between(&self, to: &Self, part: f64) -> Self {
         let end = if self.rotation.dot(to.rotation) < 0.0 { -to.rotation } else { to.rotation };
         Self {
             translation: self.translation.lerp(to.translation, part),
@@ -50,7 +50,7 @@ impl Placing {
     }
 
     /// Writes the parts that are not those of a node without a transform.
-    pub fn write(&self, node: &mut Value) {
+    pub(super) fn write(&self, node: &mut Value) {
         if self.translation != DVec3::ZERO {
             node["translation"] = json!(self.translation.as_vec3().to_array());
         }

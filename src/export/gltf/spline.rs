@@ -48,7 +48,7 @@ fn shared_times<'a>(take: &Take, channels: &[&'a Channel]) -> Option<&'a [f64]> 
 
 impl Spline {
     /// The translation or scale of a node, where one `translate` alone moves, or one `scale` that nothing stands below.
-    pub fn of_node(take: &Take, node: NodeId, channels: &[&Channel], pose: &mut Pose) -> Option<Self> {
+    pub(super) fn of_node(take: &Take, node: NodeId, channels: &[&Channel], pose: &mut Pose) -> Option<Self> {
         let times = shared_times(take, channels)?;
         let mut lanes: [Option<(&Curve, usize)>; 3] = [None; 3];
         let mut moving = None;
@@ -105,7 +105,7 @@ impl Spline {
     }
 
     /// The weights of morph targets, in the order of `rest`, which names each with its weight at rest.
-    pub fn of_weights(take: &Take, channels: &[&Channel], rest: &[(MorphId, u32, f64)]) -> Option<Self> {
+    pub(super) fn of_weights(take: &Take, channels: &[&Channel], rest: &[(MorphId, u32, f64)]) -> Option<Self> {
         let times = shared_times(take, channels)?;
         let lead = |&(morph, target, weight): &(MorphId, u32, f64)| {
             // Of two channels on one weight the later counts, as it does when they are sampled.

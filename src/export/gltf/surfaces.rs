@@ -90,7 +90,7 @@ pub(super) fn bones(skin: &Skin, mesh: &Mesh, joints: &[Option<NodeId>], root: N
 
 impl Surfaces {
     /// Writes a mesh with these deformers and materials, if none like it is written yet; returns its number, or `None` where nothing of it can be drawn.
-    pub fn mesh(
+    pub(super) fn mesh(
         &mut self,
         scene: &Scene,
         instance: &MeshInstance,
@@ -154,8 +154,8 @@ impl Surfaces {
     }
 
     /// Writes a mesh that stands still as it is given; returns its number, or `None` where nothing of it can be drawn.
-    #[allow(clippy::too_many_arguments)]
-    pub fn still(
+    #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
+    pub(super) fn still(
         &mut self,
         scene: &Scene,
         mesh: &Mesh,
@@ -186,7 +186,7 @@ impl Surfaces {
     }
 
     /// Writes a skin of these nodes and matrices.
-    pub fn skin(&mut self, of: (MeshId, SkinId), name: &str, joints: &[usize], bones: &[Bone], buffer: &mut Buffer) -> usize {
+    pub(super) fn skin(&mut self, of: (MeshId, SkinId), name: &str, joints: &[usize], bones: &[Bone], buffer: &mut Buffer) -> usize {
         let rows: Vec<[f32; 16]> = bones.iter().map(|bone| upright(&bone.inverse_bind)).collect();
         buffer.spend(ENTRY + joints.len() * size_of::<Value>());
         let matrices = match self.matrices.get(&of).filter(|(known, _)| *known == rows) {
@@ -313,7 +313,7 @@ pub(super) struct Sides<'a> {
 }
 
 /// One primitive a part of the mesh for its triangles, one for those of them that are seen from one side only, one for its lines.
-#[allow(clippy::too_many_arguments)]
+#[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
 pub(super) fn primitives(
     scene: &Scene,
     mesh: &Mesh,

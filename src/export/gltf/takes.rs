@@ -40,7 +40,7 @@ enum Kind {
 
 impl Take {
     /// All that a document can play.
-    pub fn all(document: &Document) -> Vec<Self> {
+    pub(super) fn all(document: &Document) -> Vec<Self> {
         if document.clips.is_empty() {
             let Some(rig) = document.driven_rig() else { return Vec::new() };
             let (name, kind) = match rig.flexion_range() {
@@ -59,7 +59,7 @@ impl Take {
     }
 
     /// The state of the document at a moment of it.
-    pub fn state(&self, document: &Document, at: f64) -> PoseState {
+    pub(super) fn state(&self, document: &Document, at: f64) -> PoseState {
         let start = document.start_state();
         let part = ((at - self.span.0) / (self.span.1 - self.span.0)).clamp(0.0, 1.0);
         let drive = |make: fn(&crate::muscle::Rig, f64) -> crate::muscle::Drive, value: f64| {
@@ -73,7 +73,7 @@ impl Take {
     }
 
     /// Moments that any key of it stands at.
-    pub fn moments(&self, document: &Document) -> Vec<Moment> {
+    pub(super) fn moments(&self, document: &Document) -> Vec<Moment> {
         let times = match self.kind {
             Kind::Clip(clip) => document.clips.get(clip).map(|clip| within(clip.key_times(None), self.span)).unwrap_or_default(),
             Kind::Bend(_) | Kind::Contract => self.even(),
@@ -106,13 +106,13 @@ pub(super) struct Animation {
 
 impl Animation {
     /// Adds a sampler with its channel.
-    pub fn add(&mut self, node: usize, path: &str, input: usize, output: usize, interpolation: &str) {
+    pub(super) fn add(&mut self, node: usize, path: &str, input: usize, output: usize, interpolation: &str) {
         self.samplers.push(json!({"input": input, "output": output, "interpolation": interpolation}));
         self.channels.push(json!({"sampler": self.samplers.len() - 1, "target": {"node": node, "path": path}}));
     }
 
     /// The whole; `None` where nothing moves.
-    pub fn value(self, take: &Take) -> Option<Value> {
+    pub(super) fn value(self, take: &Take) -> Option<Value> {
         if self.channels.is_empty() {
             return None;
         }
@@ -167,7 +167,7 @@ impl Stage<'_> {
 
     /// Writes the moving nodes of a take.
     /// `pose` rests; each node of it that is moved is put back before it is moved again.
-    pub fn write(&self, take: &Take, pose: &mut Pose, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
+    pub(super) fn write(&self, take: &Take, pose: &mut Pose, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
         match take.kind {
             Kind::Clip(number) => {
                 if let Some(clip) = self.document.clips.get(number) {
@@ -241,7 +241,7 @@ impl Stage<'_> {
         }
     }
 
-    #[allow(clippy::too_many_arguments)]
+    #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
     fn write_node(
         &self,
         take: &Take,
@@ -321,7 +321,7 @@ pub(super) struct Weights<'a> {
 
 impl Weights<'_> {
     /// Writes the weights where the take moves any of them.
-    pub fn write(&self, document: &Document, take: &Take, animation: &mut Animation, buffer: &mut Buffer) {
+    pub(super) fn write(&self, document: &Document, take: &Take, animation: &mut Animation, buffer: &mut Buffer) {
         let Kind::Clip(number) = take.kind else { return };
         let Some(clip) = document.clips.get(number) else { return };
         // All channels are looked through for each mesh that morphs.

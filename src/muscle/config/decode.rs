@@ -8,7 +8,7 @@ use crate::tr;
 
 /// A complaint about the value at a path.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Complaint {
+pub(super) struct Complaint {
     /// Where in the tree.
     pub path: Vec<Step>,
     /// The sentence.
@@ -17,7 +17,7 @@ pub struct Complaint {
 
 /// A value together with where it stands and what it is called.
 #[derive(Debug, Clone)]
-pub struct At<'a> {
+pub(super) struct At<'a> {
     /// The value.
     pub value: &'a Yaml,
     /// Where in the tree.
@@ -30,18 +30,18 @@ pub struct At<'a> {
 
 impl<'a> At<'a> {
     /// The root of a file.
-    pub fn root(value: &'a Yaml) -> Self {
+    pub(super) fn root(value: &'a Yaml) -> Self {
         Self { value, path: Vec::new(), key: tr!("muscle-yaml-the-file").into(), numbers: Vec::new() }
     }
 
     /// What messages call it: the key, or the key and the number of the item. Made for a message only: a list may have many items.
-    pub fn name(&self) -> String {
+    pub(super) fn name(&self) -> String {
         let named = |name: String, number: &usize| tr!("muscle-yaml-item", name = name, number = *number);
         self.numbers.iter().fold(self.key.to_string(), named)
     }
 
     /// A complaint about this value.
-    pub fn complain(&self, message: String) -> Complaint {
+    pub(super) fn complain(&self, message: String) -> Complaint {
         Complaint { path: self.path.clone(), message }
     }
 
@@ -59,7 +59,7 @@ impl<'a> At<'a> {
     }
 
     /// A finite number.
-    pub fn number(&self) -> Result<f64, Complaint> {
+    pub(super) fn number(&self) -> Result<f64, Complaint> {
         match self.value {
             Yaml::Number(number) if number.is_finite() => Ok(*number),
             Yaml::Number(_) => Err(self.complain(tr!("muscle-yaml-not-finite", name = self.name()))),
@@ -72,7 +72,7 @@ impl<'a> At<'a> {
     }
 
     /// A number above zero, or from zero on where `or_zero`.
-    pub fn positive(&self, or_zero: bool) -> Result<f64, Complaint> {
+    pub(super) fn positive(&self, or_zero: bool) -> Result<f64, Complaint> {
         let number = self.number()?;
         if number > 0.0 || (or_zero && number == 0.0) {
             Ok(number)
@@ -83,7 +83,7 @@ impl<'a> At<'a> {
     }
 
     /// Text.
-    pub fn text(&self) -> Result<&'a str, Complaint> {
+    pub(super) fn text(&self) -> Result<&'a str, Complaint> {
         match self.value {
             Yaml::Text(text) => Ok(text),
             _ => Err(self.wrong("muscle-yaml-a-text")),
@@ -91,7 +91,7 @@ impl<'a> At<'a> {
     }
 
     /// The items of a list, each named after the list.
-    pub fn items(&self) -> Result<Vec<At<'a>>, Complaint> {
+    pub(super) fn items(&self) -> Result<Vec<At<'a>>, Complaint> {
         let Yaml::List(items) = self.value else { return Err(self.wrong("muscle-yaml-a-list")) };
         let at = |(index, value)| At {
             value,
@@ -103,12 +103,12 @@ impl<'a> At<'a> {
     }
 
     /// A list of numbers of any length.
-    pub fn numbers(&self) -> Result<Vec<f64>, Complaint> {
+    pub(super) fn numbers(&self) -> Result<Vec<f64>, Complaint> {
         self.items()?.iter().map(At::number).collect()
     }
 
     /// A list of exactly `N` numbers.
-    pub fn some_numbers<const N: usize>(&self) -> Result<[f64; N], Complaint> {
+    pub(super) fn some_numbers<const N: usize>(&self) -> Result<[f64; N], Complaint> {
         let numbers = self.numbers()?;
         let count = numbers.len();
         <[f64; N]>::try_from(numbers)
@@ -116,7 +116,7 @@ impl<'a> At<'a> {
     }
 
     /// A mapping whose keys are all among `known`.
-    pub fn map(&self, known: &'static [&'static str]) -> Result<Map<'a>, Complaint> {
+    pub(super) fn map(&self, known: &'static [&'static str]) -> Result<Map<'a>, Complaint> {
         let Yaml::Map(entries) = self.value else { return Err(self.wrong("muscle-yaml-a-map")) };
         let mut seen: Vec<&str> = Vec::new();
         for (index, (key, _)) in entries.iter().enumerate() {
@@ -138,7 +138,7 @@ impl<'a> At<'a> {
     }
 
     /// Whether the value is a mapping with this key.
-    pub fn has(&self, key: &str) -> bool {
+    pub(super) fn has(&self, key: &str) -> bool {
         matches!(self.value, Yaml::Map(entries) if entries.iter().any(|(name, _)| name.as_deref() == Some(key)))
     }
 
@@ -151,7 +151,7 @@ impl<'a> At<'a> {
 
 /// A mapping whose keys are known.
 #[derive(Debug)]
-pub struct Map<'a> {
+pub(super) struct Map<'a> {
     entries: &'a [(Option<String>, Yaml)],
     path: Vec<Step>,
     name: String,
@@ -159,7 +159,7 @@ pub struct Map<'a> {
 
 impl<'a> Map<'a> {
     /// The value of a key that may be left out; an empty one counts as left out.
-    pub fn get(&self, key: &str) -> Option<At<'a>> {
+    pub(super) fn get(&self, key: &str) -> Option<At<'a>> {
         let (index, (_, value)) = self.entries.iter().enumerate().find(|(_, (name, _))| name.as_deref() == Some(key))?;
         let mut path = self.path.clone();
         path.push(Step::Value(index));
@@ -167,7 +167,7 @@ impl<'a> Map<'a> {
     }
 
     /// The value of a key that must be there.
-    pub fn need(&self, key: &str) -> Result<At<'a>, Complaint> {
+    pub(super) fn need(&self, key: &str) -> Result<At<'a>, Complaint> {
         self.get(key).ok_or_else(|| Complaint {
             path: self.path.clone(),
             message: tr!("muscle-yaml-missing-key", key = key.to_owned(), name = self.name.clone()),
@@ -180,7 +180,7 @@ fn message_of(key: &str) -> String {
 }
 
 /// The known key that `key` was probably meant to be: at most a third of its letters differ.
-pub fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
+pub(super) fn nearest(key: &str, known: &[&'static str]) -> Option<&'static str> {
     // Long keys are nothing anybody mistyped, and comparing them costs.
     if key.len() > 60 {
         return None;

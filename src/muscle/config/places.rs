@@ -6,14 +6,14 @@
 use super::yaml::{Step, Yaml, locate};
 
 /// A text and the beginnings of its lines.
-pub struct Places<'a> {
+pub(super) struct Places<'a> {
     /// The text.
     pub text: &'a str,
     lines: Vec<usize>,
 }
 
 impl<'a> Places<'a> {
-    pub fn new(text: &'a str) -> Self {
+    pub(super) fn new(text: &'a str) -> Self {
         let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
         Self { text, lines }
     }
@@ -28,7 +28,7 @@ impl<'a> Places<'a> {
     }
 
     /// First and last byte (exclusive) of the value at `path`, which is `value`.
-    pub fn span(&self, path: &[Step], value: &Yaml) -> Option<(usize, usize)> {
+    pub(super) fn span(&self, path: &[Step], value: &Yaml) -> Option<(usize, usize)> {
         let start = self.start(path)?;
         let end = match self.text.as_bytes().get(start)? {
             b'[' | b'{' => self.bracket(start)?,
@@ -52,7 +52,7 @@ impl<'a> Places<'a> {
     }
 
     /// Where a new entry of the mapping at `path` goes, and what stands before and after it.
-    pub fn end_of_map(&self, path: &[Step], entries: &[(Option<String>, Yaml)]) -> Option<(usize, String, &'static str)> {
+    pub(super) fn end_of_map(&self, path: &[Step], entries: &[(Option<String>, Yaml)]) -> Option<(usize, String, &'static str)> {
         let last = entries.len().checked_sub(1)?;
         let (_, end) = self.span(&below(path, Step::Value(last)), &entries.get(last)?.1)?;
         if self.in_flow(&below(path, Step::Item(0))) {
@@ -68,7 +68,7 @@ impl<'a> Places<'a> {
     }
 
     /// All that goes when entry `index` of the mapping at `path` does.
-    pub fn entry(&self, path: &[Step], entries: &[(Option<String>, Yaml)], index: usize, value: &Yaml) -> Option<(usize, usize)> {
+    pub(super) fn entry(&self, path: &[Step], entries: &[(Option<String>, Yaml)], index: usize, value: &Yaml) -> Option<(usize, usize)> {
         let start = self.start(&below(path, Step::Key(index)))?;
         let (_, end) = self.span(&below(path, Step::Value(index)), value)?;
         let next = (index + 1 < entries.len()).then(|| self.start(&below(path, Step::Key(index + 1)))).flatten();
@@ -85,7 +85,7 @@ impl<'a> Places<'a> {
     }
 
     /// All that goes when the item at `path` of a block list does: its lines, and none of its neighbours'.
-    pub fn item(&self, path: &[Step], value: &Yaml) -> Option<(usize, usize)> {
+    pub(super) fn item(&self, path: &[Step], value: &Yaml) -> Option<(usize, usize)> {
         if self.in_flow(path) {
             return None;
         }
@@ -96,7 +96,7 @@ impl<'a> Places<'a> {
     }
 
     /// Where a new item of the block list at `path` goes, the column of its mark, and the text's line end.
-    pub fn end_of_list(&self, path: &[Step], items: &[Yaml]) -> Option<(usize, usize, &'static str)> {
+    pub(super) fn end_of_list(&self, path: &[Step], items: &[Yaml]) -> Option<(usize, usize, &'static str)> {
         let last = items.len().checked_sub(1)?;
         let path = below(path, Step::Item(last));
         if self.in_flow(&path) {

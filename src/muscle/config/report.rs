@@ -9,9 +9,9 @@ use crate::muscle::profile::{Profile, ProfileError};
 use crate::tr;
 
 /// Keys at the top of the report's form.
-pub const KEYS: &[&str] = &["muscle_config", "carcass_config"];
+pub(super) const KEYS: &[&str] = &["muscle_config", "carcass_config"];
 
-pub fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
+pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
     let map = root.map(KEYS)?;
     let mut muscle = muscle(&map.need("muscle_config")?)?;
     let arm = match map.get("carcass_config") {

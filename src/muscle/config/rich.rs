@@ -11,13 +11,13 @@ use crate::muscle::profile::{Profile, ProfileError};
 use crate::{limits, tr};
 
 /// Keys at the top of the richer form; one of them makes a file a richer one.
-pub const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "scale", "muscles"];
+pub(super) const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "scale", "muscles"];
 /// The value of `scale` that lets muscles scale with the bones.
-pub const WITH_BONES: &str = "with bones";
+pub(super) const WITH_BONES: &str = "with bones";
 /// Units by name, in metres.
-pub const UNITS: [(&str, f64); 4] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("in", 0.0254)];
+pub(super) const UNITS: [(&str, f64); 4] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("in", 0.0254)];
 
-pub fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
+pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
     let map = root.map(KEYS)?;
     let mut file = MuscleFile { form: Form::Rich, ..MuscleFile::default() };
     if let Some(at) = map.get("unit") {

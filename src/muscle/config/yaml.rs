@@ -8,7 +8,7 @@ use crate::yaml::{self, Node, Scalar, Value};
 
 /// A value of the file.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Yaml {
+pub(super) enum Yaml {
     /// Nothing, `~` or `null`.
     Null,
     /// `true` or `false`.
@@ -27,7 +27,7 @@ pub enum Yaml {
 
 /// A step down the tree.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
+pub(super) enum Step {
     /// The value of entry `n` of a mapping.
     Value(usize),
     /// The key of entry `n` of a mapping; always last.
@@ -37,7 +37,7 @@ pub enum Step {
 }
 
 /// Reads the one document of `text`.
-pub fn read(text: &str) -> Result<Yaml, ConfigError> {
+pub(super) fn read(text: &str) -> Result<Yaml, ConfigError> {
     Ok(plain(&yaml::read(text, limits::YAML_BYTES)?))
 }
 
@@ -63,7 +63,7 @@ fn plain(node: &Node) -> Yaml {
 }
 
 /// Line and column, both from 1, of the value or key at `path`.
-pub fn locate(text: &str, path: &[Step]) -> Option<(usize, usize)> {
+pub(super) fn locate(text: &str, path: &[Step]) -> Option<(usize, usize)> {
     let mut node = yaml::read(text, limits::YAML_BYTES).ok()?;
     for step in path {
         node = match (&node.value, *step) {
