@@ -3,10 +3,10 @@
 use glam::{Vec3, Vec4};
 
 use super::Display;
-use super::collect::rgb;
-use super::drawing::Made;
-use super::glyphs::Pen;
-use super::line::{Ink, Stage};
+use super::debug_lines::LineBuilder;
+use super::draw_data::GeneratedMesh;
+use super::draw_list::rgb;
+use super::line::{LinePass, LineStyle};
 use crate::scene::{Frame, NodeId, Scene};
 
 /// Triangles of an octahedron.
@@ -14,7 +14,7 @@ pub(super) const FACES: usize = 8;
 /// Radius of a joint's dot in logical pixels.
 pub(super) const DOT: f32 = 3.2;
 
-/// How far dots and axes are brought forward, so that a bone does not hide the joint in it; see [`super::view::View::lift`].
+/// How far dots and axes are brought forward, so that a bone does not hide the joint in it; see [`super::projection::ViewTransform::depth_bias`].
 pub(super) const LIFT: f32 = 20.0;
 
 /// Where along a bone its girdle is, and how thick it is there, as shares of its length.
@@ -65,7 +65,7 @@ pub(super) fn color(display: &Display, node: NodeId) -> [f32; 3] {
     })
 }
 
-impl Made {
+impl GeneratedMesh {
     /// Makes the octahedra of all bones.
     pub(super) fn bones(&mut self, scene: &Scene, frame: &Frame, display: &Display) {
         self.positions.clear();
@@ -98,7 +98,7 @@ impl Made {
     }
 }
 
-impl Pen<'_> {
+impl LineBuilder<'_> {
     /// Outlines the bones of the selected joint; where bones are not shown, its own place is marked too.
     pub(super) fn selected_bones(&mut self, scene: &Scene, frame: &Frame) {
         let Some(selected) = self.display.selected.filter(|node| frame.joints.iter().any(|joint| joint.node == *node)) else { return };
@@ -108,7 +108,7 @@ impl Pen<'_> {
         let (palette, shown) = (&self.display.palette, self.display.bones);
         // On the selected bone's own colour a line of that colour would not be seen.
         let line = if shown { palette.grid.0 } else { palette.selected };
-        let ink = Ink { stage: Stage::Overlay, lift: LIFT, ..self.ink(rgb(line), 1.0, 1.4) };
+        let line_style = LineStyle { stage: LinePass::Overlay, depth_bias: LIFT, ..self.line_style(rgb(line), 1.0, 1.4) };
         for bone in bones(scene, frame).filter(|bone| bone.owner == selected) {
             let girdle = girdle(frame, &bone);
             let faces = |a: Vec3, b: Vec3, c: Vec3| {
@@ -124,7 +124,7 @@ impl Pen<'_> {
                 let edges =
                     [(upper[k] != lower[k], next(k)), (upper[k] != upper[before], bone.tip), (lower[k] != lower[before], bone.head)];
                 for (_, other) in edges.into_iter().filter(|(outer, _)| *outer) {
-                    self.line(girdle[k], other, &ink);
+                    self.line(girdle[k], other, &line_style);
                 }
             }
         }
@@ -132,7 +132,7 @@ impl Pen<'_> {
             return;
         }
         let at = frame.position(selected);
-        self.line(at, at, &Ink { width: (2.0 * DOT + 3.0) * self.scale(), lift: LIFT + 2.0, ..ink });
+        self.line(at, at, &LineStyle { width: (2.0 * DOT + 3.0) * self.scale(), depth_bias: LIFT + 2.0, ..line_style });
     }
 
     /// Joints as dots with a dark rim, and their axes where they are asked for.
@@ -145,10 +145,10 @@ impl Pen<'_> {
             let at = frame.position(joint.node);
             let paint = color(self.display, joint.node);
             if self.display.bones {
-                let plain = Ink { stage: Stage::Overlay, depth_test: true, ..self.ink(paint, 1.0, 1.0) };
+                let plain = LineStyle { stage: LinePass::Overlay, depth_test: true, ..self.line_style(paint, 1.0, 1.0) };
                 let rim = paint.map(|c| c * 0.25);
-                self.line(at, at, &Ink { color: rim, width: 2.0 * radius + 2.5, lift: LIFT, ..plain });
-                let dot = Ink { width: 2.0 * radius, lift: LIFT + 1.0, ..plain };
+                self.line(at, at, &LineStyle { color: rim, width: 2.0 * radius + 2.5, depth_bias: LIFT, ..plain });
+                let dot = LineStyle { width: 2.0 * radius, depth_bias: LIFT + 1.0, ..plain };
                 self.line(at, at, &dot);
             }
             if self.display.bone_axes {

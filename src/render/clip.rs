@@ -6,7 +6,7 @@
 
 use glam::Vec3;
 
-use super::view::{Screen, View};
+use super::projection::{ScreenVertex, ViewTransform};
 
 /// A triangle cut out of another one.
 #[derive(Debug, Clone, Copy)]
@@ -14,7 +14,7 @@ pub(super) struct Clipped {
     /// The triangle it is a part of, by its number in the picture.
     pub triangle: u32,
     /// Its corners.
-    pub screen: [Screen; 3],
+    pub screen: [ScreenVertex; 3],
     /// Each corner as a mixture of the three corners of the whole.
     pub mixture: [[f32; 3]; 3],
 }
@@ -24,7 +24,7 @@ struct Corner {
     clip: [f64; 5],
     mixture: [f64; 3],
     /// Where the vertex stage put it, if it is a corner of the whole that can be used as it is.
-    whole: Option<Screen>,
+    whole: Option<ScreenVertex>,
 }
 
 /// Three corners and one more for each plane.
@@ -34,14 +34,14 @@ const MOST: usize = 3 + PLANES;
 const PLANES: usize = 5;
 
 /// A function that tells on which side of each plane a point is; inside is ≥ 0.
-fn planes(view: &View) -> impl Fn(&[f64; 5]) -> [f64; PLANES] {
+fn planes(view: &ViewTransform) -> impl Fn(&[f64; 5]) -> [f64; PLANES] {
     let [gx, gy] = view.guard().map(f64::from);
     let near = f64::from(view.near);
     move |c| [c[3] - near, gx * c[2] + c[0], gx * c[2] - c[0], gy * c[2] - c[1], gy * c[2] + c[1]]
 }
 
 /// Cuts the triangle with these corners in the world, which are on the picture as `whole` says, and hands each piece to `emit`.
-pub(super) fn clip(view: &View, corners: [Vec3; 3], whole: &[Screen; 3], triangle: u32, mut emit: impl FnMut(Clipped)) {
+pub(super) fn clip(view: &ViewTransform, corners: [Vec3; 3], whole: &[ScreenVertex; 3], triangle: u32, mut emit: impl FnMut(Clipped)) {
     let mut polygon = [Corner::default(); MOST];
     for (k, corner) in corners.into_iter().enumerate() {
         polygon[k] = Corner {
@@ -81,7 +81,7 @@ pub(super) fn clip(view: &View, corners: [Vec3; 3], whole: &[Screen; 3], triangl
             return;
         }
     }
-    let mut screen = [Screen::default(); MOST];
+    let mut screen = [ScreenVertex::default(); MOST];
     for (screen, corner) in screen.iter_mut().zip(&polygon[..count]) {
         let Some(point) = corner.whole.or_else(|| view.snap(corner.clip)) else { return };
         *screen = point;
@@ -93,7 +93,7 @@ pub(super) fn clip(view: &View, corners: [Vec3; 3], whole: &[Screen; 3], triangl
 }
 
 /// Cuts a line in the world at the near plane and the guard band: the part of it that is left, as `(from, to)` between 0 and 1, and its ends.
-pub(super) fn clip_line(view: &View, a: Vec3, b: Vec3) -> Option<([f64; 2], [[f64; 5]; 2])> {
+pub(super) fn clip_line(view: &ViewTransform, a: Vec3, b: Vec3) -> Option<([f64; 2], [[f64; 5]; 2])> {
     let (ca, cb) = (view.clip(a), view.clip(b));
     if !ca.iter().chain(&cb).all(|x| x.is_finite()) {
         return None;

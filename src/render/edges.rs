@@ -2,9 +2,9 @@
 
 use std::collections::HashMap;
 
-use super::collect::rgb;
-use super::glyphs::Pen;
-use super::view::View;
+use super::debug_lines::LineBuilder;
+use super::draw_list::rgb;
+use super::projection::ViewTransform;
 use crate::scene::{Mesh, Surface};
 
 /// An edge: its two vertices and the triangles on its sides ([`NOBODY`] where there is none).
@@ -40,7 +40,7 @@ pub(super) fn find(mesh: &Mesh) -> Vec<Edge> {
 }
 
 /// Whether each triangle of a surface faces the eye.
-fn facing(view: &View, surface: &Surface, out: &mut Vec<bool>) {
+fn facing(view: &ViewTransform, surface: &Surface, out: &mut Vec<bool>) {
     out.clear();
     out.extend(surface.mesh.triangles.iter().map(|corners| {
         let [a, b, c] = corners.map(|v| surface.position(v));
@@ -49,36 +49,36 @@ fn facing(view: &View, surface: &Surface, out: &mut Vec<bool>) {
     }));
 }
 
-impl Pen<'_> {
+impl LineBuilder<'_> {
     /// All edges of a surface.
     pub(super) fn wireframe(&mut self, surface: &Surface, edges: &[Edge]) {
         let dark = self.display.palette.grid.0 != 0;
-        let ink = if dark { self.ink([0.05, 0.06, 0.08], 0.55, 1.0) } else { self.ink([0.1, 0.12, 0.15], 0.5, 1.0) };
+        let line_style = if dark { self.line_style([0.05, 0.06, 0.08], 0.55, 1.0) } else { self.line_style([0.1, 0.12, 0.15], 0.5, 1.0) };
         for edge in edges {
             let [a, b] = edge.ends.map(|v| surface.position(v));
-            self.line(a, b, &ink);
+            self.line(a, b, &line_style);
         }
     }
 
     /// The edges where what faces the eye meets what does not, and the rims.
     pub(super) fn outline(&mut self, surface: &Surface, edges: &[Edge], color: u32, scratch: &mut Vec<bool>) {
         facing(self.view, surface, scratch);
-        let ink = self.ink(rgb(color), 1.0, 2.0);
+        let line_style = self.line_style(rgb(color), 1.0, 2.0);
         for edge in edges {
             let [one, two] = edge.sides.map(|t| scratch.get(t as usize).copied());
             if one != two {
                 let [a, b] = edge.ends.map(|v| surface.position(v));
-                self.line(a, b, &ink);
+                self.line(a, b, &line_style);
             }
         }
     }
 
     /// The lines that a mesh brings along.
     pub(super) fn own_lines(&mut self, surface: &Surface, color: [f32; 3]) {
-        let ink = self.ink(color, 1.0, 1.4);
+        let line_style = self.line_style(color, 1.0, 1.4);
         for line in &surface.mesh.lines {
             let [a, b] = line.map(|v| surface.position(v));
-            self.line(a, b, &ink);
+            self.line(a, b, &line_style);
         }
     }
 }

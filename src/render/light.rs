@@ -5,7 +5,7 @@
 
 use glam::Vec3;
 
-use super::view::View;
+use super::projection::ViewTransform;
 use crate::lanes::{Lanes, always, map};
 
 /// Ambient light from straight above and straight below, and from the direction of the viewer: what keeps form readable in the shade.
@@ -33,7 +33,7 @@ pub(super) struct Lights {
 impl Lights {
     /// `ambient` from 0 to 1 sets the share of the ambient light, the key light has the rest. The eye judges light by ratios, so the share
     /// rises fast from 0: a quarter of the way gives two fifths of the light to the shade.
-    pub(super) fn new(position: Vec3, ambient: f32, view: &View) -> Self {
+    pub(super) fn new(position: Vec3, ambient: f32, view: &ViewTransform) -> Self {
         let ambient = if ambient.is_finite() { ambient.clamp(0.0, 1.0) } else { 0.25 };
         let ambient = ambient * (1.75 - 0.75 * ambient);
         let each = |f: fn(usize) -> f32| -> [f32; 3] { std::array::from_fn(f) };
@@ -52,7 +52,7 @@ impl Lights {
 
 /// The highlight of a material.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Gloss {
+pub(super) struct Specular {
     /// Exponent; 0 = no highlight at all.
     pub exponent: f32,
     /// Mirrored ray (Phong) instead of half vector (Blinn).
@@ -77,7 +77,7 @@ pub(super) fn normalize<L: Lanes>(l: L, a: V3<L>) -> V3<L> {
 
 /// Light that falls on a point, before it meets the material.
 #[derive(Clone, Copy)]
-pub(super) struct Shine<L: Lanes> {
+pub(super) struct LightingTerms<L: Lanes> {
     /// Diffuse light, 0 to 1.
     pub light: V3<L>,
     /// Strength of the highlight, 0 to 1.
@@ -86,7 +86,7 @@ pub(super) struct Shine<L: Lanes> {
 
 /// What a point sees: enough to light either of its sides.
 #[derive(Clone, Copy)]
-pub(super) struct Seen<L: Lanes> {
+pub(super) struct ShadingPoint<L: Lanes> {
     light: L::F,
     viewer: L::F,
     up: L::F,
@@ -95,7 +95,7 @@ pub(super) struct Seen<L: Lanes> {
 
 /// Light and viewer as seen from `p` with the unit normal `n`.
 #[inline(always)]
-pub(super) fn see<L: Lanes>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> Seen<L> {
+pub(super) fn see<L: Lanes>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> ShadingPoint<L> {
     let splat = always!(|v: Vec3| [l.splat(v.x), l.splat(v.y), l.splat(v.z)]);
     let towards = always!(|v: Vec3| {
         let v = splat(v);
@@ -103,12 +103,12 @@ pub(super) fn see<L: Lanes>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> Seen<L
     });
     let to_light = towards(lights.position);
     let to_eye = if lights.perspective { towards(lights.eye) } else { splat(lights.eye) };
-    Seen { light: dot(l, n, to_light), viewer: dot(l, n, to_eye), up: n[1], between: dot(l, to_light, to_eye) }
+    ShadingPoint { light: dot(l, n, to_light), viewer: dot(l, n, to_eye), up: n[1], between: dot(l, to_light, to_eye) }
 }
 
 /// Lights the side of a surface that the normal is on, or with `other` the other one.
 #[inline(always)]
-pub(super) fn shine<L: Lanes>(l: L, lights: &Lights, gloss: Gloss, seen: Seen<L>, other: bool) -> Shine<L> {
+pub(super) fn shine<L: Lanes>(l: L, lights: &Lights, gloss: Specular, seen: ShadingPoint<L>, other: bool) -> LightingTerms<L> {
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
     let turn = always!(|x: L::F| if other { zero - x } else { x });
     let (ndl, ndv, up) = (turn(seen.light), turn(seen.viewer), turn(seen.up));
@@ -132,7 +132,7 @@ pub(super) fn shine<L: Lanes>(l: L, lights: &Lights, gloss: Gloss, seen: Seen<L>
     } else {
         zero
     };
-    Shine { light, highlight }
+    LightingTerms { light, highlight }
 }
 
 /// `x` to the power `exponent`, for x from 1e-6 to 1 and exponents ≥ 0; relative error below 1e-4 at exponent 1000.

@@ -5,17 +5,17 @@
 
 use glam::Vec3;
 
-use super::bin::Bands;
-use super::bins::{Bins, Columns};
+use super::bin_lists::{Bins, Columns};
+use super::binning::Bands;
 use super::clip::clip_line;
-use super::plane::Plane;
+use super::projection::ViewTransform;
 use super::setup::Rect;
-use super::view::View;
+use super::tile_buffer::BandBuffer;
 use crate::lanes::{Lanes, always, kernel, map};
 
 /// When strokes are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Stage {
+pub(super) enum LinePass {
     /// On the background, and over opaque surfaces before the transparent ones are drawn.
     Under,
     /// After all surfaces.
@@ -26,24 +26,24 @@ pub(super) enum Stage {
 
 /// How a stroke looks.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Ink {
+pub(super) struct LineStyle {
     /// 0 to 1.
     pub color: [f32; 3],
     /// Opacity at the two ends.
     pub alpha: [f32; 2],
     /// Pixels.
     pub width: f32,
-    pub stage: Stage,
+    pub stage: LinePass,
     pub depth_test: bool,
     /// How far it is brought nearer, so that it wins against the surface it lies on: 1 is enough for that.
-    pub lift: f32,
+    pub depth_bias: f32,
 }
 
 /// What a stroke is drawn on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Onto {
+pub(super) enum LineTarget {
     /// The bare background.
-    Ground,
+    BackgroundCache,
     /// Surfaces alone; the background between them has the strokes already.
     Surfaces,
     /// All that is there.
@@ -53,7 +53,7 @@ pub(super) enum Onto {
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Stroke {
+struct LineSegment {
     /// Pixel coordinates and nearness.
     from: [f32; 3],
     to: [f32; 3],
@@ -67,30 +67,30 @@ struct Stroke {
 
 /// The strokes of a picture, by stage and band.
 #[derive(Debug, Default)]
-pub(super) struct Strokes {
-    all: [Vec<Stroke>; 3],
+pub(super) struct LineSegments {
+    all: [Vec<LineSegment>; 3],
     bins: [Bins; 3],
 }
 
-impl Strokes {
+impl LineSegments {
     /// Empties a stage.
-    pub(super) fn reset(&mut self, stage: Stage, bands: &Bands) {
+    pub(super) fn reset(&mut self, stage: LinePass, bands: &Bands) {
         self.all[stage as usize].clear();
         self.bins[stage as usize].reset(bands.count);
     }
 
     /// Whether nothing is drawn in `band` at this stage.
-    pub(super) fn is_empty(&self, stage: Stage, band: usize) -> bool {
+    pub(super) fn is_empty(&self, stage: LinePass, band: usize) -> bool {
         self.bins[stage as usize].is_empty(band)
     }
 
     /// The columns that are drawn on in `band` at this stage.
-    pub(super) fn columns(&self, stage: Stage, band: usize) -> Columns {
+    pub(super) fn columns(&self, stage: LinePass, band: usize) -> Columns {
         self.bins[stage as usize].columns(band)
     }
 
     /// Adds the line from `a` to `b` in the world.
-    pub(super) fn line(&mut self, view: &View, bands: &Bands, a: Vec3, b: Vec3, ink: &Ink) {
+    pub(super) fn line(&mut self, view: &ViewTransform, bands: &Bands, a: Vec3, b: Vec3, line_style: &LineStyle) {
         let (part, ends) = if a == b {
             let clip = view.clip(a);
             if !clip.iter().all(|x| x.is_finite()) || clip[3] < f64::from(view.near) {
@@ -102,68 +102,68 @@ impl Strokes {
         } else {
             return;
         };
-        let factor = view.lift(ink.lift);
+        let factor = view.depth_bias(line_style.depth_bias);
         let [from, to] = ends.map(|end| {
             let [x, y, q] = view.project(end);
             [x as f32, y as f32, q as f32 * factor[0] + factor[1]]
         });
-        let alpha = part.map(|t| ink.alpha[0] + (ink.alpha[1] - ink.alpha[0]) * t as f32);
+        let alpha = part.map(|t| line_style.alpha[0] + (line_style.alpha[1] - line_style.alpha[0]) * t as f32);
         // A line thinner than a pixel is drawn a pixel wide and fainter.
-        let width = ink.width.max(1.0);
-        let thin = (ink.width / width).clamp(0.0, 1.0);
-        let stroke = Stroke {
+        let width = line_style.width.max(1.0);
+        let thin = (line_style.width / width).clamp(0.0, 1.0);
+        let segment = LineSegment {
             from,
             to,
-            color: ink.color.map(|c| c * 255.0),
+            color: line_style.color.map(|c| c * 255.0),
             alpha: alpha.map(|a| (a * thin).clamp(0.0, 1.0)),
             half: width * 0.5,
-            depth_test: ink.depth_test,
+            depth_test: line_style.depth_test,
         };
-        let reach = stroke.half + 1.0;
+        let reach = segment.half + 1.0;
         let [w, h] = view.size.map(|side| side as i32);
         let low = |i: usize| (from[i].min(to[i]) - reach).max(-1.0) as i32;
         let high = |i: usize, side: i32| ((from[i].max(to[i]) + reach).clamp(-1.0, side as f32) as i32).min(side - 1);
         let rect = Rect { x0: low(0).max(0), y0: low(1).max(0), x1: high(0, w), y1: high(1, h) };
         let visible = from.iter().chain(&to).all(|x| x.is_finite()) && from[0].max(to[0]) + reach > 0.0 && from[1].max(to[1]) + reach > 0.0;
-        if visible && !rect.is_empty() && (stroke.alpha[0] > 0.0 || stroke.alpha[1] > 0.0) {
-            let all = &mut self.all[ink.stage as usize];
-            bands.spread(&mut self.bins[ink.stage as usize], &rect, all.len() as u32);
-            all.push(stroke);
+        if visible && !rect.is_empty() && (segment.alpha[0] > 0.0 || segment.alpha[1] > 0.0) {
+            let all = &mut self.all[line_style.stage as usize];
+            bands.spread(&mut self.bins[line_style.stage as usize], &rect, all.len() as u32);
+            all.push(segment);
         }
     }
 }
 
 kernel! {
     /// Draws the strokes of a stage into the rows of a band, within the columns that the plane uses.
-    pub(super) fn strokes(all: &Strokes, stage: Stage, onto: Onto, band: usize, plane: &mut Plane) = draw
+    pub(super) fn segments(all: &LineSegments, stage: LinePass, onto: LineTarget, band: usize, plane: &mut BandBuffer) = draw
 }
 
 #[inline(always)]
-fn draw<L: Lanes>(l: L, all: &Strokes, stage: Stage, onto: Onto, band: usize, plane: &mut Plane) {
-    for stretch in all.bins[stage as usize].of(band) {
-        for &index in stretch {
-            if let Some(stroke) = all.all[stage as usize].get(index as usize) {
-                one(l, stroke, plane, onto);
+fn draw<L: Lanes>(l: L, all: &LineSegments, stage: LinePass, onto: LineTarget, band: usize, plane: &mut BandBuffer) {
+    for run in all.bins[stage as usize].of(band) {
+        for &index in run {
+            if let Some(segment) = all.all[stage as usize].get(index as usize) {
+                one(l, segment, plane, onto);
             }
         }
     }
 }
 
 #[inline(always)]
-fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, onto: Onto) {
-    let [ax, ay, aq] = stroke.from;
-    let (dx, dy) = (stroke.to[0] - ax, stroke.to[1] - ay);
+fn one<L: Lanes>(l: L, segment: &LineSegment, plane: &mut BandBuffer, onto: LineTarget) {
+    let [ax, ay, aq] = segment.from;
+    let (dx, dy) = (segment.to[0] - ax, segment.to[1] - ay);
     let squared = dx * dx + dy * dy;
     let inverse = if squared > 1e-12 { 1.0 / squared } else { 0.0 };
-    let reach = stroke.half + 0.5;
+    let reach = segment.half + 0.5;
     let (low, high) = (ay.min(ay + dy) - reach, ay.max(ay + dy) + reach);
     let last = plane.top + plane.rows as i32 - 1;
     let top = (low.max(-1.0) as i32).max(plane.top);
     let bottom = (high.min(2e6) as i32).min(last);
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
-    let color = map(stroke.color, always!(|c: f32| l.splat(c)));
+    let color = map(segment.color, always!(|c: f32| l.splat(c)));
     let [first, end] = plane.used.map(|x| x as i32);
-    let depth_test = stroke.depth_test && onto != Onto::Ground;
+    let depth_test = segment.depth_test && onto != LineTarget::BackgroundCache;
     for y in top..=bottom {
         assert!(plane.holds(plane.index(y, 0), plane.width), "a row reaches beyond its band");
         let cy = y as f32 + 0.5 - ay;
@@ -186,8 +186,8 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, onto: Onto) {
             let t = l.clamp((px * l.splat(dx) + py * l.splat(dy)) * l.splat(inverse), 0.0, 1.0);
             let (ex, ey) = (px - l.splat(dx) * t, py - l.splat(dy) * t);
             let distance = l.sqrt(ex * ex + ey * ey);
-            let cover = l.clamp(l.splat(stroke.half + 0.5) - distance, 0.0, 1.0);
-            let alpha = cover * (l.splat(stroke.alpha[0]) + l.splat(stroke.alpha[1] - stroke.alpha[0]) * t);
+            let cover = l.clamp(l.splat(segment.half + 0.5) - distance, 0.0, 1.0);
+            let alpha = cover * (l.splat(segment.alpha[0]) + l.splat(segment.alpha[1] - segment.alpha[0]) * t);
             // No column past the last, however many lanes there are.
             let visible = l.lt(zero, alpha) & l.ilt(l.iota() + l.isplat(x), l.isplat(right + 1));
             let at = plane.index(y, x);
@@ -195,7 +195,7 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, onto: Onto) {
             if !l.any(visible) {
                 continue;
             }
-            let q = l.splat(aq) + l.splat(stroke.to[2] - aq) * t;
+            let q = l.splat(aq) + l.splat(segment.to[2] - aq) * t;
             let full = l.min(alpha, one) * l.splat(255.0);
             for s in 0..plane.samples {
                 let mut shown = visible;
@@ -204,10 +204,10 @@ fn one<L: Lanes>(l: L, stroke: &Stroke, plane: &mut Plane, onto: Onto) {
                     if depth_test {
                         shown = shown & l.lt(plane.depth(l, s, at), q);
                     }
-                    if onto == Onto::Surfaces {
+                    if onto == LineTarget::Surfaces {
                         shown = shown & l.lt(l.splat(f32::NEG_INFINITY), plane.depth(l, s, at));
                     }
-                    if onto == Onto::Overlay {
+                    if onto == LineTarget::Overlay {
                         plane.set_depth(l, s, at, shown, q);
                     }
                     plane.blend(l, s, at, shown, [color[0], color[1], color[2], full]);

@@ -1,40 +1,40 @@
 //! The rasterizer. Knows the scene alone.
 
 mod background;
-mod band;
+mod band_raster;
 pub mod bench;
-mod bin;
-mod bins;
+mod bin_lists;
+mod binning;
 mod bones;
 mod clip;
-mod collect;
+mod debug_lines;
 mod display;
-mod drawing;
+mod draw_data;
+mod draw_list;
 mod edges;
-mod fill;
-mod glyphs;
-mod ground;
-mod heat;
 mod light;
 mod line;
-mod muscle;
+mod material_state;
+mod muscle_texture;
 mod pick;
-mod plane;
 mod pool;
+mod projection;
+mod raster;
 mod renderer;
 mod resolve;
 mod setup;
 mod shade;
-mod small;
+mod small_triangles;
 mod srgb;
-mod style;
+mod static_layer_cache;
 mod texels;
 mod texture;
+mod tile_buffer;
 mod vertex;
-mod view;
+mod weight_colormap;
 
 pub use display::{Background, Display, Palette, Samples, Shading, Theme};
-pub use heat::weight_color;
+pub use weight_colormap::weight_color;
 
 use glam::Vec3;
 

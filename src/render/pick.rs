@@ -4,12 +4,12 @@ use glam::{DVec3, Vec3};
 
 use super::bones::{DOT, FACES, LIFT, bones};
 use super::clip::clip;
-use super::drawing::{Drawing, Item, Source};
+use super::draw_data::{DrawCall, FrameData, Source};
+use super::material_state::RenderPass;
 use super::pool::Pool;
+use super::projection::{BAD, ScreenVertex};
 use super::renderer::{Buffers, Canvas};
-use super::setup::{Edges, Planes, Rect, area};
-use super::style::Layer;
-use super::view::{BAD, Screen};
+use super::setup::{AttributePlanes, Edges, Rect, area};
 use super::{Display, Pick};
 use crate::lanes::Level;
 use crate::scene::{Camera, Frame, NodeId, Scene};
@@ -40,15 +40,15 @@ impl Buffers {
         let canvas = Canvas::new(display, width, height);
         let (view, lights) = self.prepare(scene, frame, camera, display, &canvas, true);
         self.vertex_stage(pool, level, frame, &view, &lights);
-        let drawing = self.drawing(frame, view, lights);
+        let frame_data = self.frame_data(frame, view, lights);
         let (mut surface, mut overlay) = (None, None);
         let owners: Vec<NodeId> = if display.bones { bones(scene, frame).map(|bone| bone.owner).collect() } else { Vec::new() };
-        for item in drawing.items {
-            let best = if item.style.layer == Layer::Overlay { &mut overlay } else { &mut surface };
-            look(&drawing, item, &owners, (px, py), best);
+        for item in frame_data.items {
+            let best = if item.style.layer == RenderPass::Overlay { &mut overlay } else { &mut surface };
+            look(&frame_data, item, &owners, (px, py), best);
         }
         if display.bones {
-            dots(&drawing, scene, display, [x, y], &mut overlay);
+            dots(&frame_data, scene, display, [x, y], &mut overlay);
         }
         let in_front = |bone: &Hit| display.xray || !display.depth_test || surface.is_none_or(|surface: Hit| bone.q >= surface.q);
         overlay.filter(in_front).or(surface).map(|hit| hit.pick)
@@ -56,31 +56,37 @@ impl Buffers {
 }
 
 /// Looks through the triangles of an item.
-fn look(drawing: &Drawing<'_>, item: &Item, owners: &[NodeId], at: (i32, i32), best: &mut Option<Hit>) {
-    let feed = drawing.feed(item);
+fn look(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], at: (i32, i32), best: &mut Option<Hit>) {
+    let reader = frame_data.reader(item);
     for t in 0..item.triangles.len() {
-        let Some(screen) = feed.screens(t) else { continue };
+        let Some(screen) = reader.screens(t) else { continue };
         let codes = screen.map(|corner| corner.code);
         let (any, all) = (codes[0] | codes[1] | codes[2], codes[0] & codes[1] & codes[2]);
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let mut one = |screen: [Screen; 3], mixture: [[f32; 3]; 3]| {
-            let Some((q, shares)) = touch(drawing, item, t, screen, at) else { return };
+        let mut one = |screen: [ScreenVertex; 3], mixture: [[f32; 3]; 3]| {
+            let Some((q, shares)) = touch(frame_data, item, t, screen, at) else { return };
             // The picture keeps the first of two that are equally near; without a depth test the last.
             if !item.style.depth_test || best.is_none_or(|best| q > best.q) {
-                *best = Some(Hit { q, pick: describe(drawing, item, owners, t, shares, mixture) });
+                *best = Some(Hit { q, pick: describe(frame_data, item, owners, t, shares, mixture) });
             }
         };
         if any == 0 {
             one(screen, identity);
         } else if all == 0 && any & BAD == 0 {
-            let corners = feed.geometry.triangles[t].map(|v| feed.geometry.world(v as usize));
-            clip(&drawing.view, corners, &screen, 0, |piece| one(piece.screen, piece.mixture));
+            let corners = reader.geometry.triangles[t].map(|v| reader.geometry.world(v as usize));
+            clip(&frame_data.view, corners, &screen, 0, |piece| one(piece.screen, piece.mixture));
         }
     }
 }
 
 /// Whether the pixel is drawn by this triangle: its nearness there, and the corners' shares in the point.
-fn touch(drawing: &Drawing<'_>, item: &Item, t: usize, mut screen: [Screen; 3], (px, py): (i32, i32)) -> Option<(f32, DVec3)> {
+fn touch(
+    frame_data: &FrameData<'_>,
+    item: &DrawCall,
+    t: usize,
+    mut screen: [ScreenVertex; 3],
+    (px, py): (i32, i32),
+) -> Option<(f32, DVec3)> {
     let mut size = area(&screen);
     let away = (size > 0) != item.style.mirrored;
     if item.hides(t, size) {
@@ -92,11 +98,11 @@ fn touch(drawing: &Drawing<'_>, item: &Item, t: usize, mut screen: [Screen; 3], 
         size = -size;
     }
     // The box of the picture, since planes are set up from its corner.
-    let rect = Rect::of(&screen, false, drawing.view.size);
+    let rect = Rect::of(&screen, false, frame_data.view.size);
     if px < rect.x0 || px > rect.x1 || py < rect.y0 || py > rect.y1 || !Edges::new(&screen, px, py).covers(0, 0, [0, 0]) {
         return None;
     }
-    let planes = Planes::new(&screen, size, &screen.map(|corner| [corner.q]), rect.x0, rect.y0);
+    let planes = AttributePlanes::new(&screen, size, &screen.map(|corner| [corner.q]), rect.x0, rect.y0);
     let retreat = if away { planes.retreat(screen.map(|corner| corner.q)) } else { 0.0 };
     let q = planes.row(py - rect.y0)[0] + planes.right[0] * (px - rect.x0) as f32 - retreat;
     let (cx, cy) = (f64::from(px) * 256.0 + 128.0, f64::from(py) * 256.0 + 128.0);
@@ -105,7 +111,7 @@ fn touch(drawing: &Drawing<'_>, item: &Item, t: usize, mut screen: [Screen; 3], 
         f64::from(p.y - q.y) * (cx - f64::from(p.x)) + f64::from(q.x - p.x) * (cy - f64::from(p.y))
     };
     let mut shares = DVec3::new(side(0), side(1), side(2)) / size as f64;
-    if drawing.view.perspective {
+    if frame_data.view.perspective {
         shares *= DVec3::new(f64::from(screen[0].q), f64::from(screen[1].q), f64::from(screen[2].q));
     }
     shares /= shares.x + shares.y + shares.z;
@@ -115,15 +121,15 @@ fn touch(drawing: &Drawing<'_>, item: &Item, t: usize, mut screen: [Screen; 3], 
     Some((q, shares))
 }
 
-fn describe(drawing: &Drawing<'_>, item: &Item, owners: &[NodeId], t: usize, shares: DVec3, mixture: [[f32; 3]; 3]) -> Pick {
+fn describe(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], t: usize, shares: DVec3, mixture: [[f32; 3]; 3]) -> Pick {
     let column = |i: usize| shares.x * f64::from(mixture[0][i]) + shares.y * f64::from(mixture[1][i]) + shares.z * f64::from(mixture[2][i]);
     let barycentric = DVec3::new(column(0), column(1), column(2)).as_vec3();
-    let geometry = drawing.feed(item).geometry;
+    let geometry = frame_data.reader(item).geometry;
     let [a, b, c] = geometry.triangles[t].map(|v| geometry.world(v as usize));
     let point = a * barycentric.x + b * barycentric.y + c * barycentric.z;
     match &item.source {
         Source::Surface { index, triangles } => {
-            let node = drawing.frame.surfaces[*index as usize].node;
+            let node = frame_data.frame.surfaces[*index as usize].node;
             Pick { node, surface: Some(*index), triangle: triangles.start + t as u32, barycentric, point }
         }
         Source::Bones => {
@@ -134,21 +140,21 @@ fn describe(drawing: &Drawing<'_>, item: &Item, owners: &[NodeId], t: usize, sha
 }
 
 /// The dots of the joints.
-fn dots(drawing: &Drawing<'_>, scene: &Scene, display: &Display, at: [f32; 2], best: &mut Option<Hit>) {
+fn dots(frame_data: &FrameData<'_>, scene: &Scene, display: &Display, at: [f32; 2], best: &mut Option<Hit>) {
     let radius = f64::from(DOT * if display.scale.is_finite() { display.scale.clamp(0.25, 8.0) } else { 1.0 }) + 1.0;
-    for joint in &drawing.frame.joints {
-        let point: Vec3 = drawing.frame.position(joint.node);
-        let clip = drawing.view.clip(point);
+    for joint in &frame_data.frame.joints {
+        let point: Vec3 = frame_data.frame.position(joint.node);
+        let clip = frame_data.view.clip(point);
         if joint.node.index() >= scene.graph.len()
             || !scene.graph.is_shown(joint.node)
             || clip[3].is_nan()
-            || clip[3] < f64::from(drawing.view.near)
+            || clip[3] < f64::from(frame_data.view.near)
         {
             continue;
         }
-        let [x, y, q] = drawing.view.project(clip);
+        let [x, y, q] = frame_data.view.project(clip);
         let near = (x - f64::from(at[0])).hypot(y - f64::from(at[1])) <= radius;
-        let [factor, summand] = drawing.view.lift(LIFT + 1.0);
+        let [factor, summand] = frame_data.view.depth_bias(LIFT + 1.0);
         let q = q as f32 * factor + summand;
         if near && best.is_none_or(|best| q > best.q) {
             let pick = Pick { node: joint.node, surface: None, triangle: 0, barycentric: Vec3::X, point };

@@ -6,20 +6,20 @@ use std::time::Instant;
 use glam::Vec4;
 
 use super::background::Backdrop;
-use super::band::{Local, Picture, XRAY, draw_band};
-use super::bin::{Bands, bin};
-use super::bins::Bins;
-use super::collect::{Collector, light_position};
-use super::drawing::{Drawing, Item, Made, Unit, geometry};
-use super::ground::Ground;
+use super::band_raster::{BandJob, WorkerScratch, XRAY, draw_band};
+use super::bin_lists::Bins;
+use super::binning::{Bands, bin};
+use super::draw_data::{DrawCall, FrameData, GeneratedMesh, WorkUnit, geometry};
+use super::draw_list::{DrawListBuilder, light_position};
 use super::light::Lights;
-use super::line::{Stage, Strokes};
+use super::line::{LinePass, LineSegments};
+use super::material_state::RenderPass;
 use super::pool::Pool;
+use super::projection::{ScreenVertex, ViewTransform};
 use super::resolve::Rows;
-use super::style::Layer;
+use super::static_layer_cache::BackgroundCache;
 use super::texture::Cache;
 use super::vertex::{CHUNK, Out, Quad, vertices};
-use super::view::{Screen, View};
 use super::{Display, Samples, Stats};
 use crate::lanes::Level;
 use crate::limits;
@@ -38,20 +38,20 @@ const UNITS: u32 = 64;
 /// What is kept from frame to frame.
 #[derive(Debug, Default)]
 pub(super) struct Buffers {
-    pub collector: Collector,
-    pub items: Vec<Item>,
-    pub bones: Made,
+    pub collector: DrawListBuilder,
+    pub items: Vec<DrawCall>,
+    pub bones: GeneratedMesh,
     pub heat: Vec<Vec4>,
     pub cache: Cache,
-    pub strokes: Strokes,
-    pub ground: Ground,
-    screen: Vec<Screen>,
+    pub segments: LineSegments,
+    pub ground: BackgroundCache,
+    screen: Vec<ScreenVertex>,
     front: Vec<Quad>,
     back: Vec<Quad>,
-    units: Vec<Unit>,
+    units: Vec<WorkUnit>,
     sorted: Vec<Sorted>,
     sorted_bins: Bins,
-    locals: Vec<Mutex<Local>>,
+    locals: Vec<Mutex<WorkerScratch>>,
 }
 
 /// A blended triangle in drawing order.
@@ -69,16 +69,16 @@ fn take<T>(from: &Mutex<impl Iterator<Item = T>>) -> Option<T> {
 
 /// Cuts the vertex arrays into chunks.
 struct Chunks<'a> {
-    items: std::slice::Iter<'a, Item>,
-    now: Option<&'a Item>,
+    items: std::slice::Iter<'a, DrawCall>,
+    now: Option<&'a DrawCall>,
     start: usize,
-    screen: &'a mut [Screen],
+    screen: &'a mut [ScreenVertex],
     front: &'a mut [Quad],
     back: &'a mut [Quad],
 }
 
 impl<'a> Iterator for Chunks<'a> {
-    type Item = (&'a Item, usize, Out<'a>);
+    type Item = (&'a DrawCall, usize, Out<'a>);
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
@@ -151,16 +151,16 @@ impl Buffers {
         let mut sorted = std::mem::take(&mut self.sorted);
         let mut sorted_bins = std::mem::take(&mut self.sorted_bins);
         let mut ground = std::mem::take(&mut self.ground);
-        let drawing = self.drawing(frame, view, lights);
+        let frame_data = self.frame_data(frame, view, lights);
         let unit_count = divide(&self.items, &mut units);
         let jobs = Mutex::new(units[..unit_count].iter_mut());
         pool.run(&|_| {
             while let Some(unit) = take(&jobs) {
-                bin(&drawing, &canvas.bands, unit);
+                bin(&frame_data, &canvas.bands, unit);
             }
         });
         let units_now = &units[..unit_count];
-        sort_blended(&drawing, &canvas.bands, units_now, &mut sorted, &mut sorted_bins);
+        sort_blended(&frame_data, &canvas.bands, units_now, &mut sorted, &mut sorted_bins);
         let xray = if !display.depth_test {
             1.0
         } else if display.xray {
@@ -168,13 +168,13 @@ impl Buffers {
         } else {
             0.0
         };
-        let picture = Picture {
-            drawing: &drawing,
+        let picture = BandJob {
+            frame_data: &frame_data,
             canvas: &canvas,
             units: units_now,
             sorted: &sorted,
             sorted_bins: &sorted_bins,
-            strokes: &self.strokes,
+            segments: &self.segments,
             xray,
         };
         locals.resize_with(pool.workers().max(locals.len()), Mutex::default);
@@ -211,11 +211,11 @@ impl Buffers {
         display: &Display,
         canvas: &Canvas,
         picking: bool,
-    ) -> (View, Lights) {
-        let view = View::new(camera, canvas.width, canvas.height);
+    ) -> (ViewTransform, Lights) {
+        let view = ViewTransform::new(camera, canvas.width, canvas.height);
         // Without a camera nothing is drawn but the background.
         let seen = view.is_some();
-        let view = view.unwrap_or_else(View::nowhere);
+        let view = view.unwrap_or_else(ViewTransform::degenerate);
         let position = light_position(frame, &view, display);
         self.items.clear();
         if seen {
@@ -228,17 +228,17 @@ impl Buffers {
     }
 
     /// Makes the lists of lines.
-    fn lines(&mut self, scene: &Scene, frame: &Frame, view: &View, bands: &Bands, display: &Display, lights: &Lights) {
+    fn lines(&mut self, scene: &Scene, frame: &Frame, view: &ViewTransform, bands: &Bands, display: &Display, lights: &Lights) {
         if view.is_somewhere() {
             self.sketch(scene, frame, view, bands, display, lights.position);
         } else {
-            [Stage::Under, Stage::Over, Stage::Overlay].into_iter().for_each(|stage| self.strokes.reset(stage, bands));
+            [LinePass::Under, LinePass::Over, LinePass::Overlay].into_iter().for_each(|stage| self.segments.reset(stage, bands));
         }
     }
 
     /// What the stages after the vertex stage read.
-    pub(super) fn drawing<'a>(&'a self, frame: &'a Frame, view: View, lights: Lights) -> Drawing<'a> {
-        Drawing {
+    pub(super) fn frame_data<'a>(&'a self, frame: &'a Frame, view: ViewTransform, lights: Lights) -> FrameData<'a> {
+        FrameData {
             view,
             lights,
             frame,
@@ -253,11 +253,11 @@ impl Buffers {
     }
 
     /// Transforms and lights the vertices of all items.
-    pub(super) fn vertex_stage(&mut self, pool: &Pool, level: Level, frame: &Frame, view: &View, lights: &Lights) {
+    pub(super) fn vertex_stage(&mut self, pool: &Pool, level: Level, frame: &Frame, view: &ViewTransform, lights: &Lights) {
         let total = self.items.last().map_or(0, |item| item.vertices.end);
         // Never shrunk: a smaller frame uses the front of the arrays.
         if self.screen.len() < total {
-            self.screen.resize(total, Screen::default());
+            self.screen.resize(total, ScreenVertex::default());
             self.front.resize(total, Quad::default());
             self.back.resize(total, Quad::default());
         }
@@ -276,7 +276,7 @@ impl Buffers {
             }
         });
         for item in self.items.iter().filter(|item| item.style.behind > 0.0) {
-            let [factor, summand] = view.lift(-item.style.behind);
+            let [factor, summand] = view.depth_bias(-item.style.behind);
             self.screen.get_mut(item.vertices.clone()).into_iter().flatten().for_each(|corner| corner.q = corner.q * factor + summand);
         }
     }
@@ -287,9 +287,9 @@ fn milliseconds(since: Instant) -> f64 {
 }
 
 /// Divides the triangles into units; none holds triangles of two layers. Returns how many there are.
-fn divide(items: &[Item], units: &mut Vec<Unit>) -> usize {
+fn divide(items: &[DrawCall], units: &mut Vec<WorkUnit>) -> usize {
     let mut count = 0;
-    for layer in [Layer::Opaque, Layer::Blended, Layer::Overlay] {
+    for layer in [RenderPass::Opaque, RenderPass::Blended, RenderPass::Overlay] {
         let from = items.partition_point(|item| item.style.layer < layer);
         let to = items.partition_point(|item| item.style.layer <= layer);
         let Some((first, last)) = items[from..to].first().zip(items[from..to].last()) else { continue };
@@ -297,7 +297,7 @@ fn divide(items: &[Item], units: &mut Vec<Unit>) -> usize {
         let size = (end - start).div_ceil(UNITS).max(UNIT);
         for at in (start..end).step_by(size as usize) {
             if units.len() == count {
-                units.push(Unit::default());
+                units.push(WorkUnit::default());
             }
             units[count].range = at..end.min(at + size);
             count += 1;
@@ -307,7 +307,7 @@ fn divide(items: &[Item], units: &mut Vec<Unit>) -> usize {
 }
 
 /// Puts the blended triangles of all units in order, the farthest first, and into bands.
-fn sort_blended(drawing: &Drawing<'_>, bands: &Bands, units: &[Unit], sorted: &mut Vec<Sorted>, bins: &mut Bins) {
+fn sort_blended(frame_data: &FrameData<'_>, bands: &Bands, units: &[WorkUnit], sorted: &mut Vec<Sorted>, bins: &mut Bins) {
     sorted.clear();
     for (index, unit) in units.iter().enumerate() {
         sorted.extend(unit.blended.iter().map(|&(nearness, entry)| Sorted { nearness, unit: index as u32, entry }));
@@ -316,9 +316,9 @@ fn sort_blended(drawing: &Drawing<'_>, bands: &Bands, units: &[Unit], sorted: &m
     sorted.sort_unstable_by(|a, b| a.nearness.total_cmp(&b.nearness).then(a.unit.cmp(&b.unit)).then(a.entry.cmp(&b.entry)));
     for (index, triangle) in sorted.iter().enumerate() {
         let unit = &units[triangle.unit as usize];
-        let Some(item) = drawing.item_of(Drawing::number(unit, triangle.entry)) else { continue };
-        if let Some(part) = Drawing::part(item, &drawing.feed(item), unit, triangle.entry) {
-            bands.spread(bins, &super::setup::Rect::of(&part.screen, bands.multi, drawing.view.size), index as u32);
+        let Some(item) = frame_data.item_of(FrameData::number(unit, triangle.entry)) else { continue };
+        if let Some(part) = FrameData::part(item, &frame_data.reader(item), unit, triangle.entry) {
+            bands.spread(bins, &super::setup::Rect::of(&part.screen, bands.multi, frame_data.view.size), index as u32);
         }
     }
 }

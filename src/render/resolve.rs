@@ -1,7 +1,7 @@
 //! From samples to pixels, and into the target.
 
-use super::plane::Plane;
 use super::srgb::Srgb;
+use super::tile_buffer::BandBuffer;
 
 /// The rows of a band in the target.
 pub(super) struct Rows<'a> {
@@ -32,7 +32,7 @@ const ALIKE: u8 = 4;
 const GROUP: usize = 8;
 
 /// The finished pixels of row `y` in the columns in use: the only sample, or in `out` the colour of the four samples' light together.
-pub(super) fn resolve<'a>(plane: &'a Plane, y: usize, out: &'a mut [u32]) -> &'a [u32] {
+pub(super) fn resolve<'a>(plane: &'a BandBuffer, y: usize, out: &'a mut [u32]) -> &'a [u32] {
     if plane.samples == 1 {
         return plane.row(0, y);
     }
@@ -119,7 +119,7 @@ fn together(tables: &Srgb, samples: [u32; 4]) -> u32 {
 }
 
 /// Lays the overlay over the picture: fully where it is in front of the surface, with the opacity `behind` where it is not.
-pub(super) fn lay_over(plane: &mut Plane, overlay: &Plane, behind: f32) {
+pub(super) fn lay_over(plane: &mut BandBuffer, overlay: &BandBuffer, behind: f32) {
     for s in 0..plane.samples {
         for y in 0..plane.rows {
             let (colors, depths) = (overlay.row(s, y), overlay.depth_row(s, y));

@@ -11,7 +11,7 @@
 // Several arrays are walked with one index.
 #![allow(clippy::needless_range_loop, reason = "the index counts lanes of several arrays at once")]
 
-use super::view::{SUB, Screen};
+use super::projection::{SUB, ScreenVertex};
 
 /// Width of the blocks that wide triangles are walked in.
 pub(super) const BLOCK: i32 = 256;
@@ -27,7 +27,7 @@ const REACH: i32 = 96;
 
 /// Twice the signed area in square sub-pixels, y downward: positive is clockwise as seen.
 #[inline(always)]
-pub(super) fn area(s: &[Screen; 3]) -> i64 {
+pub(super) fn area(s: &[ScreenVertex; 3]) -> i64 {
     let [x0, y0] = [i64::from(s[0].x), i64::from(s[0].y)];
     (i64::from(s[1].x) - x0) * (i64::from(s[2].y) - y0) - (i64::from(s[2].x) - x0) * (i64::from(s[1].y) - y0)
 }
@@ -44,7 +44,7 @@ pub(super) struct Rect {
 impl Rect {
     /// The pixels whose centres (with `multi`: whose samples) may be inside the triangle, within a picture of this size.
     #[inline(always)]
-    pub(super) fn of(s: &[Screen; 3], multi: bool, size: [u32; 2]) -> Self {
+    pub(super) fn of(s: &[ScreenVertex; 3], multi: bool, size: [u32; 2]) -> Self {
         let reach = if multi { REACH } else { 0 };
         let low = |a: i32, b: i32, c: i32| (a.min(b).min(c) - reach + 127) >> 8;
         let high = |a: i32, b: i32, c: i32| (a.max(b).max(c) + reach - 128) >> 8;
@@ -76,7 +76,7 @@ pub(super) struct Edges {
 impl Edges {
     /// Edges of the corners `s` (clockwise as seen), their origin at pixel (`x0`, `y0`).
     #[inline(always)]
-    pub(super) fn new(s: &[Screen; 3], x0: i32, y0: i32) -> Self {
+    pub(super) fn new(s: &[ScreenVertex; 3], x0: i32, y0: i32) -> Self {
         let (cx, cy) = (i64::from(x0) * SUB + SUB / 2, i64::from(y0) * SUB + SUB / 2);
         let mut edges = Self { a: [0; 3], b: [0; 3], origin: [0; 3] };
         for i in 0..3 {
@@ -104,9 +104,9 @@ impl Edges {
     /// Starting values for a block at (`dx`, `dy`) from the origin, `w` × `h` pixels: for each sample and edge the value with the low
     /// bits dropped, and the steps. `None` where nothing in the block can be inside.
     #[inline(always)]
-    pub(super) fn block<const S: usize>(&self, dx: i32, dy: i32, w: i32, h: i32) -> Option<Stepping<S>> {
+    pub(super) fn block<const S: usize>(&self, dx: i32, dy: i32, w: i32, h: i32) -> Option<EdgeStepper<S>> {
         let (dx, dy) = (i64::from(dx), i64::from(dy));
-        let mut stepping = Stepping { start: [[0; 3]; S], a: self.a, b: self.b };
+        let mut stepper = EdgeStepper { start: [[0; 3]; S], a: self.a, b: self.b };
         // Lanes may reach 15 pixels past the end.
         let (last_x, last_y) = (i64::from(w + 15), i64::from(h - 1));
         let small = w <= SMALL && h <= SMALL && self.a.iter().chain(&self.b).all(|step| step.abs() <= SMALL * SUB as i32 * 4);
@@ -124,21 +124,21 @@ impl Edges {
                     return None;
                 }
                 if lowest + ax.min(0) + by.min(0) >= 0 {
-                    (stepping.a[i], stepping.b[i]) = (0, 0);
+                    (stepper.a[i], stepper.b[i]) = (0, 0);
                     continue;
                 }
             }
             for s in 0..S {
-                stepping.start[s][i] = (self.at(i, dx, dy, offset(s)) >> 8) as i32;
+                stepper.start[s][i] = (self.at(i, dx, dy, offset(s)) >> 8) as i32;
             }
         }
-        Some(stepping)
+        Some(stepper)
     }
 }
 
 /// Edge values that fit in 32 bits, for one block.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stepping<const S: usize> {
+pub(super) struct EdgeStepper<const S: usize> {
     pub start: [[i32; 3]; S],
     pub a: [i32; 3],
     pub b: [i32; 3],
@@ -156,7 +156,7 @@ pub(super) const ROUNDING: f32 = 1.0 / (1 << 21) as f32;
 
 /// Attributes as planes over the picture; attribute 0 is the nearness.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Planes<const K: usize> {
+pub(super) struct AttributePlanes<const K: usize> {
     base: [f64; K],
     down: [f64; K],
     /// Change a pixel to the right.
@@ -165,10 +165,10 @@ pub(super) struct Planes<const K: usize> {
     pub below: [f32; K],
 }
 
-impl<const K: usize> Planes<K> {
+impl<const K: usize> AttributePlanes<K> {
     /// Planes through the corners, from the centre of pixel (`x0`, `y0`); `area` is that of the corners and not 0.
     #[inline(always)]
-    pub(super) fn new(s: &[Screen; 3], area: i64, values: &[[f32; K]; 3], x0: i32, y0: i32) -> Self {
+    pub(super) fn new(s: &[ScreenVertex; 3], area: i64, values: &[[f32; K]; 3], x0: i32, y0: i32) -> Self {
         let scale = 256.0 / area as f64;
         let (x10, y10) = (f64::from(s[1].x - s[0].x) * scale, f64::from(s[1].y - s[0].y) * scale);
         let (x20, y20) = (f64::from(s[2].x - s[0].x) * scale, f64::from(s[2].y - s[0].y) * scale);

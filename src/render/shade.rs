@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use super::drawing::{Drawing, Feed, Item};
+use super::draw_data::{DrawCall, FrameData, VertexReader};
 use super::light::{normalize, see, shine};
-use super::style::{Normals, Style};
+use super::material_state::{Normals, ResolvedMaterial};
 use super::texels::{Texels, textures};
 use super::texture::Texture;
 use super::vertex::finish;
@@ -21,34 +21,34 @@ pub(super) trait Attributes<const K: usize> {
     /// How many of the attributes mean anything; those behind are not carried along.
     const USED: usize = K;
     /// Values at the corners of triangle `t`.
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; K]; 3];
-    /// Levels of the textures where the corners of a triangle agree about them, several triangles side by side: see [`Slopes::levels`].
+    fn corners(&self, reader: &VertexReader<'_>, t: usize, other_side: bool) -> [[f32; K]; 3];
+    /// Levels of the textures where the corners of a triangle agree about them, several triangles side by side: see [`Gradients::levels`].
     #[inline(always)]
-    fn levels<L: Lanes>(&self, l: L, corners: &Corners<L, K>) -> [L::I; 3] {
+    fn levels<L: Lanes>(&self, l: L, corners: &TriangleAttributes<L, K>) -> [L::I; 3] {
         let _ = corners;
-        [l.isplat(Slopes::<K>::MIXED); 3]
+        [l.isplat(Gradients::<K>::MIXED); 3]
     }
     /// Red, green, blue and opacity, 0 to 255 or a little beyond. `values[0]` is the distance where attributes are curved.
-    fn shade<L: Lanes>(&self, l: L, values: &[L::F; K], slopes: &Slopes<K>) -> [L::F; 4];
+    fn shade<L: Lanes>(&self, l: L, values: &[L::F; K], gradients: &Gradients<K>) -> [L::F; 4];
 }
 
 /// Makes a way of shading for an item.
 pub(super) trait Shader<'a>: Sized {
-    fn new(drawing: &'a Drawing<'a>, item: &'a Item) -> Self;
+    fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self;
 }
 
 /// How attributes change from pixel to pixel, for the choice of a mip level.
-pub(super) struct Slopes<const K: usize> {
+pub(super) struct Gradients<const K: usize> {
     pub right: [f32; K],
     pub below: [f32; K],
     /// Whether they are slopes of attributes times nearness.
     pub curved: bool,
-    /// Levels of the material's textures, as [`super::texture::Detail::half`] counts them, where all corners of the triangle agree; [`Slopes::MIXED`] where they
+    /// Levels of the material's textures, as [`super::texture::Detail::half`] counts them, where all corners of the triangle agree; [`Gradients::MIXED`] where they
     /// don't or there is none.
     pub levels: [i32; 3],
 }
 
-impl<const K: usize> Slopes<K> {
+impl<const K: usize> Gradients<K> {
     /// Each pixel has to choose its level.
     pub(super) const MIXED: i32 = -1;
 
@@ -65,7 +65,7 @@ impl<const K: usize> Slopes<K> {
 }
 
 /// Attributes of triangles side by side, for what is the same all over each.
-pub(super) struct Corners<L: Lanes, const K: usize> {
+pub(super) struct TriangleAttributes<L: Lanes, const K: usize> {
     /// At the three corners, times nearness where they are curved.
     pub values: [[L::F; K]; 3],
     pub right: [L::F; K],
@@ -73,14 +73,14 @@ pub(super) struct Corners<L: Lanes, const K: usize> {
     pub curved: L::M,
 }
 
-impl<L: Lanes, const K: usize> Corners<L, K> {
+impl<L: Lanes, const K: usize> TriangleAttributes<L, K> {
     /// The levels of the textures that attributes `first` and `first + 1` are the coordinates of.
     #[inline(always)]
     fn levels(&self, l: L, textures: [Option<&Texture>; 3], first: usize) -> [L::I; 3] {
         map(
             textures,
             always!(|texture: Option<&Texture>| {
-                let mixed = l.isplat(Slopes::<K>::MIXED);
+                let mixed = l.isplat(Gradients::<K>::MIXED);
                 let Some(texture) = texture else { return mixed };
                 let at = always!(|corner: usize| {
                     let values = &self.values[corner];
@@ -103,28 +103,34 @@ impl<L: Lanes, const K: usize> Corners<L, K> {
 
 /// Colours between the corners.
 pub(super) struct Gouraud<'a> {
-    drawing: &'a Drawing<'a>,
-    style: &'a Style,
+    frame_data: &'a FrameData<'a>,
+    style: &'a ResolvedMaterial,
 }
 
 impl<'a> Shader<'a> for Gouraud<'a> {
     #[inline(always)]
-    fn new(drawing: &'a Drawing<'a>, item: &'a Item) -> Self {
-        Self { drawing, style: &item.style }
+    fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
+        Self { frame_data, style: &item.style }
     }
 }
 
 impl Gouraud<'_> {
     /// The corners' colours, each turned into attributes: before the ways meet, so that they stay in registers.
     #[inline(always)]
-    fn colors<const K: usize>(&self, feed: &Feed<'_>, t: usize, other_side: bool, to: impl Fn([f32; 4]) -> [f32; K]) -> [[f32; K]; 3] {
+    fn colors<const K: usize>(
+        &self,
+        reader: &VertexReader<'_>,
+        t: usize,
+        other_side: bool,
+        to: impl Fn([f32; 4]) -> [f32; K],
+    ) -> [[f32; K]; 3] {
         match self.style.normals {
             Normals::Smooth => {
-                let [a, b, c] = feed.lit(t, other_side);
+                let [a, b, c] = reader.lit(t, other_side);
                 [to(a), to(b), to(c)]
             }
             _ => {
-                let [a, b, c] = face_colors(self.drawing, self.style, feed, t, other_side);
+                let [a, b, c] = face_colors(self.frame_data, self.style, reader, t, other_side);
                 [to(a), to(b), to(c)]
             }
         }
@@ -138,12 +144,12 @@ impl Attributes<4> for Gouraud<'_> {
     const COSTLY: bool = false;
 
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
-        self.colors(feed, t, other_side, always!(|[r, g, b, _]: [f32; 4]| [0.0, r, g, b]))
+    fn corners(&self, reader: &VertexReader<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
+        self.colors(reader, t, other_side, always!(|[r, g, b, _]: [f32; 4]| [0.0, r, g, b]))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 4], _: &Slopes<4>) -> [L::F; 4] {
+    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 4], _: &Gradients<4>) -> [L::F; 4] {
         [values[1], values[2], values[3], l.splat(255.0)]
     }
 }
@@ -155,20 +161,20 @@ impl Attributes<8> for Gouraud<'_> {
     const USED: usize = 5;
 
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
-        self.colors(feed, t, other_side, always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a, 0.0, 0.0, 0.0]))
+    fn corners(&self, reader: &VertexReader<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
+        self.colors(reader, t, other_side, always!(|[r, g, b, a]: [f32; 4]| [0.0, r, g, b, a, 0.0, 0.0, 0.0]))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, _: L, values: &[L::F; 8], _: &Slopes<8>) -> [L::F; 4] {
+    fn shade<L: Lanes>(&self, _: L, values: &[L::F; 8], _: &Gradients<8>) -> [L::F; 4] {
         [values[1], values[2], values[3], values[4]]
     }
 }
 
 /// Light between the corners, colour from a texture. `PLAIN` where the colour is that of the texture times the light and nothing else; see [`is_plain`].
 pub(super) struct LitTexture<'a, const PLAIN: bool> {
-    drawing: &'a Drawing<'a>,
-    style: &'a Style,
+    frame_data: &'a FrameData<'a>,
+    style: &'a ResolvedMaterial,
 }
 
 /// Light between the corners, colour from a texture.
@@ -177,16 +183,16 @@ pub(super) type Textured<'a> = LitTexture<'a, false>;
 pub(super) type Plain<'a> = LitTexture<'a, true>;
 
 /// Whether the texture times the light is all that a style wants: no shine, glow, opacity or mark.
-pub(super) fn is_plain(drawing: &Drawing<'_>, style: &Style) -> bool {
-    let colored = style.diffuse.is_some_and(|sampler| (sampler.texture as usize) < drawing.textures.len());
+pub(super) fn is_plain(frame_data: &FrameData<'_>, style: &ResolvedMaterial) -> bool {
+    let colored = style.diffuse.is_some_and(|sampler| (sampler.texture as usize) < frame_data.textures.len());
     let bare = style.cutout.is_none() && style.glow.is_none() && style.opacity == 1.0 && style.mark_share == 0.0;
     colored && bare && style.specular == [0.0; 3] && style.emission == [0.0; 3]
 }
 
 impl<'a, const PLAIN: bool> Shader<'a> for LitTexture<'a, PLAIN> {
     #[inline(always)]
-    fn new(drawing: &'a Drawing<'a>, item: &'a Item) -> Self {
-        Self { drawing, style: &item.style }
+    fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
+        Self { frame_data, style: &item.style }
     }
 }
 
@@ -194,24 +200,24 @@ impl<const PLAIN: bool> Attributes<8> for LitTexture<'_, PLAIN> {
     const USED: usize = if PLAIN { 6 } else { 7 };
 
     #[inline(always)]
-    fn levels<L: Lanes>(&self, l: L, corners: &Corners<L, 8>) -> [L::I; 3] {
-        corners.levels(l, textures(self.drawing, self.style), 1)
+    fn levels<L: Lanes>(&self, l: L, corners: &TriangleAttributes<L, 8>) -> [L::I; 3] {
+        corners.levels(l, textures(self.frame_data, self.style), 1)
     }
 
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
-        let uv = feed.uvs(t);
+    fn corners(&self, reader: &VertexReader<'_>, t: usize, other_side: bool) -> [[f32; 8]; 3] {
+        let uv = reader.uvs(t);
         let quads = match self.style.normals {
-            Normals::Smooth => feed.lit(t, other_side),
-            _ => face_light(self.drawing, self.style, feed, t, other_side),
+            Normals::Smooth => reader.lit(t, other_side),
+            _ => face_light(self.frame_data, self.style, reader, t, other_side),
         };
         each(always!(|k: usize| [0.0, uv[k].x, uv[k].y, quads[k][0], quads[k][1], quads[k][2], quads[k][3], 0.0]))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 8], slopes: &Slopes<8>) -> [L::F; 4] {
+    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 8], gradients: &Gradients<8>) -> [L::F; 4] {
         let uv = [values[1], values[2]];
-        let texel = Texels::read(l, self.drawing, self.style, uv, slopes, values, 1);
+        let texel = Texels::read(l, self.frame_data, self.style, uv, gradients, values, 1);
         if PLAIN {
             let lit = always!(|i: usize| texel.color[i] * values[3 + i]);
             return [lit(0), lit(1), lit(2), l.splat(255.0)];
@@ -230,14 +236,14 @@ impl<const PLAIN: bool> Attributes<8> for LitTexture<'_, PLAIN> {
 
 /// Light at every pixel.
 pub(super) struct Phong<'a> {
-    drawing: &'a Drawing<'a>,
-    style: &'a Style,
+    frame_data: &'a FrameData<'a>,
+    style: &'a ResolvedMaterial,
 }
 
 impl<'a> Shader<'a> for Phong<'a> {
     #[inline(always)]
-    fn new(drawing: &'a Drawing<'a>, item: &'a Item) -> Self {
-        Self { drawing, style: &item.style }
+    fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
+        Self { frame_data, style: &item.style }
     }
 }
 
@@ -245,18 +251,18 @@ impl Attributes<12> for Phong<'_> {
     const USED: usize = 11;
 
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
-        let (places, normals) = geometry(self.style, feed, t, other_side);
+    fn corners(&self, reader: &VertexReader<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
+        let (places, normals) = geometry(self.style, reader, t, other_side);
         each(always!(|k: usize| {
-            let (n, p, c) = (normals[k], places[k], feed.tint(t, k));
+            let (n, p, c) = (normals[k], places[k], reader.tint(t, k));
             [0.0, n.x, n.y, n.z, p.x, p.y, p.z, c[0], c[1], c[2], c[3], 0.0]
         }))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], _: &Slopes<12>) -> [L::F; 4] {
+    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], _: &Gradients<12>) -> [L::F; 4] {
         let normal = normalize(l, [v[1], v[2], v[3]]);
-        let lights = &self.drawing.lights;
+        let lights = &self.frame_data.lights;
         let seen = see(l, lights, [v[4], v[5], v[6]], normal);
         let light = shine(l, lights, self.style.gloss, seen, false);
         let [r, g, b] = finish(l, self.style, light, [v[7], v[8], v[9]], map(self.style.emission, always!(|e| l.splat(e))));
@@ -267,38 +273,38 @@ impl Attributes<12> for Phong<'_> {
 
 /// Light at every pixel, colour from a texture.
 pub(super) struct PhongTextured<'a> {
-    drawing: &'a Drawing<'a>,
-    style: &'a Style,
+    frame_data: &'a FrameData<'a>,
+    style: &'a ResolvedMaterial,
 }
 
 impl<'a> Shader<'a> for PhongTextured<'a> {
     #[inline(always)]
-    fn new(drawing: &'a Drawing<'a>, item: &'a Item) -> Self {
-        Self { drawing, style: &item.style }
+    fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
+        Self { frame_data, style: &item.style }
     }
 }
 
 impl Attributes<12> for PhongTextured<'_> {
     #[inline(always)]
-    fn levels<L: Lanes>(&self, l: L, corners: &Corners<L, 12>) -> [L::I; 3] {
-        corners.levels(l, textures(self.drawing, self.style), 7)
+    fn levels<L: Lanes>(&self, l: L, corners: &TriangleAttributes<L, 12>) -> [L::I; 3] {
+        corners.levels(l, textures(self.frame_data, self.style), 7)
     }
 
     #[inline(always)]
-    fn corners(&self, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
-        let (places, normals) = geometry(self.style, feed, t, other_side);
-        let uv = feed.uvs(t);
+    fn corners(&self, reader: &VertexReader<'_>, t: usize, other_side: bool) -> [[f32; 12]; 3] {
+        let (places, normals) = geometry(self.style, reader, t, other_side);
+        let uv = reader.uvs(t);
         each(always!(|k: usize| {
-            let (n, p, c) = (normals[k], places[k], feed.tint(t, k));
+            let (n, p, c) = (normals[k], places[k], reader.tint(t, k));
             [0.0, n.x, n.y, n.z, p.x, p.y, p.z, uv[k].x, uv[k].y, c[0], c[1], c[2]]
         }))
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], slopes: &Slopes<12>) -> [L::F; 4] {
-        let texel = Texels::read(l, self.drawing, self.style, [v[7], v[8]], slopes, v, 7);
+    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], gradients: &Gradients<12>) -> [L::F; 4] {
+        let texel = Texels::read(l, self.frame_data, self.style, [v[7], v[8]], gradients, v, 7);
         let normal = normalize(l, [v[1], v[2], v[3]]);
-        let lights = &self.drawing.lights;
+        let lights = &self.frame_data.lights;
         let seen = see(l, lights, [v[4], v[5], v[6]], normal);
         let light = shine(l, lights, self.style.gloss, seen, false);
         let base = [texel.color[0] * v[9], texel.color[1] * v[10], texel.color[2] * v[11]];
@@ -310,11 +316,11 @@ impl Attributes<12> for PhongTextured<'_> {
 
 /// Places and normals of a triangle's corners, the normals on the side that is seen.
 #[inline(always)]
-fn geometry(style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> ([Vec3; 3], [Vec3; 3]) {
-    let places = feed.places(t);
+fn geometry(style: &ResolvedMaterial, reader: &VertexReader<'_>, t: usize, other_side: bool) -> ([Vec3; 3], [Vec3; 3]) {
+    let places = reader.places(t);
     let sign = if other_side { -1.0 } else { 1.0 };
     let normals = match style.normals {
-        Normals::Smooth => map(feed.normals(t), always!(|n| n * sign)),
+        Normals::Smooth => map(reader.normals(t), always!(|n| n * sign)),
         _ => [face_normal(style, places, other_side); 3],
     };
     (places, normals)
@@ -322,7 +328,7 @@ fn geometry(style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> ([Vec
 
 /// The unit normal of a triangle, on the side that is seen; zero where it has none.
 #[inline(always)]
-fn face_normal(style: &Style, [a, b, c]: [Vec3; 3], other_side: bool) -> Vec3 {
+fn face_normal(style: &ResolvedMaterial, [a, b, c]: [Vec3; 3], other_side: bool) -> Vec3 {
     let cross = (b - a).cross(c - a);
     // The length of the longest component first: a small triangle must not vanish in the squares.
     let normal = (cross / cross.abs().max_element().max(1e-30)).normalize_or_zero();
@@ -331,10 +337,17 @@ fn face_normal(style: &Style, [a, b, c]: [Vec3; 3], other_side: bool) -> Vec3 {
 
 /// Light at the corners, or in the middle, with the triangle's own normal.
 #[inline(never)]
-fn face_shine(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> [super::light::Shine<Scalar>; 3] {
-    let places = feed.places(t);
+fn face_shine(
+    frame_data: &FrameData<'_>,
+    style: &ResolvedMaterial,
+    reader: &VertexReader<'_>,
+    t: usize,
+    other_side: bool,
+) -> [super::light::LightingTerms<Scalar>; 3] {
+    let places = reader.places(t);
     let normal = face_normal(style, places, other_side).to_array();
-    let at = always!(|p: Vec3| shine(Scalar, &drawing.lights, style.gloss, see(Scalar, &drawing.lights, p.to_array(), normal), false));
+    let at =
+        always!(|p: Vec3| shine(Scalar, &frame_data.lights, style.gloss, see(Scalar, &frame_data.lights, p.to_array(), normal), false));
     if style.normals == Normals::Flat {
         [at((places[0] + places[1] + places[2]) / 3.0); 3]
     } else {
@@ -343,10 +356,16 @@ fn face_shine(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, o
 }
 
 #[inline(never)]
-fn face_colors(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
-    let light = face_shine(drawing, style, feed, t, other_side);
+fn face_colors(
+    frame_data: &FrameData<'_>,
+    style: &ResolvedMaterial,
+    reader: &VertexReader<'_>,
+    t: usize,
+    other_side: bool,
+) -> [[f32; 4]; 3] {
+    let light = face_shine(frame_data, style, reader, t, other_side);
     each(always!(|k: usize| {
-        let [r, g, b, a] = feed.tint(t, k);
+        let [r, g, b, a] = reader.tint(t, k);
         let color = finish(Scalar, style, light[k], [r, g, b], style.emission);
         let all = [color[0] * 255.0, color[1] * 255.0, color[2] * 255.0, a * (style.opacity * 255.0)];
         map(all, always!(|c: f32| Scalar.clamp(c, 0.0, 255.0)))
@@ -354,10 +373,16 @@ fn face_colors(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, 
 }
 
 #[inline(never)]
-fn face_light(drawing: &Drawing<'_>, style: &Style, feed: &Feed<'_>, t: usize, other_side: bool) -> [[f32; 4]; 3] {
-    let light = face_shine(drawing, style, feed, t, other_side);
+fn face_light(
+    frame_data: &FrameData<'_>,
+    style: &ResolvedMaterial,
+    reader: &VertexReader<'_>,
+    t: usize,
+    other_side: bool,
+) -> [[f32; 4]; 3] {
+    let light = face_shine(frame_data, style, reader, t, other_side);
     each(always!(|k: usize| {
-        let tint = feed.tint(t, k);
+        let tint = reader.tint(t, k);
         let c = always!(|i: usize| (if style.unlit { 1.0 } else { light[k].light[i] }) * tint[i] * style.albedo[i] * 255.0);
         [c(0), c(1), c(2), light[k].highlight]
     }))

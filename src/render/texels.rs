@@ -1,8 +1,8 @@
 //! What a pixel gets from the textures of its material: which levels of them, and how they are mixed.
 
-use super::drawing::Drawing;
-use super::shade::Slopes;
-use super::style::Style;
+use super::draw_data::FrameData;
+use super::material_state::ResolvedMaterial;
+use super::shade::Gradients;
 use super::texture::{Sampler, Texture};
 use crate::lanes::{Lanes, always, each, map};
 use crate::scene::Wrap;
@@ -22,10 +22,10 @@ impl<L: Lanes> Texels<L> {
     #[allow(clippy::too_many_arguments, reason = "values of one loop, which stay in registers")]
     pub(super) fn read<const K: usize>(
         l: L,
-        drawing: &Drawing<'_>,
-        style: &Style,
+        frame_data: &FrameData<'_>,
+        style: &ResolvedMaterial,
         uv: [L::F; 2],
-        slopes: &Slopes<K>,
+        gradients: &Gradients<K>,
         values: &[L::F; K],
         first: usize,
     ) -> Self {
@@ -36,9 +36,9 @@ impl<L: Lanes> Texels<L> {
         let mut which = 0;
         while which < samplers.len() {
             if let Some(sampler) = samplers[which]
-                && let Some(texture) = drawing.textures.get(sampler.texture as usize)
+                && let Some(texture) = frame_data.textures.get(sampler.texture as usize)
             {
-                let [r, g, b, a] = filtered(l, texture, sampler.wrap, uv, slopes, slopes.levels[which], values, first);
+                let [r, g, b, a] = filtered(l, texture, sampler.wrap, uv, gradients, gradients.levels[which], values, first);
                 match which {
                     0 => texels.color = [r, g, b],
                     1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
@@ -63,7 +63,7 @@ fn filtered<L: Lanes, const K: usize>(
     texture: &Texture,
     wrap: [Wrap; 2],
     uv: [L::F; 2],
-    slopes: &Slopes<K>,
+    gradients: &Gradients<K>,
     half: i32,
     values: &[L::F; K],
     first: usize,
@@ -73,10 +73,10 @@ fn filtered<L: Lanes, const K: usize>(
     // Odd, or everything that is mixed.
     let mut two = half & 1 != 0;
     if two {
-        let [across, down] = slopes.of(l, values, first);
+        let [across, down] = gradients.of(l, values, first);
         let detail = texture.detail(l, across, down);
         let mut finer = l.isplat(half >> 1);
-        if half == Slopes::<K>::MIXED {
+        if half == Gradients::<K>::MIXED {
             two = l.any(detail.passes(l));
             let levels = detail.levels(l);
             finer = levels[0];
@@ -102,6 +102,6 @@ fn filtered<L: Lanes, const K: usize>(
 
 /// The textures of a material: colour, opacity, glow.
 #[inline(always)]
-pub(super) fn textures<'a>(drawing: &'a Drawing<'a>, style: &Style) -> [Option<&'a Texture>; 3] {
-    map([style.diffuse, style.cutout, style.glow], always!(|sampler: Option<Sampler>| drawing.textures.get(sampler?.texture as usize)))
+pub(super) fn textures<'a>(frame_data: &'a FrameData<'a>, style: &ResolvedMaterial) -> [Option<&'a Texture>; 3] {
+    map([style.diffuse, style.cutout, style.glow], always!(|sampler: Option<Sampler>| frame_data.textures.get(sampler?.texture as usize)))
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::Affine2;
 
-use super::muscle::Pattern;
+use super::muscle_texture::FiberTexture;
 use super::srgb::Srgb;
 use crate::lanes::{Lanes, always};
 use crate::scene::{AlphaSource, Pixels, Wrap};
@@ -290,7 +290,7 @@ fn beneath(at: u32, side: u32) -> [(usize, u32); 3] {
 pub(super) struct Cache {
     entries: Vec<Entry>,
     textures: Vec<Texture>,
-    fibres: Pattern,
+    fibres: FiberTexture,
     frame: u64,
 }
 
@@ -348,7 +348,7 @@ impl Cache {
         self.find(same, |fibres| (Key::Muscle(color, tendon), fibres.texture(color, tendon)))
     }
 
-    fn find(&mut self, same: impl Fn(&Key) -> bool, make: impl FnOnce(&mut Pattern) -> (Key, Texture)) -> u32 {
+    fn find(&mut self, same: impl Fn(&Key) -> bool, make: impl FnOnce(&mut FiberTexture) -> (Key, Texture)) -> u32 {
         let index = self.entries.iter().position(|entry| same(&entry.key)).unwrap_or_else(|| {
             let (key, texture) = make(&mut self.fibres);
             self.entries.push(Entry { key, used: 0 });

@@ -2,12 +2,12 @@
 
 use glam::{Mat3, Mat4, Vec3, Vec4};
 
-use super::light::{Lights, Shine, V3, normalize, see, shine};
-use super::style::{Style, Varying};
-use super::view::{BAD, NEAR, SIDES, Screen, View};
+use super::light::{LightingTerms, Lights, V3, normalize, see, shine};
+use super::material_state::{ResolvedMaterial, VertexOutput};
+use super::projection::{BAD, NEAR, SIDES, ScreenVertex, ViewTransform};
 use crate::lanes::{Lanes, always, kernel, map};
 
-/// Four floats of a vertex: what they mean depends on [`Varying`].
+/// Four floats of a vertex: what they mean depends on [`VertexOutput`].
 pub(super) type Quad = [f32; 4];
 
 /// Vertices handed to a worker at a time; a multiple of every lane count.
@@ -59,18 +59,26 @@ impl Geometry<'_> {
 
 /// The part of the output arrays that one chunk fills.
 pub(super) struct Out<'a> {
-    pub screen: &'a mut [Screen],
+    pub screen: &'a mut [ScreenVertex],
     pub front: &'a mut [Quad],
     pub back: &'a mut [Quad],
 }
 
 kernel! {
     /// Transforms, projects and lights the vertices of an item from `start` on, as many as `out` has room for.
-    pub(super) fn vertices<'a>(view: &View, lights: &Lights, style: &Style, geometry: &Geometry<'a>, start: usize, out: Out<'a>) = chunk
+    pub(super) fn vertices<'a>(view: &ViewTransform, lights: &Lights, style: &ResolvedMaterial, geometry: &Geometry<'a>, start: usize, out: Out<'a>) = chunk
 }
 
 #[inline(always)]
-fn chunk<L: Lanes>(l: L, view: &View, lights: &Lights, style: &Style, geometry: &Geometry<'_>, start: usize, out: Out<'_>) {
+fn chunk<L: Lanes>(
+    l: L,
+    view: &ViewTransform,
+    lights: &Lights,
+    style: &ResolvedMaterial,
+    geometry: &Geometry<'_>,
+    start: usize,
+    out: Out<'_>,
+) {
     let count = out.screen.len();
     let mut done = 0;
     while done < count {
@@ -87,12 +95,12 @@ fn chunk<L: Lanes>(l: L, view: &View, lights: &Lights, style: &Style, geometry: 
         normal = normalize(l, normal);
         project(l, view, p, &mut out.screen[done..done + n]);
         match style.varying {
-            Varying::Geometry => {
+            VertexOutput::Geometry => {
                 let zero = l.splat(0.0);
                 scatter(l, [p[0], p[1], p[2], zero], &mut out.front[done..done + n]);
                 scatter(l, [normal[0], normal[1], normal[2], zero], &mut out.back[done..done + n]);
             }
-            Varying::Light | Varying::Color => {
+            VertexOutput::Light | VertexOutput::Color => {
                 let seen = see(l, lights, p, normal);
                 let tint = map(gathered.tint, always!(|lane: [f32; 16]| l.load(&lane)));
                 let front = paint(l, style, shine(l, lights, style.gloss, seen, false), tint);
@@ -168,7 +176,7 @@ fn rotate<L: Lanes>(l: L, m: &Mat3, p: V3<L>) -> V3<L> {
 }
 
 #[inline(always)]
-fn project<L: Lanes>(l: L, view: &View, p: V3<L>, out: &mut [Screen]) {
+fn project<L: Lanes>(l: L, view: &ViewTransform, p: V3<L>, out: &mut [ScreenVertex]) {
     let row = always!(|r: Vec4| {
         let r = map(r.to_array(), always!(|x| l.splat(x)));
         r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3]
@@ -200,16 +208,16 @@ fn project<L: Lanes>(l: L, view: &View, p: V3<L>, out: &mut [Screen]) {
     l.istore(l.bits(q), &mut lanes[2]);
     l.istore(code, &mut lanes[3]);
     for (k, screen) in out.iter_mut().enumerate() {
-        *screen = Screen { x: lanes[0][k] as i32, y: lanes[1][k] as i32, q: f32::from_bits(lanes[2][k]), code: lanes[3][k] };
+        *screen = ScreenVertex { x: lanes[0][k] as i32, y: lanes[1][k] as i32, q: f32::from_bits(lanes[2][k]), code: lanes[3][k] };
     }
 }
 
 /// What a vertex hands on: its finished colour and opacity, or the light and highlight that a texture waits for. 0 to 255.
 #[inline(always)]
-fn paint<L: Lanes>(l: L, style: &Style, shine: Shine<L>, tint: [L::F; 4]) -> [L::F; 4] {
+fn paint<L: Lanes>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, tint: [L::F; 4]) -> [L::F; 4] {
     let full = l.splat(255.0);
     match style.varying {
-        Varying::Color => {
+        VertexOutput::Color => {
             let color = finish(l, style, shine, [tint[0], tint[1], tint[2]], map(style.emission, always!(|e| l.splat(e))));
             // Held within 0 to 255, which the kernels count on.
             let all = [color[0] * full, color[1] * full, color[2] * full, tint[3] * l.splat(style.opacity * 255.0)];
@@ -225,7 +233,7 @@ fn paint<L: Lanes>(l: L, style: &Style, shine: Shine<L>, tint: [L::F; 4]) -> [L:
 
 /// Light on a material: `base` multiplies its colour. 0 to 1.
 #[inline(always)]
-pub(super) fn finish<L: Lanes>(l: L, style: &Style, shine: Shine<L>, base: V3<L>, emission: V3<L>) -> V3<L> {
+pub(super) fn finish<L: Lanes>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, base: V3<L>, emission: V3<L>) -> V3<L> {
     let one = l.splat(1.0);
     let channel = always!(|i: usize| {
         let albedo = base[i] * l.splat(style.albedo[i]);

@@ -4,8 +4,8 @@
 //! of 45°. "Fill" stands 2.6 in front of the camera and covers 411 thousand pixels, "figure" stands at 5.0. The sphere turns by 0.01 rad a frame. A frame is
 //! everything from clearing to finished pixels in memory.
 
+mod bench_scene;
 mod floor;
-mod yard;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -14,8 +14,8 @@ use glam::Vec3;
 
 use super::{Background, Display, Renderer, Samples, Shading, Stats};
 use crate::scene::{Camera, Frame, Scene};
+use bench_scene::Yard;
 pub use floor::Floor;
-use yard::Yard;
 
 const WIDTH: u32 = 1280;
 const HEIGHT: u32 = 720;
@@ -189,7 +189,7 @@ pub fn spheres(renderer: &mut Renderer, budget: Duration, wanted: impl Fn(&str) 
             continue;
         }
         let mut yard = Yard::sphere(segments, rings, shading == "textured");
-        let camera = yard::camera(distance);
+        let camera = bench_scene::camera(distance);
         let times = time(budget, |turn| {
             yard.turn(turn as f32 * 0.01);
             black_box(renderer.draw(&yard.scene, &yard.frame, &camera, display, WIDTH, HEIGHT));

@@ -18,7 +18,7 @@ const TENDON: [f32; 3] = [232.0, 223.0, 200.0];
 
 /// The pattern without colour: how light the fibre is, and how much of it is tendon.
 #[derive(Debug, Default)]
-pub(super) struct Pattern {
+pub(super) struct FiberTexture {
     texels: Vec<(f32, f32)>,
 }
 
@@ -46,7 +46,7 @@ fn step(from: f32, to: f32, x: f32) -> f32 {
     t * t * (3.0 - 2.0 * t)
 }
 
-impl Pattern {
+impl FiberTexture {
     fn new() -> Self {
         let texel = |i: u32| {
             let (u, v) = ((i % WIDTH) as f32 / WIDTH as f32, (i / WIDTH) as f32 / (HEIGHT - 1) as f32);
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn the_pattern_closes_round_the_muscle() {
-        let pattern = Pattern::new();
+        let pattern = FiberTexture::new();
         for row in pattern.texels.chunks(WIDTH as usize) {
             let (first, last) = (row[0].0, row[WIDTH as usize - 1].0);
             assert!((first - last).abs() < 0.12, "a seam: {first} beside {last}");

@@ -3,7 +3,7 @@
 //! Only the columns in use are cleared, filled and handed on. What stands in the others is left over from earlier bands: vectors that reach there
 //! read it and write it back, but no lane of theirs is ever covered.
 
-use super::bins::Columns;
+use super::bin_lists::Columns;
 use crate::lanes::{Lanes, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
@@ -13,7 +13,7 @@ const FOOT: usize = 3;
 
 /// Colour and depth of some rows. Sample planes stand one after the other.
 #[derive(Debug, Default)]
-pub(super) struct Plane {
+pub(super) struct BandBuffer {
     /// First row.
     pub top: i32,
     /// Number of rows.
@@ -32,8 +32,8 @@ pub(super) struct Plane {
     depth: Vec<f32>,
 }
 
-impl Plane {
-    /// Takes this shape; what is in it stays as it was until [`Plane::clear_depth`] and the rows are written.
+impl BandBuffer {
+    /// Takes this shape; what is in it stays as it was until [`BandBuffer::clear_depth`] and the rows are written.
     pub(super) fn shape(&mut self, top: i32, rows: usize, width: usize, used: Columns, samples: usize) {
         (self.top, self.rows, self.width, self.samples) = (top, rows, width, samples);
         let end = (used.last + 1).clamp(0, width as i32) as usize;
@@ -55,7 +55,7 @@ impl Plane {
 
     /// The columns in use of row `row` (from the band's first) of sample `s`.
     #[inline(always)]
-    fn stretch(&self, s: usize, row: usize) -> std::ops::Range<usize> {
+    fn run(&self, s: usize, row: usize) -> std::ops::Range<usize> {
         let at = s * self.area + row * self.pitch;
         at + self.used[0]..at + self.used[1]
     }
@@ -64,8 +64,8 @@ impl Plane {
     pub(super) fn clear_depth(&mut self) {
         for s in 0..self.samples {
             for row in 0..self.rows {
-                let stretch = self.stretch(s, row);
-                self.depth[stretch].fill(f32::NEG_INFINITY);
+                let run = self.run(s, row);
+                self.depth[run].fill(f32::NEG_INFINITY);
             }
         }
     }
@@ -81,24 +81,24 @@ impl Plane {
 
     /// Row `row` (from the band's first) of sample `s`, colours of the columns in use.
     pub(super) fn row(&self, s: usize, row: usize) -> &[u32] {
-        &self.color[self.stretch(s, row)]
+        &self.color[self.run(s, row)]
     }
 
     /// The same, to write.
     pub(super) fn row_mut(&mut self, s: usize, row: usize) -> &mut [u32] {
-        let stretch = self.stretch(s, row);
-        &mut self.color[stretch]
+        let run = self.run(s, row);
+        &mut self.color[run]
     }
 
     /// The same, depths.
     pub(super) fn depth_row(&self, s: usize, row: usize) -> &[f32] {
-        &self.depth[self.stretch(s, row)]
+        &self.depth[self.run(s, row)]
     }
 
     /// Colours to write and depths to read of one row.
     pub(super) fn row_and_depth(&mut self, s: usize, row: usize) -> (&mut [u32], &[f32]) {
-        let stretch = self.stretch(s, row);
-        (&mut self.color[stretch.clone()], &self.depth[stretch])
+        let run = self.run(s, row);
+        (&mut self.color[run.clone()], &self.depth[run])
     }
 
     /// Where pixel `x` of picture row `y` stands in a sample plane.
@@ -116,7 +116,7 @@ impl Plane {
     }
 
     /// # Safety
-    /// [`Plane::holds`] said yes to a stretch that `at` is in, and `s` is below the number of samples.
+    /// [`BandBuffer::holds`] said yes to a stretch that `at` is in, and `s` is below the number of samples.
     #[inline(always)]
     pub(super) unsafe fn depth<L: Lanes>(&self, l: L, s: usize, at: usize) -> L::F {
         let from = s * self.area + at;
@@ -125,7 +125,7 @@ impl Plane {
     }
 
     /// # Safety
-    /// As for [`Plane::depth`].
+    /// As for [`BandBuffer::depth`].
     #[inline(always)]
     pub(super) unsafe fn set_depth<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, depth: L::F) {
         let from = s * self.area + at;
@@ -137,7 +137,7 @@ impl Plane {
     }
 
     /// # Safety
-    /// As for [`Plane::depth`].
+    /// As for [`BandBuffer::depth`].
     #[inline(always)]
     pub(super) unsafe fn set_color<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I) {
         let from = s * self.area + at;
@@ -150,7 +150,7 @@ impl Plane {
     /// Depths of a vector, or with `TILED` of a tile, from index `at` on.
     ///
     /// # Safety
-    /// As for [`Plane::depth`].
+    /// As for [`BandBuffer::depth`].
     #[inline(always)]
     pub(super) unsafe fn depth_at<L: Lanes, const TILED: bool>(&self, l: L, s: usize, at: usize) -> L::F {
         if TILED {
@@ -165,7 +165,7 @@ impl Plane {
     /// Writes colour and depth where `mask` says so, into a vector or a tile.
     ///
     /// # Safety
-    /// As for [`Plane::depth`].
+    /// As for [`BandBuffer::depth`].
     #[inline(always)]
     pub(super) unsafe fn put<L: Lanes, const TILED: bool>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I, depth: L::F) {
         // SAFETY: the caller's promise, and for tiles as in `depth_at`.
@@ -185,7 +185,7 @@ impl Plane {
     /// Lays a colour with opacity (0 to 255 each, not premultiplied) over what is there.
     ///
     /// # Safety
-    /// As for [`Plane::depth`].
+    /// As for [`BandBuffer::depth`].
     #[inline(always)]
     pub(super) unsafe fn blend<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: [L::F; 4]) {
         let from = s * self.area + at;

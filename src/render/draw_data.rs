@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use glam::{Affine2, Vec2, Vec3};
 
-use super::bins::Bins;
+use super::bin_lists::Bins;
 use super::clip::Clipped;
 use super::light::Lights;
-use super::style::{Layer, Style};
+use super::material_state::{RenderPass, ResolvedMaterial};
+use super::projection::{ScreenVertex, ViewTransform};
 use super::texture::Texture;
 use super::vertex::{Geometry, Quad};
-use super::view::{Screen, View};
 use crate::scene::{Frame, Placement};
 
 /// Where an item's geometry comes from.
@@ -30,9 +30,9 @@ pub(super) enum Source {
 
 /// Triangles that are drawn alike.
 #[derive(Debug, Clone)]
-pub(super) struct Item {
+pub(super) struct DrawCall {
     pub source: Source,
-    pub style: Style,
+    pub style: ResolvedMaterial,
     /// Leaves out what faces away.
     pub cull: bool,
     /// For each triangle of its mesh whether another one of the opposite winding lies on it, which is seen from the other side in its stead; `None` where
@@ -49,7 +49,7 @@ pub(super) struct Item {
     pub heat: Option<usize>,
 }
 
-impl Item {
+impl DrawCall {
     /// Whether its triangle `t` does not show where its area on the picture is this: it is nothing, or it faces away and is not seen from behind.
     #[inline(always)]
     pub(super) fn hides(&self, t: usize, area: i64) -> bool {
@@ -66,13 +66,13 @@ impl Item {
 
     /// Whether it is laid over what is there instead of replacing it.
     pub(super) fn blended(&self) -> bool {
-        self.style.layer == Layer::Blended
+        self.style.layer == RenderPass::Blended
     }
 }
 
 /// Geometry that the renderer makes itself: positions and normals in the world, colours.
 #[derive(Debug, Default)]
-pub(super) struct Made {
+pub(super) struct GeneratedMesh {
     pub positions: Vec<Vec3>,
     pub normals: Vec<Vec3>,
     pub colors: Vec<glam::Vec4>,
@@ -81,7 +81,7 @@ pub(super) struct Made {
 
 /// The triangles that one worker culls, clips and bins at a time, and what came of it.
 #[derive(Debug, Default)]
-pub(super) struct Unit {
+pub(super) struct WorkUnit {
     /// Numbers of its triangles in the picture.
     pub range: Range<u32>,
     /// Triangle numbers, or [`CUT`] and an index in `clipped`, by band.
@@ -95,29 +95,29 @@ pub(super) struct Unit {
 pub(super) const CUT: u32 = 1 << 31;
 
 /// What the stages after the vertex stage share.
-pub(super) struct Drawing<'a> {
-    pub view: View,
+pub(super) struct FrameData<'a> {
+    pub view: ViewTransform,
     pub lights: Lights,
     pub frame: &'a Frame,
-    pub bones: &'a Made,
-    pub items: &'a [Item],
+    pub bones: &'a GeneratedMesh,
+    pub items: &'a [DrawCall],
     pub textures: &'a [Texture],
     pub heat: &'a [glam::Vec4],
-    pub screen: &'a [Screen],
+    pub screen: &'a [ScreenVertex],
     pub front: &'a [Quad],
     pub back: &'a [Quad],
 }
 
 /// A triangle that is ready to be filled.
-pub(super) struct Part {
+pub(super) struct ClippedTriangle {
     /// Its index in the item.
     pub triangle: usize,
-    pub screen: [Screen; 3],
+    pub screen: [ScreenVertex; 3],
     pub mixture: Option<[[f32; 3]; 3]>,
 }
 
 /// The geometry of an item.
-pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a Made, heat: &'a [glam::Vec4], item: &Item) -> Geometry<'a> {
+pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, heat: &'a [glam::Vec4], item: &DrawCall) -> Geometry<'a> {
     let (first, expanded) = (item.first_vertex, item.expanded);
     match &item.source {
         Source::Surface { index, triangles } => {
@@ -154,16 +154,16 @@ pub(super) fn normal_matrix(matrix: &glam::Mat4) -> glam::Mat3 {
     if scale > 0.0 && scale.is_finite() { cofactors * (sign / scale) } else { m }
 }
 
-impl<'a> Drawing<'a> {
+impl<'a> FrameData<'a> {
     /// The item that triangle `number` of the picture belongs to.
-    pub(super) fn item_of(&self, number: u32) -> Option<&'a Item> {
+    pub(super) fn item_of(&self, number: u32) -> Option<&'a DrawCall> {
         let after = self.items.partition_point(|item| item.triangles.end <= number);
         self.items.get(after).filter(|item| item.triangles.contains(&number))
     }
 
     /// What an entry of a bin stands for.
     #[inline(always)]
-    pub(super) fn part(item: &Item, feed: &Feed<'_>, unit: &Unit, entry: u32) -> Option<Part> {
+    pub(super) fn part(item: &DrawCall, reader: &VertexReader<'_>, unit: &WorkUnit, entry: u32) -> Option<ClippedTriangle> {
         let (number, cut) = if entry & CUT == 0 {
             (entry, None)
         } else {
@@ -172,21 +172,21 @@ impl<'a> Drawing<'a> {
         };
         let triangle = number.wrapping_sub(item.triangles.start) as usize;
         let part = match cut {
-            Some(cut) => Part { triangle, screen: cut.screen, mixture: Some(cut.mixture) },
-            None => Part { triangle, screen: feed.screens(triangle)?, mixture: None },
+            Some(cut) => ClippedTriangle { triangle, screen: cut.screen, mixture: Some(cut.mixture) },
+            None => ClippedTriangle { triangle, screen: reader.screens(triangle)?, mixture: None },
         };
         Some(part)
     }
 
     /// The triangle number of an entry.
     #[inline(always)]
-    pub(super) fn number(unit: &Unit, entry: u32) -> u32 {
+    pub(super) fn number(unit: &WorkUnit, entry: u32) -> u32 {
         if entry & CUT == 0 { entry } else { unit.clipped.get((entry & !CUT) as usize).map_or(0, |cut| cut.triangle) }
     }
 
     /// Access to an item's vertices by triangle.
     #[inline(always)]
-    pub(super) fn feed(&self, item: &'a Item) -> Feed<'a> {
+    pub(super) fn reader(&self, item: &'a DrawCall) -> VertexReader<'a> {
         let geometry = geometry(self.frame, self.bones, self.heat, item);
         let (uv, placing) = match (&item.source, &item.style.diffuse.or(item.style.cutout).or(item.style.glow)) {
             (Source::Surface { index, .. }, Some(sampler)) => {
@@ -196,26 +196,33 @@ impl<'a> Drawing<'a> {
             _ => (&[][..], None),
         };
         let range = item.vertices.clone();
-        Feed { geometry, uv, placing, screen: &self.screen[range.clone()], front: &self.front[range.clone()], back: &self.back[range] }
+        VertexReader {
+            geometry,
+            uv,
+            placing,
+            screen: &self.screen[range.clone()],
+            front: &self.front[range.clone()],
+            back: &self.back[range],
+        }
     }
 }
 
 /// An item's vertices, looked up by triangle. Triangles that name vertices which aren't there never get past binning, so what is returned for
 /// them does not matter; it must only not panic.
 #[derive(Clone, Copy)]
-pub(super) struct Feed<'a> {
+pub(super) struct VertexReader<'a> {
     pub geometry: Geometry<'a>,
     uv: &'a [Vec2],
     placing: Option<Affine2>,
-    screen: &'a [Screen],
+    screen: &'a [ScreenVertex],
     front: &'a [Quad],
     back: &'a [Quad],
 }
 
-impl Feed<'_> {
+impl VertexReader<'_> {
     /// The corners on the picture; `None` where a vertex isn't there.
     #[inline(always)]
-    pub(super) fn screens(&self, t: usize) -> Option<[Screen; 3]> {
+    pub(super) fn screens(&self, t: usize) -> Option<[ScreenVertex; 3]> {
         let at = |k: usize| self.screen.get(self.geometry.item_vertex(t, k)).copied();
         Some([at(0)?, at(1)?, at(2)?])
     }
@@ -229,13 +236,13 @@ impl Feed<'_> {
         [at(0), at(1), at(2)]
     }
 
-    /// Corners in the world. Only where the vertex stage made [`super::style::Varying::Geometry`].
+    /// Corners in the world. Only where the vertex stage made [`super::material_state::VertexOutput::Geometry`].
     #[inline(always)]
     pub(super) fn places(&self, t: usize) -> [Vec3; 3] {
         self.lit(t, false).map(|[x, y, z, _]| Vec3::new(x, y, z))
     }
 
-    /// Normals at the corners, as for [`Feed::places`].
+    /// Normals at the corners, as for [`VertexReader::places`].
     #[inline(always)]
     pub(super) fn normals(&self, t: usize) -> [Vec3; 3] {
         self.lit(t, true).map(|[x, y, z, _]| Vec3::new(x, y, z))

@@ -3,23 +3,23 @@
 // Several arrays are walked with one index; iterators would hide that and have to be trusted to dissolve.
 #![allow(clippy::needless_range_loop, reason = "the index counts lanes of several arrays at once")]
 
-use super::drawing::{Drawing, Item, Unit};
-use super::plane::Plane;
-use super::setup::{BLOCK, Edges, Planes, Rect, Stepping, area};
-use super::shade::{Attributes, Corners, Gouraud, Phong, PhongTextured, Plain, Shader, Slopes, Textured, is_plain};
-use super::small::{Batch, bend};
-use super::style::Fill;
-use super::view::Screen;
+use super::draw_data::{DrawCall, FrameData, WorkUnit};
+use super::material_state::ShaderKind;
+use super::projection::ScreenVertex;
+use super::setup::{AttributePlanes, BLOCK, EdgeStepper, Edges, Rect, area};
+use super::shade::{Attributes, Gouraud, Gradients, Phong, PhongTextured, Plain, Shader, Textured, TriangleAttributes, is_plain};
+use super::small_triangles::{TriangleBatch, bend};
+use super::tile_buffer::BandBuffer;
 use crate::lanes::{Lanes, Level, Scalar, always, each, kernel, map};
 
 /// One stretch of triangles of one item.
 #[derive(Clone, Copy)]
-pub(super) struct Stretch<'a> {
-    pub drawing: &'a Drawing<'a>,
-    pub item: &'a Item,
+pub(super) struct DrawRun<'a> {
+    pub frame_data: &'a FrameData<'a>,
+    pub item: &'a DrawCall,
     /// Where cut pieces are.
-    pub unit: &'a Unit,
-    /// What to fill, as [`Drawing::part`] understands it.
+    pub unit: &'a WorkUnit,
+    /// What to fill, as [`FrameData::part`] understands it.
     pub entries: &'a [u32],
 }
 
@@ -27,7 +27,7 @@ pub(super) struct Stretch<'a> {
 macro_rules! kernels {
     ($($(($narrow:ident))? $name:ident = $shader:ident, $attributes:literal, $samples:literal;)*) => { $(
         kernel! {
-            $($narrow)? fn $name<'a>(stretch: &Stretch<'a>, plane: &mut Plane) = triangles::<_, $shader<'_>, $attributes, $samples>
+            $($narrow)? fn $name<'a>(run: &DrawRun<'a>, plane: &mut BandBuffer) = triangles::<_, $shader<'_>, $attributes, $samples>
         }
     )* };
 }
@@ -46,42 +46,42 @@ kernels! {
 }
 
 /// Fills a stretch of triangles into the rows of `plane`.
-pub(super) fn fill(level: Level, stretch: &Stretch<'_>, plane: &mut Plane) {
-    let kernel = match (stretch.item.style.fill, plane.samples) {
-        (Fill::Gouraud, 1) if stretch.item.blended() => glass,
-        (Fill::Gouraud, _) if stretch.item.blended() => glass_4,
-        (Fill::Gouraud, 1) => gouraud,
-        (Fill::Gouraud, _) => gouraud_4,
-        (Fill::Textured, 1) if is_plain(stretch.drawing, &stretch.item.style) => plain,
-        (Fill::Textured, 1) => textured,
-        (Fill::Textured, _) => textured_4,
-        (Fill::Phong, 1) => phong,
-        (Fill::Phong, _) => phong_4,
-        (Fill::PhongTextured, 1) => phong_textured,
-        (Fill::PhongTextured, _) => phong_textured_4,
+pub(super) fn fill(level: Level, run: &DrawRun<'_>, plane: &mut BandBuffer) {
+    let kernel = match (run.item.style.fill, plane.samples) {
+        (ShaderKind::Gouraud, 1) if run.item.blended() => glass,
+        (ShaderKind::Gouraud, _) if run.item.blended() => glass_4,
+        (ShaderKind::Gouraud, 1) => gouraud,
+        (ShaderKind::Gouraud, _) => gouraud_4,
+        (ShaderKind::Textured, 1) if is_plain(run.frame_data, &run.item.style) => plain,
+        (ShaderKind::Textured, 1) => textured,
+        (ShaderKind::Textured, _) => textured_4,
+        (ShaderKind::Phong, 1) => phong,
+        (ShaderKind::Phong, _) => phong_4,
+        (ShaderKind::PhongTextured, 1) => phong_textured,
+        (ShaderKind::PhongTextured, _) => phong_textured_4,
     };
-    kernel(level, stretch, plane);
+    kernel(level, run, plane);
 }
 
 #[inline(always)]
-fn triangles<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, stretch: &Stretch<'a>, plane: &mut Plane)
+fn triangles<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, run: &DrawRun<'a>, plane: &mut BandBuffer)
 where
     S: Shader<'a> + Attributes<K>,
 {
-    let Stretch { drawing, item, unit, entries } = *stretch;
-    let feed = drawing.feed(item);
-    let shader = S::new(drawing, item);
+    let DrawRun { frame_data, item, unit, entries } = *run;
+    let reader = frame_data.reader(item);
+    let shader = S::new(frame_data, item);
     let blended = S::BLENDED.unwrap_or(item.blended());
-    let mut batch = Batch::<K>::new();
+    let mut batch = TriangleBatch::<K>::new();
     for &entry in entries {
-        let Some(part) = Drawing::part(item, &feed, unit, entry) else { continue };
+        let Some(part) = FrameData::part(item, &reader, unit, entry) else { continue };
         let mut screen = part.screen;
         let mut size = area(&screen);
         if size == 0 {
             continue;
         }
         let other_side = (size > 0) != item.style.mirrored;
-        let mut values = shader.corners(&feed, part.triangle, other_side);
+        let mut values = shader.corners(&reader, part.triangle, other_side);
         if let Some(mixture) = part.mixture {
             let whole = values;
             for (value, share) in values.iter_mut().zip(mixture) {
@@ -98,36 +98,36 @@ where
             screen.swap(1, 2);
             values.swap(1, 2);
         }
-        if !blended && Batch::<K>::fits(&screen, size) {
-            let rect = Rect::of(&screen, M > 1, drawing.view.size);
+        if !blended && TriangleBatch::<K>::fits(&screen, size) {
+            let rect = Rect::of(&screen, M > 1, frame_data.view.size);
             if !rect.is_empty() {
                 batch.push(S::USED, &screen, &values, &rect, other_side);
             }
             if batch.is_full() {
-                batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
+                batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.style.depth_test, plane);
             }
             continue;
         }
         // What came before has to be drawn before.
         if !blended {
-            batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
+            batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.style.depth_test, plane);
         }
-        let curved = bend(drawing, &mut values, item.style.fill == Fill::Gouraud);
+        let curved = bend(frame_data, &mut values, item.style.fill == ShaderKind::Gouraud);
         let triangle = Triangle { screen, area: size, values, curved, away: other_side, depth_test: item.style.depth_test, blended };
-        raster::<L, S, K, M>(l, &shader, &triangle, plane, drawing.view.size);
+        raster::<L, S, K, M>(l, &shader, &triangle, plane, frame_data.view.size);
     }
     if !blended {
-        batch.flush::<L, S, M>(l, &shader, drawing.view.perspective, item.style.depth_test, plane);
+        batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.style.depth_test, plane);
     }
 }
 
-/// The straight way is good enough where the nearness's change times the colours' is no more than this share of the nearness: see [`bends`].
+/// The straight way is good enough where the nearness's change times the colours' is no more than this share of the nearness: see [`needs_perspective`].
 pub(super) const STRAIGHT: f32 = 0.4;
 
 /// Whether straight interpolation on the picture would be off by more than a tenth of a 255th anywhere. Between corners whose nearness has the
 /// ratio k the two ways differ by at most (√k − 1)/(√k + 1) of the corners' difference, which is less than (k − 1)/4.
 #[inline(always)]
-pub(super) fn bends<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> bool {
+pub(super) fn needs_perspective<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> bool {
     // Compared by hand: `f32::max` spends half its time on NaN, which no corner holds that got here.
     let spread = always!(|k: usize| {
         let (a, b, c) = (values[0][k], values[1][k], values[2][k]);
@@ -148,7 +148,7 @@ pub(super) fn bends<const K: usize>(values: &[[f32; K]; 3], colors: bool) -> boo
 }
 
 struct Triangle<const K: usize> {
-    screen: [Screen; 3],
+    screen: [ScreenVertex; 3],
     area: i64,
     values: [[f32; K]; 3],
     /// Whether attributes were multiplied with the nearness and have to be divided again.
@@ -161,7 +161,7 @@ struct Triangle<const K: usize> {
 
 /// The inner loops. `M` is the number of samples.
 #[inline(always)]
-fn raster<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, shader: &S, triangle: &Triangle<K>, plane: &mut Plane, size: [u32; 2])
+fn raster<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, shader: &S, triangle: &Triangle<K>, plane: &mut BandBuffer, size: [u32; 2])
 where
     S: Shader<'a> + Attributes<K>,
 {
@@ -171,17 +171,17 @@ where
         return;
     }
     let edges = Edges::new(&triangle.screen, rect.x0, rect.y0);
-    let planes = Planes::new(&triangle.screen, triangle.area, &triangle.values, rect.x0, rect.y0);
-    let corners = Corners { values: triangle.values, right: planes.right, below: planes.below, curved: triangle.curved };
+    let planes = AttributePlanes::new(&triangle.screen, triangle.area, &triangle.values, rect.x0, rect.y0);
+    let corners = TriangleAttributes { values: triangle.values, right: planes.right, below: planes.below, curved: triangle.curved };
     let [a, b, c] = shader.levels(Scalar, &corners);
     let levels = [a.value(), b.value(), c.value()];
-    let slopes = Slopes { right: planes.right, below: planes.below, curved: triangle.curved, levels };
+    let gradients = Gradients { right: planes.right, below: planes.below, curved: triangle.curved, levels };
     // Pixel centres inside cannot get values beyond the corners', but for the rounding of steep slopes; samples reach outside.
     let tame = M == 1 && S::BOUNDED && !triangle.curved && planes.gentle(rect.x1 - rect.x0);
     let right = map(planes.right, always!(|slope: f32| l.splat(slope)));
-    let retreat = if triangle.away { planes.retreat(map(triangle.screen, always!(|corner: Screen| corner.q))) } else { 0.0 };
+    let retreat = if triangle.away { planes.retreat(map(triangle.screen, always!(|corner: ScreenVertex| corner.q))) } else { 0.0 };
     // From the nearness at the centre to the depth of each sample.
-    let lift: [L::F; M] = each(always!(|s: usize| {
+    let sample_depth: [L::F; M] = each(always!(|s: usize| {
         if M == 1 {
             return l.splat(-retreat);
         }
@@ -193,14 +193,14 @@ where
     let mut left = rect.x0;
     while left <= rect.x1 {
         let width = (rect.x1 - left + 1).min(BLOCK);
-        let Some(stepping) = edges.block::<M>(left - rect.x0, top - rect.y0, width, bottom - top + 1) else {
+        let Some(stepper) = edges.block::<M>(left - rect.x0, top - rect.y0, width, bottom - top + 1) else {
             left += BLOCK;
             continue;
         };
-        let across = map(stepping.a, always!(|a: i32| l.imul(l.isplat(a), l.iota())));
-        let jump = map(stepping.a, always!(|a: i32| l.isplat(a.wrapping_mul(L::N as i32))));
-        let mut start = stepping.start;
-        let mut span = Span::new(&stepping, width, bottom - top + 1, width > L::N as i32);
+        let across = map(stepper.a, always!(|a: i32| l.imul(l.isplat(a), l.iota())));
+        let jump = map(stepper.a, always!(|a: i32| l.isplat(a.wrapping_mul(L::N as i32))));
+        let mut start = stepper.start;
+        let mut span = Span::new(&stepper, width, bottom - top + 1, width > L::N as i32);
         for y in top..=bottom {
             let (mut x, end) = span.next();
             let first = plane.index(y, left);
@@ -209,7 +209,7 @@ where
                 let row = planes.row(y - rect.y0);
                 let row = map(row, always!(|value: f32| l.splat(value)));
                 let mut inside_of: [[L::I; 3]; M] = each(always!(|s: usize| each(always!(|i: usize| l
-                    .isplat(start[s][i].wrapping_add(stepping.a[i].wrapping_mul(x)))
+                    .isplat(start[s][i].wrapping_add(stepper.a[i].wrapping_mul(x)))
                     + across[i]))));
                 let mut offset = ramp + l.splat((left - rect.x0 + x) as f32);
                 while x < end {
@@ -225,7 +225,7 @@ where
                     offset = offset + stride;
                     x += L::N as i32;
                     let q = row[0] + right[0] * distance;
-                    let sample = always!(|s: usize| q + lift[s]);
+                    let sample = always!(|s: usize| q + sample_depth[s]);
                     let mut any = 0;
                     let covered: [L::M; M] = each(always!(|s: usize| {
                         let mut inside = l.ilt(l.isplat(-1), outside[s]);
@@ -259,14 +259,14 @@ where
                             *value = *value * inverse;
                         }
                     }
-                    let color = shader.shade(l, &values, &slopes);
+                    let color = shader.shade(l, &values, &gradients);
                     if triangle.blended {
                         for s in 0..M {
                             // SAFETY: as for reading.
                             unsafe { plane.blend(l, s, here, covered[s], color) };
                         }
                     } else {
-                        let packed = super::plane::pack(l, color, tame);
+                        let packed = super::tile_buffer::pack(l, color, tame);
                         for s in 0..M {
                             // SAFETY: as for reading.
                             unsafe { plane.set_color(l, s, here, covered[s], packed) };
@@ -276,7 +276,7 @@ where
             }
             for edge in &mut start {
                 for i in 0..3 {
-                    edge[i] = edge[i].wrapping_add(stepping.b[i]);
+                    edge[i] = edge[i].wrapping_add(stepper.b[i]);
                 }
             }
         }
@@ -297,21 +297,21 @@ struct Span {
 
 impl Span {
     #[inline(always)]
-    fn new<const M: usize>(stepping: &Stepping<M>, width: i32, rows: i32, wide: bool) -> Self {
+    fn new<const M: usize>(stepper: &EdgeStepper<M>, width: i32, rows: i32, wide: bool) -> Self {
         let far = 1e6;
         let mut span = Self { left: [-far; 2], left_step: [0.0; 2], right: [far; 2], right_step: [0.0; 2], width, wide };
         if wide {
             let (mut lefts, mut rights) = (0, 0);
             for i in 0..3 {
-                let a = stepping.a[i];
+                let a = stepper.a[i];
                 // The sample for which the edge reaches furthest out.
-                let mut value = stepping.start[0][i];
-                for sample in &stepping.start[1..] {
+                let mut value = stepper.start[0][i];
+                for sample in &stepper.start[1..] {
                     value = value.max(sample[i]);
                 }
                 if a != 0 {
                     let inverse = -1.0 / a as f32;
-                    let (cross, step) = (value as f32 * inverse, stepping.b[i] as f32 * inverse);
+                    let (cross, step) = (value as f32 * inverse, stepper.b[i] as f32 * inverse);
                     // Where an edge is nearly level, its crossings are too far apart for `f32`; such an edge is not used.
                     if cross.abs().max((cross + step * rows as f32).abs()) > 65_536.0 {
                         continue;

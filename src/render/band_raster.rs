@@ -5,16 +5,16 @@
 
 use std::time::Instant;
 
-use super::bin::Bands;
-use super::bins::{Bins, Columns};
-use super::drawing::{Drawing, Item, Unit};
-use super::fill::{Stretch, fill};
-use super::ground::Piece;
-use super::line::{self, Onto, Stage, Strokes};
-use super::plane::Plane;
+use super::bin_lists::{Bins, Columns};
+use super::binning::Bands;
+use super::draw_data::{DrawCall, FrameData, WorkUnit};
+use super::line::{self, LinePass, LineSegments, LineTarget};
+use super::material_state::RenderPass;
+use super::raster::{DrawRun, fill};
 use super::renderer::{Canvas, Sorted};
 use super::resolve::{Rows, copy_row, lay_over, resolve};
-use super::style::Layer;
+use super::static_layer_cache::Piece;
+use super::tile_buffer::BandBuffer;
 use crate::lanes::Level;
 
 /// Opacity of bones behind a surface, where they show through it.
@@ -24,40 +24,40 @@ pub(super) const XRAY: f32 = 0.45;
 const STEP: i32 = 16;
 
 /// All that a band is drawn from.
-pub(super) struct Picture<'a> {
-    pub drawing: &'a Drawing<'a>,
+pub(super) struct BandJob<'a> {
+    pub frame_data: &'a FrameData<'a>,
     pub canvas: &'a Canvas,
-    pub units: &'a [Unit],
+    pub units: &'a [WorkUnit],
     pub sorted: &'a [Sorted],
     pub sorted_bins: &'a Bins,
-    pub strokes: &'a Strokes,
+    pub segments: &'a LineSegments,
     /// Opacity of the overlay behind a surface.
     pub xray: f32,
 }
 
 /// What each worker has of its own.
 #[derive(Debug, Default)]
-pub(super) struct Local {
-    plane: Plane,
-    overlay: Plane,
-    ground: Plane,
+pub(super) struct WorkerScratch {
+    plane: BandBuffer,
+    overlay: BandBuffer,
+    ground: BandBuffer,
     entries: Vec<u32>,
     row: Vec<u32>,
     pub resolve_ms: f64,
 }
 
-impl Local {
+impl WorkerScratch {
     /// Makes room for any band of a picture.
-    pub(super) fn reserve(&mut self, picture: &Picture<'_>) {
+    pub(super) fn reserve(&mut self, picture: &BandJob<'_>) {
         let Canvas { width, samples, bands: Bands { rows, .. }, .. } = *picture.canvas;
         let bands = 0..picture.canvas.bands.count;
-        let any = |stage: Stage| bands.clone().any(|band| !picture.strokes.is_empty(stage, band));
+        let any = |stage: LinePass| bands.clone().any(|band| !picture.segments.is_empty(stage, band));
         self.row.resize(width as usize, 0);
         self.plane.reserve(rows, width as usize, samples);
-        if any(Stage::Under) {
+        if any(LinePass::Under) {
             self.ground.reserve(rows, width as usize, 1);
         }
-        if any(Stage::Overlay) || picture.units.iter().any(|unit| picture.is_overlay(unit)) {
+        if any(LinePass::Overlay) || picture.units.iter().any(|unit| picture.is_overlay(unit)) {
             self.overlay.reserve(rows, width as usize, samples);
         }
         self.entries.clear();
@@ -65,9 +65,9 @@ impl Local {
     }
 }
 
-impl Picture<'_> {
-    fn is_overlay(&self, unit: &Unit) -> bool {
-        self.drawing.item_of(unit.range.start).is_some_and(|item| item.style.layer == Layer::Overlay)
+impl BandJob<'_> {
+    fn is_overlay(&self, unit: &WorkUnit) -> bool {
+        self.frame_data.item_of(unit.range.start).is_some_and(|item| item.style.layer == RenderPass::Overlay)
     }
 
     /// The columns that surfaces, and that surfaces, lines and bones touch in a band.
@@ -81,8 +81,8 @@ impl Picture<'_> {
                 surfaces = surfaces.and(columns);
             }
         }
-        for stage in [Stage::Over, Stage::Overlay] {
-            all = all.and(self.strokes.columns(stage, band));
+        for stage in [LinePass::Over, LinePass::Overlay] {
+            all = all.and(self.segments.columns(stage, band));
         }
         let end = self.canvas.width as i32 - 1;
         let whole =
@@ -92,18 +92,25 @@ impl Picture<'_> {
 }
 
 /// Draws one band from the background to the finished rows.
-pub(super) fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local: &mut Local, mut piece: Piece<'_>, mut target: Rows<'_>) {
-    let Picture { drawing, canvas, units, sorted, sorted_bins, strokes, xray } = *picture;
+pub(super) fn draw_band(
+    level: Level,
+    picture: &BandJob<'_>,
+    band: usize,
+    local: &mut WorkerScratch,
+    mut piece: Piece<'_>,
+    mut target: Rows<'_>,
+) {
+    let BandJob { frame_data, canvas, units, sorted, sorted_bins, segments, xray } = *picture;
     let (top, width) = ((band * canvas.bands.rows) as i32, canvas.width as usize);
     let rows = canvas.bands.rows.min(canvas.height as usize - top as usize);
-    let Local { plane, overlay, ground, entries, row, resolve_ms } = local;
-    let lined = !strokes.is_empty(Stage::Under, band);
+    let WorkerScratch { plane, overlay, ground, entries, row, resolve_ms } = local;
+    let lined = !segments.is_empty(LinePass::Under, band);
     if lined && !matches!(piece, Piece::Kept(_)) {
         ground.shape(top, rows, width, Columns { first: 0, last: width as i32 - 1 }, 1);
         for y in 0..rows {
             canvas.backdrop.row(top + y as i32, ground.row_mut(0, y));
         }
-        line::strokes(level, strokes, Stage::Under, Onto::Ground, band, ground);
+        line::segments(level, segments, LinePass::Under, LineTarget::BackgroundCache, band, ground);
         if let Piece::Room(room) = &mut piece {
             room.chunks_mut(width).enumerate().for_each(|(y, to)| to.copy_from_slice(ground.row(0, y)));
         }
@@ -136,30 +143,30 @@ pub(super) fn draw_band(level: Level, picture: &Picture<'_>, band: usize, local:
     }
     plane.clear_depth();
     for unit in units.iter().filter(|unit| !unit.bins.is_empty(band) && !picture.is_overlay(unit)) {
-        fill_unit(level, drawing, unit, band, entries, plane);
+        fill_unit(level, frame_data, unit, band, entries, plane);
     }
     if lined && !surfaces.is_empty() {
-        line::strokes(level, strokes, Stage::Under, Onto::Surfaces, band, plane);
+        line::segments(level, segments, LinePass::Under, LineTarget::Surfaces, band, plane);
     }
     // Blended triangles come one by one: neighbours in depth are rarely of one item.
-    for stretch in sorted_bins.of(band) {
-        for triangle in stretch.iter().filter_map(|&index| sorted.get(index as usize)) {
+    for run in sorted_bins.of(band) {
+        for triangle in run.iter().filter_map(|&index| sorted.get(index as usize)) {
             let unit = &units[triangle.unit as usize];
-            if let Some(item) = drawing.item_of(Drawing::number(unit, triangle.entry)) {
-                fill(level, &Stretch { drawing, item, unit, entries: &[triangle.entry] }, plane);
+            if let Some(item) = frame_data.item_of(FrameData::number(unit, triangle.entry)) {
+                fill(level, &DrawRun { frame_data, item, unit, entries: &[triangle.entry] }, plane);
             }
         }
     }
-    line::strokes(level, strokes, Stage::Over, Onto::All, band, plane);
+    line::segments(level, segments, LinePass::Over, LineTarget::All, band, plane);
     let bones = || units.iter().filter(|unit| !unit.bins.is_empty(band) && picture.is_overlay(unit));
-    if bones().next().is_some() || !strokes.is_empty(Stage::Overlay, band) {
+    if bones().next().is_some() || !segments.is_empty(LinePass::Overlay, band) {
         overlay.shape(top, rows, width, used, canvas.samples);
         overlay.clear_depth();
         overlay.clear_color(0);
         for unit in bones() {
-            fill_unit(level, drawing, unit, band, entries, overlay);
+            fill_unit(level, frame_data, unit, band, entries, overlay);
         }
-        line::strokes(level, strokes, Stage::Overlay, Onto::Overlay, band, overlay);
+        line::segments(level, segments, LinePass::Overlay, LineTarget::Overlay, band, overlay);
         lay_over(plane, overlay, xray);
     }
     let start = Instant::now();
@@ -174,21 +181,21 @@ fn milliseconds(since: Instant) -> f64 {
 }
 
 /// Fills what a unit has for a band, item by item.
-fn fill_unit(level: Level, drawing: &Drawing<'_>, unit: &Unit, band: usize, entries: &mut Vec<u32>, plane: &mut Plane) {
-    let mut item: Option<&Item> = None;
+fn fill_unit(level: Level, frame_data: &FrameData<'_>, unit: &WorkUnit, band: usize, entries: &mut Vec<u32>, plane: &mut BandBuffer) {
+    let mut item: Option<&DrawCall> = None;
     entries.clear();
     for &entry in unit.bins.of(band).flatten() {
-        let number = Drawing::number(unit, entry);
+        let number = FrameData::number(unit, entry);
         if !item.is_some_and(|item| item.triangles.contains(&number)) {
             if let Some(item) = item {
-                fill(level, &Stretch { drawing, item, unit, entries }, plane);
+                fill(level, &DrawRun { frame_data, item, unit, entries }, plane);
             }
             entries.clear();
-            item = drawing.item_of(number);
+            item = frame_data.item_of(number);
         }
         entries.push(entry);
     }
     if let Some(item) = item {
-        fill(level, &Stretch { drawing, item, unit, entries }, plane);
+        fill(level, &DrawRun { frame_data, item, unit, entries }, plane);
     }
 }

@@ -7,12 +7,12 @@
 // Several arrays are walked with one index.
 #![allow(clippy::needless_range_loop, reason = "the index counts lanes of several arrays at once")]
 
-use super::drawing::Drawing;
-use super::fill::{STRAIGHT, bends};
-use super::plane::{Plane, pack};
+use super::draw_data::FrameData;
+use super::projection::ScreenVertex;
+use super::raster::{STRAIGHT, needs_perspective};
 use super::setup::{ROUNDING, Rect, SAMPLES, SNAPPED};
-use super::shade::{Attributes, Corners, Shader, Slopes};
-use super::view::Screen;
+use super::shade::{Attributes, Gradients, Shader, TriangleAttributes};
+use super::tile_buffer::{BandBuffer, pack};
 use crate::lanes::{Lanes, always, each, map};
 
 /// Triangles that are set up together.
@@ -29,7 +29,7 @@ type Ints = [i32; MANY];
 type Floats = [f32; MANY];
 
 /// Triangles that wait to be filled. `K` attributes, of which the first is the nearness.
-pub(super) struct Batch<const K: usize> {
+pub(super) struct TriangleBatch<const K: usize> {
     count: usize,
     x: [Ints; 3],
     y: [Ints; 3],
@@ -52,13 +52,13 @@ pub(super) struct Batch<const K: usize> {
     slope: [Floats; K],
     fall: [Floats; K],
     base: [Floats; K],
-    /// See [`Slopes::levels`].
+    /// See [`Gradients::levels`].
     levels: [Ints; 3],
     /// About one over the nearness, where that hardly changes; see [`NARROW`]. Else 0.
     guess: Floats,
 }
 
-impl<const K: usize> Batch<K> {
+impl<const K: usize> TriangleBatch<K> {
     #[inline(always)]
     pub(super) fn new() -> Self {
         let (ints, floats) = ([0; MANY], [0.0; MANY]);
@@ -93,7 +93,7 @@ impl<const K: usize> Batch<K> {
 
     /// Whether a triangle with these corners, clockwise as seen, and this doubled area is small.
     #[inline(always)]
-    pub(super) fn fits(screen: &[Screen; 3], area: i64) -> bool {
+    pub(super) fn fits(screen: &[ScreenVertex; 3], area: i64) -> bool {
         let side = |a: i32, b: i32, c: i32| a.max(b).max(c) - a.min(b).min(c);
         let (w, h) = (side(screen[0].x, screen[1].x, screen[2].x), side(screen[0].y, screen[1].y, screen[2].y));
         // Corners are inside the guard band, so the differences fit.
@@ -102,7 +102,7 @@ impl<const K: usize> Batch<K> {
 
     /// Adds a triangle that fits, with the first `used` of its attributes. Corners clockwise as seen.
     #[inline(always)]
-    pub(super) fn push(&mut self, used: usize, screen: &[Screen; 3], values: &[[f32; K]; 3], rect: &Rect, away: bool) {
+    pub(super) fn push(&mut self, used: usize, screen: &[ScreenVertex; 3], values: &[[f32; K]; 3], rect: &Rect, away: bool) {
         let i = self.count;
         if i >= MANY {
             return;
@@ -127,7 +127,7 @@ impl<const K: usize> Batch<K> {
         shader: &S,
         perspective: bool,
         depth_test: bool,
-        plane: &mut Plane,
+        plane: &mut BandBuffer,
     ) where
         S: Shader<'a> + Attributes<K>,
     {
@@ -143,9 +143,9 @@ impl<const K: usize> Batch<K> {
         // A tile has fewer lanes outside the triangle than a row, but takes longer to read and write: worth it for narrow triangles or costly pixels.
         for i in 0..count {
             if L::TALL && (S::COSTLY || self.right[i] - self.left[i] < L::TILE[0] as i32) {
-                self.one::<L, S, M, true>(l, shader, i, depth_test, plane);
+                self.rasterize_one::<L, S, M, true>(l, shader, i, depth_test, plane);
             } else if !(L::TALL && S::COSTLY) {
-                self.one::<L, S, M, false>(l, shader, i, depth_test, plane);
+                self.rasterize_one::<L, S, M, false>(l, shader, i, depth_test, plane);
             }
         }
     }
@@ -228,7 +228,7 @@ impl<const K: usize> Batch<K> {
             let usual = l.lt(l.splat(1e-15), middle) & l.lt(middle, l.splat(1e15));
             let narrow = l.lt(high - middle, middle * l.splat(NARROW)) & usual;
             l.store(l.select(narrow, l.splat(1.0) / middle, l.splat(0.0)), &mut self.guess[from..]);
-            let corners = Corners {
+            let corners = TriangleAttributes {
                 values: each(always!(|c: usize| each(always!(|k: usize| l.load(&self.values[k][c][from..]))))),
                 right: each(always!(|k: usize| l.load(&self.slope[k][from..]))),
                 below: each(always!(|k: usize| l.load(&self.fall[k][from..]))),
@@ -250,8 +250,14 @@ impl<const K: usize> Batch<K> {
 
     /// Fills triangle `i`, in rows of vectors or, with `TILED`, in tiles that are as wide as its box or wider.
     #[inline(always)]
-    fn one<'a, L: Lanes, S, const M: usize, const TILED: bool>(&self, l: L, shader: &S, i: usize, depth_test: bool, plane: &mut Plane)
-    where
+    fn rasterize_one<'a, L: Lanes, S, const M: usize, const TILED: bool>(
+        &self,
+        l: L,
+        shader: &S,
+        i: usize,
+        depth_test: bool,
+        plane: &mut BandBuffer,
+    ) where
         S: Shader<'a> + Attributes<K>,
     {
         let [columns, rows] = if TILED { L::TILE } else { [L::N, 1] };
@@ -282,7 +288,7 @@ impl<const K: usize> Batch<K> {
         let right_by: [L::I; 3] = each(always!(|e: usize| l.isplat(self.across[e][i] * columns as i32)));
         let down_by: [L::I; 3] = each(always!(|e: usize| l.isplat(self.down[e][i] * rows as i32)));
         let slope = always!(|k: usize| l.splat(self.slope[k][i]));
-        let lift: [L::F; M] = each(always!(|s: usize| {
+        let sample_depth: [L::F; M] = each(always!(|s: usize| {
             if M == 1 {
                 return l.splat(-self.retreat[i]);
             }
@@ -291,11 +297,11 @@ impl<const K: usize> Batch<K> {
         }));
         let curved = self.curved[i] != 0;
         let tame = M == 1 && S::BOUNDED && !curved;
-        let mut slopes = Slopes { right: [0.0; K], below: [0.0; K], curved, levels: [Slopes::<K>::MIXED; 3] };
+        let mut gradients = Gradients { right: [0.0; K], below: [0.0; K], curved, levels: [Gradients::<K>::MIXED; 3] };
         if S::COSTLY {
-            slopes.right = each(always!(|k: usize| self.slope[k][i]));
-            slopes.below = each(always!(|k: usize| self.fall[k][i]));
-            slopes.levels = each(always!(|t: usize| self.levels[t][i]));
+            gradients.right = each(always!(|k: usize| self.slope[k][i]));
+            gradients.below = each(always!(|k: usize| self.fall[k][i]));
+            gradients.levels = each(always!(|t: usize| self.levels[t][i]));
         }
         let columns_f = l.float(column);
         let guess = if S::COSTLY { self.guess[i] } else { 0.0 };
@@ -330,7 +336,7 @@ impl<const K: usize> Batch<K> {
                     }
                 }
                 let q = at(0, dx);
-                let sample = always!(|s: usize| q + lift[s]);
+                let sample = always!(|s: usize| q + sample_depth[s]);
                 let mut any = 0;
                 let covered: [L::M; M] = each(always!(|s: usize| {
                     let mut inside = within[s];
@@ -357,7 +363,7 @@ impl<const K: usize> Batch<K> {
                         *value = *value * inverse;
                     }
                 }
-                let packed = pack(l, shader.shade(l, &values, &slopes), tame);
+                let packed = pack(l, shader.shade(l, &values, &gradients), tame);
                 for s in 0..M {
                     // SAFETY: as for reading.
                     unsafe { plane.put::<L, TILED>(l, s, here, covered[s], packed, sample(s)) };
@@ -373,8 +379,8 @@ impl<const K: usize> Batch<K> {
 
 /// Multiplies attributes with the nearness where the way between the corners bends too much, and says whether it does.
 #[inline(always)]
-pub(super) fn bend<const K: usize>(drawing: &Drawing<'_>, values: &mut [[f32; K]; 3], colors: bool) -> bool {
-    let curved = drawing.view.perspective && bends(values, colors);
+pub(super) fn bend<const K: usize>(frame_data: &FrameData<'_>, values: &mut [[f32; K]; 3], colors: bool) -> bool {
+    let curved = frame_data.view.perspective && needs_perspective(values, colors);
     if curved {
         for value in values {
             let q = value[0];

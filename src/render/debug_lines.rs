@@ -3,29 +3,29 @@
 use glam::{Mat4, Vec3};
 
 use super::Display;
-use super::bin::Bands;
-use super::collect::rgb;
-use super::line::{Ink, Stage, Strokes};
-use super::view::View;
+use super::binning::Bands;
+use super::draw_list::rgb;
+use super::line::{LinePass, LineSegments, LineStyle};
+use super::projection::ViewTransform;
 use crate::scene::{Bounds, Frame, NodeId, Placement};
 
 /// Everything that drawing a helper line needs.
-pub(super) struct Pen<'a> {
-    pub view: &'a View,
+pub(super) struct LineBuilder<'a> {
+    pub view: &'a ViewTransform,
     pub bands: &'a Bands,
     pub display: &'a Display,
-    pub strokes: &'a mut Strokes,
+    pub segments: &'a mut LineSegments,
 }
 
-impl Pen<'_> {
-    pub(super) fn line(&mut self, a: Vec3, b: Vec3, ink: &Ink) {
-        self.strokes.line(self.view, self.bands, a, b, ink);
+impl LineBuilder<'_> {
+    pub(super) fn line(&mut self, a: Vec3, b: Vec3, line_style: &LineStyle) {
+        self.segments.line(self.view, self.bands, a, b, line_style);
     }
 
     /// A line over the surfaces, brought a little forward.
-    pub(super) fn ink(&self, color: [f32; 3], alpha: f32, width: f32) -> Ink {
-        let (stage, depth_test) = (Stage::Over, self.display.depth_test);
-        Ink { color, alpha: [alpha; 2], width: width * self.scale() * self.thickness(), stage, depth_test, lift: 1.0 }
+    pub(super) fn line_style(&self, color: [f32; 3], alpha: f32, width: f32) -> LineStyle {
+        let (stage, depth_test) = (LinePass::Over, self.display.depth_test);
+        LineStyle { color, alpha: [alpha; 2], width: width * self.scale() * self.thickness(), stage, depth_test, depth_bias: 1.0 }
     }
 
     /// Device pixels a logical pixel.
@@ -44,17 +44,17 @@ impl Pen<'_> {
         let size = frame.bounds.diagonal().max(1e-6);
         if display.axes {
             for (axis, color) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(display.palette.axes) {
-                let ink = self.ink(rgb(color), 1.0, 2.0);
-                self.line(Vec3::ZERO, axis * size * 0.3, &ink);
+                let line_style = self.line_style(rgb(color), 1.0, 2.0);
+                self.line(Vec3::ZERO, axis * size * 0.3, &line_style);
             }
         }
         if display.bounding_box && !frame.bounds.is_empty() {
-            let ink = self.ink(rgb(display.palette.grid.0), (display.palette.grid.1 * 4.0).min(1.0), 1.2);
+            let line_style = self.line_style(rgb(display.palette.grid.0), (display.palette.grid.1 * 4.0).min(1.0), 1.2);
             let corners = frame.bounds.corners();
             for (i, a) in corners.iter().enumerate() {
                 for bit in [1, 2, 4] {
                     if i & bit == 0 {
-                        self.line(*a, corners[i | bit], &ink);
+                        self.line(*a, corners[i | bit], &line_style);
                     }
                 }
             }
@@ -71,9 +71,9 @@ impl Pen<'_> {
     fn light(&mut self, at: Vec3) {
         let pixel = self.view.pixel_at(at) * self.scale();
         let color = [1.0, 0.86, 0.45];
-        let dot = Ink { depth_test: false, ..self.ink(color, 1.0, 10.0) };
+        let dot = LineStyle { depth_test: false, ..self.line_style(color, 1.0, 10.0) };
         self.line(at, at, &dot);
-        let ray = Ink { depth_test: false, ..self.ink(color, 0.9, 1.6) };
+        let ray = LineStyle { depth_test: false, ..self.line_style(color, 0.9, 1.6) };
         for k in 0..8 {
             let (sin, cos) = (k as f32 * std::f32::consts::FRAC_PI_4).sin_cos();
             let towards = self.view.right * cos + self.view.up * sin;
@@ -83,16 +83,16 @@ impl Pen<'_> {
 
     /// A line along each vertex normal of what is shown.
     fn normals(&mut self, frame: &Frame, length: f32) {
-        let ink = self.ink(rgb(self.display.palette.axes[2]), 0.9, 1.0);
+        let line_style = self.line_style(rgb(self.display.palette.axes[2]), 0.9, 1.0);
         for surface in frame.surfaces.iter().filter(|surface| surface.visible && surface.ghost.is_none()) {
             if !(if surface.muscle.is_some() { self.display.muscle } else { self.display.mesh }) {
                 continue;
             }
-            let mut one = |p: Vec3, n: Vec3| self.line(p, p + n.normalize_or_zero() * length, &ink);
+            let mut one = |p: Vec3, n: Vec3| self.line(p, p + n.normalize_or_zero() * length, &line_style);
             match &surface.placement {
                 Placement::Deformed { positions, normals } => positions.iter().zip(normals).for_each(|(p, n)| one(*p, *n)),
                 Placement::Rigid(matrix) => {
-                    let turn = super::drawing::normal_matrix(matrix);
+                    let turn = super::draw_data::normal_matrix(matrix);
                     let mesh = &surface.mesh;
                     mesh.positions.iter().zip(&mesh.normals).for_each(|(p, n)| one(matrix.transform_point3(*p), turn * *n));
                 }
@@ -106,8 +106,9 @@ impl Pen<'_> {
         let matrix: Mat4 = matrix.as_mat4();
         let at = matrix.w_axis.truncate();
         for (axis, color) in [matrix.x_axis, matrix.y_axis, matrix.z_axis].into_iter().zip(self.display.palette.axes) {
-            let ink = Ink { stage: Stage::Overlay, lift: super::bones::LIFT, ..self.ink(rgb(color), 1.0, 1.5) };
-            self.line(at, at + axis.truncate().normalize_or_zero() * length, &ink);
+            let line_style =
+                LineStyle { stage: LinePass::Overlay, depth_bias: super::bones::LIFT, ..self.line_style(rgb(color), 1.0, 1.5) };
+            self.line(at, at + axis.truncate().normalize_or_zero() * length, &line_style);
         }
     }
 
@@ -155,9 +156,10 @@ impl Pen<'_> {
                     let [t0, t1] = [piece, piece + 1].map(|i| i as f32 / PIECES as f32 * 2.0 - 1.0);
                     let ends = [alpha(t0), alpha(t1)];
                     if ends[0].max(ends[1]) > 0.004 {
-                        let ink = Ink { alpha: ends, stage: Stage::Under, lift: 0.0, ..self.ink(rgb(color), 1.0, 1.0) };
+                        let line_style =
+                            LineStyle { alpha: ends, stage: LinePass::Under, depth_bias: 0.0, ..self.line_style(rgb(color), 1.0, 1.0) };
                         let (a, b) = (at(t0), at(t1));
-                        self.line(a, b, &ink);
+                        self.line(a, b, &line_style);
                     }
                 }
             }

@@ -38,7 +38,7 @@ enum State {
 
 /// The ground of the last frame.
 #[derive(Debug, Default)]
-pub(super) struct Ground {
+pub(super) struct BackgroundCache {
     key: Option<Key>,
     state: State,
     pixels: Vec<u32>,
@@ -54,7 +54,7 @@ pub(super) enum Piece<'a> {
     Kept(&'a [u32]),
 }
 
-impl Ground {
+impl BackgroundCache {
     /// Begins a frame; `bounds` are the frame's.
     pub(super) fn begin(&mut self, camera: &Camera, display: &Display, bounds: Bounds, size: [u32; 2], bands: [usize; 2]) {
         let grid = display.grid.then_some((display.ground.unwrap_or(bounds), display.grid_cell, display.palette.grid));

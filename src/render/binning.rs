@@ -1,10 +1,10 @@
 //! Between vertices and pixels: which triangles face the eye, which need clipping, and which bands they touch.
 
-use super::bins::{Bins, Columns};
+use super::bin_lists::{Bins, Columns};
 use super::clip::clip;
-use super::drawing::{CUT, Drawing, Item, Unit};
+use super::draw_data::{CUT, DrawCall, FrameData, WorkUnit};
+use super::projection::{BAD, ScreenVertex};
 use super::setup::{Rect, area};
-use super::view::{BAD, Screen};
 
 /// The division of the picture into bands.
 #[derive(Debug, Clone, Copy)]
@@ -28,23 +28,23 @@ impl Bands {
 }
 
 /// Goes through the triangles of `unit` and fills its bins (or, for blended ones, its list).
-pub(super) fn bin(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit) {
+pub(super) fn bin(frame_data: &FrameData<'_>, bands: &Bands, unit: &mut WorkUnit) {
     unit.bins.reset(bands.count);
     unit.clipped.clear();
     unit.blended.clear();
     let mut number = unit.range.start;
     while number < unit.range.end {
-        let Some(item) = drawing.item_of(number) else { break };
+        let Some(item) = frame_data.item_of(number) else { break };
         let end = item.triangles.end.min(unit.range.end);
-        stretch(drawing, bands, unit, item, number..end);
+        run(frame_data, bands, unit, item, number..end);
         number = end;
     }
 }
 
-fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, numbers: std::ops::Range<u32>) {
-    let feed = drawing.feed(item);
-    let size = drawing.view.size;
-    let keep = |t: usize, screen: &[Screen; 3]| -> Option<Rect> {
+fn run(frame_data: &FrameData<'_>, bands: &Bands, unit: &mut WorkUnit, item: &DrawCall, numbers: std::ops::Range<u32>) {
+    let reader = frame_data.reader(item);
+    let size = frame_data.view.size;
+    let keep = |t: usize, screen: &[ScreenVertex; 3]| -> Option<Rect> {
         if item.hides(t, area(screen)) {
             return None;
         }
@@ -53,7 +53,7 @@ fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, n
     };
     for number in numbers {
         let t = (number - item.triangles.start) as usize;
-        let Some(screen) = feed.screens(t) else { continue };
+        let Some(screen) = reader.screens(t) else { continue };
         let [a, b, c] = [screen[0].code, screen[1].code, screen[2].code];
         if a | b | c == 0 {
             if let Some(rect) = keep(t, &screen) {
@@ -65,8 +65,8 @@ fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, n
         if a & b & c != 0 || (a | b | c) & BAD != 0 {
             continue;
         }
-        let corners = feed.geometry.triangles[t].map(|v| feed.geometry.world(v as usize));
-        clip(&drawing.view, corners, &screen, number, |piece| {
+        let corners = reader.geometry.triangles[t].map(|v| reader.geometry.world(v as usize));
+        clip(&frame_data.view, corners, &screen, number, |piece| {
             if let Some(rect) = keep(t, &piece.screen) {
                 let entry = CUT | unit.clipped.len() as u32;
                 unit.clipped.push(piece);
@@ -77,7 +77,7 @@ fn stretch(drawing: &Drawing<'_>, bands: &Bands, unit: &mut Unit, item: &Item, n
 }
 
 #[inline(always)]
-fn emit(unit: &mut Unit, bands: &Bands, item: &Item, rect: &Rect, screen: &[Screen; 3], entry: u32) {
+fn emit(unit: &mut WorkUnit, bands: &Bands, item: &DrawCall, rect: &Rect, screen: &[ScreenVertex; 3], entry: u32) {
     if item.blended() {
         unit.blended.push((screen[0].q + screen[1].q + screen[2].q, entry));
     } else {

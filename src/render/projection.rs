@@ -13,7 +13,7 @@ pub(super) const GUARD: f32 = 10_240.0;
 
 /// A vertex on the picture plane.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Screen {
+pub(super) struct ScreenVertex {
     /// Sub-pixels from the left edge.
     pub x: i32,
     /// Sub-pixels from the top edge, downward.
@@ -34,7 +34,7 @@ pub(super) const BAD: u32 = 32;
 
 /// The camera, prepared for one picture size.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct View {
+pub(super) struct ViewTransform {
     /// Rows of the matrix world → clip: x, y, and w (the distance in perspective, 1 otherwise).
     pub x: Vec4,
     pub y: Vec4,
@@ -62,7 +62,7 @@ pub(super) struct View {
     pub metres_per_pixel: f32,
 }
 
-impl View {
+impl ViewTransform {
     /// `None` where the camera has no usable numbers.
     pub(super) fn new(camera: &Camera, width: u32, height: u32) -> Option<Self> {
         let (w, h) = (width as f32, height as f32);
@@ -118,11 +118,11 @@ impl View {
     }
 
     /// The same, snapped; `None` outside the guard band.
-    pub(super) fn snap(&self, clip: [f64; 5]) -> Option<Screen> {
+    pub(super) fn snap(&self, clip: [f64; 5]) -> Option<ScreenVertex> {
         let [x, y, q] = self.project(clip);
         let guard = f64::from(GUARD) + 1.0;
         let inside = (x - f64::from(self.half[0])).abs() <= guard && (y - f64::from(self.half[1])).abs() <= guard && q.is_finite();
-        inside.then(|| Screen { x: (x * 256.0 + 0.5).floor() as i32, y: (y * 256.0 + 0.5).floor() as i32, q: q as f32, code: 0 })
+        inside.then(|| ScreenVertex { x: (x * 256.0 + 0.5).floor() as i32, y: (y * 256.0 + 0.5).floor() as i32, q: q as f32, code: 0 })
     }
 
     /// Guard band in units of w.
@@ -131,7 +131,7 @@ impl View {
     }
 
     /// What to do to a nearness to bring something `by` steps forward: factor and summand. A step is a thousandth of the distance, or of the scene.
-    pub(super) fn lift(&self, by: f32) -> [f32; 2] {
+    pub(super) fn depth_bias(&self, by: f32) -> [f32; 2] {
         if self.perspective { [1.0 + by * 1e-3, 0.0] } else { [1.0, by * 1.5e-4] }
     }
 
@@ -141,14 +141,14 @@ impl View {
     }
 }
 
-impl View {
+impl ViewTransform {
     /// Whether anything can be seen in it.
     pub(super) fn is_somewhere(&self) -> bool {
         self.distance != Vec4::ZERO
     }
 
     /// A view in which nothing is seen, for a camera without numbers.
-    pub(super) fn nowhere() -> Self {
+    pub(super) fn degenerate() -> Self {
         Self {
             x: Vec4::ZERO,
             y: Vec4::ZERO,

@@ -5,16 +5,16 @@ use std::sync::{Arc, Weak};
 use glam::{Affine2, Vec3};
 use rustc_hash::FxHashSet;
 
-use super::bin::Bands;
-use super::drawing::{Item, Source};
+use super::binning::Bands;
+use super::debug_lines::LineBuilder;
+use super::draw_data::{DrawCall, Source};
 use super::edges::Edge;
-use super::glyphs::Pen;
-use super::light::Gloss;
-use super::line::{Ink, Stage};
+use super::light::Specular;
+use super::line::{LinePass, LineStyle};
+use super::material_state::{Normals, RenderPass, ResolvedMaterial, ShaderKind, VertexOutput};
+use super::projection::ViewTransform;
 use super::renderer::Buffers;
-use super::style::{Fill, Layer, Normals, Style, Varying};
 use super::texture::{Alpha, Cache, Sampler};
-use super::view::View;
 use super::{Display, Shading};
 use crate::scene::{
     AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Placement, Scene, ShadingModel, Surface, TextureRef,
@@ -23,10 +23,10 @@ use crate::scene::{
 
 /// What was found out about meshes, kept from frame to frame.
 #[derive(Debug, Default)]
-pub(super) struct Collector {
-    known: Vec<Facts>,
+pub(super) struct DrawListBuilder {
+    known: Vec<MeshCache>,
     /// Items by layer before they are put in order.
-    pending: Vec<Item>,
+    pending: Vec<DrawCall>,
     /// Which triangles of a surface face the eye, while its outline is drawn.
     facing: Vec<bool>,
     /// Opaque parts of shared meshes that are drawn in this frame: one more in the very same place would change no pixel.
@@ -44,11 +44,11 @@ struct Spot {
 
 impl Spot {
     /// `None` for what cannot stand twice in one place, or may look different there.
-    fn of(surface: &Surface, part: usize, style: &Style) -> Option<Self> {
+    fn of(surface: &Surface, part: usize, style: &ResolvedMaterial) -> Option<Self> {
         let Placement::Rigid(matrix) = &surface.placement else { return None };
         // The scene holds each mesh once, the frame once for each of its surfaces.
         let shared = Arc::strong_count(&surface.mesh) > 2 && surface.ghost.is_none() && surface.muscle.is_none();
-        (shared && style.layer == Layer::Opaque && style.mark_share == 0.0).then(|| Self {
+        (shared && style.layer == RenderPass::Opaque && style.mark_share == 0.0).then(|| Self {
             mesh: Arc::as_ptr(&surface.mesh) as usize,
             part,
             materials: surface.materials.as_ptr() as usize,
@@ -59,28 +59,28 @@ impl Spot {
 
 /// Facts about one mesh.
 #[derive(Debug)]
-struct Facts {
+struct MeshCache {
     /// Keeps the address from being given to another mesh.
     mesh: Weak<Mesh>,
     /// For each part the mesh vertices it uses: first and one past the last.
     ranges: Vec<(u32, u32)>,
     edges: Option<Vec<Edge>>,
-    /// See [`Item::backed`], for the whole mesh; found when it is first drawn.
+    /// See [`DrawCall::backed`], for the whole mesh; found when it is first drawn.
     backed: Option<Option<Arc<[bool]>>>,
 }
 
-impl Collector {
+impl DrawListBuilder {
     /// The facts about a mesh, found when first asked for: an index in `known`.
-    fn facts(&mut self, mesh: &Arc<Mesh>) -> usize {
-        let known = self.known.iter().position(|facts| std::ptr::eq(facts.mesh.as_ptr(), Arc::as_ptr(mesh)));
+    fn mesh_cache(&mut self, mesh: &Arc<Mesh>) -> usize {
+        let known = self.known.iter().position(|mesh_cache| std::ptr::eq(mesh_cache.mesh.as_ptr(), Arc::as_ptr(mesh)));
         known.unwrap_or_else(|| {
-            self.known.retain(|facts| facts.mesh.strong_count() > 0);
+            self.known.retain(|mesh_cache| mesh_cache.mesh.strong_count() > 0);
             let range = |part: &crate::scene::Part| {
                 let triangles = mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]);
                 let corners = || triangles.iter().flatten().copied().filter(|v| (*v as usize) < mesh.positions.len());
                 (corners().min().unwrap_or(0), corners().max().map_or(0, |v| v + 1))
             };
-            self.known.push(Facts {
+            self.known.push(MeshCache {
                 mesh: Arc::downgrade(mesh),
                 ranges: mesh.parts.iter().map(range).collect(),
                 edges: None,
@@ -91,7 +91,7 @@ impl Collector {
     }
 }
 
-impl Facts {
+impl MeshCache {
     /// Which triangles lie on others of the opposite winding; `None` where none does.
     fn backed(&mut self, mesh: &Mesh) -> Option<Arc<[bool]>> {
         let find = || Some(backed_triangles(mesh)).filter(|backed| !backed.is_empty()).map(Arc::from);
@@ -100,12 +100,12 @@ impl Facts {
 }
 
 /// Where the light is: where the display puts it, or its usual place.
-pub(super) fn light_position(frame: &Frame, view: &View, display: &Display) -> Vec3 {
+pub(super) fn light_position(frame: &Frame, view: &ViewTransform, display: &Display) -> Vec3 {
     display.light.filter(|p| p.is_finite()).unwrap_or_else(|| key_light(&frame.bounds, view))
 }
 
 /// High on the left of the camera, some way off the bounds.
-fn key_light(bounds: &Bounds, view: &View) -> Vec3 {
+fn key_light(bounds: &Bounds, view: &ViewTransform) -> Vec3 {
     let radius = if bounds.is_empty() { 1.0 } else { (bounds.diagonal() * 0.5).max(1e-6) };
     bounds.center() + (view.back * 2.3 - view.right * 1.6 + view.up * 2.1) * radius
 }
@@ -121,7 +121,7 @@ impl Buffers {
         &mut self,
         cache: &mut Cache,
         (scene, frame): (&Scene, &Frame),
-        view: &View,
+        view: &ViewTransform,
         display: &Display,
         without_ghosts: bool,
     ) {
@@ -136,9 +136,14 @@ impl Buffers {
         }
         if display.bones {
             self.bones.bones(scene, frame, display);
-            pending.push(Item {
+            pending.push(DrawCall {
                 source: Source::Bones,
-                style: Style { layer: Layer::Overlay, tinted: true, depth_test: display.depth_test, ..Style::default() },
+                style: ResolvedMaterial {
+                    layer: RenderPass::Overlay,
+                    tinted: true,
+                    depth_test: display.depth_test,
+                    ..ResolvedMaterial::default()
+                },
                 cull: false,
                 vertices: 0..self.bones.positions.len(),
                 first_vertex: 0,
@@ -149,8 +154,8 @@ impl Buffers {
             });
         }
         self.items.clear();
-        for layer in [Layer::Opaque, Layer::Blended, Layer::Overlay] {
-            let of_layer = |item: &&Item| item.style.layer == layer && !item.triangles.is_empty();
+        for layer in [RenderPass::Opaque, RenderPass::Blended, RenderPass::Overlay] {
+            let of_layer = |item: &&DrawCall| item.style.layer == layer && !item.triangles.is_empty();
             self.items.extend(pending.iter().filter(of_layer).cloned());
         }
         let (mut vertices, mut triangles) = (0usize, 0u32);
@@ -158,7 +163,7 @@ impl Buffers {
         for item in &mut self.items {
             let (count, after) = (item.triangles.len() as u32, triangles);
             // Beyond this the numbers do not fit in their 31 bits.
-            let Some(end) = after.checked_add(count).filter(|end| *end < super::drawing::CUT) else { break };
+            let Some(end) = after.checked_add(count).filter(|end| *end < super::draw_data::CUT) else { break };
             item.triangles = after..end;
             item.vertices = vertices..vertices + item.vertices.len();
             (vertices, triangles) = (item.vertices.end, end);
@@ -169,30 +174,30 @@ impl Buffers {
     }
 
     /// Makes all lines; those of the ground only where they are not the same as before.
-    pub(super) fn sketch(&mut self, scene: &Scene, frame: &Frame, view: &View, bands: &Bands, display: &Display, light: Vec3) {
-        let mut strokes = std::mem::take(&mut self.strokes);
-        strokes.reset(Stage::Over, bands);
-        strokes.reset(Stage::Overlay, bands);
-        let mut pen = Pen { view, bands, display, strokes: &mut strokes };
+    pub(super) fn sketch(&mut self, scene: &Scene, frame: &Frame, view: &ViewTransform, bands: &Bands, display: &Display, light: Vec3) {
+        let mut segments = std::mem::take(&mut self.segments);
+        segments.reset(LinePass::Over, bands);
+        segments.reset(LinePass::Overlay, bands);
+        let mut builder = LineBuilder { view, bands, display, segments: &mut segments };
         if self.ground.is_new() {
-            pen.strokes.reset(Stage::Under, bands);
+            builder.segments.reset(LinePass::Under, bands);
             if display.grid {
-                pen.grid(&display.ground.unwrap_or(frame.bounds));
+                builder.grid(&display.ground.unwrap_or(frame.bounds));
             }
         }
-        pen.helpers(frame, light);
+        builder.helpers(frame, light);
         for surface in frame.surfaces.iter().filter(|surface| shown(display, surface)) {
             let selected = display.selected == Some(surface.node) && surface.ghost.is_none();
             let wireframe = display.wireframe && surface.ghost.is_none_or(|ghost| ghost.opacity >= 1.0);
             if wireframe || selected {
-                let index = self.collector.facts(&surface.mesh);
-                let facts = &mut self.collector.known[index];
-                let edges = facts.edges.get_or_insert_with(|| super::edges::find(&surface.mesh));
+                let index = self.collector.mesh_cache(&surface.mesh);
+                let mesh_cache = &mut self.collector.known[index];
+                let edges = mesh_cache.edges.get_or_insert_with(|| super::edges::find(&surface.mesh));
                 if wireframe {
-                    pen.wireframe(surface, edges);
+                    builder.wireframe(surface, edges);
                 }
                 if selected {
-                    pen.outline(surface, edges, display.palette.selected, &mut self.collector.facing);
+                    builder.outline(surface, edges, display.palette.selected, &mut self.collector.facing);
                 }
             }
             // A muscle's own lines are the rings of its nodes, of interest while it is selected.
@@ -202,27 +207,27 @@ impl Buffers {
                     None if selected => rgb(display.palette.selected),
                     None => own_color(frame, display, surface),
                 };
-                pen.own_lines(surface, color);
+                builder.own_lines(surface, color);
             }
         }
         if display.bones || display.bone_axes {
-            pen.joints(scene, frame);
+            builder.joints(scene, frame);
         }
-        pen.selected_bones(scene, frame);
+        builder.selected_bones(scene, frame);
         for mark in &frame.marks {
-            let ink = pen.ink(mark.color.to_array(), mark.opacity, mark.width);
-            pen.line(mark.from, mark.to, &Ink { stage: Stage::Overlay, ..ink });
+            let line_style = builder.line_style(mark.color.to_array(), mark.opacity, mark.width);
+            builder.line(mark.from, mark.to, &LineStyle { stage: LinePass::Overlay, ..line_style });
         }
-        self.strokes = strokes;
+        self.segments = segments;
     }
 
     #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
     fn surface(
         &mut self,
-        pending: &mut Vec<Item>,
+        pending: &mut Vec<DrawCall>,
         cache: &mut Cache,
         (scene, frame): (&Scene, &Frame),
-        view: &View,
+        view: &ViewTransform,
         display: &Display,
         index: u32,
         surface: &Surface,
@@ -230,7 +235,7 @@ impl Buffers {
         let mesh = &surface.mesh;
         let heat = display.weights.filter(|_| surface.muscle.is_none() && surface.ghost.is_none()).map(|joint| {
             let from = self.heat.len();
-            super::heat::paint(scene, surface, joint, &mut self.heat);
+            super::weight_colormap::paint(scene, surface, joint, &mut self.heat);
             from
         });
         for part in 0..mesh.parts.len() {
@@ -242,11 +247,11 @@ impl Buffers {
             let foreign = surface.ghost.is_some_and(|ghost| !ghost.materials);
             let material = binding.filter(|_| !foreign).and_then(|binding| frame.materials.get(binding.material.index()));
             let mut style = style(cache, scene, display, surface, part, material, binding);
-            let veiled = veiled(display, surface) && style.layer == Layer::Opaque;
-            if veiled {
-                (style.opacity, style.layer) = (VEIL, Layer::Blended);
+            let is_see_through = is_see_through(display, surface) && style.layer == RenderPass::Opaque;
+            if is_see_through {
+                (style.opacity, style.layer) = (VEIL, RenderPass::Blended);
             }
-            let hides = style.layer == Layer::Opaque && hides_inside(view, surface, display);
+            let hides = style.layer == RenderPass::Opaque && hides_inside(view, surface, display);
             style.both_sides &= !hides;
             if style.opacity <= 0.0 {
                 continue;
@@ -257,17 +262,17 @@ impl Buffers {
             {
                 continue;
             }
-            let facts = self.collector.facts(mesh);
-            let facts = &mut self.collector.known[facts];
-            let (first, end) = facts.ranges[part];
+            let mesh_cache = self.collector.mesh_cache(mesh);
+            let mesh_cache = &mut self.collector.known[mesh_cache];
+            let (first, end) = mesh_cache.ranges[part];
             // A muscle has no second surface, and its mesh is another one with every edit.
-            let backed = if surface.muscle.is_none() { facts.backed(mesh) } else { None };
+            let backed = if surface.muscle.is_none() { mesh_cache.backed(mesh) } else { None };
             let expanded = (end.saturating_sub(first)) as usize > triangles.len() * 3;
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
-            pending.push(Item {
+            pending.push(DrawCall {
                 // The far side of a ghost, or of a skin that is seen through, would only cloud the near one.
                 cull: hides
-                    || ((display.cull_back_faces || veiled || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
+                    || ((display.cull_back_faces || is_see_through || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
                         && !mesh.double_sided
                         && !material.is_some_and(|material| material.double_sided)),
                 vertices: 0..count,
@@ -289,7 +294,7 @@ pub(super) fn shown(display: &Display, surface: &Surface) -> bool {
 }
 
 /// Whether back faces of an opaque surface cannot be seen anyway: it is solid, and all of it is before the eye.
-fn hides_inside(view: &View, surface: &Surface, display: &Display) -> bool {
+fn hides_inside(view: &ViewTransform, surface: &Surface, display: &Display) -> bool {
     surface.solid.is_some_and(|bounds| display.depth_test && bounds.corners().iter().all(|corner| view.reaches(*corner)))
 }
 
@@ -297,7 +302,7 @@ fn hides_inside(view: &View, surface: &Surface, display: &Display) -> bool {
 const VEIL: f32 = 0.38;
 
 /// Whether a surface lets the muscles beneath it be seen.
-fn veiled(display: &Display, surface: &Surface) -> bool {
+fn is_see_through(display: &Display, surface: &Surface) -> bool {
     surface.skin && display.see_through && display.muscle && display.weights.is_none() && surface.ghost.is_none()
 }
 
@@ -318,7 +323,7 @@ fn style(
     part: usize,
     material: Option<&Material>,
     binding: Option<&MaterialBinding>,
-) -> Style {
+) -> ResolvedMaterial {
     let neutral = Material::default();
     let heated = display.weights.is_some() && surface.muscle.is_none() && surface.ghost.is_none();
     let colored = display.materials && !heated && surface.ghost.is_none_or(|ghost| ghost.materials);
@@ -326,7 +331,7 @@ fn style(
     // Colours of vertices stand for a material where none is bound; they multiply white.
     let white = heated || (tinted && material.is_none());
     let material = material.filter(|_| colored).unwrap_or(&neutral);
-    let mut style = Style {
+    let mut style = ResolvedMaterial {
         albedo: if white { [1.0; 3] } else { material.diffuse.color.to_array() },
         opacity: if material.opacity.is_finite() { material.opacity.clamp(0.0, 1.0) } else { 1.0 },
         emission: material.emission.color.to_array(),
@@ -334,7 +339,7 @@ fn style(
         tinted: heated || tinted,
         depth_test: display.depth_test,
         both_sides: !display.cull_back_faces || material.double_sided || surface.mesh.double_sided,
-        ..Style::default()
+        ..ResolvedMaterial::default()
     };
     if colored {
         let mut sampler = |texture: &TextureRef, alpha: Alpha| {
@@ -353,42 +358,50 @@ fn style(
         let shiny = matches!(material.model, ShadingModel::Phong | ShadingModel::Blinn) && material.specular.color.max_element() > 0.0;
         if shiny {
             style.specular = material.specular.color.clamp(Vec3::ZERO, Vec3::ONE).to_array();
-            style.gloss = Gloss { exponent: material.shininess.clamp(1.0, 1000.0), mirrored: material.model == ShadingModel::Phong };
+            style.gloss = Specular { exponent: material.shininess.clamp(1.0, 1000.0), mirrored: material.model == ShadingModel::Phong };
         }
         style.unlit = material.model == ShadingModel::Constant;
         if style.unlit && style.emission.iter().any(|e| *e > 0.0) {
             style.albedo = [0.0; 3];
         }
         if surface.muscle.is_some() {
-            flesh(&mut style, cache, display, surface, part, material, &neutral);
+            apply_muscle_material(&mut style, cache, display, surface, part, material, &neutral);
         }
     }
     match surface.ghost {
-        Some(ghost) => haunt(&mut style, &ghost),
+        Some(ghost) => apply_ghost(&mut style, &ghost),
         None => mark(&mut style, display, surface),
     }
     let textured = style.diffuse.is_some() || style.cutout.is_some() || style.glow.is_some();
-    style.layer = if style.opacity < 1.0 || style.cutout.is_some() { Layer::Blended } else { Layer::Opaque };
+    style.layer = if style.opacity < 1.0 || style.cutout.is_some() { RenderPass::Blended } else { RenderPass::Opaque };
     style.normals = match (display.shading, display.smooth_normals) {
         (Shading::Flat, _) => Normals::Flat,
         (_, false) => Normals::Face,
         _ => Normals::Smooth,
     };
     (style.fill, style.varying) = match (display.shading, textured) {
-        (Shading::Phong, false) => (Fill::Phong, Varying::Geometry),
-        (Shading::Phong, true) => (Fill::PhongTextured, Varying::Geometry),
-        (_, false) => (Fill::Gouraud, Varying::Color),
-        (_, true) => (Fill::Textured, Varying::Light),
+        (Shading::Phong, false) => (ShaderKind::Phong, VertexOutput::Geometry),
+        (Shading::Phong, true) => (ShaderKind::PhongTextured, VertexOutput::Geometry),
+        (_, false) => (ShaderKind::Gouraud, VertexOutput::Color),
+        (_, true) => (ShaderKind::Textured, VertexOutput::Light),
     };
     if style.normals != Normals::Smooth {
-        style.varying = Varying::Geometry;
+        style.varying = VertexOutput::Geometry;
     }
     style
 }
 
 /// Turns a muscle's plain colour into fibres, with a soft shine; a flat look has none.
 #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
-fn flesh(style: &mut Style, cache: &mut Cache, display: &Display, surface: &Surface, part: usize, material: &Material, neutral: &Material) {
+fn apply_muscle_material(
+    style: &mut ResolvedMaterial,
+    cache: &mut Cache,
+    display: &Display,
+    surface: &Surface,
+    part: usize,
+    material: &Material,
+    neutral: &Material,
+) {
     let tendon = surface.mesh.parts.get(part).is_some_and(|part| part.symbol == "tendon");
     if std::ptr::eq(material, neutral) {
         // `#B8322E` and, for a tendon, `#E8DFC8`.
@@ -396,21 +409,21 @@ fn flesh(style: &mut Style, cache: &mut Cache, display: &Display, surface: &Surf
     }
     if style.gloss.exponent == 0.0 {
         style.specular = [0.28; 3];
-        style.gloss = Gloss { exponent: 26.0, mirrored: false };
+        style.gloss = Specular { exponent: 26.0, mirrored: false };
     }
     if display.shading == Shading::Flat || surface.mesh.uv_sets.is_empty() || style.diffuse.is_some() {
         return;
     }
     let color = style.albedo.map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8);
     let texture = cache.muscle(color, !tendon);
-    style.diffuse = Some(Sampler { placing: None, texture, wrap: super::muscle::WRAP, uv_set: 0 });
+    style.diffuse = Some(Sampler { placing: None, texture, wrap: super::muscle_texture::WRAP, uv_set: 0 });
     // The fibres bring their own colour.
     style.albedo = [1.0; 3];
     style.tinted = false;
 }
 
 /// Tints what only accompanies the scene, and lets what is behind it through.
-fn haunt(style: &mut Style, ghost: &Ghost) {
+fn apply_ghost(style: &mut ResolvedMaterial, ghost: &Ghost) {
     let within = |share: f32| if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
     (style.mark, style.mark_share) = (ghost.tint.to_array(), within(ghost.share));
     style.opacity *= within(ghost.opacity);
@@ -418,7 +431,7 @@ fn haunt(style: &mut Style, ghost: &Ghost) {
 }
 
 /// Tints what is selected or under the pointer.
-fn mark(style: &mut Style, display: &Display, surface: &Surface) {
+fn mark(style: &mut ResolvedMaterial, display: &Display, surface: &Surface) {
     let found = if display.selected == Some(surface.node) {
         Some((display.palette.selected, 0.14))
     } else if display.hovered == Some(surface.node) {

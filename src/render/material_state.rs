@@ -1,11 +1,11 @@
 //! A material, a display and a surface, boiled down to the numbers that the kernels read.
 
-use super::light::Gloss;
+use super::light::Specular;
 use super::texture::Sampler;
 
 /// What the vertex stage hands on for each vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Varying {
+pub(super) enum VertexOutput {
     /// Finished colour and opacity.
     Color,
     /// Light times colour, and highlight: a texture is to come.
@@ -27,7 +27,7 @@ pub(super) enum Normals {
 
 /// When something is drawn, and into what.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Layer {
+pub(super) enum RenderPass {
     /// First, in order.
     Opaque,
     /// After all that is opaque, the farthest first.
@@ -38,7 +38,7 @@ pub(super) enum Layer {
 
 /// Which kernel fills the triangles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Fill {
+pub(super) enum ShaderKind {
     /// Colours blended between the corners.
     Gouraud,
     /// Light between the corners, colour from a texture.
@@ -51,19 +51,19 @@ pub(super) enum Fill {
 
 /// How the triangles of one item are drawn.
 #[derive(Debug, Clone)]
-pub(super) struct Style {
-    pub varying: Varying,
+pub(super) struct ResolvedMaterial {
+    pub varying: VertexOutput,
     pub normals: Normals,
-    pub layer: Layer,
-    pub fill: Fill,
-    /// How many steps it is pushed back in depth; see [`super::view::View::lift`].
+    pub layer: RenderPass,
+    pub fill: ShaderKind,
+    /// How many steps it is pushed back in depth; see [`super::projection::ViewTransform::depth_bias`].
     pub behind: f32,
     /// Colour under full light, 0 to 1.
     pub albedo: [f32; 3],
     pub opacity: f32,
     pub emission: [f32; 3],
     pub specular: [f32; 3],
-    pub gloss: Gloss,
+    pub gloss: Specular,
     /// No light: the colour as it is.
     pub unlit: bool,
     /// Back faces show, so they have to be lit too.
@@ -83,19 +83,19 @@ pub(super) struct Style {
     pub glow: Option<Sampler>,
 }
 
-impl Default for Style {
+impl Default for ResolvedMaterial {
     fn default() -> Self {
         Self {
-            varying: Varying::Color,
+            varying: VertexOutput::Color,
             normals: Normals::Smooth,
-            layer: Layer::Opaque,
-            fill: Fill::Gouraud,
+            layer: RenderPass::Opaque,
+            fill: ShaderKind::Gouraud,
             behind: 0.0,
             albedo: [1.0; 3],
             opacity: 1.0,
             emission: [0.0; 3],
             specular: [0.0; 3],
-            gloss: Gloss { exponent: 0.0, mirrored: false },
+            gloss: Specular { exponent: 0.0, mirrored: false },
             unlit: false,
             both_sides: true,
             mirrored: false,
