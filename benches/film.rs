@@ -11,7 +11,7 @@ use sinew::document::Document;
 use sinew::export::gltf;
 use sinew::export::guard::Guard;
 use sinew::export::pipeline::Work;
-use sinew::film::{self, Direction, Eye, Sequence, Studio, Target, Wish};
+use sinew::film::{self, Direction, Eye, Sequence, SequenceRenderer, Target, Wish};
 use sinew::render::Display;
 use sinew::scene::View;
 
@@ -32,7 +32,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let eye = Eye::fit(Direction { yaw, pitch, parallel: false, zoom: 1.0 }, &document.reach(&state), SIZE.0 as f32 / SIZE.1 as f32, false);
     let target = Target::of(out)?;
     let begun = Instant::now();
-    let mut studio = Studio::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
+    let mut studio = SequenceRenderer::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
     film::save(&mut studio, SIZE, (&target, &Guard::default()), &|_| String::new(), &Work::default()).ok()?;
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }

@@ -3,11 +3,11 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::DMat4;
 use sinew::animation::Pose;
-use sinew::muscle::{MuscleFile, Rig, Solved};
+use sinew::muscle::{MuscleFile, MuscleRig, Solved};
 use sinew::scene::{MuscleId, Scene};
 
 struct Stage {
-    rig: Rig,
+    rig: MuscleRig,
     world: Vec<DMat4>,
     solved: Vec<Solved>,
     positions: Vec<Vec<glam::Vec3>>,
@@ -17,7 +17,7 @@ struct Stage {
 impl Stage {
     fn new(yaml: &str) -> Self {
         let mut scene = Scene::default();
-        let rig = Rig::build(&MuscleFile::parse(yaml).expect("the bench's own file"), "bench", &mut scene, MuscleId(0));
+        let rig = MuscleRig::build(&MuscleFile::parse(yaml).expect("the bench's own file"), "bench", &mut scene, MuscleId(0));
         let mut pose = Pose::rest(&scene);
         rig.apply(rig.at_flexion(70.0), &mut pose);
         let (mut local, mut world) = (Vec::new(), Vec::new());

@@ -9,7 +9,7 @@ use crate::scene::{LightId, MaterialId, MorphId, NodeId, TransformOp};
 
 /// Which numbers of its target a curve sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Lane {
+pub enum Components {
     /// All of them.
     Whole,
     /// One: x, y, z of a vector, element `4·column + row` of a matrix, 3 = the angle of a rotation.
@@ -45,7 +45,7 @@ pub enum Target {
         /// Index in its operations.
         op: u32,
         /// Which numbers.
-        lane: Lane,
+        lane: Components,
     },
     /// The weight of a morph target.
     MorphWeight {
@@ -61,14 +61,14 @@ pub enum Target {
         /// Which value.
         slot: MaterialSlot,
         /// Which numbers of it.
-        lane: Lane,
+        lane: Components,
     },
     /// The colour of a light.
     LightColor {
         /// The light.
         light: LightId,
         /// Which numbers of it.
-        lane: Lane,
+        lane: Components,
     },
 }
 
@@ -175,10 +175,10 @@ impl Channel {
 }
 
 /// Sets a whole operation, or one number of it.
-fn set_op(op: &mut TransformOp, lane: Lane, curve: &Curve, time: f64) {
+fn set_op(op: &mut TransformOp, lane: Components, curve: &Curve, time: f64) {
     match (op, lane) {
-        (TransformOp::Matrix(matrix), Lane::Whole) => *matrix = curve.matrix(time),
-        (TransformOp::Matrix(matrix), Lane::Component(component)) => {
+        (TransformOp::Matrix(matrix), Components::Whole) => *matrix = curve.matrix(time),
+        (TransformOp::Matrix(matrix), Components::Component(component)) => {
             // The bottom row stays 0 0 0 1, whatever the file animates it to.
             let (column, row) = (usize::from(component) / 4, usize::from(component) % 4);
             if column < 4 && row < 3 {
@@ -189,7 +189,7 @@ fn set_op(op: &mut TransformOp, lane: Lane, curve: &Curve, time: f64) {
             }
         }
         (TransformOp::Translate(vector) | TransformOp::Scale(vector), lane) => set_numbers(&mut [vector.as_mut()], lane, curve, time),
-        (TransformOp::Rotate { angle, .. }, Lane::Component(3)) => *angle = curve.value(time, 0),
+        (TransformOp::Rotate { angle, .. }, Components::Component(3)) => *angle = curve.value(time, 0),
         (TransformOp::Rotate { axis, angle }, lane) => set_numbers(&mut [axis.as_mut(), std::slice::from_mut(angle)], lane, curve, time),
         (TransformOp::LookAt { eye, target, up }, lane) => {
             set_numbers(&mut [eye.as_mut(), target.as_mut(), up.as_mut()], lane, curve, time);
@@ -201,17 +201,17 @@ fn set_op(op: &mut TransformOp, lane: Lane, curve: &Curve, time: f64) {
 }
 
 /// Sets all numbers of `parts`, which follow each other, or the one that `lane` names.
-fn set_numbers(parts: &mut [&mut [f64]], lane: Lane, curve: &Curve, time: f64) {
+fn set_numbers(parts: &mut [&mut [f64]], lane: Components, curve: &Curve, time: f64) {
     let mut numbers = parts.iter_mut().flat_map(|part| part.iter_mut());
     match lane {
-        Lane::Whole => {
+        Components::Whole => {
             let mut values = [0.0; 16];
             curve.sample(time, &mut values);
             for (number, value) in numbers.zip(values.iter().take(curve.dimension)) {
                 *number = *value;
             }
         }
-        Lane::Component(component) => {
+        Components::Component(component) => {
             if let Some(number) = numbers.nth(usize::from(component)) {
                 *number = curve.value(time, 0);
             }
@@ -219,11 +219,11 @@ fn set_numbers(parts: &mut [&mut [f64]], lane: Lane, curve: &Curve, time: f64) {
     }
 }
 
-fn set_color(color: &mut Vec3, lane: Lane, curve: &Curve, time: f64) {
+fn set_color(color: &mut Vec3, lane: Components, curve: &Curve, time: f64) {
     for (component, channel) in color.as_mut().iter_mut().enumerate() {
         match lane {
-            Lane::Whole if component < curve.dimension => *channel = curve.value(time, component) as f32,
-            Lane::Component(wanted) if usize::from(wanted) == component => *channel = curve.value(time, 0) as f32,
+            Components::Whole if component < curve.dimension => *channel = curve.value(time, component) as f32,
+            Components::Component(wanted) if usize::from(wanted) == component => *channel = curve.value(time, 0) as f32,
             _ => {}
         }
     }

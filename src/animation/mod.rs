@@ -5,7 +5,7 @@ mod curve;
 mod playback;
 mod pose;
 
-pub use clip::{Channel, Clip, Lane, MaterialSlot, Target};
+pub use clip::{Channel, Clip, Components, MaterialSlot, Target};
 pub use curve::{Curve, Interpolation, Keys, Tangents};
 pub use playback::{LoopMode, Playback};
 pub use pose::Pose;

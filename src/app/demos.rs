@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers};
-use crate::export::atomic::write_whole;
+use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::render::{Background, Display, Palette, Renderer, Theme};
 use crate::scene::{Frame, OrbitCamera, View};

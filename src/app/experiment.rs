@@ -15,9 +15,9 @@ use super::ui;
 use super::window::{Window, part};
 use crate::input;
 use crate::limits;
-use crate::muscle::experiment::{Comparison, Table, compare};
-use crate::muscle::fit::{Fits, Model, fit};
-use crate::muscle::published;
+use crate::muscle::literature_data;
+use crate::muscle::parameter_fit::{Fits, Model, fit};
+use crate::muscle::validation::{Comparison, Table, compare};
 use crate::scene::MuscleId;
 use crate::tr;
 
@@ -35,7 +35,7 @@ struct Experiment {
 /// Opens the experiment of a muscle.
 pub(super) fn show(window: &Rc<Window>, muscle: MuscleId) {
     // The table that comes with the program is parsed by a test.
-    let Ok(table) = Table::parse(published::MEASURED_RADII) else { return };
+    let Ok(table) = Table::parse(literature_data::MEASURED_RADII) else { return };
     let data = RefCell::new((table, "biceps-radii.csv".to_owned()));
     let experiment = Rc::new(Experiment { builder: ui::builder(ui::EXPERIMENT), muscle, data });
     let root = experiment.root();

@@ -13,10 +13,10 @@ use crate::export::pipeline::Work;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, NoTable, Of, Table};
 use crate::export::{gif, video};
-use crate::film::{self, Motion, Pattern, Refusal, Sequence, Shot, Studio, Target, Wish};
+use crate::film::{self, FrameSpec, Motion, Pattern, Refusal, Sequence, SequenceRenderer, Target, Wish};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
-use crate::stage::{Along, Company};
+use crate::stage::{Along, SceneOverlays};
 use crate::tr;
 
 /// The kinds of file.
@@ -293,7 +293,7 @@ impl Options {
 pub(super) struct Job {
     document: Document,
     /// What accompanies it, with its frame rate.
-    company: (Company, f64),
+    company: (SceneOverlays, f64),
     state: PoseState,
     sequence: Sequence,
     eye: Eye,
@@ -376,7 +376,7 @@ impl Job {
             }
             Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
         };
-        let mut studio = Studio::new(&document, sequence, display, None, Box::new(look)).accompanied(company, rate);
+        let mut studio = SequenceRenderer::new(&document, sequence, display, None, Box::new(look)).accompanied(company, rate);
         film::save(&mut studio, options.size, (&target, &guard), &note, work)
     }
 
@@ -418,7 +418,7 @@ fn with_number(file: &Path) -> PathBuf {
 }
 
 /// What stands in a picture about how it was made.
-pub(super) fn note<'a>(document: &'a Document, eye: &Eye) -> impl Fn(&Shot) -> String + Sync + use<'a> {
+pub(super) fn note<'a>(document: &'a Document, eye: &Eye) -> impl Fn(&FrameSpec) -> String + Sync + use<'a> {
     let orbit = *eye.orbit();
     move |shot| {
         let files: Vec<&str> = document.sources.iter().map(|source| source.name.as_str()).collect();

@@ -4,7 +4,7 @@ use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3};
 
 use super::format;
 use super::session::{Matrices, Session};
-use crate::document::Explanation;
+use crate::document::VertexInfluences;
 use crate::scene::{Deformer, Material, MeshInstance, Scene};
 use crate::tr;
 
@@ -113,7 +113,7 @@ pub(super) fn material(scene: &Scene, material: &Material) -> String {
 }
 
 /// The rows of a vertex' bones: name, weight, x, y, z of the part, and last the sum.
-pub(super) fn shares(told: &Explanation, most: usize) -> Vec<[String; 5]> {
+pub(super) fn shares(told: &VertexInfluences, most: usize) -> Vec<[String; 5]> {
     let row = |name: String, weight: String, part: DVec3| {
         let [x, y, z] = part.to_array().map(|value| format::number(value, 4));
         [name, weight, x, y, z]
@@ -134,7 +134,7 @@ pub(super) fn shares(told: &Explanation, most: usize) -> Vec<[String; 5]> {
 }
 
 /// How the sum and the picture compare.
-pub(super) fn vertex_note(told: &Explanation) -> String {
+pub(super) fn vertex_note(told: &VertexInfluences) -> String {
     let apart = (told.sum - told.drawn).length();
     if told.shares.is_empty() {
         tr!("app-vertex-rigid")
@@ -156,7 +156,7 @@ pub(super) fn distance(pinned: [Option<Vec3>; 2]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Share;
+    use crate::document::Influence;
 
     #[test]
     fn rotations_read_as_degrees_about_the_axes() {
@@ -166,15 +166,15 @@ mod tests {
 
     #[test]
     fn the_last_row_is_the_sum() {
-        let share = |weight: f64, alone: DVec3| Share { node: None, joint: "hip".into(), weight, alone, part: alone * weight };
+        let share = |weight: f64, alone: DVec3| Influence { node: None, joint: "hip".into(), weight, alone, part: alone * weight };
         let shares = vec![share(0.25, DVec3::X), share(0.75, DVec3::Y)];
         let sum = DVec3::new(0.25, 0.75, 0.0);
-        let told = Explanation { vertex: 0, point: 0, base: DVec3::ZERO, shares, sum, drawn: sum };
+        let told = VertexInfluences { vertex: 0, point: 0, base: DVec3::ZERO, shares, sum, drawn: sum };
         let rows = super::shares(&told, 12);
         assert_eq!(rows.len(), 3);
         assert_eq!(rows[2][1..], ["1.000", "0.2500", "0.7500", "0.0000"]);
         assert_eq!(vertex_note(&told), tr!("app-vertex-note"));
-        assert_ne!(vertex_note(&Explanation { drawn: DVec3::Z, ..told }), tr!("app-vertex-note"));
+        assert_ne!(vertex_note(&VertexInfluences { drawn: DVec3::Z, ..told }), tr!("app-vertex-note"));
     }
 
     #[test]

@@ -17,9 +17,9 @@ use super::save_as::{self, Wanted};
 use super::session::{Against, Changes, Reading, Session, csv};
 use super::ui;
 use super::window::{Window, part};
-use crate::export::atomic::write_whole;
+use crate::export::atomic_file::write_whole;
 use crate::export::ending::ending;
-use crate::muscle::published;
+use crate::muscle::literature_data;
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
 use crate::scene::{Content, MuscleId};
@@ -151,7 +151,11 @@ impl MeasurePanel {
                 }
             }
         ));
-        part::<gtk::Label>(&self.builder, "sources").set_text(&format!("{}\n{}", published::MURRAY_2000.source, published::ARM26.source));
+        part::<gtk::Label>(&self.builder, "sources").set_text(&format!(
+            "{}\n{}",
+            literature_data::MURRAY_2000.source,
+            literature_data::ARM26.source
+        ));
         // Measuring waits until somebody looks.
         self.root.connect_map(glib::clone!(
             #[weak]
@@ -256,7 +260,7 @@ impl MeasurePanel {
         {
             // Centimetres to the file's unit.
             let scale = 0.01 / unit.metres;
-            plot.borrow_mut().published = [published::ARM26, published::MURRAY_2000]
+            plot.borrow_mut().published = [literature_data::ARM26, literature_data::MURRAY_2000]
                 .map(|series| Series {
                     name: series.name.to_owned(),
                     points: series.points.iter().map(|[angle, arm]| (*angle, arm * scale)).collect(),

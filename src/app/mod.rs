@@ -80,7 +80,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use crate::export::atomic::sweep;
+use crate::export::atomic_file::sweep;
 /// How numbers are written in the window.
 use crate::i18n::quantity as format;
 use crate::tr;

@@ -7,7 +7,7 @@ use super::muscle_editor::Editor;
 use super::place_field::{Bones, PlaceField};
 use super::session::Session;
 use super::window::part;
-use crate::muscle::Handhold;
+use crate::muscle::AttachmentPoint;
 use crate::scene::MuscleId;
 
 const NAMES: [&str; 2] = ["origin", "insertion"];
@@ -22,7 +22,7 @@ impl MuscleEnds {
     /// Those of a panel.
     pub(super) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
         Self {
-            ends: [0, 1].map(|end| PlaceField::new(builder, NAMES[end], Handhold::End(end), bones)),
+            ends: [0, 1].map(|end| PlaceField::new(builder, NAMES[end], AttachmentPoint::End(end), bones)),
             units: NAMES.map(|name| part(builder, &format!("{name}_unit"))),
         }
     }

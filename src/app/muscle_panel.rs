@@ -20,9 +20,9 @@ use super::session::{Changes, Hung, Session, Step};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
-use crate::muscle::ledger::{Ledger, Root};
 use crate::muscle::presets::{PRESETS, Preset};
-use crate::muscle::{Edit, LimitCause, MuscleSpec, Rig, Solved, Tendon};
+use crate::muscle::solver_report::{Root, SolverReport};
+use crate::muscle::{Edit, LimitCause, MuscleRig, MuscleSpec, Solved, Tendon};
 use crate::scene::MuscleId;
 use crate::tr;
 
@@ -119,7 +119,7 @@ pub(super) struct Unit {
 
 impl Unit {
     /// The unit of the file that a rig was made from.
-    pub(super) fn of_rig(document: &Document, rig: &Rig) -> Self {
+    pub(super) fn of_rig(document: &Document, rig: &MuscleRig) -> Self {
         let metres = document.sources.iter().find_map(|source| match &source.kind {
             SourceKind::Muscles(file, own) if std::ptr::eq(&raw const **own, rig) => Some(file.unit_metres),
             _ => None,
@@ -452,7 +452,7 @@ fn hang(window: &Rc<Window>, files: impl IntoIterator<Item = usize>) -> bool {
 }
 
 /// How short and how long the muscle can get, and what sets that.
-fn limits(ledger: &Ledger, unit: &str) -> String {
+fn limits(ledger: &SolverReport, unit: &str) -> String {
     let cause = |cause: LimitCause| match cause {
         LimitCause::Discriminant => tr!("app-limit-discriminant"),
         LimitCause::Radius(node) => tr!("app-limit-radius", node = node + 1),

@@ -12,7 +12,7 @@ use super::session::{Picked, Session, Step};
 use super::window::part;
 use super::{format, ui};
 use crate::muscle::edit::VIA;
-use crate::muscle::{Edit, Handhold, Wrap};
+use crate::muscle::{AttachmentPoint, Edit, Wrap};
 use crate::scene::MuscleId;
 use crate::tr;
 
@@ -57,7 +57,7 @@ impl MuscleWay {
             list: part(builder, "via_list"),
             rows: Rows { rows: Rc::default(), add: part(builder, "via_add") },
             pick: part(builder, "via_pick_new"),
-            ball: PlaceField::new(builder, "wrap", Handhold::Wrap, bones),
+            ball: PlaceField::new(builder, "wrap", AttachmentPoint::Wrap, bones),
             fields: FIELDS.map(|(id, _)| part(builder, id)),
             refused: ["via_refused", "wrap_refused"].map(|id| part(builder, id)),
             editor: RefCell::default(),
@@ -143,7 +143,7 @@ impl Rows {
     fn make(&self, editor: &Editor, bones: &Bones) -> ViaRow {
         let number = self.rows.borrow().len();
         let builder = ui::numbered(ui::VIA_POINT, number + 1);
-        let place = PlaceField::new(&builder, "via", Handhold::Via(number), bones);
+        let place = PlaceField::new(&builder, "via", AttachmentPoint::Via(number), bones);
         place.connect(editor);
         let button = |id: &str| part::<gtk::Button>(&builder, id);
         let (up, down, delete) = (button("via_up"), button("via_down"), button("via_delete"));

@@ -12,7 +12,7 @@ use super::session::{Picked, Preset, Session, Step, Tool, With};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
 use super::{about, compare_file, export_dialog, files, help, picture, save_session, saving, theme};
-use crate::muscle::Handhold;
+use crate::muscle::AttachmentPoint;
 use crate::render::{Samples, Shading};
 use crate::scene::View;
 use crate::tr;
@@ -312,8 +312,8 @@ fn change_session(command: Command, session: &mut Session) {
                 session.bend_by_hand(bend.value + if command == C::ElbowMore { 5.0 } else { -5.0 });
             }
         }
-        C::PickOrigin => session.start_picking(session.shown_muscle(), Picked::Point(Handhold::End(0))),
-        C::PickInsertion => session.start_picking(session.shown_muscle(), Picked::Point(Handhold::End(1))),
+        C::PickOrigin => session.start_picking(session.shown_muscle(), Picked::Point(AttachmentPoint::End(0))),
+        C::PickInsertion => session.start_picking(session.shown_muscle(), Picked::Point(AttachmentPoint::End(1))),
         C::PresetClean => session.take_preset(Preset::Clean),
         C::PresetSkeleton => session.take_preset(Preset::Skeleton),
         C::PresetInspection => session.take_preset(Preset::Inspection),

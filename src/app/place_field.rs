@@ -11,7 +11,7 @@ use super::session::{Picked, Session, Step};
 use super::window::part;
 use super::{format, ui};
 use crate::i18n;
-use crate::muscle::{Anchor, Edit, Handhold};
+use crate::muscle::{Anchor, AttachmentPoint, Edit};
 use crate::scene::{MuscleId, NodeId};
 use crate::tr;
 
@@ -64,7 +64,7 @@ impl Bones {
 /// The widgets of one point.
 #[derive(Clone)]
 pub(super) struct PlaceField {
-    hold: Handhold,
+    hold: AttachmentPoint,
     bone: gtk::DropDown,
     pick: gtk::ToggleButton,
     offset: gtk::Widget,
@@ -76,9 +76,9 @@ pub(super) struct PlaceField {
 
 impl PlaceField {
     /// That of the widgets whose names begin with `name`. A via point is always on some bone; all else can be on none.
-    pub(super) fn new(builder: &gtk::Builder, name: &str, hold: Handhold, bones: &Bones) -> Self {
+    pub(super) fn new(builder: &gtk::Builder, name: &str, hold: AttachmentPoint, bones: &Bones) -> Self {
         let bone: gtk::DropDown = part(builder, &format!("{name}_bone"));
-        let or_none = !matches!(hold, Handhold::Via(_));
+        let or_none = !matches!(hold, AttachmentPoint::Via(_));
         ui::narrow(&bone, 12);
         bone.set_model(Some(if or_none { &bones.or_none } else { &bones.names }));
         Self {
@@ -158,7 +158,7 @@ fn offset_text(anchor: &Anchor, axis: usize) -> String {
 }
 
 /// Takes what was typed into an offset.
-fn typed(editor: &Editor, hold: Handhold, axis: usize, entry: &gtk::Entry) {
+fn typed(editor: &Editor, hold: AttachmentPoint, axis: usize, entry: &gtk::Entry) {
     let Some(spec) = editor.spec() else { return };
     let Some(mut anchor) = spec.place(hold).cloned() else { return };
     if entry.text() == offset_text(&anchor, axis) {

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use super::recent;
 use super::save_as::{self, Wanted};
 use super::window::Window;
-use crate::export::atomic::write_whole;
+use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::system::{Doing, reason};
 use crate::tr;

@@ -12,7 +12,7 @@ use gtk4 as gtk;
 use super::save_as::{self, Wanted};
 use super::window::Window;
 use super::{demos, files};
-use crate::export::atomic::write_whole;
+use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::{input, limits, tr};
 

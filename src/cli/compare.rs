@@ -14,9 +14,9 @@ use super::measured;
 use crate::document::Document;
 use crate::export::tables::{MuscleRow, csv_cell, unit, unit_for_people};
 use crate::i18n::decimal;
-use crate::muscle::Rig;
-use crate::muscle::experiment::{self, CompareError, Table};
-use crate::muscle::fit::{Fits, fit};
+use crate::muscle::MuscleRig;
+use crate::muscle::parameter_fit::{Fits, fit};
+use crate::muscle::validation::{self, CompareError, Table};
 use crate::tr;
 
 /// All muscles of a file that the table fits.
@@ -151,8 +151,8 @@ pub(super) fn rms_lines(own: Option<f64>, fitted: f64, poses: f64, unit: &str) -
 }
 
 impl Compared {
-    fn of(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
-        let found = experiment::compare(rig, index, table)?;
+    fn of(rig: &MuscleRig, index: usize, table: &Table) -> Result<Self, CompareError> {
+        let found = validation::compare(rig, index, table)?;
         let Fits { own, fitted, poses, .. } = fit(rig, index, table)?;
         let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
         let volumes = found.implied_volumes.iter().zip(&found.rms_at);

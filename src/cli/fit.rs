@@ -13,14 +13,14 @@ use super::progress::leave_nothing;
 use super::{files, measured, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, SourceKind};
-use crate::export::atomic::write_whole;
+use crate::export::atomic_file::write_whole;
 use crate::export::ending::ending;
 use crate::export::guard::Guard;
 use crate::export::tables::{unit_for_people, unit_name};
 use crate::i18n::decimal;
-use crate::muscle::experiment::Table;
-use crate::muscle::fit::{Fitted, Model, fitted_file};
-use crate::muscle::{MuscleFile, Rig};
+use crate::muscle::parameter_fit::{Fitted, Model, fitted_file};
+use crate::muscle::validation::Table;
+use crate::muscle::{MuscleFile, MuscleRig};
 use crate::tr;
 
 /// What was fitted; the names are a contract.
@@ -89,7 +89,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
 }
 
-fn muscles<'a>(document: &'a Document, file: &Path) -> Result<(&'a MuscleFile, &'a Rig), Failure> {
+fn muscles<'a>(document: &'a Document, file: &Path) -> Result<(&'a MuscleFile, &'a MuscleRig), Failure> {
     let found = document.sources.iter().find_map(|source| match &source.kind {
         SourceKind::Muscles(muscles, rig) => Some((&**muscles, &**rig)),
         SourceKind::Collada(_) => None,
@@ -98,7 +98,7 @@ fn muscles<'a>(document: &'a Document, file: &Path) -> Result<(&'a MuscleFile, &
 }
 
 /// Fits the first muscle that hangs on a joint, and leaves the others out: the table speaks of one.
-fn fit_first(file: &MuscleFile, rig: &Rig, table: &Table, model: Model) -> Result<Fitted, crate::muscle::experiment::CompareError> {
+fn fit_first(file: &MuscleFile, rig: &MuscleRig, table: &Table, model: Model) -> Result<Fitted, crate::muscle::validation::CompareError> {
     let index = (0..rig.len()).find(|index| rig.is_attached(*index)).unwrap_or(0);
     let mut fitted = fitted_file(file, rig, index, table, model)?;
     if index < fitted.file.muscles.len() {

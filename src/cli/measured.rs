@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::failure::{Failure, display_name};
 use crate::input::{self, Refused};
-use crate::muscle::experiment::Table;
+use crate::muscle::validation::Table;
 use crate::{limits, tr};
 
 /// Reads a table from a regular file, or from standard input for `-`.

@@ -9,7 +9,7 @@ use super::value;
 use super::values::plain;
 use crate::animation::Clip;
 use crate::document::{Document, PoseState};
-use crate::muscle::Rig;
+use crate::muscle::MuscleRig;
 use crate::scene::NodeKind;
 use crate::tr;
 
@@ -79,7 +79,8 @@ impl Moment {
                     state.turn = Some(if self.on_top { joint.by(angle) } else { joint.at(angle) });
                 }
             }
-            let range = document.driven_rig().and_then(Rig::flexion_range).or_else(|| document.joint().map(|j| j.range[0]..=j.range[1]));
+            let range =
+                document.driven_rig().and_then(MuscleRig::flexion_range).or_else(|| document.joint().map(|j| j.range[0]..=j.range[1]));
             if let Some(range) = range.filter(|range| !self.on_top && !range.contains(&angle)) {
                 notice(&tr!(
                     "cli-angle-held",

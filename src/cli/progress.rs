@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::failure::{Failure, STOPPED, is_quiet};
 use crate::export::ExportError;
-use crate::export::atomic::sweep;
+use crate::export::atomic_file::sweep;
 use crate::export::pipeline::Work;
 use crate::tr;
 

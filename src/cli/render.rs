@@ -14,12 +14,12 @@ use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
 use crate::export::guard::Guard;
-use crate::film::{self, Direction, Eye, Look, Motion, Refusal, Sequence, Shot, Studio, Target, Times, Wish, posed_bounds};
+use crate::film::{self, Direction, Eye, FrameSpec, Look, Motion, Refusal, Sequence, SequenceRenderer, Target, Times, Wish, posed_bounds};
 use crate::limits;
-use crate::muscle::Rig;
+use crate::muscle::MuscleRig;
 use crate::render::{Background, Display, Samples, Shading};
 use crate::scene::{Bounds, Frame, OrbitCamera, View};
-use crate::stage::{self, Along, Company, Opened, Saved};
+use crate::stage::{self, Along, Opened, Saved, SceneOverlays};
 use crate::tr;
 
 /// Columns and rows where the call does not say.
@@ -62,7 +62,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
     let other = compared.map(|(path, other)| (path.display().to_string(), other));
-    let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| Company::of_saved(saved, &document, other));
+    let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| SceneOverlays::of_saved(saved, &document, other));
     let mut wide = bounds;
     if let Some(other) = company.reach(&document, &state) {
         wide.merge(&other);
@@ -80,9 +80,9 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     // In a film the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
     let display = Display { scale, ground, ..display(given, usual, !document.shows_surface()) };
-    let mut studio = Studio::new(&document, sequence, display, value(given, "threads"), look).accompanied(company, rate);
+    let mut studio = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), look).accompanied(company, rate);
     let call = call_note(given, &files, size, scale);
-    let note = |shot: &Shot| format!("{call}{}", shot_note(&document, shot));
+    let note = |shot: &FrameSpec| format!("{call}{}", shot_note(&document, shot));
     progress::watched(sequence.count, |work| film::save(&mut studio, size, (&target, &guard), &note, work))?;
     remark([tr!(
         "cli-written",
@@ -224,12 +224,12 @@ fn display(given: &ArgMatches, usual: Display, only_bones: bool) -> Display {
 }
 
 /// The part of the note that changes from picture to picture.
-fn shot_note(document: &Document, shot: &Shot) -> String {
+fn shot_note(document: &Document, shot: &FrameSpec) -> String {
     let mut note = String::new();
     if let Some(clip) = shot.state.clip.and_then(|index| document.clips.get(index)) {
         note.push_str(&format!(" --clip {} --time {}", quoted(&clip.name), shot.state.time));
     }
-    if document.driven_rig().is_some_and(Rig::is_drivable) {
+    if document.driven_rig().is_some_and(MuscleRig::is_drivable) {
         // `+ 0.0` turns a negative zero into zero.
         note.push_str(&format!(" --contraction {}", shot.state.drive.contraction + 0.0));
     }

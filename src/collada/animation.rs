@@ -9,7 +9,7 @@ use super::context::{Context, Step, children, id_of, name_of, shortened};
 use super::material::encoded;
 use super::source::{Arrays, inputs, name_list};
 use super::target::{Aim, Aims, Miss};
-use super::{El, codes};
+use super::{El, diagnostic_codes};
 use crate::animation::{Channel, Clip, Curve, Interpolation, Keys, Tangents, Target};
 use crate::tr;
 
@@ -84,7 +84,7 @@ fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
         }
         let name = name_of(element, || tr!("collada-clip-number", number = clips.len() + 1));
         if channels.is_empty() {
-            context.report.warn(element, codes::EMPTY_CLIP, tr!("collada-empty-clip"));
+            context.report.warn(element, diagnostic_codes::EMPTY_CLIP, tr!("collada-empty-clip"));
             continue;
         }
         let keys = span(&channels);
@@ -113,11 +113,15 @@ impl Reader {
             // Of a document that others take parts from, whatever they leave is still.
             Err(_) if context.lookup.roots().iter().skip(1).any(|part| element.ancestors().any(|above| above == *part)) => return Ok(()),
             Err(Miss::Unknown) => {
-                context.report.warn(element, codes::UNKNOWN_TARGET, tr!("collada-unknown-target", target = shortened(address)));
+                context.report.warn(element, diagnostic_codes::UNKNOWN_TARGET, tr!("collada-unknown-target", target = shortened(address)));
                 return Ok(());
             }
             Err(Miss::Unsupported) => {
-                context.report.note(element, codes::UNSUPPORTED_TARGET, tr!("collada-unsupported-target", target = shortened(address)));
+                context.report.note(
+                    element,
+                    diagnostic_codes::UNSUPPORTED_TARGET,
+                    tr!("collada-unsupported-target", target = shortened(address)),
+                );
                 return Ok(());
             }
         };
@@ -160,7 +164,7 @@ impl Reader {
             None => None,
         };
         let (Some(times), Some(values)) = (times, values) else {
-            context.report.warn(sampler, codes::BAD_CURVE, tr!("collada-bad-sampler"));
+            context.report.warn(sampler, diagnostic_codes::BAD_CURVE, tr!("collada-bad-sampler"));
             return Ok(None);
         };
         // Where the two disagree, one of the counts is wrong: all that both have data for are keys.
@@ -171,11 +175,11 @@ impl Reader {
         };
         if times.count != values.count {
             let message = tr!("collada-key-counts", times = times.count, values = values.count);
-            context.report.warn(sampler, codes::COUNT_MISMATCH, message);
+            context.report.warn(sampler, diagnostic_codes::COUNT_MISMATCH, message);
         }
         let dimension = values.width();
         if count == 0 || (matrix && dimension != 16) {
-            context.report.warn(sampler, codes::BAD_CURVE, tr!("collada-bad-sampler"));
+            context.report.warn(sampler, diagnostic_codes::BAD_CURVE, tr!("collada-bad-sampler"));
             return Ok(None);
         }
         if !context.spend(sampler, count.saturating_mul(dimension).saturating_mul(KEY_BYTES) / 4) {
@@ -202,15 +206,15 @@ impl Reader {
             }
             let fits = |tangents: &Tangents| [dimension, dimension + 1, 2 * dimension].contains(&tangents.stride);
             if !(fits(&keys.in_tangents) && fits(&keys.out_tangents)) {
-                context.report.warn(sampler, codes::MISSING_TANGENTS, tr!("collada-missing-tangents"));
+                context.report.warn(sampler, diagnostic_codes::MISSING_TANGENTS, tr!("collada-missing-tangents"));
             }
         }
         if keys.times.iter().chain(&keys.values).any(|value| !value.is_finite()) {
-            context.report.warn(sampler, codes::NOT_FINITE, tr!("collada-not-finite-keys"));
+            context.report.warn(sampler, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite-keys"));
         }
         let curve = Curve::new(keys);
         if curve.is_sheared() {
-            context.report.warn(sampler, codes::SHEARED_KEYS, tr!("collada-sheared-keys"));
+            context.report.warn(sampler, diagnostic_codes::SHEARED_KEYS, tr!("collada-sheared-keys"));
         }
         Ok((!curve.times.is_empty()).then_some(curve))
     }
@@ -252,7 +256,11 @@ fn interpolation<'a>(context: &mut Context<'a>, source: El<'a>, count: usize) ->
         })
         .collect();
     if let Some(name) = unsupported {
-        context.report.warn(source, codes::UNSUPPORTED_INTERPOLATION, tr!("collada-unsupported-interpolation", name = shortened(&name)));
+        context.report.warn(
+            source,
+            diagnostic_codes::UNSUPPORTED_INTERPOLATION,
+            tr!("collada-unsupported-interpolation", name = shortened(&name)),
+        );
     }
     modes
 }
@@ -265,7 +273,7 @@ fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curv
     let lone = aim.lone.filter(|_| curve.dimension == 1);
     if curve.dimension < aim.wanted && !color && !weights && lone.is_none() {
         let message = tr!("collada-key-size", found = curve.dimension, wanted = aim.wanted);
-        context.report.warn(element, codes::BAD_CURVE, message);
+        context.report.warn(element, diagnostic_codes::BAD_CURVE, message);
         return;
     }
     let size = CHANNEL_BYTES + if weights { curve.times.len() * 16 } else { 0 };

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::image::plain_uri;
 use super::lookup::last_segment;
-use super::{ReadError, codes, text, xml};
+use super::{ReadError, diagnostic_codes, text, xml};
 use crate::health::Finding;
 use crate::tr;
 
@@ -90,7 +90,12 @@ impl Bundle {
                     let line = error.line.map(|line| line + decoded.lines_before);
                     self.findings.push(Finding {
                         file: path,
-                        ..Finding::warning(codes::EXTERNAL_REFERENCE, line, "", tr!("collada-part-broken", reason = error.message))
+                        ..Finding::warning(
+                            diagnostic_codes::EXTERNAL_REFERENCE,
+                            line,
+                            "",
+                            tr!("collada-part-broken", reason = error.message),
+                        )
                     });
                 }
             }

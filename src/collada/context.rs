@@ -8,14 +8,14 @@ use glam::{DMat4, DVec3};
 use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
-use super::ahead::Ahead;
 use super::bundle::normal;
 use super::lists::Shortened;
 use super::lookup::{Lookup, Url};
 use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
+use super::parallel_lists::Ahead;
 use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
-use super::{El, Progress, ReadError, codes};
+use super::{El, Progress, ReadError, diagnostic_codes};
 pub(super) use crate::i18n::shortened;
 use crate::scene::affine;
 use crate::{limits, tr};
@@ -99,7 +99,7 @@ impl<'a> Context<'a> {
         }
         if !self.said_budget {
             self.said_budget = true;
-            self.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-reached"));
+            self.report.warn(element, diagnostic_codes::LIMIT_REACHED, tr!("collada-limit-reached"));
         }
         false
     }
@@ -112,7 +112,7 @@ impl<'a> Context<'a> {
     /// Says once that instances are left out because drawing them would take too much.
     pub(super) fn say_once_drawn(&mut self, element: El<'_>) {
         if !std::mem::replace(&mut self.said_drawn, true) {
-            self.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-drawn", limit = limits::INSTANCES_BYTES >> 20));
+            self.report.warn(element, diagnostic_codes::LIMIT_REACHED, tr!("collada-limit-drawn", limit = limits::INSTANCES_BYTES >> 20));
         }
     }
 
@@ -132,12 +132,12 @@ impl<'a> Context<'a> {
                         Some(other) => tr!("collada-wrong-reference", target = shortened(url), tag = other.tag_name().name()),
                         None => tr!("collada-broken-reference", target = shortened(url)),
                     };
-                    self.report.warn(from, codes::BROKEN_REFERENCE, message);
+                    self.report.warn(from, diagnostic_codes::BROKEN_REFERENCE, message);
                 }
                 found
             }
             Url::External(file) => {
-                self.report.warn(from, codes::EXTERNAL_REFERENCE, tr!("collada-external-reference", file = shortened(&file)));
+                self.report.warn(from, diagnostic_codes::EXTERNAL_REFERENCE, tr!("collada-external-reference", file = shortened(&file)));
                 None
             }
         }
@@ -199,7 +199,7 @@ impl<'a> Context<'a> {
                     self.decimal_comma(element, &entry);
                 }
                 if let Some(first) = parsed.first_bad {
-                    self.report.warn(element, codes::BAD_NUMBER, tr!("collada-bad-number", count = parsed.bad, first = first));
+                    self.report.warn(element, diagnostic_codes::BAD_NUMBER, tr!("collada-bad-number", count = parsed.bad, first = first));
                 }
                 Ok(parsed.values)
             }
@@ -214,7 +214,7 @@ impl<'a> Context<'a> {
     /// Tells that numbers have decimal commas, once a file.
     pub(super) fn decimal_comma(&mut self, element: El<'_>, entry: &str) {
         if !std::mem::replace(&mut self.said_comma, true) {
-            self.report.note(element, codes::DECIMAL_COMMA, tr!("collada-decimal-comma", entry = shortened(entry)));
+            self.report.note(element, diagnostic_codes::DECIMAL_COMMA, tr!("collada-decimal-comma", entry = shortened(entry)));
         }
     }
 
@@ -236,11 +236,11 @@ impl<'a> Context<'a> {
         let values: Vec<f64> = self.reals(element, N)?;
         let Ok(values) = <[f64; N]>::try_from(values.as_slice()) else {
             let message = tr!("collada-bad-transform", wanted = N, found = values.len());
-            self.report.warn(element, codes::BAD_TRANSFORM, message);
+            self.report.warn(element, diagnostic_codes::BAD_TRANSFORM, message);
             return Ok(None);
         };
         if !values.iter().all(|value| value.is_finite()) {
-            self.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite"));
+            self.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite"));
             return Ok(None);
         }
         Ok(Some(values))
@@ -253,7 +253,7 @@ impl<'a> Context<'a> {
     pub(super) fn matrix(&mut self, element: El<'a>) -> Step<Option<DMat4>> {
         let Some(rows) = self.exactly::<16>(element)? else { return Ok(None) };
         if !ends_upright(&rows) {
-            self.report.warn(element, codes::BAD_TRANSFORM, tr!("collada-bottom-row"));
+            self.report.warn(element, diagnostic_codes::BAD_TRANSFORM, tr!("collada-bottom-row"));
         }
         Ok(Some(from_rows(&rows)))
     }
@@ -261,7 +261,7 @@ impl<'a> Context<'a> {
     /// Whether a value is `finite`; tells where it is not.
     pub(super) fn finite(&mut self, element: El<'a>, finite: bool) -> bool {
         if !finite {
-            self.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite"));
+            self.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite"));
         }
         finite
     }

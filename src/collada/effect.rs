@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3, Vec4};
 
 use super::context::{Context, Step, child, children, text_of};
 use super::image::Images;
-use super::{El, codes};
+use super::{El, diagnostic_codes};
 use crate::scene::{Paint, Placing, Scene, ShadingModel, TextureRef, Wrap};
 use crate::tr;
 
@@ -41,7 +41,7 @@ impl<'a> Effect<'a> {
             })
         });
         let Some((shader, model)) = shader else {
-            context.report.warn(effect, codes::NO_COMMON_PROFILE, tr!("collada-no-common-profile"));
+            context.report.warn(effect, diagnostic_codes::NO_COMMON_PROFILE, tr!("collada-no-common-profile"));
             return None;
         };
         let mut params = Params::new();
@@ -116,7 +116,7 @@ impl<'a> Effect<'a> {
         let Some(image) = image else {
             context.report.warn(
                 texture,
-                codes::TEXTURE_NOT_FOUND,
+                diagnostic_codes::TEXTURE_NOT_FOUND,
                 tr!("collada-texture-not-found", name = super::context::shortened(name)),
             );
             return Ok(None);

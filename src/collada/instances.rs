@@ -13,7 +13,7 @@ use super::light_camera::LightsAndCameras;
 use super::material::Materials;
 use super::nodes::{Instance, Tree};
 use super::skin::JointFinder;
-use super::{Asset, El, codes};
+use super::{Asset, El, diagnostic_codes};
 use crate::scene::{Content, Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, NodeId, NodeKind, Part, Scene, SkinId, SkinnedTarget};
 use crate::{limits, tr};
 
@@ -232,11 +232,11 @@ impl<'a> Libraries<'_, 'a> {
             skin.joints.iter().zip(&joints).filter(|(_, node)| node.is_none()).map(|(joint, _)| joint.name.as_str()).collect();
         if let Some(first) = lost.first() {
             let message = tr!("collada-joint-not-found", count = lost.len(), first = super::context::shortened(first));
-            context.report.warn(instance.element, codes::JOINT_NOT_FOUND, message);
+            context.report.warn(instance.element, diagnostic_codes::JOINT_NOT_FOUND, message);
         }
         let bound = Bound { skin, used: &names.used, joints: &joints, node: instance.node };
         if let Some(message) = bound.mismatch(&scene.graph, &self.rest) {
-            context.report.warn(instance.element, codes::BIND_POSE_MISMATCH, message);
+            context.report.warn(instance.element, diagnostic_codes::BIND_POSE_MISMATCH, message);
         }
         // Exporters that know no joints write plain nodes; what moves a skin is a bone.
         for joint in joints.iter().flatten() {
@@ -267,7 +267,7 @@ impl<'a> Libraries<'_, 'a> {
         };
         if let Some(first) = dressed.unbound {
             let message = tr!("collada-unbound-material", symbol = super::context::shortened(&first));
-            context.report.note(element, codes::UNBOUND_MATERIAL, message);
+            context.report.note(element, diagnostic_codes::UNBOUND_MATERIAL, message);
         }
         MeshInstance { mesh: placed.mesh, deformers, materials: dressed.materials, skinned_targets: Vec::new() }
     }

@@ -5,8 +5,8 @@ use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child, id_of, name_of};
-use super::{El, codes};
-use crate::scene::{CameraId, Light, LightId, LightKind, Projection, Scene, StoredCamera};
+use super::{El, diagnostic_codes};
+use crate::scene::{CameraId, FileCamera, Light, LightId, LightKind, Projection, Scene};
 use crate::tr;
 
 /// The lights and cameras that were read.
@@ -59,7 +59,7 @@ fn read_light<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Lig
     let kinds = ["ambient", "directional", "point", "spot"];
     let technique = child(element, "technique_common");
     let Some(source) = technique.and_then(|technique| technique.children().find(|child| kinds.contains(&child.tag_name().name()))) else {
-        context.report.warn(element, codes::BAD_LIGHT_OR_CAMERA, tr!("collada-bad-light"));
+        context.report.warn(element, diagnostic_codes::BAD_LIGHT_OR_CAMERA, tr!("collada-bad-light"));
         return Ok(None);
     };
     let mut color = Vec3::ONE;
@@ -82,12 +82,12 @@ fn read_light<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Lig
     Ok(Some(Light { name, id: id_of(element), kind, color, attenuation }))
 }
 
-fn read_camera<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<StoredCamera>> {
+fn read_camera<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<FileCamera>> {
     let technique = child(element, "optics").and_then(|optics| child(optics, "technique_common"));
     let source = technique
         .and_then(|technique| technique.children().find(|child| matches!(child.tag_name().name(), "perspective" | "orthographic")));
     let Some(source) = source else {
-        context.report.warn(element, codes::BAD_LIGHT_OR_CAMERA, tr!("collada-bad-camera"));
+        context.report.warn(element, diagnostic_codes::BAD_LIGHT_OR_CAMERA, tr!("collada-bad-camera"));
         return Ok(None);
     };
     let positive = |value: Option<f64>| value.filter(|value| *value > 0.0);
@@ -110,7 +110,7 @@ fn read_camera<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<St
         let height = (2.0 * y.or(from_x).unwrap_or(1.0)) as f32;
         (Projection::Orthographic { height }, aspect)
     };
-    Ok(Some(StoredCamera {
+    Ok(Some(FileCamera {
         name,
         id: id_of(element),
         projection,

@@ -16,15 +16,14 @@
 //!
 //! A part that is broken is left out with a [`Finding`]; reading ends early only for what makes the whole file useless.
 
-mod ahead;
 mod animation;
 mod archive;
 mod asset;
 mod bind_pose;
 mod bundle;
-pub mod codes;
 mod context;
 mod controller;
+pub mod diagnostic_codes;
 mod effect;
 mod geometry;
 mod image;
@@ -37,6 +36,7 @@ mod morph;
 mod morph_shape;
 mod nodes;
 mod numbers;
+mod parallel_lists;
 mod prefixes;
 mod primitive;
 mod report;
@@ -57,7 +57,6 @@ use crate::health::Finding;
 use crate::scene::Scene;
 use crate::{limits, tr};
 
-use ahead::Ahead;
 use bundle::Bundle;
 use context::Context;
 use controller::Controllers;
@@ -67,6 +66,7 @@ use instances::{Libraries, Sharing};
 use light_camera::LightsAndCameras;
 use material::Materials;
 use nodes::Tree;
+use parallel_lists::Ahead;
 use report::Report;
 use target::Aims;
 
@@ -174,11 +174,11 @@ fn read_document(bytes: &[u8], name: &str, mut bundle: Bundle, progress: &Progre
         return Err(ReadError { line: Some(report.line(root)), message });
     }
     if let Some(named) = &decoded.misfit {
-        report.warn_file(codes::ENCODING, tr!("collada-encoding", named = named.as_str()));
+        report.warn_file(diagnostic_codes::ENCODING, tr!("collada-encoding", named = named.as_str()));
     }
     for undeclared in &surveyed.undeclared {
         let message = tr!("collada-undeclared-prefix", prefix = context::shortened(&undeclared.prefix));
-        report.note_at(parsed.lists.place(undeclared.at), codes::UNDECLARED_PREFIX, message);
+        report.note_at(parsed.lists.place(undeclared.at), diagnostic_codes::UNDECLARED_PREFIX, message);
     }
     let ahead = Ahead::of(root, parsed.lists);
     let mut context = Context::new(&parsed, &ahead, report, paths, &bundle.files, progress);
@@ -214,7 +214,7 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
     let clips = animation::read(context, &Aims::new(&tree, &materials, &lights, &controllers))?;
     // Last, so that a flood of them keeps nothing else from being told.
     for repeated in context.lookup.repeated() {
-        context.report.note(repeated, codes::REPEATED_ID, tr!("collada-repeated-id"));
+        context.report.note(repeated, diagnostic_codes::REPEATED_ID, tr!("collada-repeated-id"));
     }
     context.advance(1.0)?;
     Ok(Loaded { asset, scene, clips, findings: context.report.finish(), archived: images.embedded })
@@ -230,7 +230,7 @@ fn skipped_libraries(context: &mut Context<'_>) {
         if has_content(&library) {
             context.report.warn(
                 library,
-                codes::UNSUPPORTED_ELEMENT,
+                diagnostic_codes::UNSUPPORTED_ELEMENT,
                 tr!("collada-unsupported-element", element = library.tag_name().name()),
             );
         }

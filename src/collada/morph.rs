@@ -9,7 +9,7 @@ use super::controller::Sources;
 use super::geometry::Geometry;
 use super::morph_shape::Shape;
 use super::source::{Accessor, Arrays, NameList, inputs, name_list};
-use super::{El, codes};
+use super::{El, diagnostic_codes};
 use crate::scene::{Morph, MorphMethod, MorphTarget};
 use crate::tr;
 
@@ -90,7 +90,7 @@ pub(super) fn read<'a>(
     let count = morph.targets.len();
     let weights: Vec<Option<f64>> = (0..count).map(|place| lists.written(place)).collect();
     if weights.contains(&None) {
-        context.report.warn(element, codes::BAD_MORPH, tr!("collada-morph-weights"));
+        context.report.warn(element, diagnostic_codes::BAD_MORPH, tr!("collada-morph-weights"));
     }
     context.finite(element, weights.iter().flatten().all(|weight| weight.is_finite()));
     morph.weights = (0..count).map(|place| lists.weight(place)).collect();
@@ -126,7 +126,7 @@ impl<'a> Lists<'a> {
             }
         }
         let Some(names) = targets.and_then(|targets| name_list(context, targets)) else {
-            context.report.warn(element, codes::BAD_MORPH, tr!("collada-bad-morph"));
+            context.report.warn(element, diagnostic_codes::BAD_MORPH, tr!("collada-bad-morph"));
             return Ok(None);
         };
         let method = match element.attribute("method") {
@@ -189,7 +189,7 @@ fn deltas(context: &mut Context<'_>, element: El<'_>, base: &Geometry, shape: &S
             found = shape.points().len(),
             wanted = base.points.len()
         );
-        context.report.warn(element, codes::MORPH_TARGET_MISMATCH, message);
+        context.report.warn(element, diagnostic_codes::MORPH_TARGET_MISMATCH, message);
         return MorphTarget::default();
     }
     let relative = method == MorphMethod::Relative;

@@ -9,7 +9,7 @@ use super::controller::{Sources, layers};
 use super::geometry::Geometry;
 use super::morph::Lists;
 use super::source::Arrays;
-use super::{El, codes};
+use super::{El, diagnostic_codes};
 use crate::scene::MorphMethod;
 use crate::{limits, tr};
 
@@ -60,13 +60,13 @@ impl Shape {
         match sources.geometries.shapes.get(&target.id()) {
             Some(Known::Shape(known)) => return Ok(known.clone()),
             Some(Known::BeingRead) => {
-                context.report.warn(target, codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
+                context.report.warn(target, diagnostic_codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
                 return Ok(None);
             }
             None => {}
         }
         if depth >= limits::MORPH_DEPTH {
-            context.report.warn(target, codes::LIMIT_REACHED, tr!("collada-morph-depth", limit = limits::MORPH_DEPTH));
+            context.report.warn(target, diagnostic_codes::LIMIT_REACHED, tr!("collada-morph-depth", limit = limits::MORPH_DEPTH));
             return Ok(None);
         }
         sources.geometries.shapes.insert(target.id(), Known::BeingRead);
@@ -130,7 +130,7 @@ impl Shape {
                         found = shape.points().len(),
                         wanted = before.len()
                     );
-                    context.report.warn(layer, codes::MORPH_TARGET_MISMATCH, message);
+                    context.report.warn(layer, diagnostic_codes::MORPH_TARGET_MISMATCH, message);
                     continue;
                 }
                 let relative = lists.method == MorphMethod::Relative;

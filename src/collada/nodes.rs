@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child, children, id_of, name_of, text_of, vector};
 use super::lookup::Url;
-use super::{Asset, El, asset, codes};
+use super::{Asset, El, asset, diagnostic_codes};
 use crate::scene::{Graph, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::{limits, tr};
 
@@ -45,7 +45,7 @@ pub(super) struct Tree<'a> {
 /// A piece of work while the tree is built: an element, and with `siblings` all that follow it. One entry stands for all children of a node, so that
 /// the list grows with the depth of the tree alone.
 #[derive(Clone, Copy)]
-struct Todo<'a> {
+struct PendingNode<'a> {
     element: El<'a>,
     siblings: bool,
     parent: NodeId,
@@ -71,7 +71,7 @@ impl<'a> Tree<'a> {
         match scene_element(context) {
             Some(element) => {
                 let space = asset::space(context, asset, element);
-                todo.extend(Todo::children(element, root, 1, space));
+                todo.extend(PendingNode::children(element, root, 1, space));
             }
             None => {
                 let parts = loose_parts(context);
@@ -90,7 +90,7 @@ impl<'a> Tree<'a> {
         let mut todo = Vec::new();
         for element in elements {
             let before = scene.graph.len();
-            todo.push(Todo { element, siblings: false, parent: root, depth: 1, space: None });
+            todo.push(PendingNode { element, siblings: false, parent: root, depth: 1, space: None });
             self.work_off(context, scene, asset, &mut todo)?;
             if scene.graph.len() == before {
                 // A limit was reached.
@@ -100,25 +100,32 @@ impl<'a> Tree<'a> {
         Ok(())
     }
 
-    fn work_off(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, todo: &mut Vec<Todo<'a>>) -> Step<()> {
+    fn work_off(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, todo: &mut Vec<PendingNode<'a>>) -> Step<()> {
         while let Some(work) = todo.pop() {
             if work.siblings
                 && let Some(next) = work.element.next_siblings().skip(1).find(is_node)
             {
-                todo.push(Todo { element: next, ..work });
+                todo.push(PendingNode { element: next, ..work });
             }
             self.add(context, scene, asset, &work, todo)?;
         }
         Ok(())
     }
 
-    fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, work: &Todo<'a>, todo: &mut Vec<Todo<'a>>) -> Step<()> {
-        let Todo { element, parent, depth, space, .. } = *work;
+    fn add(
+        &mut self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        asset: &Asset,
+        work: &PendingNode<'a>,
+        todo: &mut Vec<PendingNode<'a>>,
+    ) -> Step<()> {
+        let PendingNode { element, parent, depth, space, .. } = *work;
         let (target, space) = match element.tag_name().name() {
             "instance_node" => {
                 let Some(target) = context.follow(element, "url", &["node"]) else { return Ok(()) };
                 if self.is_inside(&scene.graph, parent, target) {
-                    context.report.warn(element, codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
+                    context.report.warn(element, diagnostic_codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
                     return Ok(());
                 }
                 (target, target.parent().and_then(|around| asset::space(context, asset, around)))
@@ -127,7 +134,11 @@ impl<'a> Tree<'a> {
         };
         let in_bounds = depth <= limits::DEPTH && scene.graph.len() < limits::NODES;
         if !in_bounds {
-            context.report.warn(element, codes::LIMIT_REACHED, tr!("collada-limit-nodes", nodes = limits::NODES, depth = limits::DEPTH));
+            context.report.warn(
+                element,
+                diagnostic_codes::LIMIT_REACHED,
+                tr!("collada-limit-nodes", nodes = limits::NODES, depth = limits::DEPTH),
+            );
         }
         if !in_bounds || !context.spend(element, NODE_BYTES) {
             todo.clear();
@@ -164,7 +175,7 @@ impl<'a> Tree<'a> {
                     self.instances.push(Instance { node: id, element: child });
                 }
             }
-            todo.extend(Todo::children(target, id, depth + 1, space));
+            todo.extend(PendingNode::children(target, id, depth + 1, space));
         } else {
             self.instances.push(Instance { node: id, element: target });
         }
@@ -185,7 +196,7 @@ impl<'a> Tree<'a> {
                 let in_library = |element: &El<'a>| element.tag_name().name() == "node";
                 let top = node.ancestors().take_while(in_library).last().unwrap_or(node);
                 if !tops.contains(&top) && context.spend(skeleton, 8 * tops.len()) {
-                    context.report.warn(skeleton, codes::SKELETON_NOT_IN_SCENE, tr!("collada-skeleton-not-in-scene"));
+                    context.report.warn(skeleton, diagnostic_codes::SKELETON_NOT_IN_SCENE, tr!("collada-skeleton-not-in-scene"));
                     tops.push(top);
                 }
             }
@@ -344,7 +355,7 @@ fn is_node(element: &El<'_>) -> bool {
     matches!(element.tag_name().name(), "node" | "instance_node")
 }
 
-impl<'a> Todo<'a> {
+impl<'a> PendingNode<'a> {
     /// All nodes right below `element`.
     fn children(element: El<'a>, parent: NodeId, depth: usize, space: Option<DMat4>) -> Option<Self> {
         element.children().find(is_node).map(|element| Self { element, siblings: true, parent, depth, space })
@@ -361,7 +372,7 @@ fn scene_element<'a>(context: &mut Context<'a>) -> Option<El<'a>> {
         return Some(found);
     }
     let first = children(root, "library_visual_scenes").find_map(|library| child(library, "visual_scene"))?;
-    context.report.warn(first, codes::NO_SCENE_NAMED, tr!("collada-no-scene-named"));
+    context.report.warn(first, diagnostic_codes::NO_SCENE_NAMED, tr!("collada-no-scene-named"));
     Some(first)
 }
 
@@ -373,8 +384,8 @@ fn loose_parts<'a>(context: &mut Context<'a>) -> Vec<El<'a>> {
         parts = all("library_geometries", "geometry").collect();
     }
     match parts.first() {
-        Some(first) => context.report.warn(*first, codes::NO_SCENE, tr!("collada-no-scene")),
-        None => context.report.warn(context.root, codes::NO_SCENE, tr!("collada-nothing-to-show")),
+        Some(first) => context.report.warn(*first, diagnostic_codes::NO_SCENE, tr!("collada-no-scene")),
+        None => context.report.warn(context.root, diagnostic_codes::NO_SCENE, tr!("collada-nothing-to-show")),
     }
     parts
 }

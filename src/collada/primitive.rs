@@ -4,7 +4,7 @@ use super::context::{Context, Step, child, children};
 use super::source::number_attribute;
 use super::triangulate::Triangulator;
 use super::vertices::{Builder, Layout};
-use super::{El, codes};
+use super::{El, diagnostic_codes};
 use crate::tr;
 use glam::Vec3;
 
@@ -117,19 +117,27 @@ pub(super) fn read<'a>(
     let lacks = builder.lacks;
     let said = number_attribute(element, "count").filter(|said| *said != faces && trouble.incomplete == 0);
     if trouble.out_of_range > 0 {
-        context.report.warn(element, codes::INDEX_OUT_OF_RANGE, tr!("collada-index-out-of-range", count = trouble.out_of_range));
+        context.report.warn(element, diagnostic_codes::INDEX_OUT_OF_RANGE, tr!("collada-index-out-of-range", count = trouble.out_of_range));
     }
     if trouble.incomplete > 0 {
-        context.report.warn(element, codes::INCOMPLETE_PRIMITIVE, tr!("collada-incomplete-primitive", count = trouble.incomplete));
+        context.report.warn(
+            element,
+            diagnostic_codes::INCOMPLETE_PRIMITIVE,
+            tr!("collada-incomplete-primitive", count = trouble.incomplete),
+        );
     }
     if trouble.too_complex > 0 {
-        context.report.warn(element, codes::POLYGON_TOO_COMPLEX, tr!("collada-polygon-too-complex", count = trouble.too_complex));
+        context.report.warn(
+            element,
+            diagnostic_codes::POLYGON_TOO_COMPLEX,
+            tr!("collada-polygon-too-complex", count = trouble.too_complex),
+        );
     }
     if lacks.out_of_range > 0 {
-        context.report.warn(element, codes::INDEX_OUT_OF_RANGE, tr!("collada-values-out-of-range", count = lacks.out_of_range));
+        context.report.warn(element, diagnostic_codes::INDEX_OUT_OF_RANGE, tr!("collada-values-out-of-range", count = lacks.out_of_range));
     }
     if lacks.not_finite > 0 {
-        context.report.warn(element, codes::NOT_FINITE, tr!("collada-not-finite-values", count = lacks.not_finite));
+        context.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite-values", count = lacks.not_finite));
     }
     context.check_cancelled()?;
     let told = trouble.out_of_range + trouble.incomplete + trouble.too_complex > 0;

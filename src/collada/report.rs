@@ -8,25 +8,25 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::bundle::Stretch;
 use super::lists::Shortened;
-use super::{El, codes};
+use super::{El, diagnostic_codes};
 use crate::health::{Finding, Severity};
 use crate::{limits, tr};
 
 /// Findings that have one cause however many elements they are met at, as long as they say the same: they are told once, with how often.
 const ONCE: [&str; 13] = [
-    codes::REPEATED_ID,
-    codes::BROKEN_REFERENCE,
-    codes::EXTERNAL_REFERENCE,
-    codes::UNSUPPORTED_GEOMETRY,
-    codes::JOINT_NOT_FOUND,
-    codes::BIND_POSE_MISMATCH,
-    codes::UNBOUND_MATERIAL,
-    codes::TEXTURE_NOT_FOUND,
-    codes::NO_COMMON_PROFILE,
-    codes::TRANSPARENCY_INVERTED,
-    codes::UNSUPPORTED_INTERPOLATION,
-    codes::MISSING_TANGENTS,
-    codes::SHEARED_KEYS,
+    diagnostic_codes::REPEATED_ID,
+    diagnostic_codes::BROKEN_REFERENCE,
+    diagnostic_codes::EXTERNAL_REFERENCE,
+    diagnostic_codes::UNSUPPORTED_GEOMETRY,
+    diagnostic_codes::JOINT_NOT_FOUND,
+    diagnostic_codes::BIND_POSE_MISMATCH,
+    diagnostic_codes::UNBOUND_MATERIAL,
+    diagnostic_codes::TEXTURE_NOT_FOUND,
+    diagnostic_codes::NO_COMMON_PROFILE,
+    diagnostic_codes::TRANSPARENCY_INVERTED,
+    diagnostic_codes::UNSUPPORTED_INTERPOLATION,
+    diagnostic_codes::MISSING_TANGENTS,
+    diagnostic_codes::SHEARED_KEYS,
 ];
 
 /// Findings about one document, with their lines.
@@ -113,7 +113,7 @@ impl<'a> Report<'a> {
         let in_library = |above: &El<'_>| above.parent().is_some_and(|parent| parent.tag_name().name().starts_with("library_"));
         let entry = element.ancestors().find(in_library).unwrap_or(element);
         if self.counts.insert(entry.id()) {
-            self.warn(element, codes::COUNT_MISMATCH, tr!("collada-count-mismatch", said = said, found = found));
+            self.warn(element, diagnostic_codes::COUNT_MISMATCH, tr!("collada-count-mismatch", said = said, found = found));
         }
     }
 
@@ -158,7 +158,7 @@ impl<'a> Report<'a> {
         if self.dropped > 0 {
             let message = tr!("collada-more-findings", count = self.dropped, limit = limits::FINDINGS);
             self.dropped = 0;
-            self.findings.push(Finding::note(codes::MORE_FINDINGS, None, "", message));
+            self.findings.push(Finding::note(diagnostic_codes::MORE_FINDINGS, None, "", message));
         }
         self.findings.sort_by(|a, b| (&a.file, a.line.unwrap_or(u32::MAX)).cmp(&(&b.file, b.line.unwrap_or(u32::MAX))));
         std::mem::take(&mut self.findings)

@@ -8,7 +8,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::context::{Context, Step, child, children};
 use super::numbers::{Real, names};
-use super::{El, codes};
+use super::{El, diagnostic_codes};
 use crate::tr;
 
 /// The tags of arrays that hold numbers, and of those that hold names.
@@ -124,7 +124,11 @@ impl<T: Real> Arrays<T> {
         if let (Some(small), Some(accessor)) = (layout.small, accessor)
             && self.said_stride.insert(accessor.id())
         {
-            context.report.warn(accessor, codes::COUNT_MISMATCH, tr!("collada-stride-mismatch", said = small, found = layout.stride));
+            context.report.warn(
+                accessor,
+                diagnostic_codes::COUNT_MISMATCH,
+                tr!("collada-stride-mismatch", said = small, found = layout.stride),
+            );
         }
         Ok(Some(Accessor {
             data,

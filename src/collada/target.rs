@@ -11,7 +11,7 @@ use super::light_camera::LightsAndCameras;
 use super::material::Materials;
 use super::nodes::{Tree, is_transform};
 use super::{El, asset};
-use crate::animation::{Lane, MaterialSlot, Target};
+use crate::animation::{Components, MaterialSlot, Target};
 use crate::scene::MorphId;
 
 /// Most slashes that an id in an address may have.
@@ -31,7 +31,7 @@ pub(super) struct Aim {
     /// Whether the values are scene-linear colours and are to be encoded as sRGB.
     pub encode: bool,
     /// What keys of one number mean where more are asked for: the angle of a rotation.
-    pub lone: Option<Lane>,
+    pub lone: Option<Components>,
     /// Where one number is moved: which of how many it is, for keys that hold the whole value all the same.
     pub among: Option<(usize, usize)>,
 }
@@ -214,10 +214,10 @@ impl<'s, 'a> Aims<'s, 'a> {
         };
         let (lane, wanted) = match (tag, member) {
             // Column, then row: `matrix(3)(0)` is x translation.
-            ("matrix", Member::Cell(column, row)) if *column < 4 && *row < 4 => (Lane::Component((column * 4 + row) as u8), 1),
+            ("matrix", Member::Cell(column, row)) if *column < 4 && *row < 4 => (Components::Component((column * 4 + row) as u8), 1),
             // One index counts along the text, which goes row by row.
-            ("matrix", Member::Index(index)) if *index < 16 => (Lane::Component((index % 4 * 4 + index / 4) as u8), 1),
-            ("matrix", Member::All) => (Lane::Whole, 16),
+            ("matrix", Member::Index(index)) if *index < 16 => (Components::Component((index % 4 * 4 + index / 4) as u8), 1),
+            ("matrix", Member::All) => (Components::Whole, 16),
             ("matrix", _) => return Err(Miss::Unknown),
             _ => lane(member, size).ok_or(Miss::Unknown)?,
         };
@@ -225,11 +225,11 @@ impl<'s, 'a> Aims<'s, 'a> {
         if nodes.is_empty() {
             return Err(Miss::Unknown);
         }
-        let lone = (tag == "rotate" && wanted == 4).then_some(Lane::Component(3));
+        let lone = (tag == "rotate" && wanted == 4).then_some(Components::Component(3));
         let target = |node: &crate::scene::NodeId| Target::Transform { node: *node, op: place + self.tree.lead(*node), lane };
         let among = match lane {
             // Keys that hold whole matrices go row by row, as the text does.
-            Lane::Component(cell) if tag == "matrix" => Some((usize::from(cell % 4 * 4 + cell / 4), 16)),
+            Components::Component(cell) if tag == "matrix" => Some((usize::from(cell % 4 * 4 + cell / 4), 16)),
             lane => among(lane, wanted, size),
         };
         Ok(Aim { matrix: wanted == 16, lone, among, ..Aim::new(nodes.iter().map(target).collect(), wanted) })
@@ -273,17 +273,17 @@ fn slot_of(tag: &str) -> Option<MaterialSlot> {
 }
 
 /// [`Aim::among`] for one number of a value of `size`.
-fn among(lane: Lane, wanted: usize, size: usize) -> Option<(usize, usize)> {
+fn among(lane: Components, wanted: usize, size: usize) -> Option<(usize, usize)> {
     match lane {
-        Lane::Component(index) if wanted == 1 && size > 1 => Some((usize::from(index), size)),
+        Components::Component(index) if wanted == 1 && size > 1 => Some((usize::from(index), size)),
         _ => None,
     }
 }
 
 /// The lane of a member in a value of `size` numbers, and how many numbers its keys have.
-fn lane(member: &Member, size: usize) -> Option<(Lane, usize)> {
+fn lane(member: &Member, size: usize) -> Option<(Components, usize)> {
     let index = match member {
-        Member::All => return Some((Lane::Whole, size)),
+        Member::All => return Some((Components::Whole, size)),
         Member::Index(index) => *index,
         Member::Cell(..) => return None,
         Member::Name(name) => match name.to_ascii_uppercase().as_str() {
@@ -294,7 +294,7 @@ fn lane(member: &Member, size: usize) -> Option<(Lane, usize)> {
             _ => return None,
         },
     };
-    (index < size).then_some((Lane::Component(index as u8), 1))
+    (index < size).then_some((Components::Component(index as u8), 1))
 }
 
 /// Cuts `.X`, `(i)` or `(i)(j)` from the end of a step.
@@ -331,10 +331,10 @@ mod tests {
     #[test]
     fn lanes_follow_the_names_of_the_format() {
         for (name, size, index) in [("X", 3, 0), ("Z", 3, 2), ("ANGLE", 4, 3), ("A", 4, 3), ("V", 3, 1), ("g", 3, 1)] {
-            assert_eq!(lane(&Member::Name(name.into()), size), Some((Lane::Component(index), 1)), "{name}");
+            assert_eq!(lane(&Member::Name(name.into()), size), Some((Components::Component(index), 1)), "{name}");
         }
         assert_eq!(lane(&Member::Name("ANGLE".into()), 3), None);
         assert_eq!(lane(&Member::Index(9), 9), None);
-        assert_eq!(lane(&Member::All, 9), Some((Lane::Whole, 9)));
+        assert_eq!(lane(&Member::All, 9), Some((Components::Whole, 9)));
     }
 }

@@ -9,7 +9,7 @@ use crate::scene::{Bounds, Deformer, Mesh, MeshInstance, Morph, NodeId, Scene, S
 
 /// What bending one instance needs, laid out once.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Bender {
+pub(super) struct MeshDeformer {
     palette: Palette,
     mixer: Mixer,
     /// The shape after the morphs, where a skin follows; empty where there are none.
@@ -37,7 +37,7 @@ pub(super) fn morphs_of<'a>(scene: &'a Scene, instance: &'a MeshInstance, below:
     })
 }
 
-impl Bender {
+impl MeshDeformer {
     /// Lays out the buffers for `instance` of `mesh`.
     pub(super) fn new(scene: &Scene, instance: &MeshInstance, mesh: &Mesh) -> Self {
         let mut morphs = morphs_of(scene, instance, true).chain(morphs_of(scene, instance, false));

@@ -12,7 +12,7 @@ use super::picture::{self, Head, Refusal};
 use super::places::{Place, Places, Sharing};
 use super::shares::{self, Wish};
 use super::{Document, Images};
-use crate::collada::{Progress, codes};
+use crate::collada::{Progress, diagnostic_codes};
 use crate::health::Finding;
 use crate::scene::{Image, Pixels, Scene, TextureRef};
 use crate::{limits, tr};
@@ -80,7 +80,7 @@ impl Pending {
                 continue;
             };
             if picture.head.decoding > limits::IMAGE_DECODING_BYTES {
-                told.about(scene, picture, codes::LIMIT_REACHED, |uri, [width, height]| {
+                told.about(scene, picture, diagnostic_codes::LIMIT_REACHED, |uri, [width, height]| {
                     tr!("document-image-decoding", uri = uri, width = width, height = height, limit = limits::IMAGE_DECODING_BYTES >> 20)
                 });
                 continue;
@@ -320,7 +320,7 @@ impl Told<'_> {
             && let Some(image) = scene.images.get(index)
         {
             let message = message(&image.uri, image.size.unwrap_or_default(), given, tally.count);
-            self.of(file, image, codes::LIMIT_REACHED, message);
+            self.of(file, image, diagnostic_codes::LIMIT_REACHED, message);
         }
     }
 
@@ -344,7 +344,7 @@ impl Told<'_> {
             findings.truncate(limits::FINDINGS);
             if let Some(last) = findings.last().filter(|_| more > 0) {
                 let message = tr!("collada-more-findings", count = more, limit = limits::FINDINGS);
-                let note = Finding { file: last.file.clone(), ..Finding::note(codes::MORE_FINDINGS, last.line, "", message) };
+                let note = Finding { file: last.file.clone(), ..Finding::note(diagnostic_codes::MORE_FINDINGS, last.line, "", message) };
                 findings.push(note);
             }
             document.health.extend(findings);
@@ -521,7 +521,7 @@ mod tests {
         }
         // One limit is told once.
         let [told] = &document.health[..] else { panic!("{:?}", document.health) };
-        assert_eq!((told.code, told.file.as_str()), (codes::LIMIT_REACHED, "a.dae"));
+        assert_eq!((told.code, told.file.as_str()), (diagnostic_codes::LIMIT_REACHED, "a.dae"));
         assert!(["4 images", "k0.png", "4096 × 4096", "2048 × 2048"].iter().all(|part| told.message.contains(part)), "{}", told.message);
         // Looking at the heads alone tells the same.
         let told = std::mem::take(&mut document.health);

@@ -15,7 +15,7 @@ use crate::scene::{
 type Bound = Arc<[Option<MaterialBinding>]>;
 
 /// How far each kind of id moves.
-struct Shift {
+struct IdOffsets {
     node: u32,
     mesh: u32,
     skin: u32,
@@ -26,7 +26,7 @@ struct Shift {
     camera: u32,
 }
 
-impl Shift {
+impl IdOffsets {
     fn past(scene: &Scene) -> Self {
         Self {
             node: scene.graph.len() as u32,
@@ -116,7 +116,7 @@ pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Opt
         (document.scene, document.clips) = (scene, clips);
         return root;
     }
-    let shift = Shift::past(&document.scene);
+    let shift = IdOffsets::past(&document.scene);
     let root = scene.graph.roots().first().map(|root| shift.node(*root));
     let into = &mut document.scene;
     let mut moved = FxHashMap::default();
@@ -140,7 +140,7 @@ fn is_empty(scene: &Scene) -> bool {
     scene.graph.is_empty() && scene.meshes.is_empty() && scene.materials.is_empty() && scene.images.is_empty()
 }
 
-fn later(clip: Clip, shift: &Shift) -> Clip {
+fn later(clip: Clip, shift: &IdOffsets) -> Clip {
     let channels = clip.channels.into_iter().map(|Channel { mut target, curve }| {
         shift.target(&mut target);
         Channel { target, curve }

@@ -3,44 +3,44 @@
 //! [`Document::open`] reads files and puts them side by side into one scene; [`Document::pose`] makes a [`crate::scene::Frame`] of any moment of it.
 
 mod angle;
-mod beside;
+mod arm_placement;
 mod built_in;
 mod canvas;
-mod companion;
-mod contraction;
-mod covering;
 mod deform;
 mod error;
-mod explain;
 mod file;
 mod foreign;
-mod hand;
 mod images;
 mod joint_angles;
+mod joint_ik;
+mod joint_override;
 mod merge;
 mod mix;
+mod motion_bounds;
+mod muscle_samples;
+mod muscle_sources;
+mod occlusion_test;
 mod open;
 mod outline;
-mod over_time;
 mod picture;
 mod places;
 mod pose;
-mod reach;
+mod posed_copy;
 mod shares;
 mod skin_kernel;
 mod skin_plan;
 mod skinning;
-mod workshop;
+mod vertex_influences;
 
 pub use angle::angle_at;
-pub use companion::Companion;
 pub use error::OpenError;
-pub use explain::{Explanation, Share};
-pub use hand::HandTurn;
 pub use joint_angles::{JointSample, JointTrack};
+pub use joint_override::JointOverride;
+pub use muscle_samples::TimeSample;
 pub use open::{Images, OpenOptions};
-pub use over_time::TimeSample;
 pub use pose::{PoseBuffers, PoseTimes};
+pub use posed_copy::Companion;
+pub use vertex_influences::{Influence, VertexInfluences};
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -51,7 +51,7 @@ use crate::animation::Clip;
 use crate::collada::Asset;
 use crate::health::Finding;
 use crate::i18n;
-use crate::muscle::{Drive, Joint, MuscleFile, Rig, Turn};
+use crate::muscle::{Joint, MuscleFile, MuscleRig, MuscleState, Turn};
 use crate::scene::{Content, MuscleId, NodeId, NodeKind, Scene};
 
 /// Where a document's parts came from.
@@ -73,7 +73,7 @@ pub enum SourceKind {
     /// COLLADA.
     Collada(Asset),
     /// Muscles: what the file said, and where it stands in the scene.
-    Muscles(Box<MuscleFile>, Box<Rig>),
+    Muscles(Box<MuscleFile>, Box<MuscleRig>),
 }
 
 /// What stands in the way of a moving picture, told plainly in the window.
@@ -99,9 +99,9 @@ pub struct Document {
     /// All findings, by file and line.
     pub health: Vec<Finding>,
     /// How much of the scene is not muscles'.
-    bare: workshop::Bare,
+    bare: muscle_sources::SceneBaseline,
     /// Joints turned by hand, ascending by node.
-    hand: Vec<HandTurn>,
+    hand: Vec<JointOverride>,
     /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
     revision: u64,
 }
@@ -124,7 +124,7 @@ pub struct PoseState {
     /// Seconds on the file's own time axis.
     pub time: f64,
     /// Elbow angle and contraction.
-    pub drive: Drive,
+    pub drive: MuscleState,
     /// A joint turned by hand, on top of the clip or instead of it: see [`Document::joint`].
     pub turn: Option<Turn>,
     /// Moves the whole model in the world, after everything else.
@@ -169,13 +169,13 @@ impl Document {
         PoseState {
             clip: (!self.clips.is_empty()).then_some(0),
             time: self.clips.first().map_or(0.0, |clip| clip.start),
-            drive: self.driven_rig().map_or_else(Drive::default, |rig| rig.at_flexion(0.0)),
+            drive: self.driven_rig().map_or_else(MuscleState::default, |rig| rig.at_flexion(0.0)),
             ..PoseState::default()
         }
     }
 
     /// The rigs with their first muscle's id.
-    pub fn rigs(&self) -> impl Iterator<Item = (&Rig, MuscleId)> {
+    pub fn rigs(&self) -> impl Iterator<Item = (&MuscleRig, MuscleId)> {
         let mut first = 0;
         self.sources.iter().filter_map(move |source| match &source.kind {
             SourceKind::Muscles(_, rig) => {
@@ -188,7 +188,7 @@ impl Document {
     }
 
     /// The rig that the sliders drive: the first one.
-    pub fn driven_rig(&self) -> Option<&Rig> {
+    pub fn driven_rig(&self) -> Option<&MuscleRig> {
         self.rigs().next().map(|(rig, _)| rig)
     }
 
@@ -212,7 +212,7 @@ impl Document {
     }
 
     /// The rig of muscle `id` and the muscle's index in it.
-    pub fn muscle(&self, id: MuscleId) -> Option<(&Rig, usize)> {
+    pub fn muscle(&self, id: MuscleId) -> Option<(&MuscleRig, usize)> {
         self.rigs().find_map(|(rig, first)| {
             let index = id.0.checked_sub(first.0)? as usize;
             (index < rig.len()).then_some((rig, index))

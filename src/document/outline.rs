@@ -2,7 +2,7 @@
 
 use glam::DMat4;
 
-use super::deform::Bender;
+use super::deform::MeshDeformer;
 use super::{Document, PoseBuffers, PoseState};
 use crate::scene::{Bounds, Content, Frame};
 
@@ -30,7 +30,7 @@ impl Document {
                             let matrix = frame.world.get(id.index()).copied().unwrap_or(DMat4::IDENTITY).as_mat4();
                             Bounds::of(mesh.positions.iter().map(|point| matrix.transform_point3(*point)))
                         } else {
-                            let mut bender = Bender::new(&self.scene, instance, mesh);
+                            let mut bender = MeshDeformer::new(&self.scene, instance, mesh);
                             let (weights, into) = (&buffers.pose().morph_weights, (&mut positions, &mut normals));
                             bender.bend(&self.scene, (id, instance), mesh, state, &frame.world, weights, into).0
                         }

@@ -5,12 +5,12 @@ use std::time::Instant;
 
 use glam::{DMat4, Mat4};
 
-use super::covering::mark_skins;
-use super::deform::Bender;
+use super::deform::MeshDeformer;
+use super::occlusion_test::mark_skins;
 use super::{Document, PoseState, SourceKind};
 use crate::animation::Pose;
 use crate::muscle::Solved;
-use crate::scene::{Bounds, Content, Frame, Joint, MeshInstance, MuscleId, NodeId, NodeKind, Placement, Surface};
+use crate::scene::{Bounds, Content, Frame, Joint, MeshInstance, MuscleId, NodeId, NodeKind, Surface, SurfaceGeometry};
 
 /// Buffers that posing uses again and again, and what it found out on the way.
 #[derive(Debug, Clone, Default)]
@@ -58,7 +58,7 @@ enum Plan {
     /// A mesh as it is; its box is kept until the matrix changes.
     Rigid { made_for: Option<(Mat4, Bounds)> },
     /// A morphed or skinned mesh.
-    Bent(Box<Bender>),
+    Bent(Box<MeshDeformer>),
     /// A muscle.
     Muscle(MuscleId),
 }
@@ -137,7 +137,7 @@ impl Document {
             let (bounds, solid) = match plan {
                 Plan::Rigid { made_for } => {
                     let matrix = world.as_mat4();
-                    surface.placement = Placement::Rigid(matrix);
+                    surface.placement = SurfaceGeometry::Rigid(matrix);
                     surface.mirrored = world.determinant() < 0.0;
                     let bounds = match made_for {
                         Some((for_matrix, bounds)) if *for_matrix == matrix => *bounds,
@@ -150,7 +150,7 @@ impl Document {
                     (bounds, surface.mesh.solid)
                 }
                 Plan::Bent(bender) => {
-                    let Placement::Deformed { positions, normals } = &mut surface.placement else { continue };
+                    let SurfaceGeometry::Deformed { positions, normals } = &mut surface.placement else { continue };
                     let Some(instance) = self.instance(surface.node, surface.content) else { continue };
                     let (weights, into) = (&buffers.pose.morph_weights, (positions, normals));
                     let (bounds, mirrored) =
@@ -159,7 +159,7 @@ impl Document {
                     (bounds, false)
                 }
                 Plan::Muscle(id) => {
-                    let Placement::Deformed { positions, normals } = &mut surface.placement else { continue };
+                    let SurfaceGeometry::Deformed { positions, normals } = &mut surface.placement else { continue };
                     let (Some((rig, index)), Some(solved)) = (self.muscle(*id), buffers.solved.get(id.index())) else { continue };
                     let Some(shape) = rig.deform(index, solved, &frame.world, positions, normals) else { continue };
                     surface.mirrored = shape.mirrored;
@@ -208,7 +208,7 @@ impl Document {
     fn lay_out(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
         self.lay_out_nodes(buffers, frame);
         frame.materials = self.scene.materials.clone();
-        let deformed = || Placement::Deformed { positions: Vec::new(), normals: Vec::new() };
+        let deformed = || SurfaceGeometry::Deformed { positions: Vec::new(), normals: Vec::new() };
         for (id, node) in self.scene.graph.iter() {
             for (content, thing) in node.contents.iter().enumerate() {
                 let content = content as u32;
@@ -229,9 +229,9 @@ impl Document {
                     Content::Mesh(instance) => {
                         let Some(mesh) = self.scene.meshes.get(instance.mesh.index()) else { continue };
                         let (plan, placement) = if instance.deformers.is_empty() {
-                            (Plan::Rigid { made_for: None }, Placement::Rigid(Mat4::IDENTITY))
+                            (Plan::Rigid { made_for: None }, SurfaceGeometry::Rigid(Mat4::IDENTITY))
                         } else {
-                            (Plan::Bent(Box::new(Bender::new(&self.scene, instance, mesh))), deformed())
+                            (Plan::Bent(Box::new(MeshDeformer::new(&self.scene, instance, mesh))), deformed())
                         };
                         buffers.plans.push(plan);
                         frame.surfaces.push(blank(Arc::clone(mesh), Arc::clone(&instance.materials), placement, None));

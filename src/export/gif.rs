@@ -6,10 +6,10 @@ use std::io::{self, BufWriter, Write};
 
 use ::gif::{DisposalMethod, Encoder, Frame, Repeat};
 
+use super::color_quantizer::{COLORS, Palette, is_solid};
 use super::guard::Output;
-use super::palette::{COLORS, Palette, is_solid};
 use super::png::straight;
-use super::{ExportError, atomic::write_whole};
+use super::{ExportError, atomic_file::write_whole};
 use crate::render::Framebuffer;
 
 /// The index that stands for nothing; palettes end before it.
@@ -166,7 +166,7 @@ fn to_io(error: ::gif::EncodingError) -> io::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::export::palette::Sampler;
+    use crate::export::color_quantizer::Sampler;
 
     const RED: u32 = 0xFFFF_0000;
     const BLUE: u32 = 0xFF00_00FF;

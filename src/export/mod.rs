@@ -5,14 +5,14 @@
 //! gives out.
 
 pub mod apng;
-pub mod atomic;
+pub mod atomic_file;
+pub mod color_quantizer;
 pub mod ending;
 pub mod gif;
 pub mod gltf;
 pub mod guard;
 pub mod mtl;
 pub mod obj;
-pub mod palette;
 pub mod pipeline;
 pub mod ply;
 pub mod png;

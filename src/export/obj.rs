@@ -5,9 +5,9 @@ use std::io::{self, Write};
 
 use glam::{Vec2, Vec3};
 
-use super::atomic::{prepare, write_whole};
+use super::atomic_file::{prepare, write_whole};
 use super::guard::Output;
-use super::surface::{Posed, visible};
+use super::surface::{WorldMesh, visible};
 use super::{ExportError, mtl};
 use crate::scene::{Frame, Scene, Surface};
 
@@ -66,7 +66,7 @@ fn write_surface(
     materials: &mtl::Materials,
     written: &mut Written,
 ) -> io::Result<()> {
-    let posed = Posed::of(surface);
+    let posed = WorldMesh::of(surface);
     for v in posed.used() {
         let Vec3 { x, y, z } = posed.position(*v);
         writeln!(out, "v {x} {y} {z}")?;
@@ -124,7 +124,7 @@ pub(super) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{Mesh, Node, Placement};
+    use crate::scene::{Mesh, Node, SurfaceGeometry};
     use glam::Mat4;
     use std::sync::Arc;
 
@@ -137,7 +137,7 @@ mod tests {
     }
 
     /// A triangle in the XY plane that faces +Z.
-    fn triangle(node: u32, placement: Placement, mirrored: bool) -> Surface {
+    fn triangle(node: u32, placement: SurfaceGeometry, mirrored: bool) -> Surface {
         let mesh = Mesh {
             positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
             normals: vec![Vec3::Z; 3],
@@ -169,8 +169,8 @@ mod tests {
     #[test]
     fn surfaces_follow_one_another_with_running_numbers() {
         let scene = scene_of(&["left arm", "left arm"]);
-        let moved = Placement::Rigid(Mat4::from_translation(Vec3::new(0.1, -0.0, 1e-7)));
-        let lines = written(&scene, vec![triangle(0, Placement::Rigid(Mat4::IDENTITY), false), triangle(1, moved, false)]);
+        let moved = SurfaceGeometry::Rigid(Mat4::from_translation(Vec3::new(0.1, -0.0, 1e-7)));
+        let lines = written(&scene, vec![triangle(0, SurfaceGeometry::Rigid(Mat4::IDENTITY), false), triangle(1, moved, false)]);
         assert_eq!(lines[0..2], ["g left_arm", "v 0 0 0"]);
         assert_eq!(lines[7], "f 1//1 2//2 3//3");
         assert_eq!(lines[8..10], ["g left_arm.2", "v 0.1 0 0.0000001"]);
@@ -181,14 +181,14 @@ mod tests {
     fn a_mirrored_surface_keeps_its_outside() {
         let scene = scene_of(&["a"]);
         let mirror = Mat4::from_scale(Vec3::new(-2.0, 1.0, 1.0));
-        let lines = written(&scene, vec![triangle(0, Placement::Rigid(mirror), true)]);
+        let lines = written(&scene, vec![triangle(0, SurfaceGeometry::Rigid(mirror), true)]);
         assert_eq!(lines[1..], ["v 0 0 0", "v -2 0 0", "v 0 1 0", "vn 0 0 1", "vn 0 0 1", "vn 0 0 1", "f 1//1 3//3 2//2"]);
     }
 
     #[test]
     fn normals_follow_the_inverse_transpose() {
         let scene = scene_of(&["a"]);
-        let mut surface = triangle(0, Placement::Rigid(Mat4::from_scale(Vec3::new(2.0, 1.0, 1.0))), false);
+        let mut surface = triangle(0, SurfaceGeometry::Rigid(Mat4::from_scale(Vec3::new(2.0, 1.0, 1.0))), false);
         Arc::get_mut(&mut surface.mesh).expect("the only owner").normals = vec![Vec3::new(1.0, 1.0, 0.0).normalize(); 3];
         let lines = written(&scene, vec![surface]);
         let normal: Vec<f32> = lines[4].split(' ').skip(1).map(|x| x.parse().expect("a number")).collect();
@@ -199,16 +199,16 @@ mod tests {
     #[test]
     fn what_is_not_finite_or_not_there_is_left_out() {
         let scene = scene_of(&["a"]);
-        let mut surface = triangle(0, Placement::Rigid(Mat4::IDENTITY), false);
+        let mut surface = triangle(0, SurfaceGeometry::Rigid(Mat4::IDENTITY), false);
         let mesh = Arc::get_mut(&mut surface.mesh).expect("the only owner");
         mesh.positions.push(Vec3::NAN);
         mesh.triangles.extend([[0, 1, 3], [0, 1, 99]]);
-        let mut hidden = triangle(0, Placement::Rigid(Mat4::IDENTITY), false);
+        let mut hidden = triangle(0, SurfaceGeometry::Rigid(Mat4::IDENTITY), false);
         hidden.visible = false;
         let lines = written(&scene, vec![surface, hidden]);
         assert_eq!(lines.iter().filter(|line| line.starts_with("f ")).count(), 1);
         assert_eq!(lines.iter().filter(|line| line.starts_with("v ")).count(), 3);
-        let flat = triangle(0, Placement::Rigid(Mat4::ZERO), false);
+        let flat = triangle(0, SurfaceGeometry::Rigid(Mat4::ZERO), false);
         assert!(written(&scene, vec![flat]).iter().all(|line| !line.contains("NaN")));
     }
 }

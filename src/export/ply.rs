@@ -5,8 +5,8 @@ use std::io::{self, Write};
 use glam::Vec3;
 
 use super::guard::Output;
-use super::surface::{Posed, visible};
-use super::{ExportError, atomic::write_whole};
+use super::surface::{WorldMesh, visible};
+use super::{ExportError, atomic_file::write_whole};
 use crate::scene::Frame;
 
 /// Writes the visible surfaces of `frame` to `file`.
@@ -23,7 +23,7 @@ pub fn save(file: &Output, frame: &Frame) -> Result<(), ExportError> {
 /// # Errors
 /// What `out` returns.
 pub fn write(out: &mut impl Write, frame: &Frame) -> io::Result<()> {
-    let surfaces: Vec<_> = visible(frame).map(|surface| (surface, Posed::of(surface))).collect();
+    let surfaces: Vec<_> = visible(frame).map(|surface| (surface, WorldMesh::of(surface))).collect();
     let vertices: usize = surfaces.iter().map(|(_, posed)| posed.used().len()).sum();
     let triangles: usize = surfaces.iter().map(|(_, posed)| posed.triangles().count()).sum();
     write!(out, "ply\nformat binary_little_endian 1.0\ncomment Sinew {}: world space, metres, Y up\n", env!("CARGO_PKG_VERSION"))?;

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::guard::Output;
-use super::{ExportError, atomic::write_whole};
+use super::{ExportError, atomic_file::write_whole};
 use crate::render::Framebuffer;
 
 /// What names the program in a picture, under the keyword `Software`.
@@ -11,7 +11,7 @@ pub const SOFTWARE: &str = concat!("Sinew ", env!("CARGO_PKG_VERSION"));
 
 /// How much time goes into a small file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Effort {
+pub enum Compression {
     /// As small as is sensible, for one picture.
     #[default]
     Small,
@@ -25,14 +25,14 @@ pub enum Effort {
 /// # Errors
 /// [`ExportError`] where the file cannot be written.
 pub fn save(file: &Output, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> Result<(), ExportError> {
-    write_whole(file, |out| encode(out, picture, alpha, notes, Effort::Small))
+    write_whole(file, |out| encode(out, picture, alpha, notes, Compression::Small))
 }
 
 /// Writes `picture` as PNG to `out`; see [`save`].
 ///
 /// # Errors
 /// What `out` returns; [`io::ErrorKind::InvalidInput`] for a picture without pixels or a keyword that PNG does not allow.
-pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Effort) -> io::Result<()> {
+pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Compression) -> io::Result<()> {
     let mut refused = None;
     let result = encode_into(Remembering { out, refused: &mut refused }, picture, alpha, notes, effort);
     // The encoder hands on what the system said as words alone; a full disk is to be known as one.
@@ -66,11 +66,11 @@ impl<W: Write> Write for Remembering<'_, W> {
     }
 }
 
-fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Effort) -> io::Result<()> {
+fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Compression) -> io::Result<()> {
     let mut encoder = ::png::Encoder::new(out, picture.width, picture.height);
     encoder.set_color(if alpha { ::png::ColorType::Rgba } else { ::png::ColorType::Rgb });
     encoder.set_depth(::png::BitDepth::Eight);
-    if effort == Effort::Quick {
+    if effort == Compression::Quick {
         encoder.set_compression(::png::Compression::Fast);
     }
     encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
@@ -137,7 +137,7 @@ mod tests {
     fn pixels_come_back_in_reading_order() {
         let picture = Framebuffer { width: 2, height: 1, pixels: vec![0xFF010203, 0xFFFFFEFD] };
         let mut file = Vec::new();
-        encode(&mut file, &picture, false, &[("Clip", "Gehen, шаг")], Effort::Small).expect("memory is writable");
+        encode(&mut file, &picture, false, &[("Clip", "Gehen, шаг")], Compression::Small).expect("memory is writable");
         let (color, pixels, notes) = decode(&file);
         assert_eq!((color, pixels), (::png::ColorType::Rgb, vec![1, 2, 3, 255, 254, 253]));
         assert_eq!(notes, [("Clip".to_owned(), "Gehen, шаг".to_owned())]);
@@ -150,7 +150,7 @@ mod tests {
             height: 48,
             pixels: (0..64 * 48).map(|i: u32| 0xFF00_0000 | i.wrapping_mul(2_654_435_761) >> 8).collect(),
         };
-        let decoded = [Effort::Small, Effort::Quick].map(|effort| {
+        let decoded = [Compression::Small, Compression::Quick].map(|effort| {
             let mut file = Vec::new();
             encode(&mut file, &picture, false, &[], effort).expect("memory is writable");
             decode(&file).1
@@ -163,12 +163,12 @@ mod tests {
     fn alpha_is_no_longer_premultiplied() {
         let picture = Framebuffer { width: 3, height: 1, pixels: vec![0x80800000, 0, 0x40201000] };
         let mut file = Vec::new();
-        encode(&mut file, &picture, true, &[], Effort::Small).expect("memory is writable");
+        encode(&mut file, &picture, true, &[], Compression::Small).expect("memory is writable");
         assert_eq!(decode(&file).1, [255, 0, 0, 128, 0, 0, 0, 0, 128, 64, 0, 64]);
     }
 
     #[test]
     fn a_picture_without_pixels_is_refused() {
-        assert!(encode(Vec::new(), &Framebuffer::default(), false, &[], Effort::Quick).is_err());
+        assert!(encode(Vec::new(), &Framebuffer::default(), false, &[], Compression::Quick).is_err());
     }
 }

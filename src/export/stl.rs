@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 
 use super::guard::Output;
-use super::surface::{Posed, visible};
-use super::{ExportError, atomic::write_whole};
+use super::surface::{WorldMesh, visible};
+use super::{ExportError, atomic_file::write_whole};
 use crate::scene::Frame;
 
 /// Writes the visible surfaces of `frame` to `file`.
@@ -21,7 +21,7 @@ pub fn save(file: &Output, frame: &Frame) -> Result<(), ExportError> {
 /// # Errors
 /// What `out` returns; [`io::ErrorKind::InvalidInput`] for more triangles than the format counts.
 pub fn write(out: &mut impl Write, frame: &Frame) -> io::Result<()> {
-    let surfaces: Vec<_> = visible(frame).map(Posed::of).collect();
+    let surfaces: Vec<_> = visible(frame).map(WorldMesh::of).collect();
     let count: usize = surfaces.iter().map(|posed| posed.triangles().count()).sum();
     let count = u32::try_from(count).map_err(|_| io::Error::from(io::ErrorKind::InvalidInput))?;
     let mut header = [b' '; 80];

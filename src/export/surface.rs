@@ -6,7 +6,7 @@ use glam::{Mat3, Vec3};
 
 use super::guard::Output;
 use super::{ExportError, obj, ply, stl};
-use crate::scene::{Frame, Placement, Scene, Surface};
+use crate::scene::{Frame, Scene, Surface, SurfaceGeometry};
 
 /// The file formats of a posed surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,7 +54,7 @@ pub fn is_any(frame: &Frame) -> bool {
 }
 
 /// One surface's vertices and triangles in the world.
-pub struct Posed<'a> {
+pub struct WorldMesh<'a> {
     surface: &'a Surface,
     /// Turns normals of a rigid surface into the world, up to their length.
     normal_matrix: Mat3,
@@ -64,17 +64,17 @@ pub struct Posed<'a> {
     places: Vec<u32>,
 }
 
-impl<'a> Posed<'a> {
+impl<'a> WorldMesh<'a> {
     /// Finds out which vertices are used: those of triangles whose corners are all there and finite.
     pub fn of(surface: &'a Surface) -> Self {
         let normal_matrix = match &surface.placement {
-            Placement::Rigid(matrix) => {
+            SurfaceGeometry::Rigid(matrix) => {
                 // The cofactor matrix is the inverse transpose times the determinant: it is there even where the inverse is not.
                 let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.truncate());
                 let cofactor = Mat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
                 if x.dot(y.cross(z)) < 0.0 { -cofactor } else { cofactor }
             }
-            Placement::Deformed { .. } => Mat3::IDENTITY,
+            SurfaceGeometry::Deformed { .. } => Mat3::IDENTITY,
         };
         let mut places = vec![0; surface.mesh.positions.len()];
         for corner in surface.mesh.triangles.iter().filter(|corners| is_whole(surface, corners)).flatten() {
@@ -96,7 +96,7 @@ impl<'a> Posed<'a> {
         &self.used
     }
 
-    /// Each triangle's index in the mesh, and its corners as places in [`Posed::used`], counter-clockwise seen from outside.
+    /// Each triangle's index in the mesh, and its corners as places in [`WorldMesh::used`], counter-clockwise seen from outside.
     pub fn triangles(&self) -> impl Iterator<Item = (u32, [u32; 3])> {
         let place = |v: u32| self.places.get(v as usize).copied().unwrap_or_default();
         let whole = (0..).zip(&self.surface.mesh.triangles).filter(|(_, corners)| is_whole(self.surface, corners));
@@ -115,8 +115,8 @@ impl<'a> Posed<'a> {
     /// A unit vector; upwards where the surface has no normal.
     pub fn normal(&self, v: u32) -> Vec3 {
         let normals = match &self.surface.placement {
-            Placement::Rigid(_) => &self.surface.mesh.normals,
-            Placement::Deformed { normals, .. } => normals,
+            SurfaceGeometry::Rigid(_) => &self.surface.mesh.normals,
+            SurfaceGeometry::Deformed { normals, .. } => normals,
         };
         normals.get(v as usize).and_then(|normal| (self.normal_matrix * *normal).try_normalize()).unwrap_or(Vec3::Y) + 0.0
     }

@@ -6,7 +6,7 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::thread::JoinHandle;
 
 use super::ExportError;
-use super::atomic::Pending;
+use super::atomic_file::Pending;
 use super::guard::Output;
 use crate::system::{Doing, reason};
 

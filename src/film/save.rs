@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 use std::thread;
 
-use super::{Pattern, Sequence, Shot, Studio};
-use crate::export::atomic::{prepare, write_whole};
+use super::{FrameSpec, Pattern, Sequence, SequenceRenderer};
+use crate::export::atomic_file::{prepare, write_whole};
+use crate::export::color_quantizer::Sampler;
 use crate::export::guard::{Guard, Output};
-use crate::export::palette::Sampler;
 use crate::export::pipeline::{self, Work};
-use crate::export::png::{Effort, SOFTWARE};
+use crate::export::png::{Compression, SOFTWARE};
 use crate::export::video::{self, Kind};
 use crate::export::{ExportError, apng, gif, png};
 use crate::render::Framebuffer;
@@ -61,10 +61,10 @@ impl Target {
 /// [`ExportError`] where something cannot be written, [`ExportError::Cancelled`] where `work` said so; then nothing is left and what was
 /// there before still is.
 pub fn save(
-    studio: &mut Studio<'_>,
+    studio: &mut SequenceRenderer<'_>,
     size: (u32, u32),
     (target, guard): (&Target, &Guard),
-    note: &(dyn Fn(&Shot) -> String + Sync),
+    note: &(dyn Fn(&FrameSpec) -> String + Sync),
     work: &Work,
 ) -> Result<(), ExportError> {
     let result = write(studio, size, (target, guard), note, work);
@@ -73,10 +73,10 @@ pub fn save(
 }
 
 fn write(
-    studio: &mut Studio<'_>,
+    studio: &mut SequenceRenderer<'_>,
     size: (u32, u32),
     (target, guard): (&Target, &Guard),
-    note: &(dyn Fn(&Shot) -> String + Sync),
+    note: &(dyn Fn(&FrameSpec) -> String + Sync),
     work: &Work,
 ) -> Result<(), ExportError> {
     match target {
@@ -85,7 +85,7 @@ fn write(
             let shot = studio.draw(0, &mut picture);
             let (alpha, comment) = (studio.is_transparent(), note(&shot));
             let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
-            write_whole(&guard.output(file)?, |out| png::encode(work.guard(out), &picture, alpha, &notes, Effort::Small))?;
+            write_whole(&guard.output(file)?, |out| png::encode(work.guard(out), &picture, alpha, &notes, Compression::Small))?;
             work.done.store(1, std::sync::atomic::Ordering::Relaxed);
             Ok(())
         }
@@ -112,10 +112,10 @@ fn write(
 }
 
 fn save_pictures(
-    studio: &mut Studio<'_>,
+    studio: &mut SequenceRenderer<'_>,
     size: (u32, u32),
     (pattern, guard): (&Pattern, &Guard),
-    note: &(dyn Fn(&Shot) -> String + Sync),
+    note: &(dyn Fn(&FrameSpec) -> String + Sync),
     work: &Work,
 ) -> Result<(), ExportError> {
     let (alpha, sequence, document) = (studio.is_transparent(), studio.sequence, studio.document());
@@ -124,8 +124,9 @@ fn save_pictures(
         let comment = note(&sequence.shot(document, index));
         let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
         let file = pattern.file(index);
-        let prepared =
-            guard.output(&file).and_then(|file| prepare(&file, |out| png::encode(work.guard(out), picture, alpha, &notes, Effort::Quick)));
+        let prepared = guard
+            .output(&file)
+            .and_then(|file| prepare(&file, |out| png::encode(work.guard(out), picture, alpha, &notes, Compression::Quick)));
         prepared.map_err(std::io::Error::other)
     };
     roll(
@@ -143,7 +144,7 @@ fn save_pictures(
     pending.into_iter().try_for_each(|file| file.put_in_place())
 }
 
-fn save_gif(studio: &mut Studio<'_>, size: (u32, u32), file: &Output, work: &Work) -> Result<(), ExportError> {
+fn save_gif(studio: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output, work: &Work) -> Result<(), ExportError> {
     let count = studio.sequence.count;
     let tries = count.min(PALETTE_FRAMES);
     let mut sampler = Sampler::new(tries);
@@ -167,7 +168,7 @@ fn save_gif(studio: &mut Studio<'_>, size: (u32, u32), file: &Output, work: &Wor
 
 /// Sends every picture of the sequence through the pipeline.
 fn roll<C, T: Send>(
-    studio: &mut Studio<'_>,
+    studio: &mut SequenceRenderer<'_>,
     size: (u32, u32),
     work: &Work,
     converter: impl Fn() -> C + Sync,

@@ -1,7 +1,7 @@
 //! Which pictures a film is made of: one, or many in a row.
 
 use crate::document::{Document, PoseState};
-use crate::muscle::{Joint, Rig};
+use crate::muscle::{Joint, MuscleRig};
 
 /// Frames a second where nobody says.
 pub const FPS: f64 = 25.0;
@@ -14,7 +14,7 @@ pub const FRAMES: usize = 100_000;
 
 /// One picture: the pose, and how far the turntable has come.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shot {
+pub struct FrameSpec {
     /// The moment.
     pub state: PoseState,
     /// Degrees.
@@ -122,13 +122,13 @@ impl Sequence {
                 (Course::Angle(from, to), 0.0, TURN_SECONDS)
             }
             (Motion::Contraction(from, to), _) => {
-                if !rig.is_some_and(Rig::is_drivable) && document.contracted(&state, from).is_none() {
+                if !rig.is_some_and(MuscleRig::is_drivable) && document.contracted(&state, from).is_none() {
                     return Err(Refusal::NoMuscle);
                 }
                 (Course::Contraction(from, to), 0.0, TURN_SECONDS)
             }
             (Motion::Play, Some(clip)) => (Course::Clip, clip.start, clip.end),
-            (Motion::Play, None) if rig.is_some_and(Rig::is_drivable) && !wish.turning => (Course::Swing, 0.0, TURN_SECONDS),
+            (Motion::Play, None) if rig.is_some_and(MuscleRig::is_drivable) && !wish.turning => (Course::Swing, 0.0, TURN_SECONDS),
             (Motion::Still | Motion::Play, _) => (Course::Still, 0.0, turn),
         };
         let from = wish.from.unwrap_or(start);
@@ -161,7 +161,7 @@ impl Sequence {
     }
 
     /// Picture `index`, from 0.
-    pub fn shot(&self, document: &Document, index: usize) -> Shot {
+    pub fn shot(&self, document: &Document, index: usize) -> FrameSpec {
         let time = self.from + index as f64 / self.fps;
         // From one end of a sweep to the other, both shown.
         let part = index as f64 / (self.count.max(2) - 1) as f64;
@@ -196,6 +196,6 @@ impl Sequence {
             }
         }
         let turn = if self.turning { 360.0 * index as f32 / self.count as f32 } else { 0.0 };
-        Shot { state, turn }
+        FrameSpec { state, turn }
     }
 }

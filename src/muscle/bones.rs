@@ -4,13 +4,13 @@ use glam::{DMat4, DVec3};
 
 use super::build::find_bone;
 use super::config::Anchor;
-use super::line::{Frames, Point};
-use super::rig::Rig;
+use super::line_of_action::{Frames, Point};
+use super::muscle_rig::MuscleRig;
 use crate::scene::{Graph, NodeId};
 
 /// A point of a muscle that a hand can take hold of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Handhold {
+pub enum AttachmentPoint {
     /// The origin (0) or the insertion (1).
     End(usize),
     /// A point on the way, from 0.
@@ -28,7 +28,7 @@ pub fn bone_name(graph: &Graph, own: Option<NodeId>, node: NodeId) -> Option<Str
         .map(|name| (*name).clone())
 }
 
-impl Rig {
+impl MuscleRig {
     /// What this file calls `node`. On the arm only its two bones have names; the elbow and the parts of the forearm stand for the forearm.
     pub fn bone_name(&self, graph: &Graph, node: NodeId) -> Option<String> {
         let Some((_, nodes)) = &self.arm else { return bone_name(graph, self.root, node) };
@@ -56,7 +56,7 @@ impl Rig {
     /// The frame of a bone as offsets have it: from the file's root, in its unit, axes of length 1. `world` is one matrix a node.
     fn bone_frame(&self, node: NodeId, world: &[DMat4]) -> DMat4 {
         let frames = self.frames(world);
-        super::rig::WorldFrames { bones: &[node], ..frames }.frame(0)
+        super::muscle_rig::WorldFrames { bones: &[node], ..frames }.frame(0)
     }
 
     /// A point of the world (metres) as a place on the bone `node`, to the hundredth of a millimetre; `None` where the file has no name for that
@@ -90,31 +90,31 @@ impl Rig {
     }
 
     /// Where a point of muscle `index` is in the world, metres; `None` where it has no such point.
-    pub fn hold(&self, index: usize, hold: Handhold, world: &[DMat4]) -> Option<DVec3> {
+    pub fn hold(&self, index: usize, hold: AttachmentPoint, world: &[DMat4]) -> Option<DVec3> {
         self.hold_point(index, hold).map(|point| self.root_matrix(world).transform_point3(self.frames(world).place(point)))
     }
 
     /// The bone that a point of muscle `index` is on.
-    pub fn hold_bone(&self, index: usize, hold: Handhold) -> Option<NodeId> {
+    pub fn hold_bone(&self, index: usize, hold: AttachmentPoint) -> Option<NodeId> {
         self.bones.get(self.hold_point(index, hold)?.bone).copied()
     }
 
-    fn hold_point(&self, index: usize, hold: Handhold) -> Option<Point> {
+    fn hold_point(&self, index: usize, hold: AttachmentPoint) -> Option<Point> {
         let line = self.muscles.get(index)?.line.as_ref()?;
         match hold {
-            Handhold::End(0) => Some(line.origin),
-            Handhold::End(_) => Some(line.insertion),
-            Handhold::Via(number) => line.via.get(number).copied(),
-            Handhold::Wrap => line.pulley.map(|pulley| pulley.center),
+            AttachmentPoint::End(0) => Some(line.origin),
+            AttachmentPoint::End(_) => Some(line.insertion),
+            AttachmentPoint::Via(number) => line.via.get(number).copied(),
+            AttachmentPoint::Wrap => line.pulley.map(|pulley| pulley.center),
         }
     }
 
     /// The points of muscle `index` that a hand can take hold of.
-    pub fn holds(&self, index: usize) -> impl Iterator<Item = Handhold> + '_ {
+    pub fn holds(&self, index: usize) -> impl Iterator<Item = AttachmentPoint> + '_ {
         let line = self.muscles.get(index).and_then(|muscle| muscle.line.as_ref());
         let via = line.map_or(0, |line| line.via.len());
         let ends = if line.is_some() { 2 } else { 0 };
-        let wrap = line.and_then(|line| line.pulley).map(|_| Handhold::Wrap);
-        (0..ends).map(Handhold::End).chain((0..via).map(Handhold::Via)).chain(wrap)
+        let wrap = line.and_then(|line| line.pulley).map(|_| AttachmentPoint::Wrap);
+        (0..ends).map(AttachmentPoint::End).chain((0..via).map(AttachmentPoint::Via)).chain(wrap)
     }
 }

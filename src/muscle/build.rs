@@ -7,13 +7,13 @@ use glam::{DMat4, DVec3};
 use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
 use super::drive::Span;
-use super::hinge::Hinge;
 use super::joint::{FoundBy, Joint};
-use super::line::{Drawn, Line, Point};
-use super::rig::{Muscle, Rig};
-use super::surface::Layout;
-use super::wrap::Pulley;
-use super::{clearance, materials, rods, scaling};
+use super::line_of_action::{CenterlineOffset, Line, Point};
+use super::muscle_rig::{Muscle, MuscleRig};
+use super::revolute_joint::RevoluteJoint;
+use super::tessellation::Layout;
+use super::wrap::WrapObject;
+use super::{bone_clearance, materials, rods, scaling};
 use crate::animation::Clip;
 use crate::health::Finding;
 use crate::scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
@@ -22,9 +22,9 @@ use crate::{i18n, tr};
 /// Radius of the arcs at via points over the muscle's thickest radius.
 const ROUNDING: f64 = 1.25;
 
-impl Rig {
+impl MuscleRig {
     /// Adds the file's nodes, rods and muscles to `scene`; its muscles get the ids from `first` on. Muscles on bones of a clip lie on their own until
-    /// [`Rig::attach`] finds those bones.
+    /// [`MuscleRig::attach`] finds those bones.
     pub fn build(file: &MuscleFile, name: &str, scene: &mut Scene, first: MuscleId) -> Self {
         let unit = if file.unit_metres > 0.0 && file.unit_metres.is_finite() { file.unit_metres } else { 0.001 };
         let mut node = Node::new(name);
@@ -36,7 +36,7 @@ impl Rig {
             let nodes = arm.build(scene, root);
             rig.bones = vec![nodes.upper, nodes.elbow];
             let range = arm.flexion.unwrap_or([0.0, FULL_FLEXION]);
-            rig.hinge = Some(Hinge::elbow(&arm, range));
+            rig.hinge = Some(RevoluteJoint::elbow(&arm, range));
             rig.turning = Some(Joint { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File });
             rig.arm = Some((arm, nodes));
         }
@@ -82,7 +82,7 @@ impl Rig {
         self.attach_moving(scene, &[])
     }
 
-    /// [`Rig::attach`] to a scene that these clips move. Where the file names no joint, what they bend tells more about it than the rest pose does.
+    /// [`MuscleRig::attach`] to a scene that these clips move. Where the file names no joint, what they bend tells more about it than the rest pose does.
     pub fn attach_moving(&mut self, scene: &Scene, clips: &[Clip]) -> Vec<Finding> {
         if self.arm.is_some() {
             return Vec::new();
@@ -153,14 +153,14 @@ impl Rig {
     }
 
     /// That joint as measurements turn it: from the rest pose.
-    fn hinge_in(&self, scene: &Scene, joint: &Joint) -> Hinge {
+    fn hinge_in(&self, scene: &Scene, joint: &Joint) -> RevoluteJoint {
         let mut world = Vec::new();
         scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
         self.hinge_of(joint, scene, &world)
     }
 
     /// The joint in a pose, with the bones that it moves.
-    pub(super) fn hinge_of(&self, joint: &Joint, scene: &Scene, world: &[DMat4]) -> Hinge {
+    pub(super) fn hinge_of(&self, joint: &Joint, scene: &Scene, world: &[DMat4]) -> RevoluteJoint {
         let below = scene.graph.subtree(joint.node);
         let frames = self.frames(world);
         let bone = |(index, node): (usize, &NodeId)| frames.bone(index, below.contains(node));
@@ -168,7 +168,7 @@ impl Rig {
         let of = |node: NodeId| world.get(node.index()).map_or(frames.from_world, |world| frames.from_world * *world);
         let above = scene.graph.node(joint.node).parent().map_or(frames.from_world, of);
         let pivot = above.inverse().transform_point3(of(joint.node).w_axis.truncate());
-        Hinge { at_rest: joint.at_rest, range: joint.range, ..Hinge::new(above, pivot, joint.axis, bones) }
+        RevoluteJoint { at_rest: joint.at_rest, range: joint.range, ..RevoluteJoint::new(above, pivot, joint.axis, bones) }
     }
 
     /// On the arm: finds drawn ends and the range of the elbow, once all muscles are there, and roots the ends in the rods.
@@ -179,7 +179,7 @@ impl Rig {
         for (index, muscle) in self.muscles.iter_mut().enumerate() {
             let fixed = muscle.fixed();
             let Some(line) = &mut muscle.line else { continue };
-            let fit = clearance::fit(&arm, line, &muscle.shape, &muscle.tendons, asked);
+            let fit = bone_clearance::fit(&arm, line, &muscle.shape, &muscle.tendons, asked);
             if line.via.is_empty() {
                 line.drawn = Some(fit.drawn);
                 add_roots(scene, &arm, &nodes, &muscle.spec, &fit.drawn, tendon);
@@ -242,7 +242,7 @@ pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<us
             // It lies on the stretch that leads from one bone to another; a joint is where they meet.
             let all: Vec<usize> = [origin].iter().chain(&via).chain([&insertion]).map(|point| point.bone).collect();
             let stretch = all.windows(2).position(|pair| pair[0] != pair[1]).unwrap_or(0);
-            Some(Pulley { center: point(&wrap.center)?, side: wrap.side.normalize_or(DVec3::X), radius: wrap.radius, stretch })
+            Some(WrapObject { center: point(&wrap.center)?, side: wrap.side.normalize_or(DVec3::X), radius: wrap.radius, stretch })
         }
         None => None,
     };
@@ -264,7 +264,7 @@ pub(super) fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Optio
 }
 
 /// Roots of tendon, fixed to the rods, from the drawn ends of a muscle to the rods' axes.
-fn add_roots(scene: &mut Scene, arm: &Arm, nodes: &ArmNodes, spec: &MuscleSpec, drawn: &Drawn, tendon: MaterialId) {
+fn add_roots(scene: &mut Scene, arm: &Arm, nodes: &ArmNodes, spec: &MuscleSpec, drawn: &CenterlineOffset, tendon: MaterialId) {
     let radii = spec.profile.radii();
     for (end, point) in drawn.ends.into_iter().enumerate() {
         let node = if point.bone == 0 { nodes.upper } else { nodes.elbow };

@@ -7,9 +7,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::DVec3;
 
-use super::line::{Frames, Line, POINTS};
-use super::path::{Path, perpendicular};
-use super::wrap::{Contact, Pulley};
+use super::centerline::{Path, perpendicular};
+use super::line_of_action::{Frames, Line, POINTS};
+use super::wrap::{TangentPoints, WrapObject};
 
 /// Points that lie nearer to each other than this share of the line are one.
 const TINY: f64 = 1e-9;
@@ -68,7 +68,7 @@ struct Corners<'a, F: Frames + ?Sized> {
     count: usize,
     /// Where they are drawn.
     places: [DVec3; POINTS],
-    contacts: [Option<Contact>; POINTS],
+    contacts: [Option<TangentPoints>; POINTS],
     corners: [Corner; POINTS],
     /// The side on which the line of action passes the ball; moved corners do not change it.
     side: Option<DVec3>,
@@ -221,12 +221,12 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
     }
 
     /// Whether the ball is between a point and the next one.
-    fn is_at(&self, index: usize, pulley: &Pulley) -> bool {
+    fn is_at(&self, index: usize, pulley: &WrapObject) -> bool {
         (self.numbers[index].1..self.numbers[index + 1].0).contains(&pulley.stretch)
     }
 
     /// Where the line lies on the ball between a point and the next one.
-    fn contact(&self, index: usize) -> Option<Contact> {
+    fn contact(&self, index: usize) -> Option<TangentPoints> {
         let pulley = self.line.pulley.as_ref().filter(|pulley| self.is_at(index, pulley))?;
         pulley.on_the_side(self.frames, self.places[index], self.places[index + 1], self.side?)
     }

@@ -1,6 +1,6 @@
 //! Contraction and elbow angle: one state seen two ways, each the exact inverse of the other.
 
-use super::Drive;
+use super::MuscleState;
 use super::profile::SHORTEST;
 
 /// Longest and shortest length of a muscle that no arm drives, as shares of its length at rest.
@@ -30,24 +30,24 @@ impl Span {
     }
 
     /// The state at this flexion, held within the range.
-    pub(super) fn at_flexion(&self, degrees: f64, length: impl Fn(f64) -> f64) -> Drive {
+    pub(super) fn at_flexion(&self, degrees: f64, length: impl Fn(f64) -> f64) -> MuscleState {
         let [low, high] = self.flexion;
         let flexion = if degrees.is_nan() { low } else { degrees.clamp(low, high) };
-        Drive { flexion, contraction: 100.0 * self.share(flexion, &length) }
+        MuscleState { flexion, contraction: 100.0 * self.share(flexion, &length) }
     }
 
     /// The state at this contraction, held within 0 to 100.
-    pub(super) fn at_contraction(&self, per_cent: f64, length: impl Fn(f64) -> f64) -> Drive {
+    pub(super) fn at_contraction(&self, per_cent: f64, length: impl Fn(f64) -> f64) -> MuscleState {
         let contraction = if per_cent.is_nan() { 0.0 } else { per_cent.clamp(0.0, 100.0) };
         let wanted = contraction / 100.0;
         let [low, high] = self.flexion;
         let (first, last) = (self.share(low, &length), self.share(high, &length));
         // Whole per cents at the ends give the ends of the range, not a rounding beside them.
         if wanted == first {
-            return Drive { flexion: low, contraction };
+            return MuscleState { flexion: low, contraction };
         }
         if wanted == last {
-            return Drive { flexion: high, contraction };
+            return MuscleState { flexion: high, contraction };
         }
         // The share is monotone: halve the range until the numbers have no middle.
         let rising = last > first;
@@ -60,7 +60,7 @@ impl Span {
             if self.share(middle, &length) < wanted { below = middle } else { above = middle }
         }
         let miss = |angle: f64| (self.share(angle, &length) - wanted).abs();
-        Drive { flexion: if miss(below) < miss(above) { below } else { above }, contraction }
+        MuscleState { flexion: if miss(below) < miss(above) { below } else { above }, contraction }
     }
 
     /// Contraction from 0 to 1.

@@ -2,12 +2,12 @@
 
 use glam::DMat4;
 
-use super::Drive;
+use super::MuscleState;
 use super::drive::Span;
-use super::hinge::Hinge;
 use super::joint::Joint;
-use super::line::Line;
-use super::rig::Rig;
+use super::line_of_action::Line;
+use super::muscle_rig::MuscleRig;
+use super::revolute_joint::RevoluteJoint;
 use crate::scene::Scene;
 
 /// A change of length below this share of the rest length is none.
@@ -16,19 +16,19 @@ const NONE: f64 = 1e-6;
 /// How a joint drives one muscle while all other bones stay as a pose has them.
 #[derive(Debug, Clone)]
 pub struct Driving<'a> {
-    hinge: Hinge,
+    hinge: RevoluteJoint,
     line: &'a Line,
     span: Span,
 }
 
-impl Rig {
+impl MuscleRig {
     /// How `joint` drives muscle `index` in a pose of `scene` (`world`: one matrix a node); `None` where nothing holds the muscle, or the joint does not
     /// change its length.
     pub fn driven_by(&self, index: usize, joint: &Joint, scene: &Scene, world: &[DMat4]) -> Option<Driving<'_>> {
         let muscle = self.muscles.get(index)?;
         let line = muscle.line.as_ref()?;
         // The bones stand turned as the pose has them: that is where the hinge's angle counts from.
-        let hinge = Hinge { at_rest: joint.angle(scene, world)?, ..self.hinge_of(joint, scene, world) };
+        let hinge = RevoluteJoint { at_rest: joint.angle(scene, world)?, ..self.hinge_of(joint, scene, world) };
         let lengths =
             (0..=8).map(|step| line.length(&hinge.at(joint.range[0] + (joint.range[1] - joint.range[0]) * f64::from(step) / 8.0)));
         let (least, most) = lengths.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), length| (least.min(length), most.max(length)));
@@ -42,12 +42,12 @@ impl Rig {
 
 impl Driving<'_> {
     /// The state with the joint at this angle, degrees, held within its range.
-    pub fn at_angle(&self, degrees: f64) -> Drive {
+    pub fn at_angle(&self, degrees: f64) -> MuscleState {
         self.span.at_flexion(degrees, |angle| self.line.length(&self.hinge.at(angle)))
     }
 
     /// The state with this contraction, 0 to 100 per cent of the way from the greatest length in the joint's range to the least.
-    pub fn at_contraction(&self, per_cent: f64) -> Drive {
+    pub fn at_contraction(&self, per_cent: f64) -> MuscleState {
         self.span.at_contraction(per_cent, |angle| self.line.length(&self.hinge.at(angle)))
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::arm::{FOREARM, UPPER_ARM};
-use super::bones::Handhold;
+use super::bones::AttachmentPoint;
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, Wrap};
 use super::profile::{LARGEST, Profile, ProfileError};
 use crate::{limits, tr};
@@ -131,11 +131,11 @@ impl Edit {
     }
 
     /// Puts the point `hold` of the muscle `spec` on `anchor`; `None` where it goes round nothing, whose middle could be put anywhere.
-    pub fn place(spec: &MuscleSpec, hold: Handhold, anchor: Anchor) -> Option<Self> {
+    pub fn place(spec: &MuscleSpec, hold: AttachmentPoint, anchor: Anchor) -> Option<Self> {
         Some(match hold {
-            Handhold::End(end) => Self::End(end, anchor),
-            Handhold::Via(number) => Self::Via(number, anchor),
-            Handhold::Wrap => Self::Wrap(Some(Wrap { center: anchor, ..spec.wrap.clone()? })),
+            AttachmentPoint::End(end) => Self::End(end, anchor),
+            AttachmentPoint::Via(number) => Self::Via(number, anchor),
+            AttachmentPoint::Wrap => Self::Wrap(Some(Wrap { center: anchor, ..spec.wrap.clone()? })),
         })
     }
 }
@@ -185,12 +185,12 @@ impl MuscleFile {
 
 impl MuscleSpec {
     /// Where the point `hold` is; `None` where there is no such point.
-    pub fn place(&self, hold: Handhold) -> Option<&Anchor> {
+    pub fn place(&self, hold: AttachmentPoint) -> Option<&Anchor> {
         match hold {
-            Handhold::End(0) => self.origin.as_ref(),
-            Handhold::End(_) => self.insertion.as_ref(),
-            Handhold::Via(number) => self.via.get(number),
-            Handhold::Wrap => self.wrap.as_ref().map(|wrap| &wrap.center),
+            AttachmentPoint::End(0) => self.origin.as_ref(),
+            AttachmentPoint::End(_) => self.insertion.as_ref(),
+            AttachmentPoint::Via(number) => self.via.get(number),
+            AttachmentPoint::Wrap => self.wrap.as_ref().map(|wrap| &wrap.center),
         }
     }
 

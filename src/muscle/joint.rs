@@ -1,12 +1,12 @@
 //! A joint of a skeleton that can be turned: its elbow, found by itself in usual rigs, or whichever joint a muscle file names.
 //!
-//! The elbow is known by the name of the bone below it ([`super::bone_words`]); where no name tells, by what the clip does with it: a hinge in the
+//! The elbow is known by the name of the bone below it ([`super::bone_name_heuristics`]); where no name tells, by what the clip does with it: a hinge in the
 //! upper half of the body, off its middle. Its axis is that about which the clip bends it, else that of the bend it has at rest, else the one
 //! that brings the hand to the front. Flexion is the angle between upper arm and forearm, 0° for the straight arm.
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
-use super::bone_words::{self, Side};
+use super::bone_name_heuristics::{self, Side};
 use super::config::JointSpec;
 use crate::animation::{Clip, Pose};
 use crate::scene::{Graph, NodeId, NodeKind, Scene};
@@ -196,8 +196,10 @@ impl<'a> Skeleton<'a> {
 
     fn by_name(&self) -> Option<Joint> {
         let named = self.graph.iter().filter(|(id, _)| self.is_bone(*id)).filter_map(|(id, node)| {
-            let meaning =
-                [&node.name, &node.id, &node.sid].into_iter().filter_map(|name| bone_words::forearm(name)).min_by_key(|m| m.rank)?;
+            let meaning = [&node.name, &node.id, &node.sid]
+                .into_iter()
+                .filter_map(|name| bone_name_heuristics::forearm(name))
+                .min_by_key(|m| m.rank)?;
             let parts = self.segments(id)?;
             // A bone without one below it is the last of its arm, or a helper.
             let leaf = parts.below == id;
@@ -275,7 +277,7 @@ impl<'a> Skeleton<'a> {
     fn front(&self, node: NodeId) -> DVec3 {
         let side_of = |id: NodeId| {
             let node = self.graph.node(id);
-            [&node.name, &node.id].into_iter().find_map(|name| bone_words::forearm(name)).and_then(|meaning| meaning.side)
+            [&node.name, &node.id].into_iter().find_map(|name| bone_name_heuristics::forearm(name)).and_then(|meaning| meaning.side)
         };
         let other = self
             .graph

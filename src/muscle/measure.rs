@@ -2,14 +2,14 @@
 
 use glam::DVec3;
 
-use super::hinge::{Hinge, Turned};
-use super::line::{Frames, Leg, Line, Point};
+use super::line_of_action::{Frames, Leg, Line, Point};
+use super::revolute_joint::{RevoluteJoint, Turned};
 
 /// −dL/dφ of a line of action, φ in radians: the moment about the joint of a unit pull along it.
 ///
 /// By virtual work, which is exact for a shortest path: a point that the line leaves in one direction and reaches in another pulls at its bone with the
 /// difference, and a ball that the line lies on is a point as well, its centre, for nothing rubs. On the two-rod arm that is `p d sin φ / L`.
-pub(super) fn moment_arm(hinge: &Hinge, line: &Line, degrees: f64) -> f64 {
+pub(super) fn moment_arm(hinge: &RevoluteJoint, line: &Line, degrees: f64) -> f64 {
     let frames = hinge.at(degrees);
     -line.legs(&frames).map(|leg| slope(&frames, line, &leg)).sum::<f64>()
 }

@@ -33,57 +33,57 @@
 //! | `config` | YAML |
 
 mod arm;
-mod bone_words;
+mod bone_clearance;
+mod bone_name_heuristics;
 mod bones;
 mod build;
-mod clearance;
+mod centerline;
 pub mod config;
 mod corners;
+mod csv_table;
 mod drive;
 mod driving;
 pub mod edit;
-pub mod experiment;
-pub mod fit;
-mod fitting;
-mod hinge;
 mod joint;
-pub mod ledger;
-mod line;
+mod line_of_action;
+pub mod literature_data;
 mod materials;
 mod measure;
-mod path;
-mod poses;
+mod measured_shapes;
+mod muscle_rig;
+pub mod parameter_fit;
+mod path_editing;
 pub mod presets;
 mod profile;
-pub mod published;
-mod rig;
+mod retarget;
+mod revolute_joint;
 mod rods;
 mod scaling;
-mod surface;
-mod table;
+pub mod solver_report;
+mod tessellation;
 mod trouble;
-mod way;
+pub mod validation;
 mod wrap;
 
 pub use arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
-pub use bones::{Handhold, bone_name};
+pub use bones::{AttachmentPoint, bone_name};
+pub use centerline::{Cursor, Path, Station};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
 pub use driving::Driving;
 pub use edit::{Edit, EditError};
 pub(crate) use joint::rotation;
 pub use joint::{FoundBy, Joint, Turn};
-pub use ledger::{Ledger, Root};
-pub use path::{Cursor, Path, Station};
-pub use poses::Pose;
+pub use measured_shapes::Pose;
+pub use muscle_rig::MuscleRig;
+pub use path_editing::Ball;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
-pub use rig::Rig;
 pub use scaling::of_bone as bone_scale;
-pub use surface::{Cover, SEGMENTS};
-pub use way::Ball;
+pub use solver_report::{Root, SolverReport};
+pub use tessellation::{MeshQuality, SEGMENTS};
 
 /// The state that the two sliders share; each follows the other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Drive {
+pub struct MuscleState {
     /// Elbow angle, degrees; 0 = straight arm.
     pub flexion: f64,
     /// Contraction, per cent of the way from the longest to the shortest length.

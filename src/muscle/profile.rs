@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
 use super::Solved;
-use super::poses::{Pose, Poses};
+use super::measured_shapes::{Pose, Poses};
 use crate::{limits, tr};
 
 /// How far from rest a length may grow at all, as a factor; profiles that could go on for ever stop here.

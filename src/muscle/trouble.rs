@@ -3,11 +3,11 @@
 use glam::DVec3;
 
 use super::Solved;
-use super::hinge::Hinge;
-use super::line::{Frames, Line};
+use super::line_of_action::{Frames, Line};
 use super::measure::moment_arm;
+use super::muscle_rig::{Muscle, MuscleRig};
 use super::profile::SHORTEST;
-use super::rig::{Muscle, Rig};
+use super::revolute_joint::RevoluteJoint;
 use crate::health::Finding;
 use crate::i18n::decimal;
 use crate::scene::{Graph, NodeId, NodeKind};
@@ -50,7 +50,7 @@ struct Pierced {
     through: bool,
 }
 
-impl Rig {
+impl MuscleRig {
     /// Looks at all muscles over the range of the joint that measurements turn.
     pub(super) fn look_for_trouble(&mut self, graph: &Graph) {
         let Some(hinge) = &self.hinge else { return };
@@ -88,7 +88,7 @@ impl Rig {
     }
 
     /// For each bone of the muscles the other end of its limb, in the axes that offsets on it are in; `None` where nothing follows it.
-    fn limbs(&self, graph: &Graph, hinge: &Hinge) -> Vec<Option<DVec3>> {
+    fn limbs(&self, graph: &Graph, hinge: &RevoluteJoint) -> Vec<Option<DVec3>> {
         if let Some((arm, _)) = &self.arm {
             return vec![Some(DVec3::NEG_Y * arm.upper), Some(DVec3::NEG_Y * arm.lower)];
         }
@@ -150,7 +150,15 @@ impl Said<'_> {
     }
 }
 
-fn check(mut said: Said<'_>, hinge: &Hinge, line: &Line, looks: &[Look], asked: [f64; 2], limbs: &[Option<DVec3>], names: &[String]) {
+fn check(
+    mut said: Said<'_>,
+    hinge: &RevoluteJoint,
+    line: &Line,
+    looks: &[Look],
+    asked: [f64; 2],
+    limbs: &[Option<DVec3>],
+    names: &[String],
+) {
     let beyond = asked.map(|angle| (angle, line.length(&hinge.at(angle))));
     let all = looks.iter().map(|look| (look.angle, look.length)).chain(beyond);
     if let Some((angle, length)) = all.min_by(|a, b| a.1.total_cmp(&b.1)) {
@@ -180,7 +188,7 @@ fn at(angle: f64) -> String {
 }
 
 /// Says where the belly is bent tighter than it is thick: there the surface would fold into itself.
-fn tight(said: &mut Said<'_>, hinge: &Hinge, line: &Line, looks: &[Look]) {
+fn tight(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
     let (muscle, mut solved) = (said.muscle, Solved::default());
     let every = looks.len().div_ceil(13).max(1);
     let mut folds = |look: &Look| {
@@ -199,7 +207,7 @@ fn tight(said: &mut Said<'_>, hinge: &Hinge, line: &Line, looks: &[Look]) {
 }
 
 /// Says where a wrap does nothing, or only as far as a point inside it lets it.
-fn inert(said: &mut Said<'_>, hinge: &Hinge, line: &Line, looks: &[Look]) {
+fn inert(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
     let Some(pulley) = &line.pulley else { return };
     let stretch = line.points().enumerate().skip(pulley.stretch).take(2);
     let depths = looks.iter().flat_map(|look| {
@@ -246,7 +254,7 @@ fn signs(said: &mut Said<'_>, looks: &[Look]) {
 }
 
 /// Says where the length changes by more than the moment arm does between two angles, and goes on doing so however near they are.
-fn jumps(said: &mut Said<'_>, hinge: &Hinge, line: &Line, looks: &[Look]) {
+fn jumps(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
     let small = SMALL * said.muscle.shape.rest_length();
     let missed = |a: &Look, b: &Look| (b.length - a.length + 0.5 * (a.arm + b.arm) * (b.angle - a.angle).to_radians()).abs();
     let look = |angle: f64| Look { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
@@ -268,7 +276,7 @@ fn jumps(said: &mut Said<'_>, hinge: &Hinge, line: &Line, looks: &[Look]) {
 }
 
 /// The bone of the muscle that lies deepest in its belly at one angle.
-fn pierced(said: &Said<'_>, hinge: &Hinge, line: &Line, look: Look, limbs: &[Option<DVec3>]) -> Option<Pierced> {
+fn pierced(said: &Said<'_>, hinge: &RevoluteJoint, line: &Line, look: Look, limbs: &[Option<DVec3>]) -> Option<Pierced> {
     let (muscle, frames) = (said.muscle, hinge.at(look.angle));
     let own = (*limbs.get(line.origin.bone)?)?.normalize_or_zero();
     if !said.on_arm && line.origin.local.reject_from_normalized(own).length() < SCHEME * muscle.spec.profile.rest_length() {
@@ -282,7 +290,7 @@ fn pierced(said: &Said<'_>, hinge: &Hinge, line: &Line, look: Look, limbs: &[Opt
     let mut belly = [(DVec3::ZERO, 0.0); PLACES];
     for (place, slot) in belly.iter_mut().enumerate() {
         let share = (place as f64 + 0.5) / PLACES as f64;
-        *slot = (cursor.station(start + share * solved.length).position, super::clearance::radius_at(&solved.radii, share));
+        *slot = (cursor.station(start + share * solved.length).position, super::bone_clearance::radius_at(&solved.radii, share));
     }
     let mut bones: Vec<usize> = line.points().map(|point| point.bone).collect();
     bones.sort_unstable();

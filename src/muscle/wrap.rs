@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::line::{Frames, Point};
-use super::path::perpendicular;
+use super::centerline::perpendicular;
+use super::line_of_action::{Frames, Point};
 
 /// Nearer to the ball's centre than this share of its radius a straight line passes on no side of it.
 const CENTRAL: f64 = 1e-6;
@@ -14,7 +14,7 @@ const LEANS: f64 = 1e-9;
 
 /// A ball that the line goes round.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Pulley {
+pub(super) struct WrapObject {
     /// Its centre.
     pub center: Point,
     /// The side that the line passes on: a direction in the axes of the centre's bone.
@@ -27,7 +27,7 @@ pub(super) struct Pulley {
 
 /// The arc of a line that lies on a ball.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Contact {
+pub(super) struct TangentPoints {
     /// Where it begins.
     pub touch: DVec3,
     /// Where it ends.
@@ -46,12 +46,12 @@ pub(super) struct Contact {
     pub held_by: Option<usize>,
 }
 
-impl Pulley {
+impl WrapObject {
     /// The part of the shortest path from `from` to `to` over the ball that lies on it: an arc of the great circle in the plane of both ends and the
     /// centre. Of its two ways round it takes the one on the ball's side. `None` where the straight line clears the ball.
     ///
     /// An end inside the ball leaves only as much of the ball as it does not lie in: then the line starts round it at that end.
-    pub(super) fn between(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<Contact> {
+    pub(super) fn between(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<TangentPoints> {
         self.on_the_side(frames, from, to, self.outward(frames))
     }
 
@@ -60,7 +60,7 @@ impl Pulley {
         frames.frame(self.center.bone).transform_vector3(self.side).normalize_or(DVec3::X)
     }
 
-    /// The direction, perpendicular to the straight line, in which the path goes round the ball: a side that [`Pulley::on_the_side`] takes.
+    /// The direction, perpendicular to the straight line, in which the path goes round the ball: a side that [`WrapObject::on_the_side`] takes.
     pub(super) fn passes(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3) -> Option<DVec3> {
         let center = frames.frame(self.center.bone).transform_point3(self.center.local);
         Some(self.up(center, from, (to - from).try_normalize()?, self.outward(frames)))
@@ -73,8 +73,8 @@ impl Pulley {
         if up.dot(side) < -LEANS { -up } else { up }
     }
 
-    /// [`Pulley::between`] with another side than the ball's own.
-    pub(super) fn on_the_side(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3, side: DVec3) -> Option<Contact> {
+    /// [`WrapObject::between`] with another side than the ball's own.
+    pub(super) fn on_the_side(&self, frames: &(impl Frames + ?Sized), from: DVec3, to: DVec3, side: DVec3) -> Option<TangentPoints> {
         let along = (to - from).try_normalize()?;
         let center = frames.frame(self.center.bone).transform_point3(self.center.local);
         let up = self.up(center, from, along, side);
@@ -94,7 +94,7 @@ impl Pulley {
         }
         let outward = |angle: f64| along * angle.cos() + up * angle.sin();
         let onward = |angle: f64| along * angle.sin() - up * angle.cos();
-        Some(Contact {
+        Some(TangentPoints {
             touch: center + outward(leave) * radius,
             lift: center + outward(arrive) * radius,
             tangent: onward(leave),

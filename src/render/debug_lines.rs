@@ -7,7 +7,7 @@ use super::binning::Bands;
 use super::draw_list::rgb;
 use super::line::{LinePass, LineSegments, LineStyle};
 use super::projection::ViewTransform;
-use crate::scene::{Bounds, Frame, NodeId, Placement};
+use crate::scene::{Bounds, Frame, NodeId, SurfaceGeometry};
 
 /// Everything that drawing a helper line needs.
 pub(super) struct LineBuilder<'a> {
@@ -90,8 +90,8 @@ impl LineBuilder<'_> {
             }
             let mut one = |p: Vec3, n: Vec3| self.line(p, p + n.normalize_or_zero() * length, &line_style);
             match &surface.placement {
-                Placement::Deformed { positions, normals } => positions.iter().zip(normals).for_each(|(p, n)| one(*p, *n)),
-                Placement::Rigid(matrix) => {
+                SurfaceGeometry::Deformed { positions, normals } => positions.iter().zip(normals).for_each(|(p, n)| one(*p, *n)),
+                SurfaceGeometry::Rigid(matrix) => {
                     let turn = super::draw_data::normal_matrix(matrix);
                     let mesh = &surface.mesh;
                     mesh.positions.iter().zip(&mesh.normals).for_each(|(p, n)| one(matrix.transform_point3(*p), turn * *n));

@@ -12,7 +12,7 @@ use super::material_state::{RenderPass, ResolvedMaterial};
 use super::projection::{ScreenVertex, ViewTransform};
 use super::texture::Texture;
 use super::vertex::{Geometry, Quad};
-use crate::scene::{Frame, Placement};
+use crate::scene::{Frame, SurfaceGeometry};
 
 /// Where an item's geometry comes from.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,8 +124,8 @@ pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, heat: &'a
             let surface = &frame.surfaces[*index as usize];
             let mesh = &*surface.mesh;
             let (positions, normals, transform) = match &surface.placement {
-                Placement::Rigid(matrix) => (&mesh.positions[..], &mesh.normals[..], Some((*matrix, normal_matrix(matrix)))),
-                Placement::Deformed { positions, normals } => (&positions[..], &normals[..], None),
+                SurfaceGeometry::Rigid(matrix) => (&mesh.positions[..], &mesh.normals[..], Some((*matrix, normal_matrix(matrix)))),
+                SurfaceGeometry::Deformed { positions, normals } => (&positions[..], &normals[..], None),
             };
             let triangles = &mesh.triangles[triangles.start as usize..triangles.end as usize];
             let heat = item.heat.and_then(|from| heat.get(from..)).unwrap_or(&[]);

@@ -17,7 +17,7 @@ use super::renderer::Buffers;
 use super::texture::{Alpha, Cache, Sampler};
 use super::{Display, Shading};
 use crate::scene::{
-    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Placement, Scene, ShadingModel, Surface, TextureRef,
+    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, SurfaceGeometry, TextureRef,
     backed_triangles,
 };
 
@@ -45,7 +45,7 @@ struct Spot {
 impl Spot {
     /// `None` for what cannot stand twice in one place, or may look different there.
     fn of(surface: &Surface, part: usize, style: &ResolvedMaterial) -> Option<Self> {
-        let Placement::Rigid(matrix) = &surface.placement else { return None };
+        let SurfaceGeometry::Rigid(matrix) = &surface.placement else { return None };
         // The scene holds each mesh once, the frame once for each of its surfaces.
         let shared = Arc::strong_count(&surface.mesh) > 2 && surface.ghost.is_none() && surface.muscle.is_none();
         (shared && style.layer == RenderPass::Opaque && style.mark_share == 0.0).then(|| Self {

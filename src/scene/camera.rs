@@ -22,7 +22,7 @@ pub enum Projection {
 
 /// A camera of the file, in its node's space: looks along −Z, +Y up.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StoredCamera {
+pub struct FileCamera {
     /// What a person calls it.
     pub name: String,
     /// The id in the file.

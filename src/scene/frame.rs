@@ -8,7 +8,7 @@ use super::{Bounds, Material, MaterialBinding, Mesh, MuscleId, NodeId};
 
 /// Where the vertices of a surface are.
 #[derive(Debug, Clone)]
-pub enum Placement {
+pub enum SurfaceGeometry {
     /// The mesh's own, after this matrix into the world.
     Rigid(Mat4),
     /// Deformed: one position and unit normal for each vertex of the mesh, in the world.
@@ -60,7 +60,7 @@ pub struct Surface {
     /// One a part of the mesh.
     pub materials: Arc<[Option<MaterialBinding>]>,
     /// Where it is.
-    pub placement: Placement,
+    pub placement: SurfaceGeometry,
     /// Whether the transform mirrors, so that clockwise is outside.
     pub mirrored: bool,
     /// The muscle that it shows, if it does.
@@ -116,8 +116,8 @@ impl Surface {
     /// Position of vertex `v` in the world; NaN where it isn't there.
     pub fn position(&self, v: u32) -> Vec3 {
         match &self.placement {
-            Placement::Rigid(matrix) => self.mesh.positions.get(v as usize).map_or(Vec3::NAN, |p| matrix.transform_point3(*p)),
-            Placement::Deformed { positions, .. } => positions.get(v as usize).copied().unwrap_or(Vec3::NAN),
+            SurfaceGeometry::Rigid(matrix) => self.mesh.positions.get(v as usize).map_or(Vec3::NAN, |p| matrix.transform_point3(*p)),
+            SurfaceGeometry::Deformed { positions, .. } => positions.get(v as usize).copied().unwrap_or(Vec3::NAN),
         }
     }
 }

@@ -16,8 +16,8 @@ mod transform;
 
 pub use backing::backed_triangles;
 pub use bounds::Bounds;
-pub use camera::{Camera, OrbitCamera, Projection, StoredCamera, View};
-pub use frame::{Frame, Ghost, Joint, Mark, Placement, Surface};
+pub use camera::{Camera, FileCamera, OrbitCamera, Projection, View};
+pub use frame::{Frame, Ghost, Joint, Mark, Surface, SurfaceGeometry};
 pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
 pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, Placing, ShadingModel, TextureRef, Wrap};
@@ -92,5 +92,5 @@ pub struct Scene {
     /// Lights of the file.
     pub lights: Vec<Light>,
     /// Cameras of the file.
-    pub cameras: Vec<StoredCamera>,
+    pub cameras: Vec<FileCamera>,
 }

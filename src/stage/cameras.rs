@@ -36,14 +36,14 @@ mod tests {
     use glam::{DMat4, DQuat, DVec3, Vec3};
 
     use super::*;
-    use crate::scene::StoredCamera;
+    use crate::scene::FileCamera;
 
     fn scene(projection: Projection) -> (Scene, NodeId) {
         let mut scene = Scene::default();
         let mut node = Node::new("eye");
         node.contents.push(Content::Camera(CameraId(0)));
         let id = scene.graph.add(None, node);
-        scene.cameras.push(StoredCamera { name: String::new(), id: String::new(), projection, aspect: None, near: 0.1, far: 100.0 });
+        scene.cameras.push(FileCamera { name: String::new(), id: String::new(), projection, aspect: None, near: 0.1, far: 100.0 });
         (scene, id)
     }
 

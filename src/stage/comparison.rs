@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use glam::{DMat4, DVec3};
 
-use super::company::{Host, color};
-use super::saved::SavedComparison;
+use super::overlays::{PoseContext, color};
+use super::session_file::SavedComparison;
 use crate::document::{Companion, Document, PoseState, Skinning};
 use crate::scene::{Bounds, Frame, Ghost, NodeId, NodeKind};
 
@@ -156,7 +156,7 @@ impl Comparison {
     }
 
     /// Poses the second one and finds the joint that is farthest off; `frame` is the first one's.
-    pub(super) fn pose(&mut self, host: &Host<'_>, frame: &Frame) {
+    pub(super) fn pose(&mut self, host: &PoseContext<'_>, frame: &Frame) {
         let theirs = self.state(host.document, &host.state);
         let shift = self.shift();
         let other = match &self.with {
@@ -177,7 +177,7 @@ impl Comparison {
     }
 
     /// Puts the second one into the frame.
-    pub(super) fn lend(&mut self, host: &Host<'_>, frame: &mut Frame) {
+    pub(super) fn lend(&mut self, host: &PoseContext<'_>, frame: &mut Frame) {
         let tint = color(TINT);
         let beside = self.aside != 0.0;
         let opacity = if beside { 1.0 } else { 0.6 };

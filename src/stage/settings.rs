@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::Backdrop;
-use crate::export::atomic::write_whole;
+use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::render::Display;
 use crate::yaml::{self, YamlError};

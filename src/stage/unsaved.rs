@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::export::atomic::write_whole;
+use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::muscle::MuscleFile;
 use crate::system::{Doing, reason};

@@ -11,7 +11,7 @@ use crate::support::{arg, call, config, folder, models, run, sinew, sinew_ru};
 use proptest::prelude::*;
 use sinew::collada::Progress;
 use sinew::document::{Document, OpenOptions, PoseBuffers};
-use sinew::export::atomic::write_whole;
+use sinew::export::atomic_file::write_whole;
 use sinew::export::gltf::{self, Form};
 use sinew::export::guard::{Guard, is_same};
 use sinew::export::surface::SurfaceFormat;

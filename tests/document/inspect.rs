@@ -7,14 +7,14 @@ use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning, angle_at};
 use sinew::scene::{Frame, NodeId};
 
-struct Posed {
+struct WorldMesh {
     document: Document,
     state: PoseState,
     buffers: PoseBuffers,
     frame: Frame,
 }
 
-impl Posed {
+impl WorldMesh {
     /// The bending column at a time.
     fn column(time: f64) -> Self {
         let folder = crate::support::folder();
@@ -41,7 +41,7 @@ impl Posed {
 
 #[test]
 fn the_parts_of_every_vertex_add_up_to_where_it_is_drawn() {
-    let posed = Posed::column(1.2);
+    let posed = WorldMesh::column(1.2);
     let mut shared = 0;
     for vertex in posed.vertices() {
         let told = posed.document.explain(&posed.buffers, &posed.frame, 0, vertex).expect("a vertex of a mesh");
@@ -61,10 +61,10 @@ fn the_parts_of_every_vertex_add_up_to_where_it_is_drawn() {
 
 #[test]
 fn dual_quaternions_draw_a_shared_vertex_elsewhere_than_the_linear_sum() {
-    let mut posed = Posed::column(1.5);
+    let mut posed = WorldMesh::column(1.5);
     posed.state.skinning = Skinning::DualQuaternion;
     posed.pose();
-    let apart = |told: &sinew::document::Explanation| (told.drawn - told.sum).length();
+    let apart = |told: &sinew::document::VertexInfluences| (told.drawn - told.sum).length();
     for vertex in posed.vertices() {
         let told = posed.document.explain(&posed.buffers, &posed.frame, 0, vertex).expect("a vertex");
         assert_eq!(apart(&told) > 1e-3, told.shares.len() == 2, "vertex {vertex}: {}", apart(&told));
@@ -73,7 +73,7 @@ fn dual_quaternions_draw_a_shared_vertex_elsewhere_than_the_linear_sum() {
 
 #[test]
 fn what_is_not_there_is_not_explained() {
-    let posed = Posed::column(0.5);
+    let posed = WorldMesh::column(0.5);
     assert!(posed.document.explain(&posed.buffers, &posed.frame, 0, 1_000_000).is_none());
     assert!(posed.document.explain(&posed.buffers, &posed.frame, 9, 0).is_none());
     let biceps = Document::built_in();
@@ -86,13 +86,13 @@ fn what_is_not_there_is_not_explained() {
 #[test]
 fn a_turn_by_hand_does_what_the_clip_does_and_comes_on_top_of_it() {
     // At its end the clip has turned the upper bone by 90° about X; at its start a hand does the same.
-    let mut posed = Posed::column(0.5);
+    let mut posed = WorldMesh::column(0.5);
     let upper = posed.node("upper");
     let rest = posed.frame.world.clone();
     posed.document.set_hand_turn(upper, DVec3::new(90.0, 0.0, 0.0));
     posed.pose();
     let by_hand = posed.frame.world.clone();
-    let mut clip = Posed::column(1.5);
+    let mut clip = WorldMesh::column(1.5);
     for (ours, theirs) in by_hand.iter().zip(&clip.frame.world) {
         assert!(ours.abs_diff_eq(*theirs, 1e-9), "{ours} is not {theirs}");
     }
@@ -128,7 +128,7 @@ fn turns_are_about_the_joints_own_axes_x_first() {
 
 #[test]
 fn angles_and_paths_follow_the_clip() {
-    let posed = Posed::column(0.5);
+    let posed = WorldMesh::column(0.5);
     let (lower, upper) = (posed.node("lower"), posed.node("upper"));
     let path = posed.document.node_path(&posed.state, upper, 11);
     assert_eq!((path.len(), path[0].0, path[10].0), (11, 0.5, 1.5));

@@ -6,8 +6,8 @@ use glam::{DMat4, DQuat, DVec3, Vec3};
 use proptest::prelude::*;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
 use sinew::scene::{
-    Content, Deformer, Frame, Influence, Mesh, MeshId, MeshInstance, Morph, MorphId, MorphTarget, Node, NodeId, NodeKind, Part, Placement,
-    Scene, Skin, SkinId, SkinJoint, Transform, smooth_normals,
+    Content, Deformer, Frame, Influence, Mesh, MeshId, MeshInstance, Morph, MorphId, MorphTarget, Node, NodeId, NodeKind, Part, Scene,
+    Skin, SkinId, SkinJoint, SurfaceGeometry, Transform, smooth_normals,
 };
 
 /// A grid in the XY plane, `n` × `n` points, one vertex a point.
@@ -69,8 +69,8 @@ fn deformed(document: &Document, state: &PoseState) -> (Vec<Vec3>, Vec<Vec3>) {
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     document.pose(state, &mut buffers, &mut frame);
     match &frame.surfaces[0].placement {
-        Placement::Deformed { positions, normals } => (positions.clone(), normals.clone()),
-        Placement::Rigid(_) => panic!("the surface is not deformed"),
+        SurfaceGeometry::Deformed { positions, normals } => (positions.clone(), normals.clone()),
+        SurfaceGeometry::Rigid(_) => panic!("the surface is not deformed"),
     }
 }
 
@@ -78,7 +78,7 @@ const DUAL: PoseState = PoseState {
     skinning: Skinning::DualQuaternion,
     clip: None,
     time: 0.0,
-    drive: sinew::muscle::Drive { flexion: 0.0, contraction: 0.0 },
+    drive: sinew::muscle::MuscleState { flexion: 0.0, contraction: 0.0 },
     turn: None,
     model: DMat4::IDENTITY,
 };

@@ -7,7 +7,7 @@ use sinew::animation::Pose;
 use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers};
 use sinew::health::Finding;
-use sinew::muscle::{MuscleFile, Rig};
+use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
 /// A hip and a knee in centimetres under a Z-up root, the shank turned by `angle` about X.
@@ -47,7 +47,7 @@ fn world(scene: &Scene) -> Vec<DMat4> {
 fn length_is_the_distance_of_the_attachments_whatever_unit_and_scale() {
     for angle in [0.0_f64, 40.0, 100.0] {
         let (mut scene, _) = leg(angle);
-        let mut rig = Rig::build(&MuscleFile::parse(MUSCLE).unwrap(), "muscles", &mut scene, MuscleId(0));
+        let mut rig = MuscleRig::build(&MuscleFile::parse(MUSCLE).unwrap(), "muscles", &mut scene, MuscleId(0));
         assert!(!rig.is_attached(0));
         assert!(only_turns(&rig.attach(&scene)) && rig.is_attached(0));
         let world = world(&scene);
@@ -81,7 +81,7 @@ fn length_is_the_distance_of_the_attachments_whatever_unit_and_scale() {
 fn a_bone_that_is_missing_is_a_finding_and_the_muscle_lies_on_its_own() {
     let (mut scene, _) = leg(0.0);
     let file = MuscleFile::parse(&MUSCLE.replace("SHANK", "calf").replace("bone: shank", "bone: ankle")).unwrap();
-    let mut rig = Rig::build(&file, "muscles", &mut scene, MuscleId(0));
+    let mut rig = MuscleRig::build(&file, "muscles", &mut scene, MuscleId(0));
     let findings = rig.attach(&scene);
     let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
     assert_eq!(codes, ["muscle-bone-not-found", "muscle-joint-not-found"]);
@@ -89,7 +89,7 @@ fn a_bone_that_is_missing_is_a_finding_and_the_muscle_lies_on_its_own() {
     let solved = rig.solve(0, rig.at_flexion(0.0), &world(&scene));
     assert!((solved.length - 350.0).abs() < 1e-9);
     // Attached again to a scene that has it, all is well.
-    let mut rig = Rig::build(&MuscleFile::parse(MUSCLE).unwrap(), "muscles", &mut scene, MuscleId(0));
+    let mut rig = MuscleRig::build(&MuscleFile::parse(MUSCLE).unwrap(), "muscles", &mut scene, MuscleId(0));
     rig.attach(&scene);
     assert!(rig.is_attached(0) && only_turns(rig.findings()));
     assert_eq!(rig.measured_range(), Some(-30.0..=120.0));
@@ -102,7 +102,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     let yaml = MUSCLE
         .replace("    insertion", "    via: [{bone: thigh, offset: [0, 100, -200]}]\n    insertion")
         .replace("[5, 20, 5]", "[5, 8, 5]");
-    let mut rig = Rig::build(&MuscleFile::parse(&yaml).unwrap(), "muscles", &mut scene, MuscleId(0));
+    let mut rig = MuscleRig::build(&MuscleFile::parse(&yaml).unwrap(), "muscles", &mut scene, MuscleId(0));
     assert!(only_turns(&rig.attach(&scene)));
     let before = world(&scene);
     let solved = rig.solve(0, rig.at_flexion(0.0), &before);
@@ -121,7 +121,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     assert!(nearest < 2.0, "{nearest} mm past the via point");
     // A thick belly makes a wide arc, not another line of action.
     let thick = yaml.replace("[5, 8, 5]", "[5, 200, 5]");
-    let mut rig = Rig::build(&MuscleFile::parse(&thick).unwrap(), "muscles", &mut scene, MuscleId(1));
+    let mut rig = MuscleRig::build(&MuscleFile::parse(&thick).unwrap(), "muscles", &mut scene, MuscleId(1));
     rig.attach(&scene);
     let world = world(&scene);
     let solved = rig.solve(0, rig.at_flexion(0.0), &world);
@@ -132,7 +132,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     assert!(sharpest < 1.0, "{sharpest}");
     // One for which no arc of this length is wide enough is told.
     let thicker = yaml.replace("[5, 8, 5]", "[5, 300, 5]");
-    let findings = Rig::build(&MuscleFile::parse(&thicker).unwrap(), "muscles", &mut scene, MuscleId(2)).attach(&scene);
+    let findings = MuscleRig::build(&MuscleFile::parse(&thicker).unwrap(), "muscles", &mut scene, MuscleId(2)).attach(&scene);
     assert!(findings.iter().any(|finding| finding.code == "muscle-bent-too-tight"), "{findings:?}");
 }
 

@@ -1,7 +1,7 @@
 //! Muscle files: what is read, what is refused and where, and that what is written reads back the same.
 
 use proptest::prelude::*;
-use sinew::muscle::{Form, MuscleFile, Rig};
+use sinew::muscle::{Form, MuscleFile, MuscleRig};
 use sinew::scene::{MuscleId, Scene};
 
 const SHIPPED: [&str; 5] = [
@@ -34,7 +34,7 @@ fn shipped_files_read_build_and_round_trip() {
         let file = MuscleFile::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}"));
         let again = MuscleFile::parse(&file.to_yaml()).unwrap();
         assert_eq!(again, file);
-        let rig = Rig::build(&file, "test", &mut Scene::default(), MuscleId(0));
+        let rig = MuscleRig::build(&file, "test", &mut Scene::default(), MuscleId(0));
         assert_eq!(rig.len(), file.muscles.len());
         assert!(rig.findings().is_empty(), "{:?}", rig.findings());
     }

@@ -3,7 +3,9 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use sinew::muscle::presets::{PRESETS, Preset};
-use sinew::muscle::{Anchor, Edit, EditError, Ledger, LimitCause, MuscleFile, Profile, ProfileError, Rig, Root, Tendon, Wrap, published};
+use sinew::muscle::{
+    Anchor, Edit, EditError, LimitCause, MuscleFile, MuscleRig, Profile, ProfileError, Root, SolverReport, Tendon, Wrap, literature_data,
+};
 use sinew::scene::{MuscleId, Scene};
 
 fn file() -> MuscleFile {
@@ -93,7 +95,7 @@ fn presets_are_muscles_in_human_proportions() {
         let file = preset.file();
         assert_eq!(Preset::by_id(preset.id), Some(*preset));
         assert!(!file.muscles.is_empty(), "{}", preset.id);
-        let rig = Rig::build(&file, preset.id, &mut Scene::default(), MuscleId(0));
+        let rig = MuscleRig::build(&file, preset.id, &mut Scene::default(), MuscleId(0));
         assert!(rig.findings().is_empty(), "{}: {:?}", preset.id, rig.findings());
         if volume == 0.0 {
             continue;
@@ -111,7 +113,7 @@ fn presets_are_muscles_in_human_proportions() {
 fn the_ledger_says_which_root_and_what_limits_the_length() {
     let ledger = |radii: &[f64], growth: &[f64], length: f64| {
         let profile = Profile::new(radii.to_vec(), growth.to_vec(), 100.0).unwrap();
-        Ledger::new(&profile, &profile.solve(length), None)
+        SolverReport::new(&profile, &profile.solve(length), None)
     };
     let swells = ledger(&[5.0, 10.0, 5.0], &[0.0, 1.0, 0.0], 80.0);
     assert_eq!((swells.taken, swells.limits[0].cause, swells.limits[1].cause), (Root::Larger, LimitCause::Shortest, LimitCause::Radius(1)));
@@ -138,11 +140,11 @@ fn the_ledger_says_which_root_and_what_limits_the_length() {
 
 #[test]
 fn published_points_are_compared_within_a_range() {
-    assert_eq!(published::ARM26.rms([30.0, 130.0], |_| 4.0).map(|rms| (rms * 1e6).round()), {
+    assert_eq!(literature_data::ARM26.rms([30.0, 130.0], |_| 4.0).map(|rms| (rms * 1e6).round()), {
         let misfit = [3.16_f64, 4.05, 4.69, 4.88, 4.94, 4.03].map(|value| (value - 4.0).powi(2));
         Some(((misfit.iter().sum::<f64>() / 6.0).sqrt() * 1e6).round())
     });
-    assert_eq!(published::MURRAY_2000.rms([0.0, 10.0], |_| 1.0), None);
+    assert_eq!(literature_data::MURRAY_2000.rms([0.0, 10.0], |_| 1.0), None);
 }
 
 proptest! {
@@ -177,7 +179,7 @@ proptest! {
         };
         if let Ok(edited) = file.edited(0, &edit) {
             prop_assert_eq!(&MuscleFile::parse(&edited.to_yaml()).unwrap().muscles, &edited.muscles);
-            let rig = Rig::build(&edited, "edited", &mut Scene::default(), MuscleId(0));
+            let rig = MuscleRig::build(&edited, "edited", &mut Scene::default(), MuscleId(0));
             let rows = rig.measure(0, &[0.0, 60.0, 120.0]);
             prop_assert!(rows.iter().all(|row| row.solved.radii.iter().all(|radius| radius.is_finite())));
         }

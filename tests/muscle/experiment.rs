@@ -1,18 +1,18 @@
 //! The report's experiment: the model beside measured radii, and why the two differ.
 
-use sinew::muscle::experiment::{CompareError, Table, compare};
-use sinew::muscle::fit::{Model, fit, fitted_file};
-use sinew::muscle::{MuscleFile, Rig};
+use sinew::muscle::parameter_fit::{Model, fit, fitted_file};
+use sinew::muscle::validation::{CompareError, Table, compare};
+use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::scene::{MuscleId, Scene};
 
 /// Table 4.1 of the biceps report (2020): radii at nine inner nodes, millimetres.
-const MEASURED: &str = sinew::muscle::published::MEASURED_RADII;
+const MEASURED: &str = sinew::muscle::literature_data::MEASURED_RADII;
 
-fn rig(yaml: &str) -> Rig {
-    Rig::build(&MuscleFile::parse(yaml).unwrap(), "experiment", &mut Scene::default(), MuscleId(0))
+fn rig(yaml: &str) -> MuscleRig {
+    MuscleRig::build(&MuscleFile::parse(yaml).unwrap(), "experiment", &mut Scene::default(), MuscleId(0))
 }
 
-fn biceps() -> Rig {
+fn biceps() -> MuscleRig {
     rig(include_str!("../../configs/biceps-measured.yaml"))
 }
 
@@ -114,7 +114,7 @@ fn measured_poses_keep_the_volume_and_grow_and_shrink_again() {
     // Written, read and put on its arm again, it is what the fit promised.
     let again = MuscleFile::parse(&fitted.file.to_yaml()).unwrap();
     assert_eq!(again.muscles, fitted.file.muscles);
-    let rig = Rig::build(&again, "poses", &mut Scene::default(), MuscleId(0));
+    let rig = MuscleRig::build(&again, "poses", &mut Scene::default(), MuscleId(0));
     assert!(rig.findings().is_empty() && rig.profile(0).unwrap().is_posed());
     let rows = rig.measure(0, &table.angles);
     let squares = |row: usize| -> f64 { (0..9).map(|node| (rows[row].solved.radii[node + 1] - table.radii[node][row]).powi(2)).sum() };
@@ -141,7 +141,7 @@ fn a_fit_makes_a_muscle_of_any_number_of_nodes() {
     let profile = &fitted.file.muscles[0].profile;
     assert_eq!(profile.radii(), [5.0, 5.0, 10.0, 6.0, 5.0]);
     assert_eq!((profile.growth()[0], profile.growth()[4]), (0.0, 0.0));
-    let rig = Rig::build(&fitted.file, "fitted", &mut Scene::default(), MuscleId(0));
+    let rig = MuscleRig::build(&fitted.file, "fitted", &mut Scene::default(), MuscleId(0));
     let length = rig.measure(0, &[10.0])[0].solved.length;
     assert!((profile.rest_length() - length).abs() < 1e-9 && fitted.growth >= 0.0);
 }

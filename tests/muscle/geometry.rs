@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DMat4, DVec3, Vec3};
 use sinew::animation::Pose;
-use sinew::muscle::{Arm, MuscleFile, Rig, Solved};
+use sinew::muscle::{Arm, MuscleFile, MuscleRig, Solved};
 use sinew::scene::{Mesh, MuscleId, NodeKind, Scene};
 
 const BICEPS: &str = include_str!("../../configs/biceps.yaml");
@@ -16,13 +16,13 @@ const ALL: [&str; 5] = [BICEPS, MEASURED, HUMAN, WRAPPED, EXAMPLE];
 
 struct Stage {
     scene: Scene,
-    rig: Rig,
+    rig: MuscleRig,
 }
 
 impl Stage {
     fn new(yaml: &str) -> Self {
         let mut scene = Scene::default();
-        let rig = Rig::build(&MuscleFile::parse(yaml).unwrap(), "stage", &mut scene, MuscleId(0));
+        let rig = MuscleRig::build(&MuscleFile::parse(yaml).unwrap(), "stage", &mut scene, MuscleId(0));
         Self { scene, rig }
     }
 
@@ -358,12 +358,12 @@ fn without_an_arm_contraction_runs_the_length() {
 
 #[test]
 fn the_human_biceps_keeps_to_the_published_figures() {
-    use sinew::muscle::published::{ARM26, ARM26_SHORTENING, BICEPS_PEAK, BICEPS_SHORTENING, BICEPS_VOLUME};
+    use sinew::muscle::literature_data::{ARM26, ARM26_SHORTENING, BICEPS_PEAK, BICEPS_SHORTENING, BICEPS_VOLUME};
     for (name, text) in [
         ("straight", include_str!("../../configs/biceps-human.yaml")),
         ("wrapped", include_str!("../../configs/biceps-human-wrapped.yaml")),
     ] {
-        let rig = Rig::build(&MuscleFile::parse(text).unwrap(), name, &mut Scene::default(), MuscleId(0));
+        let rig = MuscleRig::build(&MuscleFile::parse(text).unwrap(), name, &mut Scene::default(), MuscleId(0));
         let arm = |angle: f64| rig.measure(0, &[angle])[0].moment_arm / 10.0;
         let rms = ARM26.rms([30.0, 130.0], arm).unwrap();
         assert!(rms < 0.5, "{name}: {rms} cm RMS from Arm26");
@@ -384,7 +384,7 @@ fn the_human_biceps_keeps_to_the_published_figures() {
 
 #[test]
 fn ready_muscles_have_the_published_volumes_and_say_so() {
-    use sinew::muscle::{presets::Preset, published::VOLUMES};
+    use sinew::muscle::{literature_data::VOLUMES, presets::Preset};
     for (id, [mean, deviation]) in VOLUMES {
         let file = Preset::by_id(id).unwrap().file();
         let muscle = &file.muscles[0];

@@ -5,7 +5,7 @@ use std::path::Path;
 use glam::{DMat4, DQuat, DVec3};
 use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState};
-use sinew::muscle::{FoundBy, Joint, MuscleFile, Rig};
+use sinew::muscle::{FoundBy, Joint, MuscleFile, MuscleRig};
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform};
 
 /// A body of joints: name, parent, place in the world, all with axes of their own.
@@ -159,7 +159,7 @@ fn muscles_that_name_no_joint_are_measured_about_the_elbow_that_they_cross() {
     let text = include_str!("../../configs/curl-muscles.yaml");
     let mut document = shipped("curl.dae");
     let build = |document: &mut Document, text: &str| {
-        let mut rig = Rig::build(&MuscleFile::parse(text).unwrap(), "muscles", &mut document.scene, MuscleId(0));
+        let mut rig = MuscleRig::build(&MuscleFile::parse(text).unwrap(), "muscles", &mut document.scene, MuscleId(0));
         let findings = rig.attach_moving(&document.scene, &document.clips);
         assert!(findings.is_empty(), "{findings:?}");
         rig

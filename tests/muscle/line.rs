@@ -8,13 +8,13 @@ use sinew::animation::Pose;
 use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::muscle::presets::{PRESETS, Preset};
-use sinew::muscle::{MuscleFile, Rig};
+use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::scene::{MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
 /// A muscle file alone in a scene.
-fn alone(yaml: &str) -> Rig {
+fn alone(yaml: &str) -> MuscleRig {
     let file = MuscleFile::parse(yaml).unwrap_or_else(|error| panic!("{error}\n{yaml}"));
-    Rig::build(&file, "file", &mut Scene::default(), MuscleId(0))
+    MuscleRig::build(&file, "file", &mut Scene::default(), MuscleId(0))
 }
 
 fn shipped() -> Vec<PathBuf> {
@@ -31,7 +31,7 @@ fn quarters(low: f64, high: f64) -> Vec<f64> {
 }
 
 /// The moment arm is the slope of the length, and the length has no jump.
-fn assert_smooth(rig: &Rig, index: usize, angles: &[f64], what: &str) {
+fn assert_smooth(rig: &MuscleRig, index: usize, angles: &[f64], what: &str) {
     const H: f64 = 1e-6;
     let mut before: Option<(f64, f64, f64)> = None;
     for &angle in angles {
@@ -205,7 +205,7 @@ proptest! {
     #[test]
     fn what_is_measured_is_what_is_drawn_on_any_rig(limb in limbs()) {
         let (mut scene, [_, fore]) = limb.scene();
-        let mut rig = Rig::build(&MuscleFile::parse(&limb.yaml).unwrap(), "muscle", &mut scene, MuscleId(0));
+        let mut rig = MuscleRig::build(&MuscleFile::parse(&limb.yaml).unwrap(), "muscle", &mut scene, MuscleId(0));
         rig.attach(&scene);
         let joint = rig.joint().unwrap();
         let posed = |degrees: f64| {
@@ -247,7 +247,7 @@ proptest! {
             origin: {{bone: upper arm, offset: {:?}}}, insertion: {{bone: forearm, offset: {:?}}}, via: [{}], \
             tendons: {{origin: {{length: {tendon:?}, radius: 3}}, insertion: {{length: {tendon:?}, radius: 3}}}}}}\n", ends[0], ends[1], via.join(", "));
         let mut scene = Scene::default();
-        let rig = Rig::build(&MuscleFile::parse(&yaml).unwrap(), "via", &mut scene, MuscleId(0));
+        let rig = MuscleRig::build(&MuscleFile::parse(&yaml).unwrap(), "via", &mut scene, MuscleId(0));
         let mut pose = Pose::rest(&scene);
         rig.apply(rig.at_flexion(angle), &mut pose);
         let (mut local, mut world) = (Vec::new(), Vec::new());
@@ -277,7 +277,7 @@ fn slack_tendons_end_where_they_are_attached() {
     let yaml = "arm: {upper: 330, forearm: 260, thickness: 8, flexion: [0, 120]}\nmuscles:\n  - {length: 250, radii: [4, 12, 4], growth: [0, 1, 0], origin: {bone: upper arm, \
                 offset: [0, -30, 0]}, insertion: {bone: forearm, offset: [0, -47, 0]}, tendons: {origin: {length: 190, radius: 3}, insertion: {length: 210, radius: 3}}}\n";
     let mut scene = Scene::default();
-    let rig = Rig::build(&MuscleFile::parse(yaml).unwrap(), "slack", &mut scene, MuscleId(0));
+    let rig = MuscleRig::build(&MuscleFile::parse(yaml).unwrap(), "slack", &mut scene, MuscleId(0));
     let mut world = Vec::new();
     scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
     let solved = rig.solve(0, rig.at_flexion(0.0), &world);
@@ -374,7 +374,7 @@ fn muscles_scale_with_the_bones_where_the_file_says_so() {
                 tendons: {insertion: {length: 50, radius: 3}}}\n";
     let measured = |yaml: &str, size: f64| {
         let mut scene = limb(size);
-        let mut rig = Rig::build(&MuscleFile::parse(yaml).unwrap(), "m", &mut scene, MuscleId(0));
+        let mut rig = MuscleRig::build(&MuscleFile::parse(yaml).unwrap(), "m", &mut scene, MuscleId(0));
         let found = rig.attach(&scene);
         assert!(found.is_empty() || yaml.contains(&format!("scale: {size:?}")), "{found:?}");
         (rig.scale(0), rig.measure(0, &[0.0, 50.0, 110.0]))

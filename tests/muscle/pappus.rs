@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DMat4, DVec3};
 use proptest::prelude::*;
 use sinew::animation::Pose;
-use sinew::muscle::{MuscleFile, Path, Rig, Solved};
+use sinew::muscle::{MuscleFile, MuscleRig, Path, Solved};
 use sinew::scene::{MuscleId, Scene};
 
 /// Corners of a ring of the test's own surface.
@@ -52,7 +52,7 @@ fn cases() -> impl Strategy<Value = Case> {
 fn posed(case: &Case) -> (MuscleFile, Solved, Path) {
     let file = MuscleFile::parse(&case.yaml).unwrap_or_else(|error| panic!("{error}\n{}", case.yaml));
     let mut scene = Scene::default();
-    let rig = Rig::build(&file, "arm", &mut scene, MuscleId(0));
+    let rig = MuscleRig::build(&file, "arm", &mut scene, MuscleId(0));
     let (mut pose, mut local, mut world) = (Pose::rest(&scene), Vec::new(), Vec::<DMat4>::new());
     let drive = rig.at_flexion(case.angle);
     rig.apply(drive, &mut pose);

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use proptest::prelude::*;
-use sinew::muscle::{MuscleFile, Profile, ProfileError, Rig};
+use sinew::muscle::{MuscleFile, MuscleRig, Profile, ProfileError};
 use sinew::scene::{MuscleId, Scene};
 
 fn measured() -> Profile {
@@ -156,7 +156,7 @@ const REPORT: [[f64; 4]; 9] = [
 #[test]
 fn the_measured_biceps_agrees_with_the_reports_table() {
     let file = MuscleFile::parse(include_str!("../../configs/biceps-measured.yaml")).unwrap();
-    let rig = Rig::build(&file, "measured", &mut Scene::default(), MuscleId(0));
+    let rig = MuscleRig::build(&file, "measured", &mut Scene::default(), MuscleId(0));
     for (column, sample) in rig.measure(0, &[0.0, 30.0, 60.0, 90.0]).iter().enumerate() {
         for (row, printed) in REPORT.iter().enumerate() {
             let ours = sample.solved.radii[row + 1];

@@ -58,7 +58,7 @@ fn every_finding_is_explained() {
         "muscle-through-bone",
         "muscle-too-thick",
     ];
-    let codes = sinew::collada::codes::ALL.iter().map(|(code, _)| *code).chain(others);
+    let codes = sinew::collada::diagnostic_codes::ALL.iter().map(|(code, _)| *code).chain(others);
     let codes: Vec<&str> = codes.collect();
     for page in PAGES {
         let text = read(page);

@@ -11,17 +11,17 @@ use sinew::scene::{Camera, Frame, Projection, Surface};
 const SIZE: [u32; 2] = [320, 240];
 
 /// A document and a moment of it.
-struct Posed {
+struct WorldMesh {
     document: Document,
     frame: Frame,
 }
 
-fn posed(document: Document, flexion: f64, contraction: f64, model: DMat4) -> Posed {
+fn posed(document: Document, flexion: f64, contraction: f64, model: DMat4) -> WorldMesh {
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let mut state = PoseState { model, ..document.start_state() };
     (state.drive.flexion, state.drive.contraction) = (flexion, contraction);
     document.pose(&state, &mut buffers, &mut frame);
-    Posed { document, frame }
+    WorldMesh { document, frame }
 }
 
 fn documents() -> Vec<Document> {
@@ -58,7 +58,7 @@ fn what_is_called_solid_is_closed_and_its_outside_is_outward() {
     for document in documents() {
         for mirror in [1.0, -1.0] {
             let model = DMat4::from_scale(DVec3::new(mirror, 1.0, 1.0));
-            let Posed { frame, document } = posed(document.clone(), 70.0, 60.0, model);
+            let WorldMesh { frame, document } = posed(document.clone(), 70.0, 60.0, model);
             for surface in &frame.surfaces {
                 let Some(bounds) = surface.solid else { continue };
                 let name = &document.scene.graph.node(surface.node).name;
@@ -90,7 +90,7 @@ fn camera(frame: &Frame, yaw: f32, pitch: f32, distance: f32) -> Camera {
 }
 
 /// Draws as it is, and with nothing known to be solid.
-fn both(renderer: &mut Renderer, posed: &Posed, camera: &Camera, display: &Display) -> [Vec<u32>; 2] {
+fn both(renderer: &mut Renderer, posed: &WorldMesh, camera: &Camera, display: &Display) -> [Vec<u32>; 2] {
     let mut open = posed.frame.clone();
     open.surfaces.iter_mut().for_each(|surface| surface.solid = None);
     [&posed.frame, &open].map(|frame| renderer.draw(&posed.document.scene, frame, camera, display, SIZE[0], SIZE[1]).pixels.clone())
@@ -129,7 +129,7 @@ fn who_is_within_sees_the_inside() {
         for (eye, near) in [(surface.center(), span * 1e-4), (surface.center() + Vec3::Z * span * 0.3, span * 0.3)] {
             let projection = Projection::Perspective { fov_y: 1.0 };
             let camera = Camera { eye, rotation: Quat::IDENTITY, projection, near, far: span * 10.0 };
-            let alone = Posed {
+            let alone = WorldMesh {
                 document: posed.document.clone(),
                 frame: Frame {
                     surfaces: posed.frame.surfaces.iter().filter(|other| other.solid == Some(surface)).cloned().collect(),

@@ -5,7 +5,7 @@ use crate::render_support::rng::Rng;
 use crate::render_support::{World, plain};
 use glam::{EulerRot, Mat4, Quat, Vec3};
 use sinew::render::{Display, Renderer, Samples, Shading};
-use sinew::scene::{Camera, Material, MaterialBinding, Mesh, OrbitCamera, Paint, Part, Placement, Projection, ShadingModel};
+use sinew::scene::{Camera, Material, MaterialBinding, Mesh, OrbitCamera, Paint, Part, Projection, ShadingModel, SurfaceGeometry};
 
 const SIZE: [u32; 2] = [120, 90];
 const OUTSIDE: [[u32; 4]; 6] = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -74,7 +74,7 @@ fn place(world: &mut World, mesh: Mesh, colors: Vec<MaterialBinding>, matrix: Ma
     surface.materials = colors.into_iter().map(Some).collect();
     surface.mirrored = make.mirrored;
     if make.deformed {
-        surface.placement = Placement::Deformed { positions, normals };
+        surface.placement = SurfaceGeometry::Deformed { positions, normals };
     }
 }
 

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use glam::{Mat4, Vec2, Vec3};
 use sinew::scene::{
-    Bounds, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, MuscleId, Node, NodeId, Paint, Part, Pixels, Placement, Surface,
-    TextureRef, Wrap, smooth_normals,
+    Bounds, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, MuscleId, Node, NodeId, Paint, Part, Pixels, Surface,
+    SurfaceGeometry, TextureRef, Wrap, smooth_normals,
 };
 
 use super::World;
@@ -133,7 +133,7 @@ impl World {
         self.frame.bounds.merge(&bounds);
         let materials = vec![material; mesh.parts.len()].into();
         let mirrored = matrix.determinant() < 0.0;
-        let placement = Placement::Rigid(matrix);
+        let placement = SurfaceGeometry::Rigid(matrix);
         self.frame.surfaces.push(Surface {
             node,
             mesh,
@@ -215,7 +215,7 @@ pub(crate) fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
     world.frame.world.push(DMat4::IDENTITY);
     world.frame.bounds.merge(&Bounds::of(positions.iter().copied()));
     let materials = vec![None; rest.parts.len()].into();
-    let placement = Placement::Deformed { positions, normals };
+    let placement = SurfaceGeometry::Deformed { positions, normals };
     let mesh = Arc::new(rest);
     world.frame.surfaces.push(Surface {
         node,

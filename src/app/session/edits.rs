@@ -4,12 +4,12 @@ use glam::DVec2;
 
 use super::history::{Snapshot, Step};
 use super::{Changes, Handles, ModelDrag, ModelTransform, Session, Tool};
-use crate::muscle::Drive;
+use crate::muscle::MuscleState;
 use crate::scene::NodeId;
 
 impl Session {
     /// Elbow angle and contraction.
-    pub fn drive(&self) -> Drive {
+    pub fn drive(&self) -> MuscleState {
         self.state.drive
     }
 
@@ -31,7 +31,7 @@ impl Session {
         self.set_drive(drive);
     }
 
-    fn set_drive(&mut self, drive: Option<Drive>) {
+    fn set_drive(&mut self, drive: Option<MuscleState>) {
         if let Some(drive) = drive.filter(|drive| *drive != self.state.drive) {
             self.state.drive = drive;
             self.changed(Changes::DRIVE);

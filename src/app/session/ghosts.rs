@@ -1,7 +1,7 @@
 //! Ghosts: the moments before and after the present one, drawn with it, and the path of the selected node over the clip.
 
 use super::{Changes, Session};
-use crate::stage::{Company, Ghosts, Host};
+use crate::stage::{Ghosts, PoseContext, SceneOverlays};
 
 impl Session {
     /// Which ghosts are drawn.
@@ -19,7 +19,7 @@ impl Session {
     }
 
     /// What accompanies the scene, for pictures of it that are made elsewhere.
-    pub fn company(&self) -> Company {
+    pub fn company(&self) -> SceneOverlays {
         self.company.anew()
     }
 
@@ -30,7 +30,7 @@ impl Session {
 
     /// Poses what accompanies the scene and puts it into the frame, which has just been posed.
     pub(super) fn invite_company(&mut self) {
-        let host = Host::new(&self.document, self.state(), self.frame_rate, &self.display);
+        let host = PoseContext::new(&self.document, self.state(), self.frame_rate, &self.display);
         self.company.invite(&host, &mut self.frame);
     }
 }

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, Vec2};
 
 use super::{Session, Step};
-use crate::muscle::{Edit, EditError, Handhold};
+use crate::muscle::{AttachmentPoint, Edit, EditError};
 use crate::scene::{Camera, MuscleId};
 
 /// How near to a dot the pointer takes it, logical pixels.
@@ -13,7 +13,7 @@ const NEAR: f64 = 11.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grip {
     /// The point of the muscle.
-    pub hold: Handhold,
+    pub hold: AttachmentPoint,
     /// Where it falls, logical pixels.
     pub place: DVec2,
     /// Where it is, world, metres.
@@ -49,7 +49,7 @@ impl Session {
         let camera = self.eye.camera(&self.document.scene, &self.frame);
         let Some((rig, index)) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle) else { return Vec::new() };
         let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
-        let grip = |hold: Handhold| {
+        let grip = |hold: AttachmentPoint| {
             let point = rig.hold(index, hold, &self.frame.world)?;
             Some(Grip { hold, place: place(point).filter(|place| place.is_finite())?, point })
         };

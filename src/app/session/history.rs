@@ -3,8 +3,8 @@
 use std::time::{Duration, Instant};
 
 use super::joint::Held;
-use crate::document::HandTurn;
-use crate::muscle::{Drive, MuscleFile};
+use crate::document::JointOverride;
+use crate::muscle::{MuscleFile, MuscleState};
 use crate::scene::NodeId;
 use crate::stage::{LightAim, ModelTransform};
 
@@ -20,9 +20,9 @@ pub(super) struct Snapshot {
     /// What the muscle files say.
     pub files: Vec<MuscleFile>,
     /// Joints turned by hand.
-    pub turned: Vec<HandTurn>,
+    pub turned: Vec<JointOverride>,
     /// Elbow angle and contraction.
-    pub drive: Drive,
+    pub drive: MuscleState,
     /// The joint that the slider bends, and how it is bent.
     pub held: Held,
 }
@@ -137,7 +137,7 @@ mod tests {
             hidden: Vec::new(),
             files: Vec::new(),
             turned: Vec::new(),
-            drive: Drive::default(),
+            drive: MuscleState::default(),
             held: Held::default(),
         }
     }

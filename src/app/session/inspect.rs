@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec3, Vec3};
 
 use super::{Changes, Session, Step};
-use crate::document::{Explanation, HandTurn};
+use crate::document::{JointOverride, VertexInfluences};
 use crate::render::Pick;
 use crate::scene::{Content, Deformer, Frame, NodeId, NodeKind};
 use crate::tr;
@@ -78,7 +78,7 @@ impl Session {
     }
 
     /// The vertex that was clicked, explained; `None` where none was or the selection has gone elsewhere.
-    pub fn explanation(&mut self) -> Option<Explanation> {
+    pub fn explanation(&mut self) -> Option<VertexInfluences> {
         self.frame();
         let (surface, vertex) = self.pins.vertex?;
         let same = self.frame.surfaces.get(surface).map(|surface| surface.node) == self.display.selected;
@@ -161,7 +161,7 @@ impl Session {
 
     /// Takes back what was turned by hand: of one node, or of all.
     pub fn reset_turns(&mut self, node: Option<NodeId>) {
-        let kept: Vec<HandTurn> = match node {
+        let kept: Vec<JointOverride> = match node {
             Some(node) => self.document.hand_turns().iter().copied().filter(|turn| turn.node != node).collect(),
             None => Vec::new(),
         };

@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::{Changes, Session, Step};
 use crate::document::Document;
 use crate::i18n::quantity as format;
-use crate::muscle::{Drive, Driving, Joint, Turn};
+use crate::muscle::{Driving, Joint, MuscleState, Turn};
 use crate::scene::{MuscleId, NodeId, NodeKind};
 use crate::tr;
 
@@ -244,7 +244,7 @@ impl Session {
     /// Bends the clip's joint so that the muscle shown has this contraction.
     pub(super) fn contract_by_joint(&mut self, per_cent: f64) {
         let Some(present) = self.joint_angle() else { return };
-        let Some(Drive { flexion, .. }) = self.driving().map(|driving| driving.at_contraction(per_cent)) else { return };
+        let Some(MuscleState { flexion, .. }) = self.driving().map(|driving| driving.at_contraction(per_cent)) else { return };
         let turned = self.state.turn.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
         // What the clip does by itself. The angle in the pose is known but for whole turns, and a hand may bend the joint past half of one.
         let own = (present - turned + 180.0).rem_euclid(360.0) - 180.0;

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
 use super::{Session, Step};
-use crate::muscle::experiment::{CompareError, Table};
-use crate::muscle::fit::{Model, fitted_file};
-use crate::muscle::{MuscleFile, Rig, Solved};
+use crate::muscle::parameter_fit::{Model, fitted_file};
+use crate::muscle::validation::{CompareError, Table};
+use crate::muscle::{MuscleFile, MuscleRig, Solved};
 use crate::scene::MuscleId;
 use crate::tr;
 
@@ -124,7 +124,7 @@ fn steps(range: &RangeInclusive<f64>, count: u32) -> Vec<f64> {
     (0..=count).map(|index| range.start() + f64::from(index) * step).collect()
 }
 
-fn over_angles(rig: &Rig, index: usize, angles: &[f64]) -> Vec<Reading> {
+fn over_angles(rig: &MuscleRig, index: usize, angles: &[f64]) -> Vec<Reading> {
     let samples = rig.measure(index, angles).into_iter();
     samples.map(|s| Reading { time: None, angle: Some(s.angle), moment_arm: Some(s.moment_arm), solved: s.solved }).collect()
 }

@@ -58,7 +58,7 @@ use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
-use crate::stage::{self, Company};
+use crate::stage::{self, SceneOverlays};
 
 /// How another document comes in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -104,7 +104,7 @@ pub struct Session {
     aspect: f32,
     fit_on_resize: bool,
     pins: Pins,
-    company: Company,
+    company: SceneOverlays,
     /// What was hidden before the selection was shown alone.
     isolated: Option<Vec<NodeId>>,
     frame: Frame,
@@ -151,7 +151,7 @@ impl Session {
             aspect: 1.5,
             fit_on_resize: true,
             pins: Pins::default(),
-            company: Company::default(),
+            company: SceneOverlays::default(),
             isolated: None,
             frame: Frame::default(),
             buffers: PoseBuffers::default(),

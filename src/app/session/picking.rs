@@ -3,22 +3,22 @@
 use glam::DVec3;
 
 use super::{Changes, Session, Step};
-use crate::muscle::{Anchor, Edit, EditError, Handhold};
+use crate::muscle::{Anchor, AttachmentPoint, Edit, EditError};
 use crate::render::Pick;
 use crate::scene::{MuscleId, NodeId};
 
 /// Share of a bone's length from its beginning at which a bone chosen by name is held.
 const ALONG: f64 = 0.15;
-const ORIGIN: Picked = Picked::Point(Handhold::End(0));
-const INSERTION: Picked = Picked::Point(Handhold::End(1));
+const ORIGIN: Picked = Picked::Point(AttachmentPoint::End(0));
+const INSERTION: Picked = Picked::Point(AttachmentPoint::End(1));
 /// A point picked on the skin lies this share of the way from the bone to the skin.
 const UNDER_SKIN: f64 = 0.4;
 
 /// What the next click gives a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Picked {
-    /// A point that the muscle has; [`Handhold::Wrap`] also where it goes round nothing yet.
-    Point(Handhold),
+    /// A point that the muscle has; [`AttachmentPoint::Wrap`] also where it goes round nothing yet.
+    Point(AttachmentPoint),
     /// A via point that it gets.
     NewVia,
 }
@@ -89,7 +89,7 @@ impl Session {
         if rig.is_attached(index) {
             let edit = match what {
                 // A ball goes into a joint, wherever on the bone was clicked.
-                Picked::Point(Handhold::Wrap) => None,
+                Picked::Point(AttachmentPoint::Wrap) => None,
                 Picked::Point(hold) => rig.spec(index).and_then(|spec| Edit::place(spec, hold, anchor)),
                 Picked::NewVia => rig.via_number_at(index, place, &self.frame.world).map(|number| Edit::AddVia(number, anchor)),
             };
@@ -122,29 +122,29 @@ impl Session {
     ///
     /// # Errors
     /// [`EditError`] where the point cannot be there.
-    pub fn put_on(&mut self, id: MuscleId, hold: Handhold, node: Option<NodeId>) -> Result<(), EditError> {
+    pub fn put_on(&mut self, id: MuscleId, hold: AttachmentPoint, node: Option<NodeId>) -> Result<(), EditError> {
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let there = rig.is_attached(index).then(|| rig.hold_bone(index, hold)).flatten();
         let Some(node) = node else {
             return match hold {
-                Handhold::End(_) => self.edit_muscle(id, &Edit::Ends(None), Step::New),
-                Handhold::Via(_) => Ok(()),
-                Handhold::Wrap => self.edit_muscle(id, &Edit::Wrap(None), Step::New),
+                AttachmentPoint::End(_) => self.edit_muscle(id, &Edit::Ends(None), Step::New),
+                AttachmentPoint::Via(_) => Ok(()),
+                AttachmentPoint::Wrap => self.edit_muscle(id, &Edit::Wrap(None), Step::New),
             };
         };
         if there == Some(node) {
             return Ok(());
         }
         match hold {
-            Handhold::End(_) => self.put_end_on(id, hold, node),
-            Handhold::Via(_) | Handhold::Wrap => {
+            AttachmentPoint::End(_) => self.put_end_on(id, hold, node),
+            AttachmentPoint::Via(_) | AttachmentPoint::Wrap => {
                 self.stop_picking();
-                if hold == Handhold::Wrap { self.wrap_round(id, node) } else { self.put_via_on(id, hold, node) }
+                if hold == AttachmentPoint::Wrap { self.wrap_round(id, node) } else { self.put_via_on(id, hold, node) }
             }
         }
     }
 
-    fn put_end_on(&mut self, id: MuscleId, hold: Handhold, node: NodeId) -> Result<(), EditError> {
+    fn put_end_on(&mut self, id: MuscleId, hold: AttachmentPoint, node: NodeId) -> Result<(), EditError> {
         let what = Picked::Point(hold);
         let mut picking = self.picking.clone();
         if !picking.as_ref().is_some_and(|picking| picking.muscle == id && picking.what == what) {
@@ -159,7 +159,7 @@ impl Session {
 
     /// Whether what is picked is a point on the way, which may be picked on the muscle itself.
     fn picks_via(&self) -> bool {
-        self.picking.as_ref().is_some_and(|picking| matches!(picking.what, Picked::NewVia | Picked::Point(Handhold::Via(_))))
+        self.picking.as_ref().is_some_and(|picking| matches!(picking.what, Picked::NewVia | Picked::Point(AttachmentPoint::Via(_))))
     }
 
     /// The bone that a picked point belongs to, and where on it the muscle's point goes: a bone itself, the arm's rods, or the joint that a skin follows

@@ -161,7 +161,7 @@ mod tests {
     use crate::document::PoseBuffers;
     use crate::render::Display;
     use crate::scene::{Bounds, Frame, NodeId};
-    use crate::stage::{Backdrop, Company, Host};
+    use crate::stage::{Backdrop, PoseContext, SceneOverlays};
 
     #[test]
     fn a_session_comes_back_as_it_was_saved() {
@@ -223,13 +223,13 @@ mod tests {
         assert_eq!(other.eye().orbit(), session.eye().orbit());
 
         let document = swinging();
-        let (mut company, rate) = Company::of_saved(&saved, &document, None);
+        let (mut company, rate) = SceneOverlays::of_saved(&saved, &document, None);
         let (mut frame, state) = (Frame::default(), saved.state(&document));
         let display = Display { palette: other.display().palette, ..saved.display(&document, &Bounds::EMPTY) };
         for _ in 0..2 {
             company.recall(&mut frame);
             document.pose(&state, &mut PoseBuffers::default(), &mut frame);
-            company.invite(&Host::new(&document, state, rate, &display), &mut frame);
+            company.invite(&PoseContext::new(&document, state, rate, &display), &mut frame);
         }
         let shown = other.frame();
         assert!(shown.marks.len() > 10 && frame.marks == shown.marks);

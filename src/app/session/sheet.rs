@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, EulerRot};
 
-use crate::animation::{Channel, Clip, Curve, Lane, MaterialSlot, Target};
+use crate::animation::{Channel, Clip, Components, Curve, MaterialSlot, Target};
 use crate::scene::{LightId, MaterialId, MorphId, NodeId, Scene, TransformOp};
 
 /// What a row of the dope sheet stands for.
@@ -200,8 +200,10 @@ fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
     // Numbers of a vector: all of them, or the one of the lane.
     let vector = |kind, lane, names: [&str; 3]| -> Vec<(GraphKind, Line)> {
         match lane {
-            Lane::Whole => (0..channel.curve.dimension.min(3)).map(|axis| (kind, line(names[axis], axis, Reading::Number(axis)))).collect(),
-            Lane::Component(axis) => {
+            Components::Whole => {
+                (0..channel.curve.dimension.min(3)).map(|axis| (kind, line(names[axis], axis, Reading::Number(axis)))).collect()
+            }
+            Components::Component(axis) => {
                 let axis = usize::from(axis).min(2);
                 vec![(kind, line(names[axis], axis, Reading::Number(0)))]
             }
@@ -214,12 +216,12 @@ fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
                 (Some(TransformOp::Translate(_)), lane) => vector(GraphKind::Translation, lane, AXES),
                 (Some(TransformOp::Scale(_)), lane) => vector(GraphKind::Scale, lane, AXES),
                 (Some(TransformOp::Rotate { axis, .. }), lane) => {
-                    let number = if lane == Lane::Whole { channel.curve.dimension.saturating_sub(1) } else { 0 };
+                    let number = if lane == Components::Whole { channel.curve.dimension.saturating_sub(1) } else { 0 };
                     let size = axis.abs();
                     let along = if size.x >= size.y && size.x >= size.z { 0 } else { 1 + usize::from(size.z > size.y) };
                     vec![(GraphKind::Rotation, line(AXES[along], along, Reading::Number(number)))]
                 }
-                (Some(TransformOp::Matrix(_)), Lane::Whole) => (0..3)
+                (Some(TransformOp::Matrix(_)), Components::Whole) => (0..3)
                     .flat_map(|axis| {
                         [
                             (GraphKind::Translation, line(AXES[axis], axis, Reading::Position(axis))),
@@ -228,10 +230,10 @@ fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
                         ]
                     })
                     .collect(),
-                (_, Lane::Component(component)) => {
+                (_, Components::Component(component)) => {
                     vec![(GraphKind::Other, line(&component.to_string(), usize::from(component) % 3, Reading::Number(0)))]
                 }
-                (_, Lane::Whole) => vector(GraphKind::Other, lane, AXES),
+                (_, Components::Whole) => vector(GraphKind::Other, lane, AXES),
             }
         }
         Target::MorphWeight { morph, target } => {
@@ -271,7 +273,7 @@ mod tests {
         scene
     }
 
-    fn channel(node: u32, op: u32, lane: Lane, keys: Keys) -> Channel {
+    fn channel(node: u32, op: u32, lane: Components, keys: Keys) -> Channel {
         Channel { target: Target::Transform { node: NodeId(node), op, lane }, curve: Arc::new(Curve::new(keys)) }
     }
 
@@ -286,9 +288,9 @@ mod tests {
             start: 0.0,
             end: 2.0,
             channels: vec![
-                channel(1, 0, Lane::Component(1), keys(&[0.0, 2.0], 1, vec![0.0, 1.0])),
-                channel(0, 1, Lane::Component(3), keys(&[0.0, 1.0, 5.0], 1, vec![0.0, 90.0, 0.0])),
-                channel(1, 1, Lane::Component(3), keys(&[0.0, 1.0], 1, vec![0.0, 45.0])),
+                channel(1, 0, Components::Component(1), keys(&[0.0, 2.0], 1, vec![0.0, 1.0])),
+                channel(0, 1, Components::Component(3), keys(&[0.0, 1.0, 5.0], 1, vec![0.0, 90.0, 0.0])),
+                channel(1, 1, Components::Component(3), keys(&[0.0, 1.0], 1, vec![0.0, 45.0])),
             ],
             ..Clip::default()
         };
@@ -308,7 +310,7 @@ mod tests {
         };
         let values = [matrix(0.0, 0.0), matrix(1.0, 4.0)].iter().flat_map(|matrix| matrix.to_cols_array()).collect();
         let keys = Keys { matrix: true, ..keys(&[0.0, 1.0], 16, values) };
-        let clip = Clip { end: 1.0, channels: vec![channel(0, 2, Lane::Whole, keys)], ..Clip::default() };
+        let clip = Clip { end: 1.0, channels: vec![channel(0, 2, Components::Whole, keys)], ..Clip::default() };
         let graphs = graphs(&scene(), &clip, Moved::Node(NodeId(0)));
         let at = |kind, axis: usize| {
             graphs.iter().find(|graph| graph.kind == kind).map(|graph| graph.lines[axis].value(0.5)).expect("the graph is there")
@@ -327,7 +329,7 @@ mod tests {
             in_tangents: tangents(vec![0.0, 0.0, 0.5, 7.0]),
             ..keys(&[0.0, 1.0], 1, vec![1.0, 5.0])
         };
-        let clip = Clip { end: 1.0, channels: vec![channel(0, 0, Lane::Component(0), keys)], ..Clip::default() };
+        let clip = Clip { end: 1.0, channels: vec![channel(0, 0, Components::Component(0), keys)], ..Clip::default() };
         let graphs = graphs(&scene(), &clip, Moved::Node(NodeId(0)));
         assert_eq!(graphs[0].lines[0].tangents(0), Some([(0.25, 3.0), (0.5, 7.0)]));
         assert_eq!(graphs[0].lines[0].tangents(1), None);

@@ -1,7 +1,7 @@
 use super::*;
 use crate::animation::Clip;
 use crate::collada::Progress;
-use crate::muscle::Handhold;
+use crate::muscle::AttachmentPoint;
 use crate::muscle::presets::Preset;
 use crate::scene::Node;
 use glam::DVec3;
@@ -20,7 +20,7 @@ pub(super) fn biceps() -> Preset {
 /// The bones that a muscle's ends are on.
 pub(super) fn ends(session: &Session, id: MuscleId) -> [Option<NodeId>; 2] {
     let (rig, index) = session.document().muscle(id).unwrap();
-    [0, 1].map(|end| rig.hold_bone(index, Handhold::End(end)))
+    [0, 1].map(|end| rig.hold_bone(index, AttachmentPoint::End(end)))
 }
 
 fn two_clips() -> Document {
@@ -69,14 +69,14 @@ fn posing_counts_once_whoever_asks_for_it() {
 
 /// A document with a camera, on a node of that name 6 m before the origin, and something to look at.
 fn filmed(name: &str) -> Document {
-    use crate::scene::{CameraId, Content, Projection, StoredCamera, Transform};
+    use crate::scene::{CameraId, Content, FileCamera, Projection, Transform};
     let mut document = swinging();
     let mut node = Node::new(name);
     node.contents.push(Content::Camera(CameraId(0)));
     node.transform = Transform { ops: vec![crate::scene::TransformOp::Translate(DVec3::new(0.0, 1.0, 6.0))] };
     document.scene.graph.add(None, node);
     let projection = Projection::Perspective { fov_y: 0.7 };
-    document.scene.cameras.push(StoredCamera { name: String::new(), id: String::new(), projection, aspect: None, near: 0.1, far: 100.0 });
+    document.scene.cameras.push(FileCamera { name: String::new(), id: String::new(), projection, aspect: None, near: 0.1, far: 100.0 });
     document
 }
 
@@ -277,7 +277,7 @@ fn a_compared_file_that_was_written_again_keeps_its_place() {
 
 /// A root with an arm that swings for a second and carries a triangle and a hand; beside it another joint.
 pub(super) fn swinging() -> Document {
-    use crate::animation::{Channel, Curve, Keys, Lane, Target};
+    use crate::animation::{Channel, Components, Curve, Keys, Target};
     use crate::scene::{Content, Mesh, MeshId, MeshInstance, NodeKind, Part, Transform, TransformOp};
 
     let mut document = Document::default();
@@ -305,7 +305,7 @@ pub(super) fn swinging() -> Document {
     let instance = MeshInstance { mesh: MeshId(0), deformers: Vec::new(), materials: vec![None].into(), skinned_targets: Vec::new() };
     document.scene.graph.node_mut(arm).contents.push(Content::Mesh(instance));
     let keys = Keys { times: vec![0.0, 0.5, 1.0], dimension: 1, values: vec![0.0, 60.0, 90.0], ..Keys::default() };
-    let target = Target::Transform { node: arm, op: 0, lane: Lane::Component(3) };
+    let target = Target::Transform { node: arm, op: 0, lane: Components::Component(3) };
     let channels = vec![Channel { target, curve: Arc::new(Curve::new(keys)) }];
     document.clips.push(Clip { name: "swing".into(), start: 0.0, end: 1.0, channels, ..Clip::default() });
     document.touch();

@@ -1,7 +1,7 @@
 //! The way of a muscle between its ends: points that it passes, and the ball that it goes round.
 
 use super::{Session, Step};
-use crate::muscle::{Edit, EditError, Handhold};
+use crate::muscle::{AttachmentPoint, Edit, EditError};
 use crate::scene::{MuscleId, NodeId};
 
 impl Session {
@@ -18,7 +18,7 @@ impl Session {
     }
 
     /// Puts a via point on another bone: it stays where it is and moves with that bone from now on.
-    pub(super) fn put_via_on(&mut self, id: MuscleId, hold: Handhold, node: NodeId) -> Result<(), EditError> {
+    pub(super) fn put_via_on(&mut self, id: MuscleId, hold: AttachmentPoint, node: NodeId) -> Result<(), EditError> {
         self.frame();
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let world = &self.frame.world;
@@ -69,7 +69,7 @@ mod tests {
         let mut session = clip();
         session.new_muscle(biceps()).unwrap();
         let id = session.shown_muscle();
-        session.put_on(id, Handhold::Wrap, None).unwrap();
+        session.put_on(id, AttachmentPoint::Wrap, None).unwrap();
         session.set_flexion(60.0);
         (session, id)
     }
@@ -85,7 +85,7 @@ mod tests {
         rig.solve(index, session.drive(), &session.posed().world).path_length
     }
 
-    fn place(session: &mut Session, id: MuscleId, hold: Handhold) -> DVec3 {
+    fn place(session: &mut Session, id: MuscleId, hold: AttachmentPoint) -> DVec3 {
         session.frame();
         let (rig, index) = session.document().muscle(id).unwrap();
         rig.hold(index, hold, &session.posed().world).unwrap()
@@ -121,7 +121,7 @@ mod tests {
     fn a_via_point_on_another_bone_stays_where_it_is_and_follows_that_bone() {
         let (mut session, id) = attached();
         session.add_via(id).unwrap();
-        let (hold, before) = (Handhold::Via(0), place(&mut session, id, Handhold::Via(0)));
+        let (hold, before) = (AttachmentPoint::Via(0), place(&mut session, id, AttachmentPoint::Via(0)));
         assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
         session.put_on(id, hold, Some(find(&session, "forearm"))).unwrap();
         assert_eq!(spec(&session, id).via[0].bone, "forearm");
@@ -150,7 +150,7 @@ mod tests {
             assert_eq!(via[number].bone, bone, "{via:?}");
         }
         assert_eq!(spec(&session, id).via[1], first);
-        session.start_picking(id, Picked::Point(Handhold::Via(1)));
+        session.start_picking(id, Picked::Point(AttachmentPoint::Via(1)));
         session.pick_bone(find(&session, "forearm")).unwrap();
         assert_eq!(spec(&session, id).via[1].bone, "forearm");
     }
@@ -165,7 +165,7 @@ mod tests {
         assert_eq!(spec(&session, id).via, [two[1].clone(), two[0].clone()]);
         assert_eq!(session.step_names().0, Some(Edit::SwapVia(0).label().as_str()));
         session.undo();
-        let grip = session.grips(size).into_iter().find(|grip| grip.hold == Handhold::Via(1)).unwrap();
+        let grip = session.grips(size).into_iter().find(|grip| grip.hold == AttachmentPoint::Via(1)).unwrap();
         let drag = GripDrag { muscle: id, grip, from: grip.place };
         session.drag_grip(&drag, grip.place + DVec2::new(12.0, 9.0), size, Step::New).unwrap();
         let dragged = spec(&session, id).via;
@@ -186,7 +186,7 @@ mod tests {
         let (mut session, id) = attached();
         let elbow = session.document().scene.graph.find("forearm").unwrap();
         for bone in ["upper_arm", "forearm"] {
-            session.put_on(id, Handhold::Wrap, Some(find(&session, bone))).unwrap();
+            session.put_on(id, AttachmentPoint::Wrap, Some(find(&session, bone))).unwrap();
             session.frame();
             let wrap = spec(&session, id).wrap.unwrap();
             assert_eq!(wrap.center.bone, bone);
@@ -195,7 +195,7 @@ mod tests {
             let ball = rig.ball(index, &session.posed().world).unwrap();
             assert!(ball.center.distance(joint) < 2e-5, "{bone}: {} {joint}", ball.center);
             // The ends of a bent biceps lie on that side of the elbow too.
-            let middle = 0.5 * (place(&mut session, id, Handhold::End(0)) + place(&mut session, id, Handhold::End(1)));
+            let middle = 0.5 * (place(&mut session, id, AttachmentPoint::End(0)) + place(&mut session, id, AttachmentPoint::End(1)));
             assert!((middle - joint).dot(ball.side) > 0.0, "{bone}");
         }
         // Straight, the muscle lies on it and is longer for it; on the other side it is longer still or as long.
@@ -211,7 +211,7 @@ mod tests {
             let bad = Edit::Wrap(Some(crate::muscle::Wrap { radius, ..wrap.clone() }));
             assert_eq!(session.edit_muscle(id, &bad, Step::New), Err(EditError::Wrap));
         }
-        session.put_on(id, Handhold::Wrap, None).unwrap();
+        session.put_on(id, AttachmentPoint::Wrap, None).unwrap();
         assert_eq!(spec(&session, id).wrap, None);
         session.undo();
         assert_eq!(spec(&session, id).wrap.unwrap().side, -wrap.side);
@@ -222,9 +222,9 @@ mod tests {
         let (mut session, id) = attached();
         let size = DVec2::new(900.0, 600.0);
         assert_eq!(session.ring(size), None);
-        session.put_on(id, Handhold::Wrap, Some(find(&session, "forearm"))).unwrap();
+        session.put_on(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))).unwrap();
         let (ring, grips) = (session.ring(size).unwrap(), session.grips(size));
-        let dot = grips.iter().find(|grip| grip.hold == Handhold::Wrap).unwrap();
+        let dot = grips.iter().find(|grip| grip.hold == AttachmentPoint::Wrap).unwrap();
         assert!(dot.place.distance(ring.middle) < 1e-9);
         assert!(ring.top.distance(ring.middle) <= 1.1 * ring.radius && ring.radius > 1.0, "{ring:?}");
         let drag = GripDrag { muscle: id, grip: *dot, from: dot.place };
@@ -246,12 +246,12 @@ mod tests {
         let point = skin[skin.len() / 2];
         let node = session.node_of_muscle(id).unwrap();
         let pick = Pick { node, surface: Some(surface as u32), triangle: 0, barycentric: glam::Vec3::X, point };
-        session.start_picking(id, Picked::Point(Handhold::Wrap));
+        session.start_picking(id, Picked::Point(AttachmentPoint::Wrap));
         session.pick_at(Some(pick)).unwrap();
         assert!(session.picking().is_some() && spec(&session, id).wrap.is_none(), "no joint is there");
         session.start_picking(id, Picked::NewVia);
         session.pick_at(Some(pick)).unwrap();
-        let inside = place(&mut session, id, Handhold::Via(0));
+        let inside = place(&mut session, id, AttachmentPoint::Via(0));
         let thickest = spec(&session, id).profile.radii().iter().copied().fold(0.0, f64::max) * 1e-3;
         let away = inside.distance(point.as_dvec3());
         assert!(away > 0.1 * thickest && away < 2.0 * thickest, "{away} {thickest}");
@@ -263,7 +263,7 @@ mod tests {
         let (mut session, id) = attached();
         session.edit_muscle(id, &Edit::Ends(None), Step::New).unwrap();
         assert_eq!(session.add_via(id), Err(EditError::NoEnds));
-        assert_eq!(session.put_on(id, Handhold::Wrap, Some(find(&session, "forearm"))), Err(EditError::NoEnds));
+        assert_eq!(session.put_on(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))), Err(EditError::NoEnds));
     }
 
     #[test]
@@ -274,7 +274,7 @@ mod tests {
         files[0].muscles[0].via[0].bone = "tail".to_owned();
         session.put_muscle_files(&files);
         assert!(!session.document().muscle(id).unwrap().0.is_attached(0));
-        session.put_on(id, Handhold::Via(0), Some(find(&session, "forearm"))).unwrap();
+        session.put_on(id, AttachmentPoint::Via(0), Some(find(&session, "forearm"))).unwrap();
         assert!(session.document().muscle(id).unwrap().0.is_attached(0));
     }
 }

@@ -6,7 +6,7 @@ use gtk4 as gtk;
 use super::ignore;
 use crate::app::canvas::{Align, Canvas, cairo, rgb, set_color, write};
 use crate::app::session::{Grip, Ring};
-use crate::muscle::Handhold;
+use crate::muscle::AttachmentPoint;
 use crate::tr;
 
 /// Radius, logical pixels.
@@ -20,7 +20,7 @@ const DASHES: [f64; 2] = [6.0, 4.0];
 pub(super) fn draw(
     grips: &[Grip],
     ring: Option<Ring>,
-    lit: Option<Handhold>,
+    lit: Option<AttachmentPoint>,
     canvas: &Canvas,
     snapshot: &gtk::Snapshot,
     (width, height): (f64, f64),
@@ -31,21 +31,21 @@ pub(super) fn draw(
     }
     for grip in grips {
         let held = lit == Some(grip.hold);
-        let radius = if let Handhold::End(_) = grip.hold { RADIUS } else { 0.7 * RADIUS } + if held { 2.0 } else { 0.0 };
+        let radius = if let AttachmentPoint::End(_) = grip.hold { RADIUS } else { 0.7 * RADIUS } + if held { 2.0 } else { 0.0 };
         // A dark edge round a light dot is legible over anything.
         disc(&context, grip, radius + 2.0, 0x10_1010, 0.55);
         disc(&context, grip, radius, 0xFF_FFFF, 0.95);
-        if grip.hold == Handhold::End(1) {
+        if grip.hold == AttachmentPoint::End(1) {
             disc(&context, grip, radius - 2.5, 0x10_1010, 0.8);
         }
     }
     drop(context);
     if let Some(grip) = grips.iter().find(|grip| Some(grip.hold) == lit) {
         let name = match grip.hold {
-            Handhold::End(0) => tr!("app-origin"),
-            Handhold::End(_) => tr!("app-insertion"),
-            Handhold::Via(number) => tr!("app-via-number", number = number + 1),
-            Handhold::Wrap => tr!("app-wrap-centre"),
+            AttachmentPoint::End(0) => tr!("app-origin"),
+            AttachmentPoint::End(_) => tr!("app-insertion"),
+            AttachmentPoint::Via(number) => tr!("app-via-number", number = number + 1),
+            AttachmentPoint::Wrap => tr!("app-wrap-centre"),
         };
         for (dx, dy, color) in [(1.0, 1.0, 0x10_1010), (0.0, 0.0, 0xFF_FFFF)] {
             write(canvas, snapshot, &name, grip.place.x + 13.0 + dx, grip.place.y - 9.0 + dy, Align::Left, 0.9, &rgb(color));

@@ -15,7 +15,7 @@ use crate::app::canvas::Canvas;
 use crate::app::format;
 use crate::app::session::{Grip as Dot, GripDrag, Handle, ModelDrag, Session, Step, Tool, Viewpoint};
 use crate::app::window::Window;
-use crate::muscle::Handhold;
+use crate::muscle::AttachmentPoint;
 use crate::tr;
 
 /// Degrees that a drag over one logical pixel turns.
@@ -47,7 +47,7 @@ pub(super) struct Hands {
     handle: Cell<Option<Handle>>,
     model: Cell<Option<ModelDrag>>,
     /// The dot of a muscle that is under the pointer or held.
-    dot: Cell<Option<Handhold>>,
+    dot: Cell<Option<AttachmentPoint>>,
     dragged: Cell<Option<GripDrag>>,
     /// Counts changes of what is under the pointer.
     pictures: Cell<u32>,
@@ -74,7 +74,7 @@ impl Hands {
     }
 
     /// The dot of a muscle that is under the pointer or held.
-    pub(super) fn dot(&self) -> Option<Handhold> {
+    pub(super) fn dot(&self) -> Option<AttachmentPoint> {
         self.dot.get()
     }
 

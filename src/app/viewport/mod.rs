@@ -31,7 +31,7 @@ use super::glyph::{self, Glyph};
 use super::session::{Changes, Picked, Session, Tool, Viewpoint};
 use super::window::{Window, part};
 use super::{format, ui};
-use crate::muscle::Handhold;
+use crate::muscle::AttachmentPoint;
 use crate::render::{Pick, Renderer, Stats};
 use crate::tr;
 
@@ -309,9 +309,9 @@ fn frame_when_reached(canvas: &Canvas) {
 fn hint(session: &Session) -> String {
     if let Some(picking) = session.picking() {
         return tr!(match picking.what {
-            Picked::Point(Handhold::End(0)) => "app-hint-pick-origin",
-            Picked::Point(Handhold::End(_)) => "app-hint-pick-insertion",
-            Picked::Point(Handhold::Wrap) => "app-hint-pick-wrap",
+            Picked::Point(AttachmentPoint::End(0)) => "app-hint-pick-origin",
+            Picked::Point(AttachmentPoint::End(_)) => "app-hint-pick-insertion",
+            Picked::Point(AttachmentPoint::Wrap) => "app-hint-pick-wrap",
             _ => "app-hint-pick-via",
         });
     }

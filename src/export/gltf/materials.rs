@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, Usage};
-use super::loss::Loss;
+use super::unsupported_features::Loss;
 use crate::limits;
 use crate::scene::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, Scene, ShadingModel, TextureRef, Wrap};
 

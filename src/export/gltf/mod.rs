@@ -4,18 +4,18 @@
 //! Everything else is taken from the same sampler that draws, with keys wherever the way between two is off by more than [`ERROR`] of the scene's diagonal
 //! or 2·10⁻⁵ radians. What cannot be written is told as a [`Loss`].
 
+mod animations;
 mod buffer;
 mod container;
-mod keys;
-mod loss;
+mod keyframe_reduction;
 mod materials;
 mod muscles;
-mod placing;
 mod spline;
 mod surfaces;
-mod takes;
+mod trs;
+mod unsupported_features;
 
-pub use loss::Loss;
+pub use unsupported_features::Loss;
 
 use std::path::Path;
 
@@ -23,18 +23,18 @@ use glam::{DMat4, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
 use serde_json::{Value, json};
 
+use self::animations::{Animation, AnimationRange, Stage, Weights};
 use self::buffer::{Buffer, ENTRY};
 use self::materials::Materials;
 use self::muscles::Muscles;
-use self::placing::Placing;
 use self::surfaces::{Bone, Surfaces, bones};
-use self::takes::{Animation, Stage, Take, Weights};
+use self::trs::Placing;
 use super::ExportError;
-use super::atomic::{self, Pending};
+use super::atomic_file::{self, Pending};
 use super::guard::Output;
 use crate::animation::Pose;
 use crate::document::{Document, PoseBuffers};
-use crate::scene::{Content, Deformer, Frame, LightKind, Mesh, MeshInstance, MorphId, NodeId, Placement, Projection};
+use crate::scene::{Content, Deformer, Frame, LightKind, Mesh, MeshInstance, MorphId, NodeId, Projection, SurfaceGeometry};
 
 /// Largest distance, in diagonals of the scene, that sampled movement is off.
 pub const ERROR: f64 = 2e-5;
@@ -77,7 +77,7 @@ pub fn save(file: &Output, form: Form, document: &Document) -> Result<Vec<Loss>,
 /// As [`save`].
 pub fn prepare(file: &Output, form: Form, document: &Document) -> Result<(Pending, Vec<Loss>), ExportError> {
     let (mut root, bytes, losses) = Writer::new(document).write().ok_or_else(|| ExportError::TooMuch { file: file.file().to_owned() })?;
-    let pending = atomic::prepare(file, |out| match form {
+    let pending = atomic_file::prepare(file, |out| match form {
         Form::Binary => container::binary(out, &root, &bytes),
         Form::Text => container::text(out, &mut root, &bytes),
     })?;
@@ -140,7 +140,7 @@ impl<'a> Writer<'a> {
         self.mirrored = frame.surfaces.iter().filter(|surface| surface.mirrored).map(|surface| surface.node).collect();
         for surface in &frame.surfaces {
             let content = self.document.scene.graph.node(surface.node).contents.get(surface.content as usize);
-            if let (Some(Content::Mesh(instance)), Placement::Deformed { positions, normals }) = (content, &surface.placement)
+            if let (Some(Content::Mesh(instance)), SurfaceGeometry::Deformed { positions, normals }) = (content, &surface.placement)
                 && instance.mixes_skins()
             {
                 self.still.insert((surface.node, surface.content as usize), (positions.clone(), normals.clone()));
@@ -149,7 +149,7 @@ impl<'a> Writer<'a> {
         drop((buffers, frame.surfaces));
         self.write_nodes();
         self.write_contents()?;
-        let takes = Take::all(self.document);
+        let takes = AnimationRange::all(self.document);
         let mut animations: Vec<Animation> = takes.iter().map(|_| Animation::default()).collect();
         let scales = self.scales(&frame.world);
         let nodes: Vec<(usize, Placing)> = self.places.iter().map(|place| place.0).zip(self.rest.iter().copied()).collect();
@@ -215,7 +215,7 @@ impl<'a> Writer<'a> {
             let outer = self.nodes.len();
             let mut value = json!({"name": node.name});
             let inner = if sheared && !moves {
-                let (first, second) = placing::split(&matrix);
+                let (first, second) = trs::split(&matrix);
                 first.write(&mut value);
                 self.nodes.push(value);
                 let mut below = json!({"name": format!("{} ·", node.name)});

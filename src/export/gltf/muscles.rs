@@ -3,15 +3,15 @@
 use glam::{DMat3, DMat4, Vec3};
 use serde_json::{Value, json};
 
+use super::animations::{Animation, AnimationRange};
 use super::buffer::{Buffer, Usage};
-use super::keys::Moment;
-use super::loss::Loss;
+use super::keyframe_reduction::Moment;
 use super::materials::Materials;
 use super::surfaces::{Indices, Sides, given_shape, primitives};
-use super::takes::{Animation, Take};
+use super::unsupported_features::Loss;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::limits;
-use crate::scene::{Frame, MuscleId, NodeId, Placement, Surface};
+use crate::scene::{Frame, MuscleId, NodeId, Surface, SurfaceGeometry};
 
 /// Most shapes that one muscle is kept in over a take.
 const SHAPES: usize = 128;
@@ -65,7 +65,7 @@ impl<'a> Muscles<'a> {
     fn at(&mut self, state: &PoseState) -> Vec<Shape> {
         self.document.pose(state, &mut self.buffers, &mut self.frame);
         let shape = |place: &Place| match self.frame.surfaces.get(place.surface).map(|surface| &surface.placement) {
-            Some(Placement::Deformed { positions, normals }) => {
+            Some(SurfaceGeometry::Deformed { positions, normals }) => {
                 let world = place.bone.and_then(|bone| self.frame.world.get(bone.index())).copied().unwrap_or(DMat4::IDENTITY);
                 let scale = world.determinant().abs().cbrt() as f32;
                 let (inside, upright) = (world.inverse(), DMat3::from_mat4(world).transpose());
@@ -85,7 +85,7 @@ impl<'a> Muscles<'a> {
     #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
     pub(super) fn write(
         &mut self,
-        takes: &[Take],
+        takes: &[AnimationRange],
         diagonal: f32,
         animations: &mut [Animation],
         nodes: &mut Vec<Value>,
@@ -176,7 +176,7 @@ impl<'a> Muscles<'a> {
 
     /// The shapes of all muscles at so many moments of a take that the straight way between them is nowhere off by more than `length`, the worst stretches
     /// halved first; no more than `most` moments, and none where that is less than the two ends. `rough` where that was too few.
-    fn keys(&mut self, take: &Take, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<Shape>)> {
+    fn keys(&mut self, take: &AnimationRange, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<Shape>)> {
         if self.places.is_empty() {
             return Vec::new();
         }
@@ -215,7 +215,7 @@ impl<'a> Muscles<'a> {
         keys.into_iter().map(|(moment, shapes)| (moment.written, shapes)).collect()
     }
 
-    fn stretch(&mut self, take: &Take, keys: &[(Moment, Vec<Shape>)], from: usize, to: usize) -> Stretch {
+    fn stretch(&mut self, take: &AnimationRange, keys: &[(Moment, Vec<Shape>)], from: usize, to: usize) -> Stretch {
         let ((start, first), (end, last)) = (&keys[from], &keys[to]);
         let at = |part: f64| start.at + (end.at - start.at) * part;
         let [quarter, middle, rest] = [0.25, 0.5, 0.75].map(|part| self.at(&take.state(self.document, at(part))));

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::takes::{Take, local, ops};
-use crate::animation::{Channel, Curve, Interpolation, Lane, Pose, Target};
+use super::animations::{AnimationRange, local, ops};
+use crate::animation::{Channel, Components, Curve, Interpolation, Pose, Target};
 use crate::scene::{MorphId, NodeId, TransformOp};
 
 /// A cubic track: for each key the tangent that arrives, the value, the tangent that leaves.
@@ -37,7 +37,7 @@ impl Lead<'_> {
 }
 
 /// The times that all of these channels have keys at, where a spline can be made of them: they rise, span the take, and one segment at least is curved.
-fn shared_times<'a>(take: &Take, channels: &[&'a Channel]) -> Option<&'a [f64]> {
+fn shared_times<'a>(take: &AnimationRange, channels: &[&'a Channel]) -> Option<&'a [f64]> {
     let times = &channels.first()?.curve.times;
     let cubic = |mode: &Interpolation| matches!(mode, Interpolation::Bezier | Interpolation::Hermite);
     let is_curved = channels.iter().any(|channel| channel.curve.modes.iter().take(times.len().saturating_sub(1)).any(cubic));
@@ -48,7 +48,7 @@ fn shared_times<'a>(take: &Take, channels: &[&'a Channel]) -> Option<&'a [f64]> 
 
 impl Spline {
     /// The translation or scale of a node, where one `translate` alone moves, or one `scale` that nothing stands below.
-    pub(super) fn of_node(take: &Take, node: NodeId, channels: &[&Channel], pose: &mut Pose) -> Option<Self> {
+    pub(super) fn of_node(take: &AnimationRange, node: NodeId, channels: &[&Channel], pose: &mut Pose) -> Option<Self> {
         let times = shared_times(take, channels)?;
         let mut lanes: [Option<(&Curve, usize)>; 3] = [None; 3];
         let mut moving = None;
@@ -58,9 +58,9 @@ impl Spline {
                 return None;
             }
             match lane {
-                Lane::Whole if channel.curve.dimension == 3 => lanes = [0, 1, 2].map(|component| Some((&*channel.curve, component))),
-                Lane::Component(component) => *lanes.get_mut(usize::from(component))? = Some((&channel.curve, 0)),
-                Lane::Whole => return None,
+                Components::Whole if channel.curve.dimension == 3 => lanes = [0, 1, 2].map(|component| Some((&*channel.curve, component))),
+                Components::Component(component) => *lanes.get_mut(usize::from(component))? = Some((&channel.curve, 0)),
+                Components::Whole => return None,
             }
         }
         let at = moving? as usize;
@@ -105,7 +105,7 @@ impl Spline {
     }
 
     /// The weights of morph targets, in the order of `rest`, which names each with its weight at rest.
-    pub(super) fn of_weights(take: &Take, channels: &[&Channel], rest: &[(MorphId, u32, f64)]) -> Option<Self> {
+    pub(super) fn of_weights(take: &AnimationRange, channels: &[&Channel], rest: &[(MorphId, u32, f64)]) -> Option<Self> {
         let times = shared_times(take, channels)?;
         let lead = |&(morph, target, weight): &(MorphId, u32, f64)| {
             // Of two channels on one weight the later counts, as it does when they are sampled.
@@ -130,7 +130,7 @@ impl Spline {
 
     fn make(
         path: &'static str,
-        take: &Take,
+        take: &AnimationRange,
         times: &[f64],
         leads: &[Lead<'_>; 3],
         value: impl Fn(DVec3) -> [f64; 3],
@@ -153,6 +153,6 @@ impl Spline {
     }
 }
 
-fn written(take: &Take, times: &[f64]) -> Vec<f32> {
+fn written(take: &AnimationRange, times: &[f64]) -> Vec<f32> {
     times.iter().map(|time| (time + take.shift) as f32).collect()
 }

@@ -5,8 +5,8 @@ use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, ENTRY, Usage};
-use super::loss::Loss;
 use super::materials::Materials;
+use super::unsupported_features::Loss;
 use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, MorphId, NodeId, Scene, Skin, SkinId, backed_triangles};
 
 /// Vertex attributes by name.

@@ -8,9 +8,9 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::guard::Output;
-use super::{ExportError, atomic::write_whole};
+use super::{ExportError, atomic_file::write_whole};
 use crate::document::{Document, PoseState};
-use crate::muscle::Rig;
+use crate::muscle::MuscleRig;
 use crate::{i18n, limits, tr};
 
 pub use joints::{JointRow, JointRows, JointTable};
@@ -75,7 +75,8 @@ impl Table {
             (Of::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
             (Of::Muscles, Some(times)) => MuscleTable::over_time(document, file, state, &times).map(Self::Muscles),
             (Of::Muscles, None) => {
-                let angles = document.driven_rig().and_then(Rig::measured_range).map(|range| even_times(*range.start(), *range.end(), 1.0));
+                let angles =
+                    document.driven_rig().and_then(MuscleRig::measured_range).map(|range| even_times(*range.start(), *range.end(), 1.0));
                 let table = angles.and_then(|angles| MuscleTable::over_angles(document, file.clone(), Some(&angles)));
                 table.or_else(|| MuscleTable::over_angles(document, file, None)).map(Self::Muscles).ok_or(NoTable::NoMuscle)
             }

@@ -6,7 +6,7 @@ use serde::Serialize;
 
 use super::{NoTable, csv_cell, csv_number};
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind, TimeSample};
-use crate::muscle::{Rig, Sample, Solved};
+use crate::muscle::{MuscleRig, Sample, Solved};
 use crate::scene::{Frame, MuscleId};
 
 /// Elbow angles where nobody says which.
@@ -129,7 +129,7 @@ impl MuscleTable {
     }
 }
 
-fn samples(document: &Document, rig: &Rig, first: MuscleId, index: usize, angles: Option<&[f64]>) -> Option<Vec<MuscleRow>> {
+fn samples(document: &Document, rig: &MuscleRig, first: MuscleId, index: usize, angles: Option<&[f64]>) -> Option<Vec<MuscleRow>> {
     if rig.measured_range().is_some() {
         return Some(rig.measure(index, angles.unwrap_or(&ANGLES)).iter().map(MuscleRow::at_angle).collect());
     }

@@ -4,9 +4,9 @@ use glam::DVec3;
 
 use crate::limits;
 use crate::muscle::arm::Arm;
-use crate::muscle::poses::Pose;
+use crate::muscle::measured_shapes::Pose;
 use crate::muscle::profile::{Profile, ProfileError};
-use crate::muscle::surface::Layout;
+use crate::muscle::tessellation::Layout;
 
 /// Which of the two forms a file is written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use glam::{Mat4, Quat, Vec2, Vec3};
 
 use crate::scene::{
-    Bounds, Camera, Frame, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, Node, Paint, Part, Pixels, Placement, Projection,
-    Scene, Surface, TextureRef, Wrap,
+    Bounds, Camera, Frame, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, Node, Paint, Part, Pixels, Projection, Scene,
+    Surface, SurfaceGeometry, TextureRef, Wrap,
 };
 
 /// A scene of one sphere.
@@ -34,7 +34,7 @@ impl Yard {
             node,
             mesh: Arc::new(sphere(segments, rings)),
             materials: vec![Some(MaterialBinding::plain(MaterialId(0)))].into(),
-            placement: Placement::Rigid(Mat4::IDENTITY),
+            placement: SurfaceGeometry::Rigid(Mat4::IDENTITY),
             mirrored: false,
             solid: None,
             muscle: None,
@@ -50,7 +50,7 @@ impl Yard {
 
     /// Turns the sphere to this angle, radians.
     pub(super) fn turn(&mut self, angle: f32) {
-        self.frame.surfaces[0].placement = Placement::Rigid(Mat4::from_rotation_y(angle));
+        self.frame.surfaces[0].placement = SurfaceGeometry::Rigid(Mat4::from_rotation_y(angle));
     }
 }
 

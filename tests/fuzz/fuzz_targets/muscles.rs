@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use sinew::muscle::{MuscleFile, Rig};
+use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::scene::{MuscleId, Scene};
 
 fuzz_target!(|text: &str| {
@@ -15,7 +15,7 @@ fuzz_target!(|text: &str| {
         return;
     }
     let mut scene = Scene::default();
-    let mut rig = Rig::build(&file, "fuzz", &mut scene, MuscleId(0));
+    let mut rig = MuscleRig::build(&file, "fuzz", &mut scene, MuscleId(0));
     let _ = rig.attach(&scene);
     let (mut local, mut world) = (Vec::new(), Vec::new());
     let (mut positions, mut normals) = (Vec::new(), Vec::new());

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{Mat4, Quat, Vec2, Vec3, Vec4};
 use libfuzzer_sys::fuzz_target;
 use sinew::render::{Display, Renderer, Samples, Shading};
-use sinew::scene::{Bounds, Camera, Frame, Material, MaterialBinding, MaterialId, Mesh, Node, Part, Placement, Projection, Scene, Surface};
+use sinew::scene::{Bounds, Camera, Frame, Material, MaterialBinding, MaterialId, Mesh, Node, Part, SurfaceGeometry, Projection, Scene, Surface};
 
 /// Numbers out of the input, one after the other; zeros when it is used up.
 struct Source<'a>(&'a [u8]);
@@ -61,9 +61,9 @@ fuzz_target!(|bytes: &[u8]| {
     let placement = if on(1) {
         let columns = std::array::from_fn(|_| Vec4::new(from.float(), from.float(), from.float(), from.float()));
         let [a, b, c, d] = columns;
-        Placement::Rigid(Mat4::from_cols(a, b, c, d))
+        SurfaceGeometry::Rigid(Mat4::from_cols(a, b, c, d))
     } else {
-        Placement::Rigid(Mat4::IDENTITY)
+        SurfaceGeometry::Rigid(Mat4::IDENTITY)
     };
     let bounds = Bounds { min: from.point(), max: from.point() };
     let surface = Surface {

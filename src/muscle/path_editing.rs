@@ -2,11 +2,11 @@
 
 use glam::{DMat4, DVec3};
 
-use super::Drive;
+use super::MuscleState;
 use super::config::{Anchor, Wrap};
-use super::fitting::{beside, neat};
-use super::line::{Frames, Line};
-use super::rig::Rig;
+use super::line_of_action::{Frames, Line};
+use super::muscle_rig::MuscleRig;
+use super::retarget::{beside, neat};
 use crate::scene::{Graph, NodeId, Scene};
 
 /// Places along a centre line that are looked at for the nearest one.
@@ -29,10 +29,10 @@ pub struct Ball {
     pub side: DVec3,
 }
 
-impl Rig {
+impl MuscleRig {
     /// Where a new via point of muscle `index` goes that is to change its way the least: on the drawn centre line, half-way along the longest stretch.
     /// Its number, its bone (that of the point before it) and its place in the world; `None` where nothing holds the muscle.
-    pub fn via_half_way(&self, index: usize, drive: Drive, world: &[DMat4]) -> Option<(usize, NodeId, DVec3)> {
+    pub fn via_half_way(&self, index: usize, drive: MuscleState, world: &[DMat4]) -> Option<(usize, NodeId, DVec3)> {
         let line = self.line(index)?;
         let corners = self.corners(line, world);
         let length = |pair: &[DVec3]| pair[0].distance(pair[1]);
@@ -56,7 +56,7 @@ impl Rig {
 
     /// Where a via point of muscle `index` goes for which a hand shows a place on the muscle itself: the bone of the point before it, and the place inside,
     /// on the drawn centre line, in the world.
-    pub fn via_inside(&self, index: usize, place: DVec3, drive: Drive, world: &[DMat4]) -> Option<(NodeId, DVec3)> {
+    pub fn via_inside(&self, index: usize, place: DVec3, drive: MuscleState, world: &[DMat4]) -> Option<(NodeId, DVec3)> {
         let line = self.line(index)?;
         let number = self.via_number_at(index, place, world)?;
         let before = number.checked_sub(1).and_then(|before| line.via.get(before)).unwrap_or(&line.origin);
@@ -67,7 +67,7 @@ impl Rig {
     /// What muscle `index` goes round where a hand chooses `node` for it: a ball in the joint by which the muscle leaves that bone, on the side on which
     /// the muscle passes now. Radius and side of a ball that is there already stay. `None` where nothing holds the muscle or the file has no name for the
     /// bone.
-    pub fn wrap_on(&self, index: usize, node: NodeId, scene: &Scene, drive: Drive, world: &[DMat4]) -> Option<Wrap> {
+    pub fn wrap_on(&self, index: usize, node: NodeId, scene: &Scene, drive: MuscleState, world: &[DMat4]) -> Option<Wrap> {
         let (line, spec) = (self.line(index)?, self.spec(index)?);
         let node = self.carrier(&scene.graph, node);
         let ends = [line.origin, line.insertion].map(|point| self.bones.get(point.bone).copied());
@@ -108,7 +108,7 @@ impl Rig {
     }
 
     /// The place on the drawn centre line nearest to a point, both from the root, and the line's direction there.
-    fn nearest(&self, index: usize, drive: Drive, world: &[DMat4], point: DVec3) -> Option<(DVec3, DVec3)> {
+    fn nearest(&self, index: usize, drive: MuscleState, world: &[DMat4], point: DVec3) -> Option<(DVec3, DVec3)> {
         let path = self.centre_line(index, &self.solve(index, drive, world), world)?;
         let mut cursor = path.cursor();
         let stations = (0..=PLACES).map(|step| cursor.station(path.length() * f64::from(step) / f64::from(PLACES)));
@@ -118,7 +118,7 @@ impl Rig {
     }
 
     /// The side of a point of the world on which muscle `index` passes; where it goes right through, the one to which the joint bends. From the root.
-    fn side_of(&self, index: usize, middle: DVec3, scene: &Scene, drive: Drive, world: &[DMat4]) -> Option<DVec3> {
+    fn side_of(&self, index: usize, middle: DVec3, scene: &Scene, drive: MuscleState, world: &[DMat4]) -> Option<DVec3> {
         let middle = self.frames(world).from_world.transform_point3(middle);
         let (place, tangent) = self.nearest(index, drive, world, middle)?;
         let out = (place - middle).reject_from_normalized(tangent.normalize_or(DVec3::Y));

@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::arm::{Arm, ELBOW, FULL_FLEXION};
-use super::hinge::Hinge;
-use super::line::{Drawn, Frames, Line, Point};
+use super::line_of_action::{CenterlineOffset, Frames, Line, Point};
 use super::profile::Profile;
+use super::revolute_joint::RevoluteJoint;
 use super::{Solved, Tendon};
 
 /// Flexion that a muscle never stops short of, degrees, however thick it is.
@@ -19,7 +19,7 @@ const TOUCH: f64 = 0.08;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Fit {
     /// Ends and side of the drawn centre line.
-    pub drawn: Drawn,
+    pub drawn: CenterlineOffset,
     /// The greatest flexion at which it stays clear of the rods, degrees.
     pub flexion: f64,
 }
@@ -30,13 +30,13 @@ pub(super) struct Fit {
 /// a slide the straight arm would leave no length for an arch; with more than needed the belly stands off when the arm is bent. So the smallest
 /// slide is taken that keeps clear up to the greatest angle.
 pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> Fit {
-    let hinge = Hinge::elbow(arm, range);
+    let hinge = RevoluteJoint::elbow(arm, range);
     let side = flexor_side(&hinge, line);
     let end_radius = |end: usize, radius: Option<&f64>| {
         if tendons[end].length > 0.0 { tendons[end].radius } else { radius.copied().unwrap_or(0.0) }
     };
     let lift = [end_radius(0, profile.radii().first()), end_radius(1, profile.radii().last())].map(|radius| radius + arm.thickness);
-    let mut best: Option<(f64, Drawn)> = None;
+    let mut best: Option<(f64, CenterlineOffset)> = None;
     let mut solved = Solved::default();
     // At the insertion, near the elbow, a slide brings the end to the other rod sooner, so it is tried second.
     for (slide, share) in SLIDES.into_iter().flat_map(|slide| [(slide, [1.0, 0.0]), (slide, [0.5, 0.5])]) {
@@ -46,7 +46,7 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
             let out = DVec3::new(slid.local.x, 0.0, slid.local.z);
             if out.length() >= lift { point } else { Point { local: DVec3::new(side * lift, slid.local.y, 0.0), ..slid } }
         });
-        let drawn = Drawn { ends, side: DVec3::X * side };
+        let drawn = CenterlineOffset { ends, side: DVec3::X * side };
         let mut clear = f64::NEG_INFINITY;
         let mut angle = range[0];
         while angle <= range[1] + 1e-9 {
@@ -64,13 +64,13 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
         }
     }
     // `SLIDES` is not empty, so there is a best one.
-    let (clear, drawn) = best.unwrap_or((range[1], Drawn { ends: [line.origin, line.insertion], side: DVec3::X * side }));
+    let (clear, drawn) = best.unwrap_or((range[1], CenterlineOffset { ends: [line.origin, line.insertion], side: DVec3::X * side }));
     let flexion = if clear > range[1] - 5.0 { range[1] } else { clear.max(FREE_FLEXION).min(range[1]) };
     Fit { drawn, flexion }
 }
 
 /// +1 for a muscle that shortens when the elbow bends, −1 for one that lengthens.
-fn flexor_side(hinge: &Hinge, line: &Line) -> f64 {
+fn flexor_side(hinge: &RevoluteJoint, line: &Line) -> f64 {
     let middle = 0.5 * (hinge.range[0] + hinge.range[1]).min(FULL_FLEXION);
     if line.length(&hinge.at(middle + 30.0)) > line.length(&hinge.at(middle - 30.0)) { -1.0 } else { 1.0 }
 }
@@ -88,7 +88,15 @@ fn slid_towards_elbow(arm: &Arm, point: Point, by: f64) -> Point {
 }
 
 /// Least distance between the belly's surface and the rods; negative where it goes in.
-fn gap(arm: &Arm, frames: &impl Frames, line: &Line, profile: &Profile, tendons: &[Tendon; 2], drawn: &Drawn, solved: &mut Solved) -> f64 {
+fn gap(
+    arm: &Arm,
+    frames: &impl Frames,
+    line: &Line,
+    profile: &Profile,
+    tendons: &[Tendon; 2],
+    drawn: &CenterlineOffset,
+    solved: &mut Solved,
+) -> f64 {
     let fixed = tendons[0].length + tendons[1].length;
     profile.solve_into(line.length(frames) - fixed, solved);
     let [start, end] = drawn.ends.map(|point| frames.place(point));

@@ -4,8 +4,8 @@ use glam::Vec3;
 
 use super::comparison::{Comparison, With};
 use super::frames::guess_rate;
-use super::onion::Onion;
-use super::trail::Trail;
+use super::motion_path::Trail;
+use super::onion_skin::OnionSkin;
 use super::{Ghosts, Saved};
 use crate::document::{Document, PoseState};
 use crate::render::Display;
@@ -13,7 +13,7 @@ use crate::scene::{Bounds, Frame, NodeId};
 
 /// The scene that company joins, at one moment.
 #[derive(Debug, Clone, Copy)]
-pub struct Host<'a> {
+pub struct PoseContext<'a> {
     /// The document.
     pub document: &'a Document,
     /// What it is posed as.
@@ -28,7 +28,7 @@ pub struct Host<'a> {
     pub bones: bool,
 }
 
-impl<'a> Host<'a> {
+impl<'a> PoseContext<'a> {
     /// A document in a state, looked at through `display`.
     pub fn new(document: &'a Document, state: PoseState, rate: f64, display: &Display) -> Self {
         let bones = display.bones || !document.shows_surface();
@@ -36,16 +36,16 @@ impl<'a> Host<'a> {
     }
 }
 
-/// What accompanies a scene. Its surfaces are lent to the scene's frame between [`Company::invite`] and [`Company::recall`].
+/// What accompanies a scene. Its surfaces are lent to the scene's frame between [`SceneOverlays::invite`] and [`SceneOverlays::recall`].
 #[derive(Debug, Default)]
-pub struct Company {
+pub struct SceneOverlays {
     ghosts: Ghosts,
-    onion: Onion,
+    onion: OnionSkin,
     trail: Option<Trail>,
     comparison: Option<Box<Comparison>>,
 }
 
-impl Company {
+impl SceneOverlays {
     /// What a session file says that accompanies `document`; `other` is the file that it compares with. With the frame rate.
     pub fn of_saved(saved: &Saved, document: &Document, other: Option<(String, Document)>) -> (Self, f64) {
         let clip = saved.state(document).clip.and_then(|clip| document.clips.get(clip));
@@ -102,7 +102,7 @@ impl Company {
 
     /// Another document came: what was made for the old one goes, but the comparison where `stays`.
     pub fn renew(&mut self, document: &Document, stays: bool) {
-        self.onion = Onion::default();
+        self.onion = OnionSkin::default();
         self.trail = None;
         self.comparison = self.comparison.take().filter(|_| stays).and_then(|comparison| comparison.renewed(document).map(Box::new));
     }
@@ -127,7 +127,7 @@ impl Company {
     }
 
     /// Poses company and puts it into the frame, which has just been posed as the host says.
-    pub fn invite(&mut self, host: &Host<'_>, frame: &mut Frame) {
+    pub fn invite(&mut self, host: &PoseContext<'_>, frame: &mut Frame) {
         if let Some(comparison) = &mut self.comparison {
             comparison.pose(host, frame);
         }

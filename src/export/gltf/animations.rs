@@ -4,10 +4,10 @@ use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, ENTRY, Usage};
-use super::keys::{Moment, Tolerance, moments, numbers, track};
-use super::loss::Loss;
-use super::placing::Placing;
+use super::keyframe_reduction::{Moment, Tolerance, moments, numbers, track};
 use super::spline::Spline;
+use super::trs::Placing;
+use super::unsupported_features::Loss;
 use crate::animation::{Channel, Clip, Curve, Interpolation, Pose, Target};
 use crate::document::{Document, PoseState};
 use crate::scene::{MorphId, NodeId, TransformOp, compose};
@@ -19,7 +19,7 @@ const BEND_KEYS: usize = 9;
 
 /// A stretch of time to write.
 #[derive(Debug, Clone)]
-pub(super) struct Take {
+pub(super) struct AnimationRange {
     pub name: String,
     /// First and last moment, seconds on its own axis.
     pub span: (f64, f64),
@@ -38,7 +38,7 @@ enum Kind {
     Contract,
 }
 
-impl Take {
+impl AnimationRange {
     /// All that a document can play.
     pub(super) fn all(document: &Document) -> Vec<Self> {
         if document.clips.is_empty() {
@@ -62,13 +62,13 @@ impl Take {
     pub(super) fn state(&self, document: &Document, at: f64) -> PoseState {
         let start = document.start_state();
         let part = ((at - self.span.0) / (self.span.1 - self.span.0)).clamp(0.0, 1.0);
-        let drive = |make: fn(&crate::muscle::Rig, f64) -> crate::muscle::Drive, value: f64| {
+        let drive = |make: fn(&crate::muscle::MuscleRig, f64) -> crate::muscle::MuscleState, value: f64| {
             document.driven_rig().map_or(start.drive, |rig| make(rig, value))
         };
         match self.kind {
             Kind::Clip(clip) => PoseState { clip: Some(clip), time: at, ..start },
-            Kind::Bend([from, to]) => PoseState { drive: drive(crate::muscle::Rig::at_flexion, from + (to - from) * part), ..start },
-            Kind::Contract => PoseState { drive: drive(crate::muscle::Rig::at_contraction, 100.0 * part), ..start },
+            Kind::Bend([from, to]) => PoseState { drive: drive(crate::muscle::MuscleRig::at_flexion, from + (to - from) * part), ..start },
+            Kind::Contract => PoseState { drive: drive(crate::muscle::MuscleRig::at_contraction, 100.0 * part), ..start },
         }
     }
 
@@ -112,7 +112,7 @@ impl Animation {
     }
 
     /// The whole; `None` where nothing moves.
-    pub(super) fn value(self, take: &Take) -> Option<Value> {
+    pub(super) fn value(self, take: &AnimationRange) -> Option<Value> {
         if self.channels.is_empty() {
             return None;
         }
@@ -167,7 +167,14 @@ impl Stage<'_> {
 
     /// Writes the moving nodes of a take.
     /// `pose` rests; each node of it that is moved is put back before it is moved again.
-    pub(super) fn write(&self, take: &Take, pose: &mut Pose, animation: &mut Animation, buffer: &mut Buffer, losses: &mut Vec<Loss>) {
+    pub(super) fn write(
+        &self,
+        take: &AnimationRange,
+        pose: &mut Pose,
+        animation: &mut Animation,
+        buffer: &mut Buffer,
+        losses: &mut Vec<Loss>,
+    ) {
         match take.kind {
             Kind::Clip(number) => {
                 if let Some(clip) = self.document.clips.get(number) {
@@ -178,7 +185,7 @@ impl Stage<'_> {
         }
     }
 
-    fn write_bend(&self, take: &Take, animation: &mut Animation, buffer: &mut Buffer) {
+    fn write_bend(&self, take: &AnimationRange, animation: &mut Animation, buffer: &mut Buffer) {
         let Some(rig) = self.document.driven_rig() else { return };
         let mut pose = Pose::rest(&self.document.scene);
         let mut at = |time: f64, node: NodeId| {
@@ -194,7 +201,7 @@ impl Stage<'_> {
 
     fn write_clip(
         &self,
-        take: &Take,
+        take: &AnimationRange,
         clip: &Clip,
         pose: &mut Pose,
         animation: &mut Animation,
@@ -244,7 +251,7 @@ impl Stage<'_> {
     #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
     fn write_node(
         &self,
-        take: &Take,
+        take: &AnimationRange,
         node: NodeId,
         channels: &[&Channel],
         pose: &mut Pose,
@@ -321,7 +328,7 @@ pub(super) struct Weights<'a> {
 
 impl Weights<'_> {
     /// Writes the weights where the take moves any of them.
-    pub(super) fn write(&self, document: &Document, take: &Take, animation: &mut Animation, buffer: &mut Buffer) {
+    pub(super) fn write(&self, document: &Document, take: &AnimationRange, animation: &mut Animation, buffer: &mut Buffer) {
         let Kind::Clip(number) = take.kind else { return };
         let Some(clip) = document.clips.get(number) else { return };
         // All channels are looked through for each mesh that morphs.

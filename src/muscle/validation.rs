@@ -4,16 +4,16 @@
 //! measured radii, at the lengths that the arm has at those angles, imply volumes that differ by half. A model that keeps its volume cannot follow
 //! data that do not.
 //!
-//! [`super::fit`] asks how near a model that keeps its volume can come.
+//! [`super::parameter_fit`] asks how near a model that keeps its volume can come.
 
 use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::profile::{ProfileError, cone_sum};
-use super::{Rig, Sample};
+use super::{MuscleRig, Sample};
 use crate::tr;
 
-pub use super::table::{Table, TableError};
+pub use super::csv_table::{Table, TableError};
 
 /// A model's radii beside a table's.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -71,14 +71,14 @@ pub(super) struct Data {
 }
 
 impl Data {
-    pub(super) fn new(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
+    pub(super) fn new(rig: &MuscleRig, index: usize, table: &Table) -> Result<Self, CompareError> {
         let data = Self::resized(rig, index, table)?;
         let (rows, nodes) = (table.radii.len(), rig.profile(index).map_or(0, |profile| profile.radii().len()));
         if data.columns.iter().any(|column| column.len() != nodes) { Err(CompareError::Nodes { rows, nodes }) } else { Ok(data) }
     }
 
     /// The same for a table of any number of rows: with as many as the muscle has nodes they are all nodes, else all but the two ends.
-    pub(super) fn resized(rig: &Rig, index: usize, table: &Table) -> Result<Self, CompareError> {
+    pub(super) fn resized(rig: &MuscleRig, index: usize, table: &Table) -> Result<Self, CompareError> {
         let profile =
             rig.profile(index).filter(|_| rig.is_attached(index) && rig.measured_range().is_some()).ok_or(CompareError::NoJoint)?;
         let rows = table.radii.len();
@@ -114,7 +114,7 @@ fn rms<'a>(nodes: Range<usize>, pairs: impl IntoIterator<Item = (&'a Vec<f64>, &
 ///
 /// # Errors
 /// [`CompareError`] where the table does not fit the muscle.
-pub fn compare(rig: &Rig, index: usize, table: &Table) -> Result<Comparison, CompareError> {
+pub fn compare(rig: &MuscleRig, index: usize, table: &Table) -> Result<Comparison, CompareError> {
     let data = Data::new(rig, index, table)?;
     let samples = rig.measure(index, &table.angles);
     let model: Vec<Vec<f64>> = samples.iter().map(|sample| sample.solved.radii.clone()).collect();

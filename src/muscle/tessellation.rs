@@ -10,7 +10,7 @@ use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 
 use super::Solved;
 use super::Tendon;
-use super::path::{Cursor, Path, Station};
+use super::centerline::{Cursor, Path, Station};
 use crate::scene::{Mesh, Part};
 
 /// Corners of a ring.
@@ -35,7 +35,7 @@ pub(super) struct Layout {
 
 /// What a muscle's surface turned out to be like in a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Cover {
+pub struct MeshQuality {
     /// Whether it may run backwards somewhere, as on the inner side of a bend that is tighter than it is thick: then its inside may be seen from outside.
     pub folded: bool,
     /// Whether the way to the world mirrors it, so that clockwise is outside.
@@ -147,7 +147,7 @@ impl Layout {
         to_world: &ToWorld,
         positions: &mut Vec<Vec3>,
         normals: &mut Vec<Vec3>,
-    ) -> Cover {
+    ) -> MeshQuality {
         positions.clear();
         normals.clear();
         let mut out = Writer { to_world, circle: circle(), positions, normals, before: None, folded: false };
@@ -181,7 +181,7 @@ impl Layout {
             let from = start + solved.length;
             out.tendon(path.cursor(), from, from + tendons[1].length, [tendons[1].radius.min(radius(spans)), tendons[1].radius]);
         }
-        Cover { folded: out.folded, mirrored: to_world.matrix.determinant() < 0.0 }
+        MeshQuality { folded: out.folded, mirrored: to_world.matrix.determinant() < 0.0 }
     }
 }
 
@@ -293,7 +293,7 @@ mod tests {
     const NO_TENDONS: [Tendon; 2] = [Tendon { length: 0.0, radius: 0.0 }, Tendon { length: 0.0, radius: 0.0 }];
 
     /// A muscle as thick as `radius` along a quarter of a circle of radius 10.
-    fn bent(radius: f64, world: DMat4) -> (Cover, Vec<Vec3>) {
+    fn bent(radius: f64, world: DMat4) -> (MeshQuality, Vec<Vec3>) {
         let mut path = Path::new(DVec3::Z);
         path.arc(DVec3::ZERO, DVec3::X, DVec3::Y, 10.0, std::f64::consts::FRAC_PI_2);
         let solved = Solved { length: path.length(), radii: vec![radius; 6], ..Solved::default() };

@@ -6,15 +6,15 @@
 //! What is drawn is another line of *exactly the same length*, so that the volume on the screen is the volume of the ledger. A line with via points is
 //! rounded at each and pushed out a little for what that takes off ([`super::corners`]). On the two-rod arm the line of action may run between points on
 //! the rods' axes, so a belly drawn along it would swallow the rods; there an arch ([`Path::arch`]) is drawn whose ends lie on the rods' surfaces on the
-//! muscle's side, slid a few millimetres towards the elbow to give the arch its height ([`super::clearance`]). Length and moment arm stay those of the
+//! muscle's side, slid a few millimetres towards the elbow to give the arch its height ([`super::bone_clearance`]). Length and moment arm stay those of the
 //! line of action: on the straight-rod arm, the law of cosines.
 
 use glam::{DMat4, DVec3};
 
+use super::centerline::Path;
 use super::corners;
 use super::edit::VIA;
-use super::path::Path;
-use super::wrap::{Contact, Pulley};
+use super::wrap::{TangentPoints, WrapObject};
 
 /// A point that moves with a bone.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -46,16 +46,16 @@ pub(super) struct Line {
     /// Points in between, in order.
     pub via: Vec<Point>,
     /// What it goes round.
-    pub pulley: Option<Pulley>,
+    pub pulley: Option<WrapObject>,
     /// Radius of the arcs at via points that are drawn.
     pub rounding: f64,
     /// The ends of the centre line that is drawn, where it is an arch.
-    pub drawn: Option<Drawn>,
+    pub drawn: Option<CenterlineOffset>,
 }
 
 /// How the drawn centre line differs from the line of action.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Drawn {
+pub(super) struct CenterlineOffset {
     /// Ends on the bones' surfaces.
     pub ends: [Point; 2],
     /// Side that the arch bulges to, in the axes of both ends' bones.
@@ -74,7 +74,7 @@ pub(super) struct Leg {
     /// See `start`.
     pub end: DVec3,
     /// Where it lies on the ball.
-    pub contact: Option<Contact>,
+    pub contact: Option<TangentPoints>,
 }
 
 impl Leg {
@@ -133,7 +133,7 @@ impl Line {
     }
 }
 
-impl Drawn {
+impl CenterlineOffset {
     /// The arch of this length between the drawn ends.
     pub(super) fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
         let [start, end] = self.ends.map(|point| frames.place(point));

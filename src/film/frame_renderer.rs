@@ -1,10 +1,10 @@
 //! Poses and draws one picture of a film after the other.
 
-use super::{Sequence, Shot};
+use super::{FrameSpec, Sequence};
 use crate::document::{Document, PoseBuffers};
 use crate::render::{Background, Display, Framebuffer, Renderer};
 use crate::scene::{Camera, Frame, Scene};
-use crate::stage::{Company, Host};
+use crate::stage::{PoseContext, SceneOverlays};
 
 /// Milliseconds of one frame's stages: pose, deform, vertex, raster, resolve.
 pub type Times = [f64; 5];
@@ -13,7 +13,7 @@ pub type Times = [f64; 5];
 pub type Look<'a> = Box<dyn Fn(&Scene, &Frame, f32) -> Camera + Send + 'a>;
 
 /// Everything that is used again from picture to picture.
-pub struct Studio<'a> {
+pub struct SequenceRenderer<'a> {
     document: &'a Document,
     /// What is drawn.
     pub sequence: Sequence,
@@ -25,10 +25,10 @@ pub struct Studio<'a> {
     frame: Frame,
     times: Vec<Times>,
     /// What accompanies the document, with the frame rate that it goes by.
-    company: Option<(Company, f64)>,
+    company: Option<(SceneOverlays, f64)>,
 }
 
-impl<'a> Studio<'a> {
+impl<'a> SequenceRenderer<'a> {
     /// A studio that draws `sequence` through the camera that `look` gives, with `threads` threads (`None`: one a core).
     pub fn new(document: &'a Document, sequence: Sequence, display: Display, threads: Option<usize>, look: Look<'a>) -> Self {
         let renderer = Renderer::new(threads);
@@ -37,7 +37,7 @@ impl<'a> Studio<'a> {
     }
 
     /// Draws other moments, paths and what is compared too; `rate` = frames a second of the document's frame numbers.
-    pub fn accompanied(mut self, company: Company, rate: f64) -> Self {
+    pub fn accompanied(mut self, company: SceneOverlays, rate: f64) -> Self {
         self.company = Some((company, rate)).filter(|(company, _)| company.is_any());
         self
     }
@@ -53,14 +53,14 @@ impl<'a> Studio<'a> {
     }
 
     /// Poses and draws picture `index` into `picture`, whose size it has.
-    pub fn draw(&mut self, index: usize, picture: &mut Framebuffer) -> Shot {
+    pub fn draw(&mut self, index: usize, picture: &mut Framebuffer) -> FrameSpec {
         let shot = self.sequence.shot(self.document, index);
         if let Some((company, _)) = &mut self.company {
             company.recall(&mut self.frame);
         }
         self.document.pose(&shot.state, &mut self.buffers, &mut self.frame);
         if let Some((company, rate)) = &mut self.company {
-            company.invite(&Host::new(self.document, shot.state, *rate, &self.display), &mut self.frame);
+            company.invite(&PoseContext::new(self.document, shot.state, *rate, &self.display), &mut self.frame);
         }
         let camera = (self.look)(&self.document.scene, &self.frame, shot.turn);
         let Framebuffer { width, height, pixels } = picture;

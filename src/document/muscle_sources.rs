@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 
 use glam::DMat4;
 
-use super::beside::Beside;
+use super::arm_placement::Beside;
 use super::{Document, Source, SourceKind};
 use crate::animation::Pose;
 use crate::health::Finding;
-use crate::muscle::{MuscleFile, Rig};
+use crate::muscle::{MuscleFile, MuscleRig};
 use crate::scene::{Bounds, MuscleId, TransformOp};
 use crate::tr;
 
@@ -22,7 +22,7 @@ const MOMENT_NODES: usize = 40_000;
 
 /// Lengths of the scene's lists without muscles.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Bare {
+pub(super) struct SceneBaseline {
     nodes: usize,
     meshes: usize,
     materials: usize,
@@ -34,7 +34,8 @@ impl Document {
     /// Puts the muscles of all files into the scene, once everything else is there, and attaches them to the bones that they name.
     pub(super) fn place_muscles(&mut self) {
         let scene = &self.scene;
-        self.bare = Bare { nodes: scene.graph.len(), meshes: scene.meshes.len(), materials: scene.materials.len(), bounds: Bounds::EMPTY };
+        self.bare =
+            SceneBaseline { nodes: scene.graph.len(), meshes: scene.meshes.len(), materials: scene.materials.len(), bounds: Bounds::EMPTY };
         if self.bare.nodes > 0 && self.muscle_files().any(|file| file.arm.is_some()) {
             self.touch();
             self.bare.bounds = self.outline(&self.start_state());
@@ -51,7 +52,7 @@ impl Document {
                 Some(path) => path.file_stem().map_or_else(|| source.name.clone(), |stem| stem.to_string_lossy().into_owned()),
                 None => source.name.clone(),
             };
-            **rig = Rig::build(file, &title, &mut self.scene, first);
+            **rig = MuscleRig::build(file, &title, &mut self.scene, first);
             if let (Some(arm), Some(root)) = (file.arm, rig.root)
                 && let Some(place) = beside.take(&arm, file)
             {

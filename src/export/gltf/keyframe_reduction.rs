@@ -1,6 +1,6 @@
 //! Keys of one moving thing: taken where the file has them, and as many more as its way needs.
 
-use super::placing::Placing;
+use super::trs::Placing;
 
 /// Largest turn that a key's way may be off, radians; see also [`Tolerance`].
 const TURN: f64 = 2e-5;

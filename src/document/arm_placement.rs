@@ -43,12 +43,12 @@ impl Beside {
 mod tests {
     use crate::collada::Progress;
     use crate::document::{Document, PoseBuffers, PoseState};
-    use crate::muscle::Drive;
+    use crate::muscle::MuscleState;
     use crate::scene::{Bounds, Content, Frame, NodeId};
 
     /// The boxes round what each file shows, with the elbow bent by this many degrees.
     fn boxes(document: &Document, flexion: f64) -> Vec<Bounds> {
-        let drive = document.driven_rig().map_or_else(Drive::default, |rig| rig.at_flexion(flexion));
+        let drive = document.driven_rig().map_or_else(MuscleState::default, |rig| rig.at_flexion(flexion));
         let state = PoseState { drive, ..document.start_state() };
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         document.pose(&state, &mut buffers, &mut frame);

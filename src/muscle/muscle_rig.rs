@@ -6,23 +6,23 @@ use std::sync::{Arc, OnceLock};
 use glam::{DMat4, DVec3, Vec3};
 
 use super::arm::{Arm, ArmNodes};
+use super::centerline::Path;
 use super::config::{JointSpec, MuscleSpec, Tendon};
 use super::drive::{FREE, Span};
-use super::hinge::{Bone, Hinge, plain};
 use super::joint::Joint;
-use super::ledger::Ledger;
-use super::line::{Frames, Line};
-use super::path::Path;
+use super::line_of_action::{Frames, Line};
 use super::profile::Profile;
-use super::surface::{Cover, Layout, ToWorld};
-use super::{Drive, Sample, Solved, measure};
+use super::revolute_joint::{Bone, RevoluteJoint, plain};
+use super::solver_report::SolverReport;
+use super::tessellation::{Layout, MeshQuality, ToWorld};
+use super::{MuscleState, Sample, Solved, measure};
 use crate::animation::Pose;
 use crate::health::Finding;
 use crate::scene::{MaterialBinding, Mesh, NodeId, Scene};
 
 /// A muscle file placed in a scene.
 #[derive(Debug, Clone, Default)]
-pub struct Rig {
+pub struct MuscleRig {
     /// The root of its nodes; carries the unit.
     pub root: Option<NodeId>,
     pub(super) arm: Option<(Arm, ArmNodes)>,
@@ -31,7 +31,7 @@ pub struct Rig {
     pub(super) muscles: Vec<Muscle>,
     pub(super) joint: Option<JointSpec>,
     /// What measurements turn; `None` where nothing is known to turn.
-    pub(super) hinge: Option<Hinge>,
+    pub(super) hinge: Option<RevoluteJoint>,
     /// The node of that joint.
     pub(super) turning: Option<Joint>,
     pub(super) span: Option<Span>,
@@ -96,7 +96,7 @@ impl Frames for WorldFrames<'_> {
     }
 }
 
-impl Rig {
+impl MuscleRig {
     /// Number of muscles.
     pub fn len(&self) -> usize {
         self.muscles.len()
@@ -122,7 +122,7 @@ impl Rig {
         self.muscles.get(index).map(|muscle| &muscle.spec)
     }
 
-    /// Shape at rest of muscle `index` where it is: the file's, multiplied by [`Rig::scale`].
+    /// Shape at rest of muscle `index` where it is: the file's, multiplied by [`MuscleRig::scale`].
     pub fn profile(&self, index: usize) -> Option<&Profile> {
         self.muscles.get(index).map(|muscle| &muscle.shape)
     }
@@ -147,12 +147,12 @@ impl Rig {
         self.span.map(|span| span.flexion[0]..=span.flexion[1])
     }
 
-    /// The angles that [`Rig::measure`] turns the joint through, degrees: the arm's elbow or the file's `joint`; `None` where there is none.
+    /// The angles that [`MuscleRig::measure`] turns the joint through, degrees: the arm's elbow or the file's `joint`; `None` where there is none.
     pub fn measured_range(&self) -> Option<RangeInclusive<f64>> {
         self.hinge.as_ref().map(|hinge| hinge.range[0]..=hinge.range[1])
     }
 
-    /// The joint that [`Rig::measure`] turns: the arm's elbow, the one that the file names, or the one that was found in the clip's skeleton.
+    /// The joint that [`MuscleRig::measure`] turns: the arm's elbow, the one that the file names, or the one that was found in the clip's skeleton.
     pub fn joint(&self) -> Option<Joint> {
         self.turning
     }
@@ -167,23 +167,23 @@ impl Rig {
     }
 
     /// The numbers behind a solution of muscle `index` in a pose of `scene`.
-    pub fn ledger(&self, index: usize, solved: &Solved, scene: &Scene, world: &[DMat4]) -> Option<Ledger> {
-        Some(Ledger::new(self.profile(index)?, solved, self.moment_arm(index, scene, world)))
+    pub fn ledger(&self, index: usize, solved: &Solved, scene: &Scene, world: &[DMat4]) -> Option<SolverReport> {
+        Some(SolverReport::new(self.profile(index)?, solved, self.moment_arm(index, scene, world)))
     }
 
     /// The state with this elbow angle, held within the range. Without an arm: the muscle at rest.
-    pub fn at_flexion(&self, degrees: f64) -> Drive {
+    pub fn at_flexion(&self, degrees: f64) -> MuscleState {
         match self.span {
             Some(span) => span.at_flexion(degrees, |angle| self.driving_length(angle)),
-            None => Drive { flexion: 0.0, contraction: 100.0 * self.free_contraction_at_rest() },
+            None => MuscleState { flexion: 0.0, contraction: 100.0 * self.free_contraction_at_rest() },
         }
     }
 
     /// The state with this contraction, 0 to 100.
-    pub fn at_contraction(&self, per_cent: f64) -> Drive {
+    pub fn at_contraction(&self, per_cent: f64) -> MuscleState {
         match self.span {
             Some(span) => span.at_contraction(per_cent, |angle| self.driving_length(angle)),
-            None => Drive { flexion: 0.0, contraction: if per_cent.is_nan() { 0.0 } else { per_cent.clamp(0.0, 100.0) } },
+            None => MuscleState { flexion: 0.0, contraction: if per_cent.is_nan() { 0.0 } else { per_cent.clamp(0.0, 100.0) } },
         }
     }
 
@@ -200,7 +200,7 @@ impl Rig {
     }
 
     /// Turns the arm's nodes.
-    pub fn apply(&self, drive: Drive, pose: &mut Pose) {
+    pub fn apply(&self, drive: MuscleState, pose: &mut Pose) {
         if let (Some((_, nodes)), Some(span)) = (&self.arm, &self.span) {
             let angle = if drive.flexion.is_nan() { span.flexion[0] } else { drive.flexion };
             nodes.bend(angle.clamp(span.flexion[0], span.flexion[1]), pose);
@@ -208,14 +208,14 @@ impl Rig {
     }
 
     /// Solves muscle `index` for the world that the pose made. `world` is one matrix a node of the scene.
-    pub fn solve(&self, index: usize, drive: Drive, world: &[DMat4]) -> Solved {
+    pub fn solve(&self, index: usize, drive: MuscleState, world: &[DMat4]) -> Solved {
         let mut solved = Solved::default();
         self.solve_into(index, drive, world, &mut solved);
         solved
     }
 
-    /// [`Rig::solve`] into a value whose buffer is kept.
-    pub fn solve_into(&self, index: usize, drive: Drive, world: &[DMat4], solved: &mut Solved) {
+    /// [`MuscleRig::solve`] into a value whose buffer is kept.
+    pub fn solve_into(&self, index: usize, drive: MuscleState, world: &[DMat4], solved: &mut Solved) {
         let Some(muscle) = self.muscles.get(index) else {
             *solved = Solved::default();
             return;
@@ -258,7 +258,7 @@ impl Rig {
         self.muscles.get(index).map_or(&[], |muscle| &muscle.materials)
     }
 
-    /// Writes the surface of muscle `index` into the buffers, in the world (metres): one entry a vertex of [`Rig::mesh`]. `None` where there is no such
+    /// Writes the surface of muscle `index` into the buffers, in the world (metres): one entry a vertex of [`MuscleRig::mesh`]. `None` where there is no such
     /// muscle; then the buffers stay as they are.
     pub fn deform(
         &self,
@@ -267,7 +267,7 @@ impl Rig {
         world: &[DMat4],
         positions: &mut Vec<Vec3>,
         normals: &mut Vec<Vec3>,
-    ) -> Option<Cover> {
+    ) -> Option<MeshQuality> {
         let muscle = self.muscles.get(index)?;
         let path = self.path(muscle, solved, world);
         let to_world = ToWorld::new(self.root_matrix(world));

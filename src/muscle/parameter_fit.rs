@@ -4,11 +4,11 @@
 //! growth multipliers, multipliers fitted by least squares, and the measured shapes themselves, each scaled to the conserved volume and blended over
 //! the length (`muscle::poses`).
 
-use super::Rig;
+use super::MuscleRig;
 use super::config::{Form, MuscleFile, MuscleSpec, PoseAt, PoseSpec};
-use super::experiment::{CompareError, Data, Table};
-use super::poses::Pose;
+use super::measured_shapes::Pose;
 use super::profile::{Profile, ProfileError};
+use super::validation::{CompareError, Data, Table};
 
 /// How well each model follows a table, all at the volume of its first angle; root mean squares over all nodes and angles.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,7 @@ pub struct Fits {
 ///
 /// # Errors
 /// [`CompareError`] where the table does not fit the muscle.
-pub fn fit(rig: &Rig, index: usize, table: &Table) -> Result<Fits, CompareError> {
+pub fn fit(rig: &MuscleRig, index: usize, table: &Table) -> Result<Fits, CompareError> {
     let data = Data::new(rig, index, table)?;
     let profile = rig.profile(index).ok_or(CompareError::NoJoint)?;
     let fitted = fitted_profile(&data)?;
@@ -63,7 +63,7 @@ pub struct Fitted {
 ///
 /// # Errors
 /// [`CompareError`] where nothing turns the muscle, or the table makes no muscle.
-pub fn fitted_file(file: &MuscleFile, rig: &Rig, index: usize, table: &Table, model: Model) -> Result<Fitted, CompareError> {
+pub fn fitted_file(file: &MuscleFile, rig: &MuscleRig, index: usize, table: &Table, model: Model) -> Result<Fitted, CompareError> {
     let data = Data::resized(rig, index, table)?;
     let profile = rig.profile(index).ok_or(CompareError::NoJoint)?;
     let (growth, poses) = (fitted_profile(&data)?, posed_profile(&data)?);

@@ -8,7 +8,7 @@ use crate::scene::{Content, Frame, NodeId};
 
 /// One bone's share in a vertex.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Share {
+pub struct Influence {
     /// The bone's node; `None` where the file names none that is there.
     pub node: Option<NodeId>,
     /// The name of the joint in the skin; empty for the bind shape itself (influence −1).
@@ -23,7 +23,7 @@ pub struct Share {
 
 /// A vertex, explained: `v' = Σ wᵢ Jᵢ IBMᵢ BSM v`.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Explanation {
+pub struct VertexInfluences {
     /// The vertex of the mesh.
     pub vertex: u32,
     /// Its point in the file.
@@ -31,7 +31,7 @@ pub struct Explanation {
     /// The vertex before the skin, after the morphs below it; the mesh's own space.
     pub base: DVec3,
     /// The bones; empty where no skin moves it.
-    pub shares: Vec<Share>,
+    pub shares: Vec<Influence>,
     /// The sum of the parts: where linear blending puts the vertex; world, metres.
     pub sum: DVec3,
     /// Where it is drawn; world, metres. Differs from the sum where dual quaternions are blended, and where a morph above the skin mixes the skinned shape.
@@ -41,7 +41,7 @@ pub struct Explanation {
 impl Document {
     /// Explains vertex `vertex` of surface `surface` of the frame that was posed last with these buffers. `None` where there is no such mesh or vertex
     /// (a muscle's vertices follow its profile, not bones).
-    pub fn explain(&self, buffers: &PoseBuffers, frame: &Frame, surface: usize, vertex: u32) -> Option<Explanation> {
+    pub fn explain(&self, buffers: &PoseBuffers, frame: &Frame, surface: usize, vertex: u32) -> Option<VertexInfluences> {
         let surface = frame.surfaces.get(surface)?;
         let Content::Mesh(instance) = self.scene.graph.node(surface.node).contents.get(surface.content as usize)? else { return None };
         let v = vertex as usize;
@@ -56,10 +56,10 @@ impl Document {
         let at = |node: NodeId| frame.world.get(node.index()).copied();
         let here = at(surface.node).unwrap_or(DMat4::IDENTITY);
         let Some((skin, nodes)) = skin_of(&self.scene, instance) else {
-            return Some(Explanation { vertex, point, base, shares: Vec::new(), sum: here.transform_point3(base), drawn });
+            return Some(VertexInfluences { vertex, point, base, shares: Vec::new(), sum: here.transform_point3(base), drawn });
         };
         let bind = at(root_of(&self.scene, surface.node)).unwrap_or(DMat4::IDENTITY) * skin.bind_shape;
-        let shares: Vec<Share> = skin
+        let shares: Vec<Influence> = skin
             .influences_of(point as usize)
             .iter()
             .map(|influence| {
@@ -71,7 +71,7 @@ impl Document {
                     _ => bind,
                 };
                 let (weight, alone) = (f64::from(influence.weight), matrix.transform_point3(base));
-                Share { node, joint: joint.map_or_else(String::new, |joint| joint.name.clone()), weight, alone, part: alone * weight }
+                Influence { node, joint: joint.map_or_else(String::new, |joint| joint.name.clone()), weight, alone, part: alone * weight }
             })
             .collect();
         let sum = match (shares.is_empty(), skin.binds_as_it_is() && instance.is_skinned()) {
@@ -79,6 +79,6 @@ impl Document {
             (true, false) => bind.transform_point3(base),
             (false, _) => shares.iter().map(|share| share.part).sum(),
         };
-        Some(Explanation { vertex, point, base, shares, sum, drawn })
+        Some(VertexInfluences { vertex, point, base, shares, sum, drawn })
     }
 }

@@ -28,7 +28,7 @@ pub const ARM26: Published = Published {
     points: &[[0.0, 0.94], [40.0, 3.16], [60.0, 4.05], [80.0, 4.69], [90.0, 4.88], [100.0, 4.94], [130.0, 4.03]],
 };
 
-/// Radii that were measured on a biceps at four angles, as [`super::experiment::Table::parse`] reads them; the source stands in its first lines.
+/// Radii that were measured on a biceps at four angles, as [`super::validation::Table::parse`] reads them; the source stands in its first lines.
 pub const MEASURED_RADII: &str = include_str!("../../configs/biceps-radii.csv");
 
 /// How much the biceps of Arm26 shortens from 0° to 130°.

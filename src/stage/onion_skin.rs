@@ -1,7 +1,7 @@
 //! Onion skins: the moments before and after the present one, drawn with it.
 
-use super::company::{Host, color};
-use super::ghosts::Ghosts;
+use super::onion_skin_settings::Ghosts;
+use super::overlays::{PoseContext, color};
 use crate::animation::Clip;
 use crate::document::{Companion, PoseState};
 use crate::scene::{Frame, Ghost};
@@ -16,11 +16,11 @@ const NEAREST: f32 = 0.42;
 
 /// The moments that are drawn with the present one.
 #[derive(Debug, Default)]
-pub(super) struct Onion {
+pub(super) struct OnionSkin {
     skins: Vec<Companion>,
 }
 
-impl Onion {
+impl OnionSkin {
     /// Takes surfaces back from the frame.
     pub(super) fn recall(&mut self, frame: &mut Frame) {
         for skin in self.skins.iter_mut().rev() {
@@ -29,7 +29,7 @@ impl Onion {
     }
 
     /// Poses the moments and puts them into the frame.
-    pub(super) fn invite(&mut self, host: &Host<'_>, ghosts: Ghosts, frame: &mut Frame) {
+    pub(super) fn invite(&mut self, host: &PoseContext<'_>, ghosts: Ghosts, frame: &mut Frame) {
         let clip = host.state.clip.and_then(|clip| host.document.clips.get(clip));
         let moments = moments(clip, host.state.time, host.rate, ghosts);
         self.skins.resize_with(moments.len(), Companion::default);

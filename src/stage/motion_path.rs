@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3, Vec3};
 
-use super::company::{Host, color};
+use super::overlays::{PoseContext, color};
 use crate::document::PoseState;
 use crate::scene::{Frame, Mark, NodeId};
 
@@ -18,7 +18,7 @@ pub(super) struct Trail {
 
 impl Trail {
     /// Draws the path of a node into the frame, with dots at its keys and at the present moment; `kept` is made where there is none.
-    pub(super) fn draw(kept: &mut Option<Self>, host: &Host<'_>, node: NodeId, frame: &mut Frame) {
+    pub(super) fn draw(kept: &mut Option<Self>, host: &PoseContext<'_>, node: NodeId, frame: &mut Frame) {
         let clip = host.state.clip.and_then(|clip| host.document.clips.get(clip));
         let Some(clip) = clip.filter(|clip| clip.duration() > 0.0) else { return };
         let trail = kept.get_or_insert_with(|| {

@@ -6,9 +6,9 @@ use super::arm::UPPER_ARM;
 use super::build::resolve;
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 use super::joint::Joint;
-use super::line::{Frames, Line};
+use super::line_of_action::{Frames, Line};
+use super::muscle_rig::{MuscleRig, WorldFrames};
 use super::profile::{Profile, ProfileError};
-use super::rig::{Rig, WorldFrames};
 use crate::scene::{Graph, NodeId, Scene};
 
 impl MuscleSpec {
@@ -121,7 +121,7 @@ impl Limbs {
     }
 }
 
-impl Rig {
+impl MuscleRig {
     /// By what a muscle from the bone `node` is multiplied.
     fn scale_on(&self, graph: &Graph, node: NodeId, world: &[DMat4]) -> f64 {
         let scale = self.scaled_at.map_or(1.0, |at| super::scaling::of_bone(graph, world, node) / at);

@@ -55,7 +55,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::scene::{Mesh, MuscleId, NodeId, Placement};
+    use crate::scene::{Mesh, MuscleId, NodeId, SurfaceGeometry};
     use glam::Mat4;
 
     /// A box with corners at ±`half`, without its side at +X where it is `open`.
@@ -72,7 +72,7 @@ mod tests {
             node: NodeId(0),
             mesh: Arc::new(mesh),
             materials: Arc::new([]),
-            placement: Placement::Rigid(Mat4::from_translation(at)),
+            placement: SurfaceGeometry::Rigid(Mat4::from_translation(at)),
             mirrored: false,
             solid: None,
             muscle,

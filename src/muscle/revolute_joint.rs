@@ -6,11 +6,11 @@
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
 use super::arm::{AXIS, Arm};
-use super::line::Frames;
+use super::line_of_action::Frames;
 
 /// A joint with one axis, and what it moves. Everything is seen from the rig's root, in the file's unit, unless it says otherwise.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Hinge {
+pub(super) struct RevoluteJoint {
     /// The node above the joint.
     pub above: DMat4,
     /// The way back into it; `None` where it is flat, and nothing can be turned in it.
@@ -27,7 +27,7 @@ pub(super) struct Hinge {
     pub range: [f64; 2],
 }
 
-/// A bone of a [`Hinge`].
+/// A bone of a [`RevoluteJoint`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bone {
     /// Its matrix as the pose has it.
@@ -38,7 +38,7 @@ pub(super) struct Bone {
     pub plain: bool,
 }
 
-impl Hinge {
+impl RevoluteJoint {
     /// A joint at `pivot` with this axis, both in the axes of the node above it, whose matrix is `above`.
     pub(super) fn new(above: DMat4, pivot: DVec3, axis: DVec3, bones: Vec<Bone>) -> Self {
         let back = Some(above.inverse()).filter(|back| back.is_finite() && above.determinant().abs() > f64::MIN_POSITIVE);
@@ -77,7 +77,7 @@ impl Hinge {
 /// A hinge's bones at one angle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Turned<'a> {
-    hinge: &'a Hinge,
+    hinge: &'a RevoluteJoint,
     turn: DMat4,
     /// Its change a radian; the last row is zero.
     rate: DMat4,

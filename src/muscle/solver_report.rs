@@ -17,7 +17,7 @@ pub enum Root {
 
 /// Everything that a student needs to see why a muscle bulges. Lengths are in the file's unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ledger {
+pub struct SolverReport {
     /// L, after holding it within the limits; tendons left out.
     pub length: f64,
     /// L₀.
@@ -52,7 +52,7 @@ pub struct Ledger {
     pub moment_arm: Option<f64>,
 }
 
-impl Ledger {
+impl SolverReport {
     /// For a solution of `profile`.
     pub fn new(profile: &Profile, solved: &Solved, moment_arm: Option<f64>) -> Self {
         let limits = profile.limits();

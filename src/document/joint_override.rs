@@ -7,14 +7,14 @@ use crate::scene::NodeId;
 
 /// A node turned by hand about its own axes, after the clip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HandTurn {
+pub struct JointOverride {
     /// The node.
     pub node: NodeId,
     /// Degrees about its own X, then Y, then Z axis, as the axes lie before the turn.
     pub degrees: DVec3,
 }
 
-impl HandTurn {
+impl JointOverride {
     /// The turn as a matrix; applied to the right of the node's local one, so that the joint stays where it is.
     pub fn matrix(&self) -> DMat4 {
         let radians = self.degrees * (std::f64::consts::PI / 180.0);
@@ -24,7 +24,7 @@ impl HandTurn {
 
 impl Document {
     /// The turns made by hand, ascending by node.
-    pub fn hand_turns(&self) -> &[HandTurn] {
+    pub fn hand_turns(&self) -> &[JointOverride] {
         &self.hand
     }
 
@@ -43,12 +43,12 @@ impl Document {
             self.hand.remove(at);
         }
         if degrees != DVec3::ZERO {
-            self.hand.insert(place.unwrap_or_else(|at| at), HandTurn { node, degrees });
+            self.hand.insert(place.unwrap_or_else(|at| at), JointOverride { node, degrees });
         }
     }
 
     /// Puts these turns in the place of all others.
-    pub fn set_hand_turns(&mut self, turns: &[HandTurn]) {
+    pub fn set_hand_turns(&mut self, turns: &[JointOverride]) {
         self.hand.clear();
         turns.iter().for_each(|turn| self.set_hand_turn(turn.node, turn.degrees));
     }
