@@ -8,7 +8,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::APPLICATION_ID;
-use super::actions::{Command, Group};
+use super::commands::{Command, Group};
 use super::window::{Window, part};
 use crate::tr;
 

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use super::canvas::{Canvas, rgb, write_on};
+use super::drawing_area::{Canvas, rgb, write_on};
 use super::session::Session;
 use crate::render::Background;
 

@@ -8,14 +8,14 @@ use gtk4 as gtk;
 
 use super::session::With;
 use super::window::Window;
-use super::{files, ghosts_panel, news};
+use super::{document_loader, ghosts_panel, reload_summary};
 use crate::collada::Progress;
 use crate::document::Document;
 use crate::tr;
 
 /// Asks for a file and compares what is open with it.
 pub(super) fn choose(window: &Rc<Window>) {
-    files::ask_for_files(window, &tr!("app-choose-compared"), false, |window, mut paths| {
+    document_loader::ask_for_files(window, &tr!("app-choose-compared"), false, |window, mut paths| {
         if let Some(path) = paths.pop() {
             open(window, path);
         }
@@ -25,9 +25,9 @@ pub(super) fn choose(window: &Rc<Window>) {
 /// Compares what is open with a file.
 pub(super) fn open(window: &Rc<Window>, path: PathBuf) {
     let name = path.display().to_string();
-    files::read_apart(window, path, move |window, document| {
+    document_loader::read_apart(window, path, move |window, document| {
         window.act(|session| session.compare(Some(With::File(Box::new(document), name))));
-        files::watch(window);
+        document_loader::watch(window);
     });
 }
 
@@ -41,7 +41,7 @@ pub(super) fn read_again(window: &Rc<Window>, path: &Path) {
             && window.look(|session| session.compared_file()).as_ref() == Some(&path)
         {
             let news = window.look(|session| match session.compared_with() {
-                Some(With::File(old, _)) => news::what_changed(old, &document),
+                Some(With::File(old, _)) => reload_summary::what_changed(old, &document),
                 _ => String::new(),
             });
             window.act(|session| session.compare_again(document));

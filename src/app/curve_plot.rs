@@ -3,10 +3,10 @@
 use gtk::cairo::{Context, LineJoin};
 use gtk4 as gtk;
 
-use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
+use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
 use super::format;
 use super::session::{Graph, Line};
-use super::track::Track;
+use super::timeline_ruler::Track;
 
 /// Room above the highest and below the lowest value, logical pixels.
 const AIR: f64 = 14.0;

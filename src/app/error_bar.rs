@@ -10,7 +10,7 @@ use gtk4 as gtk;
 
 use super::session::Arrival;
 use super::window::{Window, part};
-use super::{files, ui};
+use super::{document_loader, ui};
 
 /// The bar.
 pub(super) struct ErrorBar {
@@ -77,7 +77,7 @@ impl ErrorBar {
             move |_| {
                 let again = window.error_bar.again.borrow().clone();
                 if let Some((paths, arrival)) = again {
-                    files::retry(&window, paths, arrival);
+                    document_loader::retry(&window, paths, arrival);
                 }
             }
         ));

@@ -13,7 +13,7 @@ use gtk4 as gtk;
 
 use super::export_job::{Course, Job, Kind, Options};
 use super::window::{Window, part};
-use super::{files, format, save_as, ui};
+use super::{document_loader, format, save_as, ui};
 use crate::export::ExportError;
 use crate::export::pipeline::Work;
 use crate::export::{gltf, video};
@@ -224,7 +224,7 @@ impl Dialog {
         let folder = save_as::usual_folder(window);
         let name = save_as::name_like_open(window, kind.ending());
         let there = folder.clone().unwrap_or_default();
-        let name = files::guard(window).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
+        let name = document_loader::guard(window).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
         let name = save_as::name_of(&kind.completed(Path::new(&name)));
         let (asked, dialog) = (save_as::Asked { title: tr!("app-export-title"), name, folder }, self.clone());
         save_as::choose(&self.part("root"), asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
@@ -233,7 +233,7 @@ impl Dialog {
     /// Completes the name, refuses files that are open, and asks about those that are there and that the chooser did not ask about.
     fn prepare(self: &Rc<Self>, options: Options, chosen: PathBuf) {
         let file = options.kind.completed(&chosen);
-        let guard = files::guard(&self.window);
+        let guard = document_loader::guard(&self.window);
         let job = match self.window.look(|session| Job::new(session, options, guard.clone())) {
             Ok(job) => job,
             Err(cannot) => return self.say(&cannot.to_string()),

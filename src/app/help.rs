@@ -6,7 +6,7 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use super::actions::Command;
+use super::commands::Command;
 use super::window::Window;
 use crate::i18n::{FluentValue, message};
 use crate::tr;

@@ -12,7 +12,7 @@ use super::inspector_text::{self, Space};
 use super::plot_view;
 use super::session::{Changes, Matrices, Session, Step};
 use super::window::{Window, part};
-use super::{canvas::Canvas, format, swatch, ui};
+use super::{drawing_area::Canvas, format, material_preview, ui};
 use crate::document::{Skinning, angle_at};
 use crate::i18n;
 use crate::plot::Plot;
@@ -263,7 +263,7 @@ impl Inspector {
             };
             listed.push(binding.material);
             let row = gtk::Box::new(gtk::Orientation::Horizontal, 6);
-            row.append(&swatch::of(scene, material));
+            row.append(&material_preview::of(scene, material));
             let label =
                 gtk::Label::builder().label(&*i18n::shown(&inspector_text::material(scene, material))).xalign(0.0).wrap(true).hexpand(true);
             row.append(&label.css_classes(["small"]).build());

@@ -9,7 +9,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::canvas::Canvas;
+use super::drawing_area::Canvas;
 use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;

@@ -6,7 +6,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::actions::Command;
+use super::commands::Command;
 use super::session::{Session, file_cameras};
 use super::window::{Window, part};
 use super::{recent, ui};

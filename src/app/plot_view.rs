@@ -4,7 +4,7 @@ use gtk::cairo::Context;
 use gtk::gdk::RGBA;
 use gtk4 as gtk;
 
-use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
+use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
 use crate::plot::{Anchor, Color, Ink, Plot, Stroke};
 
 /// Paints a plot over the whole canvas.

@@ -7,10 +7,10 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::demos::DEMOS;
+use super::samples::DEMOS;
 use super::session::Arrival;
 use super::window::Window;
-use super::{files, start, ui};
+use super::{document_loader, start_page, ui};
 use crate::i18n::shown;
 use crate::tr;
 
@@ -73,7 +73,7 @@ pub(super) fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone
             window,
             move |_| {
                 done();
-                files::open(&window, vec![path.clone()], Arrival::New);
+                document_loader::open(&window, vec![path.clone()], Arrival::New);
             }
         ));
         slot.append(&button);
@@ -94,7 +94,7 @@ pub(super) fn add_demos(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + 
             window,
             move |_| {
                 done();
-                start::open_demo(&window, demo);
+                start_page::open_demo(&window, demo);
             }
         ));
         slot.append(&button);

@@ -13,7 +13,7 @@ use gtk4 as gtk;
 
 use super::session::Session;
 use super::window::{Window, part};
-use super::{files, ui};
+use super::{document_loader, ui};
 use crate::muscle::MuscleFile;
 use crate::stage::Unsaved;
 use crate::tr;
@@ -211,7 +211,7 @@ impl Left {
 /// Opens the files that were open, and puts the muscles that were not saved into them. What was left is kept until they are there.
 fn restore(window: &Rc<Window>, left: Left) {
     let Some(muscles) = left.unsaved.muscle_files() else { return };
-    files::open_carrying(window, left.unsaved.files.clone(), muscles, move || left.forget());
+    document_loader::open_carrying(window, left.unsaved.files.clone(), muscles, move || left.forget());
 }
 
 /// A file that cannot be removed is offered again; nothing is lost by that.

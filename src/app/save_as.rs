@@ -8,8 +8,8 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+use super::document_loader;
 use super::error_bar::Trouble;
-use super::files;
 use super::window::Window;
 use crate::export::ending::completed;
 use crate::export::guard::{Output, is_same};
@@ -38,7 +38,11 @@ pub(super) fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Win
     let its = own.clone();
     let is_own = move |file: &Path| its.as_deref().is_some_and(|own| is_same(own, file));
     let there = folder.clone().unwrap_or_default();
-    let name = if is_own(&there.join(&name)) { name } else { files::guard(window).free_name(&there, &name, |file| vec![file.to_owned()]) };
+    let name = if is_own(&there.join(&name)) {
+        name
+    } else {
+        document_loader::guard(window).free_name(&there, &name, |file| vec![file.to_owned()])
+    };
     let complete = move |chosen: &Path| if is_own(chosen) { chosen.to_owned() } else { completed(chosen, endings) };
     let asked = Asked { title, name, folder };
     choose(
@@ -50,7 +54,7 @@ pub(super) fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Win
             window,
             move |chosen: PathBuf| {
                 let path = complete(&chosen);
-                let output = match files::guard(&window).but(own.as_deref()).output(&path) {
+                let output = match document_loader::guard(&window).but(own.as_deref()).output(&path) {
                     Ok(output) => output,
                     Err(error) => return failed(&window, &path, error.to_string()),
                 };

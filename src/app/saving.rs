@@ -11,7 +11,7 @@ use gtk4 as gtk;
 
 use super::save_as::{self, Wanted};
 use super::window::Window;
-use super::{demos, files};
+use super::{document_loader, samples};
 use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::{input, limits, tr};
@@ -29,7 +29,7 @@ fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()
     let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
     match path {
         // A demo is written anew when it is opened again.
-        Some(path) if !path.starts_with(demos::folder()) => match files::guard(window).but(Some(&path)).output(&path) {
+        Some(path) if !path.starts_with(samples::folder()) => match document_loader::guard(window).but(Some(&path)).output(&path) {
             Ok(output) => {
                 if write(window, index, &output) {
                     save_each(window, wanted, then);
@@ -53,7 +53,7 @@ pub(super) fn save_as(window: &Rc<Window>) {
 fn choose(window: &Rc<Window>, index: usize, then: impl FnOnce() + 'static) {
     let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
     let name = path.as_deref().map_or_else(|| "muscle.yaml".into(), save_as::name_of);
-    let own = path.filter(|path| !path.starts_with(demos::folder()));
+    let own = path.filter(|path| !path.starts_with(samples::folder()));
     let folder = own.as_deref().and_then(Path::parent).map(Path::to_path_buf);
     let wanted = Wanted { title: tr!("app-save-title"), name, folder, endings: &["yaml", "yml"], own };
     save_as::ask(window, wanted, move |window, output| {
@@ -78,7 +78,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
         Ok(()) => {
             window.error_bar.hide();
             window.act(|session| session.was_saved(index, path.clone(), file));
-            files::watch(window);
+            document_loader::watch(window);
             let key = if saved.comments_lost { "app-saved-without-comments" } else { "app-saved" };
             window.viewport.toast(&tr!(key, file = save_as::name_of(&path)), Some(path));
             true

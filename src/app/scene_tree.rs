@@ -8,10 +8,10 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::canvas::Canvas;
-use super::glyph;
+use super::drawing_area::Canvas;
+use super::icons;
 use super::session::{Changes, Session};
-use super::tree_rows::{Row, path_to, search, steps};
+use super::tree_model::{Row, path_to, search, steps};
 use super::ui;
 use super::window::{Window, part};
 use crate::i18n::shown;
@@ -274,7 +274,7 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         let (icon, eye) = (content.first_child().and_downcast::<Canvas>(), content.last_child().and_downcast::<gtk::ToggleButton>());
         let label = icon.as_ref().and_then(|icon| icon.next_sibling()).and_downcast::<gtk::Label>();
         if let (Some(icon), Some(label), Some(eye)) = (icon, label, eye) {
-            glyph::set(&icon, row.glyph);
+            icons::set(&icon, row.glyph);
             let name = shown(&row.name);
             label.set_text(&name);
             label.set_tooltip_text(Some(&name));

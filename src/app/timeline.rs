@@ -10,12 +10,12 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use super::actions::Command;
-use super::canvas::Canvas;
-use super::glyph::{self, Glyph};
+use super::commands::Command;
+use super::curve_editor::Sheet;
+use super::drawing_area::Canvas;
+use super::icons::{self, Glyph};
 use super::session::{Changes, Mark, Session};
-use super::sheet::Sheet;
-use super::track::{Track, frame_of};
+use super::timeline_ruler::{Track, frame_of};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::animation::LoopMode;
@@ -73,7 +73,7 @@ impl Timeline {
             ("frame_forward", Glyph::FrameForward),
             ("unfold", Glyph::Sheet),
         ] {
-            part::<gtk::Button>(&builder, id).set_child(Some(&glyph::image(glyph)));
+            part::<gtk::Button>(&builder, id).set_child(Some(&icons::image(glyph)));
         }
         let track = Rc::new(RefCell::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() }));
         let painted = track.clone();

@@ -10,7 +10,7 @@ use gtk4::{
     Widget, pango,
 };
 
-use super::actions::Command;
+use super::commands::Command;
 use super::format;
 use crate::i18n::{shown, shown_lines};
 use crate::tr;

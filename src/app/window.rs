@@ -9,29 +9,29 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::actions::Command;
-use super::bare::Bare;
+use super::commands::Command;
+use super::curve_editor::Sheet;
 use super::display_panel::DisplayPanel;
+use super::document_loader::Files;
+use super::empty_state::Bare;
 use super::error_bar::ErrorBar;
-use super::files::Files;
 use super::health_panel::HealthPanel;
 use super::held::Held;
 use super::inspector::Inspector;
-use super::keys::Keys;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
 use super::recovery::Recovery;
 use super::scene_tree::SceneTree;
 use super::session::{Arrival, Changes, Session};
 use super::settings::{OwnLooks, Settings};
-use super::sheet::Sheet;
-use super::sides::Sides;
-use super::start::StartPage;
+use super::shortcuts::Keys;
+use super::side_panels::Sides;
+use super::start_page::StartPage;
 use super::timeline::Timeline;
-use super::track::Track;
-use super::tree_rows::Row;
+use super::timeline_ruler::Track;
+use super::tree_model::Row;
 use super::viewport::Viewport;
-use super::{files, ghosts_panel, heading, keyboard, menus, perform, saving, sides, theme, ui};
+use super::{appearance, command_dispatch, document_loader, ghosts_panel, key_controller, menus, saving, side_panels, title_bar, ui};
 use crate::document::Document;
 use crate::muscle::EditError;
 use crate::scene::NodeId;
@@ -89,12 +89,12 @@ pub(super) fn part<T: IsA<glib::Object>>(builder: &gtk::Builder, id: &str) -> T 
 impl Window {
     /// Opens a window that shows `files`, or the built-in biceps.
     pub(super) fn open(application: &gtk::Application, files: Vec<PathBuf>) {
-        theme::load_style();
+        appearance::load_style();
         let (settings, notice) = Settings::load(&Settings::path());
         let builder = ui::builder(ui::WINDOW);
         let widget: gtk::ApplicationWindow = part(&builder, "window");
         widget.set_application(Some(application));
-        let (width, height) = sides::on_screen(settings.width, settings.height);
+        let (width, height) = side_panels::on_screen(settings.width, settings.height);
         widget.set_default_size(width, height);
         if settings.maximised {
             widget.maximize();
@@ -103,7 +103,7 @@ impl Window {
         let document = if files.is_empty() { Document::built_in() } else { Document::default() };
         let mut session = Session::new(document);
         settings.apply(&mut session);
-        session.set_eased(settings.smooth_camera && theme::animates());
+        session.set_eased(settings.smooth_camera && appearance::animates());
 
         let window = Rc::new(Self {
             widget,
@@ -120,7 +120,7 @@ impl Window {
             page_turned: Cell::new(false),
             sides: Sides::new(&builder),
             own_looks: RefCell::default(),
-            actions: perform::make_actions(),
+            actions: command_dispatch::make_actions(),
             timeline: Timeline::new(),
             tree: SceneTree::new(),
             muscle: MusclePanel::new(),
@@ -136,9 +136,9 @@ impl Window {
         window.put_together();
         // Reading has begun before anything is shown, or the start page would flash.
         if !files.is_empty() {
-            files::open(&window, files, Arrival::New);
+            document_loader::open(&window, files, Arrival::New);
         }
-        theme::follow(&window);
+        appearance::follow(&window);
         window.refresh();
         if let Some(notice) = notice {
             window.viewport.notice(&notice);
@@ -188,10 +188,10 @@ impl Window {
         self.error_bar.connect(self);
         self.recovery.connect(self);
         self.start.connect(self);
-        perform::connect(self);
-        keyboard::connect(self);
+        command_dispatch::connect(self);
+        key_controller::connect(self);
         menus::connect(self, &self.builder);
-        files::accept_drops(self);
+        document_loader::accept_drops(self);
         self.show_side(self.settings.borrow().tree_shown, self.settings.borrow().panel_shown);
         self.show_sheet();
         self.widget.connect_close_request(glib::clone!(
@@ -276,13 +276,13 @@ impl Window {
                 self.start.refresh(session, self.files.is_loading());
             }
             if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::EDIT) {
-                heading::name(&self.builder, &self.widget, session);
+                title_bar::name(&self.builder, &self.widget, session);
             }
             if changes.any(Changes::DOCUMENT | Changes::EDIT) {
                 self.recovery.note(self, session);
             }
             if changes.any(Changes::HISTORY | Changes::DOCUMENT) {
-                heading::name_steps(&self.builder, session);
+                title_bar::name_steps(&self.builder, session);
             }
             if changes.any(Changes::SELECTION | Changes::DOCUMENT) {
                 let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
@@ -292,7 +292,7 @@ impl Window {
                 let compared = session.compared().map(|compared| ghosts_panel::difference(session, &compared));
                 ui::say(&part(&self.builder, "status_compared"), &compared.unwrap_or_default());
             }
-            perform::show_states(self, session, &self.actions);
+            command_dispatch::show_states(self, session, &self.actions);
         }
         self.refreshing.set(false);
         let moves = Changes::CAMERA | Changes::TIME | Changes::DOCUMENT | Changes::MODEL | Changes::HAND | Changes::EDIT | Changes::DRIVE;
@@ -369,7 +369,7 @@ impl Window {
 
     /// Says what is drawn: triangles in the status line, times over the picture.
     pub(super) fn show_stats(&self, triangles: u64) {
-        heading::tell_size(&self.builder, triangles);
+        title_bar::tell_size(&self.builder, triangles);
     }
 
     /// Says where the pointer is in the world.
@@ -391,7 +391,7 @@ impl Window {
     /// Shows the states of the actions anew.
     pub(super) fn show_states(self: &Rc<Self>) {
         if let Ok(session) = self.session.try_borrow() {
-            perform::show_states(self, &session, &self.actions);
+            command_dispatch::show_states(self, &session, &self.actions);
         }
     }
 

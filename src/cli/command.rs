@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValuesParser, Styles, TypedValueParser, ValueParser};
 use clap::{Arg, ArgAction, ArgGroup, Command};
 
-use super::values;
+use super::arg_parsers;
 use crate::tr;
 
 /// The whole command line.
@@ -76,34 +76,34 @@ fn render() -> Command {
     )
     .arg(files("cli-arg-render-files").num_args(1..).required(true))
     .arg(output("cli-arg-render-output"))
-    .arg(option("size", "WxH", values::size, "cli-arg-size", "cli-heading-output").allow_hyphen_values(true))
-    .arg(number("scale", "K", values::number_within(0.1, 16.0), "cli-arg-scale", "cli-heading-output"))
+    .arg(option("size", "WxH", arg_parsers::size, "cli-arg-size", "cli-heading-output").allow_hyphen_values(true))
+    .arg(number("scale", "K", arg_parsers::number_within(0.1, 16.0), "cli-arg-scale", "cli-heading-output"))
     .arg(choice("samples", &["1", "4"], "cli-arg-samples", "cli-heading-output"))
-    .arg(option("background", "COLOUR", values::backdrop, "cli-arg-background", "cli-heading-output"))
-    .arg(option("threads", "N", values::threads, "cli-arg-threads", "cli-heading-output"))
+    .arg(option("background", "COLOUR", arg_parsers::backdrop, "cli-arg-background", "cli-heading-output"))
+    .arg(option("threads", "N", arg_parsers::threads, "cli-arg-threads", "cli-heading-output"))
     .arg(flag("stats", "cli-arg-stats", "cli-heading-output"))
     .arg(flag("force", "cli-arg-force", "cli-heading-output"))
     .args(moment())
-    .arg(number("from", "S", values::number, "cli-arg-from", "cli-heading-moment").conflicts_with("time"))
-    .arg(number("to", "S", values::number, "cli-arg-to", "cli-heading-moment").conflicts_with("time"))
-    .arg(number("duration", "S", values::number_within(0.0, 1e6), "cli-arg-duration", "cli-heading-moment").conflicts_with("to"))
+    .arg(number("from", "S", arg_parsers::number, "cli-arg-from", "cli-heading-moment").conflicts_with("time"))
+    .arg(number("to", "S", arg_parsers::number, "cli-arg-to", "cli-heading-moment").conflicts_with("time"))
+    .arg(number("duration", "S", arg_parsers::number_within(0.0, 1e6), "cli-arg-duration", "cli-heading-moment").conflicts_with("to"))
     .arg(
-        option("sweep-angle", "FROM:TO", values::span(-360.0, 360.0), "cli-arg-sweep-angle", "cli-heading-moment")
+        option("sweep-angle", "FROM:TO", arg_parsers::span(-360.0, 360.0), "cli-arg-sweep-angle", "cli-heading-moment")
             .allow_hyphen_values(true)
             .conflicts_with_all(["angle", "contraction", "sweep-contraction", "from", "to"]),
     )
     .arg(
-        option("sweep-contraction", "FROM:TO", values::span(0.0, 100.0), "cli-arg-sweep-contraction", "cli-heading-moment")
+        option("sweep-contraction", "FROM:TO", arg_parsers::span(0.0, 100.0), "cli-arg-sweep-contraction", "cli-heading-moment")
             .allow_hyphen_values(true)
             .conflicts_with_all(["angle", "contraction", "from", "to"]),
     )
-    .arg(number("fps", "N", values::number_within(0.01, 1000.0), "cli-arg-fps", "cli-heading-moment"))
+    .arg(number("fps", "N", arg_parsers::number_within(0.01, 1000.0), "cli-arg-fps", "cli-heading-moment"))
     .arg(choice("camera", &["orbit", "front", "right", "top", "iso"], "cli-arg-camera", view))
-    .arg(number("yaw", "DEG", values::number, "cli-arg-yaw", view))
-    .arg(number("pitch", "DEG", values::number_within(-90.0, 90.0), "cli-arg-pitch", view))
-    .arg(number("zoom", "F", values::number_within(0.01, 100.0), "cli-arg-zoom", view))
+    .arg(number("yaw", "DEG", arg_parsers::number, "cli-arg-yaw", view))
+    .arg(number("pitch", "DEG", arg_parsers::number_within(-90.0, 90.0), "cli-arg-pitch", view))
+    .arg(number("zoom", "F", arg_parsers::number_within(0.01, 100.0), "cli-arg-zoom", view))
     .arg(flag("turntable", "cli-arg-turntable", view))
-    .arg(option("light", "X,Y,Z", values::point, "cli-arg-light", look).allow_hyphen_values(true))
+    .arg(option("light", "X,Y,Z", arg_parsers::point, "cli-arg-light", look).allow_hyphen_values(true))
     .arg(choice("shading", &["flat", "gouraud", "phong"], "cli-arg-shading", look))
     .arg(flag("bones", "cli-arg-bones", look))
     .arg(flag("wireframe", "cli-arg-wireframe", look))
@@ -170,10 +170,10 @@ fn measure() -> Command {
         ],
     )
     .arg(file())
-    .arg(option("angles", "DEG,DEG,…", values::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
-    .arg(option("sweep", "FROM:TO:STEP", values::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
+    .arg(option("angles", "DEG,DEG,…", arg_parsers::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
+    .arg(option("sweep", "FROM:TO:STEP", arg_parsers::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
     .arg(
-        option("times", "FROM:TO:STEP", values::times, "cli-arg-times", heading)
+        option("times", "FROM:TO:STEP", arg_parsers::times, "cli-arg-times", heading)
             .allow_hyphen_values(true)
             .conflicts_with_all(["angles", "sweep", "compare"]),
     )
@@ -192,7 +192,7 @@ fn measure() -> Command {
             .conflicts_with("compare")
             .value_hint(clap::ValueHint::FilePath),
     )
-    .arg(number("scale", "K", values::number_within(0.1, 8.0), "cli-arg-plot-scale", heading).requires("plot"))
+    .arg(number("scale", "K", arg_parsers::number_within(0.1, 8.0), "cli-arg-plot-scale", heading).requires("plot"))
     .arg(flag("force", "cli-arg-force", heading))
 }
 
@@ -229,8 +229,8 @@ fn bench() -> Command {
     )
     .arg(files("cli-arg-bench-file").num_args(0..))
     .arg(option("scene", "TEXT", clap::value_parser!(String), "cli-arg-bench-scene", heading))
-    .arg(option("threads", "N", values::threads, "cli-arg-bench-threads", heading))
-    .arg(number("seconds", "S", values::number_within(0.01, 60.0), "cli-arg-seconds", heading))
+    .arg(option("threads", "N", arg_parsers::threads, "cli-arg-bench-threads", heading))
+    .arg(number("seconds", "S", arg_parsers::number_within(0.01, 60.0), "cli-arg-seconds", heading))
     .arg(flag("json", "cli-arg-json", heading))
 }
 
@@ -294,12 +294,12 @@ fn verbose() -> Arg {
 fn moment() -> [Arg; 5] {
     let heading = "cli-heading-moment";
     [
-        number("time", "S", values::number, "cli-arg-time", heading),
+        number("time", "S", arg_parsers::number, "cli-arg-time", heading),
         option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading),
-        number("angle", "DEG", values::number_within(-values::MOST_DEGREES, values::MOST_DEGREES), "cli-arg-angle", heading)
+        number("angle", "DEG", arg_parsers::number_within(-arg_parsers::MOST_DEGREES, arg_parsers::MOST_DEGREES), "cli-arg-angle", heading)
             .conflicts_with("contraction"),
         flag("on-top", "cli-arg-on-top", heading).requires("angle"),
-        number("contraction", "PCT", values::number_within(0.0, 100.0), "cli-arg-contraction", heading),
+        number("contraction", "PCT", arg_parsers::number_within(0.0, 100.0), "cli-arg-contraction", heading),
     ]
 }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 
 use super::failure::{Failure, complain_part, is_quiet, one_file, output_name, remark, wrong_ending};
-use super::moment::Moment;
+use super::pose_options::Moment;
 use super::progress::leave_nothing;
 use super::{files, value};
 use crate::collada::Progress;

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::ArgMatches;
 
+use super::arg_parsers::{Angles, MOST_DEGREES, Times, plain};
 use super::compare::Comparison;
 use super::export::allow_overwriting;
 use super::failure::{Failure, answer, answer_json, display_name, notice, one_file, output_name, remark, wrong_ending};
-use super::moment::unknown_clip;
+use super::pose_options::unknown_clip;
 use super::progress::leave_nothing;
-use super::values::{Angles, MOST_DEGREES, Times, plain};
 use super::{files, joints, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseState};

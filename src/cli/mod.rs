@@ -3,6 +3,7 @@
 //! Results go to standard output, problems to standard error, one line each. The exit code is 0 = done, 1 = a file could not be used,
 //! 2 = the call was wrong.
 
+mod arg_parsers;
 mod bench;
 mod check;
 mod command;
@@ -17,11 +18,10 @@ mod joints;
 mod measure;
 mod measured;
 mod mistyped;
-mod moment;
+mod pose_options;
 mod progress;
 mod render;
 mod usage;
-mod values;
 mod window;
 
 use std::ffi::OsString;

@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use glam::Vec3;
 
+use super::arg_parsers::{Backdrop, Span, plain};
 use super::export::allow_overwriting;
 use super::failure::{Failure, complain, display_name, one_file, output_name, remark, wrong_ending};
-use super::moment::Moment;
-use super::values::{Backdrop, Span, plain};
+use super::pose_options::Moment;
 use super::{files, progress, value};
 use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use roxmltree::NodeId as ElementId;
 use rustc_hash::FxHashMap;
 
+use super::channel_target::{Aim, Aims, Miss};
 use super::context::{Context, Step, children, id_of, name_of, shortened};
 use super::material::encoded;
 use super::source::{Arrays, inputs, name_list};
-use super::target::{Aim, Aims, Miss};
 use super::{El, diagnostic_codes};
 use crate::animation::{Channel, Clip, Curve, Interpolation, Keys, Tangents, Target};
 use crate::tr;

@@ -63,7 +63,7 @@ pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Load
     }
     let mut bundle = Bundle { path, files: entries, ..Bundle::default() };
     if bundle.files.keys().any(|other| *other != bundle.path && other != MANIFEST && !is_image(other)) {
-        let first = super::text::decode(&document);
+        let first = super::decode_text::decode(&document);
         let beside = usize::try_from(room).unwrap_or(usize::MAX);
         // Unpacked once here and held once more in the whole.
         bundle.gather(&first.text, beside, |index| {
@@ -86,7 +86,7 @@ fn is_image(path: &str) -> bool {
 fn named_root(archive: &mut Archive<'_>, entries: &BTreeMap<String, usize>, room: &mut u64) -> Result<Option<(String, usize)>, ReadError> {
     let Some(manifest) = entries.get(MANIFEST) else { return Ok(None) };
     let bytes = unpack(archive, *manifest, room)?;
-    let text = super::text::decode(&bytes);
+    let text = super::decode_text::decode(&bytes);
     let surveyed = super::xml::look_at(&text.text, None)?;
     let parsed = super::xml::parse(&surveyed)?;
     let root = parsed.document.descendants().find(|element| element.tag_name().name() == "dae_root");

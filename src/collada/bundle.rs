@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::image::plain_uri;
 use super::lookup::last_segment;
-use super::{ReadError, diagnostic_codes, text, xml};
+use super::{ReadError, decode_text, diagnostic_codes, xml};
 use crate::health::Finding;
 use crate::tr;
 
@@ -76,7 +76,7 @@ impl Bundle {
                 continue;
             }
             let bytes = unpack(index)?;
-            let decoded = text::decode(&bytes);
+            let decoded = decode_text::decode(&bytes);
             let read = references(&files, &decoded.text, &path, room).and_then(|more| Ok((more, root(&decoded.text, room)?)));
             match read {
                 Ok((more, start)) => {

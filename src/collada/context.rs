@@ -9,7 +9,7 @@ use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
 use super::bundle::normal;
-use super::lists::Shortened;
+use super::list_extraction::Shortened;
 use super::lookup::{Lookup, Url};
 use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
 use super::parallel_lists::Ahead;

@@ -8,11 +8,11 @@ use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child, children, id_of, name_of};
 use super::material::is_double_sided;
-use super::morph_shape::Known;
+use super::morph_target::Known;
 use super::primitive::{self, Shape};
 use super::source::{Accessor, Arrays, Input, inputs};
 use super::triangulate::Triangulator;
-use super::vertices::{Builder, Layout, Stream};
+use super::vertex_dedup::{Builder, Layout, Stream};
 use super::{Asset, El, asset, diagnostic_codes};
 use crate::scene::{Mesh, MeshId, Part, Scene, smooth_normals};
 use crate::{limits, tr};

@@ -21,31 +21,31 @@ mod archive;
 mod asset;
 mod bind_pose;
 mod bundle;
+mod channel_target;
 mod context;
 mod controller;
+mod decode_text;
 pub mod diagnostic_codes;
 mod effect;
 mod geometry;
 mod image;
 mod instances;
 mod light_camera;
-mod lists;
+mod list_extraction;
 mod lookup;
 mod material;
 mod morph;
-mod morph_shape;
+mod morph_target;
 mod nodes;
 mod numbers;
 mod parallel_lists;
-mod prefixes;
 mod primitive;
 mod report;
 mod skin;
 mod source;
-mod target;
-mod text;
 mod triangulate;
-mod vertices;
+mod undeclared_prefixes;
+mod vertex_dedup;
 mod xml;
 
 use std::borrow::Cow;
@@ -58,6 +58,7 @@ use crate::scene::Scene;
 use crate::{limits, tr};
 
 use bundle::Bundle;
+use channel_target::Aims;
 use context::Context;
 use controller::Controllers;
 use geometry::Geometries;
@@ -68,7 +69,6 @@ use material::Materials;
 use nodes::Tree;
 use parallel_lists::Ahead;
 use report::Report;
-use target::Aims;
 
 /// An element of the document.
 type El<'a> = roxmltree::Node<'a, 'a>;
@@ -150,7 +150,7 @@ pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, Rea
 
 /// Reads one document with what is bundled with it; `room` is what it may take in bytes where that does not follow from its size.
 fn read_document(bytes: &[u8], name: &str, mut bundle: Bundle, progress: &Progress, room: Option<usize>) -> Result<Loaded, ReadError> {
-    let mut decoded = text::decode(bytes);
+    let mut decoded = decode_text::decode(bytes);
     let mut stretches = Vec::new();
     if let Some((whole, parts)) = bundle.compose(&decoded.text, decoded.lines_before) {
         (decoded.text, stretches) = (Cow::Owned(whole), parts);

@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::context::{Context, Step, child, name_of};
 use super::controller::Sources;
 use super::geometry::Geometry;
-use super::morph_shape::Shape;
+use super::morph_target::Shape;
 use super::source::{Accessor, Arrays, NameList, inputs, name_list};
 use super::{El, diagnostic_codes};
 use crate::scene::{Morph, MorphMethod, MorphTarget};

@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 
 use super::El;
 use super::context::children;
-use super::lists::Shortened;
+use super::list_extraction::Shortened;
 use super::numbers::{Comma, Parsed, reals};
 use super::source::number_attribute;
 

@@ -3,7 +3,7 @@
 use super::context::{Context, Step, child, children};
 use super::source::number_attribute;
 use super::triangulate::Triangulator;
-use super::vertices::{Builder, Layout};
+use super::vertex_dedup::{Builder, Layout};
 use super::{El, diagnostic_codes};
 use crate::tr;
 use glam::Vec3;

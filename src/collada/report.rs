@@ -7,7 +7,7 @@ use roxmltree::NodeId as ElementId;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::bundle::Stretch;
-use super::lists::Shortened;
+use super::list_extraction::Shortened;
 use super::{El, diagnostic_codes};
 use crate::health::{Finding, Severity};
 use crate::{limits, tr};

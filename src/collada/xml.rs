@@ -8,8 +8,8 @@ use std::ops::Range;
 use memchr::{memchr, memchr_iter, memchr3, memmem};
 
 use super::ReadError;
-use super::lists::{LONG, Shortened, holds_list, is_plain};
-use super::prefixes::{self, Undeclared};
+use super::list_extraction::{LONG, Shortened, holds_list, is_plain};
+use super::undeclared_prefixes::{self, Undeclared};
 use crate::{limits, tr};
 
 /// What the tree takes per node and per attribute, bytes: sizes in roxmltree 0.21, rounded up.
@@ -93,7 +93,7 @@ pub(super) fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, R
     let mut undeclared = Vec::new();
     // Nor is the text of an entity looked at.
     if survey.entities == 0
-        && let Some((mended, found)) = prefixes::without(shortened.text(), &survey.prefixes, limits::XML_PREFIXES)
+        && let Some((mended, found)) = undeclared_prefixes::without(shortened.text(), &survey.prefixes, limits::XML_PREFIXES)
     {
         shortened.reword(mended);
         undeclared = found;

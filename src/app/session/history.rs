@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::joint::Held;
+use super::joint_control::Held;
 use crate::document::JointOverride;
 use crate::muscle::{MuscleFile, MuscleState};
 use crate::scene::NodeId;

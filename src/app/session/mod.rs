@@ -1,46 +1,46 @@
 //! What is open and how it is looked at: document, moment, selection, camera, light, switches. No widgets: the window shows a
 //! session and hands it what the user does, and the session says what changed.
 
-mod attach;
-mod changes;
+mod attach_to_skeleton;
+mod camera_controller;
+mod change_set;
 mod compare;
-mod edits;
-mod eye;
+mod display_state;
+mod dope_sheet;
 mod follow;
 mod ghosts;
-mod grips;
 mod handles;
-mod hang;
 mod history;
-mod inspect;
 mod isolate;
-mod joint;
-mod looks;
+mod joint_control;
+mod manipulators;
 mod measure;
-mod picking;
+mod muscle_commands;
+mod muscle_edit;
+mod pick_mode;
 mod presets;
+mod probe;
 mod saved;
-mod sheet;
-mod time;
+mod timeline_state;
 mod tool;
-mod way;
-mod workshop;
+mod undoable;
+mod via_points;
 
 pub use crate::stage::{Backdrop, COMPARED_TINT, DEFAULT_RATE, Ghosts, LightAim, ModelTransform, With, file_cameras};
-pub use changes::Changes;
+pub use attach_to_skeleton::Hung;
+pub use camera_controller::{Eye, FlyCamera, Viewpoint};
+pub use change_set::Changes;
 pub use compare::{Compared, top_of};
-pub use eye::{Eye, FlyCamera, Viewpoint};
-pub use grips::{Grip, GripDrag, Ring};
+pub use dope_sheet::{Graph, GraphKind, Line, Moved, SheetRow};
 pub use handles::{Handle, Handles, ModelDrag};
-pub use hang::Hung;
 pub use history::Step;
-pub use inspect::Matrices;
-pub use joint::{Bend, JointAxis};
+pub use joint_control::{Bend, JointAxis};
+pub use manipulators::{Grip, GripDrag, Ring};
 pub use measure::{Against, Reading, csv};
-pub use picking::{Picked, Picking};
+pub use pick_mode::{Picked, Picking};
 pub use presets::Preset;
-pub use sheet::{Graph, GraphKind, Line, Moved, SheetRow};
-pub use time::Mark;
+pub use probe::Matrices;
+pub use timeline_state::Mark;
 pub use tool::Tool;
 
 use std::cell::OnceCell;
@@ -49,8 +49,8 @@ use std::sync::Arc;
 
 use follow::Follow;
 use history::History;
-use inspect::Pins;
-use joint::JointHand;
+use joint_control::JointHand;
+use probe::Pins;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind};

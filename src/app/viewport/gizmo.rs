@@ -4,7 +4,7 @@ use gtk::cairo::LineCap;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::canvas::{Canvas, cairo, rgb, set_color, write_amid};
+use crate::app::drawing_area::{Canvas, cairo, rgb, set_color, write_amid};
 use crate::app::session::Session;
 use crate::scene::{Camera, View};
 use glam::{DVec2, Vec3};

@@ -5,7 +5,7 @@ use gtk::cairo::{Context, LineCap, LineJoin};
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::canvas::{Canvas, cairo, rgb, set_color, write_amid};
+use crate::app::drawing_area::{Canvas, cairo, rgb, set_color, write_amid};
 use crate::app::session::{Handle, Handles, Tool};
 
 /// Paints them; `lit` is under the pointer or held.

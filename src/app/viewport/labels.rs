@@ -3,10 +3,10 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use crate::app::canvas::{Canvas, rgb, write_on};
+use crate::app::drawing_area::{Canvas, rgb, write_on};
 use crate::app::ghosts_panel::file_name;
 use crate::app::session::{COMPARED_TINT, Session, With, top_of};
-use crate::app::{format, heading};
+use crate::app::{format, title_bar};
 use crate::document::Skinning;
 use crate::tr;
 
@@ -37,7 +37,7 @@ pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snaps
 }
 
 fn names(session: &Session) -> Option<[String; 2]> {
-    let own_path = || heading::sources(session.document()).first().map(|source| source.name.clone());
+    let own_path = || title_bar::sources(session.document()).first().map(|source| source.name.clone());
     let own = || own_path().map_or_else(|| tr!("app-name"), |path| file_name(&path));
     let ahead = |name: String, later: f64| {
         if later == 0.0 { name } else { tr!("app-compare-ahead", name = name, seconds = format::number(later, 2)) }

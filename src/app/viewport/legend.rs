@@ -2,7 +2,7 @@
 
 use gtk4 as gtk;
 
-use crate::app::canvas::{Align, Canvas, cairo, set_color, write};
+use crate::app::drawing_area::{Align, Canvas, cairo, set_color, write};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::render::weight_color;

@@ -1,17 +1,17 @@
 //! The picture: draws the session into a kept surface and shows what stands over it. The hands on it are in [`hands`].
 
-mod dimensions;
-mod dots;
+mod attachment_overlay;
+mod bounding_box_labels;
+mod cairo_raster_source;
+mod frame_surface;
 mod gizmo;
 mod handles;
-mod hands;
+mod input;
 mod labels;
-mod lamp;
 mod legend;
-mod lent;
-mod numbers;
-mod screen;
-mod zoom;
+mod light_gizmo;
+mod transform_fields;
+mod zoom_gestures;
 
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
@@ -23,11 +23,11 @@ use gtk::prelude::*;
 use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
-use self::numbers::Numbers;
-use self::screen::Screen;
+use self::frame_surface::Screen;
+use self::transform_fields::Numbers;
 use super::bone_names;
-use super::canvas::{Canvas, cairo as cairo_over};
-use super::glyph::{self, Glyph};
+use super::drawing_area::{Canvas, cairo as cairo_over};
+use super::icons::{self, Glyph};
 use super::session::{Changes, Picked, Session, Tool, Viewpoint};
 use super::window::{Window, part};
 use super::{format, ui};
@@ -48,7 +48,7 @@ pub(super) struct Viewport {
     screen: Rc<RefCell<Screen>>,
     builder: gtk::Builder,
     numbers: Numbers,
-    hands: hands::Hands,
+    hands: input::Hands,
     toasts: Rc<Cell<u32>>,
     toast_file: Rc<RefCell<Option<PathBuf>>>,
     /// Whether what is said in passing is about the program, not about what is open.
@@ -68,7 +68,7 @@ impl Viewport {
         for (id, glyph) in
             [("tool_navigate", Glyph::Navigate), ("tool_move", Glyph::Move), ("tool_rotate", Glyph::Rotate), ("tool_scale", Glyph::Scale)]
         {
-            part::<gtk::ToggleButton>(&builder, id).set_child(Some(&glyph::image(glyph)));
+            part::<gtk::ToggleButton>(&builder, id).set_child(Some(&icons::image(glyph)));
         }
         Self {
             root,
@@ -76,7 +76,7 @@ impl Viewport {
             screen: Rc::new(RefCell::new(Screen::new())),
             numbers: Numbers::new(&builder),
             builder,
-            hands: hands::Hands::default(),
+            hands: input::Hands::default(),
             toasts: Rc::default(),
             toast_file: Rc::default(),
             toast_stays: Cell::default(),
@@ -101,7 +101,7 @@ impl Viewport {
             }
         });
         self.numbers.connect(window);
-        hands::connect(window, &self.canvas);
+        input::connect(window, &self.canvas);
         self.show_times(window.settings.borrow().frame_times);
         let file = self.toast_file.clone();
         let weak = Rc::downgrade(window);
@@ -276,7 +276,7 @@ impl Viewport {
 
     /// Says anew what is under a pointer that rests, where that is another thing now.
     pub(super) fn point_again(&self, window: &Rc<Window>) {
-        hands::point_again(window);
+        input::point_again(window);
     }
 
     /// Takes a key in flight; whether it was one of flight's.
@@ -371,17 +371,17 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, sna
             let hands = &window.viewport.hands;
             gizmo::draw(session, canvas, snapshot, height, hands.pointer());
             legend::draw(session, canvas, snapshot, width, height);
-            dimensions::draw(session, canvas, snapshot, width, height);
+            bounding_box_labels::draw(session, canvas, snapshot, width, height);
             labels::draw(session, canvas, snapshot, width, height);
             if session.display().light_marker {
-                lamp::draw(session, snapshot, width, height);
+                light_gizmo::draw(session, snapshot, width, height);
             }
             let colors = session.display().palette.axes;
             session.with_handles(DVec2::new(width, height), |shown| handles::draw(shown, colors, hands.handle(), canvas, snapshot));
             if window.shows_muscles() && session.tool() == Tool::Navigate {
                 let size = DVec2::new(width, height);
                 let ring = session.ring(size);
-                dots::draw(&session.grips(size), ring, hands.dot(), canvas, snapshot, (width, height));
+                attachment_overlay::draw(&session.grips(size), ring, hands.dot(), canvas, snapshot, (width, height));
             }
         }
     });

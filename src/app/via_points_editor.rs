@@ -6,8 +6,8 @@ use std::rc::Rc;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::attachment_field::{Bones, PlaceField, connect_pick, show_pick};
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::place_field::{Bones, PlaceField, connect_pick, show_pick};
 use super::session::{Picked, Session, Step};
 use super::window::part;
 use super::{format, ui};

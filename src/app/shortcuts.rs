@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use gtk4::gdk;
 
-use super::actions::Command;
+use super::commands::Command;
 
 /// Keycodes of X11 and Wayland (evdev + 8) that are letters, digits and brackets on a US keyboard.
 const ROWS: [(u32, &str); 5] = [(10, "1234567890"), (24, "qwertyuiop[]"), (38, "asdfghjkl"), (51, "\\zxcvbnm,./"), (49, "`")];

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Changes, Graph, Moved, Session, SheetRow, sheet};
+use super::{Changes, Graph, Moved, Session, SheetRow, dope_sheet};
 use crate::animation::{Clip, LoopMode, Playback};
 use crate::stage::guess_rate;
 
@@ -55,13 +55,13 @@ impl Session {
 
     /// The rows of the dope sheet: one for each thing that the clip moves.
     pub fn sheet_rows(&self) -> Arc<Vec<SheetRow>> {
-        let make = || self.clip().map_or_else(Vec::new, |clip| sheet::rows(&self.document.scene, clip));
+        let make = || self.clip().map_or_else(Vec::new, |clip| dope_sheet::rows(&self.document.scene, clip));
         self.sheet.get_or_init(|| Arc::new(make())).clone()
     }
 
     /// The curves of a row, by kind.
     pub fn sheet_graphs(&self, moved: Moved) -> Vec<Graph> {
-        self.clip().map_or_else(Vec::new, |clip| sheet::graphs(&self.document.scene, clip, moved))
+        self.clip().map_or_else(Vec::new, |clip| dope_sheet::graphs(&self.document.scene, clip, moved))
     }
 
     /// Puts a mark at the frame nearest to a moment, at least one frame from the other.

@@ -3,8 +3,8 @@
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::attachment_field::{Bones, PlaceField};
 use super::muscle_editor::Editor;
-use super::place_field::{Bones, PlaceField};
 use super::session::Session;
 use super::window::part;
 use crate::muscle::AttachmentPoint;

@@ -9,12 +9,12 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::canvas::{Canvas, cairo, rgb, set_color};
 use super::curve_plot::{CurvePlot, diamond};
+use super::drawing_area::{Canvas, cairo, rgb, set_color};
 use super::session::{Changes, Graph, GraphKind, Moved, Session, SheetRow};
 use super::settings::SheetPage;
 use super::timeline::{self, hold_while};
-use super::track::Track;
+use super::timeline_ruler::Track;
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::scene::NodeId;

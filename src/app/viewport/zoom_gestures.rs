@@ -7,7 +7,7 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use crate::app::canvas::Canvas;
+use crate::app::drawing_area::Canvas;
 use crate::app::session::Eye;
 use crate::app::window::Window;
 use crate::scene::OrbitCamera;

@@ -7,7 +7,7 @@ use gtk::cairo::Context;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::canvas::{Align, Canvas, cairo, rgb, set_color, write};
+use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
 use super::format;
 use crate::muscle::Edit;
 use crate::tr;

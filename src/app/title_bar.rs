@@ -3,10 +3,10 @@
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::actions::Command;
+use super::commands::Command;
 use super::session::Session;
 use super::window::part;
-use super::{format, memory};
+use super::{format, memory_usage};
 use crate::document::{Document, Missing, Source, SourceKind};
 use crate::i18n::{shown, shown_lines};
 use crate::tr;
@@ -87,7 +87,7 @@ pub(super) fn name_steps(builder: &gtk::Builder, session: &Session) {
 pub(super) fn tell_size(builder: &gtk::Builder, triangles: u64) {
     let text = tr!("app-status-triangles", count = triangles, shown = format::count(triangles));
     part::<gtk::Label>(builder, "status_triangles").set_text(&text);
-    if let Some(megabytes) = memory::resident() {
+    if let Some(megabytes) = memory_usage::resident() {
         part::<gtk::Label>(builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));
     }
 }

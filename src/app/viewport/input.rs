@@ -10,8 +10,8 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use super::{gizmo, zoom};
-use crate::app::canvas::Canvas;
+use super::{gizmo, zoom_gestures};
+use crate::app::drawing_area::Canvas;
 use crate::app::format;
 use crate::app::session::{Grip as Dot, GripDrag, Handle, ModelDrag, Session, Step, Tool, Viewpoint};
 use crate::app::window::Window;
@@ -149,7 +149,7 @@ impl Hands {
 pub(super) fn connect(window: &Rc<Window>, canvas: &Canvas) {
     connect_drag(window, canvas);
     connect_clicks(window, canvas);
-    zoom::connect(window, canvas);
+    zoom_gestures::connect(window, canvas);
     connect_pointer(window, canvas);
 }
 
@@ -253,7 +253,7 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
     let (degrees_x, degrees_y) = (dx as f32 * DEGREES, dy as f32 * DEGREES);
     window.act(|session| match grip {
         Grip::Orbit => session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(-degrees_x, degrees_y))),
-        Grip::Pan => session.change_eye(|eye| eye.handle(|orbit| zoom::pan(orbit, (dx, dy), height))),
+        Grip::Pan => session.change_eye(|eye| eye.handle(|orbit| zoom_gestures::pan(orbit, (dx, dy), height))),
         Grip::Zoom => session.change_eye(|eye| eye.handle(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
         Grip::Look => session.change_eye(|eye| {
             if let Some(fly) = eye.flying() {

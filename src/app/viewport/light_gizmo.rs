@@ -5,7 +5,7 @@ use gtk::cairo::LineCap;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::canvas::{cairo, rgb, set_color};
+use crate::app::drawing_area::{cairo, rgb, set_color};
 use crate::app::session::Session;
 use crate::scene::Camera;
 

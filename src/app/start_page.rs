@@ -7,12 +7,12 @@ use gtk::prelude::*;
 use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
-use super::canvas::{Canvas, cairo as cairo_over};
-use super::demos::{self, DEMOS, Demo};
+use super::drawing_area::{Canvas, cairo as cairo_over};
 use super::error_bar::Trouble;
+use super::samples::{self, DEMOS, Demo};
 use super::session::{Arrival, Session};
 use super::window::{Window, part};
-use super::{files, recent, saving, ui};
+use super::{document_loader, recent, saving, ui};
 use crate::document::Document;
 use crate::export::ExportError;
 use crate::render::Theme;
@@ -104,7 +104,7 @@ fn draw(demo: Demo, canvas: &Canvas, theme: Theme) {
     let (width, height) = (PICTURE.0 * 2, PICTURE.1 * 2);
     let canvas = canvas.downgrade();
     glib::spawn_future_local(async move {
-        let drawn = gio::spawn_blocking(move || demo.draw(&demos::folder(), theme, width as u32, height as u32)).await;
+        let drawn = gio::spawn_blocking(move || demo.draw(&samples::folder(), theme, width as u32, height as u32)).await;
         let (Ok(Some(pixels)), Some(canvas)) = (drawn, canvas.upgrade()) else { return };
         let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| pixel.to_ne_bytes()).collect();
         let Ok(surface) = cairo::ImageSurface::create_for_data(bytes, cairo::Format::Rgb24, width, height, width * 4) else { return };
@@ -121,17 +121,17 @@ fn draw(demo: Demo, canvas: &Canvas, theme: Theme) {
 
 /// Opens a demo.
 pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
-    match demo.unpack(&demos::folder()) {
-        Ok(Some(path)) => files::open(window, vec![path], Arrival::New),
+    match demo.unpack(&samples::folder()) {
+        Ok(Some(path)) => document_loader::open(window, vec![path], Arrival::New),
         Ok(None) => saving::ask_first(window, |window| {
             window.start_page(false);
-            files::forget(window);
+            document_loader::forget(window);
             window.give_looks_back();
             window.act(|session| session.show(Document::built_in(), Arrival::New));
         }),
         Err(error) => window.error_bar.show(Trouble {
-            headline: tr!("app-demo-unwritten", folder = demos::folder().display().to_string()),
-            message: ExportError::io(&demos::folder(), error).to_string(),
+            headline: tr!("app-demo-unwritten", folder = samples::folder().display().to_string()),
+            message: ExportError::io(&samples::folder(), error).to_string(),
             details: String::new(),
             again: None,
         }),

@@ -6,7 +6,7 @@ use gtk::prelude::*;
 use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
-use super::canvas::text_color;
+use super::drawing_area::text_color;
 use super::settings::Colours;
 use super::window::Window;
 use crate::render::Theme;

@@ -1,6 +1,6 @@
 //! What the scene tree lists: one row a node, made before any widget sees it.
 
-use super::glyph::Glyph;
+use super::icons::Glyph;
 use crate::scene::{Content, Node, NodeId, NodeKind, Scene};
 
 /// A row of the tree.

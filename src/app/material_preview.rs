@@ -4,7 +4,7 @@ use gtk::prelude::*;
 use gtk::{cairo, gdk};
 use gtk4 as gtk;
 
-use super::canvas::{Canvas, cairo as cairo_over, set_color};
+use super::drawing_area::{Canvas, cairo as cairo_over, set_color};
 use crate::scene::{Material, Pixels, Scene, ShadingModel};
 
 /// Side of the picture, logical pixels.

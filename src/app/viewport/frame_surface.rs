@@ -1,6 +1,6 @@
 //! The surfaces that pictures are drawn into: kept, used again, and filled by the renderer without a copy.
 //!
-//! There are three, in turn: GTK holds on to the last two pictures, and borrows them (see [`super::lent`]).
+//! There are three, in turn: GTK holds on to the last two pictures, and borrows them (see [`super::cairo_raster_source`]).
 
 use std::collections::VecDeque;
 use std::time::Instant;
@@ -96,7 +96,7 @@ impl Screen {
         let [Some(surface), ..] = &self.surfaces else { return };
         let (width, height) = (f64::from(self.size.0) / f64::from(scale), f64::from(self.size.1) / f64::from(scale));
         context.scale(width / f64::from(surface.width()), height / f64::from(surface.height()));
-        ignore(context.set_source(super::lent::source(surface)));
+        ignore(context.set_source(super::cairo_raster_source::source(surface)));
         let whole = surface.width() == self.size.0;
         context.source().set_filter(if whole { Filter::Nearest } else { Filter::Bilinear });
         context.set_operator(Operator::Source);

@@ -1,6 +1,6 @@
 //! Muscles come and go: new ones on the arm or on the bones of a clip, copies. Each is one step of undo.
 
-use super::joint::bones;
+use super::joint_control::bones;
 use super::{Changes, Session, Step};
 use crate::document::{PoseBuffers, PoseState};
 use crate::muscle::presets::Preset;

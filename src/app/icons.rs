@@ -4,7 +4,7 @@ use gtk::cairo::{Context, LineCap, LineJoin};
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::canvas::{Canvas, cairo, set_color};
+use super::drawing_area::{Canvas, cairo, set_color};
 
 /// What an icon shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

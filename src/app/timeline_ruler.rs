@@ -3,7 +3,7 @@
 use gtk::cairo::Context;
 use gtk4 as gtk;
 
-use super::canvas::{Align, Canvas, cairo, rgb, set_color, write, write_amid};
+use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write, write_amid};
 use super::format;
 use super::session::Mark;
 

@@ -4,7 +4,7 @@ use gtk::cairo::Context;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::canvas::{Align, Canvas, cairo, rgb, set_color, write};
+use crate::app::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
 use crate::app::session::{Grip, Ring};
 use crate::muscle::AttachmentPoint;
 use crate::tr;

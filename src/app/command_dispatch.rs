@@ -7,11 +7,11 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::actions::Command;
+use super::commands::Command;
 use super::session::{Picked, Preset, Session, Step, Tool, With};
 use super::settings::{Colours, SheetPage};
 use super::window::Window;
-use super::{about, compare_file, export_dialog, files, help, picture, save_session, saving, theme};
+use super::{about, appearance, compare_file, document_loader, export_dialog, help, save_session, saving, screenshot};
 use crate::muscle::AttachmentPoint;
 use crate::render::{Samples, Shading};
 use crate::scene::View;
@@ -134,7 +134,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::ClearMarks => session.playback().mark_a.is_some() || session.playback().mark_b.is_some(),
         C::PreviousClip | C::NextClip => session.document().clips.len() > 1,
         // Where the desktop asks for no animation there is none, whatever is chosen here.
-        C::SmoothCamera => theme::animates(),
+        C::SmoothCamera => appearance::animates(),
         C::Centre | C::Hide => session.selected().is_some(),
         C::Isolate => session.selected().is_some() || session.is_isolated(),
         C::ShowAll => session.hides_something(),
@@ -178,25 +178,25 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
     }
     if let Some(colours) = colours_of(command) {
         window.settings.borrow_mut().colours = colours;
-        theme::choose(colours);
+        appearance::choose(colours);
         return window.show_states();
     }
     let look = |view: View| window.act(|session| session.change_eye(|eye| eye.look_from(view)));
     match command {
-        C::Open => files::choose(window),
+        C::Open => document_loader::choose(window),
         C::CompareFile => compare_file::choose(window),
-        C::Reload => files::reload(window),
+        C::Reload => document_loader::reload(window),
         C::Save => saving::save(window, || ()),
         C::SaveAs => saving::save_as(window),
-        C::PreviousFile => files::neighbour(window, -1),
-        C::NextFile => files::neighbour(window, 1),
-        C::Close => files::close(window),
+        C::PreviousFile => document_loader::neighbour(window, -1),
+        C::NextFile => document_loader::neighbour(window, 1),
+        C::Close => document_loader::close(window),
         C::Quit => window.widget.close(),
         C::SaveSession => save_session::save(window),
         C::StartPage => window.start_page(true),
-        C::Picture => picture::save(window, false),
-        C::PictureTransparent => picture::save(window, true),
-        C::CopyPicture => picture::copy(window),
+        C::Picture => screenshot::save(window, false),
+        C::PictureTransparent => screenshot::save(window, true),
+        C::CopyPicture => screenshot::copy(window),
         C::Export => export_dialog::show(window),
         C::Front => look(View::Front),
         C::Back => look(View::Back),
@@ -233,7 +233,7 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         C::SmoothCamera => {
             let smooth = !window.settings.borrow().smooth_camera;
             window.settings.borrow_mut().smooth_camera = smooth;
-            window.act(|session| session.set_eased(smooth && theme::animates()));
+            window.act(|session| session.set_eased(smooth && appearance::animates()));
             window.show_states();
         }
         C::Menu => window.menu.popup(),

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use clap::ArgMatches;
 
+use super::arg_parsers::plain;
 use super::failure::{Failure, display_name, notice};
 use super::value;
-use super::values::plain;
 use crate::animation::Clip;
 use crate::document::{Document, PoseState};
 use crate::muscle::MuscleRig;

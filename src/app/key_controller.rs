@@ -6,9 +6,9 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use super::actions::Command;
-use super::keys::at_place;
+use super::commands::Command;
 use super::muscle_editor;
+use super::shortcuts::at_place;
 use super::ui;
 use super::window::Window;
 

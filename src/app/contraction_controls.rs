@@ -7,7 +7,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::actions::Command;
+use super::commands::Command;
 use super::session::{Changes, JointAxis, Session, Step};
 use super::window::{Window, part};
 use super::{format, ui};

@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 use gtk4 as gtk;
 
-use crate::app::canvas::{Canvas, rgb, write_on};
+use crate::app::drawing_area::{Canvas, rgb, write_on};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::render::Background;

@@ -14,7 +14,7 @@ use gtk4 as gtk;
 use super::error_bar::Trouble;
 use super::session::{Arrival, With};
 use super::window::Window;
-use super::{compare_file, heading, muscle_panel, news, recent, saving};
+use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::Guard;
@@ -272,7 +272,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     window.start_page(false);
     window.viewport.hush();
     window.files.failed.set(false);
-    let news = (arrival == Arrival::Again).then(|| window.look(|session| news::what_changed(session.document(), &document)));
+    let news = (arrival == Arrival::Again).then(|| window.look(|session| reload_summary::what_changed(session.document(), &document)));
     let warnings = document.health.len();
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
     if arrival == Arrival::New {
@@ -298,7 +298,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
         (carried.then)();
     }
     watch(window);
-    let demos = super::demos::folder();
+    let demos = super::samples::folder();
     let paths: Vec<&PathBuf> = paths.iter().filter(|path| path.as_os_str() != "-" && !path.starts_with(&demos)).collect();
     if let Some(folder) =
         paths.first().and_then(|path| std::path::absolute(path).ok()).and_then(|path| path.parent().map(Path::to_path_buf))
@@ -438,7 +438,7 @@ pub(super) fn forget(window: &Rc<Window>) {
 
 /// Opens the next (or previous) file of the folder, by name.
 pub(super) fn neighbour(window: &Rc<Window>, by: isize) {
-    let main = window.look(|session| heading::sources(session.document()).first().and_then(|source| source.path.clone()));
+    let main = window.look(|session| title_bar::sources(session.document()).first().and_then(|source| source.path.clone()));
     let Some(open_now) = main.and_then(|path| std::path::absolute(path).ok()) else { return };
     let Some(entries) = open_now.parent().and_then(|folder| std::fs::read_dir(folder).ok()) else { return };
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(|path| is_ours(path) && path.is_file()).collect();
