@@ -11,7 +11,7 @@ use sinew::document::Document;
 use sinew::export::gltf;
 use sinew::export::guard::Guard;
 use sinew::export::pipeline::Work;
-use sinew::film::{self, Direction, Eye, Sequence, SequenceRenderer, Target, Wish};
+use sinew::film::{self, Direction, FittedOrbit, Sequence, SequenceOptions, SequenceRenderer, Target};
 use sinew::render::Display;
 use sinew::scene::View;
 
@@ -26,10 +26,15 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let state = document.start_state();
     let clip = document.clips.get(state.clip?)?;
     let end = clip.end.min(clip.start + SECONDS - 1.0 / film::FPS);
-    let wish = Wish { from: Some(clip.start), to: Some(end), ..Wish::default() };
+    let wish = SequenceOptions { from: Some(clip.start), to: Some(end), ..SequenceOptions::default() };
     let sequence = Sequence::new(&wish, document, state).ok()?;
     let (yaw, pitch) = View::Start.angles();
-    let eye = Eye::fit(Direction { yaw, pitch, parallel: false, zoom: 1.0 }, &document.reach(&state), SIZE.0 as f32 / SIZE.1 as f32, false);
+    let eye = FittedOrbit::fit(
+        Direction { yaw, pitch, parallel: false, zoom: 1.0 },
+        &document.reach(&state),
+        SIZE.0 as f32 / SIZE.1 as f32,
+        false,
+    );
     let target = Target::of(out)?;
     let begun = Instant::now();
     let mut studio = SequenceRenderer::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));

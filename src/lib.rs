@@ -6,12 +6,12 @@
 //! | module | what it holds | knows |
 //! |---|---|---|
 //! | [`i18n`] | the translation catalogue (English, Russian) | nobody |
-//! | [`health`] | findings: what a reader saw and what it did about it | nobody |
+//! | [`diagnostics`] | findings: what a reader saw and what it did about it | nobody |
 //! | [`limits`] | every bound on what input may ask for, in one place | nobody |
 //! | [`system`] | what the system says where it refuses, for people | `i18n` |
 //! | [`input`] | the one door for files: regular ones, within a bound | `system` |
 //! | [`yaml`] | the one reader of YAML, within bounds | `i18n`, `limits` |
-//! | `lanes` | vectors of numbers, the same bits with every instruction set | nobody |
+//! | `simd` | vectors of numbers, the same bits with every instruction set | nobody |
 //! | [`scene`] | graph, meshes, skins, materials, lights, cameras, the posed [`scene::Frame`] | `glam` |
 //! | [`animation`] | curves, clips, the time cursor | `scene` |
 //! | [`muscle`] | the volume-conserving profile, the arm, the surface, the YAML | `scene` |
@@ -33,18 +33,18 @@ pub mod animation;
 pub mod app;
 pub mod cli;
 pub mod collada;
+pub mod diagnostics;
 pub mod document;
 pub mod export;
 pub mod film;
-pub mod health;
 pub mod i18n;
 pub mod input;
-mod lanes;
 pub mod limits;
 pub mod muscle;
 pub mod plot;
 pub mod render;
 pub mod scene;
+mod simd;
 pub mod stage;
 pub mod system;
 pub mod yaml;

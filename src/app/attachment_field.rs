@@ -63,7 +63,7 @@ impl Bones {
 
 /// The widgets of one point.
 #[derive(Clone)]
-pub(super) struct PlaceField {
+pub(super) struct AttachmentField {
     hold: AttachmentPoint,
     bone: gtk::DropDown,
     pick: gtk::ToggleButton,
@@ -74,7 +74,7 @@ pub(super) struct PlaceField {
     or_none: bool,
 }
 
-impl PlaceField {
+impl AttachmentField {
     /// That of the widgets whose names begin with `name`. A via point is always on some bone; all else can be on none.
     pub(super) fn new(builder: &gtk::Builder, name: &str, hold: AttachmentPoint, bones: &Bones) -> Self {
         let bone: gtk::DropDown = part(builder, &format!("{name}_bone"));

@@ -3,7 +3,7 @@
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::attachment_field::{Bones, PlaceField};
+use super::attachment_field::{AttachmentField, Bones};
 use super::muscle_editor::Editor;
 use super::session::Session;
 use super::window::part;
@@ -13,16 +13,16 @@ use crate::scene::MuscleId;
 const NAMES: [&str; 2] = ["origin", "insertion"];
 
 /// Both ends.
-pub(super) struct MuscleEnds {
-    ends: [PlaceField; 2],
+pub(super) struct AttachmentsEditor {
+    ends: [AttachmentField; 2],
     units: [gtk::Label; 2],
 }
 
-impl MuscleEnds {
+impl AttachmentsEditor {
     /// Those of a panel.
     pub(super) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
         Self {
-            ends: [0, 1].map(|end| PlaceField::new(builder, NAMES[end], AttachmentPoint::End(end), bones)),
+            ends: [0, 1].map(|end| AttachmentField::new(builder, NAMES[end], AttachmentPoint::End(end), bones)),
             units: NAMES.map(|name| part(builder, &format!("{name}_unit"))),
         }
     }

@@ -18,7 +18,7 @@ use crate::tr;
 const AXES: [JointAxis; 4] = [JointAxis::Hinge, JointAxis::Own(0), JointAxis::Own(1), JointAxis::Own(2)];
 
 /// Sliders and joint.
-pub(super) struct MuscleJoint {
+pub(super) struct ContractionControls {
     builder: gtk::Builder,
     contraction: gtk::Scale,
     flexion: gtk::Scale,
@@ -29,7 +29,7 @@ pub(super) struct MuscleJoint {
     bones: Rc<RefCell<Vec<NodeId>>>,
 }
 
-impl MuscleJoint {
+impl ContractionControls {
     /// Those of a panel.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
         let (joint, axis): (gtk::DropDown, gtk::DropDown) = (part(builder, "joint"), part(builder, "joint_axis"));

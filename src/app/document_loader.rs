@@ -12,7 +12,7 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::error_bar::Trouble;
-use super::session::{Arrival, With};
+use super::session::{LoadMode, With};
 use super::window::Window;
 use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
 use crate::collada::Progress;
@@ -130,7 +130,7 @@ pub(super) fn guard(window: &Rc<Window>) -> Guard {
 }
 
 /// Opens files side by side into one scene. What is open stays until they are read; whatever was being read is given up.
-pub(super) fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
+pub(super) fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode) {
     if paths.is_empty() {
         return;
     }
@@ -138,7 +138,7 @@ pub(super) fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
 }
 
 /// Tries once more to open files that could not be; what was to be done with them then is still to be done.
-pub(super) fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival) {
+pub(super) fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode) {
     saving::ask_first(window, move |window| {
         let (hang, carried) = (window.files.hang.get(), window.files.carried.take());
         open_now(window, paths, arrival, carried);
@@ -157,12 +157,12 @@ pub(super) fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: V
             window.files.came_from(None);
             window.viewport.hush();
             window.act(|session| {
-                session.show(Document::built_in(), Arrival::New);
+                session.show(Document::built_in(), LoadMode::New);
                 session.carry(carried.muscles);
             });
             return (carried.then)();
         }
-        open_now(window, paths, Arrival::New, Some(carried));
+        open_now(window, paths, LoadMode::New, Some(carried));
     });
 }
 
@@ -174,7 +174,7 @@ fn open_dropped(window: &Rc<Window>, dropped: Vec<PathBuf>) {
     let clips = if dropped.iter().all(|path| brings_no_clip(path)) { window.look(|session| session.clip_files()) } else { Vec::new() };
     let paths: Vec<PathBuf> = clips.into_iter().chain(dropped).collect();
     saving::ask_first(window, move |window| {
-        open_now(window, paths, Arrival::New, None);
+        open_now(window, paths, LoadMode::New, None);
         window.files.hang.set(true);
     });
 }
@@ -186,13 +186,13 @@ fn brings_no_clip(path: &Path) -> bool {
     is_muscles && parse().is_some_and(|file| file.clip.is_none())
 }
 
-fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: Arrival, carried: Option<Carried>) {
+fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode, carried: Option<Carried>) {
     window.files.stop();
     window.files.hang.set(false);
     window.files.carried.replace(carried);
     let progress = Arc::new(Progress::default());
     window.files.reading.replace(Some(progress.clone()));
-    window.files.replaces.set(arrival == Arrival::New);
+    window.files.replaces.set(arrival == LoadMode::New);
     show_progress(window, &paths, &progress);
     let window = window.clone();
     glib::spawn_future_local(async move {
@@ -266,16 +266,16 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
     });
 }
 
-fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arrival) {
+fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: LoadMode) {
     let Opened { document, saved, compared } = opened;
     window.error_bar.hide();
     window.start_page(false);
     window.viewport.hush();
     window.files.failed.set(false);
-    let news = (arrival == Arrival::Again).then(|| window.look(|session| reload_summary::what_changed(session.document(), &document)));
+    let news = (arrival == LoadMode::Again).then(|| window.look(|session| reload_summary::what_changed(session.document(), &document)));
     let warnings = document.health.len();
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
-    if arrival == Arrival::New {
+    if arrival == LoadMode::New {
         window.give_looks_back();
         let session = saved.as_ref().zip(paths.first());
         window.files.came_from(session.map(|(saved, file)| (file.clone(), saved.every_file(file.parent().unwrap_or(Path::new(""))))));
@@ -319,13 +319,13 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Arri
     }
 }
 
-fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, arrival: Arrival) {
+fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, arrival: LoadMode) {
     window.files.failed.set(true);
     tell_refusal(window, error, Some((paths, arrival)));
 }
 
 /// Says why a file cannot be opened; with the files, offers to try again.
-fn tell_refusal(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathBuf>, Arrival)>) {
+fn tell_refusal(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathBuf>, LoadMode)>) {
     let name = Path::new(&error.file).file_name().map_or_else(|| error.file.clone(), |name| name.to_string_lossy().into_owned());
     let place = match (error.line, error.column) {
         (Some(line), Some(column)) => tr!("app-at-line-column", line = line.to_string(), column = column.to_string()),
@@ -387,21 +387,21 @@ fn reload_own(window: &Rc<Window>) {
         return;
     }
     if !unsaved {
-        return open_now(window, paths, Arrival::Again, None);
+        return open_now(window, paths, LoadMode::Again, None);
     }
     let mine = move |window: &Rc<Window>| {
         let muscles = window.look(|session| session.document().muscle_files().cloned().collect());
         Some(Carried { muscles, then: Box::new(|| ()) })
     };
     if !both {
-        return open_now(window, paths, Arrival::Again, mine(window));
+        return open_now(window, paths, LoadMode::Again, mine(window));
     }
     window.files.asking.set(true);
     saving::ask_which(window, move |window, keep| {
         window.files.asking.set(false);
         match keep {
-            Some(true) => open_now(window, paths, Arrival::Again, mine(window)),
-            Some(false) => open_now(window, paths, Arrival::Again, None),
+            Some(true) => open_now(window, paths, LoadMode::Again, mine(window)),
+            Some(false) => open_now(window, paths, LoadMode::Again, None),
             None => {}
         }
     });
@@ -419,7 +419,7 @@ fn close_now(window: &Rc<Window>) {
     }
     forget(window);
     window.give_looks_back();
-    window.act(|session| session.show(Document::default(), Arrival::New));
+    window.act(|session| session.show(Document::default(), LoadMode::New));
 }
 
 /// Stops reading and watching, and takes the message away.
@@ -446,7 +446,7 @@ pub(super) fn neighbour(window: &Rc<Window>, by: isize) {
     if let Some(place) = files.iter().position(|path| *path == open_now) {
         let next = (place as isize + by).rem_euclid(files.len() as isize) as usize;
         if next != place {
-            open(window, vec![files.swap_remove(next)], Arrival::New);
+            open(window, vec![files.swap_remove(next)], LoadMode::New);
         }
     }
 }
@@ -457,7 +457,7 @@ fn is_ours(path: &Path) -> bool {
 
 /// Lets the user choose files to open.
 pub(super) fn choose(window: &Rc<Window>) {
-    ask_for_files(window, &tr!("app-choose-title"), true, |window, paths| open(window, paths, Arrival::New));
+    ask_for_files(window, &tr!("app-choose-title"), true, |window, paths| open(window, paths, LoadMode::New));
 }
 
 /// Lets the user choose files, one or several, and hands them on.

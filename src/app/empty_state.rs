@@ -7,12 +7,12 @@ use super::session::Session;
 use crate::tr;
 
 /// A few words over an empty picture.
-pub(super) struct Bare {
+pub(super) struct EmptyState {
     /// The words.
     pub root: gtk::Label,
 }
 
-impl Bare {
+impl EmptyState {
     /// Hidden until they are true.
     pub(super) fn new() -> Self {
         let root = gtk::Label::builder()

@@ -8,7 +8,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::Arrival;
+use super::session::LoadMode;
 use super::window::{Window, part};
 use super::{document_loader, ui};
 
@@ -22,7 +22,7 @@ pub(super) struct ErrorBar {
     more: gtk::ToggleButton,
     retry: gtk::Button,
     close: gtk::Button,
-    again: RefCell<Option<(Vec<PathBuf>, Arrival)>>,
+    again: RefCell<Option<(Vec<PathBuf>, LoadMode)>>,
 }
 
 /// What went wrong.
@@ -34,7 +34,7 @@ pub(super) struct Trouble {
     /// Everything known, for a report.
     pub details: String,
     /// What Retry opens.
-    pub again: Option<(Vec<PathBuf>, Arrival)>,
+    pub again: Option<(Vec<PathBuf>, LoadMode)>,
 }
 
 impl ErrorBar {

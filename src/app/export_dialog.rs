@@ -11,7 +11,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::export_job::{Course, Job, Kind, Options};
+use super::export_job::{Job, Kind, MotionSource, Options};
 use super::window::{Window, part};
 use super::{document_loader, format, save_as, ui};
 use crate::export::ExportError;
@@ -53,7 +53,7 @@ pub(super) fn show(window: &Rc<Window>) {
         dialog.part::<gtk::DropDown>(id).set_model(Some(&ui::words(&labels)));
     };
     list("kind", Kind::ALL.iter().map(|kind| kind.label()).collect());
-    list("course", Course::ALL.iter().map(|course| course.label()).collect());
+    list("course", MotionSource::ALL.iter().map(|course| course.label()).collect());
     let scale = window.viewport.scale().max(1);
     let (width, height) = window.viewport.size();
     dialog.spin("width").set_value(f64::from((width * scale).max(16)));
@@ -125,7 +125,7 @@ impl Dialog {
         let on_screen = f64::from(self.window.viewport.size().0.max(1));
         Options {
             kind: Kind::ALL.get(chosen("kind")).copied().unwrap_or(Kind::Picture),
-            course: Course::ALL.get(chosen("course")).copied().unwrap_or(Course::Whole),
+            course: MotionSource::ALL.get(chosen("course")).copied().unwrap_or(MotionSource::Whole),
             sweep: (self.spin("from").value(), self.spin("to").value()),
             size: (width as u32, height as u32),
             scale: (width / on_screen).clamp(0.25, 16.0) as f32,
@@ -137,7 +137,7 @@ impl Dialog {
     }
 
     fn usual_sweep(&self) {
-        let end = if self.options().course == Course::Contraction { 100.0 } else { 130.0 };
+        let end = if self.options().course == MotionSource::Contraction { 100.0 } else { 130.0 };
         self.spin("from").set_value(0.0);
         self.spin("to").set_value(end);
     }

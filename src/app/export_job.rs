@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use super::session::{Eye, Session, Viewpoint};
+use super::session::{CameraController, Session, Viewpoint};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::export::ExportError;
-use crate::export::ending::completed;
+use crate::export::file_extension::completed;
 use crate::export::gltf::{self, Form};
 use crate::export::guard::Guard;
 use crate::export::mtl;
@@ -13,7 +13,7 @@ use crate::export::pipeline::Work;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, NoTable, Of, Table};
 use crate::export::{gif, video};
-use crate::film::{self, FrameSpec, Motion, Pattern, Refusal, Sequence, SequenceRenderer, Target, Wish};
+use crate::film::{self, FrameSpec, Motion, Pattern, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
 use crate::stage::{Along, SceneOverlays};
@@ -166,7 +166,7 @@ impl Kind {
 
 /// What moves in a film.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Course {
+pub(super) enum MotionSource {
     /// The whole clip, or an arm's swing.
     Whole,
     /// Between the marks A and B.
@@ -179,7 +179,7 @@ pub(super) enum Course {
     Turntable,
 }
 
-impl Course {
+impl MotionSource {
     /// All courses, in the order of the list.
     pub(super) const ALL: [Self; 5] = [Self::Whole, Self::Marks, Self::Elbow, Self::Contraction, Self::Turntable];
 
@@ -211,7 +211,7 @@ pub(super) struct Options {
     /// The kind of file.
     pub kind: Kind,
     /// What moves.
-    pub course: Course,
+    pub course: MotionSource,
     /// Ends of a sweep.
     pub sweep: (f64, f64),
     /// Columns and rows.
@@ -230,22 +230,22 @@ pub(super) struct Options {
 
 /// Why the dialog cannot make what is set in it. Displays as one sentence.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Cannot {
+pub(super) enum ExportRefusal {
     /// There is no such film.
-    Film(Refusal),
+    Film(SequenceError),
     /// There is no such table.
     Table(NoTable),
     /// More frames a second than a GIF can show.
     GifRate,
 }
 
-impl std::fmt::Display for Cannot {
+impl std::fmt::Display for ExportRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&match self {
-            Self::Film(Refusal::Empty { .. }) => tr!("app-export-empty"),
-            Self::Film(Refusal::TooMany) => tr!("app-export-too-many", limit = film::FRAMES),
-            Self::Film(Refusal::NoElbow) => tr!("app-export-no-elbow"),
-            Self::Film(Refusal::NoMuscle) => tr!("app-export-no-muscle"),
+            Self::Film(SequenceError::Empty { .. }) => tr!("app-export-empty"),
+            Self::Film(SequenceError::TooMany) => tr!("app-export-too-many", limit = film::FRAMES),
+            Self::Film(SequenceError::NoElbow) => tr!("app-export-no-elbow"),
+            Self::Film(SequenceError::NoMuscle) => tr!("app-export-no-muscle"),
             Self::Table(why) => why.to_string(),
             Self::GifRate => tr!("app-export-gif-fps", limit = gif::MOST_FPS),
         })
@@ -256,34 +256,38 @@ impl Options {
     /// The pictures that it makes, one where it makes none.
     ///
     /// # Errors
-    /// [`Cannot`], where it cannot be made.
-    pub(super) fn check(&self, session: &Session) -> Result<Sequence, Cannot> {
+    /// [`ExportRefusal`], where it cannot be made.
+    pub(super) fn check(&self, session: &Session) -> Result<Sequence, ExportRefusal> {
         if let Some((of, _)) = self.kind.table() {
-            NoTable::check(of, session.document(), &session.state(), self.fps).map_err(Cannot::Table)?;
+            NoTable::check(of, session.document(), &session.state(), self.fps).map_err(ExportRefusal::Table)?;
         }
         if self.kind == Kind::Gif && self.fps > gif::MOST_FPS {
-            return Err(Cannot::GifRate);
+            return Err(ExportRefusal::GifRate);
         }
-        self.sequence(session).map_err(Cannot::Film)
+        self.sequence(session).map_err(ExportRefusal::Film)
     }
 
     /// The pictures that a session gives.
     ///
     /// # Errors
-    /// [`Refusal`] where there are none.
-    pub(super) fn sequence(&self, session: &Session) -> Result<Sequence, Refusal> {
+    /// [`SequenceError`] where there are none.
+    pub(super) fn sequence(&self, session: &Session) -> Result<Sequence, SequenceError> {
         let state = session.state();
         if !self.kind.is_film() {
             return Ok(Sequence::single(state));
         }
         let marks = session.playback().span();
-        let mut wish = Wish { fps: Some(self.fps), duration: self.course.has_duration().then_some(self.duration), ..Wish::default() };
+        let mut wish = SequenceOptions {
+            fps: Some(self.fps),
+            duration: self.course.has_duration().then_some(self.duration),
+            ..SequenceOptions::default()
+        };
         match self.course {
-            Course::Whole => {}
-            Course::Marks => (wish.from, wish.to) = (Some(marks.0), Some(marks.1)),
-            Course::Elbow => wish.motion = Motion::Angle(self.sweep.0, self.sweep.1),
-            Course::Contraction => wish.motion = Motion::Contraction(self.sweep.0, self.sweep.1),
-            Course::Turntable => (wish.motion, wish.turning) = (Motion::Still, true),
+            MotionSource::Whole => {}
+            MotionSource::Marks => (wish.from, wish.to) = (Some(marks.0), Some(marks.1)),
+            MotionSource::Elbow => wish.motion = Motion::Angle(self.sweep.0, self.sweep.1),
+            MotionSource::Contraction => wish.motion = Motion::Contraction(self.sweep.0, self.sweep.1),
+            MotionSource::Turntable => (wish.motion, wish.turning) = (Motion::Still, true),
         }
         Sequence::new(&wish, session.document(), state)
     }
@@ -296,7 +300,7 @@ pub(super) struct Job {
     company: (SceneOverlays, f64),
     state: PoseState,
     sequence: Sequence,
-    eye: Eye,
+    eye: CameraController,
     along: Option<Along>,
     display: Display,
     options: Options,
@@ -308,7 +312,7 @@ impl Job {
     ///
     /// # Errors
     /// As [`Options::check`].
-    pub(super) fn new(session: &mut Session, options: Options, guard: Guard) -> Result<Self, Cannot> {
+    pub(super) fn new(session: &mut Session, options: Options, guard: Guard) -> Result<Self, ExportRefusal> {
         let sequence = options.check(session)?;
         let (_, _, _, mut display) = session.picture();
         display.scale = options.scale;
@@ -418,7 +422,7 @@ fn with_number(file: &Path) -> PathBuf {
 }
 
 /// What stands in a picture about how it was made.
-pub(super) fn note<'a>(document: &'a Document, eye: &Eye) -> impl Fn(&FrameSpec) -> String + Sync + use<'a> {
+pub(super) fn note<'a>(document: &'a Document, eye: &CameraController) -> impl Fn(&FrameSpec) -> String + Sync + use<'a> {
     let orbit = *eye.orbit();
     move |shot| {
         let files: Vec<&str> = document.sources.iter().map(|source| source.name.as_str()).collect();
@@ -439,7 +443,7 @@ mod tests {
     use super::*;
     use std::fs;
 
-    fn options(kind: Kind, course: Course) -> Options {
+    fn options(kind: Kind, course: MotionSource) -> Options {
         Options { kind, course, sweep: (0.0, 90.0), size: (48, 32), scale: 1.0, fps: 4.0, duration: 1.0, transparent: false, helps: false }
     }
 
@@ -451,7 +455,7 @@ mod tests {
             assert!(!kind.label().starts_with("app-export"), "{kind:?} has no name");
             let file = kind.completed(&folder.path().join(format!("50%d.{}", kind.ending())));
             assert_eq!(kind.completed(&file), file);
-            let job = Job::new(&mut session, options(kind, Course::Elbow), Guard::default()).expect("the arm bends");
+            let job = Job::new(&mut session, options(kind, MotionSource::Elbow), Guard::default()).expect("the arm bends");
             assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
             job.run(&file, &Work::default()).expect("written");
             let first = kind.first_files(&file).remove(0);
@@ -463,13 +467,13 @@ mod tests {
     #[test]
     fn what_does_not_move_is_refused() {
         let session = Session::new(Document::default());
-        assert_eq!(options(Kind::Gif, Course::Contraction).sequence(&session), Err(Refusal::NoMuscle));
-        assert_eq!(options(Kind::Gif, Course::Elbow).sequence(&session), Err(Refusal::NoElbow));
-        let table = |kind| options(kind, Course::Whole).check(&session);
-        assert_eq!(table(Kind::Joints(tables::Form::Csv)), Err(Cannot::Table(NoTable::NoJoint)));
-        assert_eq!(table(Kind::Muscles(tables::Form::Json)), Err(Cannot::Table(NoTable::NoMuscle)));
-        assert_eq!(Options { fps: 60.0, ..options(Kind::Gif, Course::Whole) }.check(&session), Err(Cannot::GifRate));
-        for course in Course::ALL {
+        assert_eq!(options(Kind::Gif, MotionSource::Contraction).sequence(&session), Err(SequenceError::NoMuscle));
+        assert_eq!(options(Kind::Gif, MotionSource::Elbow).sequence(&session), Err(SequenceError::NoElbow));
+        let table = |kind| options(kind, MotionSource::Whole).check(&session);
+        assert_eq!(table(Kind::Joints(tables::Form::Csv)), Err(ExportRefusal::Table(NoTable::NoJoint)));
+        assert_eq!(table(Kind::Muscles(tables::Form::Json)), Err(ExportRefusal::Table(NoTable::NoMuscle)));
+        assert_eq!(Options { fps: 60.0, ..options(Kind::Gif, MotionSource::Whole) }.check(&session), Err(ExportRefusal::GifRate));
+        for course in MotionSource::ALL {
             assert!(!course.label().starts_with("app-export"), "{course:?} has no name");
         }
     }

@@ -9,8 +9,8 @@ use gtk4 as gtk;
 use super::session::{Changes, Session};
 use super::window::{Window, part};
 use super::{format, ui};
+use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, SourceKind};
-use crate::health::{Finding, Severity};
 use crate::scene::{Content, Deformer, Node, NodeId, Scene};
 use crate::tr;
 
@@ -50,7 +50,7 @@ impl HealthPanel {
                 let item = list.model().and_then(|model| model.item(position)).and_downcast::<glib::BoxedAnyObject>();
                 let Some(item) = item else { return };
                 window.act(|session| {
-                    let node = node_named(session.document(), &item.borrow::<Finding>().element);
+                    let node = node_named(session.document(), &item.borrow::<Diagnostic>().element);
                     if node.is_some() {
                         session.select(node);
                     }
@@ -175,7 +175,7 @@ fn factory() -> gtk::SignalListItemFactory {
     factory.connect_bind(|_, item| {
         let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
         let (Some(boxed), Some(row)) = (item.item().and_downcast::<glib::BoxedAnyObject>(), item.child()) else { return };
-        let finding = boxed.borrow::<Finding>();
+        let finding = boxed.borrow::<Diagnostic>();
         let icon = row.first_child().and_downcast::<gtk::Image>();
         let words = row.last_child();
         let message = words.as_ref().and_then(|words| words.first_child()).and_downcast::<gtk::Label>();

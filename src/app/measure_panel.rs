@@ -18,7 +18,7 @@ use super::session::{Against, Changes, Reading, Session, csv};
 use super::ui;
 use super::window::{Window, part};
 use crate::export::atomic_file::write_whole;
-use crate::export::ending::ending;
+use crate::export::file_extension::ending;
 use crate::muscle::literature_data;
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;

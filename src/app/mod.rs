@@ -3,10 +3,10 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`session`] | what is open and how it is looked at; no widgets |
-//! | [`actions`], `keys`, `perform` | the one table of commands, their keys, and what they do |
+//! | [`commands`], `shortcuts`, `command_dispatch` | the one table of commands, their keys, and what they do |
 //! | `window` | puts the parts together and hands changes round |
 //! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
-//! | `files`, `recent`, `picture` | opening off the interface thread, watching, recent files, pictures |
+//! | `document_loader`, `recent`, `screenshot` | opening off the interface thread, watching, recent files, pictures |
 //!
 //! A change goes one way: a widget calls `Window::act` with what to do to the session; the session notes what changed; the window
 //! refreshes the parts that show it. While it refreshes, signals of the widgets are not taken for the user's hand.

@@ -9,14 +9,14 @@ use gtk::{gdk, gio};
 use gtk4 as gtk;
 
 use super::attachment_field::Bones;
-use super::attachments_editor::MuscleEnds;
+use super::attachments_editor::AttachmentsEditor;
 use super::commands::Command;
-use super::contraction_controls::MuscleJoint;
+use super::contraction_controls::ContractionControls;
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::profile_plot::{ProfileView, Shape};
-use super::profile_table::NodeTable;
-use super::session::{Changes, Hung, Session, Step};
-use super::via_points_editor::MuscleWay;
+use super::profile_plot::{ProfilePlot, Shape};
+use super::profile_table::ProfileTable;
+use super::session::{AttachResult, Changes, Session, Step};
+use super::via_points_editor::ViaPointsEditor;
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
@@ -31,15 +31,15 @@ pub(super) struct MusclePanel {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
-    joint: MuscleJoint,
+    joint: ContractionControls,
     bones: Bones,
-    ends: MuscleEnds,
-    way: MuscleWay,
+    ends: AttachmentsEditor,
+    way: ViaPointsEditor,
     name: gtk::Entry,
     which: gtk::DropDown,
     shown: Rc<Cell<u32>>,
-    profile: ProfileView,
-    nodes: NodeTable,
+    profile: ProfilePlot,
+    nodes: ProfileTable,
     /// Rest length; length and radius of both tendons.
     fields: [gtk::Entry; 5],
     refused: gtk::Label,
@@ -146,7 +146,7 @@ impl MusclePanel {
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::MUSCLE_PANEL);
         let bones = Bones::new();
-        let profile = ProfileView::new();
+        let profile = ProfilePlot::new();
         part::<gtk::Box>(&builder, "profile_slot").append(&profile.canvas);
         let ledger = rows(
             &part(&builder, "ledger"),
@@ -166,15 +166,15 @@ impl MusclePanel {
             rows(&part(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
         Self {
             root: part(&builder, "root"),
-            joint: MuscleJoint::new(&builder),
-            ends: MuscleEnds::new(&builder, &bones),
-            way: MuscleWay::new(&builder, &bones),
+            joint: ContractionControls::new(&builder),
+            ends: AttachmentsEditor::new(&builder, &bones),
+            way: ViaPointsEditor::new(&builder, &bones),
             bones,
             name: part(&builder, "name"),
             which: part(&builder, "which"),
             shown: Rc::default(),
             profile,
-            nodes: NodeTable::new(&part(&builder, "nodes")),
+            nodes: ProfileTable::new(&part(&builder, "nodes")),
             ledger,
             quadratic,
             solved: RefCell::default(),
@@ -437,14 +437,14 @@ pub(super) fn hang_all(window: &Rc<Window>) -> bool {
 
 /// Hangs the muscles of these files on the clip, and says where they went.
 fn hang(window: &Rc<Window>, files: impl IntoIterator<Item = usize>) -> bool {
-    let mut hung: Option<Hung> = None;
+    let mut hung: Option<AttachResult> = None;
     window.act(|session| {
         for new in files.into_iter().filter_map(|place| session.hang_on_clip(place)) {
             let before = hung.take().map_or(0, |hung| hung.muscles);
-            hung = Some(Hung { muscles: before + new.muscles, ..new });
+            hung = Some(AttachResult { muscles: before + new.muscles, ..new });
         }
     });
-    let told = hung.map(|Hung { muscles, joint }| tr!("app-hung", count = muscles, joint = joint));
+    let told = hung.map(|AttachResult { muscles, joint }| tr!("app-hung", count = muscles, joint = joint));
     if let Some(told) = &told {
         window.viewport.toast(told, None);
     }

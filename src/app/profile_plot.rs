@@ -51,14 +51,14 @@ struct Grip {
 }
 
 /// The drawing.
-pub(super) struct ProfileView {
+pub(super) struct ProfilePlot {
     /// Where it is drawn.
     pub canvas: Canvas,
     shape: Rc<RefCell<Shape>>,
     grip: Rc<Cell<Option<Grip>>>,
 }
 
-impl ProfileView {
+impl ProfilePlot {
     /// A drawing of nothing.
     pub(super) fn new() -> Self {
         let canvas = Canvas::named(&tr!("app-profile"), 120, 130);

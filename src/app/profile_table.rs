@@ -37,13 +37,13 @@ struct Values {
 }
 
 /// The table.
-pub(super) struct NodeTable {
+pub(super) struct ProfileTable {
     view: gtk::ColumnView,
     values: Rc<Values>,
     store: gio::ListStore,
 }
 
-impl NodeTable {
+impl ProfileTable {
     /// Puts the columns into a view.
     pub(super) fn new(view: &gtk::ColumnView) -> Self {
         let store = gio::ListStore::new::<glib::BoxedAnyObject>();

@@ -8,7 +8,7 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::samples::DEMOS;
-use super::session::Arrival;
+use super::session::LoadMode;
 use super::window::Window;
 use super::{document_loader, start_page, ui};
 use crate::i18n::shown;
@@ -73,7 +73,7 @@ pub(super) fn fill(window: &Rc<Window>, slot: &gtk::Box, done: impl Fn() + Clone
             window,
             move |_| {
                 done();
-                document_loader::open(&window, vec![path.clone()], Arrival::New);
+                document_loader::open(&window, vec![path.clone()], LoadMode::New);
             }
         ));
         slot.append(&button);

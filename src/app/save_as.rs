@@ -11,7 +11,7 @@ use gtk4 as gtk;
 use super::document_loader;
 use super::error_bar::Trouble;
 use super::window::Window;
-use crate::export::ending::completed;
+use crate::export::file_extension::completed;
 use crate::export::guard::{Output, is_same};
 use crate::i18n::shown;
 use crate::tr;

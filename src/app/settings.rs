@@ -42,12 +42,12 @@ impl Settings {
 
 /// What a user's own looks are while a session file's are shown.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OwnLooks {
+pub struct SavedViewSettings {
     own: Settings,
     file: Settings,
 }
 
-impl OwnLooks {
+impl SavedViewSettings {
     /// The looks before the session file came and those that it brought.
     pub fn new(own: Settings, file: Settings) -> Self {
         Self { own, file }
@@ -107,7 +107,7 @@ mod tests {
     fn looks_of_a_file_are_not_the_users_but_changes_to_them_are() {
         let own = Settings { line_width: 2.0, shown: vec!["grid".into(), "mesh".into()], ..Settings::default() };
         let file = Settings { line_width: 1.0, shading: "flat".into(), shown: vec!["bones".into(), "mesh".into()], ..own.clone() };
-        let held = OwnLooks::new(own.clone(), file.clone());
+        let held = SavedViewSettings::new(own.clone(), file.clone());
         let back = held.among(&file);
         assert_eq!((back.line_width, back.shading.as_str()), (2.0, "gouraud"));
         assert!(back.shown.contains(&"grid".into()) && back.shown.contains(&"mesh".into()) && back.shown.len() == 2, "{:?}", back.shown);

@@ -10,7 +10,7 @@ use gtk4 as gtk;
 use super::drawing_area::{Canvas, cairo as cairo_over};
 use super::error_bar::Trouble;
 use super::samples::{self, DEMOS, Demo};
-use super::session::{Arrival, Session};
+use super::session::{LoadMode, Session};
 use super::window::{Window, part};
 use super::{document_loader, recent, saving, ui};
 use crate::document::Document;
@@ -122,12 +122,12 @@ fn draw(demo: Demo, canvas: &Canvas, theme: Theme) {
 /// Opens a demo.
 pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
     match demo.unpack(&samples::folder()) {
-        Ok(Some(path)) => document_loader::open(window, vec![path], Arrival::New),
+        Ok(Some(path)) => document_loader::open(window, vec![path], LoadMode::New),
         Ok(None) => saving::ask_first(window, |window| {
             window.start_page(false);
             document_loader::forget(window);
             window.give_looks_back();
-            window.act(|session| session.show(Document::built_in(), Arrival::New));
+            window.act(|session| session.show(Document::built_in(), LoadMode::New));
         }),
         Err(error) => window.error_bar.show(Trouble {
             headline: tr!("app-demo-unwritten", folder = samples::folder().display().to_string()),

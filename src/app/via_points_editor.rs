@@ -6,7 +6,7 @@ use std::rc::Rc;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::attachment_field::{Bones, PlaceField, connect_pick, show_pick};
+use super::attachment_field::{AttachmentField, Bones, connect_pick, show_pick};
 use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::session::{Picked, Session, Step};
 use super::window::part;
@@ -22,7 +22,7 @@ const FIELDS: [(&str, usize); 4] = [("wrap_radius", 2), ("wrap_side_x", 3), ("wr
 /// The widgets of a via point.
 struct ViaRow {
     root: gtk::Grid,
-    place: PlaceField,
+    place: AttachmentField,
     up: gtk::Button,
     down: gtk::Button,
     delete: gtk::Button,
@@ -36,19 +36,19 @@ struct Rows {
 }
 
 /// The whole.
-pub(super) struct MuscleWay {
+pub(super) struct ViaPointsEditor {
     builder: gtk::Builder,
     bones: Bones,
     list: gtk::Box,
     rows: Rows,
     pick: gtk::ToggleButton,
-    ball: PlaceField,
+    ball: AttachmentField,
     fields: [gtk::Entry; 4],
     refused: [gtk::Label; 2],
     editor: RefCell<Option<Editor>>,
 }
 
-impl MuscleWay {
+impl ViaPointsEditor {
     /// That of a panel.
     pub(super) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
         Self {
@@ -57,7 +57,7 @@ impl MuscleWay {
             list: part(builder, "via_list"),
             rows: Rows { rows: Rc::default(), add: part(builder, "via_add") },
             pick: part(builder, "via_pick_new"),
-            ball: PlaceField::new(builder, "wrap", AttachmentPoint::Wrap, bones),
+            ball: AttachmentField::new(builder, "wrap", AttachmentPoint::Wrap, bones),
             fields: FIELDS.map(|(id, _)| part(builder, id)),
             refused: ["via_refused", "wrap_refused"].map(|id| part(builder, id)),
             editor: RefCell::default(),
@@ -143,7 +143,7 @@ impl Rows {
     fn make(&self, editor: &Editor, bones: &Bones) -> ViaRow {
         let number = self.rows.borrow().len();
         let builder = ui::numbered(ui::VIA_POINT, number + 1);
-        let place = PlaceField::new(&builder, "via", AttachmentPoint::Via(number), bones);
+        let place = AttachmentField::new(&builder, "via", AttachmentPoint::Via(number), bones);
         place.connect(editor);
         let button = |id: &str| part::<gtk::Button>(&builder, id);
         let (up, down, delete) = (button("via_up"), button("via_down"), button("via_delete"));

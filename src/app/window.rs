@@ -13,7 +13,7 @@ use super::commands::Command;
 use super::curve_editor::Sheet;
 use super::display_panel::DisplayPanel;
 use super::document_loader::Files;
-use super::empty_state::Bare;
+use super::empty_state::EmptyState;
 use super::error_bar::ErrorBar;
 use super::health_panel::HealthPanel;
 use super::held::Held;
@@ -22,8 +22,8 @@ use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
 use super::recovery::Recovery;
 use super::scene_tree::SceneTree;
-use super::session::{Arrival, Changes, Session};
-use super::settings::{OwnLooks, Settings};
+use super::session::{Changes, LoadMode, Session};
+use super::settings::{SavedViewSettings, Settings};
 use super::shortcuts::Keys;
 use super::side_panels::Sides;
 use super::start_page::StartPage;
@@ -62,7 +62,7 @@ pub(super) struct Window {
     page_turned: Cell<bool>,
     sides: Sides,
     /// The user's own looks while those of a session file are shown.
-    own_looks: RefCell<Option<OwnLooks>>,
+    own_looks: RefCell<Option<SavedViewSettings>>,
     actions: HashMap<Command, gio::SimpleAction>,
     builder: gtk::Builder,
     timeline: Timeline,
@@ -72,7 +72,7 @@ pub(super) struct Window {
     pub(super) measure: MeasurePanel,
     health: HealthPanel,
     inspector: Inspector,
-    bare: Bare,
+    bare: EmptyState,
     /// Over the picture and over the timeline.
     held: [Held; 2],
     start: StartPage,
@@ -128,7 +128,7 @@ impl Window {
             measure: MeasurePanel::new(),
             health: HealthPanel::new(),
             inspector: Inspector::new(),
-            bare: Bare::new(),
+            bare: EmptyState::new(),
             held: std::array::from_fn(|_| Held::new()),
             start: StartPage::new(),
             builder,
@@ -136,7 +136,7 @@ impl Window {
         window.put_together();
         // Reading has begun before anything is shown, or the start page would flash.
         if !files.is_empty() {
-            document_loader::open(&window, files, Arrival::New);
+            document_loader::open(&window, files, LoadMode::New);
         }
         appearance::follow(&window);
         window.refresh();
@@ -458,7 +458,7 @@ impl Window {
         self.act(show);
         let mut file = own.clone();
         file.take(&self.session.borrow());
-        self.own_looks.replace(Some(OwnLooks::new(own, file)));
+        self.own_looks.replace(Some(SavedViewSettings::new(own, file)));
     }
 
     /// The actions, to connect them.

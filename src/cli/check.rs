@@ -8,8 +8,8 @@ use serde::Serialize;
 use super::failure::{Failure, answer, answer_json, display_name};
 use super::files;
 use crate::collada::Progress;
+use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, Images, OpenError, OpenOptions};
-use crate::health::{Finding, Severity};
 use crate::i18n::shown;
 use crate::tr;
 
@@ -41,8 +41,8 @@ pub(super) struct FindingReport {
     message: String,
 }
 
-impl From<&Finding> for FindingReport {
-    fn from(finding: &Finding) -> Self {
+impl From<&Diagnostic> for FindingReport {
+    fn from(finding: &Diagnostic) -> Self {
         Self {
             code: finding.code,
             severity: match finding.severity {
@@ -69,11 +69,11 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if refused.is_empty() { Ok(()) } else { Err(Failure::Files(refused)) }
 }
 
-fn open(file: &Path) -> Result<Vec<Finding>, OpenError> {
+fn open(file: &Path) -> Result<Vec<Diagnostic>, OpenError> {
     Document::open_with(&[file], OpenOptions { images: Images::Test }, &Progress::default()).map(|document| document.health)
 }
 
-fn report(name: &str, result: &Result<Vec<Finding>, OpenError>) -> FileReport {
+fn report(name: &str, result: &Result<Vec<Diagnostic>, OpenError>) -> FileReport {
     FileReport {
         file: name.to_owned(),
         usable: result.is_ok(),
@@ -83,7 +83,7 @@ fn report(name: &str, result: &Result<Vec<Finding>, OpenError>) -> FileReport {
 }
 
 /// The findings of the usable files, one a line; a refused file's line goes to standard error.
-fn listing(opened: &[(String, Result<Vec<Finding>, OpenError>)]) -> String {
+fn listing(opened: &[(String, Result<Vec<Diagnostic>, OpenError>)]) -> String {
     let mut text = String::new();
     for (name, result) in opened {
         match result {

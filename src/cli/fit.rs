@@ -14,7 +14,7 @@ use super::{files, measured, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, SourceKind};
 use crate::export::atomic_file::write_whole;
-use crate::export::ending::ending;
+use crate::export::file_extension::ending;
 use crate::export::guard::Guard;
 use crate::export::tables::{unit_for_people, unit_name};
 use crate::i18n::decimal;

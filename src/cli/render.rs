@@ -14,7 +14,10 @@ use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
 use crate::export::guard::Guard;
-use crate::film::{self, Direction, Eye, FrameSpec, Look, Motion, Refusal, Sequence, SequenceRenderer, Target, Times, Wish, posed_bounds};
+use crate::film::{
+    self, Direction, FittedOrbit, FrameSpec, Look, Motion, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target, Times,
+    posed_bounds,
+};
 use crate::limits;
 use crate::muscle::MuscleRig;
 use crate::render::{Background, Display, Samples, Shading};
@@ -72,7 +75,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         None => None,
     };
     let look = look.unwrap_or_else(|| {
-        let eye = Eye::fit(direction(given), &wide, aspect, sequence.turning());
+        let eye = FittedOrbit::fit(direction(given), &wide, aspect, sequence.turning());
         Box::new(move |_, _, turn| eye.camera(turn))
     });
     // What is only a help on the screen, such as the ground grid, stays away unless it is asked for or a session shows it.
@@ -119,7 +122,7 @@ fn single(given: &ArgMatches, state: PoseState) -> Result<Sequence, Failure> {
     }
 }
 
-fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: PoseState) -> Result<Sequence, Refusal> {
+fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: PoseState) -> Result<Sequence, SequenceError> {
     let sweep = |id| value::<Span>(given, id);
     let has_clip = state.clip.is_some();
     let motion = match (sweep("sweep-angle"), sweep("sweep-contraction")) {
@@ -131,21 +134,24 @@ fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: Pos
     };
     let turning = given.get_flag("turntable");
     let seconds = |id| value::<f64>(given, id);
-    let wish = Wish { motion, from: seconds("from"), to: seconds("to"), duration: seconds("duration"), fps: seconds("fps"), turning };
+    let wish =
+        SequenceOptions { motion, from: seconds("from"), to: seconds("to"), duration: seconds("duration"), fps: seconds("fps"), turning };
     Sequence::new(&wish, document, state)
 }
 
-fn refused(refusal: Refusal, given: &ArgMatches, file: &str) -> Failure {
+fn refused(refusal: SequenceError, given: &ArgMatches, file: &str) -> Failure {
     Failure::usage(match refusal {
         // Of an end that was not given, the movement's own is meant.
-        Refusal::Empty { from, to } if !given.contains_id("to") => tr!("cli-range-late", file = file, from = plain(from), end = plain(to)),
-        Refusal::Empty { from, to } if !given.contains_id("from") => {
+        SequenceError::Empty { from, to } if !given.contains_id("to") => {
+            tr!("cli-range-late", file = file, from = plain(from), end = plain(to))
+        }
+        SequenceError::Empty { from, to } if !given.contains_id("from") => {
             tr!("cli-range-early", file = file, start = plain(from), to = plain(to))
         }
-        Refusal::Empty { from, to } => tr!("cli-range-empty", from = plain(from), to = plain(to)),
-        Refusal::TooMany => tr!("cli-too-many-frames", limit = plain(film::FRAMES as f64)),
-        Refusal::NoElbow => tr!("cli-no-elbow-to-bend", file = file),
-        Refusal::NoMuscle => tr!("cli-no-muscle-to-drive", file = file),
+        SequenceError::Empty { from, to } => tr!("cli-range-empty", from = plain(from), to = plain(to)),
+        SequenceError::TooMany => tr!("cli-too-many-frames", limit = plain(film::FRAMES as f64)),
+        SequenceError::NoElbow => tr!("cli-no-elbow-to-bend", file = file),
+        SequenceError::NoMuscle => tr!("cli-no-muscle-to-drive", file = file),
     })
 }
 

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use super::image::plain_uri;
 use super::lookup::last_segment;
 use super::{ReadError, decode_text, diagnostic_codes, xml};
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::tr;
 
 /// Longest text or attribute that is looked at for a reference, bytes.
@@ -46,7 +46,7 @@ pub(super) struct Bundle {
     /// All files of the archive by their path; empty for a plain document.
     pub files: BTreeMap<String, usize>,
     /// What was wrong with documents that are not among `parts`.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Diagnostic>,
 }
 
 impl Bundle {
@@ -88,9 +88,9 @@ impl Bundle {
                 }
                 Err(error) => {
                     let line = error.line.map(|line| line + decoded.lines_before);
-                    self.findings.push(Finding {
+                    self.findings.push(Diagnostic {
                         file: path,
-                        ..Finding::warning(
+                        ..Diagnostic::warning(
                             diagnostic_codes::EXTERNAL_REFERENCE,
                             line,
                             "",

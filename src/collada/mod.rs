@@ -4,17 +4,17 @@
 //!
 //! | module | what it does |
 //! |---|---|
-//! | `archive`, `bundle`, `text`, `lists`, `xml` | from bytes to a tree of elements, within the [`limits`] |
+//! | `archive`, `bundle`, `decode_text`, `list_extraction`, `xml` | from bytes to a tree of elements, within the [`limits`] |
 //! | `context`, `lookup`, `report` | what all others carry along: ids and urls, findings with their lines, the budget |
 //! | `numbers`, `source` | lists of numbers, sources and their accessors |
 //! | `asset`, `image`, `effect`, `material` | unit and axes, materials |
 //! | `nodes` | the tree of nodes, instances resolved |
-//! | `geometry`, `primitive`, `triangulate`, `vertices` | meshes |
-//! | `controller`, `skin`, `bind_pose`, `morph`, `morph_shape` | deformers, joints found by name |
+//! | `geometry`, `primitive`, `triangulate`, `vertex_dedup` | meshes |
+//! | `controller`, `skin`, `bind_pose`, `morph`, `morph_target` | deformers, joints found by name |
 //! | `instances`, `light_camera` | what hangs on the nodes |
-//! | `animation`, `target` | curves, clips, and what they move |
+//! | `animation`, `channel_target` | curves, clips, and what they move |
 //!
-//! A part that is broken is left out with a [`Finding`]; reading ends early only for what makes the whole file useless.
+//! A part that is broken is left out with a [`Diagnostic`]; reading ends early only for what makes the whole file useless.
 
 mod animation;
 mod archive;
@@ -53,7 +53,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use crate::animation::Clip;
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::scene::Scene;
 use crate::{limits, tr};
 
@@ -96,7 +96,7 @@ pub struct Loaded {
     /// The clips, at least one where anything moves.
     pub clips: Vec<Clip>,
     /// Oddities, in file order.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<Diagnostic>,
     /// Image files inside a `.zae`, by their path in the archive.
     pub archived: Vec<(PathBuf, Vec<u8>)>,
 }

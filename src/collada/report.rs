@@ -9,7 +9,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::bundle::Stretch;
 use super::list_extraction::Shortened;
 use super::{El, diagnostic_codes};
-use crate::health::{Finding, Severity};
+use crate::diagnostics::{Diagnostic, Severity};
 use crate::{limits, tr};
 
 /// Findings that have one cause however many elements they are met at, as long as they say the same: they are told once, with how often.
@@ -37,7 +37,7 @@ pub(super) struct Report<'a> {
     parts: Vec<Stretch>,
     /// Where each line ends; made when the first line is asked for.
     line_ends: OnceCell<Vec<u32>>,
-    findings: Vec<Finding>,
+    findings: Vec<Diagnostic>,
     /// What was said of which element, so that nothing is said twice of what is read twice.
     said: FxHashSet<(ElementId, &'static str, String)>,
     /// Where in `findings` what is told once a file stands, and how often it was met since.
@@ -82,7 +82,7 @@ impl<'a> Report<'a> {
     }
 
     /// Takes in what was found before there was a document.
-    pub(super) fn bring(&mut self, findings: Vec<Finding>) {
+    pub(super) fn bring(&mut self, findings: Vec<Diagnostic>) {
         self.findings.extend(findings);
     }
 
@@ -98,7 +98,7 @@ impl<'a> Report<'a> {
 
     /// Something that was put right at a byte of the whole document.
     pub(super) fn note_at(&mut self, at: usize, code: &'static str, message: String) {
-        self.findings.push(Finding {
+        self.findings.push(Diagnostic {
             code,
             severity: Severity::Note,
             file: self.part(at).map_or_else(String::new, |part| part.path.clone()),
@@ -144,11 +144,11 @@ impl<'a> Report<'a> {
         let part = element.and_then(|element| self.part(self.document.place(element.range().start)));
         let file = part.map_or_else(String::new, |part| part.path.clone());
         let element = element.map_or_else(String::new, describe);
-        self.findings.push(Finding { code, severity, file, line, element, message });
+        self.findings.push(Diagnostic { code, severity, file, line, element, message });
     }
 
     /// All findings, in file order.
-    pub(super) fn finish(&mut self) -> Vec<Finding> {
+    pub(super) fn finish(&mut self) -> Vec<Diagnostic> {
         for (at, more) in std::mem::take(&mut self.once).into_values().filter(|(_, more)| *more > 0) {
             if let Some(finding) = self.findings.get_mut(at) {
                 finding.message.push(' ');
@@ -158,7 +158,7 @@ impl<'a> Report<'a> {
         if self.dropped > 0 {
             let message = tr!("collada-more-findings", count = self.dropped, limit = limits::FINDINGS);
             self.dropped = 0;
-            self.findings.push(Finding::note(diagnostic_codes::MORE_FINDINGS, None, "", message));
+            self.findings.push(Diagnostic::note(diagnostic_codes::MORE_FINDINGS, None, "", message));
         }
         self.findings.sort_by(|a, b| (&a.file, a.line.unwrap_or(u32::MAX)).cmp(&(&b.file, b.line.unwrap_or(u32::MAX))));
         std::mem::take(&mut self.findings)

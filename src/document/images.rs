@@ -8,12 +8,12 @@ use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::picture::{self, Head, Refusal};
-use super::places::{Place, Places, Sharing};
-use super::shares::{self, Wish};
+use super::image_budget::{self, Wish};
+use super::image_decoder::{self, Head, Refusal};
+use super::image_paths::{Place, Places, Sharing};
 use super::{Document, Images};
 use crate::collada::{Progress, diagnostic_codes};
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::scene::{Image, Pixels, Scene, TextureRef};
 use crate::{limits, tr};
 
@@ -51,7 +51,7 @@ struct Picture<'f> {
 
 impl Picture<'_> {
     fn decode(&self, size: [u32; 2]) -> Result<Pixels, Refusal> {
-        picture::decode(self.place.stream()?, self.place.path(), &self.head, size)
+        image_decoder::decode(self.place.stream()?, self.place.path(), &self.head, size)
     }
 }
 
@@ -71,7 +71,7 @@ impl Pending {
         let wishes = wishes(scene, &pictures);
         let budget = if what == Images::Decode { room_for(&wishes) } else { limits::IMAGES_BYTES };
         let (mut tested, mut reduced, mut left_out) = (0, Tally::default(), Tally::default());
-        for (picture, size) in pictures.iter().zip(shares::sizes(&wishes, budget)) {
+        for (picture, size) in pictures.iter().zip(image_budget::sizes(&wishes, budget)) {
             if progress.is_cancelled() {
                 return;
             }
@@ -139,7 +139,7 @@ impl Pending {
         }
         let mut pictures = Vec::new();
         for (place, images) in sharing.shared() {
-            let looked_at = place.stream().map_err(Refusal::from).and_then(|stream| picture::look_at(stream, place.path()));
+            let looked_at = place.stream().map_err(Refusal::from).and_then(|stream| image_decoder::look_at(stream, place.path()));
             let refusal = match looked_at {
                 Ok(head) => {
                     pictures.push(Picture { place, head, images });
@@ -226,7 +226,7 @@ fn wishes(scene: &Scene, pictures: &[Picture<'_>]) -> Vec<Wish> {
 /// The budget, or as large a part of it as the system would give now.
 fn room_for(wishes: &[Wish]) -> u64 {
     let mut budget = limits::IMAGES_BYTES;
-    while budget > 1 << 20 && !limits::is_room(budget.min(shares::total(wishes))) {
+    while budget > 1 << 20 && !limits::is_room(budget.min(image_budget::total(wishes))) {
         budget /= 2;
     }
     budget
@@ -275,7 +275,7 @@ impl Tally {
 /// Findings about images, by file. One cause is told once, however many images it concerns.
 struct Told<'f> {
     files: &'f [OfFile],
-    findings: Vec<Vec<Finding>>,
+    findings: Vec<Vec<Diagnostic>>,
     /// Pictures that the system gave no memory for.
     memory: Tally,
 }
@@ -283,7 +283,7 @@ struct Told<'f> {
 impl Told<'_> {
     fn of(&mut self, file: usize, image: &Image, code: &'static str, message: String) {
         let element = format!("<image> {:?}", if image.id.is_empty() { &image.name } else { &image.id });
-        let mut finding = Finding::warning(code, image.line, element, message);
+        let mut finding = Diagnostic::warning(code, image.line, element, message);
         if let (Some(of_file), Some(findings)) = (self.files.get(file), self.findings.get_mut(file)) {
             of_file.name.clone_into(&mut finding.file);
             findings.push(finding);
@@ -344,13 +344,14 @@ impl Told<'_> {
             findings.truncate(limits::FINDINGS);
             if let Some(last) = findings.last().filter(|_| more > 0) {
                 let message = tr!("collada-more-findings", count = more, limit = limits::FINDINGS);
-                let note = Finding { file: last.file.clone(), ..Finding::note(diagnostic_codes::MORE_FINDINGS, last.line, "", message) };
+                let note =
+                    Diagnostic { file: last.file.clone(), ..Diagnostic::note(diagnostic_codes::MORE_FINDINGS, last.line, "", message) };
                 findings.push(note);
             }
             document.health.extend(findings);
         }
         let sources = &document.sources;
-        let place = |finding: &Finding| (sources.iter().position(|source| source.name == finding.file), finding.line);
+        let place = |finding: &Diagnostic| (sources.iter().position(|source| source.name == finding.file), finding.line);
         document.health.sort_by_cached_key(place);
     }
 }

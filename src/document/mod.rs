@@ -5,11 +5,14 @@
 mod angle;
 mod arm_placement;
 mod built_in;
-mod canvas;
 mod deform;
 mod error;
 mod file;
 mod foreign;
+mod image_budget;
+mod image_decoder;
+mod image_paths;
+mod image_scaler;
 mod images;
 mod joint_angles;
 mod joint_ik;
@@ -22,11 +25,8 @@ mod muscle_sources;
 mod occlusion_test;
 mod open;
 mod outline;
-mod picture;
-mod places;
 mod pose;
 mod posed_copy;
-mod shares;
 mod skin_kernel;
 mod skin_plan;
 mod skinning;
@@ -49,7 +49,7 @@ use glam::DMat4;
 
 use crate::animation::Clip;
 use crate::collada::Asset;
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::i18n;
 use crate::muscle::{Joint, MuscleFile, MuscleRig, MuscleState, Turn};
 use crate::scene::{Content, MuscleId, NodeId, NodeKind, Scene};
@@ -97,7 +97,7 @@ pub struct Document {
     /// All clips.
     pub clips: Vec<Clip>,
     /// All findings, by file and line.
-    pub health: Vec<Finding>,
+    pub health: Vec<Diagnostic>,
     /// How much of the scene is not muscles'.
     bare: muscle_sources::SceneBaseline,
     /// Joints turned by hand, ascending by node.

@@ -10,7 +10,7 @@ use glam::DMat4;
 use super::arm_placement::Beside;
 use super::{Document, Source, SourceKind};
 use crate::animation::Pose;
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::muscle::{MuscleFile, MuscleRig};
 use crate::scene::{Bounds, MuscleId, TransformOp};
 use crate::tr;
@@ -67,7 +67,7 @@ impl Document {
             rig.attach_moving(&self.scene, &self.clips);
             rig.look_over(&moments);
             self.health.retain(|finding| finding.file != source.name || !finding.code.starts_with("muscle-"));
-            self.health.extend(rig.findings().iter().cloned().map(|finding| Finding { file: source.name.clone(), ..finding }));
+            self.health.extend(rig.findings().iter().cloned().map(|finding| Diagnostic { file: source.name.clone(), ..finding }));
         }
         self.touch();
     }

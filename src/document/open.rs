@@ -7,7 +7,7 @@ use super::foreign::Foreign;
 use super::images::Pending;
 use super::{Document, OpenError, Source, SourceKind, merge};
 use crate::collada::{self, Progress};
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::muscle::MuscleFile;
 use crate::{input, limits, tr};
 
@@ -72,7 +72,7 @@ impl Document {
             let name = source.name.clone();
             if let Err(error) = self.add_file(&path, images, progress) {
                 let message = tr!("document-clip-not-opened", error = error.to_string());
-                let mut finding = Finding::warning("clip-not-opened", None, path.display().to_string(), message);
+                let mut finding = Diagnostic::warning("clip-not-opened", None, path.display().to_string(), message);
                 finding.file = name;
                 self.health.push(finding);
             }

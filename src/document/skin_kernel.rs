@@ -1,6 +1,6 @@
 //! The inner loop of skinning: blend the matrices of a vertex, transform its position and normal.
 //!
-//! Written once over [`Lanes`] and compiled for each instruction set. The arithmetic and its order are the same in all (no fused multiply-add), so
+//! Written once over [`Simd`] and compiled for each instruction set. The arithmetic and its order are the same in all (no fused multiply-add), so
 //! every width gives the same bits. Matrices are blended one vertex at a time, all their numbers side by side; a group's matrices are then
 //! transposed, and positions and normals are worked on with one vertex a lane.
 
@@ -9,8 +9,8 @@ use std::ops::{Add, Mul, Sub};
 use glam::{DMat4, Mat3A, Vec3, Vec3A};
 
 use super::skin_plan::{GROUP, Pick, Plan};
-use crate::lanes::{Lanes, always, each, kernel, map};
 use crate::scene::{Bounds, Influence};
+use crate::simd::{Simd, always, each, kernel, map};
 
 /// An affine matrix as three rows of four, and four numbers that mean nothing, so that it fills one cache line.
 #[derive(Debug, Clone, Copy, Default)]
@@ -78,12 +78,12 @@ kernel! {
 }
 
 #[inline(always)]
-fn bend_with<L: Lanes>(l: L, task: &mut Task<'_>) {
+fn bend_with<L: Simd>(l: L, task: &mut Task<'_>) {
     if task.uneven { bend_groups::<L, true>(l, task) } else { bend_groups::<L, false>(l, task) }
 }
 
 #[inline(always)]
-fn bend_groups<L: Lanes, const UNEVEN: bool>(l: L, task: &mut Task<'_>) {
+fn bend_groups<L: Simd, const UNEVEN: bool>(l: L, task: &mut Task<'_>) {
     let (positions, normals) = task.from;
     let (to_positions, to_normals) = (&mut *task.to.0, &mut *task.to.1);
     let count = positions.len();
@@ -127,7 +127,7 @@ fn bend_groups<L: Lanes, const UNEVEN: bool>(l: L, task: &mut Task<'_>) {
 /// # Safety
 /// All picks name one of `matrices`.
 #[inline(always)]
-unsafe fn blend_group<L: Lanes>(l: L, matrices: &[Affine], picks: &[Pick], blended: &mut [Affine; GROUP]) {
+unsafe fn blend_group<L: Simd>(l: L, matrices: &[Affine], picks: &[Pick], blended: &mut [Affine; GROUP]) {
     // SAFETY: the caller's promise; a count that is known lets the compiler lay the sum out in a row.
     unsafe {
         match picks.len() / GROUP {
@@ -143,7 +143,7 @@ unsafe fn blend_group<L: Lanes>(l: L, matrices: &[Affine], picks: &[Pick], blend
 /// # Safety
 /// All picks name one of `matrices`.
 #[inline(always)]
-unsafe fn blend_each<L: Lanes>(l: L, matrices: &[Affine], picks: &[Pick], count: usize, blended: &mut [Affine; GROUP]) {
+unsafe fn blend_each<L: Simd>(l: L, matrices: &[Affine], picks: &[Pick], count: usize, blended: &mut [Affine; GROUP]) {
     for (sum, picks) in blended.iter_mut().zip(picks.chunks_exact(count)) {
         let (first, rest) = picks.split_at(1);
         for part in (0..16).step_by(L::N) {
@@ -163,7 +163,7 @@ unsafe fn blend_each<L: Lanes>(l: L, matrices: &[Affine], picks: &[Pick], count:
 
 /// Transforms a group: positions and normals of `from` into those of `to`.
 #[inline(always)]
-fn transform_group<L: Lanes, const UNEVEN: bool>(
+fn transform_group<L: Simd, const UNEVEN: bool>(
     l: L,
     blended: &[Affine; GROUP],
     from: [&[Vec3; GROUP]; 2],
@@ -196,7 +196,7 @@ fn transform_group<L: Lanes, const UNEVEN: bool>(
 
 /// [`cofactor`] of many, by rows: the cofactors of a transposed matrix are the transposed cofactors.
 #[inline(always)]
-fn cofactors<L: Lanes>(l: L, [x, y, z]: [[L::F; 3]; 3]) -> [[L::F; 3]; 3] {
+fn cofactors<L: Simd>(l: L, [x, y, z]: [[L::F; 3]; 3]) -> [[L::F; 3]; 3] {
     let (a, b, c) = (cross(y, z), cross(z, x), cross(x, y));
     let mirrored = l.lt(dot(a, x), l.splat(0.0));
     let sign = l.select(mirrored, l.splat(-1.0), l.splat(1.0));
@@ -216,13 +216,13 @@ fn dot<F: Copy + Mul<Output = F> + Add<Output = F>>(a: [F; 3], b: [F; 3]) -> F {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::Level;
     use crate::scene::{Mesh, Skin, SkinJoint};
+    use crate::simd::SimdLevel;
     use glam::DMat3;
     use proptest::prelude::*;
 
     /// Bends by `level` and returns positions, normals and box.
-    fn bent(level: Level, plan: &Plan, matrices: &[Affine], uneven: bool, shape: &[Vec3]) -> (Vec<Vec3>, Vec<Vec3>, Bounds) {
+    fn bent(level: SimdLevel, plan: &Plan, matrices: &[Affine], uneven: bool, shape: &[Vec3]) -> (Vec<Vec3>, Vec<Vec3>, Bounds) {
         let (mut positions, mut normals) = (vec![Vec3::NAN; shape.len()], vec![Vec3::NAN; shape.len()]);
         let to = (positions.as_mut_slice(), normals.as_mut_slice());
         let mut task = Task { plan, matrices, uneven, from: (shape, shape), to, bounds: Bounds::EMPTY };
@@ -254,8 +254,8 @@ mod tests {
             let mesh = Mesh { positions: shape.clone(), source_vertex, source_count, ..Mesh::default() };
             let plan = Plan::of_skin(&skin, &mesh);
             let bits = |v: &[Vec3]| v.iter().map(|v| v.to_array().map(f32::to_bits)).collect::<Vec<_>>();
-            let plain = bent(Level::Scalar(crate::lanes::Scalar), &plan, &matrices, uneven, &shape);
-            for level in Level::all() {
+            let plain = bent(SimdLevel::Scalar(crate::simd::Scalar), &plan, &matrices, uneven, &shape);
+            for level in SimdLevel::all() {
                 let wide = bent(level, &plan, &matrices, uneven, &shape);
                 prop_assert_eq!((bits(&plain.0), bits(&plain.1), plain.2), (bits(&wide.0), bits(&wide.1), wide.2), "{}", level.name());
             }
@@ -285,7 +285,7 @@ mod tests {
     #[test]
     fn a_normal_that_vanishes_points_up_and_a_coordinate_that_is_no_number_stays_out_of_the_box() {
         let mesh = Mesh { positions: vec![Vec3::ONE; 2], source_vertex: vec![0; 2], source_count: 1, ..Mesh::default() };
-        for level in Level::all() {
+        for level in SimdLevel::all() {
             let (_, normals, bounds) = bent(level, &Plan::of_points(&mesh), &[Affine::default()], false, &[Vec3::ONE, Vec3::NAN]);
             assert_eq!(normals, [Vec3::Y; 2]);
             assert_eq!((bounds.min, bounds.max), (Vec3::ZERO, Vec3::ZERO));

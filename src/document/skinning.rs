@@ -9,11 +9,11 @@ use glam::{DMat3, DMat4, DQuat, Mat3A, Quat, Vec3};
 
 use super::skin_kernel::{self, Affine, Task};
 use super::skin_plan::Plan;
-use crate::lanes::Level;
 use crate::scene::{Bounds, Influence, Mesh, Skin};
+use crate::simd::SimdLevel;
 
 /// What the processor offers, asked once.
-static LEVEL: LazyLock<Level> = LazyLock::new(Level::detect);
+static LEVEL: LazyLock<SimdLevel> = LazyLock::new(SimdLevel::detect);
 
 /// Matrices of one skin at one moment, and what blending them needs. Kept between frames.
 #[derive(Debug, Clone, Default)]

@@ -7,7 +7,7 @@
 pub mod apng;
 pub mod atomic_file;
 pub mod color_quantizer;
-pub mod ending;
+pub mod file_extension;
 pub mod gif;
 pub mod gltf;
 pub mod guard;

@@ -24,11 +24,11 @@ pub struct Direction {
 
 /// A fitted camera that can be turned.
 #[derive(Debug, Clone, Copy)]
-pub struct Eye {
+pub struct FittedOrbit {
     orbit: OrbitCamera,
 }
 
-impl Eye {
+impl FittedOrbit {
     /// Fits `bounds` into a picture of `aspect` = width / height; with `turning`, from all sides at one distance.
     pub fn fit(direction: Direction, bounds: &Bounds, aspect: f32, turning: bool) -> Self {
         let fitted = |yaw: f32| {

@@ -8,7 +8,7 @@ mod save;
 mod sequence;
 
 pub use frame_renderer::{Look, SequenceRenderer, Times};
-pub use framing::{Direction, Eye, posed_bounds};
+pub use framing::{Direction, FittedOrbit, posed_bounds};
 pub use pattern::Pattern;
 pub use save::{Target, save};
-pub use sequence::{FPS, FRAMES, FrameSpec, Motion, Refusal, Sequence, Wish};
+pub use sequence::{FPS, FRAMES, FrameSpec, Motion, Sequence, SequenceError, SequenceOptions};

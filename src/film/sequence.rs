@@ -37,12 +37,12 @@ pub enum Motion {
 
 /// What somebody wants of a film; what is not said has a sensible value.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Wish {
+pub struct SequenceOptions {
     /// What moves.
     pub motion: Motion,
     /// First and last moment, seconds; of the clip's own time axis where a clip plays.
     pub from: Option<f64>,
-    /// See [`Wish::from`].
+    /// See [`SequenceOptions::from`].
     pub to: Option<f64>,
     /// Seconds, in place of `to`.
     pub duration: Option<f64>,
@@ -54,7 +54,7 @@ pub struct Wish {
 
 /// Why there is no such film.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Refusal {
+pub enum SequenceError {
     /// The first moment lies after the last.
     Empty {
         /// First moment, seconds.
@@ -72,7 +72,7 @@ pub enum Refusal {
 
 /// What moves in this document.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Course {
+enum MotionKind {
     Still,
     Clip,
     /// The arm: straight, bent, straight.
@@ -91,7 +91,7 @@ pub struct Sequence {
     state: PoseState,
     from: f64,
     to: f64,
-    course: Course,
+    course: MotionKind,
     joint: Option<Joint>,
     turning: bool,
 }
@@ -99,15 +99,15 @@ pub struct Sequence {
 impl Sequence {
     /// One picture of `state`.
     pub fn single(state: PoseState) -> Self {
-        Self { count: 1, fps: FPS, state, from: state.time, to: state.time, course: Course::Still, joint: None, turning: false }
+        Self { count: 1, fps: FPS, state, from: state.time, to: state.time, course: MotionKind::Still, joint: None, turning: false }
     }
 
     /// The row of pictures that `wish` asks for: every moment from its first to its last, both included. Where it does not say: the whole clip;
     /// without a clip an arm swings once; with the turntable alone the model turns once, and then its last frame is the one before the first.
     ///
     /// # Errors
-    /// [`Refusal`].
-    pub fn new(wish: &Wish, document: &Document, state: PoseState) -> Result<Self, Refusal> {
+    /// [`SequenceError`].
+    pub fn new(wish: &SequenceOptions, document: &Document, state: PoseState) -> Result<Self, SequenceError> {
         let fps = wish.fps.unwrap_or(FPS);
         let clip = state.clip.and_then(|index| document.clips.get(index)).filter(|clip| clip.duration() > 0.0);
         let rig = document.driven_rig();
@@ -117,31 +117,31 @@ impl Sequence {
             (Motion::Angle(from, to), _) => {
                 joint = if rig.is_some_and(|rig| rig.flexion_range().is_some()) { None } else { document.joint() };
                 if joint.is_none() && rig.is_none_or(|rig| rig.flexion_range().is_none()) {
-                    return Err(Refusal::NoElbow);
+                    return Err(SequenceError::NoElbow);
                 }
-                (Course::Angle(from, to), 0.0, TURN_SECONDS)
+                (MotionKind::Angle(from, to), 0.0, TURN_SECONDS)
             }
             (Motion::Contraction(from, to), _) => {
                 if !rig.is_some_and(MuscleRig::is_drivable) && document.contracted(&state, from).is_none() {
-                    return Err(Refusal::NoMuscle);
+                    return Err(SequenceError::NoMuscle);
                 }
-                (Course::Contraction(from, to), 0.0, TURN_SECONDS)
+                (MotionKind::Contraction(from, to), 0.0, TURN_SECONDS)
             }
-            (Motion::Play, Some(clip)) => (Course::Clip, clip.start, clip.end),
-            (Motion::Play, None) if rig.is_some_and(MuscleRig::is_drivable) && !wish.turning => (Course::Swing, 0.0, TURN_SECONDS),
-            (Motion::Still | Motion::Play, _) => (Course::Still, 0.0, turn),
+            (Motion::Play, Some(clip)) => (MotionKind::Clip, clip.start, clip.end),
+            (Motion::Play, None) if rig.is_some_and(MuscleRig::is_drivable) && !wish.turning => (MotionKind::Swing, 0.0, TURN_SECONDS),
+            (Motion::Still | Motion::Play, _) => (MotionKind::Still, 0.0, turn),
         };
         let from = wish.from.unwrap_or(start);
         let to = wish.duration.map_or(wish.to.unwrap_or(end), |seconds| from + seconds);
         if from > to {
-            return Err(Refusal::Empty { from, to });
+            return Err(SequenceError::Empty { from, to });
         }
         // The last moment counts where rounding misses it by less than a millionth of a frame. A whole turn ends before its first frame comes again.
         let steps = ((to - from) * fps + 1e-6).floor();
         if steps >= FRAMES as f64 {
-            return Err(Refusal::TooMany);
+            return Err(SequenceError::TooMany);
         }
-        let last = usize::from(!wish.turning || course != Course::Still || steps < 1.0);
+        let last = usize::from(!wish.turning || course != MotionKind::Still || steps < 1.0);
         Ok(Self { count: steps as usize + last, fps, state, from, to, course, joint, turning: wish.turning })
     }
 
@@ -157,7 +157,7 @@ impl Sequence {
 
     /// Whether the model turns and nothing else moves.
     pub fn only_turns(&self) -> bool {
-        self.turning && self.course == Course::Still
+        self.turning && self.course == MotionKind::Still
     }
 
     /// Picture `index`, from 0.
@@ -167,13 +167,13 @@ impl Sequence {
         let part = index as f64 / (self.count.max(2) - 1) as f64;
         let mut state = self.state;
         match self.course {
-            Course::Still => {}
-            Course::Clip => {
+            MotionKind::Still => {}
+            MotionKind::Clip => {
                 if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
                     state.time = time.clamp(clip.start, clip.end.max(clip.start));
                 }
             }
-            Course::Angle(from, to) => {
+            MotionKind::Angle(from, to) => {
                 let angle = from + (to - from) * part;
                 match (&self.joint, document.driven_rig()) {
                     (Some(joint), _) => state.turn = Some(joint.at(angle)),
@@ -181,14 +181,14 @@ impl Sequence {
                     (None, None) => {}
                 }
             }
-            Course::Contraction(from, to) => {
+            MotionKind::Contraction(from, to) => {
                 let per_cent = from + (to - from) * part;
                 match document.driven_rig().filter(|rig| rig.is_drivable()) {
                     Some(rig) => state.drive = rig.at_contraction(per_cent),
                     None => state.turn = document.contracted(&state, per_cent),
                 }
             }
-            Course::Swing => {
+            MotionKind::Swing => {
                 if let Some(rig) = document.driven_rig() {
                     let turn = (time - self.from) / (self.to - self.from).max(f64::MIN_POSITIVE) * std::f64::consts::TAU;
                     state.drive = rig.at_contraction(50.0 - 50.0 * turn.cos());

@@ -12,7 +12,7 @@
 use glam::{DMat4, DVec3};
 
 use super::materials;
-use super::rods::{ROUND, SLENDER, ball, hang, revolved};
+use super::primitive_meshes::{ROUND, SLENDER, ball, hang, revolved};
 use crate::animation::Pose;
 use crate::scene::{Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::tr;

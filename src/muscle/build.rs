@@ -6,16 +6,16 @@ use glam::{DMat4, DVec3};
 
 use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
-use super::drive::Span;
-use super::joint::{FoundBy, Joint};
+use super::joint_dof::{FoundBy, Joint};
 use super::line_of_action::{CenterlineOffset, Line, Point};
 use super::muscle_rig::{Muscle, MuscleRig};
+use super::muscle_state::Span;
 use super::revolute_joint::RevoluteJoint;
 use super::tessellation::Layout;
 use super::wrap::WrapObject;
-use super::{bone_clearance, materials, rods, scaling};
+use super::{bone_clearance, materials, primitive_meshes, scaling};
 use crate::animation::Clip;
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::{i18n, tr};
 
@@ -78,12 +78,12 @@ impl MuscleRig {
     /// names. A bone that is not there is a finding, and its muscle lies on its own. May be called again when the scene has changed.
     ///
     /// The scene's rest pose is where the joint's angle is 0.
-    pub fn attach(&mut self, scene: &Scene) -> Vec<Finding> {
+    pub fn attach(&mut self, scene: &Scene) -> Vec<Diagnostic> {
         self.attach_moving(scene, &[])
     }
 
     /// [`MuscleRig::attach`] to a scene that these clips move. Where the file names no joint, what they bend tells more about it than the rest pose does.
-    pub fn attach_moving(&mut self, scene: &Scene, clips: &[Clip]) -> Vec<Finding> {
+    pub fn attach_moving(&mut self, scene: &Scene, clips: &[Clip]) -> Vec<Diagnostic> {
         if self.arm.is_some() {
             return Vec::new();
         }
@@ -115,7 +115,7 @@ impl MuscleRig {
                     muscle.rescale(1.0);
                     muscle.line = None;
                     let message = tr!("muscle-bone-not-found", bone = bone);
-                    self.findings.push(Finding::warning("muscle-bone-not-found", None, muscle.spec.name.clone(), message));
+                    self.findings.push(Diagnostic::warning("muscle-bone-not-found", None, muscle.spec.name.clone(), message));
                 }
             }
         }
@@ -132,7 +132,7 @@ impl MuscleRig {
         if let Some(joint) = &self.joint {
             let Some(node) = find_bone(graph, self.root, &joint.bone) else {
                 let message = tr!("muscle-joint-not-found", bone = joint.bone.clone());
-                self.findings.push(Finding::warning("muscle-joint-not-found", None, joint.bone.clone(), message));
+                self.findings.push(Diagnostic::warning("muscle-joint-not-found", None, joint.bone.clone(), message));
                 return None;
             };
             return Some(Joint::of_file(scene, node, joint));
@@ -189,7 +189,7 @@ impl MuscleRig {
                     range[1] = range[1].min(fit.flexion);
                 }
                 let valid = muscle.shape.length_range();
-                range = super::drive::valid_part(range, |angle| valid.contains(&(line.length(&hinge.at(angle)) - fixed)));
+                range = super::muscle_state::valid_part(range, |angle| valid.contains(&(line.length(&hinge.at(angle)) - fixed)));
             }
         }
         hinge.range = range;
@@ -214,7 +214,7 @@ impl MuscleRig {
                 }
                 Err(error) => tr!("muscle-poses-do-not-fit", error = error.to_string()),
             };
-            self.findings.push(Finding::warning("muscle-poses-not-placed", None, muscle.spec.name.clone(), message));
+            self.findings.push(Diagnostic::warning("muscle-poses-not-placed", None, muscle.spec.name.clone(), message));
         }
     }
 }
@@ -274,7 +274,7 @@ fn add_roots(scene: &mut Scene, arm: &Arm, nodes: &ArmNodes, spec: &MuscleSpec, 
         // It leans away from the elbow, as a tendon does that has been pulled at.
         let away = if point.bone == 0 { 1.0 } else { -1.0 };
         let foot = DVec3::new(0.0, (point.local.y + away * 1.1 * out).clamp(-arm.upper.max(arm.lower), 0.0), 0.0);
-        let mesh = rods::root(tr!("muscle-material-tendon"), foot, point.local, [0.95 * arm.thickness, 0.92 * tip]);
-        rods::hang(scene, node, mesh, tendon);
+        let mesh = primitive_meshes::root(tr!("muscle-material-tendon"), foot, point.local, [0.95 * arm.thickness, 0.92 * tip]);
+        primitive_meshes::hang(scene, node, mesh, tendon);
     }
 }

@@ -3,10 +3,10 @@
 use glam::DMat4;
 
 use super::MuscleState;
-use super::drive::Span;
-use super::joint::Joint;
+use super::joint_dof::Joint;
 use super::line_of_action::Line;
 use super::muscle_rig::MuscleRig;
+use super::muscle_state::Span;
 use super::revolute_joint::RevoluteJoint;
 use crate::scene::Scene;
 

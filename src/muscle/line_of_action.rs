@@ -4,7 +4,7 @@
 //! length and its moment arm are exact and change with the pose without a jump.
 //!
 //! What is drawn is another line of *exactly the same length*, so that the volume on the screen is the volume of the ledger. A line with via points is
-//! rounded at each and pushed out a little for what that takes off ([`super::corners`]). On the two-rod arm the line of action may run between points on
+//! rounded at each and pushed out a little for what that takes off ([`super::rounded_centerline`]). On the two-rod arm the line of action may run between points on
 //! the rods' axes, so a belly drawn along it would swallow the rods; there an arch ([`Path::arch`]) is drawn whose ends lie on the rods' surfaces on the
 //! muscle's side, slid a few millimetres towards the elbow to give the arch its height ([`super::bone_clearance`]). Length and moment arm stay those of the
 //! line of action: on the straight-rod arm, the law of cosines.
@@ -12,8 +12,8 @@
 use glam::{DMat4, DVec3};
 
 use super::centerline::Path;
-use super::corners;
 use super::edit::VIA;
+use super::rounded_centerline;
 use super::wrap::{TangentPoints, WrapObject};
 
 /// A point that moves with a bone.
@@ -128,7 +128,7 @@ impl Line {
     pub(super) fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
         match &self.drawn {
             Some(drawn) => drawn.lay(frames, length),
-            None => corners::rounded(self, frames),
+            None => rounded_centerline::rounded(self, frames),
         }
     }
 }

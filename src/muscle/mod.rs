@@ -3,33 +3,33 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `profile` | radii and growth, the quadratic, the valid lengths |
-//! | `poses` | a profile given by radii at several lengths |
+//! | `measured_shapes` | a profile given by radii at several lengths |
 //! | `arm` | the two rods and the elbow as nodes of the scene |
-//! | `rods`, `materials` | the arm's solid shapes, and the colours of all |
-//! | `line` | the line of action: length, and the centre line that is drawn for it |
-//! | `wrap` | the ball that a line goes round |
-//! | `corners` | the rounded line that is drawn where a muscle has via points |
-//! | `path` | lines and arcs, exact in length, with frames that do not twist |
-//! | `clearance` | keeps the belly off the rods |
-//! | `surface` | rings, hemispheres and tendons as triangles |
-//! | `drive` | contraction and elbow angle, each the inverse of the other |
+//! | `primitive_meshes`, `materials` | the arm's solid shapes, and the colours of all |
+//! | `line_of_action` | the line of action: its length, and the centreline that is drawn for it |
+//! | `wrap` | wrapping of the line of action over a sphere |
+//! | `rounded_centerline` | the rounded line that is drawn where a muscle has via points |
+//! | `centerline` | centrelines of straight segments and arcs, exact in length, with rotation-minimising frames |
+//! | `bone_clearance` | distance between the belly and the rods |
+//! | `tessellation` | rings, hemispheres and tendons as triangles |
+//! | `muscle_state` | contraction and elbow angle of an arm, each computed from the other |
 //! | `driving` | the same for a joint of a clip's skeleton |
 //! | `bones` | bones by name, and the points of a muscle on them in the world |
-//! | `fitting` | a ready muscle laid on the bones of any skeleton |
-//! | `hinge` | the joint that measurements turn |
-//! | `joint`, `bone_words` | the elbow of any skeleton, or the joint that a file names |
+//! | `retarget` | preset muscles fitted to the bones of a skeleton |
+//! | `revolute_joint` | the joint that measurements turn |
+//! | `joint_dof`, `bone_name_heuristics` | the elbow of any skeleton, or the joint that a file names |
 //! | `measure` | moment arms |
-//! | `ledger` | the numbers behind a solution, and why they are so |
+//! | `solver_report` | the figures behind a solution: coefficients, roots, limits |
 //! | `edit` | changes of a file by hand, each checked |
 //! | `presets` | ready muscles by name |
-//! | `published` | published figures, with their sources |
-//! | `table` | measured radii as comma-separated text |
-//! | `experiment` | the report’s experiment: models beside measured radii |
-//! | `fit` | how near models that keep their volume come to those |
+//! | `literature_data` | published figures, with their sources |
+//! | `csv_table` | measured radii as comma-separated text |
+//! | `validation` | models compared with measured radii |
+//! | `parameter_fit` | growth parameters fitted to measured radii |
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
 //! | `scaling` | muscles that scale with their bones |
-//! | `trouble` | what is wrong with a muscle over the range of its joint |
-//! | `rig` | muscles in a scene: solve, lay, measure |
+//! | `muscle_findings` | diagnostics of a muscle over the range of its joint |
+//! | `muscle_rig` | muscles in a scene: solving, centrelines, surfaces, measuring |
 //! | `config` | YAML |
 
 mod arm;
@@ -39,29 +39,29 @@ mod bones;
 mod build;
 mod centerline;
 pub mod config;
-mod corners;
 mod csv_table;
-mod drive;
 mod driving;
 pub mod edit;
-mod joint;
+mod joint_dof;
 mod line_of_action;
 pub mod literature_data;
 mod materials;
 mod measure;
 mod measured_shapes;
+mod muscle_findings;
 mod muscle_rig;
+mod muscle_state;
 pub mod parameter_fit;
 mod path_editing;
 pub mod presets;
+mod primitive_meshes;
 mod profile;
 mod retarget;
 mod revolute_joint;
-mod rods;
+mod rounded_centerline;
 mod scaling;
 pub mod solver_report;
 mod tessellation;
-mod trouble;
 pub mod validation;
 mod wrap;
 
@@ -71,8 +71,8 @@ pub use centerline::{Cursor, Path, Station};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
 pub use driving::Driving;
 pub use edit::{Edit, EditError};
-pub(crate) use joint::rotation;
-pub use joint::{FoundBy, Joint, Turn};
+pub(crate) use joint_dof::rotation;
+pub use joint_dof::{FoundBy, Joint, Turn};
 pub use measured_shapes::Pose;
 pub use muscle_rig::MuscleRig;
 pub use path_editing::Ball;

@@ -8,16 +8,16 @@ use glam::{DMat4, DVec3, Vec3};
 use super::arm::{Arm, ArmNodes};
 use super::centerline::Path;
 use super::config::{JointSpec, MuscleSpec, Tendon};
-use super::drive::{FREE, Span};
-use super::joint::Joint;
+use super::joint_dof::Joint;
 use super::line_of_action::{Frames, Line};
+use super::muscle_state::{FREE, Span};
 use super::profile::Profile;
 use super::revolute_joint::{Bone, RevoluteJoint, plain};
 use super::solver_report::SolverReport;
 use super::tessellation::{Layout, MeshQuality, ToWorld};
 use super::{MuscleState, Sample, Solved, measure};
 use crate::animation::Pose;
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::scene::{MaterialBinding, Mesh, NodeId, Scene};
 
 /// A muscle file placed in a scene.
@@ -35,7 +35,7 @@ pub struct MuscleRig {
     /// The node of that joint.
     pub(super) turning: Option<Joint>,
     pub(super) span: Option<Span>,
-    pub(super) findings: Vec<Finding>,
+    pub(super) findings: Vec<Diagnostic>,
     /// See [`WorldFrames::ride`].
     pub(super) ride: Option<Vec<f64>>,
     /// Metres a unit of the file.
@@ -138,7 +138,7 @@ impl MuscleRig {
     }
 
     /// Oddities seen while building and attaching: bones that are not there, a muscle bent tighter than it is thick.
-    pub fn findings(&self) -> &[Finding] {
+    pub fn findings(&self) -> &[Diagnostic] {
         &self.findings
     }
 

@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 use super::arm::UPPER_ARM;
 use super::build::resolve;
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
-use super::joint::Joint;
+use super::joint_dof::Joint;
 use super::line_of_action::{Frames, Line};
 use super::muscle_rig::{MuscleRig, WorldFrames};
 use super::profile::{Profile, ProfileError};

@@ -15,7 +15,7 @@ use super::renderer::{Canvas, Sorted};
 use super::resolve::{Rows, copy_row, lay_over, resolve};
 use super::static_layer_cache::Piece;
 use super::tile_buffer::BandBuffer;
-use crate::lanes::Level;
+use crate::simd::SimdLevel;
 
 /// Opacity of bones behind a surface, where they show through it.
 pub(super) const XRAY: f32 = 0.45;
@@ -93,7 +93,7 @@ impl BandJob<'_> {
 
 /// Draws one band from the background to the finished rows.
 pub(super) fn draw_band(
-    level: Level,
+    level: SimdLevel,
     picture: &BandJob<'_>,
     band: usize,
     local: &mut WorkerScratch,
@@ -181,7 +181,7 @@ fn milliseconds(since: Instant) -> f64 {
 }
 
 /// Fills what a unit has for a band, item by item.
-fn fill_unit(level: Level, frame_data: &FrameData<'_>, unit: &WorkUnit, band: usize, entries: &mut Vec<u32>, plane: &mut BandBuffer) {
+fn fill_unit(level: SimdLevel, frame_data: &FrameData<'_>, unit: &WorkUnit, band: usize, entries: &mut Vec<u32>, plane: &mut BandBuffer) {
     let mut item: Option<&DrawCall> = None;
     entries.clear();
     for &entry in unit.bins.of(band).flatten() {

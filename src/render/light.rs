@@ -6,7 +6,7 @@
 use glam::Vec3;
 
 use super::projection::ViewTransform;
-use crate::lanes::{Lanes, always, map};
+use crate::simd::{Simd, always, map};
 
 /// Ambient light from straight above and straight below, and from the direction of the viewer: what keeps form readable in the shade.
 const SKY: [f32; 3] = [0.70, 0.74, 0.80];
@@ -60,16 +60,16 @@ pub(super) struct Specular {
 }
 
 /// A vector of lanes.
-pub(super) type V3<L> = [<L as Lanes>::F; 3];
+pub(super) type V3<L> = [<L as Simd>::F; 3];
 
 #[inline(always)]
-pub(super) fn dot<L: Lanes>(_: L, a: V3<L>, b: V3<L>) -> L::F {
+pub(super) fn dot<L: Simd>(_: L, a: V3<L>, b: V3<L>) -> L::F {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// A vector of length 1; what is too short to have a direction becomes very short.
 #[inline(always)]
-pub(super) fn normalize<L: Lanes>(l: L, a: V3<L>) -> V3<L> {
+pub(super) fn normalize<L: Simd>(l: L, a: V3<L>) -> V3<L> {
     let length = l.sqrt(dot(l, a, a));
     let inverse = l.splat(1.0) / l.max(length, l.splat(1e-20));
     map(a, always!(|x| x * inverse))
@@ -77,7 +77,7 @@ pub(super) fn normalize<L: Lanes>(l: L, a: V3<L>) -> V3<L> {
 
 /// Light that falls on a point, before it meets the material.
 #[derive(Clone, Copy)]
-pub(super) struct LightingTerms<L: Lanes> {
+pub(super) struct LightingTerms<L: Simd> {
     /// Diffuse light, 0 to 1.
     pub light: V3<L>,
     /// Strength of the highlight, 0 to 1.
@@ -86,7 +86,7 @@ pub(super) struct LightingTerms<L: Lanes> {
 
 /// What a point sees: enough to light either of its sides.
 #[derive(Clone, Copy)]
-pub(super) struct ShadingPoint<L: Lanes> {
+pub(super) struct ShadingPoint<L: Simd> {
     light: L::F,
     viewer: L::F,
     up: L::F,
@@ -95,7 +95,7 @@ pub(super) struct ShadingPoint<L: Lanes> {
 
 /// Light and viewer as seen from `p` with the unit normal `n`.
 #[inline(always)]
-pub(super) fn see<L: Lanes>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> ShadingPoint<L> {
+pub(super) fn see<L: Simd>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> ShadingPoint<L> {
     let splat = always!(|v: Vec3| [l.splat(v.x), l.splat(v.y), l.splat(v.z)]);
     let towards = always!(|v: Vec3| {
         let v = splat(v);
@@ -108,7 +108,7 @@ pub(super) fn see<L: Lanes>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> Shadin
 
 /// Lights the side of a surface that the normal is on, or with `other` the other one.
 #[inline(always)]
-pub(super) fn shine<L: Lanes>(l: L, lights: &Lights, gloss: Specular, seen: ShadingPoint<L>, other: bool) -> LightingTerms<L> {
+pub(super) fn shine<L: Simd>(l: L, lights: &Lights, gloss: Specular, seen: ShadingPoint<L>, other: bool) -> LightingTerms<L> {
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
     let turn = always!(|x: L::F| if other { zero - x } else { x });
     let (ndl, ndv, up) = (turn(seen.light), turn(seen.viewer), turn(seen.up));
@@ -137,7 +137,7 @@ pub(super) fn shine<L: Lanes>(l: L, lights: &Lights, gloss: Specular, seen: Shad
 
 /// `x` to the power `exponent`, for x from 1e-6 to 1 and exponents ≥ 0; relative error below 1e-4 at exponent 1000.
 #[inline(always)]
-pub(super) fn pow<L: Lanes>(l: L, x: L::F, exponent: f32) -> L::F {
+pub(super) fn pow<L: Simd>(l: L, x: L::F, exponent: f32) -> L::F {
     // log2 x = e + log2 m with m in [√½, √2), and log2 m = 2/ln 2 · atanh((m − 1)/(m + 1)).
     let one = l.splat(1.0);
     let bits = l.bits(x);
@@ -163,7 +163,7 @@ pub(super) fn pow<L: Lanes>(l: L, x: L::F, exponent: f32) -> L::F {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lanes::Scalar;
+    use crate::simd::Scalar;
 
     #[test]
     fn powers_are_powers() {

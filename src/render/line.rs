@@ -11,7 +11,7 @@ use super::clip::clip_line;
 use super::projection::ViewTransform;
 use super::setup::Rect;
 use super::tile_buffer::BandBuffer;
-use crate::lanes::{Lanes, always, kernel, map};
+use crate::simd::{Simd, always, kernel, map};
 
 /// When strokes are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -139,7 +139,7 @@ kernel! {
 }
 
 #[inline(always)]
-fn draw<L: Lanes>(l: L, all: &LineSegments, stage: LinePass, onto: LineTarget, band: usize, plane: &mut BandBuffer) {
+fn draw<L: Simd>(l: L, all: &LineSegments, stage: LinePass, onto: LineTarget, band: usize, plane: &mut BandBuffer) {
     for run in all.bins[stage as usize].of(band) {
         for &index in run {
             if let Some(segment) = all.all[stage as usize].get(index as usize) {
@@ -150,7 +150,7 @@ fn draw<L: Lanes>(l: L, all: &LineSegments, stage: LinePass, onto: LineTarget, b
 }
 
 #[inline(always)]
-fn one<L: Lanes>(l: L, segment: &LineSegment, plane: &mut BandBuffer, onto: LineTarget) {
+fn one<L: Simd>(l: L, segment: &LineSegment, plane: &mut BandBuffer, onto: LineTarget) {
     let [ax, ay, aq] = segment.from;
     let (dx, dy) = (segment.to[0] - ax, segment.to[1] - ay);
     let squared = dx * dx + dy * dy;

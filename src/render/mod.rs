@@ -38,9 +38,9 @@ pub use weight_colormap::weight_color;
 
 use glam::Vec3;
 
-use crate::lanes::Level;
 use crate::limits;
 use crate::scene::{Camera, Frame, NodeId, Scene};
+use crate::simd::SimdLevel;
 use pool::Pool;
 use renderer::Buffers;
 
@@ -114,7 +114,7 @@ pub struct Renderer {
     framebuffer: Framebuffer,
     stats: Stats,
     pool: Pool,
-    level: Level,
+    level: SimdLevel,
     buffers: Buffers,
 }
 
@@ -129,7 +129,7 @@ impl Renderer {
     pub fn new(threads: Option<usize>) -> Self {
         let threads = threads.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from));
         let pool = Pool::new(threads.clamp(1, limits::THREADS));
-        Self { framebuffer: Framebuffer::default(), stats: Stats::default(), pool, level: Level::detect(), buffers: Buffers::default() }
+        Self { framebuffer: Framebuffer::default(), stats: Stats::default(), pool, level: SimdLevel::detect(), buffers: Buffers::default() }
     }
 
     /// Draws `frame` into a picture of `width` × `height` pixels, each at most [`limits::PICTURE_SIDE`]. The same input gives the same bits for
@@ -192,27 +192,27 @@ impl Renderer {
     /// # Errors
     /// [`SimdError`] says what is wrong with the value.
     pub fn asked_simd() -> Result<(), SimdError> {
-        let Err(value) = Level::asked() else { return Ok(()) };
+        let Err(value) = SimdLevel::asked() else { return Ok(()) };
         Err(match &value[..] {
             "" => SimdError::Empty,
-            name if Level::NAMES.contains(&name) => SimdError::Missing(value),
+            name if SimdLevel::NAMES.contains(&name) => SimdError::Missing(value),
             _ => SimdError::Unknown(value),
         })
     }
 
     /// The instruction sets that there are, whether this processor has them or not.
     pub fn known_simd() -> [&'static str; 4] {
-        Level::NAMES
+        SimdLevel::NAMES
     }
 
     /// Chooses an instruction set by that name; whether this processor has it.
     pub fn set_simd(&mut self, name: &str) -> bool {
-        Level::named(name).map(|level| self.level = level).is_some()
+        SimdLevel::named(name).map(|level| self.level = level).is_some()
     }
 
     /// The instruction sets that this processor has, slowest first.
     pub fn simd_names() -> Vec<&'static str> {
-        Level::all().into_iter().map(Level::name).collect()
+        SimdLevel::all().into_iter().map(SimdLevel::name).collect()
     }
 
     /// Number of threads that draw, the caller counted.

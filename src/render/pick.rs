@@ -11,8 +11,8 @@ use super::projection::{BAD, ScreenVertex};
 use super::renderer::{Buffers, Canvas};
 use super::setup::{AttributePlanes, Edges, Rect, area};
 use super::{Display, Pick};
-use crate::lanes::Level;
 use crate::scene::{Camera, Frame, NodeId, Scene};
+use crate::simd::SimdLevel;
 
 /// The nearest thing so far.
 #[derive(Clone, Copy)]
@@ -27,7 +27,7 @@ impl Buffers {
     pub(super) fn pick(
         &mut self,
         pool: &Pool,
-        level: Level,
+        level: SimdLevel,
         (scene, frame, camera, display): (&Scene, &Frame, &Camera, &Display),
         (width, height): (u32, u32),
         x: f32,

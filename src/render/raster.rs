@@ -10,7 +10,7 @@ use super::setup::{AttributePlanes, BLOCK, EdgeStepper, Edges, Rect, area};
 use super::shade::{Attributes, Gouraud, Gradients, Phong, PhongTextured, Plain, Shader, Textured, TriangleAttributes, is_plain};
 use super::small_triangles::{TriangleBatch, bend};
 use super::tile_buffer::BandBuffer;
-use crate::lanes::{Lanes, Level, Scalar, always, each, kernel, map};
+use crate::simd::{Scalar, Simd, SimdLevel, always, each, kernel, map};
 
 /// One stretch of triangles of one item.
 #[derive(Clone, Copy)]
@@ -46,7 +46,7 @@ kernels! {
 }
 
 /// Fills a stretch of triangles into the rows of `plane`.
-pub(super) fn fill(level: Level, run: &DrawRun<'_>, plane: &mut BandBuffer) {
+pub(super) fn fill(level: SimdLevel, run: &DrawRun<'_>, plane: &mut BandBuffer) {
     let kernel = match (run.item.style.fill, plane.samples) {
         (ShaderKind::Gouraud, 1) if run.item.blended() => glass,
         (ShaderKind::Gouraud, _) if run.item.blended() => glass_4,
@@ -64,7 +64,7 @@ pub(super) fn fill(level: Level, run: &DrawRun<'_>, plane: &mut BandBuffer) {
 }
 
 #[inline(always)]
-fn triangles<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, run: &DrawRun<'a>, plane: &mut BandBuffer)
+fn triangles<'a, L: Simd, S, const K: usize, const M: usize>(l: L, run: &DrawRun<'a>, plane: &mut BandBuffer)
 where
     S: Shader<'a> + Attributes<K>,
 {
@@ -161,7 +161,7 @@ struct Triangle<const K: usize> {
 
 /// The inner loops. `M` is the number of samples.
 #[inline(always)]
-fn raster<'a, L: Lanes, S, const K: usize, const M: usize>(l: L, shader: &S, triangle: &Triangle<K>, plane: &mut BandBuffer, size: [u32; 2])
+fn raster<'a, L: Simd, S, const K: usize, const M: usize>(l: L, shader: &S, triangle: &Triangle<K>, plane: &mut BandBuffer, size: [u32; 2])
 where
     S: Shader<'a> + Attributes<K>,
 {

@@ -21,9 +21,9 @@ use super::static_layer_cache::BackgroundCache;
 use super::texture::Cache;
 use super::vertex::{CHUNK, Out, Quad, vertices};
 use super::{Display, Samples, Stats};
-use crate::lanes::Level;
 use crate::limits;
 use crate::scene::{Camera, Frame, Scene};
+use crate::simd::SimdLevel;
 
 /// Rows of a band: enough for a small triangle to touch one band mostly, few enough for its pixels to stay in the second-level cache.
 const BAND_ROWS: usize = 48;
@@ -125,7 +125,7 @@ impl Buffers {
     pub(super) fn draw(
         &mut self,
         pool: &Pool,
-        level: Level,
+        level: SimdLevel,
         (scene, frame, camera, display): (&Scene, &Frame, &Camera, &Display),
         (width, height): (u32, u32),
         target: &mut [u8],
@@ -253,7 +253,7 @@ impl Buffers {
     }
 
     /// Transforms and lights the vertices of all items.
-    pub(super) fn vertex_stage(&mut self, pool: &Pool, level: Level, frame: &Frame, view: &ViewTransform, lights: &Lights) {
+    pub(super) fn vertex_stage(&mut self, pool: &Pool, level: SimdLevel, frame: &Frame, view: &ViewTransform, lights: &Lights) {
         let total = self.items.last().map_or(0, |item| item.vertices.end);
         // Never shrunk: a smaller frame uses the front of the arrays.
         if self.screen.len() < total {

@@ -8,7 +8,7 @@ use super::material_state::{Normals, ResolvedMaterial};
 use super::texels::{Texels, textures};
 use super::texture::Texture;
 use super::vertex::finish;
-use crate::lanes::{Lanes, Scalar, always, each, map};
+use crate::simd::{Scalar, Simd, always, each, map};
 
 /// A way of shading with `K` attributes, a multiple of four so that planes are set up by whole vectors; attribute 0 is left to the caller.
 pub(super) trait Attributes<const K: usize> {
@@ -24,12 +24,12 @@ pub(super) trait Attributes<const K: usize> {
     fn corners(&self, reader: &VertexReader<'_>, t: usize, other_side: bool) -> [[f32; K]; 3];
     /// Levels of the textures where the corners of a triangle agree about them, several triangles side by side: see [`Gradients::levels`].
     #[inline(always)]
-    fn levels<L: Lanes>(&self, l: L, corners: &TriangleAttributes<L, K>) -> [L::I; 3] {
+    fn levels<L: Simd>(&self, l: L, corners: &TriangleAttributes<L, K>) -> [L::I; 3] {
         let _ = corners;
         [l.isplat(Gradients::<K>::MIXED); 3]
     }
     /// Red, green, blue and opacity, 0 to 255 or a little beyond. `values[0]` is the distance where attributes are curved.
-    fn shade<L: Lanes>(&self, l: L, values: &[L::F; K], gradients: &Gradients<K>) -> [L::F; 4];
+    fn shade<L: Simd>(&self, l: L, values: &[L::F; K], gradients: &Gradients<K>) -> [L::F; 4];
 }
 
 /// Makes a way of shading for an item.
@@ -54,7 +54,7 @@ impl<const K: usize> Gradients<K> {
 
     /// Change of the attributes `first` and `first + 1` a pixel to the right and downward.
     #[inline(always)]
-    pub(super) fn of<L: Lanes>(&self, l: L, values: &[L::F; K], first: usize) -> [[L::F; 2]; 2] {
+    pub(super) fn of<L: Simd>(&self, l: L, values: &[L::F; K], first: usize) -> [[L::F; 2]; 2] {
         let along = always!(|slope: &[f32; K], k: usize| {
             let straight = l.splat(slope[k]);
             // Quotient rule, with values[0] = 1 / nearness.
@@ -65,7 +65,7 @@ impl<const K: usize> Gradients<K> {
 }
 
 /// Attributes of triangles side by side, for what is the same all over each.
-pub(super) struct TriangleAttributes<L: Lanes, const K: usize> {
+pub(super) struct TriangleAttributes<L: Simd, const K: usize> {
     /// At the three corners, times nearness where they are curved.
     pub values: [[L::F; K]; 3],
     pub right: [L::F; K],
@@ -73,7 +73,7 @@ pub(super) struct TriangleAttributes<L: Lanes, const K: usize> {
     pub curved: L::M,
 }
 
-impl<L: Lanes, const K: usize> TriangleAttributes<L, K> {
+impl<L: Simd, const K: usize> TriangleAttributes<L, K> {
     /// The levels of the textures that attributes `first` and `first + 1` are the coordinates of.
     #[inline(always)]
     fn levels(&self, l: L, textures: [Option<&Texture>; 3], first: usize) -> [L::I; 3] {
@@ -149,7 +149,7 @@ impl Attributes<4> for Gouraud<'_> {
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 4], _: &Gradients<4>) -> [L::F; 4] {
+    fn shade<L: Simd>(&self, l: L, values: &[L::F; 4], _: &Gradients<4>) -> [L::F; 4] {
         [values[1], values[2], values[3], l.splat(255.0)]
     }
 }
@@ -166,7 +166,7 @@ impl Attributes<8> for Gouraud<'_> {
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, _: L, values: &[L::F; 8], _: &Gradients<8>) -> [L::F; 4] {
+    fn shade<L: Simd>(&self, _: L, values: &[L::F; 8], _: &Gradients<8>) -> [L::F; 4] {
         [values[1], values[2], values[3], values[4]]
     }
 }
@@ -200,7 +200,7 @@ impl<const PLAIN: bool> Attributes<8> for LitTexture<'_, PLAIN> {
     const USED: usize = if PLAIN { 6 } else { 7 };
 
     #[inline(always)]
-    fn levels<L: Lanes>(&self, l: L, corners: &TriangleAttributes<L, 8>) -> [L::I; 3] {
+    fn levels<L: Simd>(&self, l: L, corners: &TriangleAttributes<L, 8>) -> [L::I; 3] {
         corners.levels(l, textures(self.frame_data, self.style), 1)
     }
 
@@ -215,7 +215,7 @@ impl<const PLAIN: bool> Attributes<8> for LitTexture<'_, PLAIN> {
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, values: &[L::F; 8], gradients: &Gradients<8>) -> [L::F; 4] {
+    fn shade<L: Simd>(&self, l: L, values: &[L::F; 8], gradients: &Gradients<8>) -> [L::F; 4] {
         let uv = [values[1], values[2]];
         let texel = Texels::read(l, self.frame_data, self.style, uv, gradients, values, 1);
         if PLAIN {
@@ -260,7 +260,7 @@ impl Attributes<12> for Phong<'_> {
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], _: &Gradients<12>) -> [L::F; 4] {
+    fn shade<L: Simd>(&self, l: L, v: &[L::F; 12], _: &Gradients<12>) -> [L::F; 4] {
         let normal = normalize(l, [v[1], v[2], v[3]]);
         let lights = &self.frame_data.lights;
         let seen = see(l, lights, [v[4], v[5], v[6]], normal);
@@ -286,7 +286,7 @@ impl<'a> Shader<'a> for PhongTextured<'a> {
 
 impl Attributes<12> for PhongTextured<'_> {
     #[inline(always)]
-    fn levels<L: Lanes>(&self, l: L, corners: &TriangleAttributes<L, 12>) -> [L::I; 3] {
+    fn levels<L: Simd>(&self, l: L, corners: &TriangleAttributes<L, 12>) -> [L::I; 3] {
         corners.levels(l, textures(self.frame_data, self.style), 7)
     }
 
@@ -301,7 +301,7 @@ impl Attributes<12> for PhongTextured<'_> {
     }
 
     #[inline(always)]
-    fn shade<L: Lanes>(&self, l: L, v: &[L::F; 12], gradients: &Gradients<12>) -> [L::F; 4] {
+    fn shade<L: Simd>(&self, l: L, v: &[L::F; 12], gradients: &Gradients<12>) -> [L::F; 4] {
         let texel = Texels::read(l, self.frame_data, self.style, [v[7], v[8]], gradients, v, 7);
         let normal = normalize(l, [v[1], v[2], v[3]]);
         let lights = &self.frame_data.lights;

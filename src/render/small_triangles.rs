@@ -13,7 +13,7 @@ use super::raster::{STRAIGHT, needs_perspective};
 use super::setup::{ROUNDING, Rect, SAMPLES, SNAPPED};
 use super::shade::{Attributes, Gradients, Shader, TriangleAttributes};
 use super::tile_buffer::{BandBuffer, pack};
-use crate::lanes::{Lanes, always, each, map};
+use crate::simd::{Simd, always, each, map};
 
 /// Triangles that are set up together.
 const MANY: usize = 16;
@@ -121,7 +121,7 @@ impl<const K: usize> TriangleBatch<K> {
 
     /// Fills all that wait into the rows of `plane`; `perspective` as in the view.
     #[inline(always)]
-    pub(super) fn flush<'a, L: Lanes, S, const M: usize>(
+    pub(super) fn flush<'a, L: Simd, S, const M: usize>(
         &mut self,
         l: L,
         shader: &S,
@@ -153,7 +153,7 @@ impl<const K: usize> TriangleBatch<K> {
     /// The same as [`bend`] for the triangles from number `from` on, one a lane. What is left in the lanes behind the last of `count` stays as it is:
     /// multiplied again and again it would become too small to be quick.
     #[inline(always)]
-    fn bend<'a, L: Lanes, S>(&mut self, l: L, from: usize, count: usize)
+    fn bend<'a, L: Simd, S>(&mut self, l: L, from: usize, count: usize)
     where
         S: Shader<'a> + Attributes<K>,
     {
@@ -181,7 +181,7 @@ impl<const K: usize> TriangleBatch<K> {
 
     /// Edge functions and planes of the triangles from number `from` on, one a lane.
     #[inline(always)]
-    fn set_up<'a, L: Lanes, S>(&mut self, l: L, shader: &S, from: usize)
+    fn set_up<'a, L: Simd, S>(&mut self, l: L, shader: &S, from: usize)
     where
         S: Shader<'a> + Attributes<K>,
     {
@@ -243,14 +243,14 @@ impl<const K: usize> TriangleBatch<K> {
 
     /// Least and greatest value of attribute `k` at the corners of the triangles from number `from` on.
     #[inline(always)]
-    fn spread<L: Lanes>(&self, l: L, k: usize, from: usize) -> (L::F, L::F) {
+    fn spread<L: Simd>(&self, l: L, k: usize, from: usize) -> (L::F, L::F) {
         let [a, b, c]: [L::F; 3] = each(always!(|corner: usize| l.load(&self.values[k][corner][from..])));
         (l.min(l.min(a, b), c), l.max(l.max(a, b), c))
     }
 
     /// Fills triangle `i`, in rows of vectors or, with `TILED`, in tiles that are as wide as its box or wider.
     #[inline(always)]
-    fn rasterize_one<'a, L: Lanes, S, const M: usize, const TILED: bool>(
+    fn rasterize_one<'a, L: Simd, S, const M: usize, const TILED: bool>(
         &self,
         l: L,
         shader: &S,

@@ -4,11 +4,11 @@ use super::draw_data::FrameData;
 use super::material_state::ResolvedMaterial;
 use super::shade::Gradients;
 use super::texture::{Sampler, Texture};
-use crate::lanes::{Lanes, always, each, map};
 use crate::scene::Wrap;
+use crate::simd::{Simd, always, each, map};
 
 /// What the textures of a material say at a pixel.
-pub(super) struct Texels<L: Lanes> {
+pub(super) struct Texels<L: Simd> {
     /// 0 to 1; multiplies the material's colour.
     pub color: [L::F; 3],
     /// 0 to 1, the material's own opacity included.
@@ -17,7 +17,7 @@ pub(super) struct Texels<L: Lanes> {
     pub glow: [L::F; 3],
 }
 
-impl<L: Lanes> Texels<L> {
+impl<L: Simd> Texels<L> {
     #[inline(always)]
     #[allow(clippy::too_many_arguments, reason = "values of one loop, which stay in registers")]
     pub(super) fn read<const K: usize>(
@@ -58,7 +58,7 @@ impl<L: Lanes> Texels<L> {
 /// A texture where a pixel sees it: from one level of its mip chain, or from two that pass into each other.
 #[inline(always)]
 #[allow(clippy::too_many_arguments, reason = "values of one loop, which stay in registers")]
-fn filtered<L: Lanes, const K: usize>(
+fn filtered<L: Simd, const K: usize>(
     l: L,
     texture: &Texture,
     wrap: [Wrap; 2],

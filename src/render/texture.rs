@@ -6,8 +6,8 @@ use glam::Affine2;
 
 use super::muscle_texture::FiberTexture;
 use super::srgb::Srgb;
-use crate::lanes::{Lanes, always};
 use crate::scene::{AlphaSource, Pixels, Wrap};
+use crate::simd::{Simd, always};
 
 /// Most levels: enough for [`crate::limits::IMAGE_SIDE`].
 const LEVELS: usize = 16;
@@ -99,7 +99,7 @@ impl Texture {
 
     /// How much is to be seen, for a change of (u, v) a pixel to the right and a pixel downward: see [`Detail`].
     #[inline(always)]
-    pub(super) fn detail<L: Lanes>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> Detail<L> {
+    pub(super) fn detail<L: Simd>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> Detail<L> {
         let (w, h) = (l.splat(self.width[0] as f32), l.splat(self.height[0] as f32));
         let size = always!(|d: [L::F; 2]| {
             let (x, y) = (d[0] * w, d[1] * h);
@@ -115,13 +115,13 @@ impl Texture {
 
     /// A level for each lane.
     #[inline(always)]
-    pub(super) fn mips<L: Lanes>(&self, l: L, level: L::I) -> Mip<L> {
+    pub(super) fn mips<L: Simd>(&self, l: L, level: L::I) -> Mip<L> {
         Mip { origin: l.gather(&self.origin, level), width: l.gather(&self.width, level), height: l.gather(&self.height, level) }
     }
 
     /// The same level everywhere.
     #[inline(always)]
-    pub(super) fn mip<L: Lanes>(&self, l: L, level: i32) -> Mip<L> {
+    pub(super) fn mip<L: Simd>(&self, l: L, level: i32) -> Mip<L> {
         let level = level as usize & (LEVELS - 1);
         let splat = always!(|of: &[u32; LEVELS]| l.isplat(of[level] as i32));
         Mip { origin: splat(&self.origin), width: splat(&self.width), height: splat(&self.height) }
@@ -131,7 +131,7 @@ impl Texture {
     ///
     /// Places between texels are told apart to a 256th, and the shares of the four texels add up to 256 exactly, so that an even colour stays what it is.
     #[inline(always)]
-    pub(super) fn sample<L: Lanes>(&self, l: L, wrap: [Wrap; 2], uv: [L::F; 2], mip: Mip<L>) -> [L::F; 4] {
+    pub(super) fn sample<L: Simd>(&self, l: L, wrap: [Wrap; 2], uv: [L::F; 2], mip: Mip<L>) -> [L::F; 4] {
         let (x, fx) = place(l, wrap[0], uv[0], mip.width);
         let (y, fy) = place(l, wrap[1], l.splat(1.0) - uv[1], mip.height);
         let pitch = mip.width + l.isplat(APRON as i32);
@@ -157,7 +157,7 @@ impl Texture {
 
 /// Levels of a mip chain, lane by lane.
 #[derive(Clone, Copy)]
-pub(super) struct Mip<L: Lanes> {
+pub(super) struct Mip<L: Simd> {
     origin: L::I,
     width: L::I,
     height: L::I,
@@ -169,13 +169,13 @@ pub(super) struct Mip<L: Lanes> {
 /// of all pixels pay for one level only. Half numbers of levels therefore say it all: `half` is even where level `half / 2` stands alone, odd where level
 /// `half / 2`, rounded down, passes into the next.
 #[derive(Clone, Copy)]
-pub(super) struct Detail<L: Lanes> {
+pub(super) struct Detail<L: Simd> {
     /// In 2⁻²⁴ths, never negative.
     octaves: L::I,
     pub half: L::I,
 }
 
-impl<L: Lanes> Detail<L> {
+impl<L: Simd> Detail<L> {
     /// Share of the level after `finer`; it starts and ends gently, so that neither end shows as a line. 0 where `finer` stands alone.
     #[inline(always)]
     pub(super) fn share(self, l: L, finer: L::I) -> L::F {
@@ -200,7 +200,7 @@ impl<L: Lanes> Detail<L> {
 ///
 /// All in 256ths of a texel: half a texel back to the middle of one, a whole one forward to the apron, half a 256th to round.
 #[inline(always)]
-fn place<L: Lanes>(l: L, wrap: Wrap, coordinate: L::F, size: L::I) -> (L::I, L::I) {
+fn place<L: Simd>(l: L, wrap: Wrap, coordinate: L::F, size: L::I) -> (L::I, L::I) {
     // What repeats is rounded down, which takes a number of moderate size; NaN becomes one too.
     let moderate = always!(|| l.clamp(coordinate, -1e6, 1e6));
     let length = l.float(l.shl::<8>(size));

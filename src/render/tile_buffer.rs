@@ -4,7 +4,7 @@
 //! read it and write it back, but no lane of theirs is ever covered.
 
 use super::bin_lists::Columns;
-use crate::lanes::{Lanes, always, map};
+use crate::simd::{Simd, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
 const MARGIN: usize = 16;
@@ -118,7 +118,7 @@ impl BandBuffer {
     /// # Safety
     /// [`BandBuffer::holds`] said yes to a stretch that `at` is in, and `s` is below the number of samples.
     #[inline(always)]
-    pub(super) unsafe fn depth<L: Lanes>(&self, l: L, s: usize, at: usize) -> L::F {
+    pub(super) unsafe fn depth<L: Simd>(&self, l: L, s: usize, at: usize) -> L::F {
         let from = s * self.area + at;
         // SAFETY: the caller's promise: `N` ≤ `MARGIN` elements from here on are inside.
         l.load(unsafe { self.depth.get_unchecked(from..from + L::N) })
@@ -127,7 +127,7 @@ impl BandBuffer {
     /// # Safety
     /// As for [`BandBuffer::depth`].
     #[inline(always)]
-    pub(super) unsafe fn set_depth<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, depth: L::F) {
+    pub(super) unsafe fn set_depth<L: Simd>(&mut self, l: L, s: usize, at: usize, mask: L::M, depth: L::F) {
         let from = s * self.area + at;
         // SAFETY: as above.
         let slot = unsafe { self.depth.get_unchecked_mut(from..from + L::N) };
@@ -139,7 +139,7 @@ impl BandBuffer {
     /// # Safety
     /// As for [`BandBuffer::depth`].
     #[inline(always)]
-    pub(super) unsafe fn set_color<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I) {
+    pub(super) unsafe fn set_color<L: Simd>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I) {
         let from = s * self.area + at;
         // SAFETY: as above.
         let slot = unsafe { self.color.get_unchecked_mut(from..from + L::N) };
@@ -152,7 +152,7 @@ impl BandBuffer {
     /// # Safety
     /// As for [`BandBuffer::depth`].
     #[inline(always)]
-    pub(super) unsafe fn depth_at<L: Lanes, const TILED: bool>(&self, l: L, s: usize, at: usize) -> L::F {
+    pub(super) unsafe fn depth_at<L: Simd, const TILED: bool>(&self, l: L, s: usize, at: usize) -> L::F {
         if TILED {
             // SAFETY: `holds` counted the rows and columns that a tile reaches beyond.
             l.float_bits(unsafe { l.tile(self.depth.as_ptr().add(s * self.area + at).cast(), self.pitch) })
@@ -167,7 +167,7 @@ impl BandBuffer {
     /// # Safety
     /// As for [`BandBuffer::depth`].
     #[inline(always)]
-    pub(super) unsafe fn put<L: Lanes, const TILED: bool>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I, depth: L::F) {
+    pub(super) unsafe fn put<L: Simd, const TILED: bool>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I, depth: L::F) {
         // SAFETY: the caller's promise, and for tiles as in `depth_at`.
         unsafe {
             if TILED {
@@ -187,7 +187,7 @@ impl BandBuffer {
     /// # Safety
     /// As for [`BandBuffer::depth`].
     #[inline(always)]
-    pub(super) unsafe fn blend<L: Lanes>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: [L::F; 4]) {
+    pub(super) unsafe fn blend<L: Simd>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: [L::F; 4]) {
         let from = s * self.area + at;
         // SAFETY: as above.
         let slot = unsafe { self.color.get_unchecked_mut(from..from + L::N) };
@@ -208,7 +208,7 @@ impl BandBuffer {
 
 /// Opaque pixels from red, green and blue. `tame` promises that no channel is further than a quarter beyond 0 to 255, so none has to be held back.
 #[inline(always)]
-pub(super) fn pack<L: Lanes>(l: L, color: [L::F; 4], tame: bool) -> L::I {
+pub(super) fn pack<L: Simd>(l: L, color: [L::F; 4], tame: bool) -> L::I {
     let half = l.splat(0.5);
     let [r, g, b, _] = if tame { color } else { map(color, always!(|c: L::F| l.clamp(c, 0.0, 255.0))) };
     let alpha = l.isplat(0xFF00_0000u32 as i32);

@@ -5,7 +5,7 @@ use glam::{Mat3, Mat4, Vec3, Vec4};
 use super::light::{LightingTerms, Lights, V3, normalize, see, shine};
 use super::material_state::{ResolvedMaterial, VertexOutput};
 use super::projection::{BAD, NEAR, SIDES, ScreenVertex, ViewTransform};
-use crate::lanes::{Lanes, always, kernel, map};
+use crate::simd::{Simd, always, kernel, map};
 
 /// Four floats of a vertex: what they mean depends on [`VertexOutput`].
 pub(super) type Quad = [f32; 4];
@@ -70,7 +70,7 @@ kernel! {
 }
 
 #[inline(always)]
-fn chunk<L: Lanes>(
+fn chunk<L: Simd>(
     l: L,
     view: &ViewTransform,
     lights: &Lights,
@@ -156,7 +156,7 @@ impl Gathered {
 }
 
 #[inline(always)]
-fn transform<L: Lanes>(l: L, m: &Mat4, p: V3<L>) -> V3<L> {
+fn transform<L: Simd>(l: L, m: &Mat4, p: V3<L>) -> V3<L> {
     let row = always!(|i: usize| {
         let r = [m.x_axis[i], m.y_axis[i], m.z_axis[i], m.w_axis[i]];
         let r = map(r, always!(|x| l.splat(x)));
@@ -166,7 +166,7 @@ fn transform<L: Lanes>(l: L, m: &Mat4, p: V3<L>) -> V3<L> {
 }
 
 #[inline(always)]
-fn rotate<L: Lanes>(l: L, m: &Mat3, p: V3<L>) -> V3<L> {
+fn rotate<L: Simd>(l: L, m: &Mat3, p: V3<L>) -> V3<L> {
     let row = always!(|i: usize| {
         let r = [m.x_axis[i], m.y_axis[i], m.z_axis[i]];
         let r = map(r, always!(|x| l.splat(x)));
@@ -176,7 +176,7 @@ fn rotate<L: Lanes>(l: L, m: &Mat3, p: V3<L>) -> V3<L> {
 }
 
 #[inline(always)]
-fn project<L: Lanes>(l: L, view: &ViewTransform, p: V3<L>, out: &mut [ScreenVertex]) {
+fn project<L: Simd>(l: L, view: &ViewTransform, p: V3<L>, out: &mut [ScreenVertex]) {
     let row = always!(|r: Vec4| {
         let r = map(r.to_array(), always!(|x| l.splat(x)));
         r[0] * p[0] + r[1] * p[1] + r[2] * p[2] + r[3]
@@ -214,7 +214,7 @@ fn project<L: Lanes>(l: L, view: &ViewTransform, p: V3<L>, out: &mut [ScreenVert
 
 /// What a vertex hands on: its finished colour and opacity, or the light and highlight that a texture waits for. 0 to 255.
 #[inline(always)]
-fn paint<L: Lanes>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, tint: [L::F; 4]) -> [L::F; 4] {
+fn paint<L: Simd>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, tint: [L::F; 4]) -> [L::F; 4] {
     let full = l.splat(255.0);
     match style.varying {
         VertexOutput::Color => {
@@ -233,7 +233,7 @@ fn paint<L: Lanes>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, tint
 
 /// Light on a material: `base` multiplies its colour. 0 to 1.
 #[inline(always)]
-pub(super) fn finish<L: Lanes>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, base: V3<L>, emission: V3<L>) -> V3<L> {
+pub(super) fn finish<L: Simd>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, base: V3<L>, emission: V3<L>) -> V3<L> {
     let one = l.splat(1.0);
     let channel = always!(|i: usize| {
         let albedo = base[i] * l.splat(style.albedo[i]);
@@ -247,7 +247,7 @@ pub(super) fn finish<L: Lanes>(l: L, style: &ResolvedMaterial, shine: LightingTe
 }
 
 #[inline(always)]
-fn scatter<L: Lanes>(l: L, x: [L::F; 4], out: &mut [Quad]) {
+fn scatter<L: Simd>(l: L, x: [L::F; 4], out: &mut [Quad]) {
     let mut lanes = [[0.0f32; 16]; 4];
     for (lane, x) in lanes.iter_mut().zip(x) {
         l.store(x, lane);

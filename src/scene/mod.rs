@@ -3,9 +3,9 @@
 //! World: right-handed, +Y up, metres. A loaded file hangs under an *asset* node that carries its unit and up axis, so local values
 //! stay as the file wrote them. Transforms are composed in `f64`; geometry is `f32`.
 
-mod backing;
 mod bounds;
 mod camera;
+mod coincident_faces;
 mod frame;
 mod graph;
 mod light;
@@ -14,9 +14,9 @@ mod mesh;
 mod skin;
 mod transform;
 
-pub use backing::backed_triangles;
 pub use bounds::Bounds;
 pub use camera::{Camera, FileCamera, OrbitCamera, Projection, View};
+pub use coincident_faces::backed_triangles;
 pub use frame::{Frame, Ghost, Joint, Mark, Surface, SurfaceGeometry};
 pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 use sinew::collada::Loaded;
-use sinew::health::Severity;
+use sinew::diagnostics::Severity;
 use sinew::scene::{AlphaSource, Material, Placing, ShadingModel, Wrap};
 
 use crate::build::*;

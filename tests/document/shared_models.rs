@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use sinew::collada::{Loaded, Progress, ReadError, read};
-use sinew::health::Severity;
+use sinew::diagnostics::Severity;
 
 fn documents(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();

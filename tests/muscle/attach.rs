@@ -5,8 +5,8 @@ use std::path::Path;
 use glam::{DMat4, DVec3};
 use sinew::animation::Pose;
 use sinew::collada::Progress;
+use sinew::diagnostics::Diagnostic;
 use sinew::document::{Document, PoseBuffers};
-use sinew::health::Finding;
 use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
@@ -33,7 +33,7 @@ const MUSCLE: &str = "unit: mm\njoint: {bone: shank, axis: [2, 0, 0], range: [-3
     radii: [5, 20, 5]\n    growth: [0, 1, 0]\n    origin: {bone: thigh, offset: [0, 0, -30]}\n    insertion: {bone: SHANK, offset: [0, 0, -60]}\n";
 
 /// Between two points on the bones' axes a line bends the joint one way or the other, on either side of the straight leg, and nothing else is odd.
-fn only_turns(findings: &[Finding]) -> bool {
+fn only_turns(findings: &[Diagnostic]) -> bool {
     findings.iter().all(|finding| finding.code == "moment-arm-changes-sign")
 }
 

@@ -6,7 +6,7 @@ use crate::tr;
 
 /// Muscles that a clip carries now.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Hung {
+pub struct AttachResult {
     /// How many.
     pub muscles: usize,
     /// Name of the bone whose joint they cross.
@@ -36,7 +36,7 @@ impl Session {
 
     /// Hangs the muscles of file `place` on [`Session::joint_to_hang_on`], as long and as thick as its bones are beside those of their arm, which goes.
     /// `None` where that cannot be; nothing is changed then.
-    pub fn hang_on_clip(&mut self, place: usize) -> Option<Hung> {
+    pub fn hang_on_clip(&mut self, place: usize) -> Option<AttachResult> {
         let joint = self.joint_to_hang_on(place)?;
         let before = self.files_now();
         let on_arm = before.get(place)?.clone();
@@ -58,7 +58,7 @@ impl Session {
         self.change_files(&files, tr!("muscle-edit-hang", joint = name.clone()), Step::New);
         let shown = self.node_of_muscle(self.shown_muscle);
         self.select(shown);
-        Some(Hung { muscles, joint: name })
+        Some(AttachResult { muscles, joint: name })
     }
 
     fn hung(&self, place: usize, muscle: &MuscleSpec, on_arm: &MuscleFile, joint: &Joint) -> Option<MuscleSpec> {
@@ -88,7 +88,7 @@ mod tests {
         let mut session = both("curl.dae", "example.yaml");
         let (before, nodes) = (session.files_now(), session.document().scene.graph.len());
         let hung = session.hang_on_clip(0).unwrap();
-        assert_eq!(hung, Hung { muscles: 2, joint: "forearm".into() });
+        assert_eq!(hung, AttachResult { muscles: 2, joint: "forearm".into() });
         assert!(session.is_unsaved());
         for id in [MuscleId(0), MuscleId(1)] {
             let names = ends(&session, id).map(|node| session.document().scene.graph.node(node.unwrap()).name.clone());

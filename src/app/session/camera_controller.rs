@@ -63,8 +63,8 @@ struct Jump {
 
 /// The eye.
 #[derive(Debug, Clone, Default)]
-pub struct Eye {
-    /// The orbit; the end of a jump while one is under way is in [`Eye::goal`].
+pub struct CameraController {
+    /// The orbit; the end of a jump while one is under way is in [`CameraController::goal`].
     orbit: OrbitCamera,
     viewpoint: Viewpoint,
     jump: Option<Jump>,
@@ -72,7 +72,7 @@ pub struct Eye {
     pub eased: bool,
 }
 
-impl Eye {
+impl CameraController {
     /// The orbit as it stands.
     pub fn orbit(&self) -> &OrbitCamera {
         &self.orbit
@@ -242,7 +242,7 @@ mod tests {
 
     #[test]
     fn a_jump_ends_exactly_where_it_should_and_turns_the_short_way() {
-        let mut eye = Eye { eased: true, ..Eye::default() };
+        let mut eye = CameraController { eased: true, ..CameraController::default() };
         eye.handle(|orbit| orbit.yaw = 350.0);
         eye.look_from(View::Front);
         eye.advance(JUMP_SECONDS / 2.0);
@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn without_animation_a_jump_is_at_once() {
-        let mut eye = Eye::default();
+        let mut eye = CameraController::default();
         eye.look_from(View::Top);
         assert_eq!(eye.orbit().pitch, 90.0);
         assert!(!eye.is_jumping());
@@ -268,7 +268,7 @@ mod tests {
             let target = Vec3::new(1.0, 2.0, -0.5);
             let wanted = OrbitCamera { target, yaw, pitch, distance, orthographic, scene_radius: 1.0 };
             let camera = wanted.camera();
-            let mut eye = Eye::default();
+            let mut eye = CameraController::default();
             eye.stand_at(&camera, target);
             let taken = eye.orbit().camera();
             assert!(taken.rotation.angle_between(camera.rotation) < 2e-3, "{wanted:?}: {:?}", eye.orbit());
@@ -282,7 +282,7 @@ mod tests {
         let fov_y = 1.2_f32;
         let projection = Projection::Perspective { fov_y };
         let camera = Camera { eye: Vec3::new(0.0, 1.0, 6.0), rotation: Quat::from_rotation_z(0.4), projection, near: 0.1, far: 100.0 };
-        let mut eye = Eye::default();
+        let mut eye = CameraController::default();
         eye.stand_at(&camera, Vec3::ZERO);
         let seen = 2.0 * 6.0 * (fov_y * 0.5).tan();
         let shown = 2.0 * eye.orbit().distance * (OrbitCamera::FOV_Y * 0.5).tan();
@@ -294,7 +294,7 @@ mod tests {
     #[test]
     fn a_flight_from_parallel_rays_begins_with_the_middle_as_large_as_it_was() {
         let (scene, frame) = (Scene::default(), Frame::default());
-        let mut eye = Eye::default();
+        let mut eye = CameraController::default();
         eye.handle(|orbit| (orbit.orthographic, orbit.distance) = (true, 5.0));
         let seen = eye.camera(&scene, &frame).height_at(eye.orbit().target);
         eye.fly();
@@ -306,7 +306,7 @@ mod tests {
     #[test]
     fn landing_keeps_what_one_sees() {
         let (scene, frame) = (Scene::default(), Frame::default());
-        let mut eye = Eye::default();
+        let mut eye = CameraController::default();
         eye.handle(|orbit| orbit.orbit(20.0, 10.0));
         let before = eye.camera(&scene, &frame);
         eye.fly();

@@ -128,7 +128,7 @@ pub fn top_of(bounds: &Bounds) -> Vec3 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Arrival;
+    use super::super::LoadMode;
     use super::super::tests::swinging;
     use super::*;
 
@@ -199,9 +199,9 @@ mod tests {
         let mut session = Session::new(swinging());
         session.compare(Some(With::Clip(0)));
         session.frame();
-        session.show(swinging(), Arrival::Again);
+        session.show(swinging(), LoadMode::Again);
         assert!(session.compared().is_some());
-        session.show(swinging(), Arrival::New);
+        session.show(swinging(), LoadMode::New);
         assert!(session.compared().is_none());
         session.compare(Some(With::Clip(99)));
         assert!(session.compared().is_none());

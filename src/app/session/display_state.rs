@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Changes, Eye, LightAim, Session, Step, Viewpoint};
+use super::{CameraController, Changes, LightAim, Session, Step, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, View};
@@ -147,7 +147,7 @@ impl Session {
     }
 
     /// The eye.
-    pub fn eye(&self) -> &Eye {
+    pub fn eye(&self) -> &CameraController {
         &self.eye
     }
 
@@ -162,7 +162,7 @@ impl Session {
     }
 
     /// Changes the eye. What a hand makes of a camera of the file goes on from where that camera looks.
-    pub fn change_eye(&mut self, change: impl FnOnce(&mut Eye)) {
+    pub fn change_eye(&mut self, change: impl FnOnce(&mut CameraController)) {
         if let Viewpoint::File(node, camera) = self.eye.viewpoint() {
             self.frame();
             if let Some(camera) = file_camera(&self.document.scene, &self.frame, node, camera) {

@@ -69,7 +69,7 @@ impl Session {
 mod tests {
     use super::super::tests::swinging;
     use super::*;
-    use crate::app::session::Arrival;
+    use crate::app::session::LoadMode;
 
     fn place(session: &mut Session) -> Vec3 {
         let hand = session.document().scene.graph.find("hand").expect("a hand");
@@ -104,9 +104,9 @@ mod tests {
         session.toggle_follow();
         let followed = session.followed();
         assert!(followed.is_some(), "the skeleton where nothing is selected");
-        session.show(swinging(), Arrival::Again);
+        session.show(swinging(), LoadMode::Again);
         assert_eq!(session.followed(), followed);
-        session.show(swinging(), Arrival::New);
+        session.show(swinging(), LoadMode::New);
         assert_eq!(session.followed(), None);
     }
 }

@@ -24,7 +24,7 @@ pub enum JointAxis {
 
 /// What is known and chosen about that joint.
 #[derive(Debug, Default)]
-pub(super) struct JointHand {
+pub(super) struct JointController {
     /// The elbow found in the skeleton.
     elbow: OnceCell<Option<Joint>>,
     chosen: Option<(NodeId, JointAxis)>,
@@ -34,7 +34,7 @@ pub(super) struct JointHand {
     on_top: bool,
 }
 
-impl JointHand {
+impl JointController {
     /// The muscles of the document changed: what joint they cross is to be asked anew.
     pub(super) fn muscles_changed(&mut self) {
         self.joint = OnceCell::new();
@@ -272,7 +272,7 @@ impl Session {
 
     /// Forgets what was known of another document's joints.
     pub(super) fn forget_joint(&mut self) {
-        self.joint = JointHand { on_top: self.joint.on_top, ..JointHand::default() };
+        self.joint = JointController { on_top: self.joint.on_top, ..JointController::default() };
     }
 }
 

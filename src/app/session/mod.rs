@@ -27,8 +27,8 @@ mod undoable;
 mod via_points;
 
 pub use crate::stage::{Backdrop, COMPARED_TINT, DEFAULT_RATE, Ghosts, LightAim, ModelTransform, With, file_cameras};
-pub use attach_to_skeleton::Hung;
-pub use camera_controller::{Eye, FlyCamera, Viewpoint};
+pub use attach_to_skeleton::AttachResult;
+pub use camera_controller::{CameraController, FlyCamera, Viewpoint};
 pub use change_set::Changes;
 pub use compare::{Compared, top_of};
 pub use dope_sheet::{Graph, GraphKind, Line, Moved, SheetRow};
@@ -49,8 +49,8 @@ use std::sync::Arc;
 
 use follow::Follow;
 use history::History;
-use joint_control::JointHand;
-use probe::Pins;
+use joint_control::JointController;
+use probe::SurfacePoint;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
@@ -62,7 +62,7 @@ use crate::stage::{self, SceneOverlays};
 
 /// How another document comes in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Arrival {
+pub enum LoadMode {
     /// From the start: camera fitted, clip at its start, nothing selected.
     New,
     /// The same files again: moment, camera, selection and model stay, as far as they still exist.
@@ -89,7 +89,7 @@ pub struct Session {
     theme: Theme,
     backdrop: Backdrop,
     bone_names: bool,
-    eye: Eye,
+    eye: CameraController,
     follow: Option<Follow>,
     light: Option<LightAim>,
     model: ModelTransform,
@@ -99,11 +99,11 @@ pub struct Session {
     saved: Vec<MuscleFile>,
     /// The muscle that panels and handles show.
     shown_muscle: MuscleId,
-    joint: JointHand,
+    joint: JointController,
     picking: Option<Picking>,
     aspect: f32,
     fit_on_resize: bool,
-    pins: Pins,
+    pins: SurfacePoint,
     company: SceneOverlays,
     /// What was hidden before the selection was shown alone.
     isolated: Option<Vec<NodeId>>,
@@ -138,7 +138,7 @@ impl Session {
             theme: Theme::Dark,
             backdrop: Backdrop::default(),
             bone_names: false,
-            eye: Eye::default(),
+            eye: CameraController::default(),
             follow: None,
             light: None,
             model: ModelTransform::default(),
@@ -146,11 +146,11 @@ impl Session {
             history: History::default(),
             saved: Vec::new(),
             shown_muscle: MuscleId(0),
-            joint: JointHand::default(),
+            joint: JointController::default(),
             picking: None,
             aspect: 1.5,
             fit_on_resize: true,
-            pins: Pins::default(),
+            pins: SurfacePoint::default(),
             company: SceneOverlays::default(),
             isolated: None,
             frame: Frame::default(),
@@ -159,12 +159,12 @@ impl Session {
             posing_ms: 0.0,
             changes: Changes::ALL,
         };
-        session.show(document, Arrival::New);
+        session.show(document, LoadMode::New);
         session
     }
 
     /// Shows another document.
-    pub fn show(&mut self, document: Document, arrival: Arrival) {
+    pub fn show(&mut self, document: Document, arrival: LoadMode) {
         let (old_state, old_playback, old_model) = (self.state, self.playback, self.model);
         let old_clip = self.clip_index().and_then(|index| self.document.clip_key(index));
         let name_of = |document: &Document, node: Option<NodeId>| {
@@ -184,11 +184,11 @@ impl Session {
         self.time_held = false;
         self.document = document;
         self.forget_joint();
-        self.pins = Pins::default();
+        self.pins = SurfacePoint::default();
         // Buffers made for another scene are of no use.
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
         self.isolated = None;
-        self.company.renew(&self.document, arrival == Arrival::Again);
+        self.company.renew(&self.document, arrival == LoadMode::Again);
         (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
         self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
         self.history = History::default();
@@ -197,7 +197,7 @@ impl Session {
         self.stale = true;
         self.take_clip(self.state.clip);
         match arrival {
-            Arrival::New => {
+            LoadMode::New => {
                 self.light = None;
                 self.shown_muscle = MuscleId(0);
                 // A file of bones alone is shown as far as it goes.
@@ -208,7 +208,7 @@ impl Session {
                 self.fit();
                 self.eye.eased = eased;
             }
-            Arrival::Again => {
+            LoadMode::Again => {
                 let same = old_clip.and_then(|key| self.document.clip_named(&key));
                 self.take_clip(same.or(self.state.clip));
                 let range = Playback { start: self.playback.start, end: self.playback.end, ..old_playback };

@@ -19,7 +19,7 @@ pub(super) struct Pin {
 
 /// The last two points and the vertex nearest to the last one.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Pins {
+pub(super) struct SurfacePoint {
     last: [Option<Pin>; 2],
     vertex: Option<(usize, u32)>,
     /// Three bones chosen by hand for the joint angle.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Arrival, Session, Viewpoint, With, file_cameras};
+use super::{LoadMode, Session, Viewpoint, With, file_cameras};
 use crate::animation::LoopMode;
 use crate::app::settings::Settings;
 use crate::document::{Document, Skinning};
@@ -87,7 +87,7 @@ impl Session {
     pub fn show_saved(&mut self, mut document: Document, saved: &Saved) {
         saved.prepare(&mut document);
         let selected = saved.selected.as_ref().and_then(|node| node.find(&document));
-        self.show(document, Arrival::New);
+        self.show(document, LoadMode::New);
         self.change_display(|display| saved.put_looks(display));
         self.set_backdrop(saved.backdrop);
         self.choose_rate(saved.frame_rate.filter(|rate| (1.0..=1000.0).contains(rate)));

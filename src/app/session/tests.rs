@@ -86,7 +86,7 @@ fn a_camera_of_the_file_outlives_a_reload_and_hands_go_on_from_it() {
     let (node, camera) = file_cameras(&session.document().scene)[0];
     session.change_eye(|eye| eye.look_through(node, camera));
     let seen = session.picture().2;
-    session.show(filmed("lens"), Arrival::Again);
+    session.show(filmed("lens"), LoadMode::Again);
     assert!(matches!(session.eye().viewpoint(), Viewpoint::File(..)) && session.picture().2 == seen);
     // A drag that turns nothing yet: the direction and the size of the middle are what they were.
     session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(0.0, 0.0)));
@@ -99,7 +99,7 @@ fn a_camera_of_the_file_outlives_a_reload_and_hands_go_on_from_it() {
     let depth = |camera: &Camera| (session.eye().orbit().target - camera.eye).dot(camera.forward());
     assert!((size(&seen, depth(&seen)) - size(&taken, depth(&taken))).abs() < 1e-3);
     session.change_eye(|eye| eye.look_through(node, camera));
-    session.show(filmed("another"), Arrival::Again);
+    session.show(filmed("another"), LoadMode::Again);
     assert!(matches!(session.eye().viewpoint(), Viewpoint::Orbit));
 }
 
@@ -149,7 +149,7 @@ fn a_reload_keeps_moment_camera_selection_and_model() {
     session.select(Some(NodeId(1)));
     session.change_model(|model| model.shift(DVec3::X));
     let orbit = *session.eye().orbit();
-    session.show(two_clips(), Arrival::Again);
+    session.show(two_clips(), LoadMode::Again);
     assert_eq!((session.state().time, session.clip_index()), (2.0, Some(0)));
     assert_eq!((*session.eye().orbit(), session.selected()), (orbit, Some(NodeId(1))));
     assert_eq!(session.model().translation, DVec3::X);
@@ -157,9 +157,9 @@ fn a_reload_keeps_moment_camera_selection_and_model() {
     let mut shorter = two_clips();
     shorter.clips[0].end = 1.5;
     shorter.scene = Scene::default();
-    session.show(shorter, Arrival::Again);
+    session.show(shorter, LoadMode::Again);
     assert_eq!((session.state().time, session.selected()), (1.5, None));
-    session.show(two_clips(), Arrival::New);
+    session.show(two_clips(), LoadMode::New);
     assert!(session.model().is_identity());
 }
 
@@ -256,9 +256,9 @@ fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
     session.compare(Some(With::Clip(1)));
     let saved = session.to_saved(Path::new("/somewhere"));
     assert_eq!((saved.clip.as_deref(), saved.compared.and_then(|compared| compared.clip).as_deref()), (Some("#3"), Some("run")));
-    session.show(nameless(["walk", "walk", "run"]), Arrival::Again);
+    session.show(nameless(["walk", "walk", "run"]), LoadMode::Again);
     assert_eq!((session.clip_index(), session.compared_with().map(|with| matches!(with, With::Clip(2)))), (Some(2), Some(true)));
-    session.show(nameless(["walk", "walk", "jump"]), Arrival::Again);
+    session.show(nameless(["walk", "walk", "jump"]), LoadMode::Again);
     assert!(session.compared_with().is_none(), "the clip that was compared with is gone");
 }
 

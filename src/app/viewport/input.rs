@@ -38,7 +38,7 @@ enum Grip {
 
 /// What the hands hold.
 #[derive(Default)]
-pub(super) struct Hands {
+pub(super) struct ViewportInput {
     grip: Cell<Option<Grip>>,
     last: Cell<(f64, f64)>,
     moved: Cell<bool>,
@@ -57,7 +57,7 @@ pub(super) struct Hands {
     pace: Cell<(bool, bool)>,
 }
 
-impl Hands {
+impl ViewportInput {
     /// Whether a drag is under way.
     pub(super) fn is_dragging(&self) -> bool {
         self.grip.get().is_some()

@@ -24,7 +24,7 @@ use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
 use self::frame_surface::Screen;
-use self::transform_fields::Numbers;
+use self::transform_fields::TransformFields;
 use super::bone_names;
 use super::drawing_area::{Canvas, cairo as cairo_over};
 use super::icons::{self, Glyph};
@@ -47,8 +47,8 @@ pub(super) struct Viewport {
     canvas: Canvas,
     screen: Rc<RefCell<Screen>>,
     builder: gtk::Builder,
-    numbers: Numbers,
-    hands: input::Hands,
+    numbers: TransformFields,
+    hands: input::ViewportInput,
     toasts: Rc<Cell<u32>>,
     toast_file: Rc<RefCell<Option<PathBuf>>>,
     /// Whether what is said in passing is about the program, not about what is open.
@@ -74,9 +74,9 @@ impl Viewport {
             root,
             canvas,
             screen: Rc::new(RefCell::new(Screen::new())),
-            numbers: Numbers::new(&builder),
+            numbers: TransformFields::new(&builder),
             builder,
-            hands: input::Hands::default(),
+            hands: input::ViewportInput::default(),
             toasts: Rc::default(),
             toast_file: Rc::default(),
             toast_stays: Cell::default(),

@@ -20,7 +20,7 @@ const FRAME: i32 = 26;
 
 /// Three boxes, of which Scale uses one.
 #[derive(Clone)]
-pub(super) struct Numbers {
+pub(super) struct TransformFields {
     root: gtk::Box,
     label: gtk::Label,
     boxes: [gtk::SpinButton; 3],
@@ -31,7 +31,7 @@ pub(super) struct Numbers {
     tool: Rc<Cell<Tool>>,
 }
 
-impl Numbers {
+impl TransformFields {
     /// From the viewport's `.ui` file.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
         Self {

@@ -8,7 +8,7 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use crate::app::drawing_area::Canvas;
-use crate::app::session::Eye;
+use crate::app::session::CameraController;
 use crate::app::window::Window;
 use crate::scene::OrbitCamera;
 
@@ -105,7 +105,7 @@ pub(super) fn pan(orbit: &mut OrbitCamera, (dx, dy): (f64, f64), height: f64) {
 }
 
 /// Zooms by a factor; what lies under `point` (logical pixels) stays there. In flight it is the speed that grows.
-fn zoom(eye: &mut Eye, factor: f32, point: Option<(f64, f64)>, (width, height): (f64, f64)) {
+fn zoom(eye: &mut CameraController, factor: f32, point: Option<(f64, f64)>, (width, height): (f64, f64)) {
     if let Some(fly) = eye.flying() {
         fly.speed = (fly.speed * factor).clamp(1e-4, 1e4);
         return;

@@ -21,15 +21,15 @@
 //! already, so that its comments stay.
 
 mod decode;
-mod keep;
-mod places;
-mod report;
-mod rich;
+mod full_format;
+mod lossless_save;
+mod short_format;
+mod source_spans;
 mod spec;
 mod write;
 mod yaml;
 
-pub use keep::Saved;
+pub use lossless_save::Saved;
 pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 
 use crate::tr;
@@ -73,7 +73,7 @@ impl MuscleFile {
             return Err(ConfigError::at(Some((1, 1)), tr!("muscle-yaml-empty")));
         }
         let root = At::root(&tree);
-        let file = if rich::KEYS.iter().any(|key| root.has(key)) { rich::decode(&root) } else { report::decode(&root) };
+        let file = if full_format::KEYS.iter().any(|key| root.has(key)) { full_format::decode(&root) } else { short_format::decode(&root) };
         file.map_err(|Complaint { path, message }| ConfigError::at(yaml::locate(text, &path), message))
     }
 }

@@ -1,10 +1,10 @@
-//! Muscle files as YAML: the same values, read back bit for bit. [`super::keep`] keeps the comments of a text that is there already.
+//! Muscle files as YAML: the same values, read back bit for bit. [`super::lossless_save`] keeps the comments of a text that is there already.
 
 use std::fmt::Write;
 
 use glam::DVec3;
 
-use super::rich::{UNITS, WITH_BONES};
+use super::full_format::{UNITS, WITH_BONES};
 use super::spec::{Anchor, Form, MuscleFile, MuscleSpec, PoseAt};
 use super::yaml::Yaml;
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};

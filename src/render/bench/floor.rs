@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use super::{HEIGHT, WIDTH, time};
-use crate::lanes::{Lanes, Level, kernel};
+use crate::simd::{Simd, SimdLevel, kernel};
 
 /// Medians, milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +25,7 @@ impl Floor {
 }
 
 /// Measures it, for a picture in which `lit` pixels are covered.
-pub(super) fn measure(level: Level, lit: usize, budget: Duration) -> Floor {
+pub(super) fn measure(level: SimdLevel, lit: usize, budget: Duration) -> Floor {
     let pixels = (WIDTH * HEIGHT) as usize;
     let (mut color, mut depth, mut copy) = (vec![0u32; pixels], vec![0f32; pixels], vec![0u32; pixels]);
     let clear = time(budget, |turn| {
@@ -51,7 +51,7 @@ kernel! {
 }
 
 #[inline(always)]
-fn nearer<L: Lanes>(l: L, turn: u32, color: &mut [u32], depth: &mut [f32]) {
+fn nearer<L: Simd>(l: L, turn: u32, color: &mut [u32], depth: &mut [f32]) {
     let (new_depth, new_color) = (l.splat(turn as f32), l.isplat(turn as i32));
     for (color, depth) in color.chunks_exact_mut(L::N).zip(depth.chunks_exact_mut(L::N)) {
         let old = l.load(depth);

@@ -2,7 +2,7 @@
 
 use std::arch::x86_64::*;
 
-use super::super::{Lanes, always, each};
+use super::super::{Simd, always, each};
 
 vectors! {
     /// Sixteen lanes.

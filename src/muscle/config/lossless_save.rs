@@ -4,7 +4,7 @@
 //! gives for it. The result is read again, and where it does not say exactly what it should (aliases, a style that is not known here), the file
 //! is written anew instead, and [`Saved::comments_lost`] says what that cost.
 
-use super::places::Places;
+use super::source_spans::Places;
 use super::spec::MuscleFile;
 use super::write::{flow, muscle_lines};
 use super::yaml::{Step, Yaml, read};

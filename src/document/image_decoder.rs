@@ -6,7 +6,7 @@ use std::path::Path;
 use image::error::LimitErrorKind;
 use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
-use super::canvas::{Canvas, Depth, Layout};
+use super::image_scaler::{Canvas, Depth, Layout};
 use crate::scene::Pixels;
 use crate::system::{Doing, plain, reason};
 use crate::{limits, tr};

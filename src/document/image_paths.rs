@@ -6,8 +6,8 @@ use std::hash::{BuildHasher, Hasher};
 use std::io::{self, BufRead, BufReader};
 use std::path::{Component, Path, PathBuf};
 
+use super::image_decoder::{Stream, in_memory};
 use super::images::OfFile;
-use super::picture::{Stream, in_memory};
 use crate::limits;
 use crate::tr;
 

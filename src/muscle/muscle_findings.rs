@@ -8,7 +8,7 @@ use super::measure::moment_arm;
 use super::muscle_rig::{Muscle, MuscleRig};
 use super::profile::SHORTEST;
 use super::revolute_joint::RevoluteJoint;
-use crate::health::Finding;
+use crate::diagnostics::Diagnostic;
 use crate::i18n::decimal;
 use crate::scene::{Graph, NodeId, NodeKind};
 use crate::tr;
@@ -123,12 +123,12 @@ struct Said<'a> {
     /// In a unit of the file.
     millimetres: f64,
     on_arm: bool,
-    findings: &'a mut Vec<Finding>,
+    findings: &'a mut Vec<Diagnostic>,
 }
 
 impl Said<'_> {
     fn say(&mut self, code: &'static str, message: String) {
-        self.findings.push(Finding::warning(code, None, self.muscle.spec.name.clone(), message));
+        self.findings.push(Diagnostic::warning(code, None, self.muscle.spec.name.clone(), message));
     }
 
     fn mm(&self, length: f64) -> String {

@@ -1,11 +1,11 @@
 //! Vectors of `f32` and `i32`, and the choice of instruction set.
 //!
-//! Every kernel is written once, generic over [`Lanes`], and compiled for each instruction set. All operations are those that IEEE 754 rounds
+//! Every kernel is written once, generic over [`Simd`], and compiled for each instruction set. All operations are those that IEEE 754 rounds
 //! exactly (no fused multiply-add, no approximate reciprocals), each lane on its own, so a pixel gets the same bits whether 1, 4, 8
 //! or 16 of them are computed at a time. `f32` stays correct where a compiler's own vectorizer would have to be trusted to see the pattern;
 //! that was tried first and lost the masked stores.
 //!
-//! A value of an instruction set's type ([`Avx2`], …) is the proof that the processor has it: only [`Level::detect`] makes one.
+//! A value of an instruction set's type ([`Avx2`], …) is the proof that the processor has it: only [`SimdLevel::detect`] makes one.
 
 mod scalar;
 #[cfg(target_arch = "x86_64")]
@@ -18,7 +18,7 @@ pub(crate) use scalar::Scalar;
 pub(crate) use x86::{Avx2, Avx512, Sse2};
 
 /// `N` pixels or vertices side by side.
-pub(crate) trait Lanes: Copy {
+pub(crate) trait Simd: Copy {
     /// How many.
     const N: usize;
     /// Columns and rows of a tile: the lanes side by side in short rows, for triangles that are narrow.
@@ -63,7 +63,7 @@ pub(crate) trait Lanes: Copy {
     fn imul(self, a: Self::I, b: Self::I) -> Self::I;
     /// The two 16-bit halves of each lane multiplied on their own, the low 16 bits of either product.
     fn mul16(self, a: Self::I, b: Self::I) -> Self::I;
-    /// The two 16-bit halves of each lane multiplied as signed numbers, and the products added: what [`Lanes::imul`] gives for small numbers, in half the
+    /// The two 16-bit halves of each lane multiplied as signed numbers, and the products added: what [`Simd::imul`] gives for small numbers, in half the
     /// time.
     fn dot16(self, a: Self::I, b: Self::I) -> Self::I;
     /// `from[index]`; an index beyond the end reads the last, and `from` is not empty.
@@ -141,7 +141,7 @@ pub(crate) fn map<T: Copy, U: Copy, const N: usize>(from: [T; N], mut to: impl F
 /// A closure that is certain to be inlined: `always!(|x| …)`. The attribute is allowed on arguments of calls only, hence [`same`].
 macro_rules! always {
     ($closure:expr) => {
-        $crate::lanes::same(
+        $crate::simd::same(
             #[inline(always)]
             $closure,
         )
@@ -157,7 +157,7 @@ pub(crate) fn same<T>(value: T) -> T {
 
 /// An instruction set that this processor has.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Level {
+pub(crate) enum SimdLevel {
     Scalar(Scalar),
     #[cfg(target_arch = "x86_64")]
     Sse2(Sse2),
@@ -167,7 +167,7 @@ pub(crate) enum Level {
     Avx512(Avx512),
 }
 
-impl Level {
+impl SimdLevel {
     /// All that this processor has, slowest first.
     pub(crate) fn all() -> Vec<Self> {
         let mut all = vec![Self::Scalar(Scalar)];
@@ -201,7 +201,7 @@ impl Level {
     /// The names of all that there are, on any processor.
     pub(crate) const NAMES: [&str; 4] = ["scalar", "sse2", "avx2", "avx512"];
 
-    /// The one that the environment variable `SINEW_SIMD` asks for, else the widest. [`Level::asked`] tells whether what it asks for is there.
+    /// The one that the environment variable `SINEW_SIMD` asks for, else the widest. [`SimdLevel::asked`] tells whether what it asks for is there.
     pub(crate) fn detect() -> Self {
         let asked = Self::asked().ok().flatten();
         asked.or_else(|| Self::all().pop()).unwrap_or(Self::Scalar(Scalar))
@@ -215,7 +215,7 @@ impl Level {
     }
 }
 
-/// Compiles a function that is generic over [`Lanes`] for each instruction set and makes the function that chooses between them:
+/// Compiles a function that is generic over [`Simd`] for each instruction set and makes the function that chooses between them:
 /// `kernel!(pub(super) fn name<'a>(argument: Type, …) = generic_name)` calls `generic_name(lanes, argument, …)`.
 ///
 /// Functions that are rarely used and long to compile can do without one more copy: `kernel!(narrow fn …)` uses AVX2 where AVX-512 is asked for.
@@ -223,52 +223,52 @@ macro_rules! kernel {
     ($(#[$doc:meta])* narrow $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
         $(#[$doc])*
         #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
-        $visible fn $name $(<$($life),*>)? (level: $crate::lanes::Level, $($argument: $type),*) {
+        $visible fn $name $(<$($life),*>)? (level: $crate::simd::SimdLevel, $($argument: $type),*) {
             #[cfg(target_arch = "x86_64")]
             #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
             #[target_feature(enable = "avx2")]
-            fn avx2 $(<$($life),*>)? (lanes: $crate::lanes::Avx2, $($argument: $type),*) {
+            fn avx2 $(<$($life),*>)? (lanes: $crate::simd::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
             match level {
-                $crate::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
+                $crate::simd::SimdLevel::Scalar(lanes) => $generic(lanes, $($argument),*),
                 #[cfg(target_arch = "x86_64")]
-                $crate::lanes::Level::Sse2(lanes) => $generic(lanes, $($argument),*),
+                $crate::simd::SimdLevel::Sse2(lanes) => $generic(lanes, $($argument),*),
                 // SAFETY: a value of the type `Avx2` exists only where the processor has AVX2.
                 #[cfg(target_arch = "x86_64")]
-                $crate::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
+                $crate::simd::SimdLevel::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
                 // SAFETY: as above.
                 #[cfg(target_arch = "x86_64")]
-                $crate::lanes::Level::Avx512(lanes) => unsafe { avx2(lanes.half(), $($argument),*) },
+                $crate::simd::SimdLevel::Avx512(lanes) => unsafe { avx2(lanes.half(), $($argument),*) },
             }
         }
     };
     ($(#[$doc:meta])* $visible:vis fn $name:ident $(<$($life:lifetime),*>)? ($($argument:ident: $type:ty),* $(,)?) = $generic:path) => {
         $(#[$doc])*
         #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
-        $visible fn $name $(<$($life),*>)? (level: $crate::lanes::Level, $($argument: $type),*) {
+        $visible fn $name $(<$($life),*>)? (level: $crate::simd::SimdLevel, $($argument: $type),*) {
             #[cfg(target_arch = "x86_64")]
             #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
             #[target_feature(enable = "avx2")]
-            fn avx2 $(<$($life),*>)? (lanes: $crate::lanes::Avx2, $($argument: $type),*) {
+            fn avx2 $(<$($life),*>)? (lanes: $crate::simd::Avx2, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
             #[cfg(target_arch = "x86_64")]
             #[allow(clippy::too_many_arguments, reason = "the kernel has as many arguments as its caller gives it, and one more")]
             #[target_feature(enable = "avx512f,avx512bw,avx512dq,avx512vl")]
-            fn avx512 $(<$($life),*>)? (lanes: $crate::lanes::Avx512, $($argument: $type),*) {
+            fn avx512 $(<$($life),*>)? (lanes: $crate::simd::Avx512, $($argument: $type),*) {
                 $generic(lanes, $($argument),*)
             }
             match level {
-                $crate::lanes::Level::Scalar(lanes) => $generic(lanes, $($argument),*),
+                $crate::simd::SimdLevel::Scalar(lanes) => $generic(lanes, $($argument),*),
                 #[cfg(target_arch = "x86_64")]
-                $crate::lanes::Level::Sse2(lanes) => $generic(lanes, $($argument),*),
+                $crate::simd::SimdLevel::Sse2(lanes) => $generic(lanes, $($argument),*),
                 // SAFETY: a value of the type `Avx2` exists only where the processor has AVX2.
                 #[cfg(target_arch = "x86_64")]
-                $crate::lanes::Level::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
+                $crate::simd::SimdLevel::Avx2(lanes) => unsafe { avx2(lanes, $($argument),*) },
                 // SAFETY: as above, for AVX-512.
                 #[cfg(target_arch = "x86_64")]
-                $crate::lanes::Level::Avx512(lanes) => unsafe { avx512(lanes, $($argument),*) },
+                $crate::simd::SimdLevel::Avx512(lanes) => unsafe { avx512(lanes, $($argument),*) },
             }
         }
     };
@@ -280,7 +280,7 @@ mod tests {
     use super::*;
 
     /// Puts many awkward numbers through every operation and returns all bits that come out.
-    fn exercise<L: Lanes>(l: L, out: &mut Vec<u32>) {
+    fn exercise<L: Simd>(l: L, out: &mut Vec<u32>) {
         let odd =
             [0.0, -0.0, 1.0, -1.5, 0.3, 1e30, -1e30, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 1e-40, 2.5e9, -7.75, 255.49, 3.0e-7, 16.0];
         let table: Vec<u32> = (0..37).map(|i| i * 7).collect();
@@ -363,8 +363,8 @@ mod tests {
     #[test]
     fn every_instruction_set_gives_the_scalar_bits() {
         let mut expected = Vec::new();
-        exercise_all(Level::Scalar(Scalar), &mut expected);
-        for level in Level::all() {
+        exercise_all(SimdLevel::Scalar(Scalar), &mut expected);
+        for level in SimdLevel::all() {
             let mut found = Vec::new();
             exercise_all(level, &mut found);
             assert_eq!(found, expected, "{}", level.name());

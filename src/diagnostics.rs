@@ -13,7 +13,7 @@ pub enum Severity {
 
 /// One oddity in a file: what, where, and what was done about it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Finding {
+pub struct Diagnostic {
     /// Stable, kebab-case, documented in the README: `index-out-of-range`.
     pub code: &'static str,
     /// How much it matters.
@@ -28,7 +28,7 @@ pub struct Finding {
     pub message: String,
 }
 
-impl Finding {
+impl Diagnostic {
     /// A finding of severity [`Severity::Warning`] without a file name, which the document adds.
     pub fn warning(code: &'static str, line: Option<u32>, element: impl Into<String>, message: impl Into<String>) -> Self {
         Self { code, severity: Severity::Warning, file: String::new(), line, element: element.into(), message: message.into() }
@@ -40,7 +40,7 @@ impl Finding {
     }
 }
 
-impl fmt::Display for Finding {
+impl fmt::Display for Diagnostic {
     /// `file:line: element: message [code]`, leaving out what is not known.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.file.is_empty() {

@@ -1,6 +1,6 @@
 //! One lane: the twin that the vector types are compared with, and the only one on other processors.
 
-use super::Lanes;
+use super::Simd;
 
 /// Plain `f32`.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +35,7 @@ int_ops! {
     BitOr bitor |a, b| a | b;
 }
 
-impl Lanes for Scalar {
+impl Simd for Scalar {
     const N: usize = 1;
     const TILE: [usize; 2] = [1, 1];
     type F = f32;

@@ -5,7 +5,7 @@
 
 use std::arch::x86_64::*;
 
-use super::{Lanes, always};
+use super::{Simd, always};
 pub(crate) use avx512::Avx512;
 
 /// Makes the token type, the three vector types, their operators and the operations that have the same form everywhere.
@@ -50,7 +50,7 @@ macro_rules! vectors {
                 Self(unsafe { $mop(self.0, other.0) })
             }
         })*
-        impl Lanes for $token {
+        impl Simd for $token {
             const N: usize = $n;
             const TILE: [usize; 2] = $tile;
             type F = $f;
@@ -61,7 +61,7 @@ macro_rules! vectors {
     };
 }
 
-/// A method of [`Lanes`] that is one expression of intrinsics.
+/// A method of [`Simd`] that is one expression of intrinsics.
 macro_rules! simple {
     ($($name:ident ($($argument:ident: $type:ty),*) -> $out:ident = $value:expr;)*) => { $(
         #[inline(always)]
