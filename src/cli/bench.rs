@@ -8,7 +8,7 @@ use clap::ArgMatches;
 use serde::Serialize;
 
 use super::failure::{Failure, answer, answer_json, display_name};
-use super::measure::columns;
+use super::text_table::columns;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers, PoseState};

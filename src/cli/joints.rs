@@ -1,6 +1,6 @@
 //! `sinew measure --joints`: what each joint does over a clip.
 
-use super::measure::columns;
+use super::text_table::columns;
 use crate::export::tables::{JointRow, JointTable};
 use crate::i18n::decimal;
 use crate::tr;

@@ -21,6 +21,7 @@ mod mistyped;
 mod pose_options;
 mod progress;
 mod render;
+mod text_table;
 mod usage;
 mod window;
 

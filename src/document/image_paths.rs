@@ -4,15 +4,28 @@ use std::collections::HashMap;
 use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher};
 use std::io::{self, BufRead, BufReader};
+use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
 use super::image_decoder::{Stream, in_memory};
-use super::images::OfFile;
 use crate::limits;
 use crate::tr;
 
 /// A folder of many thousands of files is not searched to its end.
 const ENTRIES: usize = 10_000;
+
+/// The images of one file.
+#[derive(Debug)]
+pub(super) struct FileImages {
+    /// The file, as messages name it.
+    pub name: String,
+    /// Where it lies.
+    pub folder: PathBuf,
+    /// Image files in it, by their path.
+    pub archived: Vec<(PathBuf, Vec<u8>)>,
+    /// Its images in the scene.
+    pub images: Range<usize>,
+}
 
 /// Where an image lies.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,7 +88,7 @@ pub(super) struct Places<'f> {
 }
 
 impl<'f> Places<'f> {
-    pub(super) fn of(file: &'f OfFile) -> Self {
+    pub(super) fn of(file: &'f FileImages) -> Self {
         let (mut archived, mut named) = (HashMap::new(), HashMap::new());
         for (path, bytes) in &file.archived {
             archived.entry(path.as_path()).or_insert(bytes.as_slice());

@@ -10,7 +10,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::image_budget::{self, Wish};
 use super::image_decoder::{self, Head, Refusal};
-use super::image_paths::{Place, Places, Sharing};
+use super::image_paths::{FileImages, Place, Places, Sharing};
 use super::{Document, Images};
 use crate::collada::{Progress, diagnostic_codes};
 use crate::diagnostics::Diagnostic;
@@ -25,20 +25,7 @@ pub(super) const BROKEN: &str = "image-broken";
 /// The images of the files that were read so far, which are looked for when all files are there.
 #[derive(Debug, Default)]
 pub(super) struct Pending {
-    files: Vec<OfFile>,
-}
-
-/// The images of one file.
-#[derive(Debug)]
-pub(super) struct OfFile {
-    /// The file, as messages name it.
-    name: String,
-    /// Where it lies.
-    pub folder: PathBuf,
-    /// Image files in it, by their path.
-    pub archived: Vec<(PathBuf, Vec<u8>)>,
-    /// Its images in the scene.
-    images: Range<usize>,
+    files: Vec<FileImages>,
 }
 
 /// An image file, and the images of the scene that it stands for.
@@ -58,7 +45,7 @@ impl Picture<'_> {
 impl Pending {
     /// Keeps for later what a file has: its images in the scene, and image files inside of it.
     pub(super) fn add(&mut self, name: &str, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>, images: Range<usize>) {
-        self.files.push(OfFile { name: name.to_owned(), folder: folder.to_owned(), archived, images });
+        self.files.push(FileImages { name: name.to_owned(), folder: folder.to_owned(), archived, images });
     }
 
     /// Finds the images beside their files, or in them, and decodes them if asked to. What is odd becomes a finding of its file.
@@ -274,7 +261,7 @@ impl Tally {
 
 /// Findings about images, by file. One cause is told once, however many images it concerns.
 struct Told<'f> {
-    files: &'f [OfFile],
+    files: &'f [FileImages],
     findings: Vec<Vec<Diagnostic>>,
     /// Pictures that the system gave no memory for.
     memory: Tally,
