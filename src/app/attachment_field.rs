@@ -1,4 +1,4 @@
-//! Where a point of a muscle is: a bone that is chosen from a list or picked in the picture, and an offset from it that is typed.
+//! Editor of one attachment point: the bone, chosen from a list or picked in the viewport, and the offset from it.
 
 use std::cell::RefCell;
 use std::rc::Rc;

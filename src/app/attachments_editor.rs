@@ -1,4 +1,4 @@
-//! Where the shown muscle is attached: a bone and an offset for each end.
+//! Editor of the origin and insertion of the selected muscle: a bone and an offset each.
 
 use gtk::prelude::*;
 use gtk4 as gtk;

@@ -1,4 +1,4 @@
-//! The names of bones, written beside them in the picture.
+//! Bone names, drawn beside the bones in the viewport.
 
 use glam::Vec2;
 use gtk4 as gtk;

@@ -1,4 +1,4 @@
-//! Opens a file beside what is open, to compare the two.
+//! Opens a second file for comparison with the open one.
 
 use std::path::{Path, PathBuf};
 use std::rc::Rc;

@@ -1,4 +1,4 @@
-//! The two sliders of the muscle panel, and the joint of a clip that the second one bends.
+//! Sliders for contraction and joint angle in the muscle panel, and the joint that they drive on a clip.
 
 use std::cell::RefCell;
 use std::rc::Rc;

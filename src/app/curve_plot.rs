@@ -1,4 +1,4 @@
-//! The curve view's picture: the lines of a graph with keys and tangents, on the time axis of the track above.
+//! Drawing of the curve editor: curves with keys and tangents on the time axis of the timeline.
 
 use gtk::cairo::{Context, LineJoin};
 use gtk4 as gtk;

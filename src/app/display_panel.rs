@@ -1,4 +1,4 @@
-//! The display panel: every switch of the picture.
+//! The display panel: every display option of the viewport.
 
 use std::rc::Rc;
 

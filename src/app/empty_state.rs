@@ -1,4 +1,4 @@
-//! What stands in the middle of the picture where a file holds nothing to draw.
+//! Message in the middle of the viewport where a file has nothing to draw.
 
 use gtk::prelude::*;
 use gtk4 as gtk;

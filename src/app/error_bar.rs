@@ -1,4 +1,4 @@
-//! The bar that stays: a file that could not be used, what is wrong and where.
+//! Error bar: a file that could not be read, the reason and the place in it.
 
 use std::cell::RefCell;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! The experiment: a muscle beside measured radii, why the two differ, and a fit.
+//! Comparison of a muscle with measured radii: the differences, and a fit of the growth.
 
 use std::cell::RefCell;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! The export dialog: what, how large, how long; then progress with a way to stop.
+//! The export dialog: format, size and length; then progress with a button that cancels.
 
 use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};

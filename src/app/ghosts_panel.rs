@@ -1,4 +1,4 @@
-//! The part of the display panel that shows more than one thing in the picture: ghosts, paths, and what is compared.
+//! The part of the display panel for onion skins, motion paths and comparisons.
 
 use std::path::Path;
 use std::rc::Rc;

@@ -1,4 +1,4 @@
-//! The health panel: everything odd that was found while reading, and what the file says of itself.
+//! The health panel: diagnostics of reading, and the metadata of the file.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! Says over the picture and over the timeline that a joint stands still while the clip goes on, and lets it go.
+//! Banners over the viewport and the timeline for a joint that is held while the clip plays, with a button that releases it.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! What the inspector says, without widgets.
+//! Texts of the inspector, without widgets.
 
 use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3};
 

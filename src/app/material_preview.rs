@@ -1,4 +1,4 @@
-//! A small picture of a material: a ball with its texture where it has one, else its colour, lit from the upper left, with its highlight.
+//! Thumbnail of a material: a lit sphere with its texture or colour.
 
 use gtk::prelude::*;
 use gtk::{cairo, gdk};

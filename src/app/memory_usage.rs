@@ -1,4 +1,4 @@
-//! How much memory the program holds.
+//! Resident memory of the program.
 
 /// Megabytes of the program's memory that are in the machine's; `None` where the system does not say.
 pub(super) fn resident() -> Option<f64> {

@@ -1,4 +1,4 @@
-//! Changes muscles for the widgets of the muscle panel, and shows in place why a change is not made.
+//! Edits of muscles for the widgets of the muscle panel; a refused edit shows its reason beside the widget.
 
 use std::cell::{Cell, RefCell};
 use std::rc::{Rc, Weak};

@@ -1,4 +1,4 @@
-//! Plots on a canvas.
+//! A widget that draws plots.
 
 use gtk::cairo::Context;
 use gtk::gdk::RGBA;

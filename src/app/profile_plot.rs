@@ -1,4 +1,4 @@
-//! The profile of a muscle seen from the side: at rest as an outline, now as a filled shape, to one scale.
+//! Side view of a muscle: the profile at rest as an outline and the present one filled, to one scale.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;

@@ -1,4 +1,4 @@
-//! Files that were opened lately, as the desktop remembers them.
+//! Recently opened files, from the list that the desktop keeps.
 
 use std::path::{Path, PathBuf};
 use std::rc::Rc;

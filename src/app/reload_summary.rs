@@ -1,4 +1,4 @@
-//! What is different after files were read again, in one sentence.
+//! Summary of what changed when files were read again, in one sentence.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

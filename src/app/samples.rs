@@ -1,4 +1,4 @@
-//! The clips and muscles that the program ships: written to the user's cache folder when one is opened, and drawn for the start page.
+//! The program's own clips and muscles: written to the user's cache folder when one is opened, and drawn for the start page.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

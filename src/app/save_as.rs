@@ -1,4 +1,4 @@
-//! Asking where to save, and saying what came of it: pictures, sessions and muscles are saved through here.
+//! File dialogs for saving, and messages about the result, for pictures, sessions and muscles.
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};

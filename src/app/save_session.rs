@@ -1,4 +1,4 @@
-//! Asks where to and saves the session.
+//! Saving a session, with a file dialog.
 
 use std::io::Write;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Saving muscles, and asking before changes that are not saved would be lost.
+//! Saving muscles, and the question before unsaved changes would be lost.
 
 use std::cell::RefCell;
 use std::io::Write;

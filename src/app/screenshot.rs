@@ -1,4 +1,4 @@
-//! Pictures to take away: saved as PNG, or copied.
+//! Pictures of the viewport, saved as PNG or copied to the clipboard.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! The panels beside the picture: how wide they are, and which of them gives way where there is no room for both.
+//! Side panels: their widths, and which one is hidden where the window has no room for both.
 
 use std::cell::Cell;
 

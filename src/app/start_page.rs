@@ -1,4 +1,4 @@
-//! The start page: what to do, the demos with their pictures, and the files opened lately. It comes up when nothing is open, and from the menu.
+//! The start page: first steps, sample files with pictures, recent files. It opens when no file is open, and from the menu.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;

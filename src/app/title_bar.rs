@@ -1,4 +1,4 @@
-//! What the header bar and the status line say.
+//! Contents of the header bar and the status line.
 
 use gtk::prelude::*;
 use gtk4 as gtk;

@@ -1,4 +1,4 @@
-//! What the scene tree lists: one row a node, made before any widget sees it.
+//! Model of the scene tree: one row a node, built without widgets.
 
 use super::icons::Glyph;
 use crate::scene::{Content, Node, NodeId, NodeKind, Scene};

@@ -1,4 +1,4 @@
-//! The way of the shown muscle between its ends: the points that it passes, and the ball that it goes round.
+//! Editor of the path of the selected muscle: via points and the wrap sphere.
 
 use std::cell::RefCell;
 use std::rc::Rc;

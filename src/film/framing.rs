@@ -1,4 +1,4 @@
-//! Where the eye stands: far enough that all of the movement is in the picture.
+//! Camera placement: far enough that the whole movement is in the picture.
 //!
 //! The distance follows from everything that the clip covers, or the arm's whole swing, not from one moment: so a single picture is framed as
 //! the same frame of an animation is, and two pictures of one file can be laid over each other.

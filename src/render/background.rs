@@ -1,4 +1,4 @@
-//! What stands behind the scene.
+//! The background of the picture.
 
 use super::Background;
 

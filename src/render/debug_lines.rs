@@ -1,4 +1,4 @@
-//! Lines that help to see where things are: ground grid, axes, boxes, normals, the light.
+//! Auxiliary lines: ground grid, axes, bounding boxes, normals, the light.
 
 use glam::{Mat4, Vec3};
 

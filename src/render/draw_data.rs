@@ -1,4 +1,4 @@
-//! Everything about one frame that the stages share, and how a triangle's number leads to its corners.
+//! Data of one frame that the stages share, and the mapping from triangle numbers to corners.
 
 use std::ops::Range;
 use std::sync::Arc;

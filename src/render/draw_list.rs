@@ -1,4 +1,4 @@
-//! From the scene, the frame and the display to items: what is drawn, how, and in which order.
+//! Builds the list of draw calls from the scene, the frame and the display options, in drawing order.
 
 use std::sync::{Arc, Weak};
 

@@ -1,4 +1,4 @@
-//! The edges of a mesh, found once: for the wireframe, and for the outline of what is selected.
+//! Edges of a mesh, computed once: for the wireframe and for the selection outline.
 
 use std::collections::HashMap;
 

@@ -1,4 +1,4 @@
-//! A material, a display and a surface, boiled down to the numbers that the kernels read.
+//! Material, display options and surface, resolved to the numbers that the kernels read.
 
 use super::light::Specular;
 use super::texture::Sampler;

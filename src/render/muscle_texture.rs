@@ -1,4 +1,4 @@
-//! The skin of a muscle: a texture of fibres that run along it and turn paler towards the tendons.
+//! Procedural texture of a muscle: fibres along its length, paler towards the tendons.
 //!
 //! The muscle's mesh brings u round the belly and v along it, so fibres that are straight in the texture follow the nodes, close in where the muscle
 //! is thin and spread where it bulges. A texture, not a formula at each pixel: its mip chain keeps distant fibres from glittering.

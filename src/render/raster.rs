@@ -1,4 +1,4 @@
-//! The kernels that fill triangles: which pixels, which of them are in front, what colour.
+//! Kernels that fill triangles: coverage, depth test, shading.
 
 // Several arrays are walked with one index; iterators would hide that and have to be trusted to dissolve.
 #![allow(clippy::needless_range_loop, reason = "the index counts lanes of several arrays at once")]

@@ -1,4 +1,4 @@
-//! The order of a frame.
+//! The stages of a frame in order.
 
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;

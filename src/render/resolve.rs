@@ -1,4 +1,4 @@
-//! From samples to pixels, and into the target.
+//! Resolves samples to pixels and writes them to the target.
 
 use super::srgb::Srgb;
 use super::tile_buffer::BandBuffer;

@@ -1,4 +1,4 @@
-//! What colour a pixel gets: the four ways of lighting, each as a set of attributes at the corners and a function of them at a pixel.
+//! Shading: four models, each with its attributes at the corners and its colour function at a pixel.
 
 use glam::Vec3;
 

@@ -1,4 +1,4 @@
-//! What a pixel gets from the textures of its material: which levels of them, and how they are mixed.
+//! Texture sampling for one pixel: mip levels and their mix.
 
 use super::draw_data::FrameData;
 use super::material_state::ResolvedMaterial;

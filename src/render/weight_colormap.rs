@@ -1,4 +1,4 @@
-//! The weights of one joint painted over the skin.
+//! Colour map of the skin weights of one joint.
 
 use glam::Vec4;
 

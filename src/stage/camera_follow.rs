@@ -1,4 +1,4 @@
-//! A camera that goes along with something that a clip carries away.
+//! Camera that follows a node that the clip moves.
 
 use glam::Vec3;
 

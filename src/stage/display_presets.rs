@@ -1,4 +1,4 @@
-//! The looks that a person chooses by name: switches of the display, shading, what stands behind the scene.
+//! Display presets by name: display options, shading, background.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! Frame numbers: the rate that a clip's keys were baked at, found from their times.
+//! Frame numbers: the frame rate of a clip, inferred from its keys' times.
 
 /// Rates that exporters use, in the order in which they are tried.
 const RATES: [f64; 9] = [24.0, 25.0, 30.0, 60.0, 15.0, 12.0, 50.0, 120.0, 10.0];

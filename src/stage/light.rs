@@ -1,4 +1,4 @@
-//! The light that a hand moves: on a sphere round what is shown.
+//! The movable light: a direction on a sphere round the scene.
 
 use glam::Vec3;
 

@@ -1,4 +1,4 @@
-//! The path of the selected node over the clip.
+//! Motion path of the selected node over the clip.
 
 use glam::{DMat4, DVec3, Vec3};
 

@@ -1,4 +1,4 @@
-//! Onion skins: the moments before and after the present one, drawn with it.
+//! Onion skins: the poses before and after the present one, drawn with it.
 
 use super::onion_skin_settings::Ghosts;
 use super::overlays::{PoseContext, color};

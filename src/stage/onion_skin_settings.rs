@@ -1,4 +1,4 @@
-//! Which moments beside the present one are drawn.
+//! Settings of onion skins: how many poses, how far apart.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! Files, or a session file that names them.
+//! Opens files, or a session file that names them.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! What accompanies a scene in the same picture: other moments, the path of the selection, something that it is compared with.
+//! Secondary poses drawn with the scene: onion skins, motion path, comparison.
 
 use glam::Vec3;
 

@@ -1,4 +1,4 @@
-//! Muscles that are not saved, as a file that outlives the program.
+//! Recovery file for unsaved muscles.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};

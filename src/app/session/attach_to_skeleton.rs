@@ -1,4 +1,4 @@
-//! Takes the muscles of a file off the arm that they came on and hangs them on the bones of a clip, as one step of undo.
+//! Attaches the muscles of a file to the bones of a clip instead of the arm that they came with, as one undo step.
 
 use super::{Session, Step};
 use crate::muscle::{Form, Joint, MuscleFile, MuscleSpec};

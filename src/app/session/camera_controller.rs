@@ -1,4 +1,4 @@
-//! The eye of the window: orbit, free flight or a camera of the file, with eased jumps between views.
+//! The camera of the window: orbit, free flight or a camera of the file, with animated transitions between views.
 
 use glam::{Quat, Vec3};
 
@@ -61,10 +61,10 @@ struct Jump {
     seconds: f64,
 }
 
-/// The eye.
+/// The camera of the window.
 #[derive(Debug, Clone, Default)]
 pub struct CameraController {
-    /// The orbit; the end of a jump while one is under way is in [`CameraController::goal`].
+    /// The orbit; during an animated transition its end is in `jump`.
     orbit: OrbitCamera,
     viewpoint: Viewpoint,
     jump: Option<Jump>,

@@ -1,4 +1,4 @@
-//! What of a session changed, so that only what shows it is refreshed.
+//! The set of changed parts of a session, so that only the widgets that show them are refreshed.
 
 use std::ops::{BitOr, BitOrAssign};
 

@@ -1,4 +1,4 @@
-//! Two things in one view, as hands choose and move them.
+//! Comparison of two files, two clips or two kinds of skinning: choice and offset.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! How a session is looked at: selection, switches, camera and light.
+//! Display state of a session: selection, display options, camera and light.
 
 use glam::Vec3;
 

@@ -1,4 +1,4 @@
-//! What a clip moves, for the dope sheet and the curve view: one row a bone or other target, one graph a kind of number. No widgets.
+//! Rows and graphs of the dope sheet and the curve view: one row a bone or other target, one graph a component. No widgets.
 
 use std::collections::HashMap;
 use std::sync::Arc;

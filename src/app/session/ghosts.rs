@@ -1,4 +1,4 @@
-//! Ghosts: the moments before and after the present one, drawn with it, and the path of the selected node over the clip.
+//! Onion skins and the motion path of the selected node.
 
 use super::{Changes, Session};
 use crate::stage::{Ghosts, PoseContext, SceneOverlays};

@@ -1,4 +1,4 @@
-//! Undo and redo: snapshots of what a hand can change, taken before the change.
+//! Undo and redo: snapshots of the editable state, taken before each edit.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! A joint of a clip's skeleton bent by hand, on top of the clip or instead of it, and the contraction of the muscle that it drives.
+//! Manual rotation of a joint of a clip's skeleton, added to the clip or in place of it, and the contraction of the muscle that it drives.
 
 use std::cell::OnceCell;
 use std::ops::RangeInclusive;

@@ -1,4 +1,4 @@
-//! The ends of a muscle, the points that it passes and the ball that it goes round, as dots in the picture that can be dragged.
+//! Draggable points of a muscle in the viewport: attachments, via points and the wrap sphere.
 
 use glam::{DVec2, DVec3, Vec2};
 

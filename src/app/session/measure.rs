@@ -1,4 +1,4 @@
-//! What a muscle does over the elbow angle, or over the time of the clip that moves its bones.
+//! Measurements of a muscle over the joint angle or over the time of the clip.
 
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;

@@ -1,4 +1,4 @@
-//! Muscles come and go: new ones on the arm or on the bones of a clip, copies. Each is one step of undo.
+//! Adding, copying and deleting muscles on the arm or on the bones of a clip; each is one undo step.
 
 use super::joint_control::bones;
 use super::{Changes, Session, Step};

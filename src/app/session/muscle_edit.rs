@@ -1,4 +1,4 @@
-//! Muscles edited by hand: every change is checked, can be undone, and is known to be unsaved until it is written.
+//! Edits of muscles: each is checked, can be undone, and stays unsaved until it is written.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! The points of a muscle put on bones: picked in the picture, or chosen by name.
+//! Placing the points of a muscle on bones: picked in the viewport or chosen by name.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! Looks for a purpose: one choice in place of a dozen switches.
+//! Display presets: several display options in one choice.
 
 use super::{Backdrop, Session};
 use crate::render::{Display, Samples, Shading};

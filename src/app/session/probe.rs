@@ -1,4 +1,4 @@
-//! What a session knows for the inspector: where a hand pointed, the vertex that is explained, joints turned by hand.
+//! Data for the inspector: the picked surface point, the influences of the picked vertex, manual joint rotations.
 
 use glam::{DMat4, DVec3, Vec3};
 

@@ -1,4 +1,4 @@
-//! A session to and from what a session file keeps.
+//! Conversion between a session and the contents of a session file.
 
 use std::path::{Path, PathBuf};
 

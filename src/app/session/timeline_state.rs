@@ -1,4 +1,4 @@
-//! A session in time: clip, cursor, keys, and the clock that drives what moves by itself.
+//! Time of a session: clip, cursor, keys and the playback clock.
 
 use std::sync::Arc;
 

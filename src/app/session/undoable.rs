@@ -1,4 +1,4 @@
-//! What a hand changes in a session: elbow and contraction, the model's place, and undo.
+//! Undoable edits of a session's pose: elbow, contraction, transform of the model.
 
 use glam::DVec2;
 

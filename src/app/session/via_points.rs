@@ -1,4 +1,4 @@
-//! The way of a muscle between its ends: points that it passes, and the ball that it goes round.
+//! The path of a muscle between its attachments: via points and the wrap sphere.
 
 use super::{Session, Step};
 use crate::muscle::{AttachmentPoint, Edit, EditError};

@@ -1,4 +1,4 @@
-//! How large everything is: the lengths of the box round it, written at three of its edges.
+//! Lengths of the bounding box, written at three of its edges.
 
 use glam::{Vec2, Vec3};
 use gtk4 as gtk;

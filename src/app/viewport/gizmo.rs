@@ -1,4 +1,4 @@
-//! The small axes in the corner: how the world lies in the picture; a click on an end looks from there.
+//! Axis gizmo in the corner of the viewport: the orientation of the world; a click on an end selects that view.
 
 use gtk::cairo::LineCap;
 use gtk4 as gtk;

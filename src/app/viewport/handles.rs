@@ -1,4 +1,4 @@
-//! Paints the handles of the tool in hand.
+//! Drawing of the handles of the active tool.
 
 use glam::DVec2;
 use gtk::cairo::{Context, LineCap, LineJoin};

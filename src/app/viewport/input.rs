@@ -1,4 +1,4 @@
-//! Hands on the picture: drags, wheel, clicks, flight.
+//! Pointer and keyboard input of the viewport: orbit, pan, zoom, fly, gizmo dragging, picking.
 
 use std::cell::{Cell, RefCell};
 use std::collections::HashSet;

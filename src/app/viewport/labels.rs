@@ -1,4 +1,4 @@
-//! What is compared, written over the two.
+//! Labels of the two compared files, over the viewport.
 
 use glam::Vec2;
 use gtk4 as gtk;

@@ -1,4 +1,4 @@
-//! What the colours of the weights mean.
+//! Legend of the weight colours.
 
 use gtk4 as gtk;
 

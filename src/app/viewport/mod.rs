@@ -1,4 +1,4 @@
-//! The picture: draws the session into a kept surface and shows what stands over it. The hands on it are in [`hands`].
+//! The picture: draws the session into a kept surface and shows what stands over it; its input is in [`input`].
 
 mod attachment_overlay;
 mod bounding_box_labels;

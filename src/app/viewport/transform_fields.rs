@@ -1,4 +1,4 @@
-//! The numbers of the tool in hand: how far the model was moved, turned, scaled.
+//! Number fields of the active tool: translation, rotation, scale of the model.
 
 use std::cell::Cell;
 use std::rc::Rc;

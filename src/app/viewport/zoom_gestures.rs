@@ -1,4 +1,4 @@
-//! Nearer and farther: the wheel, and two fingers that spread and move together.
+//! Zoom by the wheel, and two-finger pinch and pan.
 
 use std::cell::Cell;
 use std::rc::Rc;

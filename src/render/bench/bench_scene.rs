@@ -1,4 +1,4 @@
-//! The yardstick: a sphere that every renderer can draw.
+//! The scene of the benchmark: a sphere that every renderer can draw.
 
 use std::sync::Arc;
 
