@@ -10,7 +10,7 @@ use super::{Backdrop, Ghosts, LightAim, ModelTransform, SHADINGS, SWITCHES};
 use crate::document::{Document, PoseBuffers, PoseState, Skinning};
 use crate::render::{Display, Samples, Shading, Theme};
 use crate::scene::{Bounds, Frame, NodeId, OrbitCamera};
-use crate::yaml::{self, YamlError};
+use crate::yaml::{self, Node, Value, YamlError};
 use crate::{i18n, input, limits, tr};
 
 /// The key that tells a session file from a muscle file.
@@ -177,6 +177,17 @@ impl From<YamlError> for SessionError {
     }
 }
 
+/// Whether a text has the key of a session at its top: in block style at the beginning of a line, which is told even where the rest is broken, else,
+/// as in the JSON that names with control letters are written in, wherever YAML allows a key.
+fn is_session(text: &str) -> bool {
+    let begins = |line: &str| line.trim_end().strip_prefix(KEY).is_some_and(|rest| rest.trim_start().starts_with(':'));
+    text.lines().any(begins)
+        || text.contains(KEY)
+            && matches!(yaml::read(text, limits::YAML_BYTES), Ok(Node { value: Value::Map(entries), .. }) if entries.iter().any(|(key, _)| {
+                matches!(&key.value, Value::Plain(word) | Value::Text(word) if **word == *KEY)
+            }))
+}
+
 impl Saved {
     /// Reads a session file; `None` where the file is none (another kind, or not readable: the document's reader says what is wrong with it).
     pub fn read(path: &Path) -> Option<Result<Self, SessionError>> {
@@ -189,7 +200,7 @@ impl Saved {
 
     /// Reads a session file's text; `None` where it has not the key of one.
     pub fn parse(text: &str) -> Option<Result<Self, SessionError>> {
-        text.lines().any(|line| line.trim_end().strip_prefix(KEY).is_some_and(|rest| rest.trim_start().starts_with(':'))).then(|| {
+        is_session(text).then(|| {
             let saved = yaml::from_text::<SessionFile>(text, limits::YAML_BYTES)?.sinew_session;
             let files = saved.files.len();
             if files > limits::SESSION_FILES {
@@ -376,6 +387,41 @@ mod tests {
         assert!(Saved::parse("muscle_config:\n  length: 1\n").is_none());
         let error = Saved::parse("sinew_session:\n  time: soon\n").expect("a session file").expect_err("broken");
         assert_eq!(error.line, Some(2), "{error:?}");
+    }
+
+    #[test]
+    fn names_of_any_letters_come_back_from_a_session_file() {
+        for name in [
+            "plain.dae",
+            "line\u{2028}end.dae",
+            "turned\u{202e}round.dae",
+            "bell\u{7}.dae",
+            "c1\u{9b}.dae",
+            "a: b # c.dae",
+            "- x",
+            "\"",
+            "\n",
+        ] {
+            let compared = SavedComparison { file: Some(name.into()), ..SavedComparison::default() };
+            let saved = Saved { files: vec![name.into()], clip: Some(name.into()), compared: Some(compared), ..Saved::default() };
+            let text = saved.text().expect("written");
+            let again =
+                Saved::parse(&text).unwrap_or_else(|| panic!("no session: {text}")).unwrap_or_else(|error| panic!("{error:?}: {text}"));
+            assert_eq!((again.files, again.clip.as_deref()), (vec![PathBuf::from(name)], Some(name)));
+        }
+        for text in [
+            "{sinew_session: {time: 1}}",
+            "{\"sinew_session\": {\"time\": 1}}",
+            "'sinew_session':\n  time: 1\n",
+            "? sinew_session\n: {time: 1}\n",
+        ] {
+            assert_eq!(Saved::parse(text).map(|read| read.map(|saved| saved.time).ok()), Some(Some(1.0)), "{text}");
+        }
+        for text in
+            ["muscle_config: {sinew_session: 1}", "# sinew_session", "[sinew_session: 1]", "name: 'sinew_session:'", "{sinew_session"]
+        {
+            assert!(Saved::parse(text).is_none(), "{text}");
+        }
     }
 
     #[test]
