@@ -7,6 +7,7 @@ usage: monkey.py PROGRAM FOLDER CONFIGS    (SINEW_MONKEY_SEED and SINEW_MONKEY_E
 import collections
 import os
 import random
+import shutil
 import subprocess
 import sys
 import threading
@@ -90,7 +91,10 @@ def at_rest(window):
 
 
 def start():
-    window = Window(os.path.join(configs, "walker.dae"), flat=False)
+    # Copies, since stepping through the folder and saving are among the keys.
+    samples = os.path.join(folder, "samples")
+    shutil.copytree(configs, samples, dirs_exist_ok=True)
+    window = Window(os.path.join(samples, "walker.dae"), flat=False)
     subprocess.run(["xdotool", "windowsize", window.window, str(WIDTH), str(HEIGHT)], check=False)
     window.get("slider", "Time")
     return window, Ear(window)
