@@ -18,6 +18,8 @@ from gi.repository import Atspi, GLib  # noqa: E402
 PATIENCE = float(os.environ.get("SINEW_TEST_PATIENCE", "30"))
 program, folder, configs = sys.argv[1:4]
 Atspi.init()
+# On a busy machine a window that has just read a large file may not answer within the usual 0.8 seconds.
+Atspi.set_timeout(10_000, 30_000)
 Atspi.get_desktop(0).get_child_count()  # the accessibility bus is up before the program looks for it
 
 
