@@ -355,10 +355,9 @@ fn factory(window: &Rc<Window>, shown: &Rc<Shown>) -> gtk::SignalListItemFactory
     factory.connect_setup(move |_, item| {
         let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
         let content = gtk::Box::new(gtk::Orientation::Horizontal, 6);
-        // Not padding of the row: a list that is laid out before it has a width gives rows none, and what padding leaves of that is less than nothing.
-        content.append(&gtk::Box::builder().width_request(2).build());
+        // A margin, not padding of the row: a list that is laid out before it has a width gives rows none, and what padding leaves of that is less than nothing.
         let label = gtk::Label::builder().xalign(0.0).ellipsize(gtk::pango::EllipsizeMode::Middle).width_request(NAMES);
-        content.append(&label.max_width_chars(1).hexpand(false).build());
+        content.append(&label.max_width_chars(1).hexpand(false).margin_start(8).build());
         let keys = Canvas::new(20, ROW);
         keys.set_hexpand(true);
         let (painted, place) = (shown.clone(), item.downgrade());
