@@ -132,10 +132,13 @@ fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
     }
     let popover = gtk::Popover::builder().child(&slot).build();
     button.set_popover(Some(&popover));
-    popover.connect_show(glib::clone!(
+    // Before the popover is shown: one that is shown empty has a surface of no width, in which what comes in then finds no room.
+    button.set_create_popup_func(glib::clone!(
         #[weak]
         window,
-        move |popover| {
+        #[weak]
+        popover,
+        move |_| {
             let popover = popover.downgrade();
             let done = move || {
                 if let Some(popover) = popover.upgrade() {

@@ -29,7 +29,8 @@ KEYS = (
 ).split()
 
 
-# GTK since 4.14 counts wrongly which widgets are pressed where a press ends elsewhere than it began, as at the end of a drag; every program has that.
+# GTK counts wrongly which widgets are pressed where a press ends elsewhere than it began, as at the end of a drag; every program has that. The stack at
+# that warning holds GTK's dispatch of events alone (looked at in 4.8).
 # GTK 4.8's own timer for tooltips asks the surface of a popover that has closed meanwhile, such as the context menu of an entry. Nothing of ours is on that stack.
 KNOWN = (
     "gdk_surface_get_device_position: assertion",
