@@ -5,24 +5,24 @@
 //!
 //! | module | what it holds | knows |
 //! |---|---|---|
-//! | [`i18n`] | the translation catalogue (English, Russian) | nobody |
-//! | [`diagnostics`] | findings: what a reader saw and what it did about it | nobody |
-//! | [`limits`] | every bound on what input may ask for, in one place | nobody |
-//! | [`system`] | what the system says where it refuses, for people | `i18n` |
-//! | [`input`] | the one door for files: regular ones, within a bound | `system` |
+//! | [`i18n`] | the translation catalogue (English, Russian) | nothing |
+//! | [`diagnostics`] | findings: what a reader saw and what it did about it | nothing |
+//! | [`limits`] | every bound on what input may ask for, in one place | nothing |
+//! | [`system`] | messages for people about failed system calls | `i18n` |
+//! | [`input`] | reads files from outside: regular ones, within a size limit | `system` |
 //! | [`yaml`] | the one reader of YAML, within bounds | `i18n`, `limits` |
-//! | `simd` | vectors of numbers, the same bits with every instruction set | nobody |
+//! | `simd` | vectors of numbers, with the same result to the bit on every instruction set | nothing |
 //! | [`scene`] | graph, meshes, skins, materials, lights, cameras, the posed [`scene::Frame`] | `glam` |
 //! | [`animation`] | curves, clips, the time cursor | `scene` |
 //! | [`muscle`] | the volume-conserving profile, the arm, the surface, the YAML | `scene` |
 //! | [`collada`] | the reader of `.dae` and `.zae` | `scene`, `animation` |
 //! | [`render`] | the rasterizer | `scene` |
 //! | [`document`] | any file to a [`document::Document`]; `Document::pose` makes a frame | all of the above but `render` |
-//! | [`export`] | pictures, films and surfaces as files; glTF of whole documents | `scene`, `render`, `document` |
+//! | [`export`] | pictures, videos and surfaces as files; glTF of whole documents | `scene`, `render`, `document` |
 //! | [`plot`] | quantities as curves, on a widget, as SVG and as PNG | `i18n` |
-//! | [`stage`] | how a document is looked at, without a window: session files, looks by name, ghosts and comparisons | `document`, `render` |
-//! | [`film`] | pictures in a row: what moves, and how it becomes files | `document`, `render`, `export`, `stage` |
-//! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `film`, `stage` |
+//! | [`view`] | how a document is shown, without a window: session files, display presets, onion skins and comparisons | `document`, `render` |
+//! | [`sequence`] | frame sequences: what moves, and how it becomes files | `document`, `render`, `export`, `view` |
+//! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `sequence`, `view` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
 //!
 //! There is one way to make a picture: [`document::Document::pose`] fills a [`scene::Frame`], and
@@ -36,7 +36,6 @@ pub mod collada;
 pub mod diagnostics;
 pub mod document;
 pub mod export;
-pub mod film;
 pub mod i18n;
 pub mod input;
 pub mod limits;
@@ -44,7 +43,8 @@ pub mod muscle;
 pub mod plot;
 pub mod render;
 pub mod scene;
+pub mod sequence;
 mod simd;
-pub mod stage;
 pub mod system;
+pub mod view;
 pub mod yaml;

@@ -19,7 +19,7 @@ use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
-use crate::stage::{self, Opened};
+use crate::view::{self, Opened};
 use crate::{input, limits, tr};
 
 /// Files that can be opened, by their ending.
@@ -197,7 +197,7 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode, carried
     let window = window.clone();
     glib::spawn_future_local(async move {
         let (wanted, hand) = (paths.clone(), progress.clone());
-        let read = gio::spawn_blocking(move || stage::open(&wanted, OpenOptions::default(), &hand)).await;
+        let read = gio::spawn_blocking(move || view::open(&wanted, OpenOptions::default(), &hand)).await;
         if !is_newest(&window.files.reading, &progress) {
             return;
         }

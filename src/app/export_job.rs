@@ -13,11 +13,11 @@ use crate::export::pipeline::Work;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, NoTable, Of, Table};
 use crate::export::{gif, video};
-use crate::film::{self, FrameSpec, Motion, Pattern, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
-use crate::stage::{Along, SceneOverlays};
+use crate::sequence::{self, FrameSpec, Motion, Pattern, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target};
 use crate::tr;
+use crate::view::{Along, SceneOverlays};
 
 /// The kinds of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -243,7 +243,7 @@ impl std::fmt::Display for ExportRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&match self {
             Self::Film(SequenceError::Empty { .. }) => tr!("app-export-empty"),
-            Self::Film(SequenceError::TooMany) => tr!("app-export-too-many", limit = film::FRAMES),
+            Self::Film(SequenceError::TooMany) => tr!("app-export-too-many", limit = sequence::FRAMES),
             Self::Film(SequenceError::NoElbow) => tr!("app-export-no-elbow"),
             Self::Film(SequenceError::NoMuscle) => tr!("app-export-no-muscle"),
             Self::Table(why) => why.to_string(),
@@ -381,7 +381,7 @@ impl Job {
             Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
         };
         let mut studio = SequenceRenderer::new(&document, sequence, display, None, Box::new(look)).accompanied(company, rate);
-        film::save(&mut studio, options.size, (&target, &guard), &note, work)
+        sequence::save(&mut studio, options.size, (&target, &guard), &note, work)
     }
 
     fn scene(&self, form: Form, file: &Path, work: &Work) -> Result<(), ExportError> {

@@ -15,8 +15,8 @@ use super::session::Session;
 use super::window::{Window, part};
 use super::{document_loader, ui};
 use crate::muscle::MuscleFile;
-use crate::stage::Unsaved;
 use crate::tr;
+use crate::view::Unsaved;
 
 /// The first change is written down at once; those that follow are gathered for so long.
 const GATHER: Duration = Duration::from_millis(500);

@@ -10,8 +10,8 @@ use super::export_job::note;
 use super::save_as::{self, Wanted};
 use super::window::Window;
 use crate::export::png::{self, SOFTWARE};
-use crate::film::FrameSpec;
 use crate::render::{Background, Framebuffer};
+use crate::sequence::FrameSpec;
 use crate::tr;
 
 /// A picture with what made it.

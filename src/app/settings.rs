@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::app::session::{Session, Tool};
 use crate::render::{Samples, Shading};
-pub use crate::stage::{Colours, SHADINGS, SWITCHES, Settings, SheetPage};
+pub use crate::view::{Colours, SHADINGS, SWITCHES, Settings, SheetPage};
 
 impl Settings {
     /// The file: `sinew/settings.yaml` in the user's config folder.

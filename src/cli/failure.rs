@@ -9,8 +9,8 @@ use clap::ArgMatches;
 
 use crate::document::OpenError;
 use crate::export::ExportError;
-use crate::film::Pattern;
 use crate::i18n;
+use crate::sequence::Pattern;
 use crate::system::{Doing, reason};
 
 /// The exit code of a program that Ctrl+C stopped, as shells have it.

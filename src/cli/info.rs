@@ -13,8 +13,8 @@ use crate::document::{Document, Images, OpenOptions, SourceKind};
 use crate::export::tables::{unit_for_people, unit_name};
 use crate::i18n::{self, decimal};
 use crate::scene::{Content, Deformer, MeshId, MeshInstance, NodeKind};
-use crate::stage;
 use crate::tr;
+use crate::view;
 
 /// What is in a file. The names and their order are a contract.
 #[derive(Debug, Serialize)]
@@ -83,7 +83,7 @@ struct BoundsInfo {
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // What images show says nothing about the file; that they are there and are images does.
-    let document = stage::open(&files, OpenOptions { images: Images::Locate }, &Progress::default())?.document;
+    let document = view::open(&files, OpenOptions { images: Images::Locate }, &Progress::default())?.document;
     let name = files.first().map(|file| display_name(file)).unwrap_or_default();
     let info = Info::of(&document, name);
     // The program ends here: giving back what was read piece by piece would only take time.

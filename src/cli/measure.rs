@@ -17,8 +17,8 @@ use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseState};
 use crate::export::guard::Guard;
 use crate::export::tables::{Form, JointTable, MuscleTable, NoTable, Of, PLOT_SCALE, Table, even_times, unit_for_people};
-use crate::film::FPS;
 use crate::i18n::{self, decimal};
+use crate::sequence::FPS;
 use crate::tr;
 
 /// Runs the subcommand.

@@ -14,16 +14,16 @@ use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
 use crate::export::guard::Guard;
-use crate::film::{
-    self, Direction, FittedOrbit, FrameSpec, Look, Motion, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target, Times,
-    posed_bounds,
-};
 use crate::limits;
 use crate::muscle::MuscleRig;
 use crate::render::{Background, Display, Samples, Shading};
 use crate::scene::{Bounds, Frame, OrbitCamera, View};
-use crate::stage::{self, Along, Opened, Saved, SceneOverlays};
+use crate::sequence::{
+    self, Direction, FittedOrbit, FrameSpec, Look, Motion, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target, Times,
+    posed_bounds,
+};
 use crate::tr;
+use crate::view::{self, Along, Opened, Saved, SceneOverlays};
 
 /// Columns and rows where the call does not say.
 const SIZE: (u32, u32) = (1280, 720);
@@ -46,7 +46,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (size, scale) = size(given)?;
     let guard = Guard::of_files(&files);
     guard.output(&out)?;
-    let opened = stage::open(&files, OpenOptions::default(), &Progress::default())?;
+    let opened = view::open(&files, OpenOptions::default(), &Progress::default())?;
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
     let Opened { document, saved, compared } = opened;
     remark(document.health.iter());
@@ -86,7 +86,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let mut studio = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), look).accompanied(company, rate);
     let call = call_note(given, &files, size, scale);
     let note = |shot: &FrameSpec| format!("{call}{}", shot_note(&document, shot));
-    progress::watched(sequence.count, |work| film::save(&mut studio, size, (&target, &guard), &note, work))?;
+    progress::watched(sequence.count, |work| sequence::save(&mut studio, size, (&target, &guard), &note, work))?;
     remark([tr!(
         "cli-written",
         out = output_name(&out),
@@ -149,7 +149,7 @@ fn refused(refusal: SequenceError, given: &ArgMatches, file: &str) -> Failure {
             tr!("cli-range-early", file = file, start = plain(from), to = plain(to))
         }
         SequenceError::Empty { from, to } => tr!("cli-range-empty", from = plain(from), to = plain(to)),
-        SequenceError::TooMany => tr!("cli-too-many-frames", limit = plain(film::FRAMES as f64)),
+        SequenceError::TooMany => tr!("cli-too-many-frames", limit = plain(sequence::FRAMES as f64)),
         SequenceError::NoElbow => tr!("cli-no-elbow-to-bend", file = file),
         SequenceError::NoMuscle => tr!("cli-no-muscle-to-drive", file = file),
     })
@@ -183,7 +183,7 @@ fn chooses_direction(given: &ArgMatches) -> bool {
 fn saved_look(saved: &Saved, document: &Document, bounds: &Bounds, along: Option<Along>) -> Option<Look<'static>> {
     let orbit = saved.camera.and_then(|camera| camera.orbit(bounds));
     let node = saved.file_camera.as_ref().and_then(|node| node.find(document));
-    let of_file = node.and_then(|node| stage::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
+    let of_file = node.and_then(|node| view::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
     let usual = orbit.unwrap_or_default();
     let round = move |frame: &Frame, turn: f32| {
         let camera = OrbitCamera { yaw: usual.yaw + turn, ..usual }.camera();
@@ -191,7 +191,7 @@ fn saved_look(saved: &Saved, document: &Document, bounds: &Bounds, along: Option
     };
     match of_file {
         Some((node, id)) => {
-            Some(Box::new(move |scene, frame, turn| stage::file_camera(scene, frame, node, id).unwrap_or_else(|| round(frame, turn))))
+            Some(Box::new(move |scene, frame, turn| view::file_camera(scene, frame, node, id).unwrap_or_else(|| round(frame, turn))))
         }
         None => orbit.map(|_| -> Look<'static> { Box::new(move |_, frame, turn| round(frame, turn)) }),
     }

@@ -19,7 +19,7 @@ use sinew::export::tables::{self, Of, Table};
 use sinew::export::{ExportError, png};
 use sinew::render::Framebuffer;
 use sinew::scene::Frame;
-use sinew::stage;
+use sinew::view;
 
 const MUSCLES: &str = "clip: column.dae
 muscles:
@@ -198,10 +198,10 @@ fn what_belongs_to_a_compared_file_is_held_as_what_is_open_is() {
         let [clip, skin, muscles, _, other, _] = &files[..] else { panic!("six files") };
         let held = [clip, skin, muscles, other, &session];
         let before = contents(&[files.as_slice(), std::slice::from_ref(&session)].concat());
-        let opened = stage::open(&[&session], OpenOptions::default(), &Progress::default()).expect("opened");
+        let opened = view::open(&[&session], OpenOptions::default(), &Progress::default()).expect("opened");
         let compared = opened.compared.as_ref().map(|(file, document)| (file.as_path(), document));
         // The command line and the window ask the same.
-        let guards = [opened.guard(&folder), stage::held(&opened.document, compared)].map(|guard| guard.and([&session]));
+        let guards = [opened.guard(&folder), view::held(&opened.document, compared)].map(|guard| guard.and([&session]));
         for source in held {
             for ending in ["png", "gif"] {
                 let out = alias(&folder, source, way, ending);

@@ -5,7 +5,7 @@ use crate::counting::{allocations, peak};
 use proptest::prelude::*;
 use sinew::limits;
 use sinew::muscle::MuscleFile;
-use sinew::stage::{Saved, Settings, Unsaved};
+use sinew::view::{Saved, Settings, Unsaved};
 use sinew::yaml::{Node, Value, read};
 
 /// Most memory that any text may take, whatever reads it, bytes.

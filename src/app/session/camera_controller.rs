@@ -3,7 +3,7 @@
 use glam::{Quat, Vec3};
 
 use crate::scene::{Bounds, Camera, CameraId, Frame, NodeId, OrbitCamera, Projection, Scene, View};
-use crate::stage::file_camera;
+use crate::view::file_camera;
 
 /// Seconds that a jump of the camera takes.
 const JUMP_SECONDS: f64 = 0.15;

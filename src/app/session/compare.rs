@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::{Changes, Session};
 use crate::document::Document;
 use crate::scene::{Bounds, NodeId};
-use crate::stage::{Comparison, SavedComparison, With};
+use crate::view::{Comparison, SavedComparison, With};
 
 /// What a comparison shows and found out.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,8 +6,8 @@ use super::{CameraController, Changes, LightAim, Session, Step, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, View};
-use crate::stage::{Backdrop, file_camera};
 use crate::tr;
+use crate::view::{Backdrop, file_camera};
 
 impl Session {
     /// The selected node.

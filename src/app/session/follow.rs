@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::{Changes, Session};
 use crate::scene::{NodeId, NodeKind};
-use crate::stage::Along;
+use crate::view::Along;
 
 /// What the camera goes along with, and where that was when it was last looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,7 +1,7 @@
 //! Onion skins and the motion path of the selected node.
 
 use super::{Changes, Session};
-use crate::stage::{Ghosts, PoseContext, SceneOverlays};
+use crate::view::{Ghosts, PoseContext, SceneOverlays};
 
 impl Session {
     /// Which ghosts are drawn.

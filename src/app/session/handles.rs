@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, Vec2};
 
 use super::tool::Tool;
 use crate::scene::Camera;
-use crate::stage::ModelTransform;
+use crate::view::ModelTransform;
 
 /// Length of an axis and radius of a ring, logical pixels.
 const REACH: f64 = 84.0;

@@ -6,7 +6,7 @@ use super::joint_control::Held;
 use crate::document::JointOverride;
 use crate::muscle::{MuscleFile, MuscleState};
 use crate::scene::NodeId;
-use crate::stage::{LightAim, ModelTransform};
+use crate::view::{LightAim, ModelTransform};
 
 /// What an undo brings back.
 #[derive(Debug, Clone, PartialEq)]

@@ -26,7 +26,7 @@ mod tool;
 mod undoable;
 mod via_points;
 
-pub use crate::stage::{Backdrop, COMPARED_TINT, DEFAULT_RATE, Ghosts, LightAim, ModelTransform, With, file_cameras};
+pub use crate::view::{Backdrop, COMPARED_TINT, DEFAULT_RATE, Ghosts, LightAim, ModelTransform, With, file_cameras};
 pub use attach_to_skeleton::AttachResult;
 pub use camera_controller::{CameraController, FlyCamera, Viewpoint};
 pub use change_set::Changes;
@@ -58,7 +58,7 @@ use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
-use crate::stage::{self, SceneOverlays};
+use crate::view::{self, SceneOverlays};
 
 /// How another document comes in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -273,7 +273,7 @@ impl Session {
             Some(With::File(document, name)) => Some((Path::new(name), &**document)),
             _ => None,
         };
-        stage::held(&self.document, compared)
+        view::held(&self.document, compared)
     }
 
     /// Those of the open files that are clips.

@@ -6,7 +6,7 @@ use super::{LoadMode, Session, Viewpoint, With, file_cameras};
 use crate::animation::LoopMode;
 use crate::app::settings::Settings;
 use crate::document::{Document, Skinning};
-use crate::stage::{Saved, SavedCamera, SavedComparison, SavedModel, SavedTurn, name_of};
+use crate::view::{Saved, SavedCamera, SavedComparison, SavedModel, SavedTurn, name_of};
 
 /// Loop modes by the names that the file uses.
 const MODES: [(&str, LoopMode); 3] = [("loop", LoopMode::Loop), ("once", LoopMode::Once), ("ping-pong", LoopMode::PingPong)];
@@ -161,7 +161,7 @@ mod tests {
     use crate::document::PoseBuffers;
     use crate::render::Display;
     use crate::scene::{Bounds, Frame, NodeId};
-    use crate::stage::{Backdrop, PoseContext, SceneOverlays};
+    use crate::view::{Backdrop, PoseContext, SceneOverlays};
 
     #[test]
     fn a_session_comes_back_as_it_was_saved() {

@@ -208,7 +208,7 @@ fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
 
 #[test]
 fn a_session_file_without_a_camera_is_fitted_whatever_the_window_becomes() {
-    let saved = stage::Saved::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
+    let saved = view::Saved::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
     let mut session = Session::default();
     session.show_saved(clip().document().clone(), &saved);
     assert!(session.compared().is_some());

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Changes, Graph, Moved, Session, SheetRow, dope_sheet};
 use crate::animation::{Clip, LoopMode, Playback};
-use crate::stage::guess_rate;
+use crate::view::guess_rate;
 
 /// One of the marks that bound what plays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

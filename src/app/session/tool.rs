@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::scene::Camera;
-use crate::stage::ModelTransform;
+use crate::view::ModelTransform;
 
 /// What a drag in the viewport moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -6,7 +6,7 @@ use std::path::Path;
 use libfuzzer_sys::fuzz_target;
 use sinew::document::{Document, PoseBuffers};
 use sinew::scene::Frame;
-use sinew::stage::Saved;
+use sinew::view::Saved;
 
 fuzz_target!(|text: &str| {
     let Some(Ok(saved)) = Saved::parse(text) else { return };

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use sinew::stage::{Settings, Unsaved};
+use sinew::view::{Settings, Unsaved};
 
 fuzz_target!(|text: &str| {
     if let Ok(settings) = Settings::parse(text) {

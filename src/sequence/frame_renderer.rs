@@ -4,7 +4,7 @@ use super::{FrameSpec, Sequence};
 use crate::document::{Document, PoseBuffers};
 use crate::render::{Background, Display, Framebuffer, Renderer};
 use crate::scene::{Camera, Frame, Scene};
-use crate::stage::{PoseContext, SceneOverlays};
+use crate::view::{PoseContext, SceneOverlays};
 
 /// Milliseconds of one frame's stages: pose, deform, vertex, raster, resolve.
 pub type Times = [f64; 5];

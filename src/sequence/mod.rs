@@ -3,12 +3,12 @@
 
 mod frame_renderer;
 mod framing;
+mod motion;
 mod pattern;
 mod save;
-mod sequence;
 
 pub use frame_renderer::{Look, SequenceRenderer, Times};
 pub use framing::{Direction, FittedOrbit, posed_bounds};
+pub use motion::{FPS, FRAMES, FrameSpec, Motion, Sequence, SequenceError, SequenceOptions};
 pub use pattern::Pattern;
 pub use save::{Target, save};
-pub use sequence::{FPS, FRAMES, FrameSpec, Motion, Sequence, SequenceError, SequenceOptions};

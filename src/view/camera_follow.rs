@@ -36,7 +36,7 @@ mod tests {
     use super::*;
     use crate::collada::Progress;
     use crate::scene::OrbitCamera;
-    use crate::stage::name_of;
+    use crate::view::name_of;
 
     #[test]
     fn what_is_followed_stays_where_it_is_in_the_picture() {
