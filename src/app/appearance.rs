@@ -7,7 +7,7 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::drawing_area::text_color;
-use super::settings::Colours;
+use super::settings::ColorScheme;
 use super::window::Window;
 use crate::render::Theme;
 
@@ -58,17 +58,17 @@ pub(super) fn follow(window: &Rc<Window>) {
 }
 
 /// Sets light or dark. What the desktop wants is asked of its portal, which GTK before 4.20 does not do by itself.
-pub(super) fn choose(colours: Colours) {
+pub(super) fn choose(colours: ColorScheme) {
     let Some(settings) = gtk::Settings::default() else { return };
     match colours {
-        Colours::System => {
+        ColorScheme::System => {
             settings.reset_property("gtk-application-prefer-dark-theme");
             if let Some(dark) = desktop_is_dark() {
                 settings.set_gtk_application_prefer_dark_theme(dark);
             }
         }
-        Colours::Light => settings.set_gtk_application_prefer_dark_theme(false),
-        Colours::Dark => settings.set_gtk_application_prefer_dark_theme(true),
+        ColorScheme::Light => settings.set_gtk_application_prefer_dark_theme(false),
+        ColorScheme::Dark => settings.set_gtk_application_prefer_dark_theme(true),
     }
 }
 

@@ -8,8 +8,8 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::session::{Picked, Preset, Session, Step, Tool, With};
-use super::settings::{Colours, SheetPage};
+use super::session::{CompareTarget, Picked, Preset, Session, Step, Tool};
+use super::settings::{ColorScheme, SheetPage};
 use super::window::Window;
 use super::{about, appearance, compare_file, document_loader, export_dialog, help, save_session, saving, screenshot};
 use crate::muscle::AttachmentPoint;
@@ -69,11 +69,11 @@ fn shading_of(command: Command) -> Option<Shading> {
     }
 }
 
-fn colours_of(command: Command) -> Option<Colours> {
+fn colours_of(command: Command) -> Option<ColorScheme> {
     match command {
-        Command::ColoursSystem => Some(Colours::System),
-        Command::ColoursLight => Some(Colours::Light),
-        Command::ColoursDark => Some(Colours::Dark),
+        Command::ColoursSystem => Some(ColorScheme::System),
+        Command::ColoursLight => Some(ColorScheme::Light),
+        Command::ColoursDark => Some(ColorScheme::Dark),
         _ => None,
     }
 }
@@ -98,7 +98,7 @@ fn switch_state(command: Command, session: &Session) -> Option<bool> {
         Command::Ghosts => Some(session.ghosts().shown),
         Command::BonePath => Some(session.ghosts().path),
         Command::Follow => Some(session.followed().is_some()),
-        Command::CompareSkinning => Some(matches!(session.compared_with(), Some(With::Skinning))),
+        Command::CompareSkinning => Some(matches!(session.compared_with(), Some(CompareTarget::Skinning))),
         Command::Isolate => Some(session.is_isolated()),
         _ => None,
     }
@@ -324,8 +324,8 @@ fn change_session(command: Command, session: &mut Session) {
         C::Ghosts => session.change_ghosts(|ghosts| ghosts.shown = !ghosts.shown),
         C::BonePath => session.change_ghosts(|ghosts| ghosts.path = !ghosts.path),
         C::CompareSkinning => {
-            let on = !matches!(session.compared_with(), Some(With::Skinning));
-            session.compare(on.then_some(With::Skinning));
+            let on = !matches!(session.compared_with(), Some(CompareTarget::Skinning));
+            session.compare(on.then_some(CompareTarget::Skinning));
         }
         C::StopComparing => session.compare(None),
         C::Isolate => session.toggle_isolated(),

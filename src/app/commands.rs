@@ -368,7 +368,7 @@ impl Command {
 
     /// The switch of the display that it turns, if it is one.
     pub fn switch(self) -> Option<fn(&mut crate::render::Display) -> &mut bool> {
-        super::settings::SWITCHES.iter().find(|(name, _)| *name == self.id()).map(|(_, switch)| *switch)
+        super::settings::DISPLAY_FLAGS.iter().find(|(name, _)| *name == self.id()).map(|(_, switch)| *switch)
     }
 }
 
@@ -393,7 +393,7 @@ mod tests {
 
     #[test]
     fn every_switch_of_the_display_is_a_command() {
-        for (name, _) in crate::app::settings::SWITCHES {
+        for (name, _) in crate::app::settings::DISPLAY_FLAGS {
             assert!(Command::from_id(name).is_some_and(|command| command.switch().is_some()), "{name}");
         }
     }

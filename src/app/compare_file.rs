@@ -6,7 +6,7 @@ use std::rc::Rc;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::session::With;
+use super::session::CompareTarget;
 use super::window::Window;
 use super::{document_loader, ghosts_panel, reload_summary};
 use crate::collada::Progress;
@@ -26,7 +26,7 @@ pub(super) fn choose(window: &Rc<Window>) {
 pub(super) fn open(window: &Rc<Window>, path: PathBuf) {
     let name = path.display().to_string();
     document_loader::read_apart(window, path, move |window, document| {
-        window.act(|session| session.compare(Some(With::File(Box::new(document), name))));
+        window.act(|session| session.compare(Some(CompareTarget::File(Box::new(document), name))));
         document_loader::watch(window);
     });
 }
@@ -41,7 +41,7 @@ pub(super) fn read_again(window: &Rc<Window>, path: &Path) {
             && window.look(|session| session.compared_file()).as_ref() == Some(&path)
         {
             let news = window.look(|session| match session.compared_with() {
-                Some(With::File(old, _)) => reload_summary::what_changed(old, &document),
+                Some(CompareTarget::File(old, _)) => reload_summary::what_changed(old, &document),
                 _ => String::new(),
             });
             window.act(|session| session.compare_again(document));

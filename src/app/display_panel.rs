@@ -7,7 +7,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::ghosts_panel::GhostsPanel;
-use super::session::{Backdrop, Changes, LightAim, Session, Step};
+use super::session::{BackgroundPreset, Changes, LightDirection, Session, Step};
 use super::settings::SHADINGS;
 use super::window::{Window, part};
 use super::{format, ui};
@@ -121,7 +121,7 @@ impl DisplayPanel {
             #[weak]
             window,
             move |list| {
-                if let Some(backdrop) = Backdrop::ALL.get(list.selected() as usize) {
+                if let Some(backdrop) = BackgroundPreset::ALL.get(list.selected() as usize) {
                     window.act(|session| session.set_backdrop(*backdrop));
                 }
             }
@@ -132,7 +132,7 @@ impl DisplayPanel {
                 #[weak]
                 window,
                 move |_| {
-                    let aim = LightAim { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
+                    let aim = LightDirection { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
                     window.act(|session| {
                         session.step(tr!("app-edit-light"), Step::near(0), |session| session.set_light(aim));
                     });
@@ -156,7 +156,7 @@ impl DisplayPanel {
             let display = session.display();
             let cell = CELLS.iter().position(|cell| *cell == display.grid_cell).unwrap_or(0);
             self.grid_cell.set_selected(cell as u32);
-            let backdrop = Backdrop::ALL.iter().position(|backdrop| *backdrop == session.backdrop()).unwrap_or(0);
+            let backdrop = BackgroundPreset::ALL.iter().position(|backdrop| *backdrop == session.backdrop()).unwrap_or(0);
             self.backdrop.set_selected(backdrop as u32);
             self.line_width.set_value(f64::from(display.line_width));
             self.line_width_value.set_text(&format!("{}\u{2009}×", format::number(f64::from(display.line_width), 1)));

@@ -12,7 +12,7 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::error_bar::Trouble;
-use super::session::{LoadMode, With};
+use super::session::{CompareTarget, LoadMode};
 use super::window::Window;
 use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
 use crate::collada::Progress;
@@ -267,7 +267,7 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
 }
 
 fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: LoadMode) {
-    let Opened { document, saved, compared } = opened;
+    let Opened { document, session: saved, compared } = opened;
     window.error_bar.hide();
     window.start_page(false);
     window.viewport.hush();
@@ -278,13 +278,13 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Load
     if arrival == LoadMode::New {
         window.give_looks_back();
         let session = saved.as_ref().zip(paths.first());
-        window.files.came_from(session.map(|(saved, file)| (file.clone(), saved.every_file(file.parent().unwrap_or(Path::new(""))))));
+        window.files.came_from(session.map(|(saved, file)| (file.clone(), saved.all_files(file.parent().unwrap_or(Path::new(""))))));
     }
     match &saved {
         Some(saved) => window.borrow_looks(|session| {
             session.show_saved(document, saved);
             if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
-                session.compare(Some(With::File(Box::new(other), path.display().to_string())));
+                session.compare(Some(CompareTarget::File(Box::new(other), path.display().to_string())));
                 session.shift_as(shift);
                 if saved.camera.is_none() && saved.file_camera.is_none() {
                     session.fit();

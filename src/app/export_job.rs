@@ -17,7 +17,7 @@ use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
 use crate::sequence::{self, FrameSpec, Motion, Pattern, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target};
 use crate::tr;
-use crate::view::{Along, SceneOverlays};
+use crate::view::{CameraFollow, SceneOverlays};
 
 /// The kinds of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -301,7 +301,7 @@ pub(super) struct Job {
     state: PoseState,
     sequence: Sequence,
     eye: CameraController,
-    along: Option<Along>,
+    along: Option<CameraFollow>,
     display: Display,
     options: Options,
     guard: Guard,

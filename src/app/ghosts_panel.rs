@@ -7,7 +7,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::{Changes, Compared, Session, With};
+use super::session::{Changes, CompareTarget, Compared, Session};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::tr;
@@ -106,9 +106,9 @@ impl GhostsPanel {
         words.extend(session.document().clips.iter().map(|clip| tr!("app-compare-clip", name = clip.name.clone())));
         let (other, chosen) = match session.compared_with() {
             None => (None, 0),
-            Some(With::Clip(clip)) => (None, *clip + 1),
-            Some(With::File(_, name)) => (Some(file_name(name)), words.len()),
-            Some(With::Skinning) => (Some(tr!("app-compare-skinning")), words.len()),
+            Some(CompareTarget::Clip(clip)) => (None, *clip + 1),
+            Some(CompareTarget::File(_, name)) => (Some(file_name(name)), words.len()),
+            Some(CompareTarget::Skinning) => (Some(tr!("app-compare-skinning")), words.len()),
         };
         words.extend(other);
         let listed = self.with.model().and_downcast::<gtk::StringList>();
@@ -132,7 +132,7 @@ fn choose(session: &mut Session, place: u32) {
     let clips = session.document().clips.len();
     match (place as usize).checked_sub(1) {
         None => session.compare(None),
-        Some(clip) if clip < clips => session.compare(Some(With::Clip(clip))),
+        Some(clip) if clip < clips => session.compare(Some(CompareTarget::Clip(clip))),
         // The last row is what is being compared with already.
         Some(_) => {}
     }

@@ -16,7 +16,7 @@ use super::window::{Window, part};
 use super::{document_loader, ui};
 use crate::muscle::MuscleFile;
 use crate::tr;
-use crate::view::Unsaved;
+use crate::view::RecoveryFile;
 
 /// The first change is written down at once; those that follow are gathered for so long.
 const GATHER: Duration = Duration::from_millis(500);
@@ -26,7 +26,7 @@ const LOOK_AGAIN: Duration = Duration::from_millis(500);
 /// What the names of these files begin with; the number of the process follows.
 const NAME: &str = "unsaved-";
 
-impl Unsaved {
+impl RecoveryFile {
     /// What of a session is not saved; `None` where all is.
     pub fn of(session: &Session) -> Option<Self> {
         session.is_unsaved().then(|| Self {
@@ -54,7 +54,7 @@ pub(super) struct Recovery {
 /// What a program that is gone has left, held from all others.
 struct Left {
     path: PathBuf,
-    unsaved: Unsaved,
+    unsaved: RecoveryFile,
     lock: Lock,
 }
 
@@ -160,7 +160,7 @@ impl Recovery {
         glib::idle_add_local_once(move || write_down(&weak));
     }
 
-    fn write(&self, unsaved: &Unsaved) {
+    fn write(&self, unsaved: &RecoveryFile) {
         self.changed.set(false);
         // The lock comes first: a file without one is anybody's.
         if self.lock.borrow().is_none() {
@@ -187,7 +187,7 @@ impl Recovery {
 /// Writes down what is not saved, and again a moment later where it changed meanwhile.
 fn write_down(weak: &Weak<Window>) {
     let Some(window) = weak.upgrade() else { return };
-    match window.look(|session| Unsaved::of(session)) {
+    match window.look(|session| RecoveryFile::of(session)) {
         Some(unsaved) => window.recovery.write(&unsaved),
         None => window.recovery.clear(),
     }
@@ -243,7 +243,7 @@ fn left_behind(folder: &Path) -> Option<Left> {
     let mut left: Vec<_> = all(folder).into_iter().filter_map(dated).collect();
     left.sort();
     left.into_iter().rev().find_map(|(_, path)| {
-        let unsaved = Unsaved::read(&path)?;
+        let unsaved = RecoveryFile::read(&path)?;
         let lock = Lock::of(&path)?;
         // Another window may have brought it back meanwhile.
         path.exists().then_some(Left { path, unsaved, lock })
@@ -268,9 +268,9 @@ mod tests {
     fn what_is_not_saved_is_found_again() {
         let folder = tempfile::tempdir().unwrap();
         let mut session = Session::new(Document::built_in());
-        assert_eq!(Unsaved::of(&session), None);
+        assert_eq!(RecoveryFile::of(&session), None);
         session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.25), Step::New).unwrap();
-        let unsaved = Unsaved::of(&session).unwrap();
+        let unsaved = RecoveryFile::of(&session).unwrap();
         let path = folder.path().join(format!("{NAME}7-0.yaml"));
         unsaved.write(&path).unwrap();
         std::fs::write(folder.path().join(format!("{NAME}7-1.yaml")), "files: [").unwrap();

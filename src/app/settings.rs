@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::app::session::{Session, Tool};
 use crate::render::{Samples, Shading};
-pub use crate::view::{Colours, SHADINGS, SWITCHES, Settings, SheetPage};
+pub use crate::view::{ColorScheme, DISPLAY_FLAGS, SHADINGS, Settings, SheetPage};
 
 impl Settings {
     /// The file: `sinew/settings.yaml` in the user's config folder.
@@ -19,7 +19,7 @@ impl Settings {
         session.change_display(|display| {
             (display.shading, display.samples) = (shading, samples);
             (display.grid_cell, display.line_width, display.ambient) = (self.grid_cell, self.line_width, self.ambient);
-            for (name, switch) in SWITCHES {
+            for (name, switch) in DISPLAY_FLAGS {
                 *switch(display) = self.shown.iter().any(|shown| shown == name);
             }
         });
@@ -36,7 +36,7 @@ impl Settings {
         self.smooth_edges = display.samples == Samples::Four;
         (self.grid_cell, self.line_width, self.ambient) = (display.grid_cell, display.line_width, display.ambient);
         (self.bone_names, self.backdrop, self.frame_rate) = (session.bone_names(), session.backdrop(), session.chosen_rate());
-        self.shown = SWITCHES.iter().filter(|(_, switch)| *switch(&mut display)).map(|(name, _)| (*name).to_owned()).collect();
+        self.shown = DISPLAY_FLAGS.iter().filter(|(_, switch)| *switch(&mut display)).map(|(name, _)| (*name).to_owned()).collect();
     }
 }
 
@@ -59,7 +59,7 @@ impl SavedViewSettings {
             if now == file { own.clone() } else { now.clone() }
         }
         let (mine, file) = (&self.own, &self.file);
-        let shown = SWITCHES.iter().map(|(name, _)| *name).filter(|name| {
+        let shown = DISPLAY_FLAGS.iter().map(|(name, _)| *name).filter(|name| {
             let on = |settings: &Settings| settings.shown.iter().any(|shown| shown == name);
             own(&on(now), &on(file), &on(mine))
         });
@@ -93,7 +93,7 @@ mod tests {
             display.shading = Shading::Phong;
             display.samples = Samples::One;
         });
-        let mut settings = Settings { width: 1000, colours: Colours::Dark, folder: Some("/tmp/ü".into()), ..Settings::default() };
+        let mut settings = Settings { width: 1000, colours: ColorScheme::Dark, folder: Some("/tmp/ü".into()), ..Settings::default() };
         settings.take(&session);
         settings.save(&path).expect("saved");
         let (loaded, notice) = Settings::load(&path);

@@ -23,7 +23,7 @@ use crate::sequence::{
     posed_bounds,
 };
 use crate::tr;
-use crate::view::{self, Along, Opened, Saved, SceneOverlays};
+use crate::view::{self, CameraFollow, Opened, SceneOverlays, SessionState};
 
 /// Columns and rows where the call does not say.
 const SIZE: (u32, u32) = (1280, 720);
@@ -48,10 +48,10 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     guard.output(&out)?;
     let opened = view::open(&files, OpenOptions::default(), &Progress::default())?;
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
-    let Opened { document, saved, compared } = opened;
+    let Opened { document, session: saved, compared } = opened;
     remark(document.health.iter());
     let moment = Moment::given(given);
-    let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.state(&document));
+    let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
     let state = moment.over(start, &document, first)?;
     let sequence = match target {
         Target::Picture(_) => single(given, state)?,
@@ -65,13 +65,13 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
     let other = compared.map(|(path, other)| (path.display().to_string(), other));
-    let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| SceneOverlays::of_saved(saved, &document, other));
+    let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| SceneOverlays::from_session(saved, &document, other));
     let mut wide = bounds;
-    if let Some(other) = company.reach(&document, &state) {
+    if let Some(other) = company.motion_bounds(&document, &state) {
         wide.merge(&other);
     }
     let look = match saved.as_deref().filter(|_| !chooses_direction(given)) {
-        Some(saved) => saved_look(saved, &document, &wide, Along::of_saved(saved, &document, &start)),
+        Some(saved) => saved_look(saved, &document, &wide, CameraFollow::from_session(saved, &document, &start)),
         None => None,
     };
     let look = look.unwrap_or_else(|| {
@@ -180,7 +180,7 @@ fn chooses_direction(given: &ArgMatches) -> bool {
 }
 
 /// Where a session looks from: its camera of the file, else its orbit, which may go along with something; `None` where it has neither.
-fn saved_look(saved: &Saved, document: &Document, bounds: &Bounds, along: Option<Along>) -> Option<Look<'static>> {
+fn saved_look(saved: &SessionState, document: &Document, bounds: &Bounds, along: Option<CameraFollow>) -> Option<Look<'static>> {
     let orbit = saved.camera.and_then(|camera| camera.orbit(bounds));
     let node = saved.file_camera.as_ref().and_then(|node| node.find(document));
     let of_file = node.and_then(|node| view::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));

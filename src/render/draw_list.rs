@@ -425,9 +425,9 @@ fn apply_muscle_material(
 /// Tints what only accompanies the scene, and lets what is behind it through.
 fn apply_ghost(style: &mut ResolvedMaterial, ghost: &Ghost) {
     let within = |share: f32| if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
-    (style.mark, style.mark_share) = (ghost.tint.to_array(), within(ghost.share));
+    (style.mark, style.mark_share) = (ghost.tint.to_array(), within(ghost.tint_share));
     style.opacity *= within(ghost.opacity);
-    style.behind = if ghost.behind.is_finite() { ghost.behind.clamp(0.0, 100.0) } else { 0.0 };
+    style.behind = if ghost.depth_offset.is_finite() { ghost.depth_offset.clamp(0.0, 100.0) } else { 0.0 };
 }
 
 /// Tints what is selected or under the pointer.

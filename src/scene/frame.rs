@@ -26,13 +26,13 @@ pub struct Ghost {
     /// Its tint, 0 to 1.
     pub tint: Vec3,
     /// Share of the tint in its colour, 0 to 1.
-    pub share: f32,
+    pub tint_share: f32,
     /// Opacity, 0 to 1, on top of its material's.
     pub opacity: f32,
     /// Whether its materials are those of the scene that is drawn; else it has the neutral colour under its tint.
     pub materials: bool,
     /// Thousandths of its distance by which it is pushed back in depth, so that it does not cloud a surface of the scene that it nearly lies on.
-    pub behind: f32,
+    pub depth_offset: f32,
 }
 
 /// A line over the scene that somebody wants drawn; a dot where both ends are one point.

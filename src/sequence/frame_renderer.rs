@@ -38,7 +38,7 @@ impl<'a> SequenceRenderer<'a> {
 
     /// Draws other moments, paths and what is compared too; `rate` = frames a second of the document's frame numbers.
     pub fn accompanied(mut self, company: SceneOverlays, rate: f64) -> Self {
-        self.company = Some((company, rate)).filter(|(company, _)| company.is_any());
+        self.company = Some((company, rate)).filter(|(company, _)| company.is_active());
         self
     }
 
@@ -56,11 +56,11 @@ impl<'a> SequenceRenderer<'a> {
     pub fn draw(&mut self, index: usize, picture: &mut Framebuffer) -> FrameSpec {
         let shot = self.sequence.shot(self.document, index);
         if let Some((company, _)) = &mut self.company {
-            company.recall(&mut self.frame);
+            company.remove_from(&mut self.frame);
         }
         self.document.pose(&shot.state, &mut self.buffers, &mut self.frame);
         if let Some((company, rate)) = &mut self.company {
-            company.invite(&PoseContext::new(self.document, shot.state, *rate, &self.display), &mut self.frame);
+            company.append_to(&PoseContext::new(self.document, shot.state, *rate, &self.display), &mut self.frame);
         }
         let camera = (self.look)(&self.document.scene, &self.frame, shot.turn);
         let Framebuffer { width, height, pixels } = picture;

@@ -2,32 +2,32 @@
 
 use glam::Vec3;
 
-use super::Saved;
+use super::SessionState;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::scene::{Camera, Frame, NodeId};
 
-/// What a camera goes along with, and where that is at the moment for which the camera stands.
+/// The node that a camera follows, with the position for which the camera was placed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Along {
+pub struct CameraFollow {
     /// The node.
     pub node: NodeId,
-    /// Its place in the world then, metres.
-    pub from: Vec3,
+    /// Its position when the camera was placed, world, metres.
+    pub reference: Vec3,
 }
 
-impl Along {
-    /// What the camera of a session file goes along with; `state` is the moment that the file keeps. `None` where it stands still.
-    pub fn of_saved(saved: &Saved, document: &Document, state: &PoseState) -> Option<Self> {
+impl CameraFollow {
+    /// The node that the camera of a session file follows; `state` is the pose that the file stores. `None` where the camera is fixed.
+    pub fn from_session(saved: &SessionState, document: &Document, state: &PoseState) -> Option<Self> {
         let node = saved.follow.as_ref()?.find(document)?;
         let mut frame = Frame::default();
         document.pose_nodes(state, &mut PoseBuffers::default(), &mut frame);
-        Some(Self { node, from: frame.position(node) })
+        Some(Self { node, reference: frame.position(node) })
     }
 
-    /// The camera moved as far as the node has gone in `frame`.
+    /// The camera moved by the node's displacement in `frame`.
     pub fn moved(&self, camera: Camera, frame: &Frame) -> Camera {
-        let way = frame.position(self.node) - self.from;
-        if way.is_finite() { Camera { eye: camera.eye + way, ..camera } } else { camera }
+        let offset = frame.position(self.node) - self.reference;
+        if offset.is_finite() { Camera { eye: camera.eye + offset, ..camera } } else { camera }
     }
 }
 
@@ -36,7 +36,7 @@ mod tests {
     use super::*;
     use crate::collada::Progress;
     use crate::scene::OrbitCamera;
-    use crate::view::name_of;
+    use crate::view::saved_node;
 
     #[test]
     fn what_is_followed_stays_where_it_is_in_the_picture() {
@@ -44,20 +44,20 @@ mod tests {
         let document = Document::open(&[file], &Progress::default()).unwrap();
         let hand = document.scene.graph.find("hand.L").unwrap();
         let start = document.start_state();
-        let saved = Saved { follow: Some(name_of(&document, hand)), ..Saved::default() };
-        let along = Along::of_saved(&saved, &document, &start).unwrap();
-        assert_eq!(Along::of_saved(&Saved::default(), &document, &start), None);
+        let saved = SessionState { follow: Some(saved_node(&document, hand)), ..SessionState::default() };
+        let follow = CameraFollow::from_session(&saved, &document, &start).unwrap();
+        assert_eq!(CameraFollow::from_session(&SessionState::default(), &document, &start), None);
         let camera = OrbitCamera::default().camera();
-        let mut ways = Vec::new();
+        let mut offsets = Vec::new();
         for step in 0..5 {
             let state = PoseState { time: start.time + 0.2 * f64::from(step), ..start };
             let mut frame = Frame::default();
             document.pose_nodes(&state, &mut PoseBuffers::default(), &mut frame);
-            let moved = along.moved(camera, &frame);
-            assert!(((frame.position(hand) - moved.eye) - (along.from - camera.eye)).length() < 1e-5);
+            let moved = follow.moved(camera, &frame);
+            assert!(((frame.position(hand) - moved.eye) - (follow.reference - camera.eye)).length() < 1e-5);
             assert_eq!((moved.rotation, moved.projection), (camera.rotation, camera.projection));
-            ways.push((moved.eye - camera.eye).length());
+            offsets.push((moved.eye - camera.eye).length());
         }
-        assert!(ways[0] == 0.0 && ways[2] > 0.05, "{ways:?}");
+        assert!(offsets[0] == 0.0 && offsets[2] > 0.05, "{offsets:?}");
     }
 }

@@ -1,16 +1,16 @@
-//! The cameras that files bring along.
+//! The cameras of a file.
 
 use crate::scene::{Camera, CameraId, Content, Frame, Node, NodeId, Projection, Scene};
 
 /// The cameras of the file with the nodes that carry them.
 pub fn file_cameras(scene: &Scene) -> Vec<(NodeId, CameraId)> {
-    let on = |node: &Node| -> Vec<CameraId> {
+    let cameras_of = |node: &Node| -> Vec<CameraId> {
         node.contents.iter().filter_map(|content| if let Content::Camera(id) = content { Some(*id) } else { None }).collect()
     };
-    scene.graph.iter().flat_map(|(id, node)| on(node).into_iter().map(move |camera| (id, camera))).collect()
+    scene.graph.iter().flat_map(|(id, node)| cameras_of(node).into_iter().map(move |camera| (id, camera))).collect()
 }
 
-/// A camera of the file in the world; `None` where its node or its numbers make no camera.
+/// A camera of the file in world space; `None` where its node is missing or its numbers are not usable.
 pub fn file_camera(scene: &Scene, frame: &Frame, node: NodeId, id: CameraId) -> Option<Camera> {
     let (stored, world) = (scene.cameras.get(id.index())?, frame.world.get(node.index())?);
     let (scale, rotation, eye) = world.to_scale_rotation_translation();
@@ -26,9 +26,9 @@ pub fn file_camera(scene: &Scene, frame: &Frame, node: NodeId, id: CameraId) -> 
         near: stored.near * unit,
         far: stored.far * unit,
     };
-    let sound =
+    let is_valid =
         camera.eye.is_finite() && camera.rotation.is_finite() && camera.near > 0.0 && camera.far > camera.near && camera.far.is_finite();
-    sound.then_some(camera)
+    is_valid.then_some(camera)
 }
 
 #[cfg(test)]
@@ -51,13 +51,13 @@ mod tests {
     fn a_camera_looks_from_its_node_along_minus_z_and_keeps_its_roll() {
         let (scene, id) = scene(Projection::Perspective { fov_y: 0.7 });
         assert_eq!(file_cameras(&scene), [(id, CameraId(0))]);
-        let turn = DQuat::from_rotation_y(0.5) * DQuat::from_rotation_z(0.3);
-        let world = DMat4::from_scale_rotation_translation(DVec3::splat(2.0), turn, DVec3::new(1.0, 2.0, 3.0));
+        let rotation = DQuat::from_rotation_y(0.5) * DQuat::from_rotation_z(0.3);
+        let world = DMat4::from_scale_rotation_translation(DVec3::splat(2.0), rotation, DVec3::new(1.0, 2.0, 3.0));
         let frame = Frame { world: vec![world], ..Frame::default() };
         let camera = file_camera(&scene, &frame, id, CameraId(0)).expect("a camera");
         assert!((camera.eye - Vec3::new(1.0, 2.0, 3.0)).length() < 1e-6);
-        assert!((camera.forward() - (turn * DVec3::NEG_Z).as_vec3()).length() < 1e-6);
-        assert!((camera.up() - (turn * DVec3::Y).as_vec3()).length() < 1e-6);
+        assert!((camera.forward() - (rotation * DVec3::NEG_Z).as_vec3()).length() < 1e-6);
+        assert!((camera.up() - (rotation * DVec3::Y).as_vec3()).length() < 1e-6);
         // Lengths of the file grow with its unit, angles do not.
         assert_eq!((camera.projection, camera.near), (Projection::Perspective { fov_y: 0.7 }, 0.2));
     }

@@ -1,4 +1,4 @@
-//! Two things in one view: another file, another clip, or the same skin bent the other way.
+//! Comparison of two poses in one view: with another file, another clip, or the other skinning method.
 
 use std::collections::HashMap;
 
@@ -9,221 +9,244 @@ use super::session_file::SavedComparison;
 use crate::document::{Companion, Document, PoseState, Skinning};
 use crate::scene::{Bounds, Frame, Ghost, NodeId, NodeKind};
 
-/// The tint of the second one.
+/// Tint of the compared pose, `0xRRGGBB`.
 pub const TINT: u32 = 0x53_9BF5;
 
-/// Thousandths of its distance by which the second one is pushed back in depth.
-const BEHIND: f32 = 0.1;
+/// Depth offset of the compared pose, thousandths of its distance from the camera.
+const DEPTH_OFFSET: f32 = 0.1;
 
-/// What is compared with what is open.
+/// What the open document is compared with.
 #[derive(Debug, Clone)]
-pub enum With {
+pub enum CompareTarget {
     /// Another file.
     File(Box<Document>, String),
-    /// Another clip of the same file, by its place.
+    /// Another clip of the same file, by its index.
     Clip(usize),
-    /// The same, its skins bent the other way: linear blend against dual quaternions.
+    /// The same pose with the other skinning method: linear blend against dual quaternions.
     Skinning,
 }
 
 /// A comparison under way.
 #[derive(Debug)]
 pub struct Comparison {
-    with: With,
-    /// What the compared clip is found by after the file came again.
+    target: CompareTarget,
+    /// Key by which the compared clip is found after a reload.
     key: Option<String>,
-    /// The clip of another file that plays.
+    /// The clip of another file that plays with this one.
     clip: Option<usize>,
-    later: f64,
-    aside: f64,
-    /// Unit direction in which the second one is moved aside.
+    /// Seconds by which the compared pose is ahead.
+    /// Seconds by which the compared pose is ahead.
+    time_offset: f64,
+    /// Metres by which the compared pose stands beside the main one.
+    offset: f64,
+    /// Unit direction of `offset`.
     direction: DVec3,
-    companion: Companion,
-    /// The same joint here and there.
-    pairs: Vec<(NodeId, NodeId)>,
-    farthest: Option<(Option<NodeId>, f64)>,
+    posed: Companion,
+    /// Corresponding joints of the main document and the compared one.
+    joint_pairs: Vec<(NodeId, NodeId)>,
+    max_deviation: Option<(Option<NodeId>, f64)>,
 }
 
 impl Comparison {
-    /// A comparison of `own` with something; `yaw` = the camera's, degrees, for what is aside stands to the right as one looks. `None` where it is with a
-    /// clip that is not there.
-    pub fn new(with: With, own: &Document, yaw: f32) -> Option<Self> {
-        if matches!(with, With::Clip(clip) if clip >= own.clips.len()) {
+    /// A comparison of `document` with `target`. `yaw` is the camera's, degrees: the offset points to the right of the view. `None` where the target is a
+    /// clip that does not exist.
+    pub fn new(target: CompareTarget, document: &Document, yaw: f32) -> Option<Self> {
+        if matches!(target, CompareTarget::Clip(clip) if clip >= document.clips.len()) {
             return None;
         }
-        let other = match &with {
-            With::File(other, _) => other,
-            With::Clip(_) | With::Skinning => own,
+        let other = match &target {
+            CompareTarget::File(other, _) => other,
+            CompareTarget::Clip(_) | CompareTarget::Skinning => document,
         };
-        let (pairs, clip) = (pairs(own, other), other.start_state().clip);
+        let (pairs, clip) = (joint_pairs(document, other), other.start_state().clip);
         let yaw = f64::from(yaw).to_radians();
         // Along the nearer axis.
         let right = DVec3::new(yaw.cos(), 0.0, -yaw.sin());
         let direction = if right.x.abs() >= right.z.abs() { DVec3::X * right.x.signum() } else { DVec3::Z * right.z.signum() };
-        let key = match &with {
-            With::Clip(clip) => own.clip_key(*clip),
-            With::File(..) | With::Skinning => None,
+        let key = match &target {
+            CompareTarget::Clip(clip) => document.clip_key(*clip),
+            CompareTarget::File(..) | CompareTarget::Skinning => None,
         };
-        Some(Self { with, key, clip, later: 0.0, aside: 0.0, direction, companion: Companion::default(), pairs, farthest: None })
+        Some(Self {
+            target,
+            key,
+            clip,
+            time_offset: 0.0,
+            offset: 0.0,
+            direction,
+            posed: Companion::default(),
+            joint_pairs: pairs,
+            max_deviation: None,
+        })
     }
 
     /// What is compared with.
-    pub fn with(&self) -> &With {
-        &self.with
+    pub fn target(&self) -> &CompareTarget {
+        &self.target
     }
 
-    /// Seconds that the second one is ahead and metres that it stands aside.
-    pub fn shifted(&self) -> (f64, f64) {
-        (self.later, self.aside)
+    /// Time offset, seconds, and spatial offset, metres, of the compared pose.
+    pub fn offsets(&self) -> (f64, f64) {
+        (self.time_offset, self.offset)
     }
 
-    /// Unit direction in which the second one is moved aside.
-    pub fn toward(&self) -> DVec3 {
+    /// Unit direction of the spatial offset.
+    pub fn direction(&self) -> DVec3 {
         self.direction
     }
 
-    /// Moves the second one as a session file says; numbers that are none change nothing.
-    pub fn shift_as(&mut self, saved: &SavedComparison) {
+    /// Sets direction and offsets from a session file; numbers that are not finite change nothing.
+    pub fn apply_saved(&mut self, saved: &SavedComparison) {
         self.direction = saved.toward.and_then(|toward| DVec3::from_array(toward).try_normalize()).unwrap_or(self.direction);
-        self.shift_to(saved.later, saved.aside);
+        self.set_offsets(saved.later, saved.aside);
     }
 
-    /// Moves the second one in time (seconds ahead) and in space (metres aside); whether that changes anything. Numbers that are none do not.
-    pub fn shift_to(&mut self, later: f64, aside: f64) -> bool {
-        let moved = later.is_finite() && aside.is_finite() && (self.later, self.aside) != (later, aside);
+    /// Sets the offsets in time (seconds ahead) and space (metres); returns whether anything changed. Numbers that are not finite change nothing.
+    pub fn set_offsets(&mut self, later: f64, aside: f64) -> bool {
+        let moved = later.is_finite() && aside.is_finite() && (self.time_offset, self.offset) != (later, aside);
         if moved {
-            (self.later, self.aside) = (later, aside);
+            (self.time_offset, self.offset) = (later, aside);
         }
         moved
     }
 
     /// Where both are the same but for their skins, puts the second one beside the first, whose box is given; whether it did.
-    pub fn stand_beside(&mut self, bounds: &Bounds) -> bool {
+    pub fn place_beside(&mut self, bounds: &Bounds) -> bool {
         let size = bounds.size();
         let width = if self.direction.x == 0.0 { size.z } else { size.x };
-        let beside = matches!(self.with, With::Skinning) && width.is_finite() && width != 0.0;
-        if beside {
-            self.aside = f64::from(width) * 1.15;
+        let is_beside = matches!(self.target, CompareTarget::Skinning) && width.is_finite() && width != 0.0;
+        if is_beside {
+            self.offset = f64::from(width) * 1.15;
         }
-        beside
+        is_beside
     }
 
     /// The joint that is farthest from its counterpart, and how far, metres; of two ways to bend a skin the farthest vertex, which has no joint.
     /// `None` where the two have no joint in common.
-    pub fn farthest(&self) -> Option<(Option<NodeId>, f64)> {
-        self.farthest
+    pub fn max_deviation(&self) -> Option<(Option<NodeId>, f64)> {
+        self.max_deviation
     }
 
-    /// The box round the second one.
+    /// Bounding box of the compared pose.
     pub fn bounds(&self) -> Bounds {
-        self.companion.bounds()
+        self.posed.bounds()
     }
 
-    /// The box round everything that the second one covers.
-    pub fn reach(&self, own: &Document, state: &PoseState) -> Bounds {
-        self.other(own).reach(&self.state(own, state))
+    /// Bounding box of the whole movement of the compared document.
+    pub fn motion_bounds(&self, document: &Document, state: &PoseState) -> Bounds {
+        self.other(document).reach(&self.state(document, state))
     }
 
-    /// The same for another frame.
-    pub(super) fn anew(&self) -> Self {
-        let Self { with, key, clip, later, aside, direction, pairs, .. } = self;
+    /// A copy for another frame, without posed buffers.
+    pub(super) fn clone_for_frame(&self) -> Self {
+        let Self { target, key, clip, time_offset: later, offset: aside, direction, joint_pairs: pairs, .. } = self;
         let (companion, farthest) = (Companion::default(), None);
-        let (with, key, pairs) = (with.clone(), key.clone(), pairs.clone());
-        Self { with, key, clip: *clip, later: *later, aside: *aside, direction: *direction, companion, pairs, farthest }
-    }
-
-    /// Compares with what the other file holds now; anything else than a file stays.
-    pub fn take_file(&mut self, document: Document, own: &Document) {
-        if let With::File(other, _) = &mut self.with {
-            (self.clip, self.pairs) = (document.start_state().clip, pairs(own, &document));
-            **other = document;
-            (self.companion, self.farthest) = (Companion::default(), None);
+        let (target, key, pairs) = (target.clone(), key.clone(), pairs.clone());
+        Self {
+            target,
+            key,
+            clip: *clip,
+            time_offset: *later,
+            offset: *aside,
+            direction: *direction,
+            posed: companion,
+            joint_pairs: pairs,
+            max_deviation: farthest,
         }
     }
 
-    /// The same comparison after the same files came again as `own`; `None` where its clip is lost.
-    pub(super) fn renewed(mut self, own: &Document) -> Option<Self> {
-        if let (With::Clip(clip), Some(key)) = (&mut self.with, &self.key) {
-            *clip = own.clip_named(key)?;
+    /// Replaces the compared file after its reload; a comparison with anything else stays as it is.
+    pub fn replace_file(&mut self, replacement: Document, document: &Document) {
+        if let CompareTarget::File(other, _) = &mut self.target {
+            (self.clip, self.joint_pairs) = (replacement.start_state().clip, joint_pairs(document, &replacement));
+            **other = replacement;
+            (self.posed, self.max_deviation) = (Companion::default(), None);
         }
-        let pairs = pairs(own, self.other(own));
-        Some(Self { companion: Companion::default(), pairs, ..self })
     }
 
-    /// Takes surfaces back from the main frame.
-    pub(super) fn recall(&mut self, frame: &mut Frame) {
-        self.companion.take_back(frame);
+    /// The same comparison after a reload as `document`; `None` where its clip no longer exists.
+    pub(super) fn rebound(mut self, document: &Document) -> Option<Self> {
+        if let (CompareTarget::Clip(clip), Some(key)) = (&mut self.target, &self.key) {
+            *clip = document.clip_named(key)?;
+        }
+        let pairs = joint_pairs(document, self.other(document));
+        Some(Self { posed: Companion::default(), joint_pairs: pairs, ..self })
+    }
+
+    /// Moves the surfaces out of the main frame, back into the buffers.
+    pub(super) fn remove_from(&mut self, frame: &mut Frame) {
+        self.posed.take_back(frame);
     }
 
     /// Poses the second one and finds the joint that is farthest off; `frame` is the first one's.
-    pub(super) fn pose(&mut self, host: &PoseContext<'_>, frame: &Frame) {
-        let theirs = self.state(host.document, &host.state);
-        let shift = self.shift();
-        let other = match &self.with {
-            With::File(other, _) => other,
-            With::Clip(_) | With::Skinning => host.document,
+    pub(super) fn pose(&mut self, context: &PoseContext<'_>, frame: &Frame) {
+        let other_state = self.state(context.document, &context.state);
+        let translation = self.translation();
+        let other = match &self.target {
+            CompareTarget::File(other, _) => other,
+            CompareTarget::Clip(_) | CompareTarget::Skinning => context.document,
         };
-        self.companion.pose(other, &theirs);
-        let there = &self.companion.frame().world;
-        self.farthest = if let With::Skinning = self.with {
-            Some((None, f64::from(self.companion.farthest_vertex(frame, shift.as_vec3()))))
+        self.posed.pose(other, &other_state);
+        let other_world = &self.posed.frame().world;
+        self.max_deviation = if let CompareTarget::Skinning = self.target {
+            Some((None, f64::from(self.posed.farthest_vertex(frame, translation.as_vec3()))))
         } else {
-            let distance = |(own, other): &(NodeId, NodeId)| {
-                let (a, b) = (frame.world.get(own.index())?, there.get(other.index())?);
-                Some((Some(*own), a.w_axis.truncate().distance(b.w_axis.truncate() - shift)))
+            let distance = |(document, other): &(NodeId, NodeId)| {
+                let (a, b) = (frame.world.get(document.index())?, other_world.get(other.index())?);
+                Some((Some(*document), a.w_axis.truncate().distance(b.w_axis.truncate() - translation)))
             };
-            self.pairs.iter().filter_map(distance).filter(|(_, far)| far.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
+            self.joint_pairs.iter().filter_map(distance).filter(|(_, distance)| distance.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
         };
     }
 
-    /// Puts the second one into the frame.
-    pub(super) fn lend(&mut self, host: &PoseContext<'_>, frame: &mut Frame) {
+    /// Appends the compared pose to the frame.
+    pub(super) fn append_to(&mut self, context: &PoseContext<'_>, frame: &mut Frame) {
         let tint = color(TINT);
-        let beside = self.aside != 0.0;
-        let opacity = if beside { 1.0 } else { 0.6 };
-        let (share, materials) = match self.with {
-            With::Skinning => (0.0, true),
-            With::Clip(_) => (0.45, true),
-            With::File(..) => (0.45, false),
+        let is_beside = self.offset != 0.0;
+        let opacity = if is_beside { 1.0 } else { 0.6 };
+        let (tint_share, materials) = match self.target {
+            CompareTarget::Skinning => (0.0, true),
+            CompareTarget::Clip(_) => (0.45, true),
+            CompareTarget::File(..) => (0.45, false),
         };
-        let other = match &self.with {
-            With::File(other, _) => other,
-            With::Clip(_) | With::Skinning => host.document,
+        let other = match &self.target {
+            CompareTarget::File(other, _) => other,
+            CompareTarget::Clip(_) | CompareTarget::Skinning => context.document,
         };
-        if host.bones || !other.shows_surface() {
-            self.companion.sketch_bones(&other.scene, tint, 0.9, &mut frame.marks);
+        if context.bones || !other.shows_surface() {
+            self.posed.sketch_bones(&other.scene, tint, 0.9, &mut frame.marks);
         }
-        let bounds = self.companion.bounds();
-        // Where both are the same the first one is seen, clean.
-        let behind = if beside { 0.0 } else { BEHIND };
-        self.companion.lend(frame, Ghost { tint, share, opacity, materials, behind });
+        let bounds = self.posed.bounds();
+        // Where both coincide the main one is drawn in front.
+        let depth_offset = if is_beside { 0.0 } else { DEPTH_OFFSET };
+        self.posed.lend(frame, Ghost { tint, tint_share, opacity, materials, depth_offset });
         if !bounds.is_empty() {
             frame.bounds.merge(&bounds);
         }
     }
 
-    fn other<'a>(&'a self, own: &'a Document) -> &'a Document {
-        match &self.with {
-            With::File(document, _) => document,
-            With::Clip(_) | With::Skinning => own,
+    fn other<'a>(&'a self, document: &'a Document) -> &'a Document {
+        match &self.target {
+            CompareTarget::File(document, _) => document,
+            CompareTarget::Clip(_) | CompareTarget::Skinning => document,
         }
     }
 
-    fn shift(&self) -> DVec3 {
-        self.direction * self.aside
+    fn translation(&self) -> DVec3 {
+        self.direction * self.offset
     }
 
-    /// The state of the second one while the first one is in `state`.
-    fn state(&self, own: &Document, state: &PoseState) -> PoseState {
-        let model = DMat4::from_translation(self.shift()) * state.model;
+    /// Pose state of the compared document while the main one is in `state`.
+    fn state(&self, document: &Document, state: &PoseState) -> PoseState {
+        let model = DMat4::from_translation(self.translation()) * state.model;
         let start = |document: &Document, clip: Option<usize>| clip.and_then(|clip| document.clips.get(clip)).map(|clip| clip.start);
-        let since = state.time - start(own, state.clip).unwrap_or(0.0);
+        let since = state.time - start(document, state.clip).unwrap_or(0.0);
         let moment = |document: &Document, clip: Option<usize>| {
             let clip = clip.and_then(|clip| document.clips.get(clip));
-            clip.map_or(0.0, |clip| (clip.start + since + self.later).clamp(clip.start, clip.end.max(clip.start)))
+            clip.map_or(0.0, |clip| (clip.start + since + self.time_offset).clamp(clip.start, clip.end.max(clip.start)))
         };
-        match &self.with {
-            With::File(other, _) => {
+        match &self.target {
+            CompareTarget::File(other, _) => {
                 let drive = other.driven_rig().map(|rig| {
                     if rig.flexion_range().is_some() {
                         rig.at_flexion(state.drive.flexion)
@@ -234,21 +257,21 @@ impl Comparison {
                 let (clip, time) = (self.clip, moment(other, self.clip));
                 PoseState { clip, time, drive: drive.unwrap_or_default(), turn: None, model, skinning: state.skinning }
             }
-            With::Clip(clip) => PoseState { clip: Some(*clip), time: moment(own, Some(*clip)), model, ..*state },
-            With::Skinning => PoseState { model, skinning: other_way(state.skinning), ..*state },
+            CompareTarget::Clip(clip) => PoseState { clip: Some(*clip), time: moment(document, Some(*clip)), model, ..*state },
+            CompareTarget::Skinning => PoseState { model, skinning: other_skinning(state.skinning), ..*state },
         }
     }
 }
 
-fn other_way(skinning: Skinning) -> Skinning {
+fn other_skinning(skinning: Skinning) -> Skinning {
     match skinning {
         Skinning::Linear => Skinning::DualQuaternion,
         Skinning::DualQuaternion => Skinning::Linear,
     }
 }
 
-/// Joints of the same name (else of the same id) here and there.
-fn pairs(own: &Document, other: &Document) -> Vec<(NodeId, NodeId)> {
+/// Pairs of joints of both documents with the same name, else with the same id.
+fn joint_pairs(document: &Document, other: &Document) -> Vec<(NodeId, NodeId)> {
     let joints = |document: &Document| -> Vec<NodeId> {
         document.scene.graph.iter().filter(|(_, node)| node.kind == NodeKind::Joint).map(|(id, _)| id).collect()
     };
@@ -259,17 +282,17 @@ fn pairs(own: &Document, other: &Document) -> Vec<(NodeId, NodeId)> {
         ids.entry(node.id.as_str()).or_insert(id);
     }
     let same = |id: NodeId| {
-        let node = own.scene.graph.node(id);
+        let node = document.scene.graph.node(id);
         let found = names.get(node.name.as_str()).or_else(|| ids.get(node.id.as_str()).filter(|_| !node.id.is_empty()));
         found.map(|other| (id, *other))
     };
-    joints(own).into_iter().filter_map(same).collect()
+    joints(document).into_iter().filter_map(same).collect()
 }
 
 impl SavedComparison {
-    /// What a session file compares with that is in the document itself: a clip, the other way to bend a skin.
-    pub fn within(&self, document: &Document) -> Option<With> {
+    /// The target of a session file that lies in the document itself: another clip, or the other skinning method.
+    pub fn target_within(&self, document: &Document) -> Option<CompareTarget> {
         let clip = self.clip.as_ref().and_then(|name| document.clip_named(name));
-        clip.map(With::Clip).or(self.skinning.then_some(With::Skinning))
+        clip.map(CompareTarget::Clip).or(self.skinning.then_some(CompareTarget::Skinning))
     }
 }

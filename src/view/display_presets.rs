@@ -4,11 +4,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::render::{Background, Display, Palette, Shading, Theme};
 
-/// A switch of the display: its name in the file and in actions, and where it is.
-pub type Switch = (&'static str, fn(&mut Display) -> &mut bool);
+/// A boolean display option: its name in files and actions, and its field.
+pub type DisplayFlag = (&'static str, fn(&mut Display) -> &mut bool);
 
-/// All switches of the display that are on or off and nothing else.
-pub const SWITCHES: [Switch; 15] = [
+/// All boolean display options.
+pub const DISPLAY_FLAGS: [DisplayFlag; 15] = [
     ("mesh", |d| &mut d.mesh),
     ("muscle", |d| &mut d.muscle),
     ("see-through", |d| &mut d.see_through),
@@ -29,27 +29,27 @@ pub const SWITCHES: [Switch; 15] = [
 /// Shading by the name that the file and the actions use.
 pub const SHADINGS: [(&str, Shading); 3] = [("flat", Shading::Flat), ("gouraud", Shading::Gouraud), ("phong", Shading::Phong)];
 
-/// What stands behind the scene.
+/// Background of the viewport.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Backdrop {
-    /// The gradient of the window's light or dark.
+pub enum BackgroundPreset {
+    /// The gradient of the window's light or dark theme.
     #[default]
     Theme,
     /// White, for paper.
     White,
-    /// A middle grey, which flatters no colour.
+    /// A neutral mid grey.
     Grey,
     /// Black.
     Black,
 }
 
-impl Backdrop {
+impl BackgroundPreset {
     /// All, in the order of the list.
     pub const ALL: [Self; 4] = [Self::Theme, Self::White, Self::Grey, Self::Black];
 
-    /// Colours of what is drawn over the model, and the background, in a window of this theme: on white what is meant for light surroundings.
-    pub fn look(self, theme: Theme) -> (Palette, Background) {
+    /// Overlay colours and background in a window of this theme; on white the overlay colours of the light theme.
+    pub fn palette_and_background(self, theme: Theme) -> (Palette, Background) {
         let theme = match self {
             Self::Theme => theme,
             Self::White => Theme::Light,

@@ -1,5 +1,5 @@
-//! How a document is looked at, without a window: the light and the model that hands move, the switches of the display by their names, what
-//! accompanies it in the picture, and the files that keep all of it: sessions, settings, and muscles that are not saved yet. The window's session and the subcommands stand on it.
+//! How a document is shown, without a window: the movable light and the model's own transform, display presets, overlays (onion skins, motion path,
+//! comparison), and the files that keep it: sessions, settings, recovery of recovery_file muscles. Used by the window's session and the subcommands.
 
 mod camera_follow;
 mod cameras;
@@ -13,20 +13,20 @@ mod onion_skin;
 mod onion_skin_settings;
 mod open;
 mod overlays;
+mod recovery_file;
 mod session_file;
 mod settings;
-mod unsaved;
 
-pub use camera_follow::Along;
+pub use camera_follow::CameraFollow;
 pub use cameras::{file_camera, file_cameras};
-pub use comparison::{Comparison, TINT as COMPARED_TINT, With};
-pub use display_presets::{Backdrop, SHADINGS, SWITCHES, Switch};
-pub use frames::{DEFAULT_RATE, guess_rate};
-pub use light::LightAim;
+pub use comparison::{CompareTarget, Comparison, TINT as COMPARED_TINT};
+pub use display_presets::{BackgroundPreset, DISPLAY_FLAGS, DisplayFlag, SHADINGS};
+pub use frames::{DEFAULT_FRAME_RATE, infer_frame_rate};
+pub use light::LightDirection;
 pub use model::ModelTransform;
-pub use onion_skin_settings::Ghosts;
-pub use open::{Opened, held, open};
+pub use onion_skin_settings::OnionSkinSettings;
+pub use open::{Opened, guard_of, open};
 pub use overlays::{PoseContext, SceneOverlays};
-pub use session_file::{Saved, SavedCamera, SavedComparison, SavedModel, SavedNode, SavedTurn, SessionError, name_of};
-pub use settings::{Colours, Settings, SheetPage};
-pub use unsaved::Unsaved;
+pub use recovery_file::RecoveryFile;
+pub use session_file::{SavedCamera, SavedComparison, SavedModel, SavedNode, SavedRotation, SessionError, SessionState, saved_node};
+pub use settings::{ColorScheme, Settings, SheetPage};

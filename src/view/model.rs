@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DQuat, DVec3, EulerRot};
 
-/// Moves, turns and scales the whole model about its middle.
+/// Translation, rotation and scale of the whole model about its middle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModelTransform {
     /// Metres.
@@ -11,7 +11,7 @@ pub struct ModelTransform {
     pub rotation: DQuat,
     /// Above 0.
     pub scale: f64,
-    /// The point that turning and scaling keep in place, metres: the middle of the model at rest.
+    /// Fixed point of rotation and scale, metres: the middle of the model at rest.
     pub pivot: DVec3,
 }
 
@@ -23,7 +23,7 @@ impl Default for ModelTransform {
 
 impl ModelTransform {
     /// Smallest scale; the largest is its inverse.
-    pub const SMALLEST: f64 = 1e-3;
+    pub const MIN_SCALE: f64 = 1e-3;
 
     /// As a matrix, applied after everything in the file.
     pub fn matrix(&self) -> DMat4 {
@@ -41,15 +41,15 @@ impl ModelTransform {
         *self = Self { pivot: self.pivot, ..Self::default() };
     }
 
-    /// Moves by metres.
-    pub fn shift(&mut self, by: DVec3) {
+    /// Translates by metres.
+    pub fn translate(&mut self, by: DVec3) {
         if by.is_finite() {
             self.translation += by;
         }
     }
 
-    /// Turns by radians about a direction of the world.
-    pub fn turn(&mut self, axis: DVec3, radians: f64) {
+    /// Rotates by radians about an axis, world.
+    pub fn rotate(&mut self, axis: DVec3, radians: f64) {
         if let Some(axis) = axis.try_normalize()
             && radians.is_finite()
         {
@@ -58,24 +58,24 @@ impl ModelTransform {
     }
 
     /// Multiplies the scale, within its limits.
-    pub fn grow(&mut self, factor: f64) {
+    pub fn scale_by(&mut self, factor: f64) {
         self.set_scale(self.scale * factor);
     }
 
     /// Sets the scale, within its limits.
     pub fn set_scale(&mut self, scale: f64) {
         if scale.is_finite() && scale > 0.0 {
-            self.scale = scale.clamp(Self::SMALLEST, 1.0 / Self::SMALLEST);
+            self.scale = scale.clamp(Self::MIN_SCALE, 1.0 / Self::MIN_SCALE);
         }
     }
 
-    /// Turns about X, then Y, then Z (all of the world), degrees.
+    /// Rotation about X, then Y, then Z (world axes), degrees.
     pub fn degrees(&self) -> DVec3 {
         let (z, y, x) = self.rotation.to_euler(EulerRot::ZYX);
         DVec3::new(x, y, z) * (180.0 / std::f64::consts::PI)
     }
 
-    /// Sets the turns, degrees.
+    /// Sets the rotation from degrees about X, Y, Z.
     pub fn set_degrees(&mut self, degrees: DVec3) {
         if degrees.is_finite() {
             let radians = degrees * (std::f64::consts::PI / 180.0);
@@ -91,11 +91,11 @@ mod tests {
     #[test]
     fn turning_and_scaling_keep_the_middle() {
         let mut model = ModelTransform { pivot: DVec3::new(1.0, 2.0, 3.0), ..ModelTransform::default() };
-        model.turn(DVec3::Y, 1.0);
-        model.turn(DVec3::X, -0.4);
-        model.grow(3.0);
+        model.rotate(DVec3::Y, 1.0);
+        model.rotate(DVec3::X, -0.4);
+        model.scale_by(3.0);
         assert!((model.matrix().transform_point3(model.pivot) - model.pivot).length() < 1e-12);
-        model.shift(DVec3::X);
+        model.translate(DVec3::X);
         assert!((model.matrix().transform_point3(model.pivot) - model.pivot - DVec3::X).length() < 1e-12);
         assert!(!model.is_identity());
         model.reset();
@@ -116,14 +116,14 @@ mod tests {
     #[test]
     fn senseless_numbers_change_nothing() {
         let mut model = ModelTransform::default();
-        model.shift(DVec3::NAN);
-        model.turn(DVec3::ZERO, 1.0);
-        model.turn(DVec3::X, f64::INFINITY);
+        model.translate(DVec3::NAN);
+        model.rotate(DVec3::ZERO, 1.0);
+        model.rotate(DVec3::X, f64::INFINITY);
         model.set_scale(-1.0);
-        model.grow(f64::NAN);
+        model.scale_by(f64::NAN);
         model.set_degrees(DVec3::INFINITY);
         assert!(model.is_identity());
-        model.grow(1e300);
+        model.scale_by(1e300);
         assert_eq!(model.scale, 1e3);
     }
 }

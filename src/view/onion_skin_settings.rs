@@ -2,36 +2,36 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Most ghosts on one side.
-const MOST: u32 = 10;
-/// Longest step, frames.
-const LONGEST: u32 = 100;
+/// Most onion skins before, and after, the present pose.
+const MAX_SKINS: u32 = 10;
+/// Largest step, frames.
+const MAX_STEP: u32 = 100;
 
-/// Which ghosts are drawn.
+/// Which onion skins are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
-pub struct Ghosts {
-    /// Whether other moments are drawn at all.
+pub struct OnionSkinSettings {
+    /// Whether onion skins are drawn.
     pub shown: bool,
-    /// How many moments before the present one.
+    /// Number of poses before the present one.
     pub before: u32,
-    /// How many after it.
+    /// Number of poses after it.
     pub after: u32,
-    /// Frames from one to the next.
+    /// Frames between two of them.
     pub step: u32,
-    /// Whether the path of the selected node is drawn.
+    /// Whether the motion path of the selected node is drawn.
     pub path: bool,
 }
 
-impl Default for Ghosts {
+impl Default for OnionSkinSettings {
     fn default() -> Self {
         Self { shown: false, before: 2, after: 2, step: 5, path: false }
     }
 }
 
-impl Ghosts {
-    /// The numbers within their limits.
-    pub fn sane(self) -> Self {
-        Self { before: self.before.min(MOST), after: self.after.min(MOST), step: self.step.clamp(1, LONGEST), ..self }
+impl OnionSkinSettings {
+    /// The same with numbers clamped to their limits.
+    pub fn clamped(self) -> Self {
+        Self { before: self.before.min(MAX_SKINS), after: self.after.min(MAX_SKINS), step: self.step.clamp(1, MAX_STEP), ..self }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Saved;
+use super::SessionState;
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::Guard;
@@ -13,22 +13,22 @@ use crate::input;
 pub struct Opened {
     /// The files in one scene.
     pub document: Document,
-    /// How a session file says that it is to be looked at, where it was one. Nodes it hides are hidden and joints it turns are turned.
-    pub saved: Option<Box<Saved>>,
+    /// The session, where the file was one. It is already applied to the document: nodes are hidden and joints rotated.
+    pub session: Option<Box<SessionState>>,
     /// The file that a session compares with, where it names one that can be opened.
     pub compared: Option<(PathBuf, Document)>,
 }
 
 impl Opened {
-    /// Holds everything that was opened, and what a session names besides, whether that could be opened or not; `folder` is that of the session file.
+    /// Protects from overwriting: every file that was opened, and those that a session names, opened or not. `folder` is that of the session file.
     pub fn guard(&self, folder: &Path) -> Guard {
-        let named = self.saved.iter().flat_map(|saved| saved.every_file(folder));
-        held(&self.document, self.compared.as_ref().map(|(file, other)| (file.as_path(), other))).and(named)
+        let named = self.session.iter().flat_map(|session| session.all_files(folder));
+        guard_of(&self.document, self.compared.as_ref().map(|(file, other)| (file.as_path(), other))).and(named)
     }
 }
 
-/// Holds every file that a document and the one that it is compared with were made from: clips that muscles name and images too.
-pub fn held(document: &Document, compared: Option<(&Path, &Document)>) -> Guard {
+/// Protects every file that a document and its comparison were read from: also clips that muscles name, and images.
+pub fn guard_of(document: &Document, compared: Option<(&Path, &Document)>) -> Guard {
     let with = compared.into_iter().flat_map(|(file, other)| std::iter::once(file.to_owned()).chain(other.files()));
     Guard::of_document(document).and(with)
 }
@@ -36,23 +36,23 @@ pub fn held(document: &Document, compared: Option<(&Path, &Document)>) -> Guard 
 /// Opens files, or the files that a session file names.
 ///
 /// # Errors
-/// [`OpenError`] for the first file that cannot be used. A file that is only compared with is left out instead.
+/// [`OpenError`] for the first file that cannot be used. A file that is only compared with is ignored instead.
 pub fn open<P: AsRef<Path>>(paths: &[P], options: OpenOptions, progress: &Progress) -> Result<Opened, OpenError> {
-    let plain = || Ok(Opened { document: Document::open_with(paths, options, progress)?, saved: None, compared: None });
+    let plain = || Ok(Opened { document: Document::open_with(paths, options, progress)?, session: None, compared: None });
     let [path] = paths else { return plain() };
     let path = path.as_ref();
-    let saved = match Saved::read(path) {
+    let session = match SessionState::read(path) {
         None => return plain(),
-        Some(Ok(saved)) => saved,
+        Some(Ok(session)) => session,
         Some(Err(error)) => {
             return Err(OpenError { file: path.display().to_string(), line: error.line, column: None, message: error.message });
         }
     };
     let folder = path.parent().unwrap_or(Path::new(""));
-    let files = saved.paths(folder);
+    let files = session.paths(folder);
     let mut document = if files.is_empty() { Document::built_in() } else { Document::open_with(&files, options, progress)? };
-    saved.prepare(&mut document);
-    let other = saved.compared.as_ref().and_then(|compared| compared.file.as_ref()).map(|file| input::named_in(folder, file));
+    session.apply_to_document(&mut document);
+    let other = session.compared.as_ref().and_then(|compared| compared.file.as_ref()).map(|file| input::named_in(folder, file));
     let compared = other.and_then(|file| Some((file.clone(), Document::open_with(&[file], options, progress).ok()?)));
-    Ok(Opened { document, saved: Some(Box::new(saved)), compared })
+    Ok(Opened { document, session: Some(Box::new(session)), compared })
 }

@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
-use super::{Backdrop, Ghosts, LightAim, ModelTransform, SHADINGS, SWITCHES};
+use super::{BackgroundPreset, DISPLAY_FLAGS, LightDirection, ModelTransform, OnionSkinSettings, SHADINGS};
 use crate::document::{Document, PoseBuffers, PoseState, Skinning};
 use crate::render::{Display, Samples, Shading, Theme};
 use crate::scene::{Bounds, Frame, NodeId, OrbitCamera};
@@ -20,13 +20,13 @@ const KEY: &str = "sinew_session";
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct SessionFile {
     /// The session.
-    pub sinew_session: Saved,
+    pub sinew_session: SessionState,
 }
 
-/// What a session file keeps. A key that is missing means what a fresh start has.
+/// Contents of a session file. A missing key has its value of a fresh start.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
-pub struct Saved {
+pub struct SessionState {
     /// The open files, relative to the session file where they lie beside or below it; none = the built-in scene.
     pub files: Vec<PathBuf>,
     /// The name of the clip.
@@ -48,19 +48,19 @@ pub struct Saved {
     /// `flat`, `gouraud` or `phong`.
     pub shading: String,
     /// Anti-aliasing.
-    #[serde(default = "usual_edges")]
+    #[serde(default = "default_smooth_edges")]
     pub smooth_edges: bool,
-    /// Switches of the display that are on, as in the settings.
-    #[serde(default = "usual_switches")]
+    /// Names of the display flags that are on, as in the settings.
+    #[serde(default = "default_flags")]
     pub shown: Vec<String>,
-    /// Numbers of the hidden nodes, in the order of the tree, with their names.
+    /// The hidden nodes.
     pub hidden: Vec<SavedNode>,
     /// The selected node.
     pub selected: Option<SavedNode>,
-    /// Joints turned by hand.
-    pub turned: Vec<SavedTurn>,
-    /// What stands behind the scene.
-    pub backdrop: Backdrop,
+    /// Joints with an overridden rotation.
+    pub turned: Vec<SavedRotation>,
+    /// Background of the viewport.
+    pub backdrop: BackgroundPreset,
     /// Side of a cell of the ground grid, metres; none = after the size of the scene.
     pub grid_cell: Option<f32>,
     /// How many times as wide as usual lines are; none = once.
@@ -69,36 +69,37 @@ pub struct Saved {
     pub ambient: Option<f32>,
     /// Whether the weights of the selected bone are painted.
     pub weights: bool,
-    /// Which neighbouring moments and paths are drawn.
-    pub ghosts: Ghosts,
+    /// Onion skins and motion path.
+    #[serde(rename = "ghosts")]
+    pub onion_skins: OnionSkinSettings,
     /// Frames a second of the frame numbers; none = what the keys tell.
     pub frame_rate: Option<f64>,
-    /// How fast time goes; negative = backwards; none = 1.
+    /// Playback speed; negative = backwards; none = 1.
     pub speed: Option<f64>,
     /// `loop`, `once` or `ping-pong`.
     pub loop_mode: String,
-    /// The marks that bound what plays, seconds.
+    /// Start and end of the playback range, seconds.
     pub marks: [Option<f64>; 2],
-    /// The camera of the file through which one looks, by its node.
+    /// The node of the file camera that is looked through.
     pub file_camera: Option<SavedNode>,
-    /// What the camera goes along with, by its node.
+    /// The node that the camera follows.
     pub follow: Option<SavedNode>,
-    /// What is compared with.
+    /// The comparison.
     pub compared: Option<SavedComparison>,
 }
 
-/// Whether a fresh start smooths edges.
-fn usual_edges() -> bool {
+/// Whether anti-aliasing is on at a fresh start.
+fn default_smooth_edges() -> bool {
     Display::default().samples == Samples::Four
 }
 
-/// The switches that are on at a fresh start.
-fn usual_switches() -> Vec<String> {
-    let mut usual = Display::default();
-    SWITCHES.iter().filter(|(_, switch)| *switch(&mut usual)).map(|(name, _)| (*name).to_owned()).collect()
+/// The display flags that are on at a fresh start.
+fn default_flags() -> Vec<String> {
+    let mut default = Display::default();
+    DISPLAY_FLAGS.iter().filter(|(_, flag)| *flag(&mut default)).map(|(name, _)| (*name).to_owned()).collect()
 }
 
-/// What is compared with what is open: one of file, clip and skinning.
+/// A comparison: one of file, clip and skinning.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 pub struct SavedComparison {
@@ -106,17 +107,17 @@ pub struct SavedComparison {
     pub file: Option<PathBuf>,
     /// A clip of the open files, by name.
     pub clip: Option<String>,
-    /// The other way to bend a skin.
+    /// The other skinning method.
     pub skinning: bool,
-    /// Seconds that it is ahead.
+    /// Time offset, seconds ahead.
     pub later: f64,
-    /// Metres that it stands aside.
+    /// Spatial offset, metres.
     pub aside: f64,
-    /// The direction that is aside; none = to the right as one looks.
+    /// Direction of the spatial offset; none = to the right of the view.
     pub toward: Option<[f64; 3]>,
 }
 
-/// A camera on its turntable.
+/// An orbit camera.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SavedCamera {
     /// The point it looks at, metres.
@@ -143,18 +144,18 @@ pub struct SavedModel {
     pub scale: f64,
 }
 
-/// A node, by its place in the tree and its name: both must fit.
+/// A node, by its index in the tree and its name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SavedNode {
-    /// Place in the tree, parents before children.
+    /// Index in the tree, parents before children.
     pub node: u32,
     /// Its name.
     pub name: String,
 }
 
-/// A joint turned by hand.
+/// A joint with an overridden rotation.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SavedTurn {
+pub struct SavedRotation {
     /// The joint.
     #[serde(flatten)]
     pub joint: SavedNode,
@@ -167,7 +168,7 @@ pub struct SavedTurn {
 pub struct SessionError {
     /// Line from 1, where it is known.
     pub line: Option<u32>,
-    /// What is wrong.
+    /// The message.
     pub message: String,
 }
 
@@ -188,11 +189,11 @@ fn is_session(text: &str) -> bool {
             }))
 }
 
-impl Saved {
+impl SessionState {
     /// Reads a session file; `None` where the file is none (another kind, or not readable: the document's reader says what is wrong with it).
     pub fn read(path: &Path) -> Option<Result<Self, SessionError>> {
         let ending = path.extension()?.to_str()?;
-        if !["yaml", "yml"].iter().any(|ours| ending.eq_ignore_ascii_case(ours)) {
+        if !["yaml", "yml"].iter().any(|known| ending.eq_ignore_ascii_case(known)) {
             return None;
         }
         Self::parse(&input::read_text(path, limits::YAML_BYTES).ok()?)
@@ -215,7 +216,7 @@ impl Saved {
     ///
     /// # Errors
     /// What the writer says; numbers and names of a session can always be written.
-    pub fn text(&self) -> std::io::Result<String> {
+    pub fn to_yaml(&self) -> std::io::Result<String> {
         yaml::to_text(&SessionFile { sinew_session: self.clone() }).map_err(std::io::Error::other)
     }
 
@@ -224,15 +225,15 @@ impl Saved {
         self.files.iter().map(|file| input::named_in(folder, file)).collect()
     }
 
-    /// The files and the one that is compared with, whether they can be opened or not; `folder` as in [`Saved::paths`].
-    pub fn every_file(&self, folder: &Path) -> Vec<PathBuf> {
+    /// The files and the one that is compared with, whether they can be opened or not; `folder` as in [`SessionState::paths`].
+    pub fn all_files(&self, folder: &Path) -> Vec<PathBuf> {
         let compared = self.compared.as_ref().and_then(|compared| compared.file.as_ref());
         self.files.iter().chain(compared).map(|file| folder.join(file)).collect()
     }
 }
 
 /// A node as a session file names it.
-pub fn name_of(document: &Document, node: NodeId) -> SavedNode {
+pub fn saved_node(document: &Document, node: NodeId) -> SavedNode {
     SavedNode { node: node.0, name: document.scene.graph.node(node).name.clone() }
 }
 
@@ -245,11 +246,11 @@ impl SavedNode {
 
     /// [`SavedNode::find`], with the first node of a name found by `first`.
     fn find_by(&self, document: &Document, mut first: impl FnMut(&str) -> Option<NodeId>) -> Option<NodeId> {
-        let there = NodeId(self.node);
+        let at_index = NodeId(self.node);
         let graph = &document.scene.graph;
         let mut named = |name: &str| {
-            let same = there.index() < graph.len() && graph.node(there).name == name;
-            if same { Some(there) } else { first(name) }
+            let same = at_index.index() < graph.len() && graph.node(at_index).name == name;
+            if same { Some(at_index) } else { first(name) }
         };
         named(&self.name).or_else(|| named(&i18n::translated("collada-unnamed-node", "number", &self.name)?))
     }
@@ -269,27 +270,27 @@ impl SavedCamera {
     pub fn orbit(&self, bounds: &Bounds) -> Option<OrbitCamera> {
         let numbers = [self.yaw, self.pitch, self.distance];
         let target = Vec3::from_array(self.target);
-        let sound = target.is_finite() && numbers.iter().all(|number| number.is_finite()) && self.distance > 0.0;
+        let is_valid = target.is_finite() && numbers.iter().all(|number| number.is_finite()) && self.distance > 0.0;
         let mut orbit = OrbitCamera::default();
         orbit.fit(bounds, 1.0);
         (orbit.target, orbit.yaw, orbit.distance) = (target, self.yaw, self.distance);
         (orbit.pitch, orbit.orthographic) = (self.pitch.clamp(-90.0, 90.0), self.orthographic);
-        sound.then_some(orbit)
+        is_valid.then_some(orbit)
     }
 }
 
 impl SavedModel {
-    /// Puts the numbers into a transform, which keeps its pivot; numbers that are none change nothing.
-    pub fn put(&self, model: &mut ModelTransform) {
-        model.shift(DVec3::from_array(self.translation));
+    /// Sets translation, rotation and scale, keeping the pivot; numbers that are not finite change nothing.
+    pub fn apply_to(&self, model: &mut ModelTransform) {
+        model.translate(DVec3::from_array(self.translation));
         model.set_degrees(DVec3::from_array(self.rotation));
         model.set_scale(self.scale);
     }
 }
 
-impl Saved {
-    /// Hides nodes and turns joints of a document that has just been opened. What no longer exists is passed over.
-    pub fn prepare(&self, document: &mut Document) {
+impl SessionState {
+    /// Hides nodes and rotates joints of a document that has just been opened. Nodes that no longer exist are skipped.
+    pub fn apply_to_document(&self, document: &mut Document) {
         let known = nodes_by_name(document);
         let find = |node: &SavedNode| node.find_by(document, |name| known.get(name).copied());
         let hidden: Vec<NodeId> = self.hidden.iter().filter_map(find).collect();
@@ -302,8 +303,8 @@ impl Saved {
         }
     }
 
-    /// The moment of a document that [`Saved::prepare`] has seen.
-    pub fn state(&self, document: &Document) -> PoseState {
+    /// The pose state of a document, after [`SessionState::apply_to_document`].
+    pub fn pose_state(&self, document: &Document) -> PoseState {
         let mut state = document.start_state();
         let clip = self.clip.as_ref().and_then(|name| document.clip_named(name));
         state.clip = clip.or(state.clip);
@@ -319,44 +320,44 @@ impl Saved {
             let mut frame = Frame::default();
             document.pose(&document.start_state(), &mut PoseBuffers::default(), &mut frame);
             let mut model = ModelTransform { pivot: frame.bounds.center().as_dvec3(), ..ModelTransform::default() };
-            saved.put(&mut model);
+            saved.apply_to(&mut model);
             state.model = model.matrix();
         }
         state
     }
 
-    /// Puts switches, shading and numbers of the look into a display; numbers out of range are held at the limit.
-    pub fn put_looks(&self, display: &mut Display) {
-        let usual = Display::default();
+    /// Sets flags, shading and numbers of a display; numbers out of range are clamped.
+    pub fn apply_to_display(&self, display: &mut Display) {
+        let default = Display::default();
         let named = SHADINGS.iter().find(|(name, _)| *name == self.shading);
         display.shading = named.map_or(Shading::Gouraud, |(_, shading)| *shading);
         display.samples = if self.smooth_edges { Samples::Four } else { Samples::One };
         display.grid_cell = self.grid_cell.filter(|cell| cell.is_finite() && *cell > 0.0);
-        display.line_width = self.line_width.filter(|width| width.is_finite()).map_or(usual.line_width, |width| width.clamp(0.5, 4.0));
-        display.ambient = self.ambient.filter(|ambient| ambient.is_finite()).map_or(usual.ambient, |ambient| ambient.clamp(0.0, 1.0));
-        for (name, switch) in SWITCHES {
-            *switch(display) = self.shown.iter().any(|shown| shown == name);
+        display.line_width = self.line_width.filter(|width| width.is_finite()).map_or(default.line_width, |width| width.clamp(0.5, 4.0));
+        display.ambient = self.ambient.filter(|ambient| ambient.is_finite()).map_or(default.ambient, |ambient| ambient.clamp(0.0, 1.0));
+        for (name, flag) in DISPLAY_FLAGS {
+            *flag(display) = self.shown.iter().any(|shown| shown == name);
         }
     }
 
-    /// How a picture of it looks without a window, in dark surroundings.
+    /// The display of a picture without a window, in the dark theme.
     pub fn display(&self, document: &Document, bounds: &Bounds) -> Display {
         let mut display = Display::default();
-        self.put_looks(&mut display);
-        (display.palette, display.background) = self.backdrop.look(Theme::Dark);
-        display.light = self.light_aim().map(|aim| aim.position(bounds));
+        self.apply_to_display(&mut display);
+        (display.palette, display.background) = self.backdrop.palette_and_background(Theme::Dark);
+        display.light = self.light_direction().map(|direction| direction.position(bounds));
         let selected = self.selected.as_ref().and_then(|node| node.find(document));
         display.weights = selected.filter(|_| self.weights);
         display.selected = selected;
         display
     }
 
-    /// Where the light is; `None` = with the camera.
-    pub fn light_aim(&self) -> Option<LightAim> {
+    /// Direction to the light; `None` = the light is at the camera.
+    pub fn light_direction(&self) -> Option<LightDirection> {
         self.light.map(|[yaw, pitch]| {
-            let mut aim = LightAim { yaw: 0.0, pitch: 0.0 };
-            aim.turn(yaw, pitch);
-            aim
+            let mut direction = LightDirection { yaw: 0.0, pitch: 0.0 };
+            direction.rotate(yaw, pitch);
+            direction
         })
     }
 }
@@ -368,24 +369,24 @@ mod tests {
     #[test]
     fn a_key_that_is_missing_means_a_fresh_start() {
         let file: SessionFile = yaml::from_text("sinew_session: {time: 1}", 100).expect("a session");
-        let (mut looks, usual) = (Display { wireframe: true, mesh: false, ..Display::default() }, Display::default());
-        file.sinew_session.put_looks(&mut looks);
-        assert_eq!((looks.mesh, looks.wireframe, looks.samples), (usual.mesh, usual.wireframe, usual.samples));
+        let (mut display, default) = (Display { wireframe: true, mesh: false, ..Display::default() }, Display::default());
+        file.sinew_session.apply_to_display(&mut display);
+        assert_eq!((display.mesh, display.wireframe, display.samples), (default.mesh, default.wireframe, default.samples));
         let bare: SessionFile = yaml::from_text("sinew_session: {shown: [], smooth-edges: false}", 100).expect("a session");
-        bare.sinew_session.put_looks(&mut looks);
-        assert!(!looks.mesh && looks.samples == Samples::One);
+        bare.sinew_session.apply_to_display(&mut display);
+        assert!(!display.mesh && display.samples == Samples::One);
     }
 
     #[test]
     fn files_beside_the_session_are_named_without_their_folder() {
-        let saved = Saved { files: vec!["a/walk.dae".into(), "/else/arm.yaml".into()], ..Saved::default() };
+        let saved = SessionState { files: vec!["a/walk.dae".into(), "/else/arm.yaml".into()], ..SessionState::default() };
         assert_eq!(saved.paths(Path::new("/home/me")), [PathBuf::from("/home/me/a/walk.dae"), "/else/arm.yaml".into()]);
     }
 
     #[test]
     fn other_files_are_none_and_broken_ones_say_where() {
-        assert!(Saved::parse("muscle_config:\n  length: 1\n").is_none());
-        let error = Saved::parse("sinew_session:\n  time: soon\n").expect("a session file").expect_err("broken");
+        assert!(SessionState::parse("muscle_config:\n  length: 1\n").is_none());
+        let error = SessionState::parse("sinew_session:\n  time: soon\n").expect("a session file").expect_err("broken");
         assert_eq!(error.line, Some(2), "{error:?}");
     }
 
@@ -403,10 +404,12 @@ mod tests {
             "\n",
         ] {
             let compared = SavedComparison { file: Some(name.into()), ..SavedComparison::default() };
-            let saved = Saved { files: vec![name.into()], clip: Some(name.into()), compared: Some(compared), ..Saved::default() };
-            let text = saved.text().expect("written");
-            let again =
-                Saved::parse(&text).unwrap_or_else(|| panic!("no session: {text}")).unwrap_or_else(|error| panic!("{error:?}: {text}"));
+            let saved =
+                SessionState { files: vec![name.into()], clip: Some(name.into()), compared: Some(compared), ..SessionState::default() };
+            let text = saved.to_yaml().expect("written");
+            let again = SessionState::parse(&text)
+                .unwrap_or_else(|| panic!("no session: {text}"))
+                .unwrap_or_else(|error| panic!("{error:?}: {text}"));
             assert_eq!((again.files, again.clip.as_deref()), (vec![PathBuf::from(name)], Some(name)));
         }
         for text in [
@@ -415,21 +418,21 @@ mod tests {
             "'sinew_session':\n  time: 1\n",
             "? sinew_session\n: {time: 1}\n",
         ] {
-            assert_eq!(Saved::parse(text).map(|read| read.map(|saved| saved.time).ok()), Some(Some(1.0)), "{text}");
+            assert_eq!(SessionState::parse(text).map(|read| read.map(|saved| saved.time).ok()), Some(Some(1.0)), "{text}");
         }
         for text in
             ["muscle_config: {sinew_session: 1}", "# sinew_session", "[sinew_session: 1]", "name: 'sinew_session:'", "{sinew_session"]
         {
-            assert!(Saved::parse(text).is_none(), "{text}");
+            assert!(SessionState::parse(text).is_none(), "{text}");
         }
     }
 
     #[test]
     fn a_moment_is_found_without_a_window() {
         let mut document = Document::built_in();
-        let saved = Saved { flexion: Some(50.0), hidden: vec![name_of(&document, NodeId(1))], ..Saved::default() };
-        saved.prepare(&mut document);
+        let saved = SessionState { flexion: Some(50.0), hidden: vec![saved_node(&document, NodeId(1))], ..SessionState::default() };
+        saved.apply_to_document(&mut document);
         assert!(!document.scene.graph.node(NodeId(1)).visible);
-        assert!((saved.state(&document).drive.flexion - 50.0).abs() < 1e-9);
+        assert!((saved.pose_state(&document).drive.flexion - 50.0).abs() < 1e-9);
     }
 }

@@ -1,22 +1,22 @@
-//! What is remembered from one start to the next: a small YAML file in the user's config folder. Here it is plain data; the window's part says where the
-//! file is and puts the looks into a session.
+//! Settings that are kept between starts: a small YAML file in the user's config folder. This module holds the data; the window's `settings` says where the
+//! file is and applies it to a session.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::Backdrop;
+use super::BackgroundPreset;
 use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::render::Display;
 use crate::yaml::{self, YamlError};
 use crate::{input, limits, tr};
 
-/// Light or dark, or what the desktop says.
+/// Colour scheme of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Colours {
+pub enum ColorScheme {
     /// As the desktop has it.
     #[default]
     System,
@@ -26,7 +26,7 @@ pub enum Colours {
     Dark,
 }
 
-impl Colours {
+impl ColorScheme {
     /// All choices, in the order of the menu.
     pub const ALL: [Self; 3] = [Self::System, Self::Light, Self::Dark];
 
@@ -40,7 +40,7 @@ impl Colours {
     }
 }
 
-/// What is unfolded below the track.
+/// The page that is open below the timeline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SheetPage {
@@ -53,7 +53,7 @@ pub enum SheetPage {
     Curves,
 }
 
-/// Everything that is remembered. A key that is missing has its default; one that is unknown (from a newer version) is passed over.
+/// All settings. A missing key has its default; an unknown one (from a newer version) is ignored.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(default, rename_all = "kebab-case")]
 pub struct Settings {
@@ -72,17 +72,17 @@ pub struct Settings {
     /// The folder of the file that was opened last.
     pub folder: Option<PathBuf>,
     /// Light or dark.
-    pub colours: Colours,
-    /// What is unfolded below the track.
+    pub colours: ColorScheme,
+    /// The page that is open below the timeline.
     pub sheet: SheetPage,
-    /// Frames a second of the frame numbers; none = what the keys tell.
+    /// Frames per second of the frame numbers; none = inferred from the keys.
     pub frame_rate: Option<f64>,
     /// Whether jumps of the camera are eased, where the desktop wants animation.
     pub smooth_camera: bool,
-    /// Whether the names of bones are written.
+    /// Whether the names of bones are shown.
     pub bone_names: bool,
-    /// What stands behind the scene.
-    pub backdrop: Backdrop,
+    /// Background of the viewport.
+    pub backdrop: BackgroundPreset,
     /// Side of a cell of the ground grid, metres; none = after the size of the scene.
     pub grid_cell: Option<f32>,
     /// How many times as wide as usual lines are.
@@ -95,7 +95,7 @@ pub struct Settings {
     pub shading: String,
     /// Anti-aliasing.
     pub smooth_edges: bool,
-    /// Switches of the display that are on.
+    /// Names of the display flags that are on.
     pub shown: Vec<String>,
 }
 
@@ -109,12 +109,12 @@ impl Default for Settings {
             panel_shown: true,
             page: "muscle".into(),
             folder: None,
-            colours: Colours::System,
+            colours: ColorScheme::System,
             sheet: SheetPage::None,
             frame_rate: None,
             smooth_camera: true,
             bone_names: false,
-            backdrop: Backdrop::Theme,
+            backdrop: BackgroundPreset::Theme,
             grid_cell: None,
             line_width: 1.0,
             ambient: Display::default().ambient,
@@ -147,14 +147,14 @@ impl Settings {
     /// # Errors
     /// [`YamlError`].
     pub fn parse(text: &str) -> Result<Self, YamlError> {
-        yaml::from_text::<Self>(text, limits::YAML_BYTES).map(Self::sane)
+        yaml::from_text::<Self>(text, limits::YAML_BYTES).map(Self::clamped)
     }
 
     /// As YAML.
     ///
     /// # Errors
     /// What the writer says; settings can always be written.
-    pub fn text(&self) -> std::io::Result<String> {
+    pub fn to_yaml(&self) -> std::io::Result<String> {
         yaml::to_text(self).map_err(std::io::Error::other)
     }
 
@@ -165,11 +165,11 @@ impl Settings {
     pub fn save(&self, path: &Path) -> std::io::Result<()> {
         let folder = path.parent().unwrap_or(Path::new("."));
         std::fs::create_dir_all(folder)?;
-        let text = self.text()?;
+        let text = self.to_yaml()?;
         write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(std::io::Error::other)
     }
 
-    fn sane(mut self) -> Self {
+    fn clamped(mut self) -> Self {
         self.width = self.width.clamp(640, 16_384);
         self.height = self.height.clamp(480, 16_384);
         let default = Self::default();

@@ -201,7 +201,7 @@ fn what_belongs_to_a_compared_file_is_held_as_what_is_open_is() {
         let opened = view::open(&[&session], OpenOptions::default(), &Progress::default()).expect("opened");
         let compared = opened.compared.as_ref().map(|(file, document)| (file.as_path(), document));
         // The command line and the window ask the same.
-        let guards = [opened.guard(&folder), view::held(&opened.document, compared)].map(|guard| guard.and([&session]));
+        let guards = [opened.guard(&folder), view::guard_of(&opened.document, compared)].map(|guard| guard.and([&session]));
         for source in held {
             for ending in ["png", "gif"] {
                 let out = alias(&folder, source, way, ending);

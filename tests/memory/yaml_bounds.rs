@@ -5,7 +5,7 @@ use crate::counting::{allocations, peak};
 use proptest::prelude::*;
 use sinew::limits;
 use sinew::muscle::MuscleFile;
-use sinew::view::{Saved, Settings, Unsaved};
+use sinew::view::{RecoveryFile, SessionState, Settings};
 use sinew::yaml::{Node, Value, read};
 
 /// Most memory that any text may take, whatever reads it, bytes.
@@ -13,12 +13,12 @@ const MEMORY: usize = 64 << 20;
 
 /// All four readers on a text; what each says of it, `None` where it takes it.
 fn refusals(text: &str) -> [Option<String>; 4] {
-    let session = Saved::parse(text).map_or_else(|| Some("no session".to_owned()), |read| read.err().map(|error| error.message));
+    let session = SessionState::parse(text).map_or_else(|| Some("no session".to_owned()), |read| read.err().map(|error| error.message));
     [
         session,
         MuscleFile::parse(text).err().map(|error| error.message),
         Settings::parse(text).err().map(|error| error.message),
-        Unsaved::parse(text).err().map(|error| error.message),
+        RecoveryFile::parse(text).err().map(|error| error.message),
     ]
 }
 
@@ -116,10 +116,10 @@ pub(crate) fn limits_are_named() {
         assert!(said.contains("100") || said.contains("session"), "{said}");
     }
     let many = format!("sinew_session:\n  files: [{}]", "a.dae,".repeat(limits::SESSION_FILES + 1));
-    let error = Saved::parse(&many).expect("a session").expect_err("too many files");
+    let error = SessionState::parse(&many).expect("a session").expect_err("too many files");
     assert!(error.message.contains("101") && error.message.contains("100"), "{}", error.message);
     let fits = format!("sinew_session:\n  files: [{}]", "a.dae,".repeat(limits::SESSION_FILES));
-    assert!(Saved::parse(&fits).expect("a session").is_ok());
+    assert!(SessionState::parse(&fits).expect("a session").is_ok());
 }
 
 pub(crate) fn the_product_of_nodes_and_muscles_is_bounded_before_anything_is_built() {

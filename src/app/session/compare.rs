@@ -7,7 +7,7 @@ use glam::Vec3;
 use super::{Changes, Session};
 use crate::document::Document;
 use crate::scene::{Bounds, NodeId};
-use crate::view::{Comparison, SavedComparison, With};
+use crate::view::{CompareTarget, Comparison, SavedComparison};
 
 /// What a comparison shows and found out.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +25,7 @@ pub struct Compared {
 
 impl Session {
     /// Compares with something; `None` ends it. A clip that is not there is none.
-    pub fn compare(&mut self, with: Option<With>) {
+    pub fn compare(&mut self, with: Option<CompareTarget>) {
         // A view that shows both, and that no hand has touched since, goes back to the first one.
         let alone = self.fit_on_resize && self.compared_shift().is_some_and(|(_, aside)| aside != 0.0);
         if self.put_beside(with) || alone {
@@ -37,8 +37,8 @@ impl Session {
     /// The file that is compared with, if one is.
     pub fn compared_file(&self) -> Option<PathBuf> {
         match self.compared_with()? {
-            With::File(_, name) => Some(name.into()),
-            With::Clip(_) | With::Skinning => None,
+            CompareTarget::File(_, name) => Some(name.into()),
+            CompareTarget::Clip(_) | CompareTarget::Skinning => None,
         }
     }
 
@@ -46,19 +46,19 @@ impl Session {
     pub fn compare_again(&mut self, document: Document) {
         self.recall_company();
         if let Some(comparison) = self.company.comparison_mut() {
-            comparison.take_file(document, &self.document);
+            comparison.replace_file(document, &self.document);
         }
         self.changed(Changes::GHOSTS);
     }
 
     /// Compares, and leaves the eye where it is; whether the second one stands beside the first.
-    pub(super) fn put_beside(&mut self, with: Option<With>) -> bool {
+    pub(super) fn put_beside(&mut self, with: Option<CompareTarget>) -> bool {
         self.recall_company();
         self.company.compare(None);
         self.stale = true;
         let yaw = self.eye.orbit().yaw;
         let Some(mut comparison) = with.and_then(|with| Comparison::new(with, &self.document, yaw)) else { return false };
-        let beside = comparison.stand_beside(&self.frame().bounds);
+        let beside = comparison.place_beside(&self.frame().bounds);
         self.recall_company();
         self.company.compare(Some(comparison));
         self.stale = true;
@@ -71,13 +71,13 @@ impl Session {
     }
 
     /// What is compared with, if anything is.
-    pub fn compared_with(&self) -> Option<&With> {
-        self.company.comparison().map(Comparison::with)
+    pub fn compared_with(&self) -> Option<&CompareTarget> {
+        self.company.comparison().map(Comparison::target)
     }
 
     /// Seconds that the second one is ahead and metres that it stands aside, while something is compared.
     pub fn compared_shift(&self) -> Option<(f64, f64)> {
-        self.company.comparison().map(Comparison::shifted)
+        self.company.comparison().map(Comparison::offsets)
     }
 
     /// Seconds that the second one is ahead; 0 without a comparison.
@@ -87,7 +87,7 @@ impl Session {
 
     /// Moves the second one in time (seconds ahead) and in space (metres aside).
     pub fn shift_compared(&mut self, later: f64, aside: f64) {
-        if self.company.comparison_mut().is_some_and(|comparison| comparison.shift_to(later, aside)) {
+        if self.company.comparison_mut().is_some_and(|comparison| comparison.set_offsets(later, aside)) {
             self.changed(Changes::GHOSTS);
         }
     }
@@ -95,7 +95,7 @@ impl Session {
     /// Moves the second one as a session file says.
     pub fn shift_as(&mut self, saved: &SavedComparison) {
         if let Some(comparison) = self.company.comparison_mut() {
-            comparison.shift_as(saved);
+            comparison.apply_saved(saved);
             self.changed(Changes::GHOSTS);
         }
     }
@@ -104,7 +104,7 @@ impl Session {
     pub fn compared(&mut self) -> Option<Compared> {
         self.frame();
         let comparison = self.company.comparison()?;
-        let ((later, aside), farthest) = (comparison.shifted(), comparison.farthest());
+        let ((later, aside), farthest) = (comparison.offsets(), comparison.max_deviation());
         let first = self.frame.surfaces.iter().filter(|surface| surface.ghost.is_none() && surface.visible);
         let mut own = Bounds::EMPTY;
         first.for_each(|surface| surface.mesh.triangles.iter().flatten().step_by(7).for_each(|vertex| own.add(surface.position(*vertex))));
@@ -116,7 +116,7 @@ impl Session {
 
     /// The box round everything that the second one covers.
     pub(super) fn compared_reach(&self) -> Option<Bounds> {
-        self.company.reach(&self.document, &self.state())
+        self.company.motion_bounds(&self.document, &self.state())
     }
 }
 
@@ -139,7 +139,7 @@ mod tests {
             eye.look_from(crate::scene::View::Front);
             eye.handle(|orbit| orbit.orthographic = true);
         });
-        session.compare(Some(With::File(Box::new(swinging()), "other.dae".into())));
+        session.compare(Some(CompareTarget::File(Box::new(swinging()), "other.dae".into())));
         session.change_eye(|eye| eye.handle(|orbit| orbit.yaw = 90.0));
         for aside in [0.0, 1.0, 1e3, -1e3] {
             session.shift_compared(0.0, aside);
@@ -159,7 +159,7 @@ mod tests {
         other.scene.graph.node_mut(arm).name = "arm".into();
         let mut session = Session::new(swinging());
         let own = session.frame().surfaces.len();
-        session.compare(Some(With::File(Box::new(other), "other".into())));
+        session.compare(Some(CompareTarget::File(Box::new(other), "other".into())));
         let told = session.compared().expect("compared");
         assert!(told.farthest.is_some_and(|(joint, far)| joint.is_some() && far < 1e-9), "{told:?}");
         assert_eq!(session.frame().surfaces.len(), own * 2);
@@ -188,7 +188,7 @@ mod tests {
             renderer.draw(scene, frame, &camera, &display, 320, 240).pixels.clone()
         };
         let alone = pixels(&mut session);
-        session.compare(Some(With::File(Box::new(session.document().clone()), "same.dae".into())));
+        session.compare(Some(CompareTarget::File(Box::new(session.document().clone()), "same.dae".into())));
         assert!(pixels(&mut session) == alone, "no stripes where both are the same");
         session.shift_compared(0.5, 0.0);
         assert!(pixels(&mut session) != alone);
@@ -197,13 +197,13 @@ mod tests {
     #[test]
     fn a_comparison_ends_with_its_document() {
         let mut session = Session::new(swinging());
-        session.compare(Some(With::Clip(0)));
+        session.compare(Some(CompareTarget::Clip(0)));
         session.frame();
         session.show(swinging(), LoadMode::Again);
         assert!(session.compared().is_some());
         session.show(swinging(), LoadMode::New);
         assert!(session.compared().is_none());
-        session.compare(Some(With::Clip(99)));
+        session.compare(Some(CompareTarget::Clip(99)));
         assert!(session.compared().is_none());
     }
 }

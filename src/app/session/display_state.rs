@@ -2,12 +2,12 @@
 
 use glam::Vec3;
 
-use super::{CameraController, Changes, LightAim, Session, Step, Viewpoint};
+use super::{CameraController, Changes, LightDirection, Session, Step, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, View};
 use crate::tr;
-use crate::view::{Backdrop, file_camera};
+use crate::view::{BackgroundPreset, file_camera};
 
 impl Session {
     /// The selected node.
@@ -91,19 +91,19 @@ impl Session {
     }
 
     /// What stands behind the scene.
-    pub fn backdrop(&self) -> Backdrop {
+    pub fn backdrop(&self) -> BackgroundPreset {
         self.backdrop
     }
 
     /// Puts something else behind the scene.
-    pub fn set_backdrop(&mut self, backdrop: Backdrop) {
+    pub fn set_backdrop(&mut self, backdrop: BackgroundPreset) {
         self.backdrop = backdrop;
         self.colour();
     }
 
     /// Background and what is drawn over the model: on white, what is meant for light surroundings, whatever the window wears.
     fn colour(&mut self) {
-        let (palette, background) = self.backdrop.look(self.theme);
+        let (palette, background) = self.backdrop.palette_and_background(self.theme);
         self.change_display(|display| (display.palette, display.background) = (palette, background));
     }
 
@@ -235,20 +235,20 @@ impl Session {
     }
 
     /// Where the light comes from; `None` = with the camera, high on the left.
-    pub fn light(&self) -> Option<LightAim> {
+    pub fn light(&self) -> Option<LightDirection> {
         self.light
     }
 
     /// Moves the light by degrees.
     pub fn turn_light(&mut self, yaw: f32, pitch: f32) {
         let mut aim = self.light_aim();
-        aim.turn(yaw, pitch);
+        aim.rotate(yaw, pitch);
         self.light = Some(aim);
         self.changed(Changes::LIGHT);
     }
 
     /// Puts the light where these angles say.
-    pub fn set_light(&mut self, aim: LightAim) {
+    pub fn set_light(&mut self, aim: LightDirection) {
         if self.light != Some(aim) && aim.yaw.is_finite() && aim.pitch.is_finite() {
             self.light = Some(aim);
             self.changed(Changes::LIGHT);
@@ -256,8 +256,8 @@ impl Session {
     }
 
     /// Where the light comes from, as angles: where a hand put it, else beside the camera.
-    pub fn light_aim(&self) -> LightAim {
-        self.light.unwrap_or_else(|| LightAim::beside_camera(self.eye.orbit().yaw))
+    pub fn light_aim(&self) -> LightDirection {
+        self.light.unwrap_or_else(|| LightDirection::beside_camera(self.eye.orbit().yaw))
     }
 
     /// The light goes back to its place beside the camera.

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::{Changes, Session};
 use crate::scene::{NodeId, NodeKind};
-use crate::view::Along;
+use crate::view::CameraFollow;
 
 /// What the camera goes along with, and where that was when it was last looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,9 +21,9 @@ impl Session {
     }
 
     /// The same for films: the camera as it stands now, and what it goes along with from here.
-    pub fn along(&mut self) -> Option<Along> {
+    pub fn along(&mut self) -> Option<CameraFollow> {
         let node = self.followed()?;
-        Some(Along { node, from: self.frame().position(node) })
+        Some(CameraFollow { node, reference: self.frame().position(node) })
     }
 
     /// Whether there is something to go along with.
@@ -90,7 +90,7 @@ mod tests {
         assert!((place(&mut session) - there).length() > 0.1, "it swings");
         // The model moved by hand is no time that goes by.
         let eye = session.picture().2.eye;
-        session.change_model(|model| model.shift(glam::DVec3::X));
+        session.change_model(|model| model.translate(glam::DVec3::X));
         assert_eq!(session.picture().2.eye, eye);
         session.toggle_follow();
         session.time(|cursor| cursor.seek(0.9));

@@ -1,37 +1,37 @@
 //! Onion skins and the motion path of the selected node.
 
 use super::{Changes, Session};
-use crate::view::{Ghosts, PoseContext, SceneOverlays};
+use crate::view::{OnionSkinSettings, PoseContext, SceneOverlays};
 
 impl Session {
     /// Which ghosts are drawn.
-    pub fn ghosts(&self) -> Ghosts {
-        self.company.ghosts()
+    pub fn ghosts(&self) -> OnionSkinSettings {
+        self.company.onion_skin_settings()
     }
 
     /// Changes which ghosts are drawn.
-    pub fn change_ghosts(&mut self, change: impl FnOnce(&mut Ghosts)) {
+    pub fn change_ghosts(&mut self, change: impl FnOnce(&mut OnionSkinSettings)) {
         let mut ghosts = self.ghosts();
         change(&mut ghosts);
-        if self.company.set_ghosts(ghosts) {
+        if self.company.set_onion_skin_settings(ghosts) {
             self.changed(Changes::GHOSTS);
         }
     }
 
     /// What accompanies the scene, for pictures of it that are made elsewhere.
     pub fn company(&self) -> SceneOverlays {
-        self.company.anew()
+        self.company.clone_for_frame()
     }
 
     /// Takes surfaces back from the frame, before it is posed.
     pub(super) fn recall_company(&mut self) {
-        self.company.recall(&mut self.frame);
+        self.company.remove_from(&mut self.frame);
     }
 
     /// Poses what accompanies the scene and puts it into the frame, which has just been posed.
     pub(super) fn invite_company(&mut self) {
         let host = PoseContext::new(&self.document, self.state(), self.frame_rate, &self.display);
-        self.company.invite(&host, &mut self.frame);
+        self.company.append_to(&host, &mut self.frame);
     }
 }
 
@@ -47,7 +47,7 @@ mod tests {
         let own = session.frame().surfaces.len();
         assert!(own > 0);
         session.choose_rate(Some(10.0));
-        session.change_ghosts(|ghosts| *ghosts = Ghosts { shown: true, before: 3, after: 2, step: 2, path: false });
+        session.change_ghosts(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 3, after: 2, step: 2, path: false });
         session.time(|time| time.seek(0.5));
         let frame = session.frame();
         assert_eq!(frame.surfaces.len(), own * 5);

@@ -137,20 +137,20 @@ impl Handles<'_> {
         match drag.handle {
             Handle::Axis(axis) => match self.tool {
                 Tool::Navigate => {}
-                Tool::Move => model.shift(AXES[axis] * self.along(axis, drag.from, to)),
+                Tool::Move => model.translate(AXES[axis] * self.along(axis, drag.from, to)),
                 Tool::Rotate => {
                     let angle = self.about(axis, drag.from, to);
                     let step = SNAP_DEGREES.to_radians();
-                    model.turn(AXES[axis], if snap { (angle / step).round() * step } else { angle });
+                    model.rotate(AXES[axis], if snap { (angle / step).round() * step } else { angle });
                 }
                 Tool::Scale => {
                     if let (Some(middle), Some(tip)) = (self.place(self.middle), self.tip(axis)) {
                         let along = (tip - middle).normalize_or(DVec2::X);
-                        model.grow(1.0 + ((to - drag.from).dot(along) / REACH).max(-0.99));
+                        model.scale_by(1.0 + ((to - drag.from).dot(along) / REACH).max(-0.99));
                     }
                 }
             },
-            Handle::Plane(axis) => model.shift(self.across(axis, drag.from, to)),
+            Handle::Plane(axis) => model.translate(self.across(axis, drag.from, to)),
             Handle::Free => {
                 let part = (to - drag.from) / self.size.y.max(1.0);
                 let step = SNAP_DEGREES / 180.0;

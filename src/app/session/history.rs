@@ -6,7 +6,7 @@ use super::joint_control::Held;
 use crate::document::JointOverride;
 use crate::muscle::{MuscleFile, MuscleState};
 use crate::scene::NodeId;
-use crate::view::{LightAim, ModelTransform};
+use crate::view::{LightDirection, ModelTransform};
 
 /// What an undo brings back.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,7 +14,7 @@ pub(super) struct Snapshot {
     /// The model's transform.
     pub model: ModelTransform,
     /// The light; `None` = the default one.
-    pub light: Option<LightAim>,
+    pub light: Option<LightDirection>,
     /// The nodes that are hidden, ascending.
     pub hidden: Vec<NodeId>,
     /// What the muscle files say.

@@ -26,7 +26,9 @@ mod tool;
 mod undoable;
 mod via_points;
 
-pub use crate::view::{Backdrop, COMPARED_TINT, DEFAULT_RATE, Ghosts, LightAim, ModelTransform, With, file_cameras};
+pub use crate::view::{
+    BackgroundPreset, COMPARED_TINT, CompareTarget, DEFAULT_FRAME_RATE, LightDirection, ModelTransform, OnionSkinSettings, file_cameras,
+};
 pub use attach_to_skeleton::AttachResult;
 pub use camera_controller::{CameraController, FlyCamera, Viewpoint};
 pub use change_set::Changes;
@@ -87,11 +89,11 @@ pub struct Session {
     /// What the ground is laid out for: what was in the picture when it was last fitted, so that the grid lies still while a clip plays.
     ground: Option<Bounds>,
     theme: Theme,
-    backdrop: Backdrop,
+    backdrop: BackgroundPreset,
     bone_names: bool,
     eye: CameraController,
     follow: Option<Follow>,
-    light: Option<LightAim>,
+    light: Option<LightDirection>,
     model: ModelTransform,
     tool: Tool,
     history: History,
@@ -128,7 +130,7 @@ impl Session {
             state: PoseState::default(),
             playback: Playback::default(),
             time_held: false,
-            frame_rate: DEFAULT_RATE,
+            frame_rate: DEFAULT_FRAME_RATE,
             chosen_rate: None,
             sheet: OnceCell::new(),
             keys: Vec::new(),
@@ -136,7 +138,7 @@ impl Session {
             display: Display::default(),
             ground: None,
             theme: Theme::Dark,
-            backdrop: Backdrop::default(),
+            backdrop: BackgroundPreset::default(),
             bone_names: false,
             eye: CameraController::default(),
             follow: None,
@@ -188,7 +190,7 @@ impl Session {
         // Buffers made for another scene are of no use.
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
         self.isolated = None;
-        self.company.renew(&self.document, arrival == LoadMode::Again);
+        self.company.rebind(&self.document, arrival == LoadMode::Again);
         (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
         self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
         self.history = History::default();
@@ -250,10 +252,10 @@ impl Session {
     fn changed(&mut self, what: Changes) {
         self.changes |= what;
         let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT | Changes::HAND | Changes::GHOSTS;
-        let accompanied = self.company.is_any();
+        let accompanied = self.company.is_active();
         self.stale |= what.any(moves) || (accompanied && what.any(Changes::SELECTION | Changes::DISPLAY | Changes::PLAYBACK));
         if what.any(Changes::SELECTION | Changes::HAND | Changes::EDIT | Changes::PLAYBACK) {
-            self.company.forget_path();
+            self.company.clear_motion_path();
         }
     }
 
@@ -270,10 +272,10 @@ impl Session {
     /// Holds every file that is open, with what belongs to it: clips that muscles name, images, the file that is compared with and what belongs to that.
     pub fn guard(&self) -> Guard {
         let compared = match self.compared_with() {
-            Some(With::File(document, name)) => Some((Path::new(name), &**document)),
+            Some(CompareTarget::File(document, name)) => Some((Path::new(name), &**document)),
             _ => None,
         };
-        view::held(&self.document, compared)
+        view::guard_of(&self.document, compared)
     }
 
     /// Those of the open files that are clips.

@@ -1,6 +1,6 @@
 //! Display presets: several display options in one choice.
 
-use super::{Backdrop, Session};
+use super::{BackgroundPreset, Session};
 use crate::render::{Display, Samples, Shading};
 
 /// A look for a purpose.
@@ -47,7 +47,7 @@ impl Session {
             };
         });
         self.set_bone_names(skeleton);
-        self.set_backdrop(if print { Backdrop::White } else { Backdrop::Theme });
+        self.set_backdrop(if print { BackgroundPreset::White } else { BackgroundPreset::Theme });
     }
 }
 

@@ -2,18 +2,18 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{LoadMode, Session, Viewpoint, With, file_cameras};
+use super::{CompareTarget, LoadMode, Session, Viewpoint, file_cameras};
 use crate::animation::LoopMode;
 use crate::app::settings::Settings;
 use crate::document::{Document, Skinning};
-use crate::view::{Saved, SavedCamera, SavedComparison, SavedModel, SavedTurn, name_of};
+use crate::view::{SavedCamera, SavedComparison, SavedModel, SavedRotation, SessionState, saved_node};
 
 /// Loop modes by the names that the file uses.
 const MODES: [(&str, LoopMode); 3] = [("loop", LoopMode::Loop), ("once", LoopMode::Once), ("ping-pong", LoopMode::PingPong)];
 
 impl Session {
     /// What a session file in `folder` keeps of this.
-    pub fn to_saved(&self, folder: &Path) -> Saved {
+    pub fn to_saved(&self, folder: &Path) -> SessionState {
         let beside = |path: PathBuf| {
             let whole = std::path::absolute(&path).unwrap_or(path);
             std::path::absolute(folder).ok().and_then(|folder| whole.strip_prefix(folder).ok().map(Path::to_path_buf)).unwrap_or(whole)
@@ -23,7 +23,7 @@ impl Session {
         looks.take(self);
         let orbit = self.eye().orbit();
         let model = self.model();
-        Saved {
+        SessionState {
             files: self.files().into_iter().map(beside).collect(),
             clip: self.clip_index().and_then(|index| document.clip_key(index)),
             time: self.playback().time,
@@ -46,49 +46,49 @@ impl Session {
             shading: looks.shading,
             smooth_edges: looks.smooth_edges,
             shown: looks.shown,
-            hidden: document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| name_of(document, id)).collect(),
-            selected: self.selected().map(|node| name_of(document, node)),
+            hidden: document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| saved_node(document, id)).collect(),
+            selected: self.selected().map(|node| saved_node(document, node)),
             backdrop: self.backdrop(),
             grid_cell: looks.grid_cell,
             line_width: Some(looks.line_width),
             ambient: Some(looks.ambient),
             weights: self.display().weights.is_some(),
-            ghosts: self.ghosts(),
+            onion_skins: self.ghosts(),
             frame_rate: self.chosen_rate(),
             speed: Some(self.playback().speed),
             loop_mode: MODES.iter().find(|(_, mode)| *mode == self.playback().mode).map_or("loop", |(name, _)| name).into(),
             marks: [self.playback().mark_a, self.playback().mark_b],
             file_camera: match self.eye().viewpoint() {
-                Viewpoint::File(node, _) => Some(name_of(document, node)),
+                Viewpoint::File(node, _) => Some(saved_node(document, node)),
                 Viewpoint::Orbit | Viewpoint::Fly(_) => None,
             },
-            follow: self.followed().map(|node| name_of(document, node)),
+            follow: self.followed().map(|node| saved_node(document, node)),
             compared: self.saved_comparison(&beside),
             turned: document
                 .hand_turns()
                 .iter()
-                .map(|turn| SavedTurn { joint: name_of(document, turn.node), degrees: turn.degrees.to_array() })
+                .map(|turn| SavedRotation { joint: saved_node(document, turn.node), degrees: turn.degrees.to_array() })
                 .collect(),
         }
     }
 
     fn saved_comparison(&self, beside: &dyn Fn(PathBuf) -> PathBuf) -> Option<SavedComparison> {
         let (later, aside) = self.compared_shift()?;
-        let toward = self.company.comparison().map(|comparison| comparison.toward().to_array());
+        let toward = self.company.comparison().map(|comparison| comparison.direction().to_array());
         let blank = SavedComparison { later, aside, toward, ..SavedComparison::default() };
         Some(match self.compared_with()? {
-            With::File(_, name) => SavedComparison { file: Some(beside(name.into())), ..blank },
-            With::Clip(clip) => SavedComparison { clip: self.document().clip_key(*clip), ..blank },
-            With::Skinning => SavedComparison { skinning: true, ..blank },
+            CompareTarget::File(_, name) => SavedComparison { file: Some(beside(name.into())), ..blank },
+            CompareTarget::Clip(clip) => SavedComparison { clip: self.document().clip_key(*clip), ..blank },
+            CompareTarget::Skinning => SavedComparison { skinning: true, ..blank },
         })
     }
 
     /// Shows a document as a session file says. What no longer exists is passed over; numbers that are none are too.
-    pub fn show_saved(&mut self, mut document: Document, saved: &Saved) {
-        saved.prepare(&mut document);
+    pub fn show_saved(&mut self, mut document: Document, saved: &SessionState) {
+        saved.apply_to_document(&mut document);
         let selected = saved.selected.as_ref().and_then(|node| node.find(&document));
         self.show(document, LoadMode::New);
-        self.change_display(|display| saved.put_looks(display));
+        self.change_display(|display| saved.apply_to_display(display));
         self.set_backdrop(saved.backdrop);
         self.choose_rate(saved.frame_rate.filter(|rate| (1.0..=1000.0).contains(rate)));
         self.set_bone_names(saved.bone_names);
@@ -113,13 +113,13 @@ impl Session {
         if let Some(degrees) = saved.flexion {
             self.set_flexion(degrees);
         }
-        self.light = saved.light_aim();
+        self.light = saved.light_direction();
         if let Some(model) = saved.model {
-            self.change_model(|ours| model.put(ours));
+            self.change_model(|ours| model.apply_to(ours));
         }
         self.stand_as(saved);
         if let Some(compared) = &saved.compared {
-            let with = compared.within(self.document());
+            let with = compared.target_within(self.document());
             if with.is_some() {
                 // Aside is to the right as one looks; then the eye's reach is that of both.
                 self.put_beside(with);
@@ -139,11 +139,11 @@ impl Session {
         self.follow_node(saved.follow.as_ref().and_then(|node| node.find(self.document())));
         self.select(selected);
         self.set_weights(saved.weights);
-        self.change_ghosts(|ghosts| *ghosts = saved.ghosts);
+        self.change_ghosts(|ghosts| *ghosts = saved.onion_skins);
     }
 
     /// The orbit stands where a session file says.
-    fn stand_as(&mut self, saved: &Saved) {
+    fn stand_as(&mut self, saved: &SessionState) {
         let reach = self.reach();
         if let Some(orbit) = saved.camera.and_then(|camera| camera.orbit(&reach)) {
             self.change_eye(|eye| eye.handle(|ours| *ours = orbit));
@@ -155,13 +155,13 @@ impl Session {
 mod tests {
     use glam::DVec3;
 
-    use super::super::Ghosts;
+    use super::super::OnionSkinSettings;
     use super::super::tests::swinging;
     use super::*;
     use crate::document::PoseBuffers;
     use crate::render::Display;
     use crate::scene::{Bounds, Frame, NodeId};
-    use crate::view::{Backdrop, PoseContext, SceneOverlays};
+    use crate::view::{BackgroundPreset, PoseContext, SceneOverlays};
 
     #[test]
     fn a_session_comes_back_as_it_was_saved() {
@@ -170,15 +170,15 @@ mod tests {
         session.set_visible(NodeId(1), false);
         session.select(Some(NodeId(2)));
         session.turn_light(20.0, 10.0);
-        session.change_model(|model| model.grow(2.0));
+        session.change_model(|model| model.scale_by(2.0));
         session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(33.0, -4.0)));
         session.change_display(|display| (display.bones, display.line_width) = (true, 2.5));
-        session.set_backdrop(Backdrop::Grey);
+        session.set_backdrop(BackgroundPreset::Grey);
         session.set_bone_names(true);
         session.set_skinning(Skinning::DualQuaternion);
         session.turn_by_hand(NodeId(2), DVec3::new(1.0, 2.5, -3.0));
         let saved = session.to_saved(Path::new("/somewhere"));
-        let read = Saved::parse(&saved.text().expect("written")).expect("a session file").expect("sound");
+        let read = SessionState::parse(&saved.to_yaml().expect("written")).expect("a session file").expect("sound");
         assert_eq!(read, saved);
         let mut other = Session::default();
         other.show_saved(Document::built_in(), &read);
@@ -193,12 +193,12 @@ mod tests {
         session.time(|time| time.seek(0.5));
         session.choose_rate(Some(50.0));
         session.select(session.document().scene.graph.find("arm"));
-        session.change_ghosts(|ghosts| *ghosts = Ghosts { shown: true, before: 1, after: 4, step: 3, path: true });
-        session.compare(Some(With::Clip(0)));
+        session.change_ghosts(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.compare(Some(CompareTarget::Clip(0)));
         session.shift_compared(0.125, 2.0);
         session.toggle_follow();
         let saved = session.to_saved(Path::new("/somewhere"));
-        let read = Saved::parse(&saved.text().expect("written")).expect("a session file").expect("sound");
+        let read = SessionState::parse(&saved.to_yaml().expect("written")).expect("a session file").expect("sound");
         let mut other = Session::default();
         other.show_saved(swinging(), &read);
         assert_eq!(other.to_saved(Path::new("/somewhere")), saved);
@@ -211,8 +211,8 @@ mod tests {
         session.time(|time| time.seek(0.5));
         session.choose_rate(Some(50.0));
         session.select(session.document().scene.graph.find("arm"));
-        session.change_ghosts(|ghosts| *ghosts = Ghosts { shown: true, before: 1, after: 4, step: 3, path: true });
-        session.compare(Some(With::Skinning));
+        session.change_ghosts(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.compare(Some(CompareTarget::Skinning));
         session.shift_compared(0.0, 2.0);
         session.fit();
         session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(77.0, -4.0)));
@@ -223,13 +223,13 @@ mod tests {
         assert_eq!(other.eye().orbit(), session.eye().orbit());
 
         let document = swinging();
-        let (mut company, rate) = SceneOverlays::of_saved(&saved, &document, None);
-        let (mut frame, state) = (Frame::default(), saved.state(&document));
+        let (mut company, rate) = SceneOverlays::from_session(&saved, &document, None);
+        let (mut frame, state) = (Frame::default(), saved.pose_state(&document));
         let display = Display { palette: other.display().palette, ..saved.display(&document, &Bounds::EMPTY) };
         for _ in 0..2 {
-            company.recall(&mut frame);
+            company.remove_from(&mut frame);
             document.pose(&state, &mut PoseBuffers::default(), &mut frame);
-            company.invite(&PoseContext::new(&document, state, rate, &display), &mut frame);
+            company.append_to(&PoseContext::new(&document, state, rate, &display), &mut frame);
         }
         let shown = other.frame();
         assert!(shown.marks.len() > 10 && frame.marks == shown.marks);
@@ -242,7 +242,7 @@ mod tests {
     #[test]
     fn senseless_numbers_are_passed_over() {
         let bad = "sinew_session:\n  time: .nan\n  camera: {target: [.inf, 0, 0], yaw: 1, pitch: 2, distance: -1}\n  model: {translation: [.nan, 0, 0], rotation: [0, 0, 0], scale: -1}\n  hidden: [{node: 9999, name: gone}]\n  line-width: .nan\n  speed: .inf\n  marks: [.nan, 1e9]\n  ghosts: {before: 4000000000, step: 0}\n";
-        let saved = Saved::parse(bad).expect("a session file").expect("sound YAML");
+        let saved = SessionState::parse(bad).expect("a session file").expect("sound YAML");
         let mut session = Session::default();
         session.show_saved(Document::built_in(), &saved);
         assert!(session.model().is_identity() && session.eye().orbit().distance > 0.0 && session.playback().time.is_finite());

@@ -147,7 +147,7 @@ fn a_reload_keeps_moment_camera_selection_and_model() {
     session.time(|time| time.seek(2.0));
     session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(33.0, 5.0)));
     session.select(Some(NodeId(1)));
-    session.change_model(|model| model.shift(DVec3::X));
+    session.change_model(|model| model.translate(DVec3::X));
     let orbit = *session.eye().orbit();
     session.show(two_clips(), LoadMode::Again);
     assert_eq!((session.state().time, session.clip_index()), (2.0, Some(0)));
@@ -166,7 +166,7 @@ fn a_reload_keeps_moment_camera_selection_and_model() {
 #[test]
 fn undo_brings_back_model_light_and_visibility() {
     let mut session = session();
-    session.step("grow".into(), Step::New, |session| session.change_model(|model| model.grow(2.0)));
+    session.step("grow".into(), Step::New, |session| session.change_model(|model| model.scale_by(2.0)));
     session.step("light".into(), Step::New, |session| session.turn_light(10.0, 0.0));
     session.set_visible(NodeId(1), false);
     assert!(!session.document().scene.graph.node(NodeId(1)).visible);
@@ -208,7 +208,7 @@ fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
 
 #[test]
 fn a_session_file_without_a_camera_is_fitted_whatever_the_window_becomes() {
-    let saved = view::Saved::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
+    let saved = view::SessionState::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
     let mut session = Session::default();
     session.show_saved(clip().document().clone(), &saved);
     assert!(session.compared().is_some());
@@ -253,11 +253,11 @@ fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
     assert_eq!([0, 1, 2].map(|index| document.clip_key(index).unwrap()), ["walk", "run", "#3"]);
     let mut session = Session::new(document);
     session.set_clip(Some(2));
-    session.compare(Some(With::Clip(1)));
+    session.compare(Some(CompareTarget::Clip(1)));
     let saved = session.to_saved(Path::new("/somewhere"));
     assert_eq!((saved.clip.as_deref(), saved.compared.and_then(|compared| compared.clip).as_deref()), (Some("#3"), Some("run")));
     session.show(nameless(["walk", "walk", "run"]), LoadMode::Again);
-    assert_eq!((session.clip_index(), session.compared_with().map(|with| matches!(with, With::Clip(2)))), (Some(2), Some(true)));
+    assert_eq!((session.clip_index(), session.compared_with().map(|with| matches!(with, CompareTarget::Clip(2)))), (Some(2), Some(true)));
     session.show(nameless(["walk", "walk", "jump"]), LoadMode::Again);
     assert!(session.compared_with().is_none(), "the clip that was compared with is gone");
 }
@@ -265,13 +265,13 @@ fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
 #[test]
 fn a_compared_file_that_was_written_again_keeps_its_place() {
     let mut session = Session::new(swinging());
-    session.compare(Some(With::File(Box::new(swinging()), "other.dae".into())));
+    session.compare(Some(CompareTarget::File(Box::new(swinging()), "other.dae".into())));
     session.shift_compared(0.25, 2.0);
     let mut other = swinging();
     other.scene.graph.add(None, Node::new("more"));
     session.compare_again(other);
     assert_eq!((session.compared_shift(), session.compared_file()), (Some((0.25, 2.0)), Some("other.dae".into())));
-    assert!(matches!(session.compared_with(), Some(With::File(other, _)) if other.scene.graph.find("more").is_some()));
+    assert!(matches!(session.compared_with(), Some(CompareTarget::File(other, _)) if other.scene.graph.find("more").is_some()));
     assert!(session.compared().and_then(|told| told.farthest).is_some());
 }
 

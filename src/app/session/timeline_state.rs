@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Changes, Graph, Moved, Session, SheetRow, dope_sheet};
 use crate::animation::{Clip, LoopMode, Playback};
-use crate::view::guess_rate;
+use crate::view::infer_frame_rate;
 
 /// One of the marks that bound what plays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +43,7 @@ impl Session {
 
     /// The frame rate that the keys of the clip tell.
     pub fn own_rate(&self) -> f64 {
-        guess_rate(&self.keys)
+        infer_frame_rate(&self.keys)
     }
 
     /// Chooses the frame rate, above 0; `None` = the one that the keys tell.

@@ -52,13 +52,13 @@ impl Tool {
             Self::Move => {
                 let middle = (model.pivot + model.translation).as_vec3();
                 let height = f64::from(camera.height_at(middle));
-                model.shift((right * dx - up * dy) * height);
+                model.translate((right * dx - up * dy) * height);
             }
             Self::Rotate => {
-                model.turn(DVec3::Y, dx * std::f64::consts::PI);
-                model.turn(right, dy * std::f64::consts::PI);
+                model.rotate(DVec3::Y, dx * std::f64::consts::PI);
+                model.rotate(right, dy * std::f64::consts::PI);
             }
-            Self::Scale => model.grow(((dx - dy) * 2.0).exp()),
+            Self::Scale => model.scale_by(((dx - dy) * 2.0).exp()),
         }
     }
 }

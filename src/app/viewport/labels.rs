@@ -5,7 +5,7 @@ use gtk4 as gtk;
 
 use crate::app::drawing_area::{Canvas, rgb, write_on};
 use crate::app::ghosts_panel::file_name;
-use crate::app::session::{COMPARED_TINT, Session, With, top_of};
+use crate::app::session::{COMPARED_TINT, CompareTarget, Session, top_of};
 use crate::app::{format, title_bar};
 use crate::document::Skinning;
 use crate::tr;
@@ -17,7 +17,7 @@ pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snaps
     let palette = &session.display().palette;
     let ground = rgb(palette.background.0).with_alpha(0.8);
     let text = canvas.text_color();
-    let second = if matches!(session.compared_with(), Some(With::Skinning)) { text } else { rgb(COMPARED_TINT) };
+    let second = if matches!(session.compared_with(), Some(CompareTarget::Skinning)) { text } else { rgb(COMPARED_TINT) };
     let size = Vec2::new(width as f32, height as f32);
     let (_, _, camera, _) = session.picture();
     let mut highest = Vec::new();
@@ -44,16 +44,16 @@ fn names(session: &Session) -> Option<[String; 2]> {
     };
     let later = session.compared_later();
     Some(match session.compared_with()? {
-        With::File(_, name) => {
+        CompareTarget::File(_, name) => {
             // Two exports of one name are told apart by their folders.
             let (one, other) = own_path().map_or_else(|| (own(), file_name(name)), |path| told_apart(&path, name));
             [one, ahead(other, later)]
         }
-        With::Clip(clip) => {
+        CompareTarget::Clip(clip) => {
             let now = session.clip().map_or_else(own, |clip| clip.name.clone());
             [now, ahead(session.document().clips.get(*clip)?.name.clone(), later)]
         }
-        With::Skinning => {
+        CompareTarget::Skinning => {
             let (linear, dual) = (tr!("app-skinning-linear"), tr!("app-skinning-dual"));
             if session.state().skinning == Skinning::Linear { [linear, dual] } else { [dual, linear] }
         }

@@ -106,9 +106,9 @@ impl TransformFields {
                 Tool::Navigate => return,
                 Tool::Move => (1e6, 0.01, 3, tr!("app-numbers-move")),
                 Tool::Rotate => (360.0, 1.0, 1, tr!("app-numbers-rotate")),
-                Tool::Scale => (1.0 / ModelTransform::SMALLEST, 0.05, 3, tr!("app-numbers-scale")),
+                Tool::Scale => (1.0 / ModelTransform::MIN_SCALE, 0.05, 3, tr!("app-numbers-scale")),
             };
-            let lowest = if tool == Tool::Scale { ModelTransform::SMALLEST } else { -limit };
+            let lowest = if tool == Tool::Scale { ModelTransform::MIN_SCALE } else { -limit };
             self.label.set_text(&label);
             self.boxes.iter().for_each(|number| number.set_tooltip_text(Some(&label)));
             for number in &self.boxes {

@@ -12,23 +12,23 @@ use crate::system::{Doing, reason};
 use crate::yaml::{self, YamlError};
 use crate::{input, limits};
 
-/// What is not saved.
+/// Muscles that have not been saved, with the files they belong to.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Unsaved {
-    /// The files that were open, by their whole paths; none = the built-in scene.
+pub struct RecoveryFile {
+    /// Absolute paths of the open files; none = the built-in scene.
     pub files: Vec<PathBuf>,
     /// All muscle files, in the order of the scene, as YAML.
     pub muscles: Vec<String>,
 }
 
-impl Unsaved {
-    /// The muscle files; `None` where one of them is damaged, or all together are more than can be drawn.
+impl RecoveryFile {
+    /// The parsed muscle files; `None` where one of them is damaged, or together they exceed what can be drawn.
     pub fn muscle_files(&self) -> Option<Vec<MuscleFile>> {
         let files = self.muscles.iter().map(|text| MuscleFile::parse(text).ok()).collect::<Option<Vec<_>>>()?;
         MuscleFile::can_be_drawn(&files).then_some(files)
     }
 
-    /// Reads what is kept; `None` where it is no such file, or damaged.
+    /// Reads a recovery file; `None` where it is missing or damaged.
     pub fn read(path: &Path) -> Option<Self> {
         let text = input::read_text(path, limits::RECOVERY_BYTES).ok()?;
         let whole = |unsaved: &Self| unsaved.files.len() <= limits::SESSION_FILES && unsaved.muscle_files().is_some();
@@ -51,16 +51,16 @@ impl Unsaved {
     ///
     /// # Errors
     /// What the writer says; names and texts can always be written, unless a path is no Unicode.
-    pub fn text(&self) -> std::io::Result<String> {
+    pub fn to_yaml(&self) -> std::io::Result<String> {
         yaml::to_text(self).map_err(std::io::Error::other)
     }
 
-    /// Keeps it.
+    /// Writes the file.
     ///
     /// # Errors
     /// Whatever stands in the way; the old file stays then.
     pub fn write(&self, path: &Path) -> Result<(), String> {
-        let text = self.text().map_err(|error| reason(&error, Doing::Writing))?;
+        let text = self.to_yaml().map_err(|error| reason(&error, Doing::Writing))?;
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|error| reason(&error, Doing::Writing))?;
         }
@@ -77,17 +77,17 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("new").join("unsaved.yaml");
         let muscles = "muscles:\n  - {length: 9.0, radii: [1.0, 2.0], growth: [1.0, 1.0], name: \"a\\u202eb\"}\n".to_owned();
-        let unsaved = Unsaved { files: vec!["/a/walk.dae".into(), "-".into()], muscles: vec![muscles] };
+        let unsaved = RecoveryFile { files: vec!["/a/walk.dae".into(), "-".into()], muscles: vec![muscles] };
         unsaved.write(&path).expect("written");
-        let read = Unsaved::read(&path).expect("read");
+        let read = RecoveryFile::read(&path).expect("read");
         assert_eq!((&read.files[0], read.files[1].as_os_str()), (&unsaved.files[0], "./-".as_ref()));
         assert_eq!(read.muscles, unsaved.muscles);
         for text in ["files: []\nmuscles: [\"x\"]", "files: [", "", "muscles: []"] {
             std::fs::write(&path, text).expect("written");
-            assert_eq!(Unsaved::read(&path), None, "{text:?}");
+            assert_eq!(RecoveryFile::read(&path), None, "{text:?}");
         }
-        let many = Unsaved { files: vec!["a.dae".into(); limits::SESSION_FILES + 1], muscles: Vec::new() };
+        let many = RecoveryFile { files: vec!["a.dae".into(); limits::SESSION_FILES + 1], muscles: Vec::new() };
         many.write(&path).expect("written");
-        assert_eq!(Unsaved::read(&path), None);
+        assert_eq!(RecoveryFile::read(&path), None);
     }
 }
