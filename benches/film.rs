@@ -10,10 +10,10 @@ use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::export::gltf;
 use sinew::export::guard::Guard;
-use sinew::export::pipeline::Work;
+use sinew::export::pipeline::ExportProgress;
 use sinew::render::Display;
 use sinew::scene::View;
-use sinew::sequence::{self, Direction, FittedOrbit, Sequence, SequenceOptions, SequenceRenderer, Target};
+use sinew::sequence::{self, Direction, FittedOrbit, OutputTarget, Sequence, SequenceOptions, SequenceRenderer};
 
 const SIZE: (u32, u32) = (1280, 720);
 /// Seconds of film.
@@ -25,7 +25,7 @@ const RUNS: usize = 3;
 fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let state = document.start_state();
     let clip = document.clips.get(state.clip?)?;
-    let end = clip.end.min(clip.start + SECONDS - 1.0 / sequence::FPS);
+    let end = clip.end.min(clip.start + SECONDS - 1.0 / sequence::DEFAULT_FPS);
     let wish = SequenceOptions { from: Some(clip.start), to: Some(end), ..SequenceOptions::default() };
     let sequence = Sequence::new(&wish, document, state).ok()?;
     let (yaw, pitch) = View::Start.angles();
@@ -35,10 +35,10 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
         SIZE.0 as f32 / SIZE.1 as f32,
         false,
     );
-    let target = Target::of(out)?;
+    let target = OutputTarget::of(out)?;
     let begun = Instant::now();
     let mut studio = SequenceRenderer::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
-    sequence::save(&mut studio, SIZE, (&target, &Guard::default()), &|_| String::new(), &Work::default()).ok()?;
+    sequence::save(&mut studio, SIZE, (&target, &Guard::default()), &|_| String::new(), &ExportProgress::default()).ok()?;
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }
 

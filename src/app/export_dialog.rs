@@ -15,7 +15,7 @@ use super::export_job::{Job, Kind, MotionSource, Options};
 use super::window::{Window, part};
 use super::{document_loader, format, save_as, ui};
 use crate::export::ExportError;
-use crate::export::pipeline::Work;
+use crate::export::pipeline::ExportProgress;
 use crate::export::{gltf, video};
 use crate::tr;
 
@@ -26,7 +26,7 @@ const PULSE: Duration = Duration::from_millis(80);
 struct Dialog {
     builder: gtk::Builder,
     window: Rc<Window>,
-    work: RefCell<Option<Arc<Work>>>,
+    work: RefCell<Option<Arc<ExportProgress>>>,
     /// What glTF cannot hold of the document, once that is known.
     losses: RefCell<Option<Vec<String>>>,
     /// Whether somebody is finding it out.
@@ -249,7 +249,7 @@ impl Dialog {
 
     /// Runs the export beside the interface.
     fn start(self: &Rc<Self>, job: Job, kind: Kind, file: PathBuf) {
-        let (count, work) = (job.count(), Arc::new(Work::default()));
+        let (count, work) = (job.count(), Arc::new(ExportProgress::default()));
         self.work.replace(Some(work.clone()));
         self.show_running(true);
         self.watch(count, &work);
@@ -280,7 +280,7 @@ impl Dialog {
         self.part::<gtk::ProgressBar>("bar").set_fraction(0.0);
     }
 
-    fn watch(self: &Rc<Self>, count: usize, work: &Arc<Work>) {
+    fn watch(self: &Rc<Self>, count: usize, work: &Arc<ExportProgress>) {
         let (dialog, work) = (self.clone(), work.clone());
         glib::timeout_add_local(PULSE, move || {
             if dialog.work.borrow().is_none() {

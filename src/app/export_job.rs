@@ -9,13 +9,13 @@ use crate::export::file_extension::completed;
 use crate::export::gltf::{self, Form};
 use crate::export::guard::Guard;
 use crate::export::mtl;
-use crate::export::pipeline::Work;
+use crate::export::pipeline::ExportProgress;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, NoTable, Of, Table};
 use crate::export::{gif, video};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
-use crate::sequence::{self, FrameSpec, Motion, Pattern, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target};
+use crate::sequence::{self, FilePattern, FrameSpec, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions, SequenceRenderer};
 use crate::tr;
 use crate::view::{CameraFollow, SceneOverlays};
 
@@ -243,7 +243,7 @@ impl std::fmt::Display for ExportRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&match self {
             Self::Film(SequenceError::Empty { .. }) => tr!("app-export-empty"),
-            Self::Film(SequenceError::TooMany) => tr!("app-export-too-many", limit = sequence::FRAMES),
+            Self::Film(SequenceError::TooMany) => tr!("app-export-too-many", limit = sequence::MAX_FRAMES),
             Self::Film(SequenceError::NoElbow) => tr!("app-export-no-elbow"),
             Self::Film(SequenceError::NoMuscle) => tr!("app-export-no-muscle"),
             Self::Table(why) => why.to_string(),
@@ -287,7 +287,7 @@ impl Options {
             MotionSource::Marks => (wish.from, wish.to) = (Some(marks.0), Some(marks.1)),
             MotionSource::Elbow => wish.motion = Motion::Angle(self.sweep.0, self.sweep.1),
             MotionSource::Contraction => wish.motion = Motion::Contraction(self.sweep.0, self.sweep.1),
-            MotionSource::Turntable => (wish.motion, wish.turning) = (Motion::Still, true),
+            MotionSource::Turntable => (wish.motion, wish.turntable) = (Motion::Still, true),
         }
         Sequence::new(&wish, session.document(), state)
     }
@@ -346,7 +346,7 @@ impl Job {
     /// The files that would be written to `file`, a completed name, and beside it.
     pub(super) fn files(&self, file: &Path) -> Vec<PathBuf> {
         match numbered(file).filter(|_| self.options.kind == Kind::Pictures) {
-            Some(pattern) => Target::Pictures(pattern).files(&self.sequence).collect(),
+            Some(pattern) => OutputTarget::Pictures(pattern).files(&self.sequence).collect(),
             None => self.options.kind.first_files(file),
         }
     }
@@ -355,14 +355,14 @@ impl Job {
     ///
     /// # Errors
     /// [`ExportError`]; then everything is as it was.
-    pub(super) fn run(self, file: &Path, work: &Work) -> Result<(), ExportError> {
+    pub(super) fn run(self, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
         let target = match self.options.kind {
-            Kind::Picture => Target::Picture(file.to_owned()),
-            Kind::Gif => Target::Gif(file.to_owned()),
-            Kind::Apng => Target::Apng(file.to_owned()),
-            Kind::Mp4 => Target::Video(file.to_owned(), video::Kind::Mp4),
-            Kind::Webm => Target::Video(file.to_owned(), video::Kind::Webm),
-            Kind::Pictures => numbered(file).map_or_else(|| Target::Picture(file.to_owned()), Target::Pictures),
+            Kind::Picture => OutputTarget::Picture(file.to_owned()),
+            Kind::Gif => OutputTarget::Gif(file.to_owned()),
+            Kind::Apng => OutputTarget::Apng(file.to_owned()),
+            Kind::Mp4 => OutputTarget::Video(file.to_owned(), video::Kind::Mp4),
+            Kind::Webm => OutputTarget::Video(file.to_owned(), video::Kind::Webm),
+            Kind::Pictures => numbered(file).map_or_else(|| OutputTarget::Picture(file.to_owned()), OutputTarget::Pictures),
             Kind::Obj => return self.surface(SurfaceFormat::Obj, file),
             Kind::Ply => return self.surface(SurfaceFormat::Ply, file),
             Kind::Stl => return self.surface(SurfaceFormat::Stl, file),
@@ -380,16 +380,16 @@ impl Job {
             }
             Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
         };
-        let mut studio = SequenceRenderer::new(&document, sequence, display, None, Box::new(look)).accompanied(company, rate);
+        let mut studio = SequenceRenderer::new(&document, sequence, display, None, Box::new(look)).with_overlays(company, rate);
         sequence::save(&mut studio, options.size, (&target, &guard), &note, work)
     }
 
-    fn scene(&self, form: Form, file: &Path, work: &Work) -> Result<(), ExportError> {
+    fn scene(&self, form: Form, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
         let (pending, _) = gltf::prepare(&self.guard.output(file)?, form, &self.document)?;
         if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.put_in_place() }
     }
 
-    fn table(&self, of: Of, form: tables::Form, file: &Path, work: &Work) -> Result<(), ExportError> {
+    fn table(&self, of: Of, form: tables::Form, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
         // The document is the one that was checked, so nothing is refused now.
         match Table::measure(of, &self.document, &self.state, self.options.fps) {
             Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE),
@@ -408,9 +408,9 @@ impl Job {
 const NUMBER: &str = "-%04d";
 
 /// The row of files that a completed name stands for.
-fn numbered(file: &Path) -> Option<Pattern> {
+fn numbered(file: &Path) -> Option<FilePattern> {
     let is_completed = file.file_stem()?.to_str()?.ends_with(NUMBER);
-    Pattern::of(file).filter(|pattern| is_completed && !pattern.has_second())
+    FilePattern::of(file).filter(|pattern| is_completed && !pattern.has_second())
 }
 
 /// `name-%04d.png` for `name.png`, whatever percent signs the name has; a completed name is one already.
@@ -433,7 +433,7 @@ pub(super) fn note<'a>(document: &'a Document, eye: &CameraController) -> impl F
         if document.driven_rig().is_some() {
             text.push_str(&format!("; contraction: {} %; elbow: {}°", shot.state.drive.contraction + 0.0, shot.state.drive.flexion + 0.0));
         }
-        text.push_str(&format!("; camera: yaw {}°, pitch {}°", orbit.yaw + shot.turn, orbit.pitch));
+        text.push_str(&format!("; camera: yaw {}°, pitch {}°", orbit.yaw + shot.turntable, orbit.pitch));
         text
     }
 }
@@ -457,7 +457,7 @@ mod tests {
             assert_eq!(kind.completed(&file), file);
             let job = Job::new(&mut session, options(kind, MotionSource::Elbow), Guard::default()).expect("the arm bends");
             assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
-            job.run(&file, &Work::default()).expect("written");
+            job.run(&file, &ExportProgress::default()).expect("written");
             let first = kind.first_files(&file).remove(0);
             assert!(fs::metadata(&first).is_ok_and(|found| found.len() > 100), "{}", first.display());
         }

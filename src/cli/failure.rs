@@ -10,7 +10,7 @@ use clap::ArgMatches;
 use crate::document::OpenError;
 use crate::export::ExportError;
 use crate::i18n;
-use crate::sequence::Pattern;
+use crate::sequence::FilePattern;
 use crate::system::{Doing, reason};
 
 /// The exit code of a program that Ctrl+C stopped, as shells have it.
@@ -102,7 +102,7 @@ pub(super) fn wrong_ending(out: &Path, key: &str) -> Failure {
 /// # Errors
 /// [`Failure::Usage`].
 pub(super) fn one_file(out: &Path) -> Result<(), Failure> {
-    match Pattern::of(out) {
+    match FilePattern::of(out) {
         Some(_) => Err(Failure::usage(crate::tr!("cli-pattern-one-file", out = output_name(out)))),
         None => Ok(()),
     }

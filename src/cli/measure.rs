@@ -18,7 +18,7 @@ use crate::document::{Document, Images, OpenOptions, PoseState};
 use crate::export::guard::Guard;
 use crate::export::tables::{Form, JointTable, MuscleTable, NoTable, Of, PLOT_SCALE, Table, even_times, unit_for_people};
 use crate::i18n::{self, decimal};
-use crate::sequence::FPS;
+use crate::sequence::DEFAULT_FPS;
 use crate::tr;
 
 /// Runs the subcommand.
@@ -29,7 +29,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let file = files.first().cloned().unwrap_or_default();
     if given.get_flag("joints") {
         // A file without joints is to be told so, whether it has a clip or not.
-        if NoTable::check(Of::Joints, &document, &document.start_state(), FPS) == Err(NoTable::NoJoint) {
+        if NoTable::check(Of::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(NoTable::NoJoint) {
             return Err(match document.clips.is_empty() {
                 true => Failure::usage(tr!("cli-measure-no-joint-no-clip", file = display_name(&file))),
                 false => no_table(NoTable::NoJoint, &file),
@@ -68,7 +68,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
     if angles.is_none() && given.contains_id("plot") {
         // Four angles are a table, but no curve.
-        let table = Table::measure(Of::Muscles, &document, &document.start_state(), FPS).map_err(|why| no_table(why, &file))?;
+        let table = Table::measure(Of::Muscles, &document, &document.start_state(), DEFAULT_FPS).map_err(|why| no_table(why, &file))?;
         return sheet.answer(&table);
     }
     let table = MuscleTable::over_angles(&document, display_name(&file), angles.as_deref());
@@ -113,7 +113,7 @@ impl Sheet<'_> {
     }
 }
 
-/// The clip and its times that were asked for; all of it, [`FPS`] times a second, where none were.
+/// The clip and its times that were asked for; all of it, [`DEFAULT_FPS`] times a second, where none were.
 fn times(given: &ArgMatches, document: &Document, file: &Path) -> Result<(PoseState, Vec<f64>), Failure> {
     let mut state = document.start_state();
     if let Some(name) = value::<String>(given, "clip") {
@@ -121,7 +121,7 @@ fn times(given: &ArgMatches, document: &Document, file: &Path) -> Result<(PoseSt
     }
     let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or_else(|| no_table(NoTable::NoClip, file))?;
     let Some(Times(times)) = value::<Times>(given, "times") else {
-        return Ok((state, even_times(clip.start, clip.end, FPS)));
+        return Ok((state, even_times(clip.start, clip.end, DEFAULT_FPS)));
     };
     if times.iter().any(|time| !(clip.start..=clip.end).contains(time)) {
         let (start, end) = (plain(clip.start), plain(clip.end));

@@ -76,7 +76,7 @@ impl Moment {
                 Some(rig) => state.drive = rig.at_flexion(angle),
                 None => {
                     let joint = document.joint().ok_or_else(|| nothing_to_bend(document, file))?;
-                    state.turn = Some(if self.on_top { joint.by(angle) } else { joint.at(angle) });
+                    state.joint_rotation = Some(if self.on_top { joint.by(angle) } else { joint.at(angle) });
                 }
             }
             let range =
@@ -98,7 +98,7 @@ impl Moment {
             } else {
                 let turn = document.contracted(&state, contraction);
                 let turn = turn.ok_or_else(|| Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))))?;
-                state.turn = Some(turn);
+                state.joint_rotation = Some(turn);
             }
         }
         Ok(state)

@@ -8,21 +8,21 @@ use std::time::Duration;
 use super::failure::{Failure, STOPPED, is_quiet};
 use crate::export::ExportError;
 use crate::export::atomic_file::sweep;
-use crate::export::pipeline::Work;
+use crate::export::pipeline::ExportProgress;
 use crate::tr;
 
 /// How often the line on the terminal is written anew.
 const PULSE: Duration = Duration::from_millis(100);
 
 /// The work that Ctrl+C stops.
-static CURRENT: Mutex<Option<Arc<Work>>> = Mutex::new(None);
+static CURRENT: Mutex<Option<Arc<ExportProgress>>> = Mutex::new(None);
 
 /// Does work of `count` frames. A terminal shows how many are done; Ctrl+C, or whoever ends the program, stops it so that no half file is left.
 ///
 /// # Errors
 /// What the work returns.
-pub(super) fn watched(count: usize, run: impl FnOnce(&Work) -> Result<(), ExportError>) -> Result<(), Failure> {
-    let work = Arc::new(Work::default());
+pub(super) fn watched(count: usize, run: impl FnOnce(&ExportProgress) -> Result<(), ExportError>) -> Result<(), Failure> {
+    let work = Arc::new(ExportProgress::default());
     *CURRENT.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&work));
     leave_nothing();
     let shown = count > 1 && !is_quiet() && io::stderr().is_terminal();
@@ -53,7 +53,7 @@ pub(super) fn leave_nothing() {
     });
 }
 
-fn tell(work: &Work, count: usize, over: &AtomicBool) {
+fn tell(work: &ExportProgress, count: usize, over: &AtomicBool) {
     let mut out = io::stderr();
     while !over.load(Ordering::Relaxed) {
         let line = tr!("cli-progress", done = work.done.load(Ordering::Relaxed), count = count);

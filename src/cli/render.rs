@@ -19,8 +19,8 @@ use crate::muscle::MuscleRig;
 use crate::render::{Background, Display, Samples, Shading};
 use crate::scene::{Bounds, Frame, OrbitCamera, View};
 use crate::sequence::{
-    self, Direction, FittedOrbit, FrameSpec, Look, Motion, Sequence, SequenceError, SequenceOptions, SequenceRenderer, Target, Times,
-    posed_bounds,
+    self, CameraFn, Direction, FittedOrbit, FrameSpec, FrameTimes, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions,
+    SequenceRenderer, posed_bounds,
 };
 use crate::tr;
 use crate::view::{self, CameraFollow, Opened, SceneOverlays, SessionState};
@@ -35,12 +35,12 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(first), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let target = Target::of(&out).ok_or_else(|| wrong_ending(&out, "cli-render-ending"))?;
+    let target = OutputTarget::of(&out).ok_or_else(|| wrong_ending(&out, "cli-render-ending"))?;
     match &target {
-        Target::Pictures(pattern) if pattern.has_second() => {
+        OutputTarget::Pictures(pattern) if pattern.has_second() => {
             return Err(Failure::usage(tr!("cli-pattern-twice", out = output_name(&out))));
         }
-        Target::Pictures(_) => {}
+        OutputTarget::Pictures(_) => {}
         _ => one_file(&out)?,
     }
     let (size, scale) = size(given)?;
@@ -54,16 +54,16 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
     let state = moment.over(start, &document, first)?;
     let sequence = match target {
-        Target::Picture(_) => single(given, state)?,
+        OutputTarget::Picture(_) => single(given, state)?,
         _ => sequence(given, &moment, &document, state).map_err(|refusal| refused(refusal, given, &display_name(first)))?,
     };
-    if matches!(target, Target::Gif(_)) && sequence.fps > gif::MOST_FPS {
+    if matches!(target, OutputTarget::Gif(_)) && sequence.fps > gif::MOST_FPS {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
     }
     target.files(&sequence).try_for_each(|file| guard.output(&file).map(drop))?;
     allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;
-    let bounds = if sequence.only_turns() { posed_bounds(&document, &state) } else { document.reach(&state) };
+    let bounds = if sequence.is_turntable_only() { posed_bounds(&document, &state) } else { document.reach(&state) };
     let other = compared.map(|(path, other)| (path.display().to_string(), other));
     let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| SceneOverlays::from_session(saved, &document, other));
     let mut wide = bounds;
@@ -75,7 +75,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         None => None,
     };
     let look = look.unwrap_or_else(|| {
-        let eye = FittedOrbit::fit(direction(given), &wide, aspect, sequence.turning());
+        let eye = FittedOrbit::fit(direction(given), &wide, aspect, sequence.has_turntable());
         Box::new(move |_, _, turn| eye.camera(turn))
     });
     // What is only a help on the screen, such as the ground grid, stays away unless it is asked for or a session shows it.
@@ -83,7 +83,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     // In a film the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
     let display = Display { scale, ground, ..display(given, usual, !document.shows_surface()) };
-    let mut studio = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), look).accompanied(company, rate);
+    let mut studio = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), look).with_overlays(company, rate);
     let call = call_note(given, &files, size, scale);
     let note = |shot: &FrameSpec| format!("{call}{}", shot_note(&document, shot));
     progress::watched(sequence.count, |work| sequence::save(&mut studio, size, (&target, &guard), &note, work))?;
@@ -134,8 +134,14 @@ fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: Pos
     };
     let turning = given.get_flag("turntable");
     let seconds = |id| value::<f64>(given, id);
-    let wish =
-        SequenceOptions { motion, from: seconds("from"), to: seconds("to"), duration: seconds("duration"), fps: seconds("fps"), turning };
+    let wish = SequenceOptions {
+        motion,
+        from: seconds("from"),
+        to: seconds("to"),
+        duration: seconds("duration"),
+        fps: seconds("fps"),
+        turntable: turning,
+    };
     Sequence::new(&wish, document, state)
 }
 
@@ -149,7 +155,7 @@ fn refused(refusal: SequenceError, given: &ArgMatches, file: &str) -> Failure {
             tr!("cli-range-early", file = file, start = plain(from), to = plain(to))
         }
         SequenceError::Empty { from, to } => tr!("cli-range-empty", from = plain(from), to = plain(to)),
-        SequenceError::TooMany => tr!("cli-too-many-frames", limit = plain(sequence::FRAMES as f64)),
+        SequenceError::TooMany => tr!("cli-too-many-frames", limit = plain(sequence::MAX_FRAMES as f64)),
         SequenceError::NoElbow => tr!("cli-no-elbow-to-bend", file = file),
         SequenceError::NoMuscle => tr!("cli-no-muscle-to-drive", file = file),
     })
@@ -180,7 +186,7 @@ fn chooses_direction(given: &ArgMatches) -> bool {
 }
 
 /// Where a session looks from: its camera of the file, else its orbit, which may go along with something; `None` where it has neither.
-fn saved_look(saved: &SessionState, document: &Document, bounds: &Bounds, along: Option<CameraFollow>) -> Option<Look<'static>> {
+fn saved_look(saved: &SessionState, document: &Document, bounds: &Bounds, along: Option<CameraFollow>) -> Option<CameraFn<'static>> {
     let orbit = saved.camera.and_then(|camera| camera.orbit(bounds));
     let node = saved.file_camera.as_ref().and_then(|node| node.find(document));
     let of_file = node.and_then(|node| view::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
@@ -193,7 +199,7 @@ fn saved_look(saved: &SessionState, document: &Document, bounds: &Bounds, along:
         Some((node, id)) => {
             Some(Box::new(move |scene, frame, turn| view::file_camera(scene, frame, node, id).unwrap_or_else(|| round(frame, turn))))
         }
-        None => orbit.map(|_| -> Look<'static> { Box::new(move |_, frame, turn| round(frame, turn)) }),
+        None => orbit.map(|_| -> CameraFn<'static> { Box::new(move |_, frame, turn| round(frame, turn)) }),
     }
 }
 
@@ -239,12 +245,12 @@ fn shot_note(document: &Document, shot: &FrameSpec) -> String {
         // `+ 0.0` turns a negative zero into zero.
         note.push_str(&format!(" --contraction {}", shot.state.drive.contraction + 0.0));
     }
-    if let (Some(turn), Some(joint)) = (shot.state.turn, document.joint()) {
+    if let (Some(turn), Some(joint)) = (shot.state.joint_rotation, document.joint()) {
         let (angle, option) = if turn.on_top { (turn.degrees, " --on-top") } else { (turn.degrees + joint.at_rest, "") };
         note.push_str(&format!(" --angle {}{option}", angle + 0.0));
     }
-    if shot.turn != 0.0 {
-        note.push_str(&format!(" (turned by {}°)", shot.turn));
+    if shot.turntable != 0.0 {
+        note.push_str(&format!(" (turned by {}°)", shot.turntable));
     }
     note
 }
@@ -277,7 +283,7 @@ fn quoted(word: &str) -> String {
 }
 
 /// Prints the median of each stage to standard error.
-fn report(times: &[Times]) {
+fn report(times: &[FrameTimes]) {
     for (name, stage) in ["pose", "deform", "vertex", "raster", "resolve"].iter().zip(0..) {
         let medians = median(times.iter().filter_map(|times| times.get(stage).copied()).collect());
         complain(&format!("{name} {medians:.3} ms"));

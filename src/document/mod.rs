@@ -126,7 +126,7 @@ pub struct PoseState {
     /// Elbow angle and contraction.
     pub drive: MuscleState,
     /// A joint turned by hand, on top of the clip or instead of it: see [`Document::joint`].
-    pub turn: Option<Turn>,
+    pub joint_rotation: Option<Turn>,
     /// Moves the whole model in the world, after everything else.
     pub model: DMat4,
     /// How joints bend a skin.

@@ -98,7 +98,7 @@ impl Document {
             rig.apply(state.drive, pose);
         }
         pose.locals(&mut buffers.local);
-        if let Some(turn) = state.turn
+        if let Some(turn) = state.joint_rotation
             && let Some(local) = buffers.local.get_mut(turn.node.index())
         {
             *local = turn.apply(*local, self.scene.graph.node(turn.node).transform.matrix());

@@ -91,7 +91,7 @@ impl Plan {
         Self::of(mesh, |point, picks| picks.push(Pick::new(point.min(mesh.source_count), 1.0)))
     }
 
-    /// `picks_of` appends the picks of a point: at least one, at most [`MAX_SKINS`].
+    /// `picks_of` appends the picks of a point: at least one, at most [`MOST`].
     fn of(mesh: &Mesh, mut picks_of: impl FnMut(u32, &mut Vec<Pick>)) -> Self {
         let count = mesh.positions.len();
         let mut plan = Self { vertices: count, ..Self::default() };

@@ -1,6 +1,6 @@
 //! Frames drawn, converted and written at the same time: one thread draws, several convert, one writes in order.
 //!
-//! A few pictures go round and round: a picture that was written is drawn into again, so the memory is bounded, and a slow disk slows down
+//! A few pictures are reused in turn: a picture that was written is drawn into again, so the memory is bounded, and a slow disk slows down
 //! the drawing instead of filling the memory.
 
 use std::collections::BTreeMap;
@@ -13,38 +13,38 @@ use std::thread;
 use super::ExportError;
 use crate::render::Framebuffer;
 
-/// What the pictures that go round may take together, bytes.
-const MEMORY: usize = 256 << 20;
+/// Most memory of all pictures together, bytes.
+const MEMORY_LIMIT: usize = 256 << 20;
 
-/// A hand on work that takes a while: how far it is, and a way to stop it.
+/// Progress of an export, and its cancellation.
 #[derive(Debug, Default)]
-pub struct Work {
-    /// Frames that are written.
+pub struct ExportProgress {
+    /// Number of frames written.
     pub done: AtomicUsize,
-    /// Set to stop: the work ends with [`ExportError::Cancelled`] and leaves nothing behind.
+    /// Set to cancel: the export ends with [`ExportError::Cancelled`] and leaves no files.
     pub cancelled: AtomicBool,
 }
 
-impl Work {
-    /// Whether somebody asked to stop.
+impl ExportProgress {
+    /// Whether the export was cancelled.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }
 
-    /// Passes everything on to `out` until somebody asks to stop; from then on writing fails with [`ExportError::Cancelled`] inside.
-    pub fn guard<W: Write>(&self, out: W) -> impl Write {
-        Guarded { out, work: self }
+    /// A writer to `out` that fails with [`ExportError::Cancelled`] inside once the export is cancelled.
+    pub fn cancellable<W: Write>(&self, out: W) -> impl Write {
+        CancellableWriter { out, progress: self }
     }
 }
 
-struct Guarded<'a, W> {
+struct CancellableWriter<'a, W> {
     out: W,
-    work: &'a Work,
+    progress: &'a ExportProgress,
 }
 
-impl<W: Write> Write for Guarded<'_, W> {
+impl<W: Write> Write for CancellableWriter<'_, W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        if self.work.is_cancelled() { Err(stopped()) } else { self.out.write(bytes) }
+        if self.progress.is_cancelled() { Err(cancelled_error()) } else { self.out.write(bytes) }
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -52,14 +52,14 @@ impl<W: Write> Write for Guarded<'_, W> {
     }
 }
 
-/// Draws `count` pictures of `size` with `draw`, one after the other on the calling thread, has `convert` make something of each on `threads`
-/// other threads, and hands that to `write` in order, on one thread more. `converter` makes what each converting thread keeps for itself.
+/// Draws `count` pictures of `size` with `draw`, one after the other on the calling thread, converts each with `convert` on `threads`
+/// other threads, and passes the results to `write` in order, on one more thread. `converter` makes the state of each converting thread.
 ///
 /// # Errors
-/// The first that `convert` or `write` returns; [`ExportError::Cancelled`] (inside the [`io::Error`]) when `work` says so.
+/// The first that `convert` or `write` returns; [`ExportError::Cancelled`] (inside the [`io::Error`]) when `progress` was cancelled.
 pub fn run<C, T: Send>(
     (count, size, threads): (usize, (u32, u32), usize),
-    work: &Work,
+    progress: &ExportProgress,
     mut draw: impl FnMut(usize, &mut Framebuffer),
     converter: impl Fn() -> C + Sync,
     convert: impl Fn(&mut C, usize, &Framebuffer) -> io::Result<T> + Sync,
@@ -67,29 +67,33 @@ pub fn run<C, T: Send>(
 ) -> io::Result<()> {
     let pixels = size.0 as usize * size.1 as usize;
     let threads = threads.max(1);
-    let pictures = (MEMORY / (pixels * 4).max(1)).clamp(1, threads + 2).min(count.max(1));
-    let (give_back, free) = channel();
+    let pictures = (MEMORY_LIMIT / (pixels * 4).max(1)).clamp(1, threads + 2).min(count.max(1));
+    let (free_sender, free) = channel();
     for made in 0..pictures {
         match Framebuffer::new(size.0, size.1) {
             // The receiver is there, so sending cannot fail.
-            Ok(picture) => drop(give_back.send(picture)),
+            Ok(picture) => drop(free_sender.send(picture)),
             Err(error) if made == 0 => return Err(error),
-            // Fewer pictures on their way take longer, no more.
+            // With fewer pictures the export only takes longer.
             Err(_) => break,
         }
     }
-    let (hand_over, drawn) = channel::<(usize, Framebuffer)>();
+    let (drawn_sender, drawn) = channel::<(usize, Framebuffer)>();
     let drawn = Mutex::new(drawn);
-    let (finish, finished) = channel::<(usize, io::Result<T>, Framebuffer)>();
+    let (converted_sender, converted) = channel::<(usize, io::Result<T>, Framebuffer)>();
     let failed = AtomicBool::new(false);
-    let (convert, converter, failed_hand, drawn) = (&convert, &converter, &failed, &drawn);
+    let (convert, converter, failed_flag, drawn) = (&convert, &converter, &failed, &drawn);
     thread::scope(|scope| {
         for started in 0..threads.min(pictures) {
-            let finish = finish.clone();
+            let finish = converted_sender.clone();
             let spawned = thread::Builder::new().spawn_scoped(scope, move || {
-                let mut own = converter();
+                let mut converter_state = converter();
                 while let Some((index, picture)) = next(drawn) {
-                    let made = if failed_hand.load(Ordering::Relaxed) { Err(stopped()) } else { convert(&mut own, index, &picture) };
+                    let made = if failed_flag.load(Ordering::Relaxed) {
+                        Err(cancelled_error())
+                    } else {
+                        convert(&mut converter_state, index, &picture)
+                    };
                     if finish.send((index, made, picture)).is_err() {
                         return;
                     }
@@ -101,42 +105,42 @@ pub fn run<C, T: Send>(
                 Ok(_) => {}
             }
         }
-        drop(finish);
+        drop(converted_sender);
         let writer = thread::Builder::new().spawn_scoped(scope, move || {
             let mut waiting = BTreeMap::new();
             let (mut expected, mut result) = (0, Ok(()));
-            for (index, made, picture) in finished {
+            for (index, made, picture) in converted {
                 waiting.insert(index, (made, picture));
                 while let Some((made, picture)) = waiting.remove(&expected) {
                     if result.is_ok() {
                         result = made.and_then(&mut write);
                         match &result {
                             Ok(()) => {
-                                work.done.fetch_add(1, Ordering::Relaxed);
+                                progress.done.fetch_add(1, Ordering::Relaxed);
                             }
-                            Err(_) => failed_hand.store(true, Ordering::Relaxed),
+                            Err(_) => failed_flag.store(true, Ordering::Relaxed),
                         }
                     }
                     expected += 1;
-                    // Whoever draws may have stopped.
-                    let _ = give_back.send(picture);
+                    // The drawing thread may have ended.
+                    let _ = free_sender.send(picture);
                 }
             }
             result
         })?;
         for index in 0..count {
-            if failed.load(Ordering::Relaxed) || work.is_cancelled() {
+            if failed.load(Ordering::Relaxed) || progress.is_cancelled() {
                 break;
             }
             let Ok(mut picture) = free.recv() else { break };
             draw(index, &mut picture);
-            if hand_over.send((index, picture)).is_err() {
+            if drawn_sender.send((index, picture)).is_err() {
                 break;
             }
         }
-        drop(hand_over);
+        drop(drawn_sender);
         match writer.join() {
-            Ok(Ok(())) if work.is_cancelled() => Err(stopped()),
+            Ok(Ok(())) if progress.is_cancelled() => Err(cancelled_error()),
             Ok(result) => result,
             Err(panic) => std::panic::resume_unwind(panic),
         }
@@ -147,7 +151,7 @@ fn next<T>(queue: &Mutex<Receiver<T>>) -> Option<T> {
     queue.lock().unwrap_or_else(PoisonError::into_inner).recv().ok()
 }
 
-fn stopped() -> io::Error {
+fn cancelled_error() -> io::Error {
     io::Error::other(ExportError::Cancelled)
 }
 
@@ -163,7 +167,7 @@ mod tests {
             *made += 1;
             Ok(picture.pixels[0])
         };
-        run((count, (2, 2), threads), &Work::default(), draw, || 0, convert, &mut write)
+        run((count, (2, 2), threads), &ExportProgress::default(), draw, || 0, convert, &mut write)
     }
 
     #[test]
@@ -191,11 +195,11 @@ mod tests {
     }
 
     #[test]
-    fn nothing_more_is_written_once_somebody_asked_to_stop() {
-        let (work, mut out) = (Work::default(), Vec::new());
-        let mut guarded = work.guard(&mut out);
+    fn nothing_is_written_after_a_cancellation() {
+        let (progress, mut out) = (ExportProgress::default(), Vec::new());
+        let mut guarded = progress.cancellable(&mut out);
         guarded.write_all(b"one").expect("memory is writable");
-        work.cancelled.store(true, Ordering::Relaxed);
+        progress.cancelled.store(true, Ordering::Relaxed);
         let error = guarded.write_all(b"two").expect_err("stopped");
         assert!(matches!(ExportError::io(std::path::Path::new("x"), error), ExportError::Cancelled));
         drop(guarded);
@@ -204,10 +208,10 @@ mod tests {
 
     #[test]
     fn it_stops_when_asked() {
-        let work = Work::default();
-        let draw = |index: usize, _: &mut Framebuffer| work.cancelled.store(index >= 3, Ordering::Relaxed);
-        let result = run((1000, (1, 1), 2), &work, draw, || (), |_, _, _| Ok(()), |()| Ok(()));
+        let progress = ExportProgress::default();
+        let draw = |index: usize, _: &mut Framebuffer| progress.cancelled.store(index >= 3, Ordering::Relaxed);
+        let result = run((1000, (1, 1), 2), &progress, draw, || (), |_, _, _| Ok(()), |()| Ok(()));
         assert!(matches!(ExportError::io(std::path::Path::new("x"), result.expect_err("stopped")), ExportError::Cancelled));
-        assert!(work.done.load(Ordering::Relaxed) < 10);
+        assert!(progress.done.load(Ordering::Relaxed) < 10);
     }
 }

@@ -1,5 +1,5 @@
-//! Pictures and films of a document: what moves, where the eye stands, and how they become files. The command line and the window make them
-//! here, so that both have the same result.
+//! Frame sequences of a document: what moves, where the camera stands, and how frames become files. The command line and the window use the same
+//! code, so that both give the same result.
 
 mod frame_renderer;
 mod framing;
@@ -7,8 +7,8 @@ mod motion;
 mod pattern;
 mod save;
 
-pub use frame_renderer::{Look, SequenceRenderer, Times};
+pub use frame_renderer::{CameraFn, FrameTimes, SequenceRenderer};
 pub use framing::{Direction, FittedOrbit, posed_bounds};
-pub use motion::{FPS, FRAMES, FrameSpec, Motion, Sequence, SequenceError, SequenceOptions};
-pub use pattern::Pattern;
-pub use save::{Target, save};
+pub use motion::{DEFAULT_FPS, FrameSpec, MAX_FRAMES, Motion, Sequence, SequenceError, SequenceOptions};
+pub use pattern::FilePattern;
+pub use save::{OutputTarget, save};

@@ -1,10 +1,10 @@
-//! The names of numbered files.
+//! Names of numbered files.
 
 use std::path::{Path, PathBuf};
 
-/// The names of a row of files: `frame-%04d.png`.
+/// File names with a number: `frame-%04d.png`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Pattern {
+pub struct FilePattern {
     folder: PathBuf,
     before: String,
     digits: usize,
@@ -12,16 +12,16 @@ pub struct Pattern {
     second: bool,
 }
 
-impl Pattern {
+impl FilePattern {
     /// Finds the first `%d` or `%04d` in the name of a file, `%%` being a plain `%` beside it; `None` where there is none, and then `%` is an ordinary
     /// character, as it is in the names of folders.
     pub fn of(file: &Path) -> Option<Self> {
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
-        let (before, digits, after) = number_in(file.file_name()?.to_str()?)?;
-        Some(Self { folder, before, digits, second: number_in(after).is_some(), after: after.replace("%%", "%") })
+        let (before, digits, after) = find_number(file.file_name()?.to_str()?)?;
+        Some(Self { folder, before, digits, second: find_number(after).is_some(), after: after.replace("%%", "%") })
     }
 
-    /// Whether a second number stands behind the first, though there is but one to put in.
+    /// Whether the pattern has a second number, which cannot be filled.
     pub fn has_second(&self) -> bool {
         self.second
     }
@@ -32,8 +32,8 @@ impl Pattern {
     }
 }
 
-/// What stands before the first number, how many digits that has, and what stands behind it.
-fn number_in(name: &str) -> Option<(String, usize, &str)> {
+/// The text before the first number, its digits, and the text after it.
+fn find_number(name: &str) -> Option<(String, usize, &str)> {
     let mut before = String::new();
     let mut rest = name;
     loop {
@@ -57,7 +57,7 @@ mod tests {
 
     #[test]
     fn patterns_are_filled_with_the_number() {
-        let file = |name: &str, number| Pattern::of(Path::new(name)).map(|pattern| pattern.file(number));
+        let file = |name: &str, number| FilePattern::of(Path::new(name)).map(|pattern| pattern.file(number));
         assert_eq!(file("frame-%04d.png", 7), Some(PathBuf::from("frame-0007.png")));
         assert_eq!(file("%d.png", 12), Some(PathBuf::from("12.png")));
         assert_eq!(file("50%%-%02d.png", 3), Some(PathBuf::from("50%-03.png")));
@@ -79,7 +79,7 @@ mod tests {
             ("%d/%d.png", false),
             ("%d.png", false),
         ] {
-            assert_eq!(Pattern::of(Path::new(name)).map(|pattern| pattern.has_second()), Some(second), "{name}");
+            assert_eq!(FilePattern::of(Path::new(name)).map(|pattern| pattern.has_second()), Some(second), "{name}");
         }
     }
 }

@@ -255,7 +255,7 @@ impl Comparison {
                     }
                 });
                 let (clip, time) = (self.clip, moment(other, self.clip));
-                PoseState { clip, time, drive: drive.unwrap_or_default(), turn: None, model, skinning: state.skinning }
+                PoseState { clip, time, drive: drive.unwrap_or_default(), joint_rotation: None, model, skinning: state.skinning }
             }
             CompareTarget::Clip(clip) => PoseState { clip: Some(*clip), time: moment(document, Some(*clip)), model, ..*state },
             CompareTarget::Skinning => PoseState { model, skinning: other_skinning(state.skinning), ..*state },

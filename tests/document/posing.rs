@@ -79,7 +79,7 @@ const DUAL: PoseState = PoseState {
     clip: None,
     time: 0.0,
     drive: sinew::muscle::MuscleState { flexion: 0.0, contraction: 0.0 },
-    turn: None,
+    joint_rotation: None,
     model: DMat4::IDENTITY,
 };
 

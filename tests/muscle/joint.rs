@@ -125,7 +125,7 @@ fn the_shipped_arm_bends_as_asked_at_any_time_and_on_top_of_the_clip() {
     assert_eq!((node.name.as_str(), joint.found), ("forearm", FoundBy::Name));
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let mut angle = |time: f64, turn| {
-        document.pose(&PoseState { time, turn, ..document.start_state() }, &mut buffers, &mut frame);
+        document.pose(&PoseState { time, joint_rotation: turn, ..document.start_state() }, &mut buffers, &mut frame);
         joint.angle(&document.scene, &frame.world).unwrap()
     };
     let (start, middle) = (angle(0.0, None), angle(2.0, None));
@@ -182,7 +182,7 @@ fn the_moment_arm_in_a_pose_is_that_of_the_measurement_at_its_angle() {
     let joint = document.joint().unwrap();
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     for angle in [10.0, 60.0, 110.0] {
-        document.pose(&PoseState { turn: Some(joint.at(angle)), ..document.start_state() }, &mut buffers, &mut frame);
+        document.pose(&PoseState { joint_rotation: Some(joint.at(angle)), ..document.start_state() }, &mut buffers, &mut frame);
         for index in 0..rig.len() {
             let sample = &rig.measure(index, &[angle])[0];
             let posed = rig.moment_arm(index, &document.scene, &frame.world).unwrap();

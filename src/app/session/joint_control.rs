@@ -102,7 +102,7 @@ impl Session {
         if chosen != self.joint.chosen {
             self.joint.chosen = chosen;
             self.joint.joint = OnceCell::new();
-            self.state.turn = None;
+            self.state.joint_rotation = None;
             self.changed(Changes::DRIVE);
         }
     }
@@ -123,10 +123,10 @@ impl Session {
             return;
         }
         self.joint.on_top = on_top;
-        if let (Some(turn), Some(joint)) = (self.state.turn, self.joint()) {
-            self.state.turn = match self.joint_angle() {
+        if let (Some(turn), Some(joint)) = (self.state.joint_rotation, self.joint()) {
+            self.state.joint_rotation = match self.joint_angle() {
                 Some(angle) if on_top => {
-                    self.state.turn = None;
+                    self.state.joint_rotation = None;
                     self.stale = true;
                     Some(joint.by(angle - self.joint_angle().unwrap_or(angle)))
                 }
@@ -151,9 +151,9 @@ impl Session {
         }
         let joint = self.joint()?;
         let [low, high] = joint.range;
-        let by_hand = self.state.turn.is_some();
+        let by_hand = self.state.joint_rotation.is_some();
         if self.joint.on_top {
-            let value = self.state.turn.map_or(0.0, |turn| turn.degrees);
+            let value = self.state.joint_rotation.map_or(0.0, |turn| turn.degrees);
             return Some(Bend { value, range: low - high..=high - low, by_hand });
         }
         // A clip may bend a joint farther than a hand can.
@@ -175,8 +175,8 @@ impl Session {
     }
 
     fn turn_joint(&mut self, turn: Option<Turn>) {
-        if turn != self.state.turn {
-            self.state.turn = turn;
+        if turn != self.state.joint_rotation {
+            self.state.joint_rotation = turn;
             self.changed(Changes::DRIVE);
         }
     }
@@ -198,7 +198,7 @@ impl Session {
 
     /// Says that a joint stands still, whatever the clip does, and at which angle; `None` where none does.
     pub fn told_held(&mut self) -> Option<String> {
-        let turn = self.state.turn.filter(|turn| !turn.on_top && self.playback.duration() > 0.0)?;
+        let turn = self.state.joint_rotation.filter(|turn| !turn.on_top && self.playback.duration() > 0.0)?;
         let angle = format!("{}°", format::number(self.joint_angle()?, 0));
         let elbow = self.joint.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
         Some(match elbow {
@@ -208,14 +208,14 @@ impl Session {
     }
 
     pub(super) fn held(&self) -> Held {
-        Held { chosen: self.joint.chosen, on_top: self.joint.on_top, turn: self.state.turn }
+        Held { chosen: self.joint.chosen, on_top: self.joint.on_top, turn: self.state.joint_rotation }
     }
 
     pub(super) fn hold_as(&mut self, held: Held) {
         if held.chosen != self.joint.chosen {
             self.joint.joint = OnceCell::new();
         }
-        (self.joint.chosen, self.joint.on_top, self.state.turn) = (held.chosen, held.on_top, held.turn);
+        (self.joint.chosen, self.joint.on_top, self.state.joint_rotation) = (held.chosen, held.on_top, held.turn);
     }
 
     /// How the clip's joint drives the muscle that is shown; `None` where it does not.
@@ -245,7 +245,7 @@ impl Session {
     pub(super) fn contract_by_joint(&mut self, per_cent: f64) {
         let Some(present) = self.joint_angle() else { return };
         let Some(MuscleState { flexion, .. }) = self.driving().map(|driving| driving.at_contraction(per_cent)) else { return };
-        let turned = self.state.turn.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
+        let turned = self.state.joint_rotation.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
         // What the clip does by itself. The angle in the pose is known but for whole turns, and a hand may bend the joint past half of one.
         let own = (present - turned + 180.0).rem_euclid(360.0) - 180.0;
         self.set_bend(if self.joint.on_top { flexion - own } else { flexion });
@@ -255,7 +255,7 @@ impl Session {
     pub(super) fn kept_joint(&self) -> Option<(String, Option<JointAxis>, Option<f64>)> {
         let joint = self.joint.joint.get().copied().flatten()?;
         let name = self.document.scene.graph.node(joint.node).name.clone();
-        let turned = self.state.turn.map(|turn| if turn.on_top { turn.degrees } else { turn.degrees + joint.at_rest });
+        let turned = self.state.joint_rotation.map(|turn| if turn.on_top { turn.degrees } else { turn.degrees + joint.at_rest });
         Some((name, self.joint.chosen.map(|(_, axis)| axis), turned))
     }
 
@@ -314,7 +314,7 @@ mod tests {
         session.set_on_top(false);
         assert!((session.joint_angle().unwrap() - turned.unwrap()).abs() < 1e-6, "the pose stays");
         session.release_joint();
-        assert_eq!(session.state().turn, None);
+        assert_eq!(session.state().joint_rotation, None);
     }
 
     #[test]
@@ -322,10 +322,10 @@ mod tests {
         let mut session = clip();
         let joint = session.document().joint().unwrap();
         session.set_flexion(75.0);
-        assert_eq!(session.state().turn, Some(joint.at(75.0)));
+        assert_eq!(session.state().joint_rotation, Some(joint.at(75.0)));
         session.set_on_top(true);
         session.set_flexion(-20.0);
-        assert_eq!(session.state().turn, Some(joint.by(-20.0)));
+        assert_eq!(session.state().joint_rotation, Some(joint.by(-20.0)));
     }
 
     #[test]
@@ -337,6 +337,6 @@ mod tests {
         assert!((session.joint_angle().unwrap() - 40.0).abs() < 1e-9);
         assert_eq!(session.bend().unwrap().range, -150.0..=150.0);
         session.choose_joint(None);
-        assert_eq!((session.state().turn, session.chosen_joint()), (None, None));
+        assert_eq!((session.state().joint_rotation, session.chosen_joint()), (None, None));
     }
 }

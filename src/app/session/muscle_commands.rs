@@ -115,7 +115,7 @@ impl Session {
 
     /// The nodes of the scene with a joint straight.
     pub(super) fn straight(&self, joint: &Joint) -> Frame {
-        let straight = PoseState { turn: Some(joint.at(0.0)), ..PoseState::default() };
+        let straight = PoseState { joint_rotation: Some(joint.at(0.0)), ..PoseState::default() };
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose_nodes(&straight, &mut buffers, &mut frame);
         frame

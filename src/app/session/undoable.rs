@@ -339,7 +339,7 @@ mod tests {
     #[test]
     fn bending_by_the_slider_is_undone_and_an_edit_after_an_undo_is_a_step_of_its_own() {
         let mut session = clip();
-        let turn = |session: &Session| session.state().turn;
+        let turn = |session: &Session| session.state().joint_rotation;
         session.bend_by_hand(50.0);
         session.bend_by_hand(107.0);
         let bent = turn(&session);

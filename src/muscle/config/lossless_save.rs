@@ -2,7 +2,7 @@
 //!
 //! Old and new file are both written in the canonical form and compared; each difference is then made in the text, at the place that the parser
 //! gives for it. The result is read again, and where it does not say exactly what it should (aliases, a style that is not known here), the file
-//! is written anew instead, and [`SessionState::comments_lost`] says what that cost.
+//! is written anew instead, and [`Saved::comments_lost`] says what that cost.
 
 use super::source_spans::Places;
 use super::spec::MuscleFile;
