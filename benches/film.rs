@@ -12,7 +12,7 @@ use sinew::export::gltf;
 use sinew::export::guard::Guard;
 use sinew::export::pipeline::ExportProgress;
 use sinew::render::Display;
-use sinew::scene::View;
+use sinew::scene::ViewDirection;
 use sinew::sequence::{self, Direction, FittedOrbit, OutputTarget, Sequence, SequenceOptions, SequenceRenderer};
 
 const SIZE: (u32, u32) = (1280, 720);
@@ -28,7 +28,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let end = clip.end.min(clip.start + SECONDS - 1.0 / sequence::DEFAULT_FPS);
     let wish = SequenceOptions { from: Some(clip.start), to: Some(end), ..SequenceOptions::default() };
     let sequence = Sequence::new(&wish, document, state).ok()?;
-    let (yaw, pitch) = View::Start.angles();
+    let (yaw, pitch) = ViewDirection::Start.angles();
     let eye = FittedOrbit::fit(
         Direction { yaw, pitch, parallel: false, zoom: 1.0 },
         &document.reach(&state),

@@ -37,7 +37,7 @@ pub enum MaterialSlot {
 
 /// What a channel moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Target {
+pub enum ChannelTarget {
     /// Operation `op` of a node's transform list.
     Transform {
         /// The node.
@@ -45,7 +45,7 @@ pub enum Target {
         /// Index in its operations.
         op: u32,
         /// Which numbers.
-        lane: Components,
+        components: Components,
     },
     /// The weight of a morph target.
     MorphWeight {
@@ -61,14 +61,14 @@ pub enum Target {
         /// Which value.
         slot: MaterialSlot,
         /// Which numbers of it.
-        lane: Components,
+        components: Components,
     },
     /// The colour of a light.
     LightColor {
         /// The light.
         light: LightId,
         /// Which numbers of it.
-        lane: Components,
+        components: Components,
     },
 }
 
@@ -76,15 +76,15 @@ pub enum Target {
 #[derive(Debug, Clone)]
 pub struct Channel {
     /// What it moves.
-    pub target: Target,
+    pub target: ChannelTarget,
     /// The keys; clips may share them.
     pub curve: Arc<Curve>,
 }
 
-/// A named stretch of animation.
+/// A named animation.
 #[derive(Debug, Clone, Default)]
 pub struct Clip {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id that the file gives it; empty where it gives none.
     pub id: String,
@@ -119,7 +119,7 @@ impl Clip {
     pub fn key_times(&self, node: Option<NodeId>) -> Vec<f64> {
         let moves = |channel: &&Channel| match (node, channel.target) {
             (None, _) => true,
-            (Some(wanted), Target::Transform { node, .. }) => node == wanted,
+            (Some(wanted), ChannelTarget::Transform { node, .. }) => node == wanted,
             (Some(_), _) => false,
         };
         let mut times: Vec<f64> = self
@@ -139,25 +139,25 @@ impl Channel {
     /// Writes the value at `time`; a target that the pose doesn't have is left alone.
     fn sample(&self, time: f64, pose: &mut Pose) {
         match self.target {
-            Target::Transform { node, op, lane } => {
+            ChannelTarget::Transform { node, op, components } => {
                 if let Some(op) = pose.ranges.get(node.index()).and_then(|range| range.clone().nth(op as usize))
                     && let Some(op) = pose.ops.get_mut(op as usize)
                 {
-                    set_op(op, lane, &self.curve, time);
+                    set_op(op, components, &self.curve, time);
                 }
             }
-            Target::MorphWeight { morph, target } => {
+            ChannelTarget::MorphWeight { morph, target } => {
                 if let Some(weight) = pose.morph_weights.get_mut(morph.index()).and_then(|weights| weights.get_mut(target as usize)) {
                     *weight = self.curve.value(time, 0) as f32;
                 }
             }
-            Target::Material { material, slot, lane } => {
+            ChannelTarget::Material { material, slot, components } => {
                 let Some(material) = pose.materials.get_mut(material.index()) else { return };
                 match slot {
-                    MaterialSlot::Diffuse => set_color(&mut material.diffuse.color, lane, &self.curve, time),
-                    MaterialSlot::Emission => set_color(&mut material.emission.color, lane, &self.curve, time),
-                    MaterialSlot::Ambient => set_color(&mut material.ambient.color, lane, &self.curve, time),
-                    MaterialSlot::Specular => set_color(&mut material.specular.color, lane, &self.curve, time),
+                    MaterialSlot::Diffuse => set_color(&mut material.diffuse.color, components, &self.curve, time),
+                    MaterialSlot::Emission => set_color(&mut material.emission.color, components, &self.curve, time),
+                    MaterialSlot::Ambient => set_color(&mut material.ambient.color, components, &self.curve, time),
+                    MaterialSlot::Specular => set_color(&mut material.specular.color, components, &self.curve, time),
                     MaterialSlot::Shininess => material.shininess = self.curve.value(time, 0).clamp(0.0, 1000.0) as f32,
                     MaterialSlot::Opacity => material.opacity = self.curve.value(time, 0).clamp(0.0, 1.0) as f32,
                     MaterialSlot::OpacityTextureShare => {
@@ -165,9 +165,9 @@ impl Channel {
                     }
                 }
             }
-            Target::LightColor { light, lane } => {
+            ChannelTarget::LightColor { light, components } => {
                 if let Some(color) = pose.light_colors.get_mut(light.index()) {
-                    set_color(color, lane, &self.curve, time);
+                    set_color(color, components, &self.curve, time);
                 }
             }
         }
@@ -175,8 +175,8 @@ impl Channel {
 }
 
 /// Sets a whole operation, or one number of it.
-fn set_op(op: &mut TransformOp, lane: Components, curve: &Curve, time: f64) {
-    match (op, lane) {
+fn set_op(op: &mut TransformOp, components: Components, curve: &Curve, time: f64) {
+    match (op, components) {
         (TransformOp::Matrix(matrix), Components::Whole) => *matrix = curve.matrix(time),
         (TransformOp::Matrix(matrix), Components::Component(component)) => {
             // The bottom row stays 0 0 0 1, whatever the file animates it to.
@@ -188,22 +188,26 @@ fn set_op(op: &mut TransformOp, lane: Components, curve: &Curve, time: f64) {
                 matrix.col_mut(column).w = if column == 3 { 1.0 } else { 0.0 };
             }
         }
-        (TransformOp::Translate(vector) | TransformOp::Scale(vector), lane) => set_numbers(&mut [vector.as_mut()], lane, curve, time),
-        (TransformOp::Rotate { angle, .. }, Components::Component(3)) => *angle = curve.value(time, 0),
-        (TransformOp::Rotate { axis, angle }, lane) => set_numbers(&mut [axis.as_mut(), std::slice::from_mut(angle)], lane, curve, time),
-        (TransformOp::LookAt { eye, target, up }, lane) => {
-            set_numbers(&mut [eye.as_mut(), target.as_mut(), up.as_mut()], lane, curve, time);
+        (TransformOp::Translate(vector) | TransformOp::Scale(vector), components) => {
+            set_numbers(&mut [vector.as_mut()], components, curve, time)
         }
-        (TransformOp::Skew { angle, along, across }, lane) => {
-            set_numbers(&mut [std::slice::from_mut(angle), along.as_mut(), across.as_mut()], lane, curve, time);
+        (TransformOp::Rotate { angle, .. }, Components::Component(3)) => *angle = curve.value(time, 0),
+        (TransformOp::Rotate { axis, angle }, components) => {
+            set_numbers(&mut [axis.as_mut(), std::slice::from_mut(angle)], components, curve, time)
+        }
+        (TransformOp::LookAt { eye, target, up }, components) => {
+            set_numbers(&mut [eye.as_mut(), target.as_mut(), up.as_mut()], components, curve, time);
+        }
+        (TransformOp::Skew { angle, along, across }, components) => {
+            set_numbers(&mut [std::slice::from_mut(angle), along.as_mut(), across.as_mut()], components, curve, time);
         }
     }
 }
 
 /// Sets all numbers of `parts`, which follow each other, or the one that `lane` names.
-fn set_numbers(parts: &mut [&mut [f64]], lane: Components, curve: &Curve, time: f64) {
+fn set_numbers(parts: &mut [&mut [f64]], components: Components, curve: &Curve, time: f64) {
     let mut numbers = parts.iter_mut().flat_map(|part| part.iter_mut());
-    match lane {
+    match components {
         Components::Whole => {
             let mut values = [0.0; 16];
             curve.sample(time, &mut values);
@@ -219,9 +223,9 @@ fn set_numbers(parts: &mut [&mut [f64]], lane: Components, curve: &Curve, time: 
     }
 }
 
-fn set_color(color: &mut Vec3, lane: Components, curve: &Curve, time: f64) {
+fn set_color(color: &mut Vec3, components: Components, curve: &Curve, time: f64) {
     for (component, channel) in color.as_mut().iter_mut().enumerate() {
-        match lane {
+        match components {
             Components::Whole if component < curve.dimension => *channel = curve.value(time, component) as f32,
             Components::Component(wanted) if usize::from(wanted) == component => *channel = curve.value(time, 0) as f32,
             _ => {}

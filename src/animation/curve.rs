@@ -28,9 +28,9 @@ struct Cubic {
     y: [f64; 2],
 }
 
-/// How a whole matrix goes from one key to the next.
+/// Interpolation of a matrix from one key to the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Turn {
+enum MatrixSegment {
     /// Translation and scale straight, rotation along the arc from this key's rotation through `across`, `angle` radians in quaternion space
     /// (half the turn); an angle of 0 means that the turn is too small for an arc and `across` is the difference.
     Arc { across: DQuat, angle: f64 },
@@ -40,7 +40,7 @@ enum Turn {
 
 /// Rotation and scale of a matrix key.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Key {
+struct RotationScale {
     rotation: DQuat,
     scale: DVec3,
 }
@@ -105,15 +105,15 @@ pub struct Curve {
     cubics: Vec<Cubic>,
     /// Where a segment's cubics start; `NO_CUBIC` where it has none. Empty where no segment has any.
     cubic_starts: Vec<u32>,
-    keys: Vec<Key>,
-    turns: Vec<Turn>,
+    rotation_scales: Vec<RotationScale>,
+    matrix_segments: Vec<MatrixSegment>,
     sheared: bool,
 }
 
 const NO_CUBIC: u32 = u32::MAX;
 
 /// How far from square the axes of a matrix may be before it counts as sheared (cosine of the angle between them).
-const SQUARE: f64 = 1e-3;
+const SHEAR_TOLERANCE: f64 = 1e-3;
 
 impl Curve {
     /// Makes a curve.
@@ -124,7 +124,7 @@ impl Curve {
         let mut curve = Self { times, dimension, values, modes, ..Self::default() };
         curve.make_cubics(&in_tangents, &out_tangents);
         if matrix && dimension == 16 {
-            curve.make_turns();
+            curve.make_matrix_segments();
         }
         curve
     }
@@ -135,11 +135,11 @@ impl Curve {
     }
 
     /// First and last key time; `None` without keys.
-    pub fn span(&self) -> Option<(f64, f64)> {
+    pub fn time_range(&self) -> Option<(f64, f64)> {
         Some((*self.times.first()?, *self.times.last()?))
     }
 
-    fn make_cubics(&mut self, arriving: &Tangents, leaving: &Tangents) {
+    fn make_cubics(&mut self, in_tangents: &Tangents, out_tangents: &Tangents) {
         let segments = self.times.len().saturating_sub(1);
         if !self.modes.iter().any(|mode| matches!(mode, Interpolation::Bezier | Interpolation::Hermite)) {
             return;
@@ -148,7 +148,7 @@ impl Curve {
         for segment in 0..segments {
             let start = self.cubics.len();
             let whole = (0..self.dimension).all(|component| {
-                let cubic = self.cubic(segment, component, arriving, leaving);
+                let cubic = self.cubic(segment, component, in_tangents, out_tangents);
                 self.cubics.extend(cubic);
                 cubic.is_some()
             });
@@ -159,11 +159,11 @@ impl Curve {
         }
     }
 
-    fn cubic(&self, segment: usize, component: usize, arriving: &Tangents, leaving: &Tangents) -> Option<Cubic> {
+    fn cubic(&self, segment: usize, component: usize, in_tangents: &Tangents, out_tangents: &Tangents) -> Option<Cubic> {
         let (t0, t1) = (*self.times.get(segment)?, *self.times.get(segment + 1)?);
         let (v0, v1) = (self.key(segment, component), self.key(segment + 1, component));
-        let (x_out, y_out) = leaving.get(segment, component, self.dimension)?;
-        let (x_in, y_in) = arriving.get(segment + 1, component, self.dimension)?;
+        let (x_out, y_out) = out_tangents.get(segment, component, self.dimension)?;
+        let (x_in, y_in) = in_tangents.get(segment + 1, component, self.dimension)?;
         // Without times the control points stand at thirds of the segment.
         let thirds = [t0 + (t1 - t0) / 3.0, t1 - (t1 - t0) / 3.0];
         let (x, y) = match self.modes.get(segment)? {
@@ -180,18 +180,19 @@ impl Curve {
         Some(Cubic { x: x.map(part), y })
     }
 
-    fn make_turns(&mut self) {
-        let decomposed: Vec<Option<Key>> = (0..self.times.len()).map(|key| decompose(&self.matrix_key(key), &mut self.sheared)).collect();
-        self.turns = decomposed
+    fn make_matrix_segments(&mut self) {
+        let decomposed: Vec<Option<RotationScale>> =
+            (0..self.times.len()).map(|key| decompose(&self.matrix_key(key), &mut self.sheared)).collect();
+        self.matrix_segments = decomposed
             .iter()
             .zip(decomposed.iter().skip(1))
             .map(|(from, to)| match (from, to) {
                 (Some(from), Some(to)) => arc(from.rotation, to.rotation),
-                _ => Turn::Elements,
+                _ => MatrixSegment::Elements,
             })
             .collect();
-        let flat = Key { rotation: DQuat::IDENTITY, scale: DVec3::ONE };
-        self.keys = decomposed.into_iter().map(|key| key.unwrap_or(flat)).collect();
+        let flat = RotationScale { rotation: DQuat::IDENTITY, scale: DVec3::ONE };
+        self.rotation_scales = decomposed.into_iter().map(|key| key.unwrap_or(flat)).collect();
     }
 
     fn key(&self, key: usize, component: usize) -> f64 {
@@ -262,8 +263,8 @@ impl Curve {
             return self.matrix_key(segment);
         }
         let smooth = self.cubic_at(segment, 0).is_some();
-        if let (Some(Turn::Arc { across, angle }), Some(from), Some(to)) =
-            (self.turns.get(segment), self.keys.get(segment), self.keys.get(segment + 1))
+        if let (Some(MatrixSegment::Arc { across, angle }), Some(from), Some(to)) =
+            (self.matrix_segments.get(segment), self.rotation_scales.get(segment), self.rotation_scales.get(segment + 1))
             && !smooth
         {
             let rotation = if *angle > 0.0 {
@@ -368,7 +369,7 @@ fn solve(x1: f64, x2: f64, x: f64) -> f64 {
 }
 
 /// Rotation and scale of a matrix; `None` where it shears (which sets `sheared`) or has an axis without length. A mirror goes into the x scale.
-fn decompose(matrix: &DMat4, sheared: &mut bool) -> Option<Key> {
+fn decompose(matrix: &DMat4, sheared: &mut bool) -> Option<RotationScale> {
     let axes = DMat3::from_mat4(*matrix);
     let mut scale = DVec3::new(axes.x_axis.length(), axes.y_axis.length(), axes.z_axis.length());
     let longest = scale.max_element();
@@ -376,19 +377,19 @@ fn decompose(matrix: &DMat4, sheared: &mut bool) -> Option<Key> {
         return None;
     }
     let (x, y, z) = (axes.x_axis / scale.x, axes.y_axis / scale.y, axes.z_axis / scale.z);
-    if x.dot(y).abs().max(y.dot(z).abs()).max(z.dot(x).abs()) > SQUARE {
+    if x.dot(y).abs().max(y.dot(z).abs()).max(z.dot(x).abs()) > SHEAR_TOLERANCE {
         *sheared = true;
         return None;
     }
     let mirror = x.cross(y).dot(z).signum();
     scale.x *= mirror;
     let rotation = DQuat::from_mat3(&DMat3::from_cols(x * mirror, y, z)).normalize();
-    rotation.is_finite().then_some(Key { rotation, scale })
+    rotation.is_finite().then_some(RotationScale { rotation, scale })
 }
 
 /// The shorter arc from one rotation to another (K. Shoemake, "Animating rotation with quaternion curves", 1985): `from·cos φ + across·sin φ`, with `across`
 /// the unit quaternion a quarter of a circle on.
-fn arc(from: DQuat, to: DQuat) -> Turn {
+fn arc(from: DQuat, to: DQuat) -> MatrixSegment {
     let mut cos = from.dot(to);
     let mut to = to;
     if cos < 0.0 {
@@ -398,9 +399,9 @@ fn arc(from: DQuat, to: DQuat) -> Turn {
     let across = to + from * -cos;
     let sin = across.length();
     if sin < 1e-7 {
-        return Turn::Arc { across: to + -from, angle: 0.0 };
+        return MatrixSegment::Arc { across: to + -from, angle: 0.0 };
     }
-    Turn::Arc { across: across * (1.0 / sin), angle: sin.atan2(cos) }
+    MatrixSegment::Arc { across: across * (1.0 / sin), angle: sin.atan2(cos) }
 }
 
 /// Keys in order of time, those with the same time in file order; ones that aren't finite are left out.

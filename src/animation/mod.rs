@@ -1,11 +1,11 @@
-//! Animation: curves, clips, and the cursor that walks through time. Knows the scene alone.
+//! Animation: curves, clips, and playback. Depends on the scene only.
 
 mod clip;
 mod curve;
 mod playback;
 mod pose;
 
-pub use clip::{Channel, Clip, Components, MaterialSlot, Target};
+pub use clip::{Channel, ChannelTarget, Clip, Components, MaterialSlot};
 pub use curve::{Curve, Interpolation, Keys, Tangents};
 pub use playback::{LoopMode, Playback};
 pub use pose::Pose;

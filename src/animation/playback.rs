@@ -1,4 +1,4 @@
-//! The time cursor: plays, seeks, loops. Knows no clock of its own: whoever drives it says how much time went by.
+//! The time cursor: playback, seeking, looping. It has no clock: its caller passes the elapsed time.
 
 use std::ops::RangeInclusive;
 
@@ -10,7 +10,7 @@ pub enum LoopMode {
     Loop,
     /// Stops.
     Once,
-    /// Turns round.
+    /// Plays back and forth.
     PingPong,
 }
 
@@ -57,8 +57,8 @@ impl Playback {
         (self.end - self.start).max(0.0)
     }
 
-    /// The stretch that playing keeps to, seconds: between the marks, as far as they are set, else everything.
-    pub fn span(&self) -> (f64, f64) {
+    /// The range that is played, seconds: between the marks where they are set, else the whole clip.
+    pub fn play_range(&self) -> (f64, f64) {
         let from = self.mark_a.map_or(self.start, |a| a.clamp(self.start, self.end));
         let to = self.mark_b.map_or(self.end, |b| b.clamp(self.start, self.end));
         if from < to { (from, to) } else { (self.start, self.end) }
@@ -77,7 +77,7 @@ impl Playback {
 
     /// Starts to play; from the end of a stretch that is not looped it begins anew.
     pub fn play(&mut self) {
-        let (from, to) = self.span();
+        let (from, to) = self.play_range();
         if self.mode == LoopMode::Once {
             if self.speed >= 0.0 && self.time >= to {
                 self.time = from;
@@ -93,35 +93,35 @@ impl Playback {
         self.playing = false;
     }
 
-    /// Lets `seconds` of the clock go by and says whether the moment changed. Any number of ends may lie on the way.
+    /// Advances by `seconds` of the clock and returns whether the time changed. Any number of ends may be passed.
     pub fn advance(&mut self, seconds: f64) -> bool {
-        let (from, to) = self.span();
+        let (from, to) = self.play_range();
         let length = to - from;
-        let way = self.speed * seconds;
-        if !self.playing || way == 0.0 || !way.is_finite() || length <= 0.0 {
+        let delta = self.speed * seconds;
+        if !self.playing || delta == 0.0 || !delta.is_finite() || length <= 0.0 {
             return false;
         }
         let before = self.time;
         // From outside the marks it enters at the near end of the stretch.
         let time = if (from..=to).contains(&before) {
             before
-        } else if way > 0.0 {
+        } else if delta > 0.0 {
             from
         } else {
             to
         };
         self.time = match self.mode {
-            LoopMode::Loop if (from..=to).contains(&(time + way)) && time + way < to => time + way,
-            LoopMode::Loop => wrap(time + way, from, to),
+            LoopMode::Loop if (from..=to).contains(&(time + delta)) && time + delta < to => time + delta,
+            LoopMode::Loop => wrap(time + delta, from, to),
             LoopMode::Once => {
-                let next = time + way;
+                let next = time + delta;
                 self.playing = next > from && next < to;
                 next.clamp(from, to)
             }
             LoopMode::PingPong => {
                 // One way there and back is a circle of twice the length; its second half runs backwards.
-                let phase = if way > 0.0 { time - from } else { 2.0 * length - (time - from) };
-                let phase = (phase + way.abs()).rem_euclid(2.0 * length);
+                let phase = if delta > 0.0 { time - from } else { 2.0 * length - (time - from) };
+                let phase = (phase + delta.abs()).rem_euclid(2.0 * length);
                 let forward = phase < length;
                 self.speed = if forward { self.speed.abs() } else { -self.speed.abs() };
                 if forward { from + phase } else { (to - (phase - length)).clamp(from, to) }
@@ -130,11 +130,11 @@ impl Playback {
         self.time != before
     }
 
-    /// Sets the speed without its direction, held within [`Playback::SPEED`].
-    pub fn set_pace(&mut self, pace: f64) {
-        if pace.is_finite() {
-            let pace = pace.abs().clamp(*Self::SPEED.start(), *Self::SPEED.end());
-            self.speed = if self.speed < 0.0 { -pace } else { pace };
+    /// Sets the magnitude of the speed, clamped to [`Playback::SPEED`]; the direction stays.
+    pub fn set_speed(&mut self, speed: f64) {
+        if speed.is_finite() {
+            let speed = speed.abs().clamp(*Self::SPEED.start(), *Self::SPEED.end());
+            self.speed = if self.speed < 0.0 { -speed } else { speed };
         }
     }
 
@@ -240,7 +240,7 @@ mod tests {
     fn marks_bound_what_plays_but_not_where_one_can_go() {
         let mut cursor = playing(LoopMode::Loop, 1.0);
         (cursor.mark_a, cursor.mark_b) = (Some(1.0), Some(2.0));
-        assert_eq!(cursor.span(), (1.0, 2.0));
+        assert_eq!(cursor.play_range(), (1.0, 2.0));
         cursor.advance(0.25);
         assert_eq!(cursor.time, 1.25);
         cursor.advance(1.0);
@@ -248,7 +248,7 @@ mod tests {
         cursor.seek(2.4);
         assert_eq!(cursor.time, 2.4);
         cursor.mark_b = Some(0.7);
-        assert_eq!(cursor.span(), (0.5, 2.5), "marks in the wrong order bound nothing");
+        assert_eq!(cursor.play_range(), (0.5, 2.5), "marks in the wrong order bound nothing");
     }
 
     #[test]

@@ -43,7 +43,7 @@ impl Pose {
             weights.clone_from(&morph.weights);
         }
         for (material, rest) in self.materials.iter_mut().zip(&scene.materials) {
-            material.take_values(rest);
+            material.copy_animated_from(rest);
         }
         for (color, light) in self.light_colors.iter_mut().zip(&scene.lights) {
             *color = light.color;

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use super::drawing_area::{Canvas, rgb, write_on};
+use super::drawing_area::{PaintWidget, rgb, write_on};
 use super::session::Session;
 use crate::render::Background;
 
@@ -11,7 +11,7 @@ use crate::render::Background;
 const MOST: usize = 400;
 
 /// Writes the names of the bones of a picture of this size, logical pixels. Names that would lie over one another are left out, the nearer bone first.
-pub(super) fn write_all(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn write_all(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let (scene, frame, camera, display) = session.picture();
     let size = Vec2::new(width as f32, height as f32);
     let mut names: Vec<_> = frame

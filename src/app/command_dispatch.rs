@@ -14,7 +14,7 @@ use super::window::Window;
 use super::{about, appearance, compare_file, document_loader, export_dialog, help, save_session, saving, screenshot};
 use crate::muscle::AttachmentPoint;
 use crate::render::{Samples, Shading};
-use crate::scene::View;
+use crate::scene::ViewDirection;
 use crate::tr;
 
 /// One action a command; those that are on or off have a state.
@@ -181,7 +181,7 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         appearance::choose(colours);
         return window.show_states();
     }
-    let look = |view: View| window.act(|session| session.change_eye(|eye| eye.look_from(view)));
+    let look = |view: ViewDirection| window.act(|session| session.change_eye(|eye| eye.look_from(view)));
     match command {
         C::Open => document_loader::choose(window),
         C::CompareFile => compare_file::choose(window),
@@ -198,13 +198,13 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         C::PictureTransparent => screenshot::save(window, true),
         C::CopyPicture => screenshot::copy(window),
         C::Export => export_dialog::show(window),
-        C::Front => look(View::Front),
-        C::Back => look(View::Back),
-        C::Right => look(View::Right),
-        C::Left => look(View::Left),
-        C::Top => look(View::Top),
-        C::Bottom => look(View::Bottom),
-        C::Iso => look(View::Iso),
+        C::Front => look(ViewDirection::Front),
+        C::Back => look(ViewDirection::Back),
+        C::Right => look(ViewDirection::Right),
+        C::Left => look(ViewDirection::Left),
+        C::Top => look(ViewDirection::Top),
+        C::Bottom => look(ViewDirection::Bottom),
+        C::Iso => look(ViewDirection::Iso),
         C::Sidebars => {
             let shown = window.sides() != (false, false);
             window.show_side(!shown, !shown);
@@ -273,8 +273,8 @@ fn change_session(command: Command, session: &mut Session) {
         C::Last => session.time(|time| time.seek(end)),
         C::PreviousKey => session.step_key(false),
         C::NextKey => session.step_key(true),
-        C::Slower => session.time(|time| time.set_pace(pace / 1.25)),
-        C::Faster => session.time(|time| time.set_pace(pace * 1.25)),
+        C::Slower => session.time(|time| time.set_speed(pace / 1.25)),
+        C::Faster => session.time(|time| time.set_speed(pace * 1.25)),
         C::NormalSpeed => session.time(|time| time.speed = 1.0),
         C::LoopMode => session.next_loop_mode(),
         // A mark on the wrong side of the other one begins a new stretch.
@@ -293,7 +293,7 @@ fn change_session(command: Command, session: &mut Session) {
         }
         C::IsoOpposite => session.change_eye(|eye| {
             eye.jump(|orbit| {
-                let (yaw, pitch) = View::Iso.angles();
+                let (yaw, pitch) = ViewDirection::Iso.angles();
                 (orbit.yaw, orbit.pitch) = (yaw + 180.0, -pitch);
             });
         }),

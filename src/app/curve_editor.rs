@@ -10,7 +10,7 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::curve_plot::{CurvePlot, diamond};
-use super::drawing_area::{Canvas, cairo, rgb, set_color};
+use super::drawing_area::{PaintWidget, cairo, rgb, set_color};
 use super::session::{Changes, Graph, GraphKind, Moved, Session, SheetRow};
 use super::settings::SheetPage;
 use super::timeline::{self, hold_while};
@@ -30,7 +30,7 @@ const NEAR: f64 = 6.0;
 /// What the rows and both pages paint from.
 struct Shown {
     track: Rc<RefCell<Track>>,
-    track_canvas: Canvas,
+    track_canvas: PaintWidget,
     rows: RefCell<Arc<Vec<SheetRow>>>,
     plot: RefCell<CurvePlot>,
     pointer: Cell<Option<f64>>,
@@ -38,12 +38,12 @@ struct Shown {
 
 impl Shown {
     /// Where the track starts in a canvas below it, and how wide it is.
-    fn axis(&self, canvas: &Canvas) -> (f64, f64) {
+    fn axis(&self, canvas: &PaintWidget) -> (f64, f64) {
         let left = self.track_canvas.translate_coordinates(canvas, 0.0, 0.0).map_or(0.0, |(x, _)| x);
         (left, f64::from(self.track_canvas.width()))
     }
 
-    fn time_at(&self, canvas: &Canvas, x: f64) -> f64 {
+    fn time_at(&self, canvas: &PaintWidget, x: f64) -> f64 {
         let (left, width) = self.axis(canvas);
         self.track.borrow().time_at(x - left, width)
     }
@@ -61,8 +61,8 @@ pub(super) struct Sheet {
     row: gtk::DropDown,
     graph: gtk::DropDown,
     values: gtk::Label,
-    curves: Canvas,
-    cursors: [Canvas; 2],
+    curves: PaintWidget,
+    cursors: [PaintWidget; 2],
     shown: Rc<Shown>,
     graphs: RefCell<Vec<Graph>>,
     /// The row whose curves are shown.
@@ -74,7 +74,7 @@ pub(super) struct Sheet {
 
 impl Sheet {
     /// An empty one, below this track.
-    pub(super) fn new(track: Rc<RefCell<Track>>, track_canvas: &Canvas) -> Self {
+    pub(super) fn new(track: Rc<RefCell<Track>>, track_canvas: &PaintWidget) -> Self {
         let builder = ui::builder(ui::SHEET);
         let shown = Rc::new(Shown {
             track,
@@ -84,14 +84,14 @@ impl Sheet {
             pointer: Cell::default(),
         });
         let cursor = |overlay: &str| {
-            let canvas = Canvas::new(0, 0);
+            let canvas = PaintWidget::new(0, 0);
             canvas.set_can_target(false);
             part::<gtk::Overlay>(&builder, overlay).add_overlay(&canvas);
             let shown = shown.clone();
             canvas.set_painter(move |canvas, snapshot, width, height| paint_cursor(&shown, canvas, snapshot, width, height));
             canvas
         };
-        let curves = Canvas::named(&tr!("app-do-curves"), 100, 100);
+        let curves = PaintWidget::named(&tr!("app-do-curves"), 100, 100);
         part::<gtk::Overlay>(&builder, "curves_overlay").set_child(Some(&curves));
         let painted = shown.clone();
         curves.set_painter(move |canvas, snapshot, width, height| {
@@ -180,7 +180,7 @@ impl Sheet {
     /// The time axis is another one.
     pub(super) fn draw_anew(&self) {
         self.curves.queue_draw();
-        self.cursors.iter().for_each(Canvas::queue_draw);
+        self.cursors.iter().for_each(PaintWidget::queue_draw);
         let rows = std::iter::successors(self.list.first_child(), WidgetExt::next_sibling);
         // In each row the keys stand last.
         rows.filter_map(|row| row.first_child()?.last_child()).for_each(|keys| keys.queue_draw());
@@ -284,7 +284,7 @@ impl Sheet {
 
     /// The values under the pointer, else at the present moment.
     fn show_values(&self, session: &Session) {
-        self.cursors.iter().for_each(Canvas::queue_draw);
+        self.cursors.iter().for_each(PaintWidget::queue_draw);
         let time = match self.shown.pointer.get() {
             Some(x) => self.shown.time_at(&self.curves, x),
             None => session.playback().time,
@@ -358,7 +358,7 @@ fn factory(window: &Rc<Window>, shown: &Rc<Shown>) -> gtk::SignalListItemFactory
         // A margin, not padding of the row: a list that is laid out before it has a width gives rows none, and what padding leaves of that is less than nothing.
         let label = gtk::Label::builder().xalign(0.0).ellipsize(gtk::pango::EllipsizeMode::Middle).width_request(NAMES);
         content.append(&label.max_width_chars(1).hexpand(false).margin_start(8).build());
-        let keys = Canvas::new(20, ROW);
+        let keys = PaintWidget::new(20, ROW);
         keys.set_hexpand(true);
         let (painted, place) = (shown.clone(), item.downgrade());
         keys.set_painter(move |canvas, snapshot, width, height| {
@@ -388,11 +388,11 @@ fn factory(window: &Rc<Window>, shown: &Rc<Shown>) -> gtk::SignalListItemFactory
 }
 
 /// A drag over a canvas goes to the moment under it; near a key of its row, to the key.
-fn seek_by_hand(window: &Rc<Window>, canvas: &Canvas, shown: &Rc<Shown>, item: Option<glib::WeakRef<gtk::ListItem>>) {
+fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<Shown>, item: Option<glib::WeakRef<gtk::ListItem>>) {
     let drag = gtk::GestureDrag::new();
     let (shown, weak) = (shown.clone(), Rc::downgrade(window));
     let seek = move |gesture: &gtk::GestureDrag, x: f64| {
-        let (Some(window), Some(canvas)) = (weak.upgrade(), gesture.widget().and_downcast::<Canvas>()) else { return };
+        let (Some(window), Some(canvas)) = (weak.upgrade(), gesture.widget().and_downcast::<PaintWidget>()) else { return };
         let mut time = shown.time_at(&canvas, x);
         if let Some(item) = item.as_ref().and_then(glib::WeakRef::upgrade) {
             let (left, width) = shown.axis(&canvas);
@@ -416,7 +416,7 @@ fn seek_by_hand(window: &Rc<Window>, canvas: &Canvas, shown: &Rc<Shown>, item: O
     canvas.add_controller(drag);
 }
 
-fn paint_row(shown: &Shown, place: usize, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+fn paint_row(shown: &Shown, place: usize, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let (rows, track) = (shown.rows.borrow(), shown.track.borrow());
     let Some(row) = rows.get(place) else { return };
     let (left, track_width) = shown.axis(canvas);
@@ -452,7 +452,7 @@ fn paint_row(shown: &Shown, place: usize, canvas: &Canvas, snapshot: &gtk::Snaps
 }
 
 /// The present moment and the pointer, over both pages.
-fn paint_cursor(shown: &Shown, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+fn paint_cursor(shown: &Shown, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let track = shown.track.borrow();
     if track.range.1 <= track.range.0 {
         return;

@@ -3,7 +3,7 @@
 use gtk::cairo::{Context, LineJoin};
 use gtk4 as gtk;
 
-use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
+use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
 use super::format;
 use super::session::{Graph, Line};
 use super::timeline_ruler::Track;
@@ -68,7 +68,7 @@ impl CurvePlot {
     /// Paints it; the time axis is that of `track`, which is `width` wide and starts at `left`.
     pub(super) fn paint(
         &self,
-        canvas: &Canvas,
+        canvas: &PaintWidget,
         snapshot: &gtk::Snapshot,
         (full, height): (f64, f64),
         track: &Track,

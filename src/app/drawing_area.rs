@@ -14,22 +14,22 @@ mod imp {
     use super::*;
 
     /// Paints a canvas of a width and height, logical pixels.
-    pub(super) type Painter = Box<dyn Fn(&super::Canvas, &gtk::Snapshot, f64, f64)>;
+    pub(super) type Painter = Box<dyn Fn(&super::PaintWidget, &gtk::Snapshot, f64, f64)>;
     /// Hears of a new width and height.
     pub(super) type Resized = Box<dyn Fn(i32, i32)>;
 
     #[derive(Default)]
     #[expect(unnameable_types, reason = "the macro below makes it part of the public wrapper")]
-    pub struct Canvas {
+    pub struct PaintWidget {
         pub painter: RefCell<Option<Painter>>,
         pub resized: RefCell<Option<Resized>>,
         pub natural: Cell<(i32, i32)>,
     }
 
     #[glib::object_subclass]
-    impl ObjectSubclass for Canvas {
+    impl ObjectSubclass for PaintWidget {
         const NAME: &'static str = "SinewCanvas";
-        type Type = super::Canvas;
+        type Type = super::PaintWidget;
         type ParentType = gtk::Widget;
 
         fn class_init(class: &mut Self::Class) {
@@ -38,9 +38,9 @@ mod imp {
         }
     }
 
-    impl ObjectImpl for Canvas {}
+    impl ObjectImpl for PaintWidget {}
 
-    impl WidgetImpl for Canvas {
+    impl WidgetImpl for PaintWidget {
         fn snapshot(&self, snapshot: &gtk::Snapshot) {
             let widget = self.obj();
             let (width, height) = (f64::from(widget.width()), f64::from(widget.height()));
@@ -68,18 +68,18 @@ mod imp {
 
 glib::wrapper! {
     /// A widget that a closure paints.
-    pub struct Canvas(ObjectSubclass<imp::Canvas>)
+    pub struct PaintWidget(ObjectSubclass<imp::PaintWidget>)
         @extends gtk::Widget,
         @implements gtk::Buildable, gtk::ConstraintTarget;
 }
 
-impl Default for Canvas {
+impl Default for PaintWidget {
     fn default() -> Self {
         glib::Object::new()
     }
 }
 
-impl Canvas {
+impl PaintWidget {
     /// A canvas of at least this size, logical pixels.
     pub fn new(width: i32, height: i32) -> Self {
         let canvas = Self::default();
@@ -147,7 +147,7 @@ pub(super) enum Align {
 }
 
 /// Writes a letter or two such that what is seen of them has its middle at a point.
-pub(super) fn write_amid(canvas: &Canvas, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
+pub(super) fn write_amid(canvas: &PaintWidget, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
     let layout = canvas.create_pango_layout(Some(&*shown_lines(text)));
     let attributes = gtk::pango::AttrList::new();
     attributes.insert(gtk::pango::AttrFloat::new_scale(size));
@@ -165,7 +165,7 @@ pub(super) fn write_amid(canvas: &Canvas, snapshot: &gtk::Snapshot, text: &str, 
 
 /// Writes text as [`write`] does, on a ground that keeps it legible over anything; returns its width.
 pub(super) fn write_on(
-    canvas: &Canvas,
+    canvas: &PaintWidget,
     snapshot: &gtk::Snapshot,
     text: &str,
     (x, y): (f64, f64),
@@ -190,7 +190,7 @@ pub(super) fn write_on(
 /// Writes text in the widget's own font, `size` times as large, held within the canvas' width; returns its width and height.
 #[allow(clippy::too_many_arguments, reason = "the words, their style and their place")]
 pub(super) fn write(
-    canvas: &Canvas,
+    canvas: &PaintWidget,
     snapshot: &gtk::Snapshot,
     text: &str,
     x: f64,

@@ -276,7 +276,7 @@ impl Options {
         if !self.kind.is_film() {
             return Ok(Sequence::single(state));
         }
-        let marks = session.playback().span();
+        let marks = session.playback().play_range();
         let mut wish = SequenceOptions {
             fps: Some(self.fps),
             duration: self.course.has_duration().then_some(self.duration),

@@ -4,7 +4,7 @@ use gtk::cairo::{Context, LineCap, LineJoin};
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::drawing_area::{Canvas, cairo, set_color};
+use super::drawing_area::{PaintWidget, cairo, set_color};
 
 /// What an icon shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,8 +44,8 @@ pub(super) enum Glyph {
 }
 
 /// A canvas of 16 × 16 that shows a glyph.
-pub(super) fn image(glyph: Glyph) -> Canvas {
-    let canvas = Canvas::new(16, 16);
+pub(super) fn image(glyph: Glyph) -> PaintWidget {
+    let canvas = PaintWidget::new(16, 16);
     set(&canvas, glyph);
     canvas.set_valign(gtk::Align::Center);
     canvas.set_halign(gtk::Align::Center);
@@ -53,7 +53,7 @@ pub(super) fn image(glyph: Glyph) -> Canvas {
 }
 
 /// Makes a canvas show a glyph.
-pub(super) fn set(canvas: &Canvas, glyph: Glyph) {
+pub(super) fn set(canvas: &PaintWidget, glyph: Glyph) {
     canvas.set_painter(move |canvas, snapshot, width, height| {
         let context = cairo(snapshot, width, height);
         let side = width.min(height);

@@ -12,7 +12,7 @@ use super::inspector_text::{self, Space};
 use super::plot_view;
 use super::session::{Changes, Matrices, Session, Step};
 use super::window::{Window, part};
-use super::{drawing_area::Canvas, format, material_preview, ui};
+use super::{drawing_area::PaintWidget, format, material_preview, ui};
 use crate::document::{Skinning, angle_at};
 use crate::i18n;
 use crate::plot::Plot;
@@ -37,7 +37,7 @@ pub(super) struct Inspector {
     turns: [gtk::Scale; 3],
     turn_values: [gtk::Label; 3],
     dual: gtk::CheckButton,
-    plot: Canvas,
+    plot: PaintWidget,
     curve: Rc<RefCell<Plot>>,
     /// The lists that the three bones of the angle are chosen from.
     corners: [gtk::DropDown; 3],
@@ -78,7 +78,7 @@ impl Inspector {
             turns.attach(&label, 2, row as i32, 1, 1);
             label
         });
-        let (plot, curve) = (Canvas::new(200, 130), Rc::new(RefCell::new(Plot::default())));
+        let (plot, curve) = (PaintWidget::new(200, 130), Rc::new(RefCell::new(Plot::default())));
         plot.set_hexpand(true);
         part::<gtk::Box>(&builder, "angle_slot").append(&plot);
         let space: gtk::DropDown = part(&builder, "space");
@@ -171,7 +171,7 @@ impl Inspector {
         let curve = self.curve.clone();
         self.plot.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&curve.borrow(), canvas, snapshot, width, height));
         let motion = gtk::EventControllerMotion::new();
-        let point = |curve: &Rc<RefCell<Plot>>, plot: &Canvas, x: Option<f64>| {
+        let point = |curve: &Rc<RefCell<Plot>>, plot: &PaintWidget, x: Option<f64>| {
             curve.borrow_mut().pointer = x;
             plot.queue_draw();
         };
@@ -319,7 +319,7 @@ impl Inspector {
         };
         self.plot.set_visible(!points.is_empty());
         let (across, up) = (tr!("app-angle-across"), tr!("app-angle-up"));
-        self.curve.replace(Plot { across, up, points, color: 0xFF7A59, ..Plot::default() });
+        self.curve.replace(Plot { x_label: across, y_label: up, points, color: 0xFF7A59, ..Plot::default() });
     }
 
     fn list_joints(&self, session: &Session) {

@@ -4,15 +4,15 @@ use gtk::prelude::*;
 use gtk::{cairo, gdk};
 use gtk4 as gtk;
 
-use super::drawing_area::{Canvas, cairo as cairo_over, set_color};
+use super::drawing_area::{PaintWidget, cairo as cairo_over, set_color};
 use crate::scene::{Material, Pixels, Scene, ShadingModel};
 
 /// Side of the picture, logical pixels.
 const SIDE: i32 = 32;
 
 /// The picture of a material.
-pub(super) fn of(scene: &Scene, material: &Material) -> Canvas {
-    let canvas = Canvas::new(SIDE, SIDE);
+pub(super) fn of(scene: &Scene, material: &Material) -> PaintWidget {
+    let canvas = PaintWidget::new(SIDE, SIDE);
     canvas.set_valign(gtk::Align::Center);
     let [red, green, blue] = material.diffuse.color.to_array();
     let color = gdk::RGBA::new(red, green, blue, 1.0);

@@ -9,7 +9,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::drawing_area::Canvas;
+use super::drawing_area::PaintWidget;
 use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;
@@ -50,7 +50,7 @@ pub(super) struct MeasurePanel {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
-    plots: [(Canvas, Rc<RefCell<Plot>>); 5],
+    plots: [(PaintWidget, Rc<RefCell<Plot>>); 5],
     readings: RefCell<Vec<Reading>>,
     muscle: Cell<MuscleId>,
     stale: Cell<bool>,
@@ -62,7 +62,7 @@ impl MeasurePanel {
         let builder = ui::builder(ui::MEASURE_PANEL);
         let slot: gtk::Box = part(&builder, "slot");
         let plots = std::array::from_fn(|_| {
-            let (canvas, plot) = (Canvas::new(200, 170), Rc::new(RefCell::new(Plot::default())));
+            let (canvas, plot) = (PaintWidget::new(200, 170), Rc::new(RefCell::new(Plot::default())));
             let painted = plot.clone();
             canvas.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&painted.borrow(), canvas, snapshot, width, height));
             slot.append(&canvas);
@@ -194,7 +194,7 @@ impl MeasurePanel {
             for (canvas, plot) in &self.plots {
                 let mut plot = plot.borrow_mut();
                 (plot.cursor, plot.color) = (present, session.display().palette.selected);
-                plot.published_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
+                plot.reference_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
                 canvas.queue_draw();
             }
         }
@@ -241,10 +241,10 @@ impl MeasurePanel {
         let unit = Unit::of_rig(document, rig);
         for ((canvas, plot), (key, read, least_span)) in self.plots.iter().zip(QUANTITIES) {
             let mut plot = plot.borrow_mut();
-            plot.across.clone_from(&across);
-            plot.up = tr!(key, unit = unit.length.as_str());
-            plot.published.clear();
-            plot.least_span = least_span;
+            plot.x_label.clone_from(&across);
+            plot.y_label = tr!(key, unit = unit.length.as_str());
+            plot.reference_series.clear();
+            plot.min_y_span = least_span;
             plot.points = readings.iter().map(|reading| (reading.at(against), read(reading))).collect();
             // There is no moment arm where there is no joint.
             canvas.set_visible(plot.points.iter().any(|point| point.1.is_finite()));
@@ -260,7 +260,7 @@ impl MeasurePanel {
         {
             // Centimetres to the file's unit.
             let scale = 0.01 / unit.metres;
-            plot.borrow_mut().published = [literature_data::ARM26, literature_data::MURRAY_2000]
+            plot.borrow_mut().reference_series = [literature_data::ARM26, literature_data::MURRAY_2000]
                 .map(|series| Series {
                     name: series.name.to_owned(),
                     points: series.points.iter().map(|[angle, arm]| (*angle, arm * scale)).collect(),
@@ -274,7 +274,7 @@ impl MeasurePanel {
     fn page(&self) -> Page {
         let name = part::<gtk::Label>(&self.builder, "name").text().to_string();
         let shown = self.plots.iter().filter(|(canvas, _)| canvas.get_visible());
-        let plots = shown.map(|(_, plot)| Plot { pointer: None, color: ON_PAPER, published_color: 0x5B_6B82, ..plot.borrow().clone() });
+        let plots = shown.map(|(_, plot)| Plot { pointer: None, color: ON_PAPER, reference_color: 0x5B_6B82, ..plot.borrow().clone() });
         Page { sections: vec![(name, plots.collect())] }
     }
 

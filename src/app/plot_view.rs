@@ -4,11 +4,11 @@ use gtk::cairo::Context;
 use gtk::gdk::RGBA;
 use gtk4 as gtk;
 
-use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
-use crate::plot::{Anchor, Color, Ink, Plot, Stroke};
+use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
+use crate::plot::{Anchor, Canvas, Color, Plot, Stroke};
 
 /// Paints a plot over the whole canvas.
-pub(super) fn paint(plot: &Plot, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn paint(plot: &Plot, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let text = canvas.text_color();
     let mut ink = Shapes { context: cairo(snapshot, width, height), text, texts: Vec::new() };
     plot.draw(&mut ink, width, height);
@@ -42,7 +42,7 @@ impl Shapes {
 }
 
 // Cairo fails only where memory is gone, and the next change draws again.
-impl Ink for Shapes {
+impl Canvas for Shapes {
     fn rectangle(&mut self, [x, y, width, height]: [f64; 4], color: Color, opacity: f64) {
         set_color(&self.context, &self.color(color), opacity);
         self.context.rectangle(x, y, width, height);

@@ -7,7 +7,7 @@ use gtk::cairo::Context;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
+use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
 use super::format;
 use crate::muscle::Edit;
 use crate::tr;
@@ -53,7 +53,7 @@ struct Grip {
 /// The drawing.
 pub(super) struct ProfilePlot {
     /// Where it is drawn.
-    pub canvas: Canvas,
+    pub canvas: PaintWidget,
     shape: Rc<RefCell<Shape>>,
     grip: Rc<Cell<Option<Grip>>>,
 }
@@ -61,7 +61,7 @@ pub(super) struct ProfilePlot {
 impl ProfilePlot {
     /// A drawing of nothing.
     pub(super) fn new() -> Self {
-        let canvas = Canvas::named(&tr!("app-profile"), 120, 130);
+        let canvas = PaintWidget::named(&tr!("app-profile"), 120, 130);
         canvas.set_hexpand(true);
         let shape = Rc::new(RefCell::new(Shape::default()));
         let pointer = Rc::new(Cell::new(None::<f64>));
@@ -160,7 +160,7 @@ impl Shape {
         (0..self.now.len()).min_by(|a, b| (places(*a) - x).abs().total_cmp(&(places(*b) - x).abs()))
     }
 
-    fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64, pointer: Option<f64>, grip: Option<Grip>) {
+    fn paint(&self, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64, pointer: Option<f64>, grip: Option<Grip>) {
         if self.now.len() < 2 {
             return;
         }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::format;
-use crate::animation::{Channel, Clip, Target};
+use crate::animation::{Channel, ChannelTarget, Clip};
 use crate::document::Document;
 use crate::scene::Mesh;
 use crate::tr;
@@ -86,7 +86,7 @@ fn curves(before: &Document, after: &Document) -> usize {
 /// The channels of a clip, by what they move.
 fn keyed<'a>(document: &Document, clip: &'a Clip) -> Vec<(String, &'a Channel)> {
     let key = |channel: &Channel| match channel.target {
-        Target::Transform { node, op, lane } => {
+        ChannelTarget::Transform { node, op, components: lane } => {
             let name = if node.index() < document.scene.graph.len() { document.scene.graph.node(node).name.as_str() } else { "" };
             format!("{}/{name}/{op}/{lane:?}", clip.name)
         }

@@ -8,7 +8,7 @@ use crate::document::{Document, PoseBuffers};
 use crate::export::atomic_file::write_whole;
 use crate::export::guard::Output;
 use crate::render::{Background, Display, Palette, Renderer, Theme};
-use crate::scene::{Frame, OrbitCamera, View};
+use crate::scene::{Frame, OrbitCamera, ViewDirection};
 
 /// A shipped scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +73,7 @@ impl Demo {
             ..Display::default()
         };
         let mut orbit = OrbitCamera::default();
-        orbit.look_from(View::Start);
+        orbit.look_from(ViewDirection::Start);
         orbit.fit(&frame.bounds, width as f32 / height as f32);
         let mut renderer = Renderer::new(Some(1));
         Some(renderer.draw(&document.scene, &frame, &orbit.camera(), &display, width, height).pixels.to_vec())

@@ -8,7 +8,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::drawing_area::Canvas;
+use super::drawing_area::PaintWidget;
 use super::icons;
 use super::session::{Changes, Session};
 use super::tree_model::{Row, path_to, search, steps};
@@ -237,7 +237,7 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
         let expander = gtk::TreeExpander::new();
         let content = gtk::Box::new(gtk::Orientation::Horizontal, 6);
-        let icon = Canvas::new(16, 16);
+        let icon = PaintWidget::new(16, 16);
         icon.set_valign(gtk::Align::Center);
         // Names of a skeleton begin alike and differ at their ends.
         let label = gtk::Label::builder().xalign(0.0).hexpand(true).ellipsize(gtk::pango::EllipsizeMode::Middle).build();
@@ -271,7 +271,7 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         let Some(node) = node_of(row.upcast_ref()) else { return };
         let Some(row) = window.tree_row(node) else { return };
         let Some(content) = expander.child() else { return };
-        let (icon, eye) = (content.first_child().and_downcast::<Canvas>(), content.last_child().and_downcast::<gtk::ToggleButton>());
+        let (icon, eye) = (content.first_child().and_downcast::<PaintWidget>(), content.last_child().and_downcast::<gtk::ToggleButton>());
         let label = icon.as_ref().and_then(|icon| icon.next_sibling()).and_downcast::<gtk::Label>();
         if let (Some(icon), Some(label), Some(eye)) = (icon, label, eye) {
             icons::set(&icon, row.glyph);

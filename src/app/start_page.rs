@@ -7,7 +7,7 @@ use gtk::prelude::*;
 use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
-use super::drawing_area::{Canvas, cairo as cairo_over};
+use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::error_bar::Trouble;
 use super::samples::{self, DEMOS, Demo};
 use super::session::{LoadMode, Session};
@@ -26,7 +26,7 @@ pub(super) struct StartPage {
     /// The whole.
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
-    pictures: Vec<Canvas>,
+    pictures: Vec<PaintWidget>,
     drawn_for: Cell<Option<Theme>>,
     wanted: Cell<bool>,
 }
@@ -35,7 +35,7 @@ impl StartPage {
     /// A page that is not connected yet.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::START);
-        let pictures = DEMOS.iter().map(|_| Canvas::new(PICTURE.0, PICTURE.1)).collect();
+        let pictures = DEMOS.iter().map(|_| PaintWidget::new(PICTURE.0, PICTURE.1)).collect();
         Self { root: part(&builder, "root"), builder, pictures, drawn_for: Cell::default(), wanted: Cell::default() }
     }
 
@@ -100,7 +100,7 @@ impl StartPage {
 }
 
 /// Draws a demo off the interface thread and puts it on its canvas.
-fn draw(demo: Demo, canvas: &Canvas, theme: Theme) {
+fn draw(demo: Demo, canvas: &PaintWidget, theme: Theme) {
     let (width, height) = (PICTURE.0 * 2, PICTURE.1 * 2);
     let canvas = canvas.downgrade();
     glib::spawn_future_local(async move {

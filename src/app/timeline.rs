@@ -12,7 +12,7 @@ use gtk4 as gtk;
 
 use super::commands::Command;
 use super::curve_editor::Sheet;
-use super::drawing_area::Canvas;
+use super::drawing_area::PaintWidget;
 use super::icons::{self, Glyph};
 use super::session::{Changes, Mark, Session};
 use super::timeline_ruler::{Track, frame_of};
@@ -47,7 +47,7 @@ pub(super) struct Timeline {
     /// What is unfolded below the track.
     pub sheet: Sheet,
     over_track: gtk::Overlay,
-    canvas: Canvas,
+    canvas: PaintWidget,
     track: Rc<RefCell<Track>>,
     time: gtk::Scale,
     seconds: gtk::SpinButton,
@@ -63,7 +63,7 @@ impl Timeline {
     /// A timeline of nothing.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::TIMELINE);
-        let canvas = Canvas::new(160, 72);
+        let canvas = PaintWidget::new(160, 72);
         let over_track: gtk::Overlay = part(&builder, "track");
         over_track.set_child(Some(&canvas));
         for (id, glyph) in [
@@ -222,7 +222,7 @@ impl Timeline {
         ));
         self.canvas.add_controller(drag);
         let motion = gtk::EventControllerMotion::new();
-        let point = |track: &Rc<RefCell<Track>>, canvas: &Canvas, x: Option<f64>| {
+        let point = |track: &Rc<RefCell<Track>>, canvas: &PaintWidget, x: Option<f64>| {
             track.borrow_mut().pointer = x;
             canvas.queue_draw();
         };

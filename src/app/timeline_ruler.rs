@@ -3,7 +3,7 @@
 use gtk::cairo::Context;
 use gtk4 as gtk;
 
-use super::drawing_area::{Align, Canvas, cairo, rgb, set_color, write, write_amid};
+use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write, write_amid};
 use super::format;
 use super::session::Mark;
 
@@ -140,7 +140,7 @@ impl Track {
     }
 
     /// The tabs by which the marks are dragged.
-    fn tabs(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    fn tabs(&self, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
         let shown = |mark: Option<f64>| mark.filter(|mark| (self.range.0..=self.range.1).contains(mark));
         let tabs = [(shown(self.marks.0), 0.0, "A"), (shown(self.marks.1), -TAB, "B")].into_iter();
         for (x, letter) in tabs.filter_map(|(mark, shift, letter)| mark.map(|mark| (self.x(mark, width).round() + shift, letter))) {
@@ -154,7 +154,7 @@ impl Track {
     }
 
     /// Paints it.
-    pub(super) fn paint(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+    pub(super) fn paint(&self, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
         let text = canvas.text_color();
         let context = cairo(snapshot, width, height);
         let (top, bottom) = (TOP, height - 18.0);
@@ -260,7 +260,7 @@ impl Track {
         }
     }
 
-    fn labels(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64, second_step: f64, frame_step: f64) {
+    fn labels(&self, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64, second_step: f64, frame_step: f64) {
         let dim = canvas.text_color().with_alpha(0.65);
         let digits = if second_step < 0.1 { 2 } else { usize::from(second_step < 1.0) };
         // The flags of the cursor and the pointer stand in the place of ruler labels.
@@ -290,7 +290,7 @@ impl Track {
     }
 
     /// The moment in seconds below and as a frame above.
-    fn flag(&self, canvas: &Canvas, snapshot: &gtk::Snapshot, time: f64, width: f64, height: f64, color: &gtk::gdk::RGBA) {
+    fn flag(&self, canvas: &PaintWidget, snapshot: &gtk::Snapshot, time: f64, width: f64, height: f64, color: &gtk::gdk::RGBA) {
         let x = self.x(time, width);
         write(canvas, snapshot, &format::with_unit(time, 2, &self.second), x, height - 17.0, Align::Centre, 0.8, color);
         write(canvas, snapshot, &format::number(frame_of(time, self.rate), 0), x, 1.0, Align::Centre, 0.8, color);

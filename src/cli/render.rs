@@ -17,7 +17,7 @@ use crate::export::guard::Guard;
 use crate::limits;
 use crate::muscle::MuscleRig;
 use crate::render::{Background, Display, Samples, Shading};
-use crate::scene::{Bounds, Frame, OrbitCamera, View};
+use crate::scene::{Bounds, Frame, OrbitCamera, ViewDirection};
 use crate::sequence::{
     self, CameraFn, Direction, FittedOrbit, FrameSpec, FrameTimes, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions,
     SequenceRenderer, posed_bounds,
@@ -164,11 +164,11 @@ fn refused(refusal: SequenceError, given: &ArgMatches, file: &str) -> Failure {
 /// Takes `--camera`, `--yaw`, `--pitch` and `--zoom`. The named cameras but `orbit` have parallel rays; yaw and pitch replace their angles.
 fn direction(given: &ArgMatches) -> Direction {
     let (view, parallel) = match value::<String>(given, "camera").as_deref() {
-        Some("front") => (View::Front, true),
-        Some("right") => (View::Right, true),
-        Some("top") => (View::Top, true),
-        Some("iso") => (View::Iso, true),
-        _ => (View::Start, false),
+        Some("front") => (ViewDirection::Front, true),
+        Some("right") => (ViewDirection::Right, true),
+        Some("top") => (ViewDirection::Top, true),
+        Some("iso") => (ViewDirection::Iso, true),
+        _ => (ViewDirection::Start, false),
     };
     let (yaw, pitch) = view.angles();
     Direction {

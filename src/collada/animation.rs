@@ -10,7 +10,7 @@ use super::context::{Context, Step, children, id_of, name_of, shortened};
 use super::material::encoded;
 use super::source::{Arrays, inputs, name_list};
 use super::{El, diagnostic_codes};
-use crate::animation::{Channel, Clip, Curve, Interpolation, Keys, Tangents, Target};
+use crate::animation::{Channel, ChannelTarget, Clip, Curve, Interpolation, Keys, Tangents};
 use crate::tr;
 
 /// What a channel takes, roughly, for the budget.
@@ -53,7 +53,7 @@ pub(super) fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<V
 
 /// First and last key of all channels.
 fn span(channels: &[Channel]) -> (f64, f64) {
-    let spans = channels.iter().filter_map(|channel| channel.curve.span());
+    let spans = channels.iter().filter_map(|channel| channel.curve.time_range());
     let (start, end) = spans.fold((f64::INFINITY, f64::NEG_INFINITY), |(start, end), (from, to)| (start.min(from), end.max(to)));
     if start <= end { (start, end) } else { (0.0, 0.0) }
 }
@@ -267,7 +267,8 @@ fn interpolation<'a>(context: &mut Context<'a>, source: El<'a>, count: usize) ->
 
 /// Puts a curve onto all that it moves.
 fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curve>, placed: &mut Vec<Placed>) {
-    let weights = aim.wanted > 1 && aim.targets.len() == aim.wanted && matches!(aim.targets.first(), Some(Target::MorphWeight { .. }));
+    let weights =
+        aim.wanted > 1 && aim.targets.len() == aim.wanted && matches!(aim.targets.first(), Some(ChannelTarget::MorphWeight { .. }));
     // A colour may be animated without its alpha.
     let color = aim.wanted == 4 && curve.dimension == 3;
     let lone = aim.lone.filter(|_| curve.dimension == 1);
@@ -302,7 +303,7 @@ fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curv
             Arc::clone(&curve)
         };
         let target = match (*target, lone) {
-            (Target::Transform { node, op, .. }, Some(lane)) => Target::Transform { node, op, lane },
+            (ChannelTarget::Transform { node, op, .. }, Some(lane)) => ChannelTarget::Transform { node, op, components: lane },
             (target, _) => target,
         };
         placed.push(Placed { at, channel: Channel { target, curve } });

@@ -11,7 +11,7 @@ use super::light_camera::LightsAndCameras;
 use super::material::Materials;
 use super::nodes::{Tree, is_transform};
 use super::{El, asset};
-use crate::animation::{Components, MaterialSlot, Target};
+use crate::animation::{ChannelTarget, Components, MaterialSlot};
 use crate::scene::MorphId;
 
 /// Most slashes that an id in an address may have.
@@ -21,7 +21,7 @@ const MOST_SLASHES: usize = 16;
 #[derive(Debug)]
 pub(super) struct Aim {
     /// All that it moves: a node may stand in the scene several times.
-    pub targets: Vec<Target>,
+    pub targets: Vec<ChannelTarget>,
     /// Numbers a key.
     pub wanted: usize,
     /// Whether the keys are whole matrices.
@@ -37,7 +37,7 @@ pub(super) struct Aim {
 }
 
 impl Aim {
-    fn new(targets: Vec<Target>, wanted: usize) -> Self {
+    fn new(targets: Vec<ChannelTarget>, wanted: usize) -> Self {
         Self { targets, wanted, matrix: false, line: None, encode: false, lone: None, among: None }
     }
 }
@@ -116,7 +116,10 @@ impl<'s, 'a> Aims<'s, 'a> {
         {
             let light = self.lights.light_of(light).ok_or(Miss::Unsupported)?;
             let (lane, wanted) = lane(&member, 3).ok_or(Miss::Unknown)?;
-            return Ok(Aim { among: among(lane, wanted, 3), ..Aim::new(vec![Target::LightColor { light, lane }], wanted) });
+            return Ok(Aim {
+                among: among(lane, wanted, 3),
+                ..Aim::new(vec![ChannelTarget::LightColor { light, components: lane }], wanted)
+            });
         }
         Err(Miss::Unsupported)
     }
@@ -187,8 +190,8 @@ impl<'s, 'a> Aims<'s, 'a> {
     fn weights(&self, morph: MorphId, member: &Member) -> Result<Aim, Miss> {
         let count = self.controllers.morph_targets.get(morph.index()).map_or(0, |targets| targets.count);
         let (targets, wanted) = match member {
-            Member::Index(target) if *target < count => (vec![Target::MorphWeight { morph, target: *target as u32 }], 1),
-            Member::All if count > 0 => ((0..count as u32).map(|target| Target::MorphWeight { morph, target }).collect(), count),
+            Member::Index(target) if *target < count => (vec![ChannelTarget::MorphWeight { morph, target: *target as u32 }], 1),
+            Member::All if count > 0 => ((0..count as u32).map(|target| ChannelTarget::MorphWeight { morph, target }).collect(), count),
             _ => return Err(Miss::Unknown),
         };
         let among = if let Member::Index(index) = member { Some((*index, count)) } else { None };
@@ -226,7 +229,8 @@ impl<'s, 'a> Aims<'s, 'a> {
             return Err(Miss::Unknown);
         }
         let lone = (tag == "rotate" && wanted == 4).then_some(Components::Component(3));
-        let target = |node: &crate::scene::NodeId| Target::Transform { node: *node, op: place + self.tree.lead(*node), lane };
+        let target =
+            |node: &crate::scene::NodeId| ChannelTarget::Transform { node: *node, op: place + self.tree.lead(*node), components: lane };
         let among = match lane {
             // Keys that hold whole matrices go row by row, as the text does.
             Components::Component(cell) if tag == "matrix" => Some((usize::from(cell % 4 * 4 + cell / 4), 16)),
@@ -254,7 +258,7 @@ impl<'s, 'a> Aims<'s, 'a> {
                 slot = made.opacity.slot;
                 line = Some(made.opacity.line);
             }
-            targets.push(Target::Material { material: made.material, slot, lane });
+            targets.push(ChannelTarget::Material { material: made.material, slot, components: lane });
         }
         if targets.is_empty() { Err(Miss::Unsupported) } else { Ok(Aim { line, encode, among: part, ..Aim::new(targets, wanted) }) }
     }

@@ -7,7 +7,7 @@ use glam::{Vec2, Vec3, Vec4};
 use super::context::{Context, Step, child, children, text_of};
 use super::image::Images;
 use super::{El, diagnostic_codes};
-use crate::scene::{Paint, Placing, Scene, ShadingModel, TextureRef, Wrap};
+use crate::scene::{Paint, Scene, ShadingModel, TextureRef, TextureTransform, WrapMode};
 use crate::tr;
 
 /// The parameters that hold in one effect, by sid: an element with the value inside.
@@ -121,9 +121,9 @@ impl<'a> Effect<'a> {
             );
             return Ok(None);
         };
-        let wrap = |tag| sampler.and_then(|sampler| child(sampler, tag)).map_or(Wrap::Repeat, |wrap| wrap_mode(&text_of(wrap)));
+        let wrap = |tag| sampler.and_then(|sampler| child(sampler, tag)).map_or(WrapMode::Repeat, |wrap| wrap_mode(&text_of(wrap)));
         let semantic = texture.attribute("texcoord").unwrap_or_default().to_owned();
-        let mut used = TextureRef { image, semantic, wrap_s: wrap("wrap_s"), wrap_t: wrap("wrap_t"), placing: None };
+        let mut used = TextureRef { image, semantic, wrap_s: wrap("wrap_s"), wrap_t: wrap("wrap_t"), transform: None };
         placed(context, texture, &mut used)?;
         Ok(Some(used))
     }
@@ -164,20 +164,20 @@ fn placed<'a>(context: &mut Context<'a>, texture: El<'a>, used: &mut TextureRef)
     let mut techniques = children(texture, "extra").flat_map(|extra| children(extra, "technique"));
     let is_maya = |technique: &El<'a>| technique.attribute("profile").is_some_and(|profile| profile.to_ascii_uppercase().contains("MAYA"));
     let Some(technique) = techniques.find(is_maya) else { return Ok(()) };
-    let default = Placing::default();
+    let default = TextureTransform::default();
     let mut number = |tag, otherwise: f32| Ok(context.number(technique, tag)?.map_or(otherwise, |value| value as f32));
-    let placing = Placing {
+    let placing = TextureTransform {
         repeat: Vec2::new(number("repeatU", default.repeat.x)?, number("repeatV", default.repeat.y)?),
         offset: Vec2::new(number("offsetU", default.offset.x)?, number("offsetV", default.offset.y)?),
-        turn: number("rotateUV", default.turn)?,
+        rotation: number("rotateUV", default.rotation)?,
     };
-    used.placing = (placing != default).then_some(placing);
+    used.transform = (placing != default).then_some(placing);
     let says = |tag| Some(matches!(text_of(child(technique, tag)?).trim().to_ascii_lowercase().as_str(), "1" | "true"));
     for (wrap, wraps, mirrors) in [(&mut used.wrap_s, says("wrapU"), says("mirrorU")), (&mut used.wrap_t, says("wrapV"), says("mirrorV"))] {
         *wrap = match (wraps, mirrors) {
-            (Some(false), _) => Wrap::Border,
-            (_, Some(true)) => Wrap::Mirror,
-            (Some(true), _) => Wrap::Repeat,
+            (Some(false), _) => WrapMode::Border,
+            (_, Some(true)) => WrapMode::Mirror,
+            (Some(true), _) => WrapMode::Repeat,
             (None, _) => *wrap,
         };
     }
@@ -188,11 +188,11 @@ fn sampler_of(param: El<'_>) -> Option<El<'_>> {
     param.children().find(|child| child.tag_name().name().starts_with("sampler"))
 }
 
-fn wrap_mode(text: &str) -> Wrap {
+fn wrap_mode(text: &str) -> WrapMode {
     match text.trim() {
-        "MIRROR" | "MIRROR_ONCE" => Wrap::Mirror,
-        "CLAMP" => Wrap::Clamp,
-        "BORDER" | "NONE" => Wrap::Border,
-        _ => Wrap::Repeat,
+        "MIRROR" | "MIRROR_ONCE" => WrapMode::Mirror,
+        "CLAMP" => WrapMode::Clamp,
+        "BORDER" | "NONE" => WrapMode::Border,
+        _ => WrapMode::Repeat,
     }
 }

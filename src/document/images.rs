@@ -347,7 +347,7 @@ impl Told<'_> {
 mod tests {
     use super::*;
     use crate::document::{Source, SourceKind};
-    use crate::scene::{ImageId, Material, Paint, Wrap};
+    use crate::scene::{ImageId, Material, Paint, WrapMode};
     use std::fs;
     use std::io::Cursor;
 
@@ -370,9 +370,9 @@ mod tests {
             let texture = TextureRef {
                 image: ImageId(index as u32),
                 semantic: String::new(),
-                wrap_s: Wrap::Repeat,
-                wrap_t: Wrap::Repeat,
-                placing: None,
+                wrap_s: WrapMode::Repeat,
+                wrap_t: WrapMode::Repeat,
+                transform: None,
             };
             let diffuse = Paint { texture: Some(texture), ..Paint::default() };
             document.scene.materials.push(Material { diffuse, ..Material::default() });

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use super::Document;
-use crate::animation::{Channel, Clip, Target};
+use crate::animation::{Channel, ChannelTarget, Clip};
 use crate::collada::Loaded;
 use crate::scene::{
     CameraId, Content, Deformer, ImageId, LightId, Material, MaterialBinding, MaterialId, MeshId, MorphId, NodeId, Scene, SkinId,
@@ -92,12 +92,12 @@ impl IdOffsets {
         }
     }
 
-    fn target(&self, target: &mut Target) {
+    fn target(&self, target: &mut ChannelTarget) {
         match target {
-            Target::Transform { node, .. } => *node = self.node(*node),
-            Target::MorphWeight { morph, .. } => *morph = MorphId(morph.0 + self.morph),
-            Target::Material { material, .. } => *material = MaterialId(material.0 + self.material),
-            Target::LightColor { light, .. } => *light = LightId(light.0 + self.light),
+            ChannelTarget::Transform { node, .. } => *node = self.node(*node),
+            ChannelTarget::MorphWeight { morph, .. } => *morph = MorphId(morph.0 + self.morph),
+            ChannelTarget::Material { material, .. } => *material = MaterialId(material.0 + self.material),
+            ChannelTarget::LightColor { light, .. } => *light = LightId(light.0 + self.light),
         }
     }
 }

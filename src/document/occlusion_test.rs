@@ -72,7 +72,7 @@ mod tests {
             node: NodeId(0),
             mesh: Arc::new(mesh),
             materials: Arc::new([]),
-            placement: SurfaceGeometry::Rigid(Mat4::from_translation(at)),
+            geometry: SurfaceGeometry::Rigid(Mat4::from_translation(at)),
             mirrored: false,
             solid: None,
             muscle,

@@ -71,7 +71,7 @@ impl Document {
         let begun = Instant::now();
         self.pose_nodes(state, buffers, frame);
         for (animated, at_rest) in frame.materials.iter_mut().zip(&buffers.pose.materials) {
-            animated.take_values(at_rest);
+            animated.copy_animated_from(at_rest);
         }
         self.solve_muscles(state, buffers, frame);
         let posed = Instant::now();
@@ -86,7 +86,7 @@ impl Document {
     /// The first half of [`Document::pose`]: samples the clip and places the nodes, and leaves surfaces, materials and muscles as they were. For
     /// questions about bones alone, which need no skin.
     pub fn pose_nodes(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
-        if buffers.revision != self.revision || frame.stamp != self.revision {
+        if buffers.revision != self.revision || frame.layout_revision != self.revision {
             self.lay_out(buffers, frame);
         }
         let pose = &mut buffers.pose;
@@ -137,7 +137,7 @@ impl Document {
             let (bounds, solid) = match plan {
                 Plan::Rigid { made_for } => {
                     let matrix = world.as_mat4();
-                    surface.placement = SurfaceGeometry::Rigid(matrix);
+                    surface.geometry = SurfaceGeometry::Rigid(matrix);
                     surface.mirrored = world.determinant() < 0.0;
                     let bounds = match made_for {
                         Some((for_matrix, bounds)) if *for_matrix == matrix => *bounds,
@@ -150,7 +150,7 @@ impl Document {
                     (bounds, surface.mesh.solid)
                 }
                 Plan::Bent(bender) => {
-                    let SurfaceGeometry::Deformed { positions, normals } = &mut surface.placement else { continue };
+                    let SurfaceGeometry::Deformed { positions, normals } = &mut surface.geometry else { continue };
                     let Some(instance) = self.instance(surface.node, surface.content) else { continue };
                     let (weights, into) = (&buffers.pose.morph_weights, (positions, normals));
                     let (bounds, mirrored) =
@@ -159,7 +159,7 @@ impl Document {
                     (bounds, false)
                 }
                 Plan::Muscle(id) => {
-                    let SurfaceGeometry::Deformed { positions, normals } = &mut surface.placement else { continue };
+                    let SurfaceGeometry::Deformed { positions, normals } = &mut surface.geometry else { continue };
                     let (Some((rig, index)), Some(solved)) = (self.muscle(*id), buffers.solved.get(id.index())) else { continue };
                     let Some(shape) = rig.deform(index, solved, &frame.world, positions, normals) else { continue };
                     surface.mirrored = shape.mirrored;
@@ -195,7 +195,7 @@ impl Document {
     /// Makes buffers and frame fit the document's nodes, muscles and joints; no surfaces.
     pub(super) fn lay_out_nodes(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
         *buffers = PoseBuffers { revision: self.revision, pose: Pose::rest(&self.scene), ..PoseBuffers::default() };
-        *frame = Frame { stamp: self.revision, ..Frame::default() };
+        *frame = Frame { layout_revision: self.revision, ..Frame::default() };
         buffers.solved.resize(self.muscle_count(), Solved::default());
         for (id, node) in self.scene.graph.iter() {
             if node.kind == NodeKind::Joint {
@@ -216,7 +216,7 @@ impl Document {
                     node: id,
                     mesh,
                     materials,
-                    placement,
+                    geometry: placement,
                     mirrored: false,
                     solid: None,
                     muscle,

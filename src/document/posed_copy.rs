@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::{Document, PoseBuffers, PoseState};
-use crate::scene::{Bounds, Frame, Ghost, Mark, Scene};
+use crate::scene::{Bounds, Frame, Ghost, OverlayLine, Scene};
 
 /// Buffers of a pose beside the main one. Its surfaces are lent to the main frame for drawing and taken back before the next pose, so that
 /// nothing is copied and nothing is allocated after the first frame.
@@ -52,11 +52,11 @@ impl Companion {
     }
 
     /// Its bones as lines.
-    pub fn sketch_bones(&self, scene: &Scene, color: Vec3, opacity: f32, into: &mut Vec<Mark>) {
+    pub fn sketch_bones(&self, scene: &Scene, color: Vec3, opacity: f32, into: &mut Vec<OverlayLine>) {
         let frame = &self.frame;
         let shown = frame.joints.iter().filter(|joint| joint.node.index() < scene.graph.len() && scene.graph.is_shown(joint.node));
         into.extend(shown.filter_map(|joint| {
-            Some(Mark { from: frame.position(joint.parent?), to: frame.position(joint.node), color, opacity, width: 2.0 })
+            Some(OverlayLine { from: frame.position(joint.parent?), to: frame.position(joint.node), color, opacity, width: 2.0 })
         }));
     }
 

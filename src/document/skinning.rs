@@ -84,7 +84,7 @@ impl Palette {
         self.rigid.clear();
         let bind = *file * skin.bind_shape;
         // A bind shape is where the node was when the skin was bound: both would place the point twice.
-        let loose = if skin.binds_as_it_is() { *node * skin.bind_shape } else { bind };
+        let loose = if skin.has_identity_bind_shape() { *node * skin.bind_shape } else { bind };
         let worlds = joint_worlds.chain(std::iter::repeat(None));
         let joints = skin.joints.iter().zip(worlds).map(|(joint, world)| match world {
             Some(world) => world * joint.inverse_bind * skin.bind_shape,

@@ -74,7 +74,7 @@ impl Document {
                 Influence { node, joint: joint.map_or_else(String::new, |joint| joint.name.clone()), weight, alone, part: alone * weight }
             })
             .collect();
-        let sum = match (shares.is_empty(), skin.binds_as_it_is() && instance.is_skinned()) {
+        let sum = match (shares.is_empty(), skin.has_identity_bind_shape() && instance.is_skinned()) {
             (true, true) => here.transform_point3(base),
             (true, false) => bind.transform_point3(base),
             (false, _) => shares.iter().map(|share| share.part).sum(),

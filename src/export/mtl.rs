@@ -69,7 +69,7 @@ impl Materials {
                 continue;
             };
             let Some(own) = whole(binding.uv_set(texture) as usize) else { continue };
-            let placing = texture.placing.map(|placing| placing.matrix()).unwrap_or_default();
+            let placing = texture.transform.map(|placing| placing.matrix()).unwrap_or_default();
             // A vertex belongs to one part: what differs between two is split.
             for corner in mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]).iter().flatten() {
                 if let (Some(uv), Some(own)) = (uvs.get_mut(*corner as usize), own.get(*corner as usize)) {

@@ -148,7 +148,7 @@ mod tests {
             node: crate::scene::NodeId(node),
             mesh: Arc::new(mesh),
             materials: Arc::new([]),
-            placement,
+            geometry: placement,
             mirrored,
             solid: None,
             muscle: None,

@@ -67,7 +67,7 @@ pub struct WorldMesh<'a> {
 impl<'a> WorldMesh<'a> {
     /// Finds out which vertices are used: those of triangles whose corners are all there and finite.
     pub fn of(surface: &'a Surface) -> Self {
-        let normal_matrix = match &surface.placement {
+        let normal_matrix = match &surface.geometry {
             SurfaceGeometry::Rigid(matrix) => {
                 // The cofactor matrix is the inverse transpose times the determinant: it is there even where the inverse is not.
                 let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis].map(|axis| axis.truncate());
@@ -114,7 +114,7 @@ impl<'a> WorldMesh<'a> {
 
     /// A unit vector; upwards where the surface has no normal.
     pub fn normal(&self, v: u32) -> Vec3 {
-        let normals = match &self.surface.placement {
+        let normals = match &self.surface.geometry {
             SurfaceGeometry::Rigid(_) => &self.surface.mesh.normals,
             SurfaceGeometry::Deformed { normals, .. } => normals,
         };

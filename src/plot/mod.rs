@@ -1,7 +1,7 @@
 //! Plots of quantities against an angle or a time: thin axes, a few ticks, curves, published points behind them.
 //!
-//! One layout, [`Plot::draw`], says what goes where; an [`Ink`] puts it on a widget, into an SVG document (`plot::svg`) or onto pixels (`plot::raster`), so
-//! that what is saved is what was seen.
+//! One layout, [`Plot::draw`], places everything; a [`Canvas`] draws it on a widget, into an SVG document (`plot::svg`) or onto pixels (`plot::raster`), so
+//! that a saved plot equals the one on the screen.
 
 mod page;
 mod raster;
@@ -17,39 +17,39 @@ const RIGHT: f64 = 10.0;
 const TOP: f64 = 22.0;
 const BOTTOM: f64 = 36.0;
 /// Height of a line of text.
-const ROW: f64 = 15.0;
+const LINE_HEIGHT: f64 = 15.0;
 
 /// A curve with its axes.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Plot {
-    /// Name and unit of what goes right; the unit stands after the last `, `.
-    pub across: String,
-    /// Name and unit of what goes up.
-    pub up: String,
+    /// Name and unit of the x axis; the unit follows the last `, `.
+    pub x_label: String,
+    /// Name and unit of the y axis.
+    pub y_label: String,
     /// The curve that values are read from, ascending in x. A value that is not finite is a gap.
     pub points: Vec<(f64, f64)>,
-    /// What the legend calls it; empty = no legend.
+    /// Name in the legend; empty = no legend.
     pub name: String,
     /// Its colour, `0xRRGGBB`.
     pub color: u32,
     /// More curves on the same axes.
-    pub beside: Vec<Curve>,
-    /// The present x; none = not marked.
+    pub more_curves: Vec<Curve>,
+    /// Current x, marked by a line; none = not marked.
     pub cursor: Option<f64>,
-    /// Where the pointer is, logical pixels from the left.
+    /// Position of the pointer, logical pixels from the left.
     pub pointer: Option<f64>,
-    /// What others published, drawn behind, in the units of the plot.
-    pub published: Vec<Series>,
-    /// Colour of that.
-    pub published_color: u32,
-    /// The axis that goes up spans at least this much, so that rounding errors do not fill the plot.
-    pub least_span: f64,
+    /// Published measurements, drawn behind the curves, in the units of the plot.
+    pub reference_series: Vec<Series>,
+    /// Colour of the published measurements.
+    pub reference_color: u32,
+    /// Smallest span of the y axis, so that rounding errors do not fill the plot.
+    pub min_y_span: f64,
 }
 
 /// One more curve.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Curve {
-    /// What the legend calls it.
+    /// Name in the legend.
     pub name: String,
     /// Colour, `0xRRGGBB`.
     pub color: u32,
@@ -60,7 +60,7 @@ pub struct Curve {
 /// Published points: a dashed line through several, a ring for one.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Series {
-    /// What the legend calls it.
+    /// Name in the legend.
     pub name: String,
     /// The points, ascending in x.
     pub points: Vec<(f64, f64)>,
@@ -97,8 +97,8 @@ pub struct Stroke {
     pub dashed: bool,
 }
 
-/// What a plot is drawn with. Places are logical pixels, x right, y down.
-pub trait Ink {
+/// Target of drawing a plot. Positions are logical pixels, x right, y down.
+pub trait Canvas {
     /// Fills a rectangle: left, top, width, height.
     fn rectangle(&mut self, place: [f64; 4], color: Color, opacity: f64);
     /// Draws a line through points.
@@ -116,21 +116,21 @@ impl Plot {
                 .filter(|value| value.is_finite())
                 .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)))
         };
-        let curves = || self.points.iter().chain(self.beside.iter().flat_map(|curve| &curve.points));
+        let curves = || self.points.iter().chain(self.more_curves.iter().flat_map(|curve| &curve.points));
         let across = range(&mut curves().map(|point| point.0));
-        let (low, high) = range(&mut curves().chain(self.published.iter().flat_map(|series| &series.points)).map(|point| point.1));
-        // A level line gets room above and below; any other one a little air.
-        let air = if high - low > 1e-9 * high.abs().max(1e-9) { (high - low) * 0.08 } else { high.abs().max(1e-6) * 0.5 };
-        let missing = ((self.least_span - (high - low)) / 2.0).max(air);
-        let air = if self.least_span > 0.0 { missing } else { air };
-        (across, (low - air, high + air))
+        let (low, high) = range(&mut curves().chain(self.reference_series.iter().flat_map(|series| &series.points)).map(|point| point.1));
+        // A constant curve gets a fixed padding, any other one a small share of its range.
+        let padding = if high - low > 1e-9 * high.abs().max(1e-9) { (high - low) * 0.08 } else { high.abs().max(1e-6) * 0.5 };
+        let missing = ((self.min_y_span - (high - low)) / 2.0).max(padding);
+        let padding = if self.min_y_span > 0.0 { missing } else { padding };
+        (across, (low - padding, high + padding))
     }
 
     /// The x under a place of a plot of this width.
     pub fn x_at(&self, pixel: f64, width: f64) -> Option<f64> {
         let ((from, to), _) = self.bounds();
-        let part = ((pixel - LEFT) / (width - LEFT - RIGHT).max(1.0)).clamp(0.0, 1.0);
-        (from < to).then_some(from + part * (to - from))
+        let fraction = ((pixel - LEFT) / (width - LEFT - RIGHT).max(1.0)).clamp(0.0, 1.0);
+        (from < to).then_some(from + fraction * (to - from))
     }
 
     /// The curve's value at x, straight between its points.
@@ -142,7 +142,7 @@ impl Plot {
     }
 
     /// Draws it into a rectangle of this size at the origin; nothing where there is nothing to draw.
-    pub fn draw(&self, ink: &mut dyn Ink, width: f64, height: f64) {
+    pub fn draw(&self, canvas: &mut dyn Canvas, width: f64, height: f64) {
         let ((from, to), (low, high)) = self.bounds();
         if from.partial_cmp(&to) != Some(std::cmp::Ordering::Less) {
             return;
@@ -152,67 +152,67 @@ impl Plot {
         let y = |value: f64| bottom - (value - low) / (high - low) * (bottom - TOP);
         let (across, up) = (ticks(from, to, 5), ticks(low, high, 4));
         for tick in &up {
-            ink.rectangle([LEFT, y(*tick).round(), right - LEFT, 1.0], Color::Text, 0.12);
+            canvas.rectangle([LEFT, y(*tick).round(), right - LEFT, 1.0], Color::Text, 0.12);
         }
-        ink.rectangle([LEFT, bottom.round(), right - LEFT, 1.0], Color::Text, 0.45);
+        canvas.rectangle([LEFT, bottom.round(), right - LEFT, 1.0], Color::Text, 0.45);
         for tick in &across {
-            ink.rectangle([x(*tick).round(), bottom.round(), 1.0, 4.0], Color::Text, 0.45);
+            canvas.rectangle([x(*tick).round(), bottom.round(), 1.0, 4.0], Color::Text, 0.45);
         }
-        self.draw_published(ink, &x, &y, right);
+        self.draw_reference_series(canvas, &x, &y, right);
         if let Some(cursor) = self.cursor {
-            ink.rectangle([x(cursor.clamp(from, to)).round(), TOP, 1.0, bottom - TOP], Color::Text, 0.8);
+            canvas.rectangle([x(cursor.clamp(from, to)).round(), TOP, 1.0, bottom - TOP], Color::Text, 0.8);
         }
-        let own = [(self.color, &self.points)];
-        for (color, points) in self.beside.iter().map(|curve| (curve.color, &curve.points)).chain(own) {
-            for piece in points.split(|point| !point.1.is_finite()) {
-                let piece: Vec<(f64, f64)> = piece.iter().map(|(px, py)| (x(*px), y(*py))).collect();
-                ink.line(&piece, Stroke { color: Color::Rgb(color), width: 2.0, dashed: false });
+        let main_curve = [(self.color, &self.points)];
+        for (color, points) in self.more_curves.iter().map(|curve| (curve.color, &curve.points)).chain(main_curve) {
+            for segment in points.split(|point| !point.1.is_finite()) {
+                let segment: Vec<(f64, f64)> = segment.iter().map(|(px, py)| (x(*px), y(*py))).collect();
+                canvas.line(&segment, Stroke { color: Color::Rgb(color), width: 2.0, dashed: false });
             }
         }
         let shown = self.pointer.and_then(|pixel| self.x_at(pixel, width)).or(self.cursor).map(|shown| shown.clamp(from, to));
-        let told = shown.and_then(|shown| Some((shown, self.value(shown).filter(|value| value.is_finite())?)));
-        if let Some((shown, value)) = told {
-            ink.disc((x(shown), y(value)), 3.5, Color::Rgb(self.color), None);
+        let readout = shown.and_then(|shown| Some((shown, self.value(shown).filter(|value| value.is_finite())?)));
+        if let Some((shown, value)) = readout {
+            canvas.disc((x(shown), y(value)), 3.5, Color::Rgb(self.color), None);
         }
-        self.draw_legend(ink);
+        self.draw_legend(canvas);
         for tick in &up {
-            ink.text(&label(*tick, &up), (LEFT - 6.0, y(*tick) - 7.0), Anchor::End, Color::Text, 0.65);
+            canvas.text(&label(*tick, &up), (LEFT - 6.0, y(*tick) - 7.0), Anchor::End, Color::Text, 0.65);
         }
         for tick in &across {
-            ink.text(&label(*tick, &across), (x(*tick), bottom + 4.0), Anchor::Middle, Color::Text, 0.65);
+            canvas.text(&label(*tick, &across), (x(*tick), bottom + 4.0), Anchor::Middle, Color::Text, 0.65);
         }
-        ink.text(&self.across, ((LEFT + right) / 2.0, bottom + 18.0), Anchor::Middle, Color::Text, 0.65);
-        ink.text(&self.up, (0.0, 1.0), Anchor::Start, Color::Text, 0.65);
-        if let Some((shown, value)) = told {
-            let text = format!("{}: {}", ticks::with_unit_of(&self.across, shown), ticks::value(value, &up));
-            ink.text(&text, (right, 1.0), Anchor::End, Color::Text, 1.0);
+        canvas.text(&self.x_label, ((LEFT + right) / 2.0, bottom + 18.0), Anchor::Middle, Color::Text, 0.65);
+        canvas.text(&self.y_label, (0.0, 1.0), Anchor::Start, Color::Text, 0.65);
+        if let Some((shown, value)) = readout {
+            let text = format!("{}: {}", ticks::with_unit_of(&self.x_label, shown), ticks::value(value, &up));
+            canvas.text(&text, (right, 1.0), Anchor::End, Color::Text, 1.0);
         }
     }
 
     /// The names of the curves, where there are several, and of what was published.
-    fn draw_legend(&self, ink: &mut dyn Ink) {
-        let own = Some((self.name.as_str(), self.color)).filter(|(name, _)| !name.is_empty());
-        let beside = self.beside.iter().map(|curve| (curve.name.as_str(), curve.color));
-        let curves = own.into_iter().chain(beside).map(|(name, color)| (format!("— {name}"), color));
+    fn draw_legend(&self, canvas: &mut dyn Canvas) {
+        let main_curve = Some((self.name.as_str(), self.color)).filter(|(name, _)| !name.is_empty());
+        let beside = self.more_curves.iter().map(|curve| (curve.name.as_str(), curve.color));
+        let curves = main_curve.into_iter().chain(beside).map(|(name, color)| (format!("— {name}"), color));
         let mark = |series: &Series| if series.points.len() > 1 { "- -" } else { "○" };
-        let published = self.published.iter().map(|series| (format!("{} {}", mark(series), series.name), self.published_color));
+        let published = self.reference_series.iter().map(|series| (format!("{} {}", mark(series), series.name), self.reference_color));
         for (row, (name, color)) in curves.chain(published).enumerate() {
-            ink.text(&name, (LEFT + 8.0, TOP + 2.0 + ROW * row as f64), Anchor::Start, Color::Rgb(color), 1.0);
+            canvas.text(&name, (LEFT + 8.0, TOP + 2.0 + LINE_HEIGHT * row as f64), Anchor::Start, Color::Rgb(color), 1.0);
         }
     }
 
     /// Published series: dashed where there are several points, with a dot each; a single one is larger and hollow, to be told from the others.
-    fn draw_published(&self, ink: &mut dyn Ink, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64, right: f64) {
-        let color = Color::Rgb(self.published_color);
+    fn draw_reference_series(&self, canvas: &mut dyn Canvas, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64, right: f64) {
+        let color = Color::Rgb(self.reference_color);
         let inside = |px: f64| (LEFT - 0.5..=right + 0.5).contains(&px);
-        for series in &self.published {
+        for series in &self.reference_series {
             let points: Vec<(f64, f64)> = series.points.iter().map(|(px, py)| (x(*px), y(*py))).filter(|point| inside(point.0)).collect();
-            ink.line(&points, Stroke { color, width: 1.5, dashed: true });
+            canvas.line(&points, Stroke { color, width: 1.5, dashed: true });
             for point in &points {
                 if series.points.len() > 1 {
-                    ink.disc(*point, 2.5, color, None);
+                    canvas.disc(*point, 2.5, color, None);
                 } else {
-                    ink.disc(*point, 4.5, color, Some(1.5));
+                    canvas.disc(*point, 4.5, color, Some(1.5));
                 }
             }
         }
@@ -231,14 +231,14 @@ mod tests {
         assert_eq!(Plot::default().x_at(50.0, 300.0), None);
     }
 
-    /// Notes what is drawn.
+    /// Records what is drawn.
     #[derive(Default)]
-    struct Notes {
+    struct RecordingCanvas {
         lines: Vec<Vec<(f64, f64)>>,
         texts: Vec<String>,
     }
 
-    impl Ink for Notes {
+    impl Canvas for RecordingCanvas {
         fn rectangle(&mut self, [x, y, width, height]: [f64; 4], _: Color, _: f64) {
             assert!([x, y, width, height].iter().all(|value| value.is_finite()));
         }
@@ -254,19 +254,23 @@ mod tests {
     #[test]
     fn a_gap_parts_the_line_and_every_point_lies_within_the_axes() {
         let points = vec![(0.0, -1.0), (1.0, 2.0), (2.0, f64::INFINITY), (3.0, 5.0), (4.0, 4.0)];
-        let plot = Plot { points, name: "own".into(), across: "Time, s".into(), cursor: Some(3.5), ..Plot::default() };
-        let mut notes = Notes::default();
-        plot.draw(&mut notes, 300.0, 200.0);
-        assert_eq!(notes.lines.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
-        for (x, y) in notes.lines.iter().flatten() {
+        let plot = Plot { points, name: "own".into(), x_label: "Time, s".into(), cursor: Some(3.5), ..Plot::default() };
+        let mut recorded = RecordingCanvas::default();
+        plot.draw(&mut recorded, 300.0, 200.0);
+        assert_eq!(recorded.lines.iter().map(Vec::len).collect::<Vec<_>>(), [2, 2]);
+        for (x, y) in recorded.lines.iter().flatten() {
             assert!((LEFT..=300.0 - RIGHT).contains(x) && (TOP..=200.0 - BOTTOM).contains(y), "{x} {y}");
         }
-        assert!(notes.texts.contains(&"— own".to_owned()) && notes.texts.iter().any(|text| text.ends_with(": 4.5")), "{:?}", notes.texts);
+        assert!(
+            recorded.texts.contains(&"— own".to_owned()) && recorded.texts.iter().any(|text| text.ends_with(": 4.5")),
+            "{:?}",
+            recorded.texts
+        );
     }
 
     #[test]
     fn rounding_errors_do_not_fill_a_plot_with_a_least_span() {
-        let plot = Plot { points: vec![(0.0, 0.0), (1.0, 2e-16)], least_span: 2e-12, ..Plot::default() };
+        let plot = Plot { points: vec![(0.0, 0.0), (1.0, 2e-16)], min_y_span: 2e-12, ..Plot::default() };
         let (_, (low, high)) = plot.bounds();
         assert!((high - low - 2e-12).abs() < 1e-20, "{low} {high}");
     }

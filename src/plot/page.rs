@@ -1,8 +1,8 @@
 //! Plots on a page, two beside each other under a heading, as SVG or PNG.
 
-use super::raster::{Fonts, Pixels};
-use super::svg::Document;
-use super::{Anchor, Color, Ink, Plot, Stroke};
+use super::raster::{Fonts, PixmapCanvas};
+use super::svg::SvgCanvas;
+use super::{Anchor, Canvas, Color, Plot, Stroke};
 use crate::{limits, tr};
 
 /// Size of a plot on the page and the room about it, logical pixels.
@@ -11,10 +11,10 @@ const HEIGHT: f64 = 250.0;
 const MARGIN: f64 = 16.0;
 const HEADING: f64 = 26.0;
 /// Text on white.
-pub(super) const TEXT: u32 = 0x1C_1F24;
-pub(super) const GROUND: u32 = 0xFF_FFFF;
+pub(super) const TEXT_COLOR: u32 = 0x1C_1F24;
+pub(super) const BACKGROUND: u32 = 0xFF_FFFF;
 /// Size of a picture that still opens everywhere, pixels to a side.
-const LARGEST: f64 = 20_000.0;
+const MAX_PIXELS: f64 = 20_000.0;
 
 /// Sections of plots.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -49,16 +49,16 @@ impl Page {
     }
 
     /// Draws it.
-    fn draw(&self, ink: &mut dyn Ink) {
+    fn draw(&self, canvas: &mut dyn Canvas) {
         let (width, height) = self.size();
-        ink.rectangle([0.0, 0.0, width, height], Color::Rgb(GROUND), 1.0);
+        canvas.rectangle([0.0, 0.0, width, height], Color::Rgb(BACKGROUND), 1.0);
         let mut top = MARGIN;
         for (heading, plots) in &self.sections {
-            ink.text(heading, (MARGIN, top), Anchor::Start, Color::Text, 1.0);
+            canvas.text(heading, (MARGIN, top), Anchor::Start, Color::Text, 1.0);
             top += HEADING;
             for (index, plot) in plots.iter().enumerate() {
                 let left = MARGIN + (index % 2) as f64 * (WIDTH + MARGIN);
-                plot.draw(&mut Shifted { ink, by: (left, top) }, WIDTH, HEIGHT);
+                plot.draw(&mut Offset { canvas, by: (left, top) }, WIDTH, HEIGHT);
                 if index % 2 == 1 || index + 1 == plots.len() {
                     top += HEIGHT + MARGIN;
                 }
@@ -69,7 +69,7 @@ impl Page {
     /// An SVG 1.1 document.
     pub fn svg(&self) -> String {
         let (width, height) = self.size();
-        let mut document = Document::new(width, height);
+        let mut document = SvgCanvas::new(width, height);
         self.draw(&mut document);
         document.finish()
     }
@@ -81,7 +81,7 @@ impl Page {
     pub fn png(&self, scale: f64) -> Result<Vec<u8>, PlotError> {
         let scale = scale.clamp(0.1, 8.0);
         let (width, height) = self.size();
-        if (width.max(height) * scale) > LARGEST {
+        if (width.max(height) * scale) > MAX_PIXELS {
             return Err(PlotError::TooLarge);
         }
         // The picture, its rows of three bytes a pixel, and what they are packed into.
@@ -89,41 +89,41 @@ impl Page {
             return Err(PlotError::Memory);
         }
         let fonts = Fonts::find().ok_or(PlotError::NoFont)?;
-        let mut pixels = Pixels::new(width, height, scale, &fonts).ok_or(PlotError::TooLarge)?;
+        let mut pixels = PixmapCanvas::new(width, height, scale, &fonts).ok_or(PlotError::TooLarge)?;
         self.draw(&mut pixels);
         pixels.png().map_err(|error| PlotError::Png(error.to_string()))
     }
 }
 
 /// The same ink somewhere else.
-struct Shifted<'a> {
-    ink: &'a mut dyn Ink,
+struct Offset<'a> {
+    canvas: &'a mut dyn Canvas,
     by: (f64, f64),
 }
 
-impl Shifted<'_> {
-    fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
+impl Offset<'_> {
+    fn translated(&self, (x, y): (f64, f64)) -> (f64, f64) {
         (x + self.by.0, y + self.by.1)
     }
 }
 
-impl Ink for Shifted<'_> {
+impl Canvas for Offset<'_> {
     fn rectangle(&mut self, [x, y, width, height]: [f64; 4], color: Color, opacity: f64) {
-        let (x, y) = self.place((x, y));
-        self.ink.rectangle([x, y, width, height], color, opacity);
+        let (x, y) = self.translated((x, y));
+        self.canvas.rectangle([x, y, width, height], color, opacity);
     }
 
     fn line(&mut self, points: &[(f64, f64)], stroke: Stroke) {
-        let points: Vec<(f64, f64)> = points.iter().map(|point| self.place(*point)).collect();
-        self.ink.line(&points, stroke);
+        let points: Vec<(f64, f64)> = points.iter().map(|point| self.translated(*point)).collect();
+        self.canvas.line(&points, stroke);
     }
 
     fn disc(&mut self, centre: (f64, f64), radius: f64, color: Color, ring: Option<f64>) {
-        self.ink.disc(self.place(centre), radius, color, ring);
+        self.canvas.disc(self.translated(centre), radius, color, ring);
     }
 
     fn text(&mut self, text: &str, at: (f64, f64), anchor: Anchor, color: Color, opacity: f64) {
-        self.ink.text(text, self.place(at), anchor, color, opacity);
+        self.canvas.text(text, self.translated(at), anchor, color, opacity);
     }
 }
 
@@ -134,11 +134,11 @@ mod tests {
 
     fn page() -> Page {
         let plot = Plot {
-            across: "Elbow angle, °".into(),
-            up: "Length, <mm> & \"more\"".into(),
+            x_label: "Elbow angle, °".into(),
+            y_label: "Length, <mm> & \"more\"".into(),
             points: (0..=90).map(|angle| (f64::from(angle), f64::from(angle).to_radians().sin())).collect(),
             color: 0xC0_392B,
-            published: vec![Series { name: "Arm26".into(), points: vec![(0.0, 0.1), (45.0, 0.6)] }],
+            reference_series: vec![Series { name: "Arm26".into(), points: vec![(0.0, 0.1), (45.0, 0.6)] }],
             ..Plot::default()
         };
         Page { sections: vec![("Бицепс".into(), vec![plot.clone(), plot.clone(), plot])] }

@@ -3,8 +3,8 @@
 use ab_glyph::{Font, FontVec, OutlineCurve, ScaleFont};
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, StrokeDash, Transform};
 
-use super::page::TEXT;
-use super::{Anchor, Color, Ink, Stroke};
+use super::page::TEXT_COLOR;
+use super::{Anchor, Canvas, Color, Stroke};
 
 /// Size of text and the height of its letters above the base line, logical pixels.
 const SIZE: f32 = 11.0;
@@ -12,7 +12,7 @@ const ASCENT: f32 = 10.5;
 /// Families that have Latin, Cyrillic and the signs of units, in the order in which they are taken.
 const FAMILIES: [&str; 6] = ["DejaVu Sans", "Noto Sans", "Liberation Sans", "Cantarell", "Arial", "Helvetica"];
 /// How far a circle's Bézier handles reach, in radii.
-const ROUND: f32 = 0.552_284_8;
+const CIRCLE_HANDLE: f32 = 0.552_284_8;
 
 /// A font of the machine.
 pub(super) struct Fonts(FontVec);
@@ -34,50 +34,50 @@ impl Fonts {
 }
 
 /// A picture that is being drawn.
-pub(super) struct Pixels<'a> {
-    map: Pixmap,
+pub(super) struct PixmapCanvas<'a> {
+    pixmap: Pixmap,
     scale: f32,
     font: &'a FontVec,
 }
 
-impl<'a> Pixels<'a> {
+impl<'a> PixmapCanvas<'a> {
     /// An empty one of this size in logical pixels; `None` where it would be empty or too large.
     pub(super) fn new(width: f64, height: f64, scale: f64, fonts: &'a Fonts) -> Option<Self> {
         let map = Pixmap::new((width * scale).round() as u32, (height * scale).round() as u32)?;
-        Some(Self { map, scale: scale as f32, font: &fonts.0 })
+        Some(Self { pixmap: map, scale: scale as f32, font: &fonts.0 })
     }
 
     /// As PNG.
     pub(super) fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
         let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, self.map.width(), self.map.height());
+        let mut encoder = png::Encoder::new(&mut bytes, self.pixmap.width(), self.pixmap.height());
         encoder.set_color(png::ColorType::Rgb);
         // The ground is opaque, so every pixel is.
-        let rows: Vec<u8> = self.map.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
+        let rows: Vec<u8> = self.pixmap.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
         let mut writer = encoder.write_header()?;
         writer.write_image_data(&rows)?;
         writer.finish()?;
         Ok(bytes)
     }
 
-    fn at(&self) -> Transform {
+    fn transform(&self) -> Transform {
         Transform::from_scale(self.scale, self.scale)
     }
 
     fn fill(&mut self, path: &Path, color: Color, opacity: f64) {
-        let at = self.at();
-        self.map.fill_path(path, &paint(color, opacity), FillRule::Winding, at, None);
+        let at = self.transform();
+        self.pixmap.fill_path(path, &paint(color, opacity), FillRule::Winding, at, None);
     }
 
     fn stroke(&mut self, path: &Path, color: Color, stroke: &tiny_skia::Stroke) {
-        let at = self.at();
-        self.map.stroke_path(path, &paint(color, 1.0), stroke, at, None);
+        let at = self.transform();
+        self.pixmap.stroke_path(path, &paint(color, 1.0), stroke, at, None);
     }
 }
 
 fn paint(color: Color, opacity: f64) -> Paint<'static> {
     let color = match color {
-        Color::Text => TEXT,
+        Color::Text => TEXT_COLOR,
         Color::Rgb(color) => color,
     };
     let part = |shift: u32| ((color >> shift) & 0xFF) as u8;
@@ -87,7 +87,7 @@ fn paint(color: Color, opacity: f64) -> Paint<'static> {
 }
 
 fn circle(x: f32, y: f32, radius: f32) -> Option<Path> {
-    let handle = radius * ROUND;
+    let handle = radius * CIRCLE_HANDLE;
     let mut path = PathBuilder::new();
     path.move_to(x + radius, y);
     path.cubic_to(x + radius, y + handle, x + handle, y + radius, x, y + radius);
@@ -98,7 +98,7 @@ fn circle(x: f32, y: f32, radius: f32) -> Option<Path> {
     path.finish()
 }
 
-impl Ink for Pixels<'_> {
+impl Canvas for PixmapCanvas<'_> {
     fn rectangle(&mut self, [x, y, width, height]: [f64; 4], color: Color, opacity: f64) {
         if let Some(place) = Rect::from_xywh(x as f32, y as f32, width as f32, height as f32) {
             self.fill(&PathBuilder::from_rect(place), color, opacity);
@@ -112,9 +112,10 @@ impl Ink for Pixels<'_> {
             if index == 0 { path.move_to(x, y) } else { path.line_to(x, y) }
         }
         let dash = if stroke.dashed { StrokeDash::new(vec![5.0, 4.0], 0.0) } else { None };
-        let how = tiny_skia::Stroke { width: stroke.width as f32, line_join: LineJoin::Round, dash, ..tiny_skia::Stroke::default() };
+        let stroke_style =
+            tiny_skia::Stroke { width: stroke.width as f32, line_join: LineJoin::Round, dash, ..tiny_skia::Stroke::default() };
         if let Some(path) = path.finish() {
-            self.stroke(&path, stroke.color, &how);
+            self.stroke(&path, stroke.color, &stroke_style);
         }
     }
 

@@ -2,19 +2,19 @@
 
 use std::fmt::Write as _;
 
-use super::page::TEXT;
-use super::{Anchor, Color, Ink, Stroke};
+use super::page::TEXT_COLOR;
+use super::{Anchor, Canvas, Color, Stroke};
 
 /// Size of text and the height of its letters above the base line, logical pixels.
 const SIZE: f64 = 11.0;
 const ASCENT: f64 = 10.5;
 
 /// A document that grows.
-pub(super) struct Document {
+pub(super) struct SvgCanvas {
     text: String,
 }
 
-impl Document {
+impl SvgCanvas {
     /// An empty one of this size, logical pixels.
     pub(super) fn new(width: f64, height: f64) -> Self {
         let text = format!(
@@ -30,7 +30,7 @@ impl Document {
         self.text
     }
 
-    fn put(&mut self, element: std::fmt::Arguments<'_>) {
+    fn write_element(&mut self, element: std::fmt::Arguments<'_>) {
         // Writing to a string cannot fail.
         let _ = self.text.write_fmt(element);
         self.text.push('\n');
@@ -40,13 +40,13 @@ impl Document {
 /// `#RRGGBB`.
 fn hex(color: Color) -> String {
     match color {
-        Color::Text => format!("#{TEXT:06X}"),
+        Color::Text => format!("#{TEXT_COLOR:06X}"),
         Color::Rgb(color) => format!("#{:06X}", color & 0xFF_FFFF),
     }
 }
 
 /// A place to a hundredth of a pixel.
-fn short(value: f64) -> f64 {
+fn round_to_hundredth(value: f64) -> f64 {
     (value * 100.0).round() / 100.0
 }
 
@@ -54,11 +54,11 @@ fn escaped(text: &str) -> String {
     crate::i18n::shown(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-impl Ink for Document {
+impl Canvas for SvgCanvas {
     fn rectangle(&mut self, [x, y, width, height]: [f64; 4], color: Color, opacity: f64) {
-        let [x, y, width, height] = [x, y, width, height].map(short);
+        let [x, y, width, height] = [x, y, width, height].map(round_to_hundredth);
         let color = hex(color);
-        self.put(format_args!(
+        self.write_element(format_args!(
             "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{color}\" fill-opacity=\"{opacity}\"/>"
         ));
     }
@@ -68,20 +68,20 @@ impl Ink for Document {
             return;
         }
         let dashes = if stroke.dashed { " stroke-dasharray=\"5 4\"" } else { "" };
-        let points: Vec<String> = points.iter().map(|(x, y)| format!("{},{}", short(*x), short(*y))).collect();
+        let points: Vec<String> = points.iter().map(|(x, y)| format!("{},{}", round_to_hundredth(*x), round_to_hundredth(*y))).collect();
         let (points, color, width) = (points.join(" "), hex(stroke.color), stroke.width);
-        self.put(format_args!(
+        self.write_element(format_args!(
             "<polyline points=\"{points}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\" stroke-linejoin=\"round\"{dashes}/>"
         ));
     }
 
     fn disc(&mut self, (x, y): (f64, f64), radius: f64, color: Color, ring: Option<f64>) {
-        let (x, y, color) = (short(x), short(y), hex(color));
+        let (x, y, color) = (round_to_hundredth(x), round_to_hundredth(y), hex(color));
         let paint = match ring {
             Some(width) => format!("fill=\"none\" stroke=\"{color}\" stroke-width=\"{width}\""),
             None => format!("fill=\"{color}\""),
         };
-        self.put(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {paint}/>"));
+        self.write_element(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {paint}/>"));
     }
 
     fn text(&mut self, text: &str, (x, y): (f64, f64), anchor: Anchor, color: Color, opacity: f64) {
@@ -90,8 +90,8 @@ impl Ink for Document {
             Anchor::Middle => "middle",
             Anchor::End => "end",
         };
-        let (x, y, color, text) = (short(x), short(y + ASCENT), hex(color), escaped(text));
-        self.put(format_args!(
+        let (x, y, color, text) = (round_to_hundredth(x), round_to_hundredth(y + ASCENT), hex(color), escaped(text));
+        self.write_element(format_args!(
             "<text x=\"{x}\" y=\"{y}\" text-anchor=\"{anchor}\" fill=\"{color}\" fill-opacity=\"{opacity}\">{text}</text>"
         ));
     }

@@ -89,7 +89,7 @@ impl LineBuilder<'_> {
                 continue;
             }
             let mut one = |p: Vec3, n: Vec3| self.line(p, p + n.normalize_or_zero() * length, &line_style);
-            match &surface.placement {
+            match &surface.geometry {
                 SurfaceGeometry::Deformed { positions, normals } => positions.iter().zip(normals).for_each(|(p, n)| one(*p, *n)),
                 SurfaceGeometry::Rigid(matrix) => {
                     let turn = super::draw_data::normal_matrix(matrix);

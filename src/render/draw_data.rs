@@ -123,7 +123,7 @@ pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, heat: &'a
         Source::Surface { index, triangles } => {
             let surface = &frame.surfaces[*index as usize];
             let mesh = &*surface.mesh;
-            let (positions, normals, transform) = match &surface.placement {
+            let (positions, normals, transform) = match &surface.geometry {
                 SurfaceGeometry::Rigid(matrix) => (&mesh.positions[..], &mesh.normals[..], Some((*matrix, normal_matrix(matrix)))),
                 SurfaceGeometry::Deformed { positions, normals } => (&positions[..], &normals[..], None),
             };

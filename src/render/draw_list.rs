@@ -45,7 +45,7 @@ struct Spot {
 impl Spot {
     /// `None` for what cannot stand twice in one place, or may look different there.
     fn of(surface: &Surface, part: usize, style: &ResolvedMaterial) -> Option<Self> {
-        let SurfaceGeometry::Rigid(matrix) = &surface.placement else { return None };
+        let SurfaceGeometry::Rigid(matrix) = &surface.geometry else { return None };
         // The scene holds each mesh once, the frame once for each of its surfaces.
         let shared = Arc::strong_count(&surface.mesh) > 2 && surface.ghost.is_none() && surface.muscle.is_none();
         (shared && style.layer == RenderPass::Opaque && style.mark_share == 0.0).then(|| Self {
@@ -214,7 +214,7 @@ impl Buffers {
             builder.joints(scene, frame);
         }
         builder.selected_bones(scene, frame);
-        for mark in &frame.marks {
+        for mark in &frame.overlay_lines {
             let line_style = builder.line_style(mark.color.to_array(), mark.opacity, mark.width);
             builder.line(mark.from, mark.to, &LineStyle { stage: LinePass::Overlay, ..line_style });
         }
@@ -347,7 +347,7 @@ fn style(
             let pixels = scene.images.get(texture.image.index())?.pixels.as_ref()?;
             surface.mesh.uv_sets.get(set as usize)?;
             let wrap = [texture.wrap_s, texture.wrap_t];
-            let placing = texture.placing.map(|placing| placing.matrix()).filter(Affine2::is_finite);
+            let placing = texture.transform.map(|placing| placing.matrix()).filter(Affine2::is_finite);
             Some(Sampler { placing, texture: cache.get(pixels, alpha, wrap), wrap, uv_set: set })
         };
         style.diffuse = material.diffuse.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));

@@ -4,14 +4,14 @@
 //! is thin and spread where it bulges. A texture, not a formula at each pixel: its mip chain keeps distant fibres from glittering.
 
 use super::texture::Texture;
-use crate::scene::Wrap;
+use crate::scene::WrapMode;
 
 /// Size of the pattern: fine across the fibres, coarse along them.
 const WIDTH: u32 = 2048;
 const HEIGHT: u32 = 128;
 
 /// Round and round, but not from one end to the other.
-pub(super) const WRAP: [Wrap; 2] = [Wrap::Repeat, Wrap::Clamp];
+pub(super) const WRAP: [WrapMode; 2] = [WrapMode::Repeat, WrapMode::Clamp];
 
 /// Tendon, `#E8DFC8`.
 const TENDON: [f32; 3] = [232.0, 223.0, 200.0];

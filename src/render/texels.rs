@@ -4,7 +4,7 @@ use super::draw_data::FrameData;
 use super::material_state::ResolvedMaterial;
 use super::shade::Gradients;
 use super::texture::{Sampler, Texture};
-use crate::scene::Wrap;
+use crate::scene::WrapMode;
 use crate::simd::{Simd, always, each, map};
 
 /// What the textures of a material say at a pixel.
@@ -61,7 +61,7 @@ impl<L: Simd> Texels<L> {
 fn filtered<L: Simd, const K: usize>(
     l: L,
     texture: &Texture,
-    wrap: [Wrap; 2],
+    wrap: [WrapMode; 2],
     uv: [L::F; 2],
     gradients: &Gradients<K>,
     half: i32,

@@ -6,7 +6,7 @@ use glam::Affine2;
 
 use super::muscle_texture::FiberTexture;
 use super::srgb::Srgb;
-use crate::scene::{AlphaSource, Pixels, Wrap};
+use crate::scene::{AlphaSource, Pixels, WrapMode};
 use crate::simd::{Simd, always};
 
 /// Most levels: enough for [`crate::limits::IMAGE_SIDE`].
@@ -20,7 +20,7 @@ pub(super) struct Sampler {
     /// Index in the cache's list.
     pub texture: u32,
     /// Horizontally, vertically.
-    pub wrap: [Wrap; 2],
+    pub wrap: [WrapMode; 2],
     /// Set of texture coordinates.
     pub uv_set: u32,
 }
@@ -51,7 +51,7 @@ pub(super) struct Texture {
 
 impl Texture {
     /// The chain of an image.
-    pub(super) fn from_pixels(pixels: &Pixels, alpha: Alpha, wrap: [Wrap; 2]) -> Self {
+    pub(super) fn from_pixels(pixels: &Pixels, alpha: Alpha, wrap: [WrapMode; 2]) -> Self {
         let texel = |p: &[u8]| {
             let [r, g, b, a] = [p[0], p[1], p[2], p[3]];
             let luminance = 0.212_671 * f32::from(r) + 0.715_160 * f32::from(g) + 0.072_169 * f32::from(b);
@@ -76,7 +76,7 @@ impl Texture {
     }
 
     /// The chain over a first level of `width` × `height` texels.
-    pub(super) fn from_texels(mut level: Vec<u32>, mut width: u32, mut height: u32, wrap: [Wrap; 2]) -> Self {
+    pub(super) fn from_texels(mut level: Vec<u32>, mut width: u32, mut height: u32, wrap: [WrapMode; 2]) -> Self {
         if width == 0 || height == 0 || level.len() < width as usize * height as usize {
             (level, width, height) = (vec![u32::MAX], 1, 1);
         }
@@ -131,7 +131,7 @@ impl Texture {
     ///
     /// Places between texels are told apart to a 256th, and the shares of the four texels add up to 256 exactly, so that an even colour stays what it is.
     #[inline(always)]
-    pub(super) fn sample<L: Simd>(&self, l: L, wrap: [Wrap; 2], uv: [L::F; 2], mip: Mip<L>) -> [L::F; 4] {
+    pub(super) fn sample<L: Simd>(&self, l: L, wrap: [WrapMode; 2], uv: [L::F; 2], mip: Mip<L>) -> [L::F; 4] {
         let (x, fx) = place(l, wrap[0], uv[0], mip.width);
         let (y, fy) = place(l, wrap[1], l.splat(1.0) - uv[1], mip.height);
         let pitch = mip.width + l.isplat(APRON as i32);
@@ -200,40 +200,40 @@ impl<L: Simd> Detail<L> {
 ///
 /// All in 256ths of a texel: half a texel back to the middle of one, a whole one forward to the apron, half a 256th to round.
 #[inline(always)]
-fn place<L: Simd>(l: L, wrap: Wrap, coordinate: L::F, size: L::I) -> (L::I, L::I) {
+fn place<L: Simd>(l: L, wrap: WrapMode, coordinate: L::F, size: L::I) -> (L::I, L::I) {
     // What repeats is rounded down, which takes a number of moderate size; NaN becomes one too.
     let moderate = always!(|| l.clamp(coordinate, -1e6, 1e6));
     let length = l.float(l.shl::<8>(size));
     let ahead = l.splat(128.5);
     let position = match wrap {
-        Wrap::Repeat => {
+        WrapMode::Repeat => {
             let coordinate = moderate();
             (coordinate - l.floor(coordinate)) * length + ahead
         }
-        Wrap::Mirror => {
+        WrapMode::Mirror => {
             let coordinate = moderate();
             let two = coordinate - l.splat(2.0) * l.floor(coordinate * l.splat(0.5));
             l.min(two, l.splat(2.0) - two) * length + ahead
         }
-        Wrap::Clamp => l.clamp(coordinate, 0.0, 1.0) * length + ahead,
+        WrapMode::Clamp => l.clamp(coordinate, 0.0, 1.0) * length + ahead,
         // From the first texel of the apron on the one side to the last but one on the other.
-        Wrap::Border => l.min(l.max(coordinate * length + ahead, l.splat(0.5)), length + l.splat(256.5)),
+        WrapMode::Border => l.min(l.max(coordinate * length + ahead, l.splat(0.5)), length + l.splat(256.5)),
     };
     let position = l.trunc(position);
     (l.shr::<8>(position), position & l.isplat(255))
 }
 
 /// Which texel stands at place `at` of an edge with `size` texels; `None` for the border's nothing.
-fn beyond(wrap: Wrap, at: i32, size: u32) -> Option<i32> {
+fn beyond(wrap: WrapMode, at: i32, size: u32) -> Option<i32> {
     let size = size as i32;
     match wrap {
-        Wrap::Repeat => Some(at.rem_euclid(size)),
-        Wrap::Mirror => {
+        WrapMode::Repeat => Some(at.rem_euclid(size)),
+        WrapMode::Mirror => {
             let two = at.rem_euclid(2 * size);
             Some(two.min(2 * size - 1 - two))
         }
-        Wrap::Clamp => Some(at.clamp(0, size - 1)),
-        Wrap::Border => (0..size).contains(&at).then_some(at),
+        WrapMode::Clamp => Some(at.clamp(0, size - 1)),
+        WrapMode::Border => (0..size).contains(&at).then_some(at),
     }
 }
 
@@ -304,7 +304,7 @@ struct Entry {
 #[derive(Debug)]
 enum Key {
     /// The image is held, so that its address cannot be given to another one while the entry lives.
-    Image(Arc<Pixels>, Alpha, [Wrap; 2]),
+    Image(Arc<Pixels>, Alpha, [WrapMode; 2]),
     /// Muscle fibres of a colour, with or without tendons.
     Muscle([u8; 3], bool),
 }
@@ -336,7 +336,7 @@ impl Cache {
     }
 
     /// The index of an image's texture.
-    pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha, wrap: [Wrap; 2]) -> u32 {
+    pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha, wrap: [WrapMode; 2]) -> u32 {
         let same =
             |key: &Key| matches!(key, Key::Image(known, kind, edge) if Arc::ptr_eq(known, pixels) && *kind == alpha && *edge == wrap);
         self.find(same, |_| (Key::Image(Arc::clone(pixels), alpha, wrap), Texture::from_pixels(pixels, alpha, wrap)))
@@ -377,7 +377,7 @@ mod tests {
         for _ in 0..5 {
             cache.begin();
             // A file that is read again brings another one each time.
-            let (read, wrap) = (image(), [Wrap::Repeat; 2]);
+            let (read, wrap) = (image(), [WrapMode::Repeat; 2]);
             cache.get(&read, Alpha::Solid, wrap);
             cache.get(&kept, Alpha::Solid, wrap);
             assert!(cache.textures().len() <= 2, "{}", cache.textures().len());

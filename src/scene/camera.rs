@@ -1,11 +1,11 @@
-//! The eye: a camera, and the orbit rig that a hand moves.
+//! Cameras: a posed camera, the cameras of files, and the interactive orbit camera.
 
 use glam::camera::rh::proj::directx;
 use glam::{Mat4, Quat, Vec2, Vec3, Vec4};
 
 use super::Bounds;
 
-/// How space falls onto the picture.
+/// Projection of camera space onto the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Projection {
     /// Vertical field of view, radians.
@@ -23,7 +23,7 @@ pub enum Projection {
 /// A camera of the file, in its node's space: looks along −Z, +Y up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileCamera {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -40,9 +40,9 @@ pub struct FileCamera {
 /// A camera in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// Where the eye is.
+    /// Position of the camera, metres.
     pub eye: Vec3,
-    /// Turns camera space (right, up, towards the viewer) into the world.
+    /// Rotation from camera space (right, up, towards the viewer) to the world.
     pub rotation: Quat,
     /// Perspective or parallel.
     pub projection: Projection,
@@ -90,8 +90,8 @@ impl Camera {
         self.view_projection(size.x / size.y).inverse().project_point3(ndc)
     }
 
-    /// The same view of `bounds` where rays are parallel and some of it would be behind the eye: from farther back. Nothing in the picture moves.
-    pub fn before(mut self, bounds: &Bounds) -> Self {
+    /// An orthographic camera moved back until all of `bounds` lies in front of it; the picture stays the same. A perspective camera is unchanged.
+    pub fn moved_back(mut self, bounds: &Bounds) -> Self {
         if matches!(self.projection, Projection::Orthographic { .. }) && !bounds.is_empty() {
             let forward = self.forward();
             let nearest = bounds.corners().iter().map(|corner| (*corner - self.eye).dot(forward)).fold(f32::INFINITY, f32::min);
@@ -128,9 +128,9 @@ impl Camera {
     }
 }
 
-/// A named direction to look from.
+/// A named view direction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum View {
+pub enum ViewDirection {
     /// From +Z.
     Front,
     /// From −Z.
@@ -149,7 +149,7 @@ pub enum View {
     Start,
 }
 
-impl View {
+impl ViewDirection {
     /// Yaw and pitch, degrees, as [`OrbitCamera`] has them.
     pub fn angles(self) -> (f32, f32) {
         match self {
@@ -165,7 +165,7 @@ impl View {
     }
 }
 
-/// A camera on a turntable round a point; never rolls.
+/// A camera that orbits a target point, without roll.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OrbitCamera {
     /// The point it looks at.
@@ -176,15 +176,15 @@ pub struct OrbitCamera {
     pub pitch: f32,
     /// Metres from the target.
     pub distance: f32,
-    /// Parallel rays instead of perspective, with the same size of what is at the target.
+    /// Orthographic projection, with the same size as perspective at the target.
     pub orthographic: bool,
-    /// Radius of what is looked at, metres: sets near and far planes and the limits of the zoom.
+    /// Radius of the scene, metres: sets near and far planes and the limits of the zoom.
     pub scene_radius: f32,
 }
 
 impl Default for OrbitCamera {
     fn default() -> Self {
-        let (yaw, pitch) = View::Start.angles();
+        let (yaw, pitch) = ViewDirection::Start.angles();
         Self { target: Vec3::ZERO, yaw, pitch, distance: 4.0, orthographic: false, scene_radius: 1.0 }
     }
 }
@@ -219,12 +219,12 @@ impl OrbitCamera {
             .fold(self.scene_radius * 0.05, f32::max);
     }
 
-    /// Turns to a named view.
-    pub fn look_from(&mut self, view: View) {
+    /// Sets yaw and pitch to a named view direction.
+    pub fn look_from(&mut self, view: ViewDirection) {
         (self.yaw, self.pitch) = view.angles();
     }
 
-    /// Turns by degrees; the pitch stops at the poles.
+    /// Orbits by degrees; the pitch stops at the poles.
     pub fn orbit(&mut self, yaw: f32, pitch: f32) {
         self.yaw = (self.yaw + yaw).rem_euclid(360.0);
         self.pitch = (self.pitch + pitch).clamp(-90.0, 90.0);
@@ -274,7 +274,7 @@ mod tests {
         let bounds = Bounds { min: Vec3::new(-3.0, 0.0, -0.2), max: Vec3::new(1.0, 2.0, 0.4) };
         let size = Vec2::new(800.0, 600.0);
         for orthographic in [false, true] {
-            for view in [View::Front, View::Right, View::Top, View::Iso, View::Start] {
+            for view in [ViewDirection::Front, ViewDirection::Right, ViewDirection::Top, ViewDirection::Iso, ViewDirection::Start] {
                 let mut orbit = OrbitCamera { orthographic, ..OrbitCamera::default() };
                 orbit.look_from(view);
                 orbit.fit(&bounds, size.x / size.y);
@@ -298,7 +298,7 @@ mod tests {
     #[test]
     fn yaw_and_pitch_go_where_they_say() {
         let mut orbit = OrbitCamera { target: Vec3::ZERO, distance: 2.0, ..OrbitCamera::default() };
-        for (view, eye) in [(View::Front, Vec3::Z), (View::Right, Vec3::X), (View::Top, Vec3::Y)] {
+        for (view, eye) in [(ViewDirection::Front, Vec3::Z), (ViewDirection::Right, Vec3::X), (ViewDirection::Top, Vec3::Y)] {
             orbit.look_from(view);
             assert!((orbit.camera().eye - eye * 2.0).length() < 1e-5, "{view:?}");
         }

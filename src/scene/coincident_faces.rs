@@ -10,17 +10,17 @@ use rustc_hash::FxHashMap;
 use super::Mesh;
 
 /// Cosine between normals from which on they are opposite.
-const OPPOSITE: f32 = -0.98;
+const OPPOSITE_COSINE: f32 = -0.98;
 /// Any two normals that are opposite have one whose cosine with a third normal is less.
-const SAME_SIDE: f32 = 0.2;
+const SIDE_COSINE: f32 = 0.2;
 /// Corners where more triangles meet are looked into only so far; their triangles are found from other corners too.
-const CROWD: usize = 64;
+const MAX_TRIANGLES_PER_CORNER: usize = 64;
 /// Most opposite triangles that are looked at for one triangle.
-const NEIGHBOURS: usize = 160;
+const MAX_CANDIDATES: usize = 160;
 /// How far apart two planes may be and still be one, as a share of the triangle's longest side.
-const APART: f64 = 1e-4;
+const PLANE_TOLERANCE: f64 = 1e-4;
 /// Shares of the corners in the places that are asked about: the middle, near the corners, near the middles of the sides.
-const PLACES: [[f64; 3]; 7] = [
+const SAMPLE_POINTS: [[f64; 3]; 7] = [
     [1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0],
     [0.9, 0.05, 0.05],
     [0.05, 0.9, 0.05],
@@ -38,12 +38,12 @@ pub fn backed_triangles(mesh: &Mesh) -> Vec<bool> {
     let welded = Welded { points: weld(&mesh.positions), triangles: &mesh.triangles };
     // A triangle without an area has a normal of zero, and so has one whose corners aren't there.
     let normals: Vec<Vec3> = mesh.triangles.iter().map(|corners| normal(mesh, *corners).as_vec3()).collect();
-    let Some(folded) = folded(&welded, &normals) else { return Vec::new() };
+    let Some(candidate_points) = opposite_normal_points(&welded, &normals) else { return Vec::new() };
     let fans = Fans::new(&welded);
     let search = Search { mesh, welded: &welded, normals: &normals, fans: &fans };
     let (mut near, mut seen) = (Vec::new(), Vec::new());
     let is_backed = |t: usize| {
-        let may_be = welded.corners(t).is_some_and(|corners| corners.iter().any(|point| folded[*point as usize]));
+        let may_be = welded.corners(t).is_some_and(|corners| corners.iter().any(|point| candidate_points[*point as usize]));
         may_be && search.is_backed(t, &mut near, &mut seen)
     };
     let backed: Vec<bool> = (0..mesh.triangles.len()).map(is_backed).collect();
@@ -78,33 +78,33 @@ impl Welded<'_> {
     }
 }
 
-fn place(mesh: &Mesh, vertex: u32) -> DVec3 {
+fn position(mesh: &Mesh, vertex: u32) -> DVec3 {
     mesh.positions.get(vertex as usize).copied().unwrap_or(Vec3::NAN).as_dvec3()
 }
 
 /// The unit normal; zero where there is none.
 fn normal(mesh: &Mesh, corners: [u32; 3]) -> DVec3 {
-    let [a, b, c] = corners.map(|vertex| place(mesh, vertex));
+    let [a, b, c] = corners.map(|vertex| position(mesh, vertex));
     let normal = (b - a).cross(c - a).normalize_or_zero();
     if normal.is_finite() { normal } else { DVec3::ZERO }
 }
 
 /// Which points have triangles that face apart, as those have where a surface lies on its own back; `None` where no point has.
-fn folded(welded: &Welded<'_>, normals: &[Vec3]) -> Option<Vec<bool>> {
+fn opposite_normal_points(welded: &Welded<'_>, normals: &[Vec3]) -> Option<Vec<bool>> {
     let mut first = vec![Vec3::ZERO; welded.points.len()];
-    let (mut folded, mut any) = (vec![false; welded.points.len()], false);
+    let (mut candidate_points, mut any) = (vec![false; welded.points.len()], false);
     for (t, corners) in welded.all() {
         let normal = normals[t as usize];
         for point in corners {
             let first = &mut first[point as usize];
             if *first == Vec3::ZERO {
                 *first = normal;
-            } else if normal != Vec3::ZERO && first.dot(normal) < SAME_SIDE {
-                (folded[point as usize], any) = (true, true);
+            } else if normal != Vec3::ZERO && first.dot(normal) < SIDE_COSINE {
+                (candidate_points[point as usize], any) = (true, true);
             }
         }
     }
-    any.then_some(folded)
+    any.then_some(candidate_points)
 }
 
 /// The triangles round each point.
@@ -135,7 +135,7 @@ impl Fans {
 
     fn of(&self, point: u32) -> &[u32] {
         let all = &self.triangles[self.start[point as usize] as usize..self.start[point as usize + 1] as usize];
-        &all[..all.len().min(CROWD)]
+        &all[..all.len().min(MAX_TRIANGLES_PER_CORNER)]
     }
 }
 
@@ -150,18 +150,18 @@ impl Search<'_> {
     /// Whether opposite triangles lie on all places of triangle `t`. They are looked for from its corners on, over their own corners.
     fn is_backed(&self, t: usize, near: &mut Vec<u32>, seen: &mut Vec<u32>) -> bool {
         let Some(own) = self.welded.corners(t) else { return false };
-        let [a, b, c] = self.mesh.triangles[t].map(|vertex| place(self.mesh, vertex));
+        let [a, b, c] = self.mesh.triangles[t].map(|vertex| position(self.mesh, vertex));
         let side = (b - a).length().max((c - b).length()).max((a - c).length());
-        let reach = side * APART + (a.abs().max(b.abs()).max(c.abs())).max_element() * 1e-6;
-        let mut open = PLACES.map(|[x, y, z]| Some(a * x + b * y + c * z));
+        let reach = side * PLANE_TOLERANCE + (a.abs().max(b.abs()).max(c.abs())).max_element() * 1e-6;
+        let mut open = SAMPLE_POINTS.map(|[x, y, z]| Some(a * x + b * y + c * z));
         near.clear();
         seen.clear();
-        self.meet(t, &own, near, seen);
+        self.collect_neighbours(t, &own, near, seen);
         let mut next = 0;
         while let Some(&other) = near.get(next) {
             next += 1;
             for place in &mut open {
-                if place.is_some_and(|at| self.holds(other as usize, at, reach)) {
+                if place.is_some_and(|at| self.contains(other as usize, at, reach)) {
                     *place = None;
                 }
             }
@@ -169,16 +169,16 @@ impl Search<'_> {
                 return true;
             }
             if let Some(points) = self.welded.corners(other as usize) {
-                self.meet(t, &points, near, seen);
+                self.collect_neighbours(t, &points, near, seen);
             }
         }
         false
     }
 
     /// Adds the triangles round these points that face the other way than `t`.
-    fn meet(&self, t: usize, points: &[u32; 3], near: &mut Vec<u32>, seen: &mut Vec<u32>) {
+    fn collect_neighbours(&self, t: usize, points: &[u32; 3], near: &mut Vec<u32>, seen: &mut Vec<u32>) {
         for point in points {
-            if near.len() >= NEIGHBOURS {
+            if near.len() >= MAX_CANDIDATES {
                 return;
             }
             if seen.contains(point) {
@@ -186,8 +186,8 @@ impl Search<'_> {
             }
             seen.push(*point);
             for &other in self.fans.of(*point) {
-                let opposite = self.normals[t].dot(self.normals[other as usize]) < OPPOSITE;
-                if opposite && near.len() < NEIGHBOURS && !near.contains(&other) {
+                let opposite = self.normals[t].dot(self.normals[other as usize]) < OPPOSITE_COSINE;
+                if opposite && near.len() < MAX_CANDIDATES && !near.contains(&other) {
                     near.push(other);
                 }
             }
@@ -195,8 +195,8 @@ impl Search<'_> {
     }
 
     /// Whether a place lies in triangle `t`, at most `reach` beside its plane and its sides.
-    fn holds(&self, t: usize, at: DVec3, reach: f64) -> bool {
-        let [a, b, c] = self.mesh.triangles[t].map(|vertex| place(self.mesh, vertex));
+    fn contains(&self, t: usize, at: DVec3, reach: f64) -> bool {
+        let [a, b, c] = self.mesh.triangles[t].map(|vertex| position(self.mesh, vertex));
         let normal = (b - a).cross(c - a).normalize_or_zero();
         let inside = |p: DVec3, q: DVec3| normal.cross(q - p).normalize_or_zero().dot(at - p) >= -reach;
         normal.dot(at - a).abs() <= reach && inside(a, b) && inside(b, c) && inside(c, a)

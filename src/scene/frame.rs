@@ -35,9 +35,9 @@ pub struct Ghost {
     pub depth_offset: f32,
 }
 
-/// A line over the scene that somebody wants drawn; a dot where both ends are one point.
+/// A line drawn over the scene; a dot where both ends are equal.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Mark {
+pub struct OverlayLine {
     /// One end, world, metres.
     pub from: Vec3,
     /// The other.
@@ -60,12 +60,12 @@ pub struct Surface {
     /// One a part of the mesh.
     pub materials: Arc<[Option<MaterialBinding>]>,
     /// Where it is.
-    pub placement: SurfaceGeometry,
+    pub geometry: SurfaceGeometry,
     /// Whether the transform mirrors, so that clockwise is outside.
     pub mirrored: bool,
     /// The muscle that it shows, if it does.
     pub muscle: Option<MuscleId>,
-    /// The box round it in the world where it is known to be closed, with its outside outward everywhere; who is not in that box cannot see its back faces.
+    /// The box round it in the world where it is known to be closed, with its outside outward everywhere; a camera outside of that box cannot see its back faces.
     pub solid: Option<Bounds>,
     /// Whether its node is shown.
     pub visible: bool,
@@ -73,7 +73,7 @@ pub struct Surface {
     pub content: u32,
     /// Whether it is a mesh that muscles lie beneath.
     pub skin: bool,
-    /// How it is drawn if it only accompanies the scene. Such a one cannot be picked; its node and materials need not be the scene's.
+    /// How it is drawn if it belongs to a secondary pose. Such a surface cannot be picked; its node and materials need not be the scene's.
     pub ghost: Option<Ghost>,
 }
 
@@ -97,12 +97,12 @@ pub struct Frame {
     pub joints: Vec<Joint>,
     /// Materials at this moment, as [`super::Scene::materials`] but with animated values.
     pub materials: Vec<Material>,
-    /// Lines that somebody wants drawn over the scene: paths, the bones of ghosts.
-    pub marks: Vec<Mark>,
+    /// Lines drawn over the scene: motion paths, the bones of onion skins.
+    pub overlay_lines: Vec<OverlayLine>,
     /// The box round everything visible, in the world; round the joints where there is no surface.
     pub bounds: Bounds,
-    /// Changes whenever surfaces, meshes or nodes were laid out anew, so that whoever keeps things made from them knows.
-    pub stamp: u64,
+    /// Changes whenever the list of surfaces, meshes or nodes changes, so that caches made from them can be invalidated.
+    pub layout_revision: u64,
 }
 
 impl Frame {
@@ -115,7 +115,7 @@ impl Frame {
 impl Surface {
     /// Position of vertex `v` in the world; NaN where it isn't there.
     pub fn position(&self, v: u32) -> Vec3 {
-        match &self.placement {
+        match &self.geometry {
             SurfaceGeometry::Rigid(matrix) => self.mesh.positions.get(v as usize).map_or(Vec3::NAN, |p| matrix.transform_point3(*p)),
             SurfaceGeometry::Deformed { positions, .. } => positions.get(v as usize).copied().unwrap_or(Vec3::NAN),
         }

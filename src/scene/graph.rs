@@ -44,7 +44,7 @@ pub enum Content {
 /// A node: a place in the tree, a local transform, and what hangs on it.
 #[derive(Debug, Clone, Default)]
 pub struct Node {
-    /// What a person calls it; never empty once read (falls back to id, then to a number).
+    /// Display name; never empty once read (falls back to id, then to a number).
     pub name: String,
     /// The id in the file; empty where it has none.
     pub id: String,

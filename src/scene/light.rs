@@ -23,7 +23,7 @@ pub enum LightKind {
 /// A light of the file. It stands in the tree and the report; the picture is lit by the viewer's own light.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Light {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id in the file.
     pub id: String,

@@ -9,7 +9,7 @@ use super::{ImageId, MaterialId};
 
 /// How a texture goes on beyond its edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Wrap {
+pub enum WrapMode {
     /// Again and again.
     #[default]
     Repeat,
@@ -23,26 +23,26 @@ pub enum Wrap {
 
 /// Where a texture lies on the texture coordinates that are given: `uv′ = turned(uv · repeat + offset)`, turned about the middle of a tile.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placing {
+pub struct TextureTransform {
     /// How often it repeats along each axis.
     pub repeat: Vec2,
     /// What is added then, tiles.
     pub offset: Vec2,
-    /// By how much the coordinates turn then about (½, ½), counter-clockwise, degrees.
-    pub turn: f32,
+    /// Rotation of the coordinates about (½, ½) after that, counter-clockwise, degrees.
+    pub rotation: f32,
 }
 
-impl Default for Placing {
+impl Default for TextureTransform {
     fn default() -> Self {
-        Self { repeat: Vec2::ONE, offset: Vec2::ZERO, turn: 0.0 }
+        Self { repeat: Vec2::ONE, offset: Vec2::ZERO, rotation: 0.0 }
     }
 }
 
-impl Placing {
+impl TextureTransform {
     /// From the coordinates that are given to those that the image is read with.
     pub fn matrix(&self) -> Affine2 {
         const MIDDLE: Vec2 = Vec2::splat(0.5);
-        let turn = Affine2::from_translation(MIDDLE) * Affine2::from_angle(self.turn.to_radians()) * Affine2::from_translation(-MIDDLE);
+        let turn = Affine2::from_translation(MIDDLE) * Affine2::from_angle(self.rotation.to_radians()) * Affine2::from_translation(-MIDDLE);
         turn * Affine2::from_scale_angle_translation(self.repeat, 0.0, self.offset)
     }
 }
@@ -55,11 +55,11 @@ pub struct TextureRef {
     /// The name of the texture coordinates that the effect asks for, bound in [`MaterialBinding`].
     pub semantic: String,
     /// Behaviour beyond the left and right edge.
-    pub wrap_s: Wrap,
+    pub wrap_s: WrapMode,
     /// Behaviour beyond the lower and upper edge.
-    pub wrap_t: Wrap,
+    pub wrap_t: WrapMode,
     /// Where it lies on the texture coordinates; `None` as these say.
-    pub placing: Option<Placing>,
+    pub transform: Option<TextureTransform>,
 }
 
 /// A colour, or a texture that multiplies it.
@@ -108,7 +108,7 @@ pub enum AlphaSource {
 /// A material, resolved: opaque modes are already turned into one opacity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -155,8 +155,8 @@ impl Default for Material {
 }
 
 impl Material {
-    /// Takes over the colours and numbers of `other`, the values that animation can change. Allocates nothing.
-    pub fn take_values(&mut self, other: &Self) {
+    /// Copies the colours and numbers of `other` that animation can change. Allocates nothing.
+    pub fn copy_animated_from(&mut self, other: &Self) {
         self.diffuse.color = other.diffuse.color;
         self.emission.color = other.emission.color;
         self.ambient.color = other.ambient.color;
@@ -202,7 +202,7 @@ pub struct Pixels {
 /// An image that textures refer to.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Image {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -226,14 +226,14 @@ mod tests {
 
     #[test]
     fn a_texture_repeats_then_moves_then_turns_about_the_middle_of_a_tile() {
-        let read = |placing: Placing, u: f32, v: f32| placing.matrix().transform_point2(Vec2::new(u, v));
-        assert_eq!(read(Placing::default(), 0.25, 0.75), Vec2::new(0.25, 0.75));
-        let moved = Placing { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.5, -0.25), turn: 0.0 };
+        let read = |placing: TextureTransform, u: f32, v: f32| placing.matrix().transform_point2(Vec2::new(u, v));
+        assert_eq!(read(TextureTransform::default(), 0.25, 0.75), Vec2::new(0.25, 0.75));
+        let moved = TextureTransform { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.5, -0.25), rotation: 0.0 };
         assert_eq!(read(moved, 0.5, 1.0), Vec2::new(2.0, 1.75));
         // A quarter turn takes the right edge's middle to the upper edge's.
-        let turned = read(Placing { turn: 90.0, ..Placing::default() }, 1.0, 0.5);
+        let turned = read(TextureTransform { rotation: 90.0, ..TextureTransform::default() }, 1.0, 0.5);
         assert!(turned.abs_diff_eq(Vec2::new(0.5, 1.0), 1e-6), "{turned}");
-        let all = read(Placing { turn: 90.0, ..moved }, 0.5, 1.0);
+        let all = read(TextureTransform { rotation: 90.0, ..moved }, 0.5, 1.0);
         assert!(all.abs_diff_eq(Vec2::new(-0.75, 2.0), 1e-6), "{all}");
     }
 }

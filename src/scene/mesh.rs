@@ -23,7 +23,7 @@ pub struct Part {
 /// [`Mesh::source_vertex`] says which it was.
 #[derive(Debug, Clone, Default)]
 pub struct Mesh {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id in the file.
     pub id: String,

@@ -1,4 +1,4 @@
-//! The scene graph and all that hangs on it. Knows nobody: no format, no drawing, no window.
+//! The scene graph and its contents. Independent of formats, drawing and the window.
 //!
 //! World: right-handed, +Y up, metres. A loaded file hangs under an *asset* node that carries its unit and up axis, so local values
 //! stay as the file wrote them. Transforms are composed in `f64`; geometry is `f32`.
@@ -15,12 +15,12 @@ mod skin;
 mod transform;
 
 pub use bounds::Bounds;
-pub use camera::{Camera, FileCamera, OrbitCamera, Projection, View};
+pub use camera::{Camera, FileCamera, OrbitCamera, Projection, ViewDirection};
 pub use coincident_faces::backed_triangles;
-pub use frame::{Frame, Ghost, Joint, Mark, Surface, SurfaceGeometry};
+pub use frame::{Frame, Ghost, Joint, OverlayLine, Surface, SurfaceGeometry};
 pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
-pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, Placing, ShadingModel, TextureRef, Wrap};
+pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, TextureTransform, WrapMode};
 pub use mesh::{Mesh, Part, smooth_normals};
 pub use skin::{Deformer, Influence, MeshInstance, Morph, MorphMethod, MorphTarget, Skin, SkinJoint, SkinnedTarget};
 pub use transform::{Transform, TransformOp, affine, compose};

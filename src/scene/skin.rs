@@ -1,4 +1,4 @@
-//! What bends a mesh: skins and morphs, and an instance that puts them on it.
+//! Mesh deformers: skins and morphs, and the mesh instances that use them.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub struct SkinJoint {
     pub inverse_bind: DMat4,
 }
 
-/// One joint's share in a point.
+/// Weight of one joint for one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Influence {
     /// Index in [`Skin::joints`]; −1 is the bind shape itself, which no joint moves.
@@ -27,7 +27,7 @@ pub struct Influence {
 /// A skin: `v' = Σ wᵢ Jᵢ IBMᵢ BSM v` (COLLADA 1.4.1, chapter 4, "Skin deformation (or skinning) in COLLADA").
 #[derive(Debug, Clone, Default)]
 pub struct Skin {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id of the controller in the file.
     pub id: String,
@@ -53,13 +53,13 @@ impl Skin {
 }
 
 impl Skin {
-    /// Whether the bind shape matrix is the identity, but for what printing costs.
-    pub fn binds_as_it_is(&self) -> bool {
+    /// Whether the bind shape matrix is the identity within the rounding of printed numbers.
+    pub fn has_identity_bind_shape(&self) -> bool {
         self.bind_shape.abs_diff_eq(DMat4::IDENTITY, 1e-5)
     }
 }
 
-/// How morph targets add up.
+/// How morph targets are combined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MorphMethod {
     /// `base · (1 − Σw) + Σ w·target`.
@@ -72,7 +72,7 @@ pub enum MorphMethod {
 /// A shape that a mesh can be drawn towards.
 #[derive(Debug, Clone, Default)]
 pub struct MorphTarget {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// For each vertex of the base mesh what weight 1 adds to its position, so that both methods are `base + Σ w·delta` over the bare mesh. Over another
     /// deformer a normalised target is `mesh + delta`, and the result is mixed with it.
@@ -84,7 +84,7 @@ pub struct MorphTarget {
 /// A morph: targets and their weights at rest.
 #[derive(Debug, Clone, Default)]
 pub struct Morph {
-    /// What a person calls it.
+    /// Display name.
     pub name: String,
     /// The id of the controller in the file.
     pub id: String,

@@ -214,7 +214,7 @@ impl Comparison {
             CompareTarget::Clip(_) | CompareTarget::Skinning => context.document,
         };
         if context.bones || !other.shows_surface() {
-            self.posed.sketch_bones(&other.scene, tint, 0.9, &mut frame.marks);
+            self.posed.sketch_bones(&other.scene, tint, 0.9, &mut frame.overlay_lines);
         }
         let bounds = self.posed.bounds();
         // Where both coincide the main one is drawn in front.

@@ -4,7 +4,7 @@ use glam::{DMat4, DVec3, Vec3};
 
 use super::overlays::{PoseContext, color};
 use crate::document::PoseState;
-use crate::scene::{Frame, Mark, NodeId};
+use crate::scene::{Frame, NodeId, OverlayLine};
 
 /// Most line segments of a path, and most dots on it.
 const MAX_SEGMENTS: usize = 600;
@@ -32,10 +32,10 @@ impl MotionPath {
         });
         let color = color(context.selection_color);
         let place = |place: &DVec3| context.state.model.transform_point3(*place).as_vec3();
-        let mark = |from: Vec3, to: Vec3, width: f32, opacity: f32| Mark { from, to, color, opacity, width };
+        let mark = |from: Vec3, to: Vec3, width: f32, opacity: f32| OverlayLine { from, to, color, opacity, width };
         let ends = path.positions.iter().zip(path.positions.iter().skip(1));
         let now = frame.position(node);
-        let marks = &mut frame.marks;
+        let marks = &mut frame.overlay_lines;
         marks.extend(ends.map(|(from, to)| (place(from), place(to))).filter(|(from, to)| from != to).map(|(a, b)| mark(a, b, 1.8, 0.9)));
         marks.extend(path.key_positions.iter().map(place).map(|key| mark(key, key, 5.5, 1.0)));
         marks.push(mark(now, now, 9.0, 1.0));

@@ -38,7 +38,7 @@ impl OnionSkins {
             let opacity = NEAREST_OPACITY * (1.0 - 0.75 * (share - 0.1).max(0.0));
             skin.pose(context.document, &PoseState { time, ..context.state });
             if context.bones {
-                skin.sketch_bones(&context.document.scene, tint, opacity * 1.6, &mut frame.marks);
+                skin.sketch_bones(&context.document.scene, tint, opacity * 1.6, &mut frame.overlay_lines);
             }
             skin.lend(frame, Ghost { tint, tint_share: 0.65, opacity, materials: false, depth_offset: DEPTH_OFFSET });
         }

@@ -55,7 +55,7 @@ impl SceneOverlays {
             Some((name, other)) => Some(CompareTarget::File(Box::new(other), name)),
             None => saved.compared.as_ref().and_then(|compared| compared.target_within(document)),
         };
-        let yaw = saved.camera.map_or(crate::scene::View::Start.angles().0, |camera| camera.yaw);
+        let yaw = saved.camera.map_or(crate::scene::ViewDirection::Start.angles().0, |camera| camera.yaw);
         let mut comparison = target.and_then(|target| Comparison::new(target, document, yaw));
         if let (Some(comparison), Some(compared)) = (&mut comparison, &saved.compared) {
             comparison.apply_saved(compared);
@@ -124,7 +124,7 @@ impl SceneOverlays {
             comparison.remove_from(frame);
         }
         self.onion_skins.remove_from(frame);
-        frame.marks.clear();
+        frame.overlay_lines.clear();
     }
 
     /// Poses the overlays and appends them to the frame, which has just been posed as `context` says.

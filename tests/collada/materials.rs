@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 use sinew::collada::Loaded;
 use sinew::diagnostics::Severity;
-use sinew::scene::{AlphaSource, Material, Placing, ShadingModel, Wrap};
+use sinew::scene::{AlphaSource, Material, ShadingModel, TextureTransform, WrapMode};
 
 use crate::build::*;
 
@@ -130,7 +130,7 @@ fn textures_come_through_samplers_or_straight() {
     }
     let loaded = load_clean(&textured(SAMPLER_14, TEXTURED, IMAGE));
     let texture = material(&loaded).diffuse.texture.clone().expect("a texture");
-    assert_eq!((texture.wrap_s, texture.wrap_t), (Wrap::Clamp, Wrap::Mirror));
+    assert_eq!((texture.wrap_s, texture.wrap_t), (WrapMode::Clamp, WrapMode::Mirror));
 }
 
 #[test]
@@ -274,19 +274,22 @@ fn the_place_that_maya_gives_a_texture_is_read() {
     let full = "<repeatU>3</repeatU><repeatV sid=\"r\"> 2 </repeatV><offsetU>0.5</offsetU><offsetV>-0.25</offsetV><rotateUV>90</rotateUV>";
     for profile in ["MAYA", "OpenCOLLADAMaya"] {
         let texture = placed(&maya(profile, full), "");
-        assert_eq!(texture.placing, Some(Placing { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.5, -0.25), turn: 90.0 }));
+        assert_eq!(
+            texture.transform,
+            Some(TextureTransform { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.5, -0.25), rotation: 90.0 })
+        );
     }
-    assert_eq!(placed(&maya("MAX3D", full), "").placing, None);
-    assert_eq!(placed(&maya("MAYA", "<repeatU>1</repeatU><rotateUV>0</rotateUV>"), "").placing, None);
+    assert_eq!(placed(&maya("MAX3D", full), "").transform, None);
+    assert_eq!(placed(&maya("MAYA", "<repeatU>1</repeatU><rotateUV>0</rotateUV>"), "").transform, None);
     for (inside, wanted) in [
-        ("<wrapU>1</wrapU>", Wrap::Repeat),
-        ("<wrapU>FALSE</wrapU>", Wrap::Border),
-        ("<mirrorU>true</mirrorU>", Wrap::Mirror),
-        ("<wrapU>TRUE</wrapU><mirrorU>1</mirrorU>", Wrap::Mirror),
-        ("<repeatU>2</repeatU>", Wrap::Clamp),
+        ("<wrapU>1</wrapU>", WrapMode::Repeat),
+        ("<wrapU>FALSE</wrapU>", WrapMode::Border),
+        ("<mirrorU>true</mirrorU>", WrapMode::Mirror),
+        ("<wrapU>TRUE</wrapU><mirrorU>1</mirrorU>", WrapMode::Mirror),
+        ("<repeatU>2</repeatU>", WrapMode::Clamp),
     ] {
         let texture = placed(&maya("MAYA", inside), "<wrap_s>CLAMP</wrap_s>");
-        assert_eq!((texture.wrap_s, texture.wrap_t), (wanted, Wrap::Repeat), "{inside}");
+        assert_eq!((texture.wrap_s, texture.wrap_t), (wanted, WrapMode::Repeat), "{inside}");
     }
 }
 

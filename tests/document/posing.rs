@@ -68,7 +68,7 @@ fn skinned(root: DMat4, node: DMat4, bind_shape: DMat4, joints: &[(DMat4, DMat4)
 fn deformed(document: &Document, state: &PoseState) -> (Vec<Vec3>, Vec<Vec3>) {
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     document.pose(state, &mut buffers, &mut frame);
-    match &frame.surfaces[0].placement {
+    match &frame.surfaces[0].geometry {
         SurfaceGeometry::Deformed { positions, normals } => (positions.clone(), normals.clone()),
         SurfaceGeometry::Rigid(_) => panic!("the surface is not deformed"),
     }

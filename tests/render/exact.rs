@@ -7,7 +7,7 @@ use crate::render_support::{World, camera_at, plain};
 use glam::{Mat4, Vec3, Vec4};
 use proptest::prelude::*;
 use sinew::render::{Background, Display, Renderer, Samples, Shading};
-use sinew::scene::{Bounds, Camera, Material, OrbitCamera, Paint, Projection, ShadingModel, Wrap};
+use sinew::scene::{Bounds, Camera, Material, OrbitCamera, Paint, Projection, ShadingModel, WrapMode};
 
 const SIZE: [u32; 2] = [96, 72];
 
@@ -87,7 +87,7 @@ fn lambert_is_lambert() {
 /// A world with a bit of everything.
 fn everything() -> (World, Display, Camera) {
     let mut world = World::default();
-    let texture = world.image(64, 48, |x, y| checker(x, y, 8, 64), Wrap::Mirror);
+    let texture = world.image(64, 48, |x, y| checker(x, y, 8, 64), WrapMode::Mirror);
     let diffuse = Paint { color: Vec3::ONE, texture: Some(texture) };
     let specular = Paint::color(0.5, 0.5, 0.4);
     let checkered = world.material(Material { diffuse, model: ShadingModel::Phong, specular, shininess: 40.0, ..Material::default() });
@@ -306,7 +306,7 @@ proptest! {
         shading in prop::sample::select(vec![Shading::Flat, Shading::Gouraud, Shading::Phong]),
     ) {
         let mut world = World::default();
-        let texture = world.image(5, 3, |x, y| checker(x, y, 2, 5), Wrap::Repeat);
+        let texture = world.image(5, 3, |x, y| checker(x, y, 2, 5), WrapMode::Repeat);
         let diffuse = Paint { color: Vec3::ONE, texture: four.then_some(texture) };
         let material = world.material(Material { diffuse, opacity, ..Material::default() });
         let positions: Vec<Vec3> = points.iter().map(|&(x, y, z)| Vec3::new(x, y, z)).collect();

@@ -5,7 +5,7 @@ use crate::render_support::models::{self, belly, checker, profile, sphere, squar
 use crate::render_support::{World, camera_at};
 use glam::{Mat4, Vec2, Vec3};
 use sinew::render::{Background, Display, Palette, Renderer, Samples, Shading, Theme};
-use sinew::scene::{AlphaSource, Camera, Material, OrbitCamera, Paint, ShadingModel, TextureRef, View, Wrap};
+use sinew::scene::{AlphaSource, Camera, Material, OrbitCamera, Paint, ShadingModel, TextureRef, ViewDirection, WrapMode};
 
 const SIZE: [u32; 2] = [160, 120];
 
@@ -15,7 +15,7 @@ fn golden(name: &str, world: &World, camera: &Camera, display: &Display) {
 }
 
 /// A camera that has all of the world in view.
-fn fitted(world: &World, view: View) -> Camera {
+fn fitted(world: &World, view: ViewDirection) -> Camera {
     let mut orbit = OrbitCamera::default();
     orbit.look_from(view);
     orbit.fit(&world.frame.bounds, 4.0 / 3.0);
@@ -38,9 +38,9 @@ fn shading() {
         let mut world = World::default();
         let material = world.material(shiny([0.8, 0.5, 0.4]));
         world.place(sphere(16, 9), Mat4::IDENTITY, Some(material));
-        golden(&format!("shading-{name}"), &world, &fitted(&world, View::Start), &Display { shading, ..quiet() });
+        golden(&format!("shading-{name}"), &world, &fitted(&world, ViewDirection::Start), &Display { shading, ..quiet() });
         let faces = Display { shading, smooth_normals: false, ..quiet() };
-        golden(&format!("shading-{name}-faces"), &world, &fitted(&world, View::Start), &faces);
+        golden(&format!("shading-{name}-faces"), &world, &fitted(&world, ViewDirection::Start), &faces);
     }
 }
 
@@ -58,14 +58,14 @@ fn the_light_can_be_moved_and_seen() {
 fn inside_of_an_open_surface_is_lit() {
     let mut world = World::default();
     world.place(belly(21, 24, |v| 0.35 + 0.35 * v), Mat4::IDENTITY, None);
-    let camera = fitted(&world, View::Top);
+    let camera = fitted(&world, ViewDirection::Top);
     golden("two-sided", &world, &camera, &quiet());
-    golden("back-faces-left-out", &world, &fitted(&world, View::Iso), &Display { cull_back_faces: true, ..quiet() });
+    golden("back-faces-left-out", &world, &fitted(&world, ViewDirection::Iso), &Display { cull_back_faces: true, ..quiet() });
 }
 
 #[test]
 fn textures_wrap_four_ways() {
-    for wrap in [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp, Wrap::Border] {
+    for wrap in [WrapMode::Repeat, WrapMode::Mirror, WrapMode::Clamp, WrapMode::Border] {
         let mut world = World::default();
         let texture = world.image(8, 8, |x, y| checker(x, y, 4, 8), wrap);
         let material = world.material(Material { diffuse: Paint { color: Vec3::ONE, texture: Some(texture) }, ..Material::default() });
@@ -80,7 +80,7 @@ fn textures_wrap_four_ways() {
 #[test]
 fn textures_lie_in_perspective_and_get_coarser_with_distance() {
     let mut world = World::default();
-    let texture = world.image(128, 128, |x, y| checker(x, y, 16, 128), Wrap::Repeat);
+    let texture = world.image(128, 128, |x, y| checker(x, y, 16, 128), WrapMode::Repeat);
     let material = world.material(Material { diffuse: Paint { color: Vec3::ONE, texture: Some(texture) }, ..Material::default() });
     let mut mesh = square();
     mesh.uv_sets[0].iter_mut().for_each(|uv| *uv *= 6.0);
@@ -102,7 +102,7 @@ fn opacity_from_a_texture_cuts_holes() {
             let on = if (6.0..13.0).contains(&d) { 255 } else { 0 };
             [on, on, on, on]
         };
-        let texture: TextureRef = world.image(32, 32, ring, Wrap::Clamp);
+        let texture: TextureRef = world.image(32, 32, ring, WrapMode::Clamp);
         let material = world.material(Material { opacity_texture: Some((texture, source)), ..Material::default() });
         world.place(square(), Mat4::IDENTITY, Some(material));
         golden(&format!("cutout-{source:?}").to_lowercase(), &world, &camera_at(2.8), &quiet());
@@ -116,8 +116,8 @@ fn glass_shows_what_is_behind() {
         let material = world.material(Material { opacity, ..shiny(color) });
         world.place(sphere(32, 17), Mat4::from_translation(Vec3::new(k as f32 * 0.8 - 0.8, 0.0, k as f32 * 0.6)), Some(material));
     }
-    golden("glass", &world, &fitted(&world, View::Front), &quiet());
-    golden("glass-transparent", &world, &fitted(&world, View::Front), &Display { background: Background::Transparent, ..quiet() });
+    golden("glass", &world, &fitted(&world, ViewDirection::Front), &quiet());
+    golden("glass-transparent", &world, &fitted(&world, ViewDirection::Front), &Display { background: Background::Transparent, ..quiet() });
 }
 
 #[test]
@@ -128,26 +128,26 @@ fn vertices_bring_colours() {
     let white = world.material(Material { diffuse: Paint::color(1.0, 1.0, 1.0), ..Material::default() });
     world.place(mesh, Mat4::IDENTITY, Some(white));
     for (name, shading) in [("gouraud", Shading::Gouraud), ("phong", Shading::Phong)] {
-        golden(&format!("colours-{name}"), &world, &fitted(&world, View::Start), &Display { shading, ..quiet() });
+        golden(&format!("colours-{name}"), &world, &fitted(&world, ViewDirection::Start), &Display { shading, ..quiet() });
     }
-    golden("no-materials", &world, &fitted(&world, View::Start), &Display { materials: false, ..quiet() });
+    golden("no-materials", &world, &fitted(&world, ViewDirection::Start), &Display { materials: false, ..quiet() });
 }
 
 #[test]
 fn emission_glows() {
     let mut world = World::default();
-    let glow = world.image(16, 16, |x, _| if x / 2 % 2 == 0 { [255, 200, 60, 255] } else { [0, 0, 0, 255] }, Wrap::Repeat);
+    let glow = world.image(16, 16, |x, _| if x / 2 % 2 == 0 { [255, 200, 60, 255] } else { [0, 0, 0, 255] }, WrapMode::Repeat);
     let emission = Paint { color: Vec3::ONE, texture: Some(glow) };
     let material = world.material(Material { diffuse: Paint::color(0.2, 0.2, 0.3), emission, ..Material::default() });
     world.place(sphere(32, 17), Mat4::IDENTITY, Some(material));
-    golden("emission", &world, &fitted(&world, View::Start), &quiet());
+    golden("emission", &world, &fitted(&world, ViewDirection::Start), &quiet());
 }
 
 #[test]
 fn muscles_have_fibres() {
     let mut world = World::default();
     let node = world.place_muscle(belly(41, 36, profile), Mat4::from_rotation_z(1.2), None);
-    let camera = fitted(&world, View::Front);
+    let camera = fitted(&world, ViewDirection::Front);
     golden("muscle", &world, &camera, &quiet());
     golden("muscle-phong", &world, &camera, &Display { shading: Shading::Phong, ..quiet() });
     golden("muscle-flat", &world, &camera, &Display { shading: Shading::Flat, ..quiet() });
@@ -160,7 +160,7 @@ fn muscles_have_fibres() {
 fn bones() {
     let mut world = World::default();
     let joints = models::arm(&mut world, 50.0);
-    let camera = fitted(&world, View::Start);
+    let camera = fitted(&world, ViewDirection::Start);
     let base = Display { bones: true, ..quiet() };
     golden("bones", &world, &camera, &base);
     golden("bones-no-xray", &world, &camera, &Display { xray: false, ..base.clone() });
@@ -175,7 +175,7 @@ fn bones() {
 fn helpers() {
     let mut world = World::default();
     models::arm(&mut world, 50.0);
-    let camera = fitted(&world, View::Start);
+    let camera = fitted(&world, ViewDirection::Start);
     golden("grid", &world, &camera, &Display::default());
     golden("axes", &world, &camera, &Display { axes: true, bounding_box: true, ..quiet() });
     golden("wireframe", &world, &camera, &Display { wireframe: true, ..quiet() });
@@ -225,7 +225,7 @@ fn nothing_is_white_or_black() {
     let white = world.material(Material { diffuse: Paint::color(0.95, 0.95, 0.95), ..shiny([1.0; 3]) });
     world.place(sphere(48, 25), Mat4::IDENTITY, Some(white));
     let display = Display { background: Background::Transparent, samples: Samples::One, ..quiet() };
-    let pixels = world.draw(&mut Renderer::new(Some(1)), &fitted(&world, View::Start), &display, SIZE);
+    let pixels = world.draw(&mut Renderer::new(Some(1)), &fitted(&world, ViewDirection::Start), &display, SIZE);
     let surface: Vec<u32> = pixels.into_iter().filter(|p| p >> 24 == 255).collect();
     assert!(surface.len() > 3000, "{}", surface.len());
     let lightest = surface.iter().map(|p| p & 255).max();

@@ -52,7 +52,7 @@ fn bones_are_picked_where_they_show() {
     let mut world = World::default();
     let joints = models::arm(&mut world, 0.0);
     let mut orbit = OrbitCamera::default();
-    orbit.look_from(sinew::scene::View::Front);
+    orbit.look_from(sinew::scene::ViewDirection::Front);
     orbit.fit(&world.frame.bounds, 4.0 / 3.0);
     let camera = orbit.camera();
     let mut renderer = Renderer::new(Some(1));

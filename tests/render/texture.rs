@@ -4,7 +4,7 @@ use crate::render_support::models::soup;
 use crate::render_support::{World, camera_at, pixel_camera, plain};
 use glam::{Mat4, Quat, Vec2, Vec3};
 use sinew::render::{Display, Renderer, Samples, Shading};
-use sinew::scene::{Material, MaterialBinding, Paint, ShadingModel, TextureRef, Wrap};
+use sinew::scene::{Material, MaterialBinding, Paint, ShadingModel, TextureRef, WrapMode};
 
 /// A colour from a texture alone, without light.
 fn painted(world: &mut World, texture: TextureRef) -> MaterialBinding {
@@ -28,7 +28,7 @@ fn a_fine_checker_becomes_the_grey_that_sends_out_its_light() {
     let size = [90, 70];
     for (side, repeats) in [(64u32, 2.0f32), (64, 3.0), (256, 1.0), (256, 40.0), (512, 0.4)] {
         let mut world = World::default();
-        let checker = world.image(side, side, |x, y| if (x + y) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] }, Wrap::Repeat);
+        let checker = world.image(side, side, |x, y| if (x + y) % 2 == 0 { [255; 4] } else { [0, 0, 0, 255] }, WrapMode::Repeat);
         let paint = painted(&mut world, checker);
         let uv = [Vec2::ZERO, Vec2::new(repeats, repeats)];
         world.place(rectangle([Vec2::new(3.0, 2.0), Vec2::new(83.0, 66.0)], uv), Mat4::IDENTITY, Some(paint));
@@ -48,7 +48,7 @@ fn no_texel_of_an_odd_side_is_left_out() {
     for side in [3u32, 5, 7, 13] {
         for white in 0..side {
             let mut world = World::default();
-            let stripes = world.image(side, 1, |x, _| if x == white { [255; 4] } else { [0, 0, 0, 255] }, Wrap::Repeat);
+            let stripes = world.image(side, 1, |x, _| if x == white { [255; 4] } else { [0, 0, 0, 255] }, WrapMode::Repeat);
             let paint = painted(&mut world, stripes);
             let uv = [Vec2::ZERO, Vec2::new(400.0, 1.0)];
             world.place(rectangle([Vec2::ZERO, Vec2::new(40.0, 20.0)], uv), Mat4::IDENTITY, Some(paint));
@@ -71,7 +71,7 @@ fn levels_pass_into_each_other_without_a_line() {
     for step in 0..150 {
         let texels_a_pixel = 1.02f32.powi(step);
         let mut world = World::default();
-        let checker = world.image(64, 64, |x, y| if (x / 8 + y / 8) % 2 == 0 { [230; 4] } else { [40, 60, 120, 255] }, Wrap::Repeat);
+        let checker = world.image(64, 64, |x, y| if (x / 8 + y / 8) % 2 == 0 { [230; 4] } else { [40, 60, 120, 255] }, WrapMode::Repeat);
         let paint = painted(&mut world, checker);
         let reach = 200.0 * texels_a_pixel / 64.0;
         let ground = rectangle([Vec2::splat(-200.0), Vec2::splat(200.0)], [Vec2::splat(-reach), Vec2::splat(reach)]);
@@ -93,20 +93,20 @@ fn waves(x: u32, y: u32) -> [u8; 4] {
 }
 
 /// Which texel of 16 stands at `at` of an endless row.
-fn texel(wrap: Wrap, at: u32) -> u32 {
-    if wrap == Wrap::Mirror && at / 16 % 2 == 1 { 15 - at % 16 } else { at % 16 }
+fn texel(wrap: WrapMode, at: u32) -> u32 {
+    if wrap == WrapMode::Mirror && at / 16 % 2 == 1 { 15 - at % 16 } else { at % 16 }
 }
 
 #[test]
 fn repeats_are_like_a_picture_that_holds_them_all() {
     let size = [150, 110];
-    for wrap in [Wrap::Repeat, Wrap::Mirror] {
+    for wrap in [WrapMode::Repeat, WrapMode::Mirror] {
         let tiles = 4u32;
         let (mut small, mut large) = (World::default(), World::default());
         let one = small.image(16, 16, waves, wrap);
         // Row 0 of an image is its top, where v is 1: four tiles down from there.
         let row = |y: u32| 15 - texel(wrap, 16 * tiles - 1 - y);
-        let all = large.image(16 * tiles, 16 * tiles, |x, y| waves(texel(wrap, x), row(y)), Wrap::Repeat);
+        let all = large.image(16 * tiles, 16 * tiles, |x, y| waves(texel(wrap, x), row(y)), WrapMode::Repeat);
         let (one, all) = (painted(&mut small, one), painted(&mut large, all));
         for (first, turn) in [(0.0, 0.0), (0.0, 0.9), (-8.0, 0.4), (1000.0, 1.2), (-1000.0, -1.1)] {
             for scale in [0.05f32, 0.2, 0.9] {

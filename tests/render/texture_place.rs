@@ -12,12 +12,12 @@ use sinew::export::gltf::{self, Form};
 use sinew::export::guard::Output;
 use sinew::export::surface::SurfaceFormat;
 use sinew::render::Renderer;
-use sinew::scene::{Frame, Material, Paint, Placing, Wrap};
+use sinew::scene::{Frame, Material, Paint, TextureTransform, WrapMode};
 
-const PLACING: Placing = Placing { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.3, -0.2), turn: 30.0 };
+const PLACING: TextureTransform = TextureTransform { repeat: Vec2::new(3.0, 2.0), offset: Vec2::new(0.3, -0.2), rotation: 30.0 };
 
 /// A square with a texture that is placed by the texture, or whose coordinates were moved beforehand.
-fn world(placing: Placing, wrap: Wrap, moved: bool) -> World {
+fn world(placing: TextureTransform, wrap: WrapMode, moved: bool) -> World {
     let mut world = World::default();
     let texel = |x: u32, y: u32| [(x * 37 % 256) as u8, (y * 51 % 256) as u8, ((x ^ y) * 8 % 256) as u8, 255];
     let mut texture = world.image(32, 32, texel, wrap);
@@ -25,7 +25,7 @@ fn world(placing: Placing, wrap: Wrap, moved: bool) -> World {
     if moved {
         mesh.uv_sets[0].iter_mut().for_each(|uv| *uv = placing.matrix().transform_point2(*uv));
     } else {
-        texture.placing = Some(placing);
+        texture.transform = Some(placing);
     }
     let material =
         world.material(Material { diffuse: Paint { texture: Some(texture), ..Paint::color(1.0, 1.0, 1.0) }, ..Material::default() });
@@ -43,18 +43,18 @@ proptest! {
     fn a_placed_texture_is_drawn_like_one_whose_coordinates_were_moved_beforehand(
         repeat in (-4.0..4.0f32, -4.0..4.0f32), offset in (-2.0..2.0f32, -2.0..2.0f32), turn in -360.0..360.0f32, mirror in any::<bool>(),
     ) {
-        let placing = Placing { repeat: repeat.into(), offset: offset.into(), turn };
-        let wrap = if mirror { Wrap::Mirror } else { Wrap::Repeat };
+        let placing = TextureTransform { repeat: repeat.into(), offset: offset.into(), rotation: turn };
+        let wrap = if mirror { WrapMode::Mirror } else { WrapMode::Repeat };
         prop_assert_eq!(drawn(&world(placing, wrap, false)), drawn(&world(placing, wrap, true)));
     }
 }
 
 #[test]
 fn three_times_three_tiles_are_drawn() {
-    let tiles = Placing { repeat: Vec2::splat(3.0), ..Placing::default() };
-    let picture = drawn(&world(tiles, Wrap::Repeat, false));
-    assert_ne!(picture, drawn(&world(Placing::default(), Wrap::Repeat, false)));
-    assert_eq!(picture, drawn(&world(tiles, Wrap::Repeat, true)));
+    let tiles = TextureTransform { repeat: Vec2::splat(3.0), ..TextureTransform::default() };
+    let picture = drawn(&world(tiles, WrapMode::Repeat, false));
+    assert_ne!(picture, drawn(&world(TextureTransform::default(), WrapMode::Repeat, false)));
+    assert_eq!(picture, drawn(&world(tiles, WrapMode::Repeat, true)));
 }
 
 #[test]

@@ -74,7 +74,7 @@ fn place(world: &mut World, mesh: Mesh, colors: Vec<MaterialBinding>, matrix: Ma
     surface.materials = colors.into_iter().map(Some).collect();
     surface.mirrored = make.mirrored;
     if make.deformed {
-        surface.placement = SurfaceGeometry::Deformed { positions, normals };
+        surface.geometry = SurfaceGeometry::Deformed { positions, normals };
     }
 }
 

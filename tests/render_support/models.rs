@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::{Mat4, Vec2, Vec3};
 use sinew::scene::{
     Bounds, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, MuscleId, Node, NodeId, Paint, Part, Pixels, Surface,
-    SurfaceGeometry, TextureRef, Wrap, smooth_normals,
+    SurfaceGeometry, TextureRef, WrapMode, smooth_normals,
 };
 
 use super::World;
@@ -104,7 +104,7 @@ impl World {
     }
 
     /// Adds an image and returns a reference to it.
-    pub(crate) fn image(&mut self, width: u32, height: u32, texel: impl Fn(u32, u32) -> [u8; 4], wrap: Wrap) -> TextureRef {
+    pub(crate) fn image(&mut self, width: u32, height: u32, texel: impl Fn(u32, u32) -> [u8; 4], wrap: WrapMode) -> TextureRef {
         let rgba = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| texel(x, y)).collect();
         self.scene.images.push(Image { pixels: Some(Arc::new(Pixels { width, height, rgba })), ..Image::default() });
         TextureRef {
@@ -112,7 +112,7 @@ impl World {
             semantic: String::new(),
             wrap_s: wrap,
             wrap_t: wrap,
-            placing: None,
+            transform: None,
         }
     }
 
@@ -138,7 +138,7 @@ impl World {
             node,
             mesh,
             materials,
-            placement,
+            geometry: placement,
             mirrored,
             solid: None,
             muscle,
@@ -221,7 +221,7 @@ pub(crate) fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
         node,
         mesh,
         materials,
-        placement,
+        geometry: placement,
         mirrored: false,
         solid: None,
         muscle: None,

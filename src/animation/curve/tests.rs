@@ -31,7 +31,7 @@ fn straight_lines_steps_and_held_ends() {
     for (time, value) in [(-9.0, 10.0), (1.0, 10.0), (1.25, 12.5), (2.0, 20.0), (3.999, 20.0), (4.0, 0.0), (99.0, 0.0)] {
         assert_eq!(curve.value(time, 0), value, "at {time}");
     }
-    assert_eq!(curve.span(), Some((1.0, 4.0)));
+    assert_eq!(curve.time_range(), Some((1.0, 4.0)));
     assert_eq!(Curve::default().value(1.0, 0), 0.0);
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{Quat, Vec3};
 
-use crate::scene::{Bounds, Camera, CameraId, Frame, NodeId, OrbitCamera, Projection, Scene, View};
+use crate::scene::{Bounds, Camera, CameraId, Frame, NodeId, OrbitCamera, Projection, Scene, ViewDirection};
 use crate::view::file_camera;
 
 /// Seconds that a jump of the camera takes.
@@ -149,7 +149,7 @@ impl CameraController {
     }
 
     /// Jumps to a named direction.
-    pub fn look_from(&mut self, view: View) {
+    pub fn look_from(&mut self, view: ViewDirection) {
         self.jump(|orbit| orbit.look_from(view));
     }
 
@@ -244,7 +244,7 @@ mod tests {
     fn a_jump_ends_exactly_where_it_should_and_turns_the_short_way() {
         let mut eye = CameraController { eased: true, ..CameraController::default() };
         eye.handle(|orbit| orbit.yaw = 350.0);
-        eye.look_from(View::Front);
+        eye.look_from(ViewDirection::Front);
         eye.advance(JUMP_SECONDS / 2.0);
         assert!(eye.orbit().yaw < 0.0 && eye.orbit().yaw > -10.0, "{}", eye.orbit().yaw);
         assert!(eye.advance(1.0) && !eye.advance(1.0));
@@ -254,7 +254,7 @@ mod tests {
     #[test]
     fn without_animation_a_jump_is_at_once() {
         let mut eye = CameraController::default();
-        eye.look_from(View::Top);
+        eye.look_from(ViewDirection::Top);
         assert_eq!(eye.orbit().pitch, 90.0);
         assert!(!eye.is_jumping());
     }

@@ -136,7 +136,7 @@ mod tests {
     fn what_stands_far_aside_is_before_the_eye() {
         let mut session = Session::new(swinging());
         session.change_eye(|eye| {
-            eye.look_from(crate::scene::View::Front);
+            eye.look_from(crate::scene::ViewDirection::Front);
             eye.handle(|orbit| orbit.orthographic = true);
         });
         session.compare(Some(CompareTarget::File(Box::new(swinging()), "other.dae".into())));

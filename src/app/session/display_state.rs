@@ -5,7 +5,7 @@ use glam::Vec3;
 use super::{CameraController, Changes, LightDirection, Session, Step, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
-use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, View};
+use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, ViewDirection};
 use crate::tr;
 use crate::view::{BackgroundPreset, file_camera};
 
@@ -202,7 +202,7 @@ impl Session {
         self.change_eye(|eye| {
             eye.jump(|orbit| {
                 orbit.orthographic = false;
-                orbit.look_from(View::Start);
+                orbit.look_from(ViewDirection::Start);
                 orbit.fit(&bounds, aspect);
             });
         });

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, EulerRot};
 
-use crate::animation::{Channel, Clip, Components, Curve, MaterialSlot, Target};
+use crate::animation::{Channel, ChannelTarget, Clip, Components, Curve, MaterialSlot};
 use crate::scene::{LightId, MaterialId, MorphId, NodeId, Scene, TransformOp};
 
 /// What a row of the dope sheet stands for.
@@ -133,10 +133,10 @@ fn sound(matrix: DMat4) -> DMat4 {
 /// What a channel moves.
 fn moved(channel: &Channel) -> Moved {
     match channel.target {
-        Target::Transform { node, .. } => Moved::Node(node),
-        Target::MorphWeight { morph, .. } => Moved::Morph(morph),
-        Target::Material { material, .. } => Moved::Material(material),
-        Target::LightColor { light, .. } => Moved::Light(light),
+        ChannelTarget::Transform { node, .. } => Moved::Node(node),
+        ChannelTarget::MorphWeight { morph, .. } => Moved::Morph(morph),
+        ChannelTarget::Material { material, .. } => Moved::Material(material),
+        ChannelTarget::LightColor { light, .. } => Moved::Light(light),
     }
 }
 
@@ -210,7 +210,7 @@ fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
         }
     };
     match channel.target {
-        Target::Transform { node, op, lane } => {
+        ChannelTarget::Transform { node, op, components: lane } => {
             let op = (node.index() < scene.graph.len()).then(|| scene.graph.node(node).transform.ops.get(op as usize)).flatten();
             match (op, lane) {
                 (Some(TransformOp::Translate(_)), lane) => vector(GraphKind::Translation, lane, AXES),
@@ -236,17 +236,17 @@ fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
                 (_, Components::Whole) => vector(GraphKind::Other, lane, AXES),
             }
         }
-        Target::MorphWeight { morph, target } => {
+        ChannelTarget::MorphWeight { morph, target } => {
             let target = target as usize;
             let found = scene.morphs.get(morph.index()).and_then(|morph| morph.targets.get(target)).map(|target| target.name.clone());
             vec![(GraphKind::Weights, line(&found.unwrap_or_else(|| target.to_string()), target, Reading::Number(0)))]
         }
-        Target::Material { slot, lane, .. } => match slot {
+        ChannelTarget::Material { slot, components: lane, .. } => match slot {
             MaterialSlot::Shininess => vec![(GraphKind::Shininess, line("", 0, Reading::Number(0)))],
             MaterialSlot::Opacity => vec![(GraphKind::Opacity, line("", 0, Reading::Number(0)))],
             _ => vector(GraphKind::Colour, lane, PARTS),
         },
-        Target::LightColor { lane, .. } => vector(GraphKind::Colour, lane, PARTS),
+        ChannelTarget::LightColor { components: lane, .. } => vector(GraphKind::Colour, lane, PARTS),
     }
 }
 
@@ -274,7 +274,7 @@ mod tests {
     }
 
     fn channel(node: u32, op: u32, lane: Components, keys: Keys) -> Channel {
-        Channel { target: Target::Transform { node: NodeId(node), op, lane }, curve: Arc::new(Curve::new(keys)) }
+        Channel { target: ChannelTarget::Transform { node: NodeId(node), op, components: lane }, curve: Arc::new(Curve::new(keys)) }
     }
 
     fn keys(times: &[f64], dimension: usize, values: Vec<f64>) -> Keys {

@@ -39,7 +39,7 @@ impl Session {
 mod tests {
     use super::super::tests::swinging;
     use super::*;
-    use crate::scene::{Mark, NodeId};
+    use crate::scene::{NodeId, OverlayLine};
 
     #[test]
     fn ghosts_are_the_moments_round_the_present_one() {
@@ -73,11 +73,11 @@ mod tests {
             session.time(|time| time.seek(0.0));
             session.frame().position(node)
         };
-        let dots: Vec<Mark> = session.frame().marks.iter().filter(|mark| mark.from == mark.to).copied().collect();
+        let dots: Vec<OverlayLine> = session.frame().overlay_lines.iter().filter(|mark| mark.from == mark.to).copied().collect();
         assert_eq!(dots.len(), keys + 1);
         assert!((dots[0].from - first).length() < 1e-6);
         session.select(Some(NodeId(0)));
         session.select(None);
-        assert!(session.frame().marks.is_empty());
+        assert!(session.frame().overlay_lines.is_empty());
     }
 }

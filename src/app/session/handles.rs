@@ -254,11 +254,11 @@ fn to_line(point: DVec2, line: &[DVec2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{OrbitCamera, View};
+    use crate::scene::{OrbitCamera, ViewDirection};
 
     const SIZE: DVec2 = DVec2::new(900.0, 600.0);
 
-    fn camera(view: View, orthographic: bool) -> Camera {
+    fn camera(view: ViewDirection, orthographic: bool) -> Camera {
         let mut orbit = OrbitCamera { orthographic, ..OrbitCamera::default() };
         orbit.look_from(view);
         orbit.camera()
@@ -275,7 +275,7 @@ mod tests {
     #[test]
     fn an_axis_is_found_at_its_tip_and_follows_the_pointer() {
         for orthographic in [false, true] {
-            let camera = camera(View::Iso, orthographic);
+            let camera = camera(ViewDirection::Iso, orthographic);
             let start = model();
             let handles = handles(Tool::Move, &camera, &start);
             for (axis, direction) in AXES.into_iter().enumerate() {
@@ -297,7 +297,7 @@ mod tests {
     #[test]
     fn a_square_moves_across_its_axis_and_follows_the_pointer() {
         for orthographic in [false, true] {
-            let camera = camera(View::Iso, orthographic);
+            let camera = camera(ViewDirection::Iso, orthographic);
             let start = model();
             let handles = handles(Tool::Move, &camera, &start);
             for (axis, normal) in AXES.into_iter().enumerate() {
@@ -316,7 +316,7 @@ mod tests {
             }
         }
         // From the front one square is seen, the others only from their edges; other tools have none.
-        let camera = camera(View::Front, false);
+        let camera = camera(ViewDirection::Front, false);
         let front = handles(Tool::Move, &camera, &model());
         assert_eq!([0, 1, 2].map(|axis| front.square(axis).is_some()), [false, false, true]);
         assert!(handles(Tool::Scale, &camera, &model()).square(2).is_none());
@@ -324,7 +324,7 @@ mod tests {
 
     #[test]
     fn a_ring_turns_with_the_pointer() {
-        let camera = camera(View::Front, false);
+        let camera = camera(ViewDirection::Front, false);
         let start = model();
         let handles = handles(Tool::Rotate, &camera, &start);
         let middle = handles.place(handles.middle).expect("before the eye");
@@ -340,7 +340,7 @@ mod tests {
 
     #[test]
     fn a_ring_from_its_edge_rolls() {
-        let camera = camera(View::Front, true);
+        let camera = camera(ViewDirection::Front, true);
         let start = model();
         let handles = handles(Tool::Rotate, &camera, &start);
         let middle = handles.place(handles.middle).expect("before the eye");
@@ -352,7 +352,7 @@ mod tests {
 
     #[test]
     fn snapping_rounds_what_is_moved_and_scaled() {
-        let camera = camera(View::Iso, false);
+        let camera = camera(ViewDirection::Iso, false);
         let start = model();
         let moving = handles(Tool::Move, &camera, &start);
         let tip = moving.tip(0).expect("before the eye");
@@ -369,7 +369,7 @@ mod tests {
 
     #[test]
     fn an_axis_that_points_at_the_eye_is_not_taken() {
-        let camera = camera(View::Front, true);
+        let camera = camera(ViewDirection::Front, true);
         let start = model();
         let handles = handles(Tool::Move, &camera, &start);
         let middle = handles.place(handles.middle).expect("before the eye");

@@ -59,7 +59,7 @@ use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
 use crate::export::guard::Guard;
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
-use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, View};
+use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, ViewDirection};
 use crate::view::{self, SceneOverlays};
 
 /// How another document comes in.
@@ -206,7 +206,7 @@ impl Session {
                 self.display.bones |= !self.is_empty() && !self.document.shows_surface();
                 self.model.pivot = self.bounds().center().as_dvec3();
                 let eased = std::mem::take(&mut self.eye.eased);
-                self.eye.jump(|orbit| orbit.look_from(View::Start));
+                self.eye.jump(|orbit| orbit.look_from(ViewDirection::Start));
                 self.fit();
                 self.eye.eased = eased;
             }
@@ -334,7 +334,7 @@ impl Session {
             if let Some(comparison) = self.company.comparison() {
                 shown.merge(&comparison.bounds());
             }
-            camera = camera.before(&shown);
+            camera = camera.moved_back(&shown);
         }
         let light = self.light.map(|aim| aim.position(&self.frame.bounds));
         (&self.document.scene, &self.frame, camera, Display { light, ground: self.ground, ..self.display.clone() })

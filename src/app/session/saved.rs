@@ -101,7 +101,7 @@ impl Session {
         self.time(|cursor| {
             cursor.mode = mode;
             if let Some(speed) = saved.speed.filter(|speed| speed.is_finite() && *speed != 0.0) {
-                cursor.set_pace(speed.abs());
+                cursor.set_speed(speed.abs());
                 cursor.speed = cursor.speed.abs() * speed.signum();
             }
             let within = |mark: Option<f64>| mark.filter(|mark| *mark >= cursor.start && *mark <= cursor.end);
@@ -232,7 +232,7 @@ mod tests {
             company.append_to(&PoseContext::new(&document, state, rate, &display), &mut frame);
         }
         let shown = other.frame();
-        assert!(shown.marks.len() > 10 && frame.marks == shown.marks);
+        assert!(shown.overlay_lines.len() > 10 && frame.overlay_lines == shown.overlay_lines);
         assert_eq!(frame.surfaces.len(), shown.surfaces.len());
         for (a, b) in frame.surfaces.iter().zip(&shown.surfaces) {
             assert_eq!((a.ghost, a.position(0), a.position(2)), (b.ghost, b.position(0), b.position(2)));

@@ -277,7 +277,7 @@ fn a_compared_file_that_was_written_again_keeps_its_place() {
 
 /// A root with an arm that swings for a second and carries a triangle and a hand; beside it another joint.
 pub(super) fn swinging() -> Document {
-    use crate::animation::{Channel, Components, Curve, Keys, Target};
+    use crate::animation::{Channel, ChannelTarget, Components, Curve, Keys};
     use crate::scene::{Content, Mesh, MeshId, MeshInstance, NodeKind, Part, Transform, TransformOp};
 
     let mut document = Document::default();
@@ -305,7 +305,7 @@ pub(super) fn swinging() -> Document {
     let instance = MeshInstance { mesh: MeshId(0), deformers: Vec::new(), materials: vec![None].into(), skinned_targets: Vec::new() };
     document.scene.graph.node_mut(arm).contents.push(Content::Mesh(instance));
     let keys = Keys { times: vec![0.0, 0.5, 1.0], dimension: 1, values: vec![0.0, 60.0, 90.0], ..Keys::default() };
-    let target = Target::Transform { node: arm, op: 0, lane: Components::Component(3) };
+    let target = ChannelTarget::Transform { node: arm, op: 0, components: Components::Component(3) };
     let channels = vec![Channel { target, curve: Arc::new(Curve::new(keys)) }];
     document.clips.push(Clip { name: "swing".into(), start: 0.0, end: 1.0, channels, ..Clip::default() });
     document.touch();

@@ -66,13 +66,13 @@ impl Tool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{OrbitCamera, View};
+    use crate::scene::{OrbitCamera, ViewDirection};
     use glam::{Vec2, Vec3};
 
     #[test]
     fn moving_keeps_the_model_under_the_pointer() {
         let mut orbit = OrbitCamera::default();
-        orbit.look_from(View::Iso);
+        orbit.look_from(ViewDirection::Iso);
         let (camera, size) = (orbit.camera(), Vec2::new(900.0, 600.0));
         let mut model = ModelTransform { pivot: DVec3::new(0.3, 0.1, -0.2), ..ModelTransform::default() };
         let at = |model: &ModelTransform| {

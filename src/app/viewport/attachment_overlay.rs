@@ -4,7 +4,7 @@ use gtk::cairo::Context;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{Align, Canvas, cairo, rgb, set_color, write};
+use crate::app::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
 use crate::app::session::{Grip, Ring};
 use crate::muscle::AttachmentPoint;
 use crate::tr;
@@ -21,7 +21,7 @@ pub(super) fn draw(
     grips: &[Grip],
     ring: Option<Ring>,
     lit: Option<AttachmentPoint>,
-    canvas: &Canvas,
+    canvas: &PaintWidget,
     snapshot: &gtk::Snapshot,
     (width, height): (f64, f64),
 ) {

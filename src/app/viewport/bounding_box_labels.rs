@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{Canvas, rgb, write_on};
+use crate::app::drawing_area::{PaintWidget, rgb, write_on};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::render::Background;
@@ -14,7 +14,7 @@ use crate::tr;
 const DIGITS: usize = 4;
 
 /// Writes width, height and depth while the box is shown.
-pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let (_, frame, camera, display) = session.picture();
     if !display.bounding_box || frame.bounds.is_empty() {
         return;
@@ -56,14 +56,14 @@ fn places(camera: &Camera, bounds: &Bounds, size: Vec2) -> [Option<Vec2>; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{OrbitCamera, View};
+    use crate::scene::{OrbitCamera, ViewDirection};
 
     #[test]
     fn lengths_stand_at_edges_of_their_own() {
         let bounds = Bounds { min: Vec3::splat(-0.5), max: Vec3::new(0.5, 1.0, 0.5) };
         let size = Vec2::new(800.0, 600.0);
         let mut orbit = OrbitCamera::default();
-        orbit.look_from(View::Iso);
+        orbit.look_from(ViewDirection::Iso);
         orbit.fit(&bounds, 800.0 / 600.0);
         let places = places(&orbit.camera(), &bounds, size).map(|place| place.expect("in the picture"));
         // Seen from the upper right front: X and Z lie at the bottom, left and right of the near corner, Y at the left.

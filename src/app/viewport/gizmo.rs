@@ -4,9 +4,9 @@ use gtk::cairo::LineCap;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{Canvas, cairo, rgb, set_color, write_amid};
+use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_amid};
 use crate::app::session::Session;
-use crate::scene::{Camera, View};
+use crate::scene::{Camera, ViewDirection};
 use glam::{DVec2, Vec3};
 
 /// Length of an arm, logical pixels.
@@ -18,13 +18,13 @@ const BUTTON: f64 = 4.5;
 const INSET: f64 = 44.0;
 
 /// The ends: direction, axis, its name where it is the positive one, and the view from there.
-const ENDS: [(Vec3, usize, Option<&str>, View); 6] = [
-    (Vec3::X, 0, Some("X"), View::Right),
-    (Vec3::Y, 1, Some("Y"), View::Top),
-    (Vec3::Z, 2, Some("Z"), View::Front),
-    (Vec3::NEG_X, 0, None, View::Left),
-    (Vec3::NEG_Y, 1, None, View::Bottom),
-    (Vec3::NEG_Z, 2, None, View::Back),
+const ENDS: [(Vec3, usize, Option<&str>, ViewDirection); 6] = [
+    (Vec3::X, 0, Some("X"), ViewDirection::Right),
+    (Vec3::Y, 1, Some("Y"), ViewDirection::Top),
+    (Vec3::Z, 2, Some("Z"), ViewDirection::Front),
+    (Vec3::NEG_X, 0, None, ViewDirection::Left),
+    (Vec3::NEG_Y, 1, None, ViewDirection::Bottom),
+    (Vec3::NEG_Z, 2, None, ViewDirection::Back),
 ];
 
 /// Where an end stands, from the origin of the axes.
@@ -38,14 +38,14 @@ fn nearness(camera: &Camera, direction: Vec3) -> f32 {
 }
 
 /// The view that a click at a place of a picture of this height asks for, logical pixels.
-pub(super) fn hit(camera: &Camera, x: f64, y: f64, height: f64) -> Option<View> {
+pub(super) fn hit(camera: &Camera, x: f64, y: f64, height: f64) -> Option<ViewDirection> {
     let from = DVec2::new(x - INSET, y - (height - INSET));
     let under = ENDS.iter().filter(|(direction, ..)| (place(camera, *direction) - from).length() <= BALL + 2.0);
     under.max_by(|a, b| nearness(camera, a.0).total_cmp(&nearness(camera, b.0))).map(|end| end.3)
 }
 
 /// Draws the axes into the lower left corner, the end under the pointer larger.
-pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, height: f64, pointer: Option<(f64, f64)>) {
+pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::Snapshot, height: f64, pointer: Option<(f64, f64)>) {
     let (_, _, camera, display) = session.picture();
     let lit = pointer.and_then(|(x, y)| hit(&camera, x, y, height));
     let mut ends = ENDS;
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn of_two_ends_in_one_place_the_nearer_is_hit() {
         let mut orbit = OrbitCamera::default();
-        orbit.look_from(View::Front);
-        assert_eq!(hit(&orbit.camera(), INSET, 500.0 - INSET, 500.0), Some(View::Front));
+        orbit.look_from(ViewDirection::Front);
+        assert_eq!(hit(&orbit.camera(), INSET, 500.0 - INSET, 500.0), Some(ViewDirection::Front));
     }
 }

@@ -5,11 +5,11 @@ use gtk::cairo::{Context, LineCap, LineJoin};
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{Canvas, cairo, rgb, set_color, write_amid};
+use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_amid};
 use crate::app::session::{Handle, Handles, Tool};
 
 /// Paints them; `lit` is under the pointer or held.
-pub(super) fn draw(handles: &Handles, colors: [u32; 3], lit: Option<Handle>, canvas: &Canvas, snapshot: &gtk::Snapshot) {
+pub(super) fn draw(handles: &Handles, colors: [u32; 3], lit: Option<Handle>, canvas: &PaintWidget, snapshot: &gtk::Snapshot) {
     let Some(middle) = handles.place(handles.middle) else { return };
     let context = cairo(snapshot, handles.size.x, handles.size.y);
     context.set_line_cap(LineCap::Round);

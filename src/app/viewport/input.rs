@@ -11,7 +11,7 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use super::{gizmo, zoom_gestures};
-use crate::app::drawing_area::Canvas;
+use crate::app::drawing_area::PaintWidget;
 use crate::app::format;
 use crate::app::session::{Grip as Dot, GripDrag, Handle, ModelDrag, Session, Step, Tool, Viewpoint};
 use crate::app::window::Window;
@@ -146,14 +146,14 @@ impl ViewportInput {
 }
 
 /// Connects everything to the canvas.
-pub(super) fn connect(window: &Rc<Window>, canvas: &Canvas) {
+pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
     connect_drag(window, canvas);
     connect_clicks(window, canvas);
     zoom_gestures::connect(window, canvas);
     connect_pointer(window, canvas);
 }
 
-fn connect_drag(window: &Rc<Window>, canvas: &Canvas) {
+fn connect_drag(window: &Rc<Window>, canvas: &PaintWidget) {
     let drag = gtk::GestureDrag::new();
     drag.set_button(0);
     drag.connect_drag_begin(glib::clone!(
@@ -279,7 +279,7 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
     });
 }
 
-fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
+fn connect_clicks(window: &Rc<Window>, canvas: &PaintWidget) {
     let click = gtk::GestureClick::new();
     click.set_button(gdk::BUTTON_PRIMARY);
     click.connect_released(glib::clone!(
@@ -319,7 +319,7 @@ fn connect_clicks(window: &Rc<Window>, canvas: &Canvas) {
     canvas.add_controller(click);
 }
 
-fn connect_pointer(window: &Rc<Window>, canvas: &Canvas) {
+fn connect_pointer(window: &Rc<Window>, canvas: &PaintWidget) {
     let motion = gtk::EventControllerMotion::new();
     motion.connect_motion(glib::clone!(
         #[weak]

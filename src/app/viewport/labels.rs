@@ -3,7 +3,7 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{Canvas, rgb, write_on};
+use crate::app::drawing_area::{PaintWidget, rgb, write_on};
 use crate::app::ghosts_panel::file_name;
 use crate::app::session::{COMPARED_TINT, CompareTarget, Session, top_of};
 use crate::app::{format, title_bar};
@@ -11,7 +11,7 @@ use crate::document::Skinning;
 use crate::tr;
 
 /// Names the two that are compared: over each where they stand side by side, else one below the other at the upper edge.
-pub(super) fn draw(session: &mut Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let Some(compared) = session.compared() else { return };
     let Some(names) = names(session) else { return };
     let palette = &session.display().palette;

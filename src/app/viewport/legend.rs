@@ -2,7 +2,7 @@
 
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{Align, Canvas, cairo, set_color, write};
+use crate::app::drawing_area::{Align, PaintWidget, cairo, set_color, write};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::render::weight_color;
@@ -15,7 +15,7 @@ const RIGHT: f64 = 24.0;
 const BELOW: f64 = 96.0;
 
 /// Draws the ramp with the bone's name, while weights are painted.
-pub(super) fn draw(session: &Session, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+pub(super) fn draw(session: &Session, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let Some(bone) = session.display().weights else { return };
     let (x, y) = (width - RIGHT - WIDTH, height - BELOW);
     if x < 60.0 || y < 60.0 {

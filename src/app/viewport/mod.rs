@@ -26,7 +26,7 @@ use gtk4 as gtk;
 use self::frame_surface::Screen;
 use self::transform_fields::TransformFields;
 use super::bone_names;
-use super::drawing_area::{Canvas, cairo as cairo_over};
+use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::icons::{self, Glyph};
 use super::session::{Changes, Picked, Session, Tool, Viewpoint};
 use super::window::{Window, part};
@@ -44,7 +44,7 @@ const REST: Duration = Duration::from_millis(120);
 pub(super) struct Viewport {
     /// The whole.
     pub root: gtk::Overlay,
-    canvas: Canvas,
+    canvas: PaintWidget,
     screen: Rc<RefCell<Screen>>,
     builder: gtk::Builder,
     numbers: TransformFields,
@@ -60,7 +60,7 @@ impl Viewport {
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::VIEWPORT);
         let root: gtk::Overlay = part(&builder, "root");
-        let canvas = Canvas::named(&tr!("app-viewport"), 150, 150);
+        let canvas = PaintWidget::named(&tr!("app-viewport"), 150, 150);
         canvas.set_focusable(true);
         canvas.add_css_class("scene");
         frame_when_reached(&canvas);
@@ -294,7 +294,7 @@ impl Viewport {
 const REACHED: &str = "reached";
 
 /// Frames the picture while the keyboard is there, once it has come by Tab. A key such as Space alone is no reason to.
-fn frame_when_reached(canvas: &Canvas) {
+fn frame_when_reached(canvas: &PaintWidget) {
     let focus = gtk::EventControllerFocus::new();
     let weak = canvas.downgrade();
     focus.connect_enter(move |_| {
@@ -328,7 +328,7 @@ fn hint(session: &Session) -> String {
 }
 
 /// Draws what is stale and shows it.
-fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &Canvas, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let scale = canvas.scale_factor();
     let (pixel_width, pixel_height) = (width as i32 * scale, height as i32 * scale);
     let was_fresh = screen.borrow().is_fresh(pixel_width, pixel_height);

@@ -7,7 +7,7 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use crate::app::drawing_area::Canvas;
+use crate::app::drawing_area::PaintWidget;
 use crate::app::session::CameraController;
 use crate::app::window::Window;
 use crate::scene::OrbitCamera;
@@ -47,7 +47,7 @@ impl Fingers {
 }
 
 /// Lets wheel and fingers zoom.
-pub(super) fn connect(window: &Rc<Window>, canvas: &Canvas) {
+pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
     let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL);
     wheel.connect_scroll(glib::clone!(
         #[weak]

@@ -8,7 +8,7 @@ use super::keyframe_reduction::{Moment, Tolerance, moments, numbers, track};
 use super::spline::Spline;
 use super::trs::Placing;
 use super::unsupported_features::Loss;
-use crate::animation::{Channel, Clip, Curve, Interpolation, Pose, Target};
+use crate::animation::{Channel, ChannelTarget, Clip, Curve, Interpolation, Pose};
 use crate::document::{Document, PoseState};
 use crate::scene::{MorphId, NodeId, TransformOp, compose};
 
@@ -213,15 +213,15 @@ impl Stage<'_> {
         let mut colours = false;
         for channel in &clip.channels {
             match channel.target {
-                Target::Transform { node, .. } => {
+                ChannelTarget::Transform { node, .. } => {
                     let place = *at_node.entry(node).or_insert_with(|| {
                         by_node.push((node, Vec::new()));
                         by_node.len() - 1
                     });
                     by_node[place].1.push(channel);
                 }
-                Target::MorphWeight { .. } => {}
-                Target::Material { .. } | Target::LightColor { .. } => colours = true,
+                ChannelTarget::MorphWeight { .. } => {}
+                ChannelTarget::Material { .. } | ChannelTarget::LightColor { .. } => colours = true,
             }
         }
         if colours {
@@ -333,7 +333,7 @@ impl Weights<'_> {
         let Some(clip) = document.clips.get(number) else { return };
         // All channels are looked through for each mesh that morphs.
         buffer.spend(size_of_val(clip.channels.as_slice()));
-        let moves = |channel: &&Channel| matches!(channel.target, Target::MorphWeight { morph, .. } if self.morphs.contains(&morph));
+        let moves = |channel: &&Channel| matches!(channel.target, ChannelTarget::MorphWeight { morph, .. } if self.morphs.contains(&morph));
         let channels: Vec<&Channel> = clip.channels.iter().filter(moves).collect();
         if channels.is_empty() {
             return;

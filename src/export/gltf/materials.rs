@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use super::buffer::{Buffer, Usage};
 use super::unsupported_features::Loss;
 use crate::limits;
-use crate::scene::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, Scene, ShadingModel, TextureRef, Wrap};
+use crate::scene::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, Scene, ShadingModel, TextureRef, WrapMode};
 
 /// The materials, textures, samplers and images that are written.
 #[derive(Debug, Default)]
@@ -122,12 +122,12 @@ impl Materials {
     /// A texture with the coordinates that it is read with.
     fn read_at(&mut self, texture: usize, used: &TextureRef, binding: &MaterialBinding) -> Value {
         let mut value = json!({"index": texture, "texCoord": binding.uv_set(used)});
-        if let Some(placing) = used.placing.filter(|placing| placing.matrix().is_finite()) {
+        if let Some(placing) = used.transform.filter(|placing| placing.matrix().is_finite()) {
             // The format counts from the upper edge, and turns the other way for it: its rotation of the same angle is this one.
             let moved = placing.matrix().transform_point2(Vec2::Y);
             value["extensions"] = json!({"KHR_texture_transform": {
                 "offset": [moved.x, 1.0 - moved.y],
-                "rotation": placing.turn.to_radians(),
+                "rotation": placing.rotation.to_radians(),
                 "scale": placing.repeat.to_array(),
             }});
             self.placed = true;
@@ -206,11 +206,11 @@ impl Materials {
 }
 
 /// The numbers of the format for wrapping; a border of nothing comes closest as an edge that goes on.
-fn wrap(wrap: Wrap) -> u32 {
+fn wrap(wrap: WrapMode) -> u32 {
     match wrap {
-        Wrap::Repeat => 10497,
-        Wrap::Mirror => 33648,
-        Wrap::Clamp | Wrap::Border => 33071,
+        WrapMode::Repeat => 10497,
+        WrapMode::Mirror => 33648,
+        WrapMode::Clamp | WrapMode::Border => 33071,
     }
 }
 

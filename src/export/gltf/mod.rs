@@ -140,7 +140,7 @@ impl<'a> Writer<'a> {
         self.mirrored = frame.surfaces.iter().filter(|surface| surface.mirrored).map(|surface| surface.node).collect();
         for surface in &frame.surfaces {
             let content = self.document.scene.graph.node(surface.node).contents.get(surface.content as usize);
-            if let (Some(Content::Mesh(instance)), SurfaceGeometry::Deformed { positions, normals }) = (content, &surface.placement)
+            if let (Some(Content::Mesh(instance)), SurfaceGeometry::Deformed { positions, normals }) = (content, &surface.geometry)
                 && instance.mixes_skins()
             {
                 self.still.insert((surface.node, surface.content as usize), (positions.clone(), normals.clone()));
@@ -202,7 +202,7 @@ impl<'a> Writer<'a> {
         let graph = &self.document.scene.graph;
         let mut moving = vec![false; graph.len()];
         for channel in self.document.clips.iter().flat_map(|clip| &clip.channels) {
-            if let crate::animation::Target::Transform { node, .. } = channel.target
+            if let crate::animation::ChannelTarget::Transform { node, .. } = channel.target
                 && let Some(moving) = moving.get_mut(node.index())
             {
                 *moving = true;

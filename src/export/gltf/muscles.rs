@@ -64,7 +64,7 @@ impl<'a> Muscles<'a> {
 
     fn at(&mut self, state: &PoseState) -> Vec<Shape> {
         self.document.pose(state, &mut self.buffers, &mut self.frame);
-        let shape = |place: &Place| match self.frame.surfaces.get(place.surface).map(|surface| &surface.placement) {
+        let shape = |place: &Place| match self.frame.surfaces.get(place.surface).map(|surface| &surface.geometry) {
             Some(SurfaceGeometry::Deformed { positions, normals }) => {
                 let world = place.bone.and_then(|bone| self.frame.world.get(bone.index())).copied().unwrap_or(DMat4::IDENTITY);
                 let scale = world.determinant().abs().cbrt() as f32;

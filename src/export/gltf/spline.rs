@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::animations::{AnimationRange, local, ops};
-use crate::animation::{Channel, Components, Curve, Interpolation, Pose, Target};
+use crate::animation::{Channel, ChannelTarget, Components, Curve, Interpolation, Pose};
 use crate::scene::{MorphId, NodeId, TransformOp};
 
 /// A cubic track: for each key the tangent that arrives, the value, the tangent that leaves.
@@ -53,7 +53,7 @@ impl Spline {
         let mut lanes: [Option<(&Curve, usize)>; 3] = [None; 3];
         let mut moving = None;
         for channel in channels {
-            let Target::Transform { op, lane, .. } = channel.target else { return None };
+            let ChannelTarget::Transform { op, components: lane, .. } = channel.target else { return None };
             if *moving.get_or_insert(op) != op {
                 return None;
             }
@@ -109,7 +109,7 @@ impl Spline {
         let times = shared_times(take, channels)?;
         let lead = |&(morph, target, weight): &(MorphId, u32, f64)| {
             // Of two channels on one weight the later counts, as it does when they are sampled.
-            let found = channels.iter().rev().find(|channel| channel.target == Target::MorphWeight { morph, target });
+            let found = channels.iter().rev().find(|channel| channel.target == ChannelTarget::MorphWeight { morph, target });
             found.map_or(Lead::Still(weight), |channel| Lead::Curve(&channel.curve, 0))
         };
         let leads: Vec<Lead<'_>> = rest.iter().map(lead).collect();

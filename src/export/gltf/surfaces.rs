@@ -72,7 +72,7 @@ fn extras(skin: &Skin, mesh: &Mesh) -> (bool, bool) {
     let root = skin.influences.iter().any(|influence| usize::try_from(influence.joint).map_or(true, |joint| joint >= own));
     let loose = |point: usize| !skin.influences_of(point).iter().any(|influence| influence.weight > 0.0);
     let any_loose = (0..mesh.source_count as usize).any(loose);
-    (root || (any_loose && !skin.binds_as_it_is()), any_loose && skin.binds_as_it_is())
+    (root || (any_loose && !skin.has_identity_bind_shape()), any_loose && skin.has_identity_bind_shape())
 }
 
 /// The joints that a skin is written with: its own, then those of [`extras`].

@@ -30,7 +30,7 @@ fn plot(up: String, across: String, curves: Vec<(String, Vec<(f64, f64)>)>, leas
     });
     let Curve { name, color, points } = curves.next().unwrap_or_default();
     let name = if several { name } else { String::new() };
-    Plot { across, up, points, name, color, beside: curves.collect(), least_span, ..Plot::default() }
+    Plot { x_label: across, y_label: up, points, name, color, more_curves: curves.collect(), min_y_span: least_span, ..Plot::default() }
 }
 
 impl MuscleTable {
@@ -119,8 +119,8 @@ mod tests {
         let [(_, plots)] = &page.sections[..] else { panic!("one section") };
         assert_eq!(plots.len(), 4);
         for plot in plots {
-            assert!(plot.points.len() > 80 && plot.points.windows(2).all(|pair| pair[0].0 < pair[1].0), "{}", plot.up);
-            assert!(plot.beside.is_empty() && plot.name.is_empty());
+            assert!(plot.points.len() > 80 && plot.points.windows(2).all(|pair| pair[0].0 < pair[1].0), "{}", plot.y_label);
+            assert!(plot.more_curves.is_empty() && plot.name.is_empty());
         }
         let volumes = &plots[3].points;
         assert!(volumes.iter().all(|(_, volume)| (volume - volumes[0].1).abs() < 1e-9 * volumes[0].1));
@@ -138,9 +138,9 @@ mod tests {
         let page = table.page();
         let (title, plots) = &page.sections[0];
         let names: Vec<&str> =
-            std::iter::once(&plots[1].name).chain(plots[1].beside.iter().map(|curve| &curve.name)).map(String::as_str).collect();
+            std::iter::once(&plots[1].name).chain(plots[1].more_curves.iter().map(|curve| &curve.name)).map(String::as_str).collect();
         assert_eq!(names, ["13", "14", "15", "16", "17", "18", "19"]);
-        assert_eq!(plots[1].beside[5].points, [(0.0, 0.0), (1.0, 19.0)]);
+        assert_eq!(plots[1].more_curves[5].points, [(0.0, 0.0), (1.0, 19.0)]);
         assert!(title.contains("20"));
     }
 }

@@ -6,7 +6,7 @@ use glam::{Mat4, Quat, Vec2, Vec3};
 
 use crate::scene::{
     Bounds, Camera, Frame, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, Node, Paint, Part, Pixels, Projection, Scene,
-    Surface, SurfaceGeometry, TextureRef, Wrap,
+    Surface, SurfaceGeometry, TextureRef, WrapMode,
 };
 
 /// A scene of one sphere.
@@ -25,8 +25,13 @@ impl Yard {
             let checker = |i: u32| if (i % 512 / 32 + i / 512 / 32).is_multiple_of(2) { [200, 180, 90, 255] } else { [90, 120, 200, 255] };
             let pixels = Pixels { width: 512, height: 512, rgba: (0..512 * 512).flat_map(checker).collect() };
             scene.images.push(Image { pixels: Some(Arc::new(pixels)), ..Image::default() });
-            let texture =
-                TextureRef { image: ImageId(0), semantic: String::new(), wrap_s: Wrap::Repeat, wrap_t: Wrap::Repeat, placing: None };
+            let texture = TextureRef {
+                image: ImageId(0),
+                semantic: String::new(),
+                wrap_s: WrapMode::Repeat,
+                wrap_t: WrapMode::Repeat,
+                transform: None,
+            };
             material.diffuse.texture = Some(texture);
         }
         scene.materials.push(material.clone());
@@ -34,7 +39,7 @@ impl Yard {
             node,
             mesh: Arc::new(sphere(segments, rings)),
             materials: vec![Some(MaterialBinding::plain(MaterialId(0)))].into(),
-            placement: SurfaceGeometry::Rigid(Mat4::IDENTITY),
+            geometry: SurfaceGeometry::Rigid(Mat4::IDENTITY),
             mirrored: false,
             solid: None,
             muscle: None,
@@ -50,7 +55,7 @@ impl Yard {
 
     /// Turns the sphere to this angle, radians.
     pub(super) fn turn(&mut self, angle: f32) {
-        self.frame.surfaces[0].placement = SurfaceGeometry::Rigid(Mat4::from_rotation_y(angle));
+        self.frame.surfaces[0].geometry = SurfaceGeometry::Rigid(Mat4::from_rotation_y(angle));
     }
 }
 
