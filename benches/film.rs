@@ -31,7 +31,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let (yaw, pitch) = ViewDirection::Start.angles();
     let eye = FittedOrbit::fit(
         Direction { yaw, pitch, parallel: false, zoom: 1.0 },
-        &document.reach(&state),
+        &document.motion_bounds(&state),
         SIZE.0 as f32 / SIZE.1 as f32,
         false,
     );

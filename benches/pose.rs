@@ -52,7 +52,7 @@ fn skinned() -> Document {
     scene.graph.add(None, Node::new("skin").with_content(Content::Mesh(instance)));
     let mut document = Document::default();
     document.scene = scene;
-    document.touch();
+    document.bump_revision();
     document
 }
 

@@ -273,7 +273,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Load
     window.viewport.hush();
     window.files.failed.set(false);
     let news = (arrival == LoadMode::Again).then(|| window.look(|session| reload_summary::what_changed(session.document(), &document)));
-    let warnings = document.health.len();
+    let warnings = document.diagnostics.len();
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
     if arrival == LoadMode::New {
         window.give_looks_back();

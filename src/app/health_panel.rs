@@ -75,22 +75,22 @@ impl HealthPanel {
         }
         let document = session.document();
         let store = gio::ListStore::new::<glib::BoxedAnyObject>();
-        let items: Vec<_> = document.health.iter().cloned().map(glib::BoxedAnyObject::new).collect();
+        let items: Vec<_> = document.diagnostics.iter().cloned().map(glib::BoxedAnyObject::new).collect();
         store.extend_from_slice(&items);
         self.list.set_model(Some(&gtk::NoSelection::new(Some(store))));
-        let count = |severity| document.health.iter().filter(|finding| finding.severity == severity).count();
+        let count = |severity| document.diagnostics.iter().filter(|finding| finding.severity == severity).count();
         let counts = [("app-health-warnings", count(Severity::Warning)), ("app-health-notes", count(Severity::Note))];
         let told: Vec<String> = counts.into_iter().filter(|(_, count)| *count > 0).map(|(key, count)| tr!(key, count = count)).collect();
         self.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
-        self.scroller.set_visible(!document.health.is_empty());
-        self.copy.set_sensitive(!document.health.is_empty());
+        self.scroller.set_visible(!document.diagnostics.is_empty());
+        self.copy.set_sensitive(!document.diagnostics.is_empty());
         ui::say(&self.facts, &facts(document));
     }
 }
 
 /// All findings, one a line.
 fn report(document: &Document) -> String {
-    document.health.iter().map(|finding| format!("{finding}\n")).collect()
+    document.diagnostics.iter().map(|finding| format!("{finding}\n")).collect()
 }
 
 /// What the files say of themselves.

@@ -302,13 +302,13 @@ impl Inspector {
     }
 
     fn show_turns(&self, session: &Session, node: NodeId) {
-        let degrees = session.document().hand_turn(node);
+        let degrees = session.document().joint_override(node);
         for ((scale, label), value) in self.turns.iter().zip(&self.turn_values).zip(degrees.to_array()) {
             ui::show_value(&scale.adjustment(), value);
             label.set_text(&format!("{}°", format::number(value, 1)));
         }
         part::<gtk::Button>(&self.builder, "reset").set_sensitive(degrees != DVec3::ZERO);
-        part::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.document().hand_turns().is_empty());
+        part::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.document().joint_overrides().is_empty());
         self.dual.set_active(session.state().skinning == Skinning::DualQuaternion);
     }
 
@@ -397,7 +397,7 @@ fn turn_scale(grid: &gtk::Grid, row: usize) -> gtk::Scale {
 /// Turns the selected joint about one of its axes.
 fn turn(session: &mut Session, axis: usize, degrees: f64) {
     let Some(node) = session.selected() else { return };
-    let mut turns = session.document().hand_turn(node);
+    let mut turns = session.document().joint_override(node);
     turns[axis] = degrees;
     session.step(tr!("app-edit-turn-by-hand"), Step::near(node.0), |session| session.turn_by_hand(node, turns));
 }

@@ -119,16 +119,16 @@ pub(super) fn shares(told: &VertexInfluences, most: usize) -> Vec<[String; 5]> {
         [name, weight, x, y, z]
     };
     let mut rows: Vec<_> = told
-        .shares
+        .influences
         .iter()
         .take(most)
         .map(|share| {
             let name = if share.joint.is_empty() { tr!("app-vertex-bind") } else { share.joint.clone() };
-            row(name, format::number(share.weight, 3), share.part)
+            row(name, format::number(share.weight, 3), share.contribution)
         })
         .collect();
-    let weights: f64 = told.shares.iter().map(|share| share.weight).sum();
-    let weights = if told.shares.is_empty() { String::new() } else { format::number(weights, 3) };
+    let weights: f64 = told.influences.iter().map(|share| share.weight).sum();
+    let weights = if told.influences.is_empty() { String::new() } else { format::number(weights, 3) };
     rows.push(row(tr!("app-vertex-sum"), weights, told.sum));
     rows
 }
@@ -136,7 +136,7 @@ pub(super) fn shares(told: &VertexInfluences, most: usize) -> Vec<[String; 5]> {
 /// How the sum and the picture compare.
 pub(super) fn vertex_note(told: &VertexInfluences) -> String {
     let apart = (told.sum - told.drawn).length();
-    if told.shares.is_empty() {
+    if told.influences.is_empty() {
         tr!("app-vertex-rigid")
     } else if apart > 1e-4 {
         tr!("app-vertex-apart", apart = format::number(apart, 4))
@@ -166,10 +166,16 @@ mod tests {
 
     #[test]
     fn the_last_row_is_the_sum() {
-        let share = |weight: f64, alone: DVec3| Influence { node: None, joint: "hip".into(), weight, alone, part: alone * weight };
+        let share = |weight: f64, alone: DVec3| Influence {
+            node: None,
+            joint: "hip".into(),
+            weight,
+            full_weight_position: alone,
+            contribution: alone * weight,
+        };
         let shares = vec![share(0.25, DVec3::X), share(0.75, DVec3::Y)];
         let sum = DVec3::new(0.25, 0.75, 0.0);
-        let told = VertexInfluences { vertex: 0, point: 0, base: DVec3::ZERO, shares, sum, drawn: sum };
+        let told = VertexInfluences { vertex: 0, point: 0, base: DVec3::ZERO, influences: shares, sum, drawn: sum };
         let rows = super::shares(&told, 12);
         assert_eq!(rows.len(), 3);
         assert_eq!(rows[2][1..], ["1.000", "0.2500", "0.7500", "0.0000"]);

@@ -25,7 +25,7 @@ pub(super) fn what_changed(before: &Document, after: &Document) -> String {
         [
             (triangles as f64, "app-changed-triangles", 0),
             (seconds, "app-changed-seconds", 2),
-            (document.health.len() as f64, "app-changed-findings", 0),
+            (document.diagnostics.len() as f64, "app-changed-findings", 0),
         ]
     };
     for ((old, key, digits), (new, ..)) in counts(before).into_iter().zip(counts(after)) {

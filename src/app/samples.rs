@@ -101,7 +101,7 @@ mod tests {
             assert!(pixels.chunks(64).any(|row| row.iter().any(|pixel| pixel != &row[0])), "{}", demo.name);
             let Some(path) = demo.unpack(folder.path()).expect("unpacked") else { continue };
             let document = Document::open(&[path], &Progress::default()).expect("opened");
-            assert!(document.health.iter().all(|finding| finding.code != "clip-not-opened"), "{}", demo.name);
+            assert!(document.diagnostics.iter().all(|finding| finding.code != "clip-not-opened"), "{}", demo.name);
         }
     }
 

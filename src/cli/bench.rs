@@ -134,7 +134,7 @@ fn model(
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let start = document.start_state();
     let mut orbit = OrbitCamera::default();
-    let reach = document.reach(&start);
+    let reach = document.motion_bounds(&start);
     orbit.fit(&reach, width as f32 / height as f32);
     let display = &Display { ground: Some(reach), ..display.clone() };
     let camera = orbit.camera();

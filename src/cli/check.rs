@@ -70,7 +70,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
 }
 
 fn open(file: &Path) -> Result<Vec<Diagnostic>, OpenError> {
-    Document::open_with(&[file], OpenOptions { images: Images::Test }, &Progress::default()).map(|document| document.health)
+    Document::open_with(&[file], OpenOptions { images: Images::Test }, &Progress::default()).map(|document| document.diagnostics)
 }
 
 fn report(name: &str, result: &Result<Vec<Diagnostic>, OpenError>) -> FileReport {

@@ -24,7 +24,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let guard = Guard::of_files(&files);
     guard.output(&out)?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
-    remark(document.health.iter());
+    remark(document.diagnostics.iter());
     let target = guard.and(document.files()).output(&out)?;
     allow_overwriting(given, std::iter::once(out.clone()))?;
     leave_nothing();

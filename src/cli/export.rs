@@ -31,7 +31,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let guard = Guard::of_files(&files);
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
-    remark(document.health.iter());
+    remark(document.diagnostics.iter());
     let guard = guard.and(document.files());
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
     allow_overwriting(given, outs())?;

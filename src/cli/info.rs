@@ -132,7 +132,7 @@ impl Info {
                 .collect(),
             muscles: muscles(document),
             bounds: (!bounds.is_empty()).then(|| BoundsInfo { min: bounds.min.to_array(), max: bounds.max.to_array() }),
-            warnings: document.health.iter().map(FindingReport::from).collect(),
+            warnings: document.diagnostics.iter().map(FindingReport::from).collect(),
         }
     }
 

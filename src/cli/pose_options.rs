@@ -96,7 +96,7 @@ impl Moment {
             if rig.is_drivable() {
                 state.drive = rig.at_contraction(contraction);
             } else {
-                let turn = document.contracted(&state, contraction);
+                let turn = document.joint_rotation_for_contraction(&state, contraction);
                 let turn = turn.ok_or_else(|| Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))))?;
                 state.joint_rotation = Some(turn);
             }

@@ -49,7 +49,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let opened = view::open(&files, OpenOptions::default(), &Progress::default())?;
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
     let Opened { document, session: saved, compared } = opened;
-    remark(document.health.iter());
+    remark(document.diagnostics.iter());
     let moment = Moment::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
     let state = moment.over(start, &document, first)?;
@@ -63,7 +63,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     target.files(&sequence).try_for_each(|file| guard.output(&file).map(drop))?;
     allow_overwriting(given, target.files(&sequence))?;
     let aspect = size.0 as f32 / size.1 as f32;
-    let bounds = if sequence.is_turntable_only() { posed_bounds(&document, &state) } else { document.reach(&state) };
+    let bounds = if sequence.is_turntable_only() { posed_bounds(&document, &state) } else { document.motion_bounds(&state) };
     let other = compared.map(|(path, other)| (path.display().to_string(), other));
     let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| SceneOverlays::from_session(saved, &document, other));
     let mut wide = bounds;

@@ -10,23 +10,23 @@ const GAP: f64 = 0.15;
 
 /// The place that is free on the right of a scene, metres.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Beside {
+pub(super) struct ArmPlacer {
     /// How far the scene reaches to +X; `None` while there is nothing.
     right: Option<f64>,
     /// Its middle along Z.
     depth: f64,
 }
 
-impl Beside {
+impl ArmPlacer {
     /// Beside the box round a scene.
-    pub(super) fn of(bounds: &Bounds) -> Self {
-        let there = !bounds.is_empty() && bounds.min.is_finite() && bounds.max.is_finite();
-        let right = there.then_some(f64::from(bounds.max.x));
-        Self { right, depth: if there { f64::from(bounds.center().z) } else { 0.0 } }
+    pub(super) fn new(bounds: &Bounds) -> Self {
+        let is_occupied = !bounds.is_empty() && bounds.min.is_finite() && bounds.max.is_finite();
+        let right = is_occupied.then_some(f64::from(bounds.max.x));
+        Self { right, depth: if is_occupied { f64::from(bounds.center().z) } else { 0.0 } }
     }
 
     /// Takes the place for an arm, with room for its forearm when it bends; `None` where it can stay where it is, because there is nothing else.
-    pub(super) fn take(&mut self, arm: &Arm, file: &MuscleFile) -> Option<DVec3> {
+    pub(super) fn place(&mut self, arm: &Arm, file: &MuscleFile) -> Option<DVec3> {
         let unit = file.unit_metres;
         let thickest = file.muscles.iter().flat_map(|muscle| muscle.profile.radii()).copied().fold(arm.thickness, f64::max);
         // Muscles lie before and behind the rods and bulge.

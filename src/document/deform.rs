@@ -2,20 +2,20 @@
 
 use glam::{DMat4, Vec3, Vec3A};
 
-use super::mix::{Active, Mixer};
-use super::skinning::{Palette, normal_matrix};
+use super::mix::{ActiveMorph, MorphMixer};
+use super::skinning::{SkinDeformer, normal_matrix};
 use super::{PoseState, Skinning};
 use crate::scene::{Bounds, Deformer, Mesh, MeshInstance, Morph, NodeId, Scene, Skin, SkinId};
 
 /// What bending one instance needs, laid out once.
 #[derive(Debug, Clone, Default)]
 pub(super) struct MeshDeformer {
-    palette: Palette,
-    mixer: Mixer,
+    skin_deformer: SkinDeformer,
+    mixer: MorphMixer,
     /// The shape after the morphs, where a skin follows; empty where there are none.
     morphed: (Vec<Vec3>, Vec<Vec3>),
     /// Skins of morph targets, and what they make: those of [`MeshInstance::skinned_targets`], in their order.
-    targets: Vec<(Palette, Vec<Vec3>, Vec<Vec3>)>,
+    targets: Vec<(SkinDeformer, Vec<Vec3>, Vec<Vec3>)>,
 }
 
 /// The skin of an instance, if it has one that the scene knows.
@@ -44,7 +44,7 @@ impl MeshDeformer {
         let lacks_normals = |morph: &Morph| morph.targets.iter().any(|target| target.normal_deltas.len() != mesh.positions.len());
         let smooths = !instance.skinned_targets.is_empty() || morphs.any(|(_, morph)| lacks_normals(morph));
         let targets = instance.skinned_targets.iter().map(|_| Default::default()).collect();
-        Self { mixer: Mixer::new(mesh, smooths), targets, ..Self::default() }
+        Self { mixer: MorphMixer::new(mesh, smooths), targets, ..Self::default() }
     }
 
     /// Bends the instance on `node` into the buffers and says whether it is mirrored.
@@ -52,7 +52,7 @@ impl MeshDeformer {
         clippy::too_many_arguments,
         reason = "the matrices and buffers of one surface, each borrowed from another part of the document"
     )]
-    pub(super) fn bend(
+    pub(super) fn deform(
         &mut self,
         scene: &Scene,
         (node, instance): (NodeId, &MeshInstance),
@@ -73,25 +73,25 @@ impl MeshDeformer {
         if let Some((skin, joints)) = skin_of(scene, instance) {
             let last = instance.is_skinned();
             let worlds = joints.iter().map(|joint| joint.and_then(at));
-            self.palette.set(skin, worlds, if last { &here } else { &file }, &file, dual);
-            let as_it_is = morphs_of(scene, instance, true).next().is_none() && mesh.normals.len() == count;
+            self.skin_deformer.set(skin, worlds, if last { &here } else { &file }, &file, dual);
+            let is_unmorphed = morphs_of(scene, instance, true).next().is_none() && mesh.normals.len() == count;
             let (mut p, mut n) = std::mem::take(&mut self.morphed);
-            let from = if as_it_is {
+            let from = if is_unmorphed {
                 (mesh.positions.as_slice(), mesh.normals.as_slice())
             } else {
                 self.shape(scene, instance, mesh, morph_weights, (&mut p, &mut n));
                 (p.as_slice(), n.as_slice())
             };
-            let bounds = self.palette.bend(skin, mesh, from, (positions, normals));
+            let bounds = self.skin_deformer.deform(skin, mesh, from, (positions, normals));
             self.morphed = (p, n);
             if last {
-                return (bounds, self.palette.mirrors());
+                return (bounds, self.skin_deformer.mirrors());
             }
-            mirrored ^= self.palette.mirrors();
+            mirrored ^= self.skin_deformer.mirrors();
             // The targets are where the file's root is, not yet in metres.
-            carry(&file.inverse(), positions, normals);
+            transform_all(&file.inverse(), positions, normals);
         } else {
-            begin(mesh, (positions, normals));
+            copy_rest_shape(mesh, (positions, normals));
         }
         for ((palette, p, n), target) in self.targets.iter_mut().zip(&instance.skinned_targets) {
             let Some(skin) = scene.skins.get(target.skin.index()) else { continue };
@@ -99,17 +99,17 @@ impl MeshDeformer {
             n.resize(count, Vec3::Y);
             palette.set(skin, target.joints.iter().map(|joint| joint.and_then(at)), &file, &file, dual);
             if target.positions.len() == count && mesh.normals.len() == count {
-                palette.bend(skin, mesh, (&target.positions, &mesh.normals), (p, n));
-                carry(&file.inverse(), p, n);
+                palette.deform(skin, mesh, (&target.positions, &mesh.normals), (p, n));
+                transform_all(&file.inverse(), p, n);
             }
         }
         for (id, morph) in morphs_of(scene, instance, false) {
             let Some(weights) = morph_weights.get(id) else { continue };
             let given = instance.skinned_targets.iter().zip(&self.targets).filter(|(target, _)| target.morph.index() == id);
             let given = given.map(|(target, (_, positions, _))| (target.target as usize, positions.as_slice()));
-            self.mixer.mix(&Active { morph, weights, mesh, given }, positions, normals);
+            self.mixer.mix(&ActiveMorph { morph, weights, mesh, given }, positions, normals);
         }
-        carry(&here, positions, normals);
+        transform_all(&here, positions, normals);
         (Bounds::of(positions.iter().copied()), mirrored)
     }
 
@@ -122,17 +122,17 @@ impl MeshDeformer {
         morph_weights: &[Vec<f32>],
         (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>),
     ) {
-        begin(mesh, (positions, normals));
+        copy_rest_shape(mesh, (positions, normals));
         for (id, morph) in morphs_of(scene, instance, true) {
             if let Some(weights) = morph_weights.get(id) {
-                self.mixer.mix(&Active { morph, weights, mesh, given: std::iter::empty() }, positions, normals);
+                self.mixer.mix(&ActiveMorph { morph, weights, mesh, given: std::iter::empty() }, positions, normals);
             }
         }
     }
 }
 
 /// The mesh as it stands.
-fn begin(mesh: &Mesh, (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>)) {
+fn copy_rest_shape(mesh: &Mesh, (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>)) {
     positions.clear();
     positions.extend_from_slice(&mesh.positions);
     normals.clear();
@@ -141,7 +141,7 @@ fn begin(mesh: &Mesh, (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>)) {
 }
 
 /// Moves a shape by a matrix.
-fn carry(by: &DMat4, positions: &mut [Vec3], normals: &mut [Vec3]) {
+fn transform_all(by: &DMat4, positions: &mut [Vec3], normals: &mut [Vec3]) {
     let (matrix, turn) = (by.as_mat4(), normal_matrix(by));
     for (position, normal) in positions.iter_mut().zip(normals) {
         *position = matrix.transform_point3(*position);

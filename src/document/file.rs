@@ -37,8 +37,8 @@ pub(super) fn read(path: &Path, name: &str, limit: u64) -> Result<Vec<u8>, OpenE
 
 /// The format by the file's ending; where that says nothing, by its first bytes.
 pub(super) fn format(path: &Path, bytes: &[u8]) -> Format {
-    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
-    match ending.as_deref() {
+    let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
+    match extension.as_deref() {
         Some("dae" | "zae" | "xml") => return Format::Collada,
         Some("yaml" | "yml") => return Format::Muscles,
         _ => {}

@@ -5,10 +5,10 @@ use std::path::Path;
 use crate::tr;
 
 /// How much of a file is looked at.
-const HEAD: usize = 4096;
+const HEADER_BYTES: usize = 4096;
 
 /// What a file begins with, and what such a file is.
-const MARKS: &[(&[u8], &str)] = &[
+const MAGIC_BYTES: &[(&[u8], &str)] = &[
     (b"glTF", "glTF (.glb)"),
     (b"Kaydara FBX Binary", "FBX"),
     (b"; FBX", "FBX"),
@@ -51,7 +51,7 @@ const MARKS: &[(&[u8], &str)] = &[
 ];
 
 /// Endings of such files whose content has no mark of its own, or none that tells it apart from text.
-const ENDINGS: &[(&str, &str)] = &[
+const EXTENSIONS: &[(&str, &str)] = &[
     ("3ds", "3DS"),
     ("3mf", "3MF"),
     ("abc", "Alembic"),
@@ -114,7 +114,7 @@ const ENDINGS: &[(&str, &str)] = &[
 ];
 
 /// Root elements of XML documents that are no COLLADA.
-const ROOTS: &[(&str, &str)] = &[
+const ROOT_ELEMENTS: &[(&str, &str)] = &[
     ("OpenSimDocument", "OpenSim (.osim)"),
     ("X3D", "X3D"),
     ("robot", "URDF"),
@@ -127,7 +127,7 @@ const ROOTS: &[(&str, &str)] = &[
 
 /// What a file is that is not read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Foreign {
+pub(super) enum UnsupportedFormat {
     /// A format with a name.
     Named(&'static str),
     /// A table of numbers, which other commands take.
@@ -138,16 +138,16 @@ pub(super) enum Foreign {
     Unknown,
 }
 
-impl Foreign {
+impl UnsupportedFormat {
     /// What a file is that is not read, by its content and its ending; `None` for what its reader is to look at.
     pub(super) fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
-        let head = bytes.get(..HEAD).unwrap_or(bytes);
+        let head = bytes.get(..HEADER_BYTES).unwrap_or(bytes);
         let text = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(head).trim_ascii_start();
         let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).unwrap_or_default();
-        let marked = MARKS.iter().find(|(mark, _)| head.starts_with(mark) || text.starts_with(mark)).map(|(_, name)| *name);
+        let marked = MAGIC_BYTES.iter().find(|(mark, _)| head.starts_with(mark) || text.starts_with(mark)).map(|(_, name)| *name);
         if let Some(name) = marked.or_else(|| within(head)) {
             // Blender packs its files.
-            let by_ending = || ENDINGS.iter().find(|(known, _)| *known == ending).map(|(_, name)| *name);
+            let by_ending = || EXTENSIONS.iter().find(|(known, _)| *known == ending).map(|(_, name)| *name);
             return Some(Self::Named(if matches!(name, "gzip" | "Zstandard" | "glTF (.glb)") {
                 by_ending().unwrap_or(name)
             } else {
@@ -156,7 +156,7 @@ impl Foreign {
         }
         let is_xml = text.starts_with(b"<") || super::file::is_utf16(bytes);
         if is_xml {
-            return root(text).and_then(|root| ROOTS.iter().find(|(known, _)| *known == root)).map(|(_, name)| Self::Named(name));
+            return root(text).and_then(|root| ROOT_ELEMENTS.iter().find(|(known, _)| *known == root)).map(|(_, name)| Self::Named(name));
         }
         if text.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"sinew_session:")) {
             return Some(Self::Session);
@@ -164,7 +164,7 @@ impl Foreign {
         if matches!(ending.as_str(), "dae" | "zae" | "xml" | "yaml" | "yml") {
             return None;
         }
-        if let Some((_, name)) = ENDINGS.iter().find(|(known, _)| *known == ending) {
+        if let Some((_, name)) = EXTENSIONS.iter().find(|(known, _)| *known == ending) {
             return Some(Self::Named(name));
         }
         if bytes.starts_with(b"PK") {
@@ -173,15 +173,15 @@ impl Foreign {
         let lines = std::str::from_utf8(bytes).ok().filter(|text| !text.contains('\0'));
         match lines {
             Some(_) if ending == "csv" => Some(Self::Table),
-            Some(text) if like_gltf(text) => Some(Self::Named("glTF")),
-            Some(text) if like_obj(text) => Some(Self::Named("OBJ")),
-            Some(text) if like_yaml(text) => None,
+            Some(text) if looks_like_gltf(text) => Some(Self::Named("glTF")),
+            Some(text) if looks_like_obj(text) => Some(Self::Named("OBJ")),
+            Some(text) if looks_like_yaml(text) => None,
             _ => Some(Self::Unknown),
         }
     }
 }
 
-impl Foreign {
+impl UnsupportedFormat {
     /// Says so, and what is read instead.
     pub(super) fn sentence(self) -> String {
         match self {
@@ -224,12 +224,12 @@ fn root(head: &[u8]) -> Option<&str> {
     Some(name.rsplit(':').next().unwrap_or(name))
 }
 
-fn like_gltf(text: &str) -> bool {
+fn looks_like_gltf(text: &str) -> bool {
     text.trim_start().starts_with('{') && text.contains("\"asset\"") && text.contains("\"version\"")
 }
 
 /// Whether the first line that says anything is a vertex or what stands before one.
-fn like_obj(text: &str) -> bool {
+fn looks_like_obj(text: &str) -> bool {
     let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#'));
     let Some(first) = lines.next() else { return false };
     let mut words = first.split_whitespace();
@@ -237,7 +237,7 @@ fn like_obj(text: &str) -> bool {
 }
 
 /// Whether a line begins with a key, or the text with a bracket or what begins a document.
-fn like_yaml(text: &str) -> bool {
+fn looks_like_yaml(text: &str) -> bool {
     let is_key = |line: &str| {
         line.split_once(':').is_some_and(|(key, rest)| {
             let key = key.trim_matches(['"', '\'']);
@@ -255,11 +255,11 @@ mod tests {
     use super::*;
 
     fn named(path: &str, bytes: &[u8]) -> Option<&'static str> {
-        match Foreign::of(Path::new(path), bytes) {
-            Some(Foreign::Named(name)) => Some(name),
-            Some(Foreign::Table) => Some("table"),
-            Some(Foreign::Session) => Some("session"),
-            Some(Foreign::Unknown) => Some("unknown"),
+        match UnsupportedFormat::of(Path::new(path), bytes) {
+            Some(UnsupportedFormat::Named(name)) => Some(name),
+            Some(UnsupportedFormat::Table) => Some("table"),
+            Some(UnsupportedFormat::Session) => Some("session"),
+            Some(UnsupportedFormat::Unknown) => Some("unknown"),
             None => None,
         }
     }

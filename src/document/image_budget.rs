@@ -2,7 +2,7 @@
 
 /// What an image asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Wish {
+pub(super) struct ImageDemand {
     /// Columns and rows.
     pub size: [u32; 2],
     /// In how many ways it is used as a texture; each has mip levels of its own.
@@ -12,7 +12,7 @@ pub(super) struct Wish {
 /// What an image and each of its mip chains take at least, bytes.
 const FIXED: u64 = 2_048;
 
-impl Wish {
+impl ImageDemand {
     /// What it takes at this size, bytes: four a pixel, and for each texture the same again with a third more for the mip levels.
     fn bytes(&self, [width, height]: [u32; 2]) -> u64 {
         let area = u64::from(width) * u64::from(height);
@@ -21,7 +21,7 @@ impl Wish {
     }
 
     /// Its size, halved until it has no more than `most` pixels.
-    fn within(&self, most: u64) -> [u32; 2] {
+    fn size_within(&self, most: u64) -> [u32; 2] {
         let [mut width, mut height] = self.size;
         while u64::from(width) * u64::from(height) > most && (width > 1 || height > 1) {
             (width, height) = ((width / 2).max(1), (height / 2).max(1));
@@ -31,26 +31,26 @@ impl Wish {
 }
 
 /// What all images take together as they are, bytes.
-pub(super) fn total(wishes: &[Wish]) -> u64 {
-    wishes.iter().map(|wish| wish.bytes(wish.size)).fold(0, u64::saturating_add)
+pub(super) fn total(demands: &[ImageDemand]) -> u64 {
+    demands.iter().map(|demand| demand.bytes(demand.size)).fold(0, u64::saturating_add)
 }
 
 /// The size of each image, so that all together take no more than `budget` bytes. The largest are halved first, equal ones alike; `None` where not
 /// even a pixel is left for one.
-pub(super) fn sizes(wishes: &[Wish], budget: u64) -> Vec<Option<[u32; 2]>> {
-    let sum = |most: u64| wishes.iter().map(|wish| wish.bytes(wish.within(most))).fold(0, u64::saturating_add);
-    let area = |wish: &Wish| u64::from(wish.size[0]) * u64::from(wish.size[1]);
-    let mut most = wishes.iter().map(area).max().unwrap_or(1);
+pub(super) fn sizes(demands: &[ImageDemand], budget: u64) -> Vec<Option<[u32; 2]>> {
+    let sum = |most: u64| demands.iter().map(|demand| demand.bytes(demand.size_within(most))).fold(0, u64::saturating_add);
+    let area = |demand: &ImageDemand| u64::from(demand.size[0]) * u64::from(demand.size[1]);
+    let mut most = demands.iter().map(area).max().unwrap_or(1);
     while most > 1 && sum(most) > budget {
         most /= 2;
     }
     let mut left = budget;
-    let size = |wish: &Wish| {
-        let size = wish.within(most);
-        left = left.checked_sub(wish.bytes(size))?;
+    let size = |demand: &ImageDemand| {
+        let size = demand.size_within(most);
+        left = left.checked_sub(demand.bytes(size))?;
         Some(size)
     };
-    wishes.iter().map(size).collect()
+    demands.iter().map(size).collect()
 }
 
 #[cfg(test)]
@@ -58,16 +58,16 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn wish(width: u32, height: u32) -> Wish {
-        Wish { size: [width, height], textures: 1 }
+    fn demand(width: u32, height: u32) -> ImageDemand {
+        ImageDemand { size: [width, height], textures: 1 }
     }
 
     #[test]
     fn what_fits_stays_and_the_largest_is_halved_first() {
-        let wishes = [wish(4096, 4096), wish(512, 512), wish(4096, 2048)];
-        assert_eq!(sizes(&wishes, total(&wishes)), wishes.map(|wish| Some(wish.size)));
-        assert_eq!(sizes(&wishes, total(&wishes) - 1), [Some([2048, 2048]), Some([512, 512]), Some([4096, 2048])]);
-        let many = [wish(4096, 4096); 40];
+        let demands = [demand(4096, 4096), demand(512, 512), demand(4096, 2048)];
+        assert_eq!(sizes(&demands, total(&demands)), demands.map(|demand| Some(demand.size)));
+        assert_eq!(sizes(&demands, total(&demands) - 1), [Some([2048, 2048]), Some([512, 512]), Some([4096, 2048])]);
+        let many = [demand(4096, 4096); 40];
         assert_eq!(sizes(&many, 512 << 20), [Some([1024, 1024]); 40]);
         assert_eq!(sizes(&many, 40_000).iter().flatten().count(), 9, "where not even a pixel fits, some are left out");
     }
@@ -75,21 +75,21 @@ mod tests {
     proptest! {
         #[test]
         fn the_budget_holds_and_nothing_grows(
-            wishes in proptest::collection::vec((1_u32..=16_384, 1_u32..=16_384, 0_u32..4), 0..50),
+            demands in proptest::collection::vec((1_u32..=16_384, 1_u32..=16_384, 0_u32..4), 0..50),
             budget in 0_u64..1 << 30,
         ) {
-            let wishes: Vec<Wish> = wishes.into_iter().map(|(width, height, textures)| Wish { size: [width, height], textures }).collect();
-            let sizes = sizes(&wishes, budget);
-            let taken: u64 = wishes.iter().zip(&sizes).filter_map(|(wish, size)| Some(wish.bytes((*size)?))).sum();
+            let demands: Vec<ImageDemand> = demands.into_iter().map(|(width, height, textures)| ImageDemand { size: [width, height], textures }).collect();
+            let sizes = sizes(&demands, budget);
+            let taken: u64 = demands.iter().zip(&sizes).filter_map(|(demand, size)| Some(demand.bytes((*size)?))).sum();
             prop_assert!(taken <= budget);
-            for (wish, size) in wishes.iter().zip(&sizes) {
+            for (demand, size) in demands.iter().zip(&sizes) {
                 if let Some([width, height]) = size {
-                    prop_assert!(*width <= wish.size[0] && *height <= wish.size[1] && *width > 0 && *height > 0);
+                    prop_assert!(*width <= demand.size[0] && *height <= demand.size[1] && *width > 0 && *height > 0);
                 }
             }
             // A fitting set is left alone.
-            if total(&wishes) <= budget {
-                prop_assert!(sizes.iter().zip(&wishes).all(|(size, wish)| *size == Some(wish.size)));
+            if total(&demands) <= budget {
+                prop_assert!(sizes.iter().zip(&demands).all(|(size, demand)| *size == Some(demand.size)));
             }
         }
     }

@@ -6,7 +6,7 @@ use std::path::Path;
 use image::error::LimitErrorKind;
 use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
-use super::image_scaler::{Canvas, Depth, Layout};
+use super::image_scaler::{BitDepth, PixelFormat, ScaledImage};
 use crate::scene::Pixels;
 use crate::system::{Doing, plain, reason};
 use crate::{limits, tr};
@@ -17,7 +17,7 @@ impl<T: BufRead + Seek> Stream for T {}
 
 /// What is known of an image before it is decoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Head {
+pub(super) struct ImageHeader {
     /// Columns and rows.
     pub size: [u32; 2],
     /// What decoding takes beside the picture that comes out, bytes.
@@ -26,14 +26,14 @@ pub(super) struct Head {
 
 /// Why there is no picture.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Refusal {
+pub(super) enum ImageReadError {
     /// The file is none, or a broken one: what the decoder said.
     Broken(String),
     /// The system gave no memory for it.
     Memory,
 }
 
-impl From<ImageError> for Refusal {
+impl From<ImageError> for ImageReadError {
     fn from(error: ImageError) -> Self {
         match error {
             ImageError::Limits(limit) if limit.kind() == LimitErrorKind::InsufficientMemory => Self::Memory,
@@ -43,13 +43,13 @@ impl From<ImageError> for Refusal {
     }
 }
 
-impl From<io::Error> for Refusal {
+impl From<io::Error> for ImageReadError {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::OutOfMemory { Self::Memory } else { Self::Broken(reason(&error, Doing::Reading)) }
     }
 }
 
-impl From<png::DecodingError> for Refusal {
+impl From<png::DecodingError> for ImageReadError {
     fn from(error: png::DecodingError) -> Self {
         match error {
             png::DecodingError::LimitsExceeded => Self::Memory,
@@ -60,7 +60,7 @@ impl From<png::DecodingError> for Refusal {
 }
 
 /// A reader of the format that the content shows, else that the file's ending names (TGA has no mark), within the limits.
-fn reader<'a>(stream: Box<dyn Stream + 'a>, path: &Path) -> Result<ImageReader<Box<dyn Stream + 'a>>, Refusal> {
+fn reader<'a>(stream: Box<dyn Stream + 'a>, path: &Path) -> Result<ImageReader<Box<dyn Stream + 'a>>, ImageReadError> {
     let mut reader = ImageReader::new(stream).with_guessed_format()?;
     if reader.format().is_none() {
         reader.set_format(ImageFormat::from_path(path)?);
@@ -83,36 +83,36 @@ fn png_decoder<'a>(stream: Box<dyn Stream + 'a>) -> png::Decoder<Box<dyn Stream 
 }
 
 /// Reads the head of an image alone: whether it is one, and how large.
-pub(super) fn look_at(stream: Box<dyn Stream + '_>, path: &Path) -> Result<Head, Refusal> {
+pub(super) fn read_header(stream: Box<dyn Stream + '_>, path: &Path) -> Result<ImageHeader, ImageReadError> {
     let reader = reader(stream, path)?;
-    let head = match reader.format() {
+    let header = match reader.format() {
         Some(ImageFormat::Png) => {
             let mut decoder = png_decoder(reader.into_inner());
             let info = decoder.read_header_info()?;
             let area = u64::from(info.width) * u64::from(info.height);
             // Row by row, but for one whose rows come in seven passes.
             let rows = if info.interlaced { area } else { u64::from(info.width) * 4 };
-            Head { size: [info.width, info.height], decoding: rows * 8 }
+            ImageHeader { size: [info.width, info.height], decoding: rows * 8 }
         }
         Some(ImageFormat::Jpeg) => jpeg_head(reader.into_inner())?,
         _ => {
             let decoder = reader.into_decoder()?;
             // Some decoders unpack into room of their own first.
-            Head { size: decoder.dimensions().into(), decoding: decoder.total_bytes().saturating_mul(2) }
+            ImageHeader { size: decoder.dimensions().into(), decoding: decoder.total_bytes().saturating_mul(2) }
         }
     };
-    let side = head.size[0].max(head.size[1]);
+    let side = header.size[0].max(header.size[1]);
     if side > limits::IMAGE_SIDE {
-        return Err(Refusal::Broken(tr!("document-image-side", limit = limits::IMAGE_SIDE)));
+        return Err(ImageReadError::Broken(tr!("document-image-side", limit = limits::IMAGE_SIDE)));
     }
-    if head.size.contains(&0) {
-        return Err(Refusal::Broken(tr!("document-image-no-pixels")));
+    if header.size.contains(&0) {
+        return Err(ImageReadError::Broken(tr!("document-image-no-pixels")));
     }
-    Ok(head)
+    Ok(header)
 }
 
 /// The size in the frame header of a JPEG file (ITU-T T.81, B.2.2). The decoder itself would take the whole file in to tell it.
-fn jpeg_head(mut stream: Box<dyn Stream + '_>) -> Result<Head, Refusal> {
+fn jpeg_head(mut stream: Box<dyn Stream + '_>) -> Result<ImageHeader, ImageReadError> {
     let length = stream.seek(io::SeekFrom::End(0))?;
     stream.seek(io::SeekFrom::Start(2))?;
     loop {
@@ -135,7 +135,7 @@ fn jpeg_head(mut stream: Box<dyn Stream + '_>) -> Result<Head, Refusal> {
         let values = u64::from(width) * u64::from(height) * u64::from(channels.clamp(3, 4));
         // What comes in several scans is kept as coefficients of two bytes until the last of them.
         let scans = if marker == 0xC0 || marker == 0xC1 { 1 } else { 3 };
-        return Ok(Head { size: [width.into(), height.into()], decoding: values * scans + length });
+        return Ok(ImageHeader { size: [width.into(), height.into()], decoding: values * scans + length });
     }
 }
 
@@ -146,38 +146,38 @@ fn bytes<const N: usize>(stream: &mut dyn Stream) -> io::Result<[u8; N]> {
 }
 
 /// Decodes an image whose head was read, to a picture of size `to`, which is no larger: each of its pixels is the mean of those that it stands for.
-pub(super) fn decode(stream: Box<dyn Stream + '_>, path: &Path, head: &Head, to: [u32; 2]) -> Result<Pixels, Refusal> {
+pub(super) fn decode(stream: Box<dyn Stream + '_>, path: &Path, header: &ImageHeader, to: [u32; 2]) -> Result<Pixels, ImageReadError> {
     let reader = reader(stream, path)?;
-    let mut canvas = Canvas::new(head.size, to).ok_or(Refusal::Memory)?;
-    if !limits::is_room(head.decoding) {
-        return Err(Refusal::Memory);
+    let mut scaled = ScaledImage::new(header.size, to).ok_or(ImageReadError::Memory)?;
+    if !limits::is_room(header.decoding) {
+        return Err(ImageReadError::Memory);
     }
     if reader.format() == Some(ImageFormat::Png) {
-        png_rows(reader.into_inner(), head, &mut canvas)?;
+        png_rows(reader.into_inner(), header, &mut scaled)?;
     } else {
         let decoder = reader.into_decoder()?;
-        let layout = layout(decoder.color_type()).ok_or_else(|| Refusal::Broken(tr!("document-image-colours")))?;
-        if decoder.dimensions() != head.size.into() {
-            return Err(Refusal::Broken(tr!("document-image-no-pixels")));
+        let pixel_format = pixel_format(decoder.color_type()).ok_or_else(|| ImageReadError::Broken(tr!("document-image-colours")))?;
+        if decoder.dimensions() != header.size.into() {
+            return Err(ImageReadError::Broken(tr!("document-image-no-pixels")));
         }
-        let mut bytes = room(usize::try_from(decoder.total_bytes()).map_err(|_| Refusal::Memory)?)?;
+        let mut bytes = try_allocate(usize::try_from(decoder.total_bytes()).map_err(|_| ImageReadError::Memory)?)?;
         decoder.read_image(&mut bytes)?;
-        canvas.rows(&bytes, layout);
+        scaled.rows(&bytes, pixel_format);
     }
-    canvas.finish().ok_or_else(|| Refusal::Broken(tr!("document-image-no-pixels")))
+    scaled.finish().ok_or_else(|| ImageReadError::Broken(tr!("document-image-no-pixels")))
 }
 
-fn room(bytes: usize) -> Result<Vec<u8>, Refusal> {
+fn try_allocate(bytes: usize) -> Result<Vec<u8>, ImageReadError> {
     let mut room = Vec::new();
-    room.try_reserve_exact(bytes).map_err(|_| Refusal::Memory)?;
+    room.try_reserve_exact(bytes).map_err(|_| ImageReadError::Memory)?;
     room.resize(bytes, 0);
     Ok(room)
 }
 
-fn png_rows(stream: Box<dyn Stream + '_>, head: &Head, canvas: &mut Canvas) -> Result<(), Refusal> {
+fn png_rows(stream: Box<dyn Stream + '_>, header: &ImageHeader, scaled: &mut ScaledImage) -> Result<(), ImageReadError> {
     let mut reader = png_decoder(stream).read_info()?;
-    if [reader.info().width, reader.info().height] != head.size {
-        return Err(Refusal::Broken(tr!("document-image-no-pixels")));
+    if [reader.info().width, reader.info().height] != header.size {
+        return Err(ImageReadError::Broken(tr!("document-image-no-pixels")));
     }
     let (color, depth) = reader.output_color_type();
     let channels = match color {
@@ -185,38 +185,38 @@ fn png_rows(stream: Box<dyn Stream + '_>, head: &Head, canvas: &mut Canvas) -> R
         png::ColorType::GrayscaleAlpha => 2,
         png::ColorType::Rgb => 3,
         png::ColorType::Rgba => 4,
-        png::ColorType::Indexed => return Err(Refusal::Broken(tr!("document-image-colours"))),
+        png::ColorType::Indexed => return Err(ImageReadError::Broken(tr!("document-image-colours"))),
     };
-    let depth = if depth == png::BitDepth::Sixteen { Depth::Big } else { Depth::Byte };
-    let layout = Layout { channels, depth };
+    let depth = if depth == png::BitDepth::Sixteen { BitDepth::Big } else { BitDepth::Byte };
+    let pixel_format = PixelFormat { channels, depth };
     if reader.info().interlaced {
-        let mut bytes = room(reader.output_buffer_size().ok_or(Refusal::Memory)?)?;
+        let mut bytes = try_allocate(reader.output_buffer_size().ok_or(ImageReadError::Memory)?)?;
         reader.next_frame(&mut bytes)?;
-        canvas.rows(&bytes, layout);
+        scaled.rows(&bytes, pixel_format);
         return Ok(());
     }
     while let Some(row) = reader.next_row()? {
-        canvas.rows(row.data(), layout);
+        scaled.rows(row.data(), pixel_format);
     }
     Ok(())
 }
 
 /// How the decoders lay out pixels; `None` for what none of them gives today.
-fn layout(color: ColorType) -> Option<Layout> {
+fn pixel_format(color: ColorType) -> Option<PixelFormat> {
     let (channels, depth) = match color {
-        ColorType::L8 => (1, Depth::Byte),
-        ColorType::La8 => (2, Depth::Byte),
-        ColorType::Rgb8 => (3, Depth::Byte),
-        ColorType::Rgba8 => (4, Depth::Byte),
-        ColorType::L16 => (1, Depth::Native),
-        ColorType::La16 => (2, Depth::Native),
-        ColorType::Rgb16 => (3, Depth::Native),
-        ColorType::Rgba16 => (4, Depth::Native),
-        ColorType::Rgb32F => (3, Depth::Float),
-        ColorType::Rgba32F => (4, Depth::Float),
+        ColorType::L8 => (1, BitDepth::Byte),
+        ColorType::La8 => (2, BitDepth::Byte),
+        ColorType::Rgb8 => (3, BitDepth::Byte),
+        ColorType::Rgba8 => (4, BitDepth::Byte),
+        ColorType::L16 => (1, BitDepth::Native),
+        ColorType::La16 => (2, BitDepth::Native),
+        ColorType::Rgb16 => (3, BitDepth::Native),
+        ColorType::Rgba16 => (4, BitDepth::Native),
+        ColorType::Rgb32F => (3, BitDepth::Float),
+        ColorType::Rgba32F => (4, BitDepth::Float),
         _ => return None,
     };
-    Some(Layout { channels, depth })
+    Some(PixelFormat { channels, depth })
 }
 
 /// The bytes of an image in memory as a stream.
@@ -255,9 +255,9 @@ mod tests {
     fn every_format_is_read_whole_as_its_decoder_gives_it() {
         for (format, name, bytes) in pictures() {
             let path = Path::new(name);
-            let head = look_at(in_memory(&bytes), path).expect(name);
-            assert_eq!(head.size, [24, 10], "{name}");
-            let ours = decode(in_memory(&bytes), path, &head, head.size).expect(name);
+            let header = read_header(in_memory(&bytes), path).expect(name);
+            assert_eq!(header.size, [24, 10], "{name}");
+            let ours = decode(in_memory(&bytes), path, &header, header.size).expect(name);
             let theirs = image::load_from_memory_with_format(&bytes, format).expect(name).into_rgba8();
             assert!(ours.rgba == theirs.into_raw(), "{name}");
         }
@@ -267,8 +267,8 @@ mod tests {
     fn every_format_is_read_smaller() {
         for (_, name, bytes) in pictures() {
             let path = Path::new(name);
-            let head = look_at(in_memory(&bytes), path).expect(name);
-            let small = decode(in_memory(&bytes), path, &head, [6, 2]).expect(name);
+            let header = read_header(in_memory(&bytes), path).expect(name);
+            let small = decode(in_memory(&bytes), path, &header, [6, 2]).expect(name);
             assert_eq!((small.width, small.height, small.rgba.len()), (6, 2, 48), "{name}");
             // Means of 0, 10, 20, 30 and of 0, 25 … 100, taken of the light; lossy formats are near.
             let [red, green, blue, alpha] = [small.rgba[0], small.rgba[1], small.rgba[2], small.rgba[3]];
@@ -284,8 +284,8 @@ mod tests {
         DynamicImage::ImageRgba16(picture).write_to(&mut bytes, ImageFormat::Png).expect("encodes");
         let bytes = bytes.into_inner();
         let path = Path::new("a.png");
-        let head = look_at(in_memory(&bytes), path).expect("a head");
-        let ours = decode(in_memory(&bytes), path, &head, head.size).expect("a picture");
+        let header = read_header(in_memory(&bytes), path).expect("a head");
+        let ours = decode(in_memory(&bytes), path, &header, header.size).expect("a picture");
         assert_eq!(ours.rgba, image::load_from_memory(&bytes).expect("a picture").into_rgba8().into_raw());
     }
 
@@ -304,11 +304,11 @@ mod tests {
         let (low, high) = rows.iter().fold((1_u32, 0_u32), |(low, high), byte| (low + byte, high + low + byte));
         let adler = (high << 16 | low).to_be_bytes();
         let stored = [&[0x78, 1, 1, 7, 0, 0xF8, 0xFF][..], &rows.map(|byte| byte as u8), &adler].concat();
-        let head = chunk(b"IHDR", &[0, 0, 0, 2, 0, 0, 0, 2, 8, 0, 0, 0, 1]);
-        let bytes = [b"\x89PNG\r\n\x1a\n".as_slice(), &head, &chunk(b"IDAT", &stored), &chunk(b"IEND", &[])].concat();
+        let header = chunk(b"IHDR", &[0, 0, 0, 2, 0, 0, 0, 2, 8, 0, 0, 0, 1]);
+        let bytes = [b"\x89PNG\r\n\x1a\n".as_slice(), &header, &chunk(b"IDAT", &stored), &chunk(b"IEND", &[])].concat();
         let path = Path::new("a.png");
-        let head = look_at(in_memory(&bytes), path).expect("a head");
-        let picture = decode(in_memory(&bytes), path, &head, [2, 2]).expect("a picture");
+        let header = read_header(in_memory(&bytes), path).expect("a head");
+        let picture = decode(in_memory(&bytes), path, &header, [2, 2]).expect("a picture");
         assert_eq!(picture.rgba.chunks(4).map(|pixel| pixel[0]).collect::<Vec<_>>(), [10, 20, 30, 40]);
     }
 
@@ -319,21 +319,21 @@ mod tests {
                 let part = &bytes[..end];
                 let path = Path::new(name);
                 // A head may be whole; what follows must not panic.
-                if let Ok(head) = look_at(in_memory(part), path) {
-                    let _ = decode(in_memory(part), path, &head, [2, 2]);
+                if let Ok(header) = read_header(in_memory(part), path) {
+                    let _ = decode(in_memory(part), path, &header, [2, 2]);
                 }
             }
         }
-        assert!(matches!(look_at(in_memory(b"none of them"), Path::new("a.png")), Err(Refusal::Broken(_))));
+        assert!(matches!(read_header(in_memory(b"none of them"), Path::new("a.png")), Err(ImageReadError::Broken(_))));
     }
 
     #[test]
     fn a_jpeg_of_several_scans_is_known_to_take_more() {
-        let head = |marker: u8| {
+        let header = |marker: u8| {
             let bytes = [&[0xFF, 0xD8, 0xFF, 0xE0, 0, 4, 1, 2, 0xFF, marker, 0, 17, 8, 0, 100, 1, 0, 3][..], &[0; 9]].concat();
             jpeg_head(in_memory(&bytes)).expect("a head")
         };
-        assert_eq!(head(0xC0).size, [256, 100]);
-        assert!(head(0xC2).decoding > 2 * head(0xC0).decoding);
+        assert_eq!(header(0xC0).size, [256, 100]);
+        assert!(header(0xC2).decoding > 2 * header(0xC0).decoding);
     }
 }

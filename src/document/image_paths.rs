@@ -29,7 +29,7 @@ pub(super) struct FileImages {
 
 /// Where an image lies.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Place<'f> {
+pub(super) enum ImageLocation<'f> {
     /// In an archive or in the document itself.
     Archived {
         /// The path there.
@@ -41,7 +41,7 @@ pub(super) enum Place<'f> {
     Disk(PathBuf),
 }
 
-impl Place<'_> {
+impl ImageLocation<'_> {
     /// Its path, in the archive or on the disk.
     pub(super) fn path(&self) -> &Path {
         match self {
@@ -77,17 +77,17 @@ impl Place<'_> {
 }
 
 /// How the images of a file are found.
-pub(super) struct Places<'f> {
+pub(super) struct ImageLocator<'f> {
     folder: PathBuf,
     /// Files in the archive by path, and the first of each name.
     archived: HashMap<&'f Path, &'f [u8]>,
     named: HashMap<&'f std::ffi::OsStr, (&'f Path, &'f [u8])>,
     /// Files in the folder by their name in small letters; listed when a name is first looked for.
     listed: Option<HashMap<String, Vec<PathBuf>>>,
-    found: HashMap<String, Option<Place<'f>>>,
+    found: HashMap<String, Option<ImageLocation<'f>>>,
 }
 
-impl<'f> Places<'f> {
+impl<'f> ImageLocator<'f> {
     pub(super) fn of(file: &'f FileImages) -> Self {
         let (mut archived, mut named) = (HashMap::new(), HashMap::new());
         for (path, bytes) in &file.archived {
@@ -101,20 +101,20 @@ impl<'f> Places<'f> {
     }
 
     /// The image that a reference means; `None` where there is none.
-    pub(super) fn find(&mut self, uri: &str) -> Option<Place<'f>> {
+    pub(super) fn find(&mut self, uri: &str) -> Option<ImageLocation<'f>> {
         if let Some(known) = self.found.get(uri) {
             return known.clone();
         }
-        let place = self.in_archive(uri).or_else(|| self.on_disk(uri).map(Place::Disk));
-        self.found.insert(uri.to_owned(), place.clone());
-        place
+        let location = self.in_archive(uri).or_else(|| self.on_disk(uri).map(ImageLocation::Disk));
+        self.found.insert(uri.to_owned(), location.clone());
+        location
     }
 
-    fn in_archive(&self, uri: &str) -> Option<Place<'f>> {
+    fn in_archive(&self, uri: &str) -> Option<ImageLocation<'f>> {
         let wanted = Path::new(uri).components().filter(|part| matches!(part, Component::Normal(_))).collect::<PathBuf>();
         let same = self.archived.get_key_value(wanted.as_path()).map(|(path, bytes)| (*path, *bytes));
         let (path, bytes) = same.or_else(|| self.named.get(wanted.file_name()?).copied())?;
-        Some(Place::Archived { path, bytes })
+        Some(ImageLocation::Archived { path, bytes })
     }
 
     /// The file that `uri` means: relative to the folder, else by its file name in the folder, whatever its case.
@@ -143,61 +143,62 @@ fn is_image_file(path: &Path) -> bool {
 }
 
 /// Image files with what they are the images of, those that are one and the same put together.
-pub(super) struct Sharing<'f, T> {
-    places: Vec<(Place<'f>, Vec<T>)>,
+pub(super) struct SharedImages<'f, T> {
+    locations: Vec<(ImageLocation<'f>, Vec<T>)>,
     by_path: HashMap<PathBuf, usize>,
     by_address: HashMap<*const u8, usize>,
 }
 
-impl<T> Default for Sharing<'_, T> {
+impl<T> Default for SharedImages<'_, T> {
     fn default() -> Self {
-        Self { places: Vec::new(), by_path: HashMap::new(), by_address: HashMap::new() }
+        Self { locations: Vec::new(), by_path: HashMap::new(), by_address: HashMap::new() }
     }
 }
 
-impl<'f, T> Sharing<'f, T> {
+impl<'f, T> SharedImages<'f, T> {
     /// Adds a user of a place.
-    pub(super) fn add(&mut self, place: Place<'f>, user: T) {
-        let next = self.places.len();
-        let known = match &place {
-            Place::Archived { bytes, .. } => *self.by_address.entry(bytes.as_ptr()).or_insert(next),
-            Place::Disk(path) => *self.by_path.entry(path.canonicalize().unwrap_or_else(|_| path.clone())).or_insert(next),
+    pub(super) fn add(&mut self, location: ImageLocation<'f>, user: T) {
+        let next = self.locations.len();
+        let known = match &location {
+            ImageLocation::Archived { bytes, .. } => *self.by_address.entry(bytes.as_ptr()).or_insert(next),
+            ImageLocation::Disk(path) => *self.by_path.entry(path.canonicalize().unwrap_or_else(|_| path.clone())).or_insert(next),
         };
-        match self.places.get_mut(known) {
+        match self.locations.get_mut(known) {
             Some((_, users)) => users.push(user),
-            None => self.places.push((place, vec![user])),
+            None => self.locations.push((location, vec![user])),
         }
     }
 
     /// All places with their users; places with the same bytes and the same ending are one. Only files of one length are read for it.
-    pub(super) fn shared(self) -> Vec<(Place<'f>, Vec<T>)> {
-        let ending = |place: &Place<'_>| place.path().extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    pub(super) fn shared(self) -> Vec<(ImageLocation<'f>, Vec<T>)> {
+        let ending = |location: &ImageLocation<'_>| location.path().extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let mut lengths: HashMap<u64, usize> = HashMap::new();
-        self.places.iter().for_each(|(place, _)| *lengths.entry(place.length()).or_default() += 1);
+        self.locations.iter().for_each(|(location, _)| *lengths.entry(location.length()).or_default() += 1);
         let random = std::hash::RandomState::new();
         let mut alike: HashMap<_, Vec<usize>> = HashMap::new();
-        let mut shared: Vec<(Place<'f>, Vec<T>)> = Vec::new();
-        for (place, users) in self.places {
-            let length = place.length();
+        let mut shared: Vec<(ImageLocation<'f>, Vec<T>)> = Vec::new();
+        for (location, users) in self.locations {
+            let length = location.length();
             if lengths.get(&length).is_some_and(|count| *count > 1)
-                && let Ok(hash) = hash(&place, random.build_hasher())
+                && let Ok(hash) = hash(&location, random.build_hasher())
             {
-                let group = alike.entry((length, ending(&place), hash)).or_default();
-                let twin = group.iter().find(|other| shared.get(**other).is_some_and(|(other, _)| same(other, &place).unwrap_or(false)));
-                if let Some((_, known)) = twin.and_then(|twin| shared.get_mut(*twin)) {
+                let group = alike.entry((length, ending(&location), hash)).or_default();
+                let duplicate =
+                    group.iter().find(|other| shared.get(**other).is_some_and(|(other, _)| same(other, &location).unwrap_or(false)));
+                if let Some((_, known)) = duplicate.and_then(|duplicate| shared.get_mut(*duplicate)) {
                     known.extend(users);
                     continue;
                 }
                 group.push(shared.len());
             }
-            shared.push((place, users));
+            shared.push((location, users));
         }
         shared
     }
 }
 
-fn hash(place: &Place<'_>, mut hasher: impl Hasher) -> io::Result<u64> {
-    let mut stream = place.stream()?;
+fn hash(location: &ImageLocation<'_>, mut hasher: impl Hasher) -> io::Result<u64> {
+    let mut stream = location.stream()?;
     loop {
         let piece = stream.fill_buf()?;
         if piece.is_empty() {
@@ -209,7 +210,7 @@ fn hash(place: &Place<'_>, mut hasher: impl Hasher) -> io::Result<u64> {
     }
 }
 
-fn same(a: &Place<'_>, b: &Place<'_>) -> io::Result<bool> {
+fn same(a: &ImageLocation<'_>, b: &ImageLocation<'_>) -> io::Result<bool> {
     let (mut a, mut b) = (a.stream()?, b.stream()?);
     loop {
         let (one, other) = (a.fill_buf()?, b.fill_buf()?);

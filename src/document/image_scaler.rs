@@ -6,7 +6,7 @@ use crate::scene::Pixels;
 
 /// What one channel of a pixel takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Depth {
+pub(super) enum BitDepth {
     /// One byte.
     Byte,
     /// Two bytes, the higher first.
@@ -19,20 +19,20 @@ pub(super) enum Depth {
 
 /// How the bytes of a row hold its pixels.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Layout {
+pub(super) struct PixelFormat {
     /// 1 and 2: grey, without and with alpha; 3 and 4: red, green, blue, without and with alpha.
     pub channels: usize,
     /// What a channel takes.
-    pub depth: Depth,
+    pub depth: BitDepth,
 }
 
-impl Layout {
+impl PixelFormat {
     fn bytes(self) -> usize {
         self.channels
             * match self.depth {
-                Depth::Byte => 1,
-                Depth::Big | Depth::Native => 2,
-                Depth::Float => 4,
+                BitDepth::Byte => 1,
+                BitDepth::Big | BitDepth::Native => 2,
+                BitDepth::Float => 4,
             }
     }
 
@@ -41,10 +41,10 @@ impl Layout {
         let pair = || pixel.get(2 * k..).and_then(|rest| rest.first_chunk::<2>()).copied().unwrap_or_default();
         let narrow = |wide: u16| ((u32::from(wide) + 128) / 257) as u8;
         match self.depth {
-            Depth::Byte => pixel.get(k).copied().unwrap_or_default(),
-            Depth::Big => narrow(u16::from_be_bytes(pair())),
-            Depth::Native => narrow(u16::from_ne_bytes(pair())),
-            Depth::Float => {
+            BitDepth::Byte => pixel.get(k).copied().unwrap_or_default(),
+            BitDepth::Big => narrow(u16::from_be_bytes(pair())),
+            BitDepth::Native => narrow(u16::from_ne_bytes(pair())),
+            BitDepth::Float => {
                 let four = pixel.get(4 * k..).and_then(|rest| rest.first_chunk::<4>()).copied().unwrap_or_default();
                 (f32::from_ne_bytes(four).clamp(0.0, 1.0) * 255.0).round() as u8
             }
@@ -77,7 +77,7 @@ fn value(light: f32) -> u8 {
 }
 
 /// A picture on its way.
-pub(super) struct Canvas {
+pub(super) struct ScaledImage {
     from: [u32; 2],
     to: [u32; 2],
     rgba: Vec<u8>,
@@ -89,7 +89,7 @@ pub(super) struct Canvas {
     rows: u32,
 }
 
-impl Canvas {
+impl ScaledImage {
     /// Room for a picture of size `to`, made from one of size `from`, which is no smaller. `None` where the system gives no memory.
     pub(super) fn new(from: [u32; 2], to: [u32; 2]) -> Option<Self> {
         let to = [to[0].clamp(1, from[0].max(1)), to[1].clamp(1, from[1].max(1))];
@@ -102,14 +102,14 @@ impl Canvas {
     }
 
     /// Takes one or more whole rows.
-    pub(super) fn rows(&mut self, bytes: &[u8], layout: Layout) {
+    pub(super) fn rows(&mut self, bytes: &[u8], layout: PixelFormat) {
         for row in bytes.chunks_exact(layout.bytes() * self.from[0] as usize) {
             if self.rows == self.from[1] {
                 return;
             }
             let pixels = row.chunks_exact(layout.bytes());
             if self.from == self.to {
-                if layout.channels == 4 && layout.depth == Depth::Byte {
+                if layout.channels == 4 && layout.depth == BitDepth::Byte {
                     self.rgba.extend_from_slice(row);
                 } else {
                     pixels.for_each(|pixel| self.rgba.extend_from_slice(&layout.pixel(pixel)));
@@ -154,12 +154,12 @@ impl Canvas {
 mod tests {
     use super::*;
 
-    const RGB: Layout = Layout { channels: 3, depth: Depth::Byte };
+    const RGB: PixelFormat = PixelFormat { channels: 3, depth: BitDepth::Byte };
 
     #[test]
     fn a_chequered_picture_becomes_the_mean_of_its_light() {
         let bytes: Vec<u8> = (0..64).flat_map(|i| [if (i + i / 8) % 2 == 0 { 0 } else { 255 }; 3]).collect();
-        let mut canvas = Canvas::new([8, 8], [4, 4]).expect("memory");
+        let mut canvas = ScaledImage::new([8, 8], [4, 4]).expect("memory");
         canvas.rows(&bytes, RGB);
         let small = canvas.finish().expect("all rows");
         assert_eq!(small.rgba, [188, 188, 188, 255].repeat(16));
@@ -170,8 +170,8 @@ mod tests {
         #[test]
         fn an_even_colour_stays(from in [1_u32..40, 1_u32..40], part in [1_u32..40, 1_u32..40], color in [0_u8..=255, 0_u8..=255, 0_u8..=255, 0_u8..=255]) {
             let to = [part[0].min(from[0]), part[1].min(from[1])];
-            let mut canvas = Canvas::new(from, to).expect("memory");
-            canvas.rows(&color.repeat((from[0] * from[1]) as usize), Layout { channels: 4, depth: Depth::Byte });
+            let mut canvas = ScaledImage::new(from, to).expect("memory");
+            canvas.rows(&color.repeat((from[0] * from[1]) as usize), PixelFormat { channels: 4, depth: BitDepth::Byte });
             let small = canvas.finish().expect("all rows");
             proptest::prop_assert_eq!(small.rgba, color.repeat((to[0] * to[1]) as usize));
         }
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_picture_that_lacks_rows_is_none() {
-        let mut canvas = Canvas::new([2, 2], [1, 1]).expect("memory");
+        let mut canvas = ScaledImage::new([2, 2], [1, 1]).expect("memory");
         canvas.rows(&[0; 6], RGB);
         assert!(canvas.finish().is_none());
     }

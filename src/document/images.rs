@@ -8,9 +8,9 @@ use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::image_budget::{self, Wish};
-use super::image_decoder::{self, Head, Refusal};
-use super::image_paths::{FileImages, Place, Places, Sharing};
+use super::image_budget::{self, ImageDemand};
+use super::image_decoder::{self, ImageHeader, ImageReadError};
+use super::image_paths::{FileImages, ImageLocation, ImageLocator, SharedImages};
 use super::{Document, Images};
 use crate::collada::{Progress, diagnostic_codes};
 use crate::diagnostics::Diagnostic;
@@ -24,25 +24,25 @@ pub(super) const BROKEN: &str = "image-broken";
 
 /// The images of the files that were read so far, which are looked for when all files are there.
 #[derive(Debug, Default)]
-pub(super) struct Pending {
+pub(super) struct PendingImages {
     files: Vec<FileImages>,
 }
 
 /// An image file, and the images of the scene that it stands for.
-struct Picture<'f> {
-    place: Place<'f>,
-    head: Head,
-    /// Place of the file in [`Pending::files`], and of the image in the scene.
+struct FoundImage<'f> {
+    place: ImageLocation<'f>,
+    head: ImageHeader,
+    /// Place of the file in [`PendingImages::files`], and of the image in the scene.
     images: Vec<(usize, usize)>,
 }
 
-impl Picture<'_> {
-    fn decode(&self, size: [u32; 2]) -> Result<Pixels, Refusal> {
+impl FoundImage<'_> {
+    fn decode(&self, size: [u32; 2]) -> Result<Pixels, ImageReadError> {
         image_decoder::decode(self.place.stream()?, self.place.path(), &self.head, size)
     }
 }
 
-impl Pending {
+impl PendingImages {
     /// Keeps for later what a file has: its images in the scene, and image files inside of it.
     pub(super) fn add(&mut self, name: &str, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>, images: Range<usize>) {
         self.files.push(FileImages { name: name.to_owned(), folder: folder.to_owned(), archived, images });
@@ -50,15 +50,16 @@ impl Pending {
 
     /// Finds the images beside their files, or in them, and decodes them if asked to. What is odd becomes a finding of its file.
     pub(super) fn load(&self, document: &mut Document, what: Images, progress: &Progress) {
-        let mut told = Told { files: &self.files, findings: vec![Vec::new(); self.files.len()], memory: Tally::default() };
+        let mut diagnostics =
+            ImageDiagnostics { files: &self.files, findings: vec![Vec::new(); self.files.len()], memory: AffectedImages::default() };
         let scene = &mut document.scene;
-        let mut pictures = self.find(scene, &mut told, progress);
+        let mut pictures = self.find(scene, &mut diagnostics, progress);
         // What needs most on the way comes first, while nothing else is there.
         pictures.sort_by_key(|picture| Reverse(picture.head.decoding));
-        let wishes = wishes(scene, &pictures);
-        let budget = if what == Images::Decode { room_for(&wishes) } else { limits::IMAGES_BYTES };
-        let (mut tested, mut reduced, mut left_out) = (0, Tally::default(), Tally::default());
-        for (picture, size) in pictures.iter().zip(image_budget::sizes(&wishes, budget)) {
+        let demands = demands(scene, &pictures);
+        let budget = if what == Images::Decode { memory_budget(&demands) } else { limits::IMAGES_BYTES };
+        let (mut tested, mut reduced, mut left_out) = (0, AffectedImages::default(), AffectedImages::default());
+        for (picture, size) in pictures.iter().zip(image_budget::sizes(&demands, budget)) {
             if progress.is_cancelled() {
                 return;
             }
@@ -67,14 +68,14 @@ impl Pending {
                 continue;
             };
             if picture.head.decoding > limits::IMAGE_DECODING_BYTES {
-                told.about(scene, picture, diagnostic_codes::LIMIT_REACHED, |uri, [width, height]| {
+                diagnostics.about(scene, picture, diagnostic_codes::LIMIT_REACHED, |uri, [width, height]| {
                     tr!("document-image-decoding", uri = uri, width = width, height = height, limit = limits::IMAGE_DECODING_BYTES >> 20)
                 });
                 continue;
             }
             let readable = match what {
-                Images::Decode => decode(scene, picture, size, &mut told),
-                Images::Test => test(scene, picture, &mut tested, &mut told),
+                Images::Decode => decode(scene, picture, size, &mut diagnostics),
+                Images::Test => test(scene, picture, &mut tested, &mut diagnostics),
                 Images::Locate => true,
             };
             if !readable {
@@ -85,10 +86,10 @@ impl Pending {
             }
         }
         let limit = budget >> 20;
-        told.tally(scene, &left_out, |uri, [width, height], _, count| {
+        diagnostics.tally(scene, &left_out, |uri, [width, height], _, count| {
             tr!("document-image-no-room", uri = uri, width = width, height = height, limit = limit, count = count)
         });
-        told.tally(scene, &reduced, |uri, [width, height], [columns, rows], count| {
+        diagnostics.tally(scene, &reduced, |uri, [width, height], [columns, rows], count| {
             tr!(
                 "document-image-reduced",
                 uri = uri,
@@ -100,20 +101,20 @@ impl Pending {
                 count = count
             )
         });
-        let memory = std::mem::take(&mut told.memory);
-        told.tally(scene, &memory, |uri, _, _, count| tr!("document-image-memory", uri = uri, count = count));
-        told.into(document);
+        let memory = std::mem::take(&mut diagnostics.memory);
+        diagnostics.tally(scene, &memory, |uri, _, _, count| tr!("document-image-memory", uri = uri, count = count));
+        diagnostics.into(document);
     }
 
     /// Finds the files of all images and reads their heads; each file once, whatever it is called.
-    fn find<'f>(&'f self, scene: &mut Scene, told: &mut Told<'_>, progress: &Progress) -> Vec<Picture<'f>> {
-        let mut sharing = Sharing::default();
+    fn find<'f>(&'f self, scene: &mut Scene, diagnostics: &mut ImageDiagnostics<'_>, progress: &Progress) -> Vec<FoundImage<'f>> {
+        let mut sharing = SharedImages::default();
         for (number, file) in self.files.iter().enumerate() {
-            let mut places = Places::of(file);
+            let mut locator = ImageLocator::of(file);
             let mut missing = Grouped::default();
             for index in file.images.clone() {
                 let Some(image) = scene.images.get_mut(index).filter(|_| !progress.is_cancelled()) else { break };
-                match places.find(&image.uri) {
+                match locator.find(&image.uri) {
                     Some(place) => {
                         image.archived = place.is_archived();
                         image.path = (!image.archived).then(|| place.path().to_owned());
@@ -122,19 +123,19 @@ impl Pending {
                     None => missing.add(number, index, &image.uri),
                 }
             }
-            told.each(scene, missing, MISSING, |uri, count| tr!("document-image-missing", uri = uri, count = count));
+            diagnostics.each(scene, missing, MISSING, |uri, count| tr!("document-image-missing", uri = uri, count = count));
         }
         let mut pictures = Vec::new();
         for (place, images) in sharing.shared() {
-            let looked_at = place.stream().map_err(Refusal::from).and_then(|stream| image_decoder::look_at(stream, place.path()));
-            let refusal = match looked_at {
+            let header = place.stream().map_err(ImageReadError::from).and_then(|stream| image_decoder::read_header(stream, place.path()));
+            let refusal = match header {
                 Ok(head) => {
-                    pictures.push(Picture { place, head, images });
+                    pictures.push(FoundImage { place, head, images });
                     continue;
                 }
                 Err(refusal) => refusal,
             };
-            told.refused(scene, &images, &refusal);
+            diagnostics.refused(scene, &images, &refusal);
         }
         for picture in &pictures {
             for (_, index) in &picture.images {
@@ -148,7 +149,7 @@ impl Pending {
 }
 
 /// Decodes a picture for all its images; what is wrong with it is told.
-fn decode(scene: &mut Scene, picture: &Picture<'_>, size: [u32; 2], told: &mut Told<'_>) -> bool {
+fn decode(scene: &mut Scene, picture: &FoundImage<'_>, size: [u32; 2], diagnostics: &mut ImageDiagnostics<'_>) -> bool {
     match picture.decode(size).map(Arc::new) {
         Ok(pixels) => {
             for (_, index) in &picture.images {
@@ -159,14 +160,14 @@ fn decode(scene: &mut Scene, picture: &Picture<'_>, size: [u32; 2], told: &mut T
             true
         }
         Err(refusal) => {
-            told.refused(scene, &picture.images, &refusal);
+            diagnostics.refused(scene, &picture.images, &refusal);
             false
         }
     }
 }
 
 /// Reads a picture through where it is small enough for that; what is wrong with it is told. `tested` counts the pixels.
-fn test(scene: &Scene, picture: &Picture<'_>, tested: &mut u64, told: &mut Told<'_>) -> bool {
+fn test(scene: &Scene, picture: &FoundImage<'_>, tested: &mut u64, diagnostics: &mut ImageDiagnostics<'_>) -> bool {
     let [width, height] = picture.head.size.map(u64::from);
     if picture.head.decoding > limits::IMAGE_TESTING_BYTES || *tested + width * height > limits::IMAGES_TESTED {
         return true;
@@ -175,14 +176,14 @@ fn test(scene: &Scene, picture: &Picture<'_>, tested: &mut u64, told: &mut Told<
     match picture.decode([1, 1]) {
         Ok(_) => true,
         Err(refusal) => {
-            told.refused(scene, &picture.images, &refusal);
+            diagnostics.refused(scene, &picture.images, &refusal);
             false
         }
     }
 }
 
 /// What each picture asks for: its size, and the different textures that the materials make of it.
-fn wishes(scene: &Scene, pictures: &[Picture<'_>]) -> Vec<Wish> {
+fn demands(scene: &Scene, pictures: &[FoundImage<'_>]) -> Vec<ImageDemand> {
     let mut of_image: Vec<Option<u32>> = vec![None; scene.images.len()];
     for (number, picture) in (0..).zip(pictures) {
         for (_, index) in &picture.images {
@@ -191,12 +192,12 @@ fn wishes(scene: &Scene, pictures: &[Picture<'_>]) -> Vec<Wish> {
             }
         }
     }
-    let mut wishes: Vec<Wish> = pictures.iter().map(|picture| Wish { size: picture.head.size, textures: 0 }).collect();
+    let mut demands: Vec<ImageDemand> = pictures.iter().map(|picture| ImageDemand { size: picture.head.size, textures: 0 }).collect();
     let mut known = FxHashSet::default();
     let mut count = |texture: &TextureRef, alpha: Option<u8>| {
         let Some(Some(number)) = of_image.get(texture.image.index()) else { return };
         if known.insert((*number, texture.wrap_s as u8, texture.wrap_t as u8, alpha))
-            && let Some(wish) = wishes.get_mut(*number as usize)
+            && let Some(wish) = demands.get_mut(*number as usize)
         {
             wish.textures += 1;
         }
@@ -207,13 +208,13 @@ fn wishes(scene: &Scene, pictures: &[Picture<'_>]) -> Vec<Wish> {
         }
         material.opacity_texture.iter().for_each(|(texture, source)| count(texture, Some(*source as u8)));
     }
-    wishes
+    demands
 }
 
 /// The budget, or as large a part of it as the system would give now.
-fn room_for(wishes: &[Wish]) -> u64 {
+fn memory_budget(demands: &[ImageDemand]) -> u64 {
     let mut budget = limits::IMAGES_BYTES;
-    while budget > 1 << 20 && !limits::is_room(budget.min(image_budget::total(wishes))) {
+    while budget > 1 << 20 && !limits::is_room(budget.min(image_budget::total(demands))) {
         budget /= 2;
     }
     budget
@@ -222,7 +223,7 @@ fn room_for(wishes: &[Wish]) -> u64 {
 /// Images of the scene by the file that each document calls the same, in the order in which they come.
 #[derive(Default)]
 struct Grouped {
-    /// Place of the document in [`Pending::files`], and its images in the scene.
+    /// Place of the document in [`PendingImages::files`], and its images in the scene.
     groups: Vec<(usize, Vec<usize>)>,
     known: FxHashMap<(usize, PathBuf), usize>,
 }
@@ -241,13 +242,13 @@ impl Grouped {
 
 /// How many pictures one and the same limit concerns, and the first of them in the order of the files.
 #[derive(Default)]
-struct Tally {
+struct AffectedImages {
     count: usize,
-    /// Its image, as in [`Picture::images`], and the size that it is given.
+    /// Its image, as in [`FoundImage::images`], and the size that it is given.
     first: Option<((usize, usize), [u32; 2])>,
 }
 
-impl Tally {
+impl AffectedImages {
     /// Counts a picture of these images.
     fn add(&mut self, images: &[(usize, usize)], size: [u32; 2]) {
         self.count += 1;
@@ -260,14 +261,14 @@ impl Tally {
 }
 
 /// Findings about images, by file. One cause is told once, however many images it concerns.
-struct Told<'f> {
+struct ImageDiagnostics<'f> {
     files: &'f [FileImages],
     findings: Vec<Vec<Diagnostic>>,
     /// Pictures that the system gave no memory for.
-    memory: Tally,
+    memory: AffectedImages,
 }
 
-impl Told<'_> {
+impl ImageDiagnostics<'_> {
     fn of(&mut self, file: usize, image: &Image, code: &'static str, message: String) {
         let element = format!("<image> {:?}", if image.id.is_empty() { &image.name } else { &image.id });
         let mut finding = Diagnostic::warning(code, image.line, element, message);
@@ -287,10 +288,10 @@ impl Told<'_> {
     }
 
     /// Tells why there is none of a picture with these images.
-    fn refused(&mut self, scene: &Scene, images: &[(usize, usize)], refusal: &Refusal) {
+    fn refused(&mut self, scene: &Scene, images: &[(usize, usize)], refusal: &ImageReadError) {
         let reason = match refusal {
-            Refusal::Memory => return self.memory.add(images, [0, 0]),
-            Refusal::Broken(reason) => reason.as_str(),
+            ImageReadError::Memory => return self.memory.add(images, [0, 0]),
+            ImageReadError::Broken(reason) => reason.as_str(),
         };
         let mut named = Grouped::default();
         for (file, index) in images {
@@ -302,7 +303,7 @@ impl Told<'_> {
     }
 
     /// Tells what a limit did to all pictures together, where the first one stands; `message` gets its name, its size and the one that it is given.
-    fn tally(&mut self, scene: &Scene, tally: &Tally, message: impl Fn(&str, [u32; 2], [u32; 2], usize) -> String) {
+    fn tally(&mut self, scene: &Scene, tally: &AffectedImages, message: impl Fn(&str, [u32; 2], [u32; 2], usize) -> String) {
         if let Some(((file, index), given)) = tally.first
             && let Some(image) = scene.images.get(index)
         {
@@ -312,7 +313,7 @@ impl Told<'_> {
     }
 
     /// Tells it once of a picture, where its first image stands.
-    fn about(&mut self, scene: &Scene, picture: &Picture<'_>, code: &'static str, message: impl Fn(&str, [u32; 2]) -> String) {
+    fn about(&mut self, scene: &Scene, picture: &FoundImage<'_>, code: &'static str, message: impl Fn(&str, [u32; 2]) -> String) {
         if let Some((file, index)) = picture.images.first()
             && let Some(image) = scene.images.get(*index)
         {
@@ -335,11 +336,11 @@ impl Told<'_> {
                     Diagnostic { file: last.file.clone(), ..Diagnostic::note(diagnostic_codes::MORE_FINDINGS, last.line, "", message) };
                 findings.push(note);
             }
-            document.health.extend(findings);
+            document.diagnostics.extend(findings);
         }
         let sources = &document.sources;
         let place = |finding: &Diagnostic| (sources.iter().position(|source| source.name == finding.file), finding.line);
-        document.health.sort_by_cached_key(place);
+        document.diagnostics.sort_by_cached_key(place);
     }
 }
 
@@ -383,7 +384,7 @@ mod tests {
     }
 
     fn load(document: &mut Document, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>) {
-        let mut pending = Pending::default();
+        let mut pending = PendingImages::default();
         pending.add("a.dae", folder, archived, 0..document.scene.images.len());
         pending.load(document, Images::Decode, &Progress::default());
     }
@@ -399,7 +400,7 @@ mod tests {
             load(&mut document, folder.path(), Vec::new());
             let pixels = document.scene.images[0].pixels.as_ref().expect(uri);
             assert_eq!((pixels.width, pixels.height, &pixels.rgba[..4]), (2, 1, [10, 20, 30, 255].as_slice()));
-            assert!(document.health.is_empty());
+            assert!(document.diagnostics.is_empty());
         }
     }
 
@@ -410,8 +411,8 @@ mod tests {
         for (uri, code) in [("none.png", MISSING), ("bad.png", BROKEN)] {
             let mut document = document(&[uri]);
             load(&mut document, folder.path(), Vec::new());
-            assert_eq!(document.health.len(), 1);
-            assert_eq!((document.health[0].code, document.health[0].line), (code, Some(7)));
+            assert_eq!(document.diagnostics.len(), 1);
+            assert_eq!((document.diagnostics[0].code, document.diagnostics[0].line), (code, Some(7)));
             assert!(document.scene.images[0].pixels.is_none());
         }
     }
@@ -424,13 +425,13 @@ mod tests {
         fs::write(folder.path().join("cut.png"), &whole[..whole.len() - 30]).expect("written");
         let broken = |what: Images| {
             let mut document = document(&["whole.png", "cut.png", "cut.png"]);
-            let mut pending = Pending::default();
+            let mut pending = PendingImages::default();
             pending.add("a.dae", folder.path(), Vec::new(), 0..3);
             pending.load(&mut document, what, &Progress::default());
             let kept = document.scene.images.iter().filter(|image| image.pixels.is_some()).count();
             assert_eq!(kept, usize::from(what == Images::Decode));
-            assert!(document.health.iter().all(|finding| finding.code == BROKEN && finding.element.contains("skin")));
-            document.health.len()
+            assert!(document.diagnostics.iter().all(|finding| finding.code == BROKEN && finding.element.contains("skin")));
+            document.diagnostics.len()
         };
         assert_eq!([Images::Locate, Images::Test, Images::Decode].map(broken), [0, 1, 1]);
     }
@@ -444,12 +445,13 @@ mod tests {
         let mut second = document.sources[0].clone();
         second.name = "b.dae".into();
         document.sources.push(second);
-        let mut pending = Pending::default();
+        let mut pending = PendingImages::default();
         pending.add("a.dae", folder.path(), Vec::new(), 0..6);
         // Another file names it for itself.
         pending.add("b.dae", folder.path(), Vec::new(), 6..8);
         pending.load(&mut document, Images::Decode, &Progress::default());
-        let told: Vec<_> = document.health.iter().map(|finding| (finding.file.as_str(), finding.code, finding.message.as_str())).collect();
+        let diagnostics: Vec<_> =
+            document.diagnostics.iter().map(|finding| (finding.file.as_str(), finding.code, finding.message.as_str())).collect();
         for (file, code, parts) in [
             ("a.dae", MISSING, &["\"none.png\"", "3 <image>"][..]),
             ("a.dae", MISSING, &["\"other.png\" was"]),
@@ -458,9 +460,9 @@ mod tests {
         ] {
             let is_it =
                 |(of, what, text): &&(&str, &str, &str)| *of == file && *what == code && parts.iter().all(|part| text.contains(part));
-            assert_eq!(told.iter().filter(is_it).count(), 1, "{file} {code} {parts:?}: {told:?}");
+            assert_eq!(diagnostics.iter().filter(is_it).count(), 1, "{file} {code} {parts:?}: {diagnostics:?}");
         }
-        assert_eq!(told.len(), 4, "{told:?}");
+        assert_eq!(diagnostics.len(), 4, "{diagnostics:?}");
     }
 
     #[test]
@@ -497,7 +499,7 @@ mod tests {
         let mut second = document.sources[0].clone();
         second.name = "b.dae".into();
         document.sources.push(second);
-        let mut pending = Pending::default();
+        let mut pending = PendingImages::default();
         pending.add("a.dae", folder.path(), Vec::new(), 0..2);
         pending.add("b.dae", folder.path(), Vec::new(), 2..4);
         pending.load(&mut document, Images::Decode, &Progress::default());
@@ -508,14 +510,18 @@ mod tests {
             assert_eq!((pixels.width, pixels.rgba[0], image.size), (2048, red, Some([4096, 4096])));
         }
         // One limit is told once.
-        let [told] = &document.health[..] else { panic!("{:?}", document.health) };
-        assert_eq!((told.code, told.file.as_str()), (diagnostic_codes::LIMIT_REACHED, "a.dae"));
-        assert!(["4 images", "k0.png", "4096 × 4096", "2048 × 2048"].iter().all(|part| told.message.contains(part)), "{}", told.message);
+        let [diagnostics] = &document.diagnostics[..] else { panic!("{:?}", document.diagnostics) };
+        assert_eq!((diagnostics.code, diagnostics.file.as_str()), (diagnostic_codes::LIMIT_REACHED, "a.dae"));
+        assert!(
+            ["4 images", "k0.png", "4096 × 4096", "2048 × 2048"].iter().all(|part| diagnostics.message.contains(part)),
+            "{}",
+            diagnostics.message
+        );
         // Looking at the heads alone tells the same.
-        let told = std::mem::take(&mut document.health);
+        let diagnostics = std::mem::take(&mut document.diagnostics);
         document.scene.images.iter_mut().for_each(|image| image.pixels = None);
         pending.load(&mut document, Images::Locate, &Progress::default());
-        assert_eq!(document.health, told);
+        assert_eq!(document.diagnostics, diagnostics);
         assert!(document.scene.images.iter().all(|image| image.pixels.is_none()));
     }
 }

@@ -43,13 +43,13 @@ impl Document {
             self.pose_nodes(&PoseState { time, ..*state }, &mut buffers, &mut frame);
             for ((track, joint), next) in tracks.iter_mut().zip(&frame.joints).zip(&next) {
                 let flexion = joint.parent.zip(*next).and_then(|(above, below)| Some(180.0 - angle_at(&frame, above, joint.node, below)?));
-                track.samples.push(JointSample { time, flexion, turn: self.turn(&frame, joint.node) });
+                track.samples.push(JointSample { time, flexion, turn: self.joint_rotation(&frame, joint.node) });
             }
         }
         tracks
     }
 
-    fn turn(&self, frame: &Frame, node: NodeId) -> Option<DVec3> {
+    fn joint_rotation(&self, frame: &Frame, node: NodeId) -> Option<DVec3> {
         let own = self.scene.graph.node(node);
         let above = own.parent().map_or(Some(&DMat4::IDENTITY), |parent| frame.world.get(parent.index()))?;
         if above.determinant().abs() <= f64::MIN_POSITIVE {

@@ -7,7 +7,7 @@ use crate::scene::{Frame, MuscleId};
 impl Document {
     /// How [`Document::joint`] is to be turned in `state` for the first muscle that it lengthens and shortens to have this contraction, 0 to 100 per
     /// cent; `None` where there is no such joint or muscle.
-    pub fn contracted(&self, state: &PoseState, per_cent: f64) -> Option<Turn> {
+    pub fn joint_rotation_for_contraction(&self, state: &PoseState, per_cent: f64) -> Option<Turn> {
         let joint = self.joint()?;
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.pose_nodes(&PoseState { joint_rotation: None, ..*state }, &mut buffers, &mut frame);

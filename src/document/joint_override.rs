@@ -24,32 +24,32 @@ impl JointOverride {
 
 impl Document {
     /// The turns made by hand, ascending by node.
-    pub fn hand_turns(&self) -> &[JointOverride] {
-        &self.hand
+    pub fn joint_overrides(&self) -> &[JointOverride] {
+        &self.joint_overrides
     }
 
     /// How far `node` is turned by hand, degrees about its own axes; zero where it is not.
-    pub fn hand_turn(&self, node: NodeId) -> DVec3 {
-        self.hand.iter().find(|turn| turn.node == node).map_or(DVec3::ZERO, |turn| turn.degrees)
+    pub fn joint_override(&self, node: NodeId) -> DVec3 {
+        self.joint_overrides.iter().find(|turn| turn.node == node).map_or(DVec3::ZERO, |turn| turn.degrees)
     }
 
     /// Turns `node` by hand; zero takes the turn away. A node that isn't there and numbers that are none change nothing.
-    pub fn set_hand_turn(&mut self, node: NodeId, degrees: DVec3) {
+    pub fn set_joint_override(&mut self, node: NodeId, degrees: DVec3) {
         if node.index() >= self.scene.graph.len() || !degrees.is_finite() {
             return;
         }
-        let place = self.hand.binary_search_by_key(&node, |turn| turn.node);
+        let place = self.joint_overrides.binary_search_by_key(&node, |turn| turn.node);
         if let Ok(at) = place {
-            self.hand.remove(at);
+            self.joint_overrides.remove(at);
         }
         if degrees != DVec3::ZERO {
-            self.hand.insert(place.unwrap_or_else(|at| at), JointOverride { node, degrees });
+            self.joint_overrides.insert(place.unwrap_or_else(|at| at), JointOverride { node, degrees });
         }
     }
 
     /// Puts these turns in the place of all others.
-    pub fn set_hand_turns(&mut self, turns: &[JointOverride]) {
-        self.hand.clear();
-        turns.iter().for_each(|turn| self.set_hand_turn(turn.node, turn.degrees));
+    pub fn set_joint_overrides(&mut self, overrides: &[JointOverride]) {
+        self.joint_overrides.clear();
+        overrides.iter().for_each(|turn| self.set_joint_override(turn.node, turn.degrees));
     }
 }

@@ -12,7 +12,7 @@ use crate::scene::{
 };
 
 /// Materials of the parts of an instance.
-type Bound = Arc<[Option<MaterialBinding>]>;
+type MaterialList = Arc<[Option<MaterialBinding>]>;
 
 /// How far each kind of id moves.
 struct IdOffsets {
@@ -45,7 +45,7 @@ impl IdOffsets {
     }
 
     /// `moved`: lists of materials that instances share, by their address before, with what becomes of them.
-    fn content(&self, content: &mut Content, moved: &mut FxHashMap<*const Option<MaterialBinding>, (Bound, Bound)>) {
+    fn content(&self, content: &mut Content, moved: &mut FxHashMap<*const Option<MaterialBinding>, (MaterialList, MaterialList)>) {
         match content {
             Content::Mesh(instance) => {
                 instance.mesh = MeshId(instance.mesh.0 + self.mesh);
@@ -105,7 +105,7 @@ impl IdOffsets {
 /// Appends `loaded` to the document and returns its root node.
 pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Option<NodeId> {
     let Loaded { mut scene, clips, findings, .. } = loaded;
-    document.health.extend(findings.into_iter().map(|mut finding| {
+    document.diagnostics.extend(findings.into_iter().map(|mut finding| {
         // A document inside an archive is named behind it.
         finding.file = if finding.file.is_empty() { name.to_owned() } else { format!("{name}/{}", finding.file) };
         finding
@@ -116,15 +116,15 @@ pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Opt
         (document.scene, document.clips) = (scene, clips);
         return root;
     }
-    let shift = IdOffsets::past(&document.scene);
-    let root = scene.graph.roots().first().map(|root| shift.node(*root));
+    let offsets = IdOffsets::past(&document.scene);
+    let root = scene.graph.roots().first().map(|root| offsets.node(*root));
     let into = &mut document.scene;
     let mut moved = FxHashMap::default();
     for (parent, mut node) in std::mem::take(&mut scene.graph).into_nodes() {
-        node.contents.iter_mut().for_each(|content| shift.content(content, &mut moved));
-        into.graph.add(parent.map(|parent| shift.node(parent)), node);
+        node.contents.iter_mut().for_each(|content| offsets.content(content, &mut moved));
+        into.graph.add(parent.map(|parent| offsets.node(parent)), node);
     }
-    scene.materials.iter_mut().for_each(|material| shift.material(material));
+    scene.materials.iter_mut().for_each(|material| offsets.material(material));
     into.meshes.append(&mut scene.meshes);
     into.skins.append(&mut scene.skins);
     into.morphs.append(&mut scene.morphs);
@@ -132,7 +132,7 @@ pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Opt
     into.images.append(&mut scene.images);
     into.lights.append(&mut scene.lights);
     into.cameras.append(&mut scene.cameras);
-    document.clips.extend(clips.into_iter().map(|clip| later(clip, &shift)));
+    document.clips.extend(clips.into_iter().map(|clip| offset_clip(clip, &offsets)));
     root
 }
 
@@ -140,9 +140,9 @@ fn is_empty(scene: &Scene) -> bool {
     scene.graph.is_empty() && scene.meshes.is_empty() && scene.materials.is_empty() && scene.images.is_empty()
 }
 
-fn later(clip: Clip, shift: &IdOffsets) -> Clip {
+fn offset_clip(clip: Clip, offsets: &IdOffsets) -> Clip {
     let channels = clip.channels.into_iter().map(|Channel { mut target, curve }| {
-        shift.target(&mut target);
+        offsets.target(&mut target);
         Channel { target, curve }
     });
     Clip { channels: channels.collect(), ..clip }

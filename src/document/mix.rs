@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use crate::scene::{Mesh, Morph, MorphMethod, smooth_normals};
 
 /// A morph at one moment.
-pub(super) struct Active<'a, G> {
+pub(super) struct ActiveMorph<'a, G> {
     pub morph: &'a Morph,
     /// One a target.
     pub weights: &'a [f32],
@@ -18,23 +18,23 @@ pub(super) struct Active<'a, G> {
 
 /// What mixing needs, laid out once.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Mixer {
+pub(super) struct MorphMixer {
     /// For morphs without normals: vertices that share point and normal, so that hard edges stay hard.
     groups: Option<(Vec<u32>, usize)>,
 }
 
-impl Mixer {
+impl MorphMixer {
     /// A mixer for `mesh`; `smooths` where any target lacks normals.
     pub(super) fn new(mesh: &Mesh, smooths: bool) -> Self {
         Self { groups: smooths.then(|| groups(mesh)) }
     }
 
     /// Mixes the shape in `positions` and `normals` with the targets: `base · (1 − Σw) + Σ w·target`, or `base + Σ w·target`.
-    pub(super) fn mix<'a, G>(&self, active: &Active<'a, G>, positions: &mut [Vec3], normals: &mut Vec<Vec3>)
+    pub(super) fn mix<'a, G>(&self, active: &ActiveMorph<'a, G>, positions: &mut [Vec3], normals: &mut Vec<Vec3>)
     where
         G: Iterator<Item = (usize, &'a [Vec3])> + Clone,
     {
-        let Active { morph, mesh, .. } = active;
+        let ActiveMorph { morph, mesh, .. } = active;
         let weights = || {
             let weights = morph.targets.iter().zip(active.weights).enumerate();
             weights
@@ -47,9 +47,9 @@ impl Mixer {
         }
         // The deltas of a normalised morph count from the bare mesh: what was done to that since is mixed away with it. Over the bare mesh nothing was.
         if morph.method == MorphMethod::Normalized {
-            let toward = |now: &mut [Vec3], bare: &[Vec3]| {
-                for (now, bare) in now.iter_mut().zip(bare) {
-                    *now += (*bare - *now) * sum;
+            let toward = |now: &mut [Vec3], rest_shape: &[Vec3]| {
+                for (now, rest_shape) in now.iter_mut().zip(rest_shape) {
+                    *now += (*rest_shape - *now) * sum;
                 }
             };
             toward(positions, &mesh.positions);
@@ -73,12 +73,12 @@ impl Mixer {
     }
 }
 
-/// [`Mixer::mix`] for the position of one vertex.
-pub(super) fn point(morph: &Morph, weights: &[f32], mesh: &Mesh, vertex: usize, base: Vec3) -> Vec3 {
-    let bare = mesh.positions.get(vertex).copied().unwrap_or(base);
+/// [`MorphMixer::mix`] for the position of one vertex.
+pub(super) fn morph_point(morph: &Morph, weights: &[f32], mesh: &Mesh, vertex: usize, base: Vec3) -> Vec3 {
+    let rest_shape = mesh.positions.get(vertex).copied().unwrap_or(base);
     let mixed = morph.targets.iter().zip(weights).filter(|(_, weight)| weight.is_finite());
     mixed.fold(base, |now, (target, weight)| {
-        let back = if morph.method == MorphMethod::Normalized { bare - base } else { Vec3::ZERO };
+        let back = if morph.method == MorphMethod::Normalized { rest_shape - base } else { Vec3::ZERO };
         now + (back + target.position_deltas.get(vertex).copied().unwrap_or(Vec3::ZERO)) * *weight
     })
 }

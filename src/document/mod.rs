@@ -36,10 +36,10 @@ pub use angle::angle_at;
 pub use error::OpenError;
 pub use joint_angles::{JointSample, JointTrack};
 pub use joint_override::JointOverride;
-pub use muscle_samples::TimeSample;
+pub use muscle_samples::MuscleSample;
 pub use open::{Images, OpenOptions};
 pub use pose::{PoseBuffers, PoseTimes};
-pub use posed_copy::Companion;
+pub use posed_copy::PosedCopy;
 pub use vertex_influences::{Influence, VertexInfluences};
 
 use std::path::PathBuf;
@@ -97,11 +97,11 @@ pub struct Document {
     /// All clips.
     pub clips: Vec<Clip>,
     /// All findings, by file and line.
-    pub health: Vec<Diagnostic>,
+    pub diagnostics: Vec<Diagnostic>,
     /// How much of the scene is not muscles'.
-    bare: muscle_sources::SceneBaseline,
+    scene_baseline: muscle_sources::SceneBaseline,
     /// Joints turned by hand, ascending by node.
-    hand: Vec<JointOverride>,
+    joint_overrides: Vec<JointOverride>,
     /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
     revision: u64,
 }
@@ -226,13 +226,13 @@ impl Document {
         by(|clip| &clip.name, name)
             .or_else(|| by(|clip| &clip.id, name).filter(|_| !name.is_empty()))
             .or_else(numbered)
-            .or_else(|| by(|clip| &clip.name, &made_up(name)?))
+            .or_else(|| by(|clip| &clip.name, &generated_name(name)?))
     }
 
     /// What [`Document::clip_named`] finds this clip by, in whatever language: its name where that is its own, else `#` and its place from 1.
     pub fn clip_key(&self, index: usize) -> Option<String> {
         let name = &self.clips.get(index)?.name;
-        let own = made_up(name).is_none() && self.clip_named(name) == Some(index);
+        let own = generated_name(name).is_none() && self.clip_named(name) == Some(index);
         Some(if own { name.clone() } else { format!("#{}", index + 1) })
     }
 
@@ -242,13 +242,13 @@ impl Document {
     }
 
     /// Says that nodes, meshes, materials or muscles were changed, so that the next pose lays out its buffers anew.
-    pub fn touch(&mut self) {
+    pub fn bump_revision(&mut self) {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         self.revision = NEXT.fetch_add(1, Ordering::Relaxed);
     }
 }
 
 /// The present language's form of a name that a reader made up for a clip without one; `None` for any other.
-fn made_up(name: &str) -> Option<String> {
+fn generated_name(name: &str) -> Option<String> {
     ["collada-clip-number", "collada-clip-default"].iter().find_map(|key| i18n::translated(key, "number", name))
 }

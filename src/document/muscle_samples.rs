@@ -6,7 +6,7 @@ use crate::scene::Frame;
 
 /// One muscle at one time. Lengths are in the unit of the muscle's file.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct TimeSample {
+pub struct MuscleSample {
     /// Seconds on the clip's own axis, held between its ends.
     pub time: f64,
     /// Angle of the joint that turns the muscle, degrees; `None` where there is none.
@@ -20,9 +20,9 @@ pub struct TimeSample {
 impl Document {
     /// Measures all muscles at these times of the clip that `state` names; all else stays as `state` has it. One list a muscle, by
     /// [`crate::scene::MuscleId`], with one sample a time.
-    pub fn measure_times(&self, state: &PoseState, times: &[f64]) -> Vec<Vec<TimeSample>> {
+    pub fn measure_times(&self, state: &PoseState, times: &[f64]) -> Vec<Vec<MuscleSample>> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
-        let mut rows: Vec<Vec<TimeSample>> = vec![Vec::with_capacity(times.len()); self.muscle_count()];
+        let mut rows: Vec<Vec<MuscleSample>> = vec![Vec::with_capacity(times.len()); self.muscle_count()];
         let clip = state.clip.and_then(|clip| self.clips.get(clip));
         for time in times {
             let time = clip.map_or(*time, |clip| time.max(clip.start).min(clip.end.max(clip.start)));
@@ -34,7 +34,7 @@ impl Document {
                     let (Some(row), Some(solved)) = (rows.get_mut(id), buffers.solved().get(id)) else { continue };
                     let moment_arm = rig.moment_arm(index, &self.scene, &frame.world);
                     let angle = angle.filter(|_| rig.is_attached(index));
-                    row.push(TimeSample { time, angle, moment_arm, solved: solved.clone() });
+                    row.push(MuscleSample { time, angle, moment_arm, solved: solved.clone() });
                 }
             }
         }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use glam::DMat4;
 
-use super::arm_placement::Beside;
+use super::arm_placement::ArmPlacer;
 use super::{Document, Source, SourceKind};
 use crate::animation::Pose;
 use crate::diagnostics::Diagnostic;
@@ -16,9 +16,9 @@ use crate::scene::{Bounds, MuscleId, TransformOp};
 use crate::tr;
 
 /// Moments of a clip at which muscles on its bones are looked at, the first clips alone, and the most nodes posed for that at all moments of one.
-const MOMENTS: usize = 32;
-const CLIPS: usize = 2;
-const MOMENT_NODES: usize = 40_000;
+const CLIP_SAMPLES: usize = 32;
+const MAX_CLIPS: usize = 2;
+const MAX_SAMPLED_NODES: usize = 40_000;
 
 /// Lengths of the scene's lists without muscles.
 #[derive(Debug, Clone, Copy, Default)]
@@ -34,18 +34,18 @@ impl Document {
     /// Puts the muscles of all files into the scene, once everything else is there, and attaches them to the bones that they name.
     pub(super) fn place_muscles(&mut self) {
         let scene = &self.scene;
-        self.bare =
+        self.scene_baseline =
             SceneBaseline { nodes: scene.graph.len(), meshes: scene.meshes.len(), materials: scene.materials.len(), bounds: Bounds::EMPTY };
-        if self.bare.nodes > 0 && self.muscle_files().any(|file| file.arm.is_some()) {
-            self.touch();
-            self.bare.bounds = self.outline(&self.start_state());
+        if self.scene_baseline.nodes > 0 && self.muscle_files().any(|file| file.arm.is_some()) {
+            self.bump_revision();
+            self.scene_baseline.bounds = self.outline(&self.start_state());
         }
         self.build_muscles();
     }
 
     fn build_muscles(&mut self) {
         let mut first = MuscleId(0);
-        let mut beside = Beside::of(&self.bare.bounds);
+        let mut beside = ArmPlacer::new(&self.scene_baseline.bounds);
         for source in &mut self.sources {
             let SourceKind::Muscles(file, rig) = &mut source.kind else { continue };
             let title = match &source.path {
@@ -54,32 +54,32 @@ impl Document {
             };
             **rig = MuscleRig::build(file, &title, &mut self.scene, first);
             if let (Some(arm), Some(root)) = (file.arm, rig.root)
-                && let Some(place) = beside.take(&arm, file)
+                && let Some(place) = beside.place(&arm, file)
             {
                 self.scene.graph.node_mut(root).transform.ops.insert(0, TransformOp::Translate(place));
             }
             first.0 += rig.len() as u32;
             source.root = rig.root;
         }
-        let moments = self.moments();
+        let moments = self.clip_samples();
         for source in &mut self.sources {
             let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
             rig.attach_moving(&self.scene, &self.clips);
             rig.look_over(&moments);
-            self.health.retain(|finding| finding.file != source.name || !finding.code.starts_with("muscle-"));
-            self.health.extend(rig.findings().iter().cloned().map(|finding| Diagnostic { file: source.name.clone(), ..finding }));
+            self.diagnostics.retain(|finding| finding.file != source.name || !finding.code.starts_with("muscle-"));
+            self.diagnostics.extend(rig.findings().iter().cloned().map(|finding| Diagnostic { file: source.name.clone(), ..finding }));
         }
-        self.touch();
+        self.bump_revision();
     }
 
     /// The nodes at some moments of the clips, for muscles on bones to be looked at; none where there are no such muscles.
-    fn moments(&self) -> Vec<(f64, Vec<DMat4>)> {
+    fn clip_samples(&self) -> Vec<(f64, Vec<DMat4>)> {
         if self.muscle_files().all(|file| file.arm.is_some()) {
             return Vec::new();
         }
         let (mut pose, mut local, mut moments) = (Pose::rest(&self.scene), Vec::new(), Vec::new());
-        let count = (MOMENT_NODES / self.scene.graph.len().max(1)).clamp(2, MOMENTS);
-        for clip in self.clips.iter().filter(|clip| clip.duration() > 0.0).take(CLIPS) {
+        let count = (MAX_SAMPLED_NODES / self.scene.graph.len().max(1)).clamp(2, CLIP_SAMPLES);
+        for clip in self.clips.iter().filter(|clip| clip.duration() > 0.0).take(MAX_CLIPS) {
             for moment in 0..count {
                 let time = clip.start + clip.duration() * moment as f64 / (count - 1) as f64;
                 pose.reset(&self.scene);
@@ -119,7 +119,7 @@ impl Document {
             self.sources.push(Source { name, path: None, root: None, kind });
         }
         let mut seen = 0;
-        let health = &mut self.health;
+        let health = &mut self.diagnostics;
         self.sources.retain(|source| {
             let stays = !matches!(source.kind, SourceKind::Muscles(..)) || seen < files.len();
             seen += usize::from(matches!(source.kind, SourceKind::Muscles(..)));
@@ -133,9 +133,9 @@ impl Document {
                 file.as_mut().clone_from(new);
             }
         }
-        self.scene.graph.truncate(self.bare.nodes);
-        self.scene.meshes.truncate(self.bare.meshes);
-        self.scene.materials.truncate(self.bare.materials);
+        self.scene.graph.truncate(self.scene_baseline.nodes);
+        self.scene.meshes.truncate(self.scene_baseline.meshes);
+        self.scene.materials.truncate(self.scene_baseline.materials);
         self.build_muscles();
     }
 
@@ -151,7 +151,7 @@ impl Document {
         let Some(source) = self.muscle_sources_mut().nth(index) else { return };
         let before = std::mem::replace(&mut source.name, name.clone());
         source.path = Some(path);
-        self.health.iter_mut().filter(|finding| finding.file == before).for_each(|finding| finding.file.clone_from(&name));
+        self.diagnostics.iter_mut().filter(|finding| finding.file == before).for_each(|finding| finding.file.clone_from(&name));
     }
 
     fn muscle_sources_mut(&mut self) -> impl Iterator<Item = &mut Source> {

@@ -5,13 +5,14 @@ use glam::Vec3;
 use crate::scene::{Frame, Surface};
 
 /// So many muscles are looked at; one that is covered is enough.
-const MUSCLES: usize = 8;
+const MAX_MUSCLES: usize = 8;
 
 /// Marks as skin the meshes of a posed frame that lie round the middle of a muscle: on all six sides along the world's axes.
-pub(super) fn mark_skins(frame: &mut Frame) {
-    let muscles: Vec<Vec3> = frame.surfaces.iter().filter(|surface| surface.muscle.is_some()).take(MUSCLES).filter_map(middle).collect();
+pub(super) fn mark_covering_surfaces(frame: &mut Frame) {
+    let muscles: Vec<Vec3> =
+        frame.surfaces.iter().filter(|surface| surface.muscle.is_some()).take(MAX_MUSCLES).filter_map(middle).collect();
     for surface in frame.surfaces.iter_mut().filter(|surface| surface.muscle.is_none()) {
-        surface.skin = muscles.iter().any(|point| surrounds(surface, *point));
+        surface.skin = muscles.iter().any(|point| encloses(surface, *point));
     }
 }
 
@@ -23,7 +24,7 @@ fn middle(muscle: &Surface) -> Option<Vec3> {
 }
 
 /// Whether the rays from a point along ±X, ±Y and ±Z all meet the surface.
-fn surrounds(surface: &Surface, point: Vec3) -> bool {
+fn encloses(surface: &Surface, point: Vec3) -> bool {
     let mut met = [[false; 2]; 3];
     for triangle in &surface.mesh.triangles {
         let corners = triangle.map(|v| surface.position(v) - point);
@@ -91,10 +92,10 @@ mod tests {
         let bone = surface(Vec3::new(0.1, 1.0, 0.1), Vec3::ZERO, false, None);
         let nothing = surface(Vec3::NAN, Vec3::ZERO, false, None);
         let mut frame = Frame { surfaces: vec![skin, bone, muscle, open, nothing], ..Frame::default() };
-        mark_skins(&mut frame);
+        mark_covering_surfaces(&mut frame);
         assert_eq!(frame.surfaces.iter().map(|surface| surface.skin).collect::<Vec<_>>(), [true, false, false, false, false]);
         frame.surfaces.retain(|surface| surface.muscle.is_none());
-        mark_skins(&mut frame);
+        mark_covering_surfaces(&mut frame);
         assert!(frame.surfaces.iter().all(|surface| !surface.skin));
     }
 }

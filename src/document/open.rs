@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::file::{self, Format};
-use super::foreign::Foreign;
-use super::images::Pending;
+use super::foreign::UnsupportedFormat;
+use super::images::PendingImages;
 use super::{Document, OpenError, Source, SourceKind, merge};
 use crate::collada::{self, Progress};
 use crate::diagnostics::Diagnostic;
@@ -46,7 +46,7 @@ impl Document {
     pub fn open_with<P: AsRef<Path>>(files: &[P], options: OpenOptions, progress: &Progress) -> Result<Self, OpenError> {
         let mut document = Self::default();
         // Images have one budget, whatever file they belong to, so they wait for the last of these.
-        let mut images = Pending::default();
+        let mut images = PendingImages::default();
         for path in files {
             document.add_file(path.as_ref(), &mut images, progress)?;
         }
@@ -61,7 +61,7 @@ impl Document {
     }
 
     /// Opens the clips that muscle files name and that are not open yet. One that cannot be opened is a finding: the muscles are shown without it.
-    fn add_named_clips(&mut self, images: &mut Pending, progress: &Progress) {
+    fn add_named_clips(&mut self, images: &mut PendingImages, progress: &Progress) {
         for index in 0..self.sources.len() {
             let source = &self.sources[index];
             let SourceKind::Muscles(file, _) = &source.kind else { continue };
@@ -74,7 +74,7 @@ impl Document {
                 let message = tr!("document-clip-not-opened", error = error.to_string());
                 let mut finding = Diagnostic::warning("clip-not-opened", None, path.display().to_string(), message);
                 finding.file = name;
-                self.health.push(finding);
+                self.diagnostics.push(finding);
             }
         }
     }
@@ -104,10 +104,10 @@ impl Document {
         MuscleFile { clip: clip.or_else(|| file.clip.clone()), ..file.clone() }
     }
 
-    fn add_file(&mut self, path: &Path, images: &mut Pending, progress: &Progress) -> Result<(), OpenError> {
+    fn add_file(&mut self, path: &Path, images: &mut PendingImages, progress: &Progress) -> Result<(), OpenError> {
         let name = if path.as_os_str() == "-" { tr!("document-standard-input") } else { path.display().to_string() };
         let bytes = file::read(path, &name, limits::FILE_BYTES)?;
-        if let Some(foreign) = Foreign::of(path, &bytes) {
+        if let Some(foreign) = UnsupportedFormat::of(path, &bytes) {
             return Err(OpenError::whole(&name, foreign.sentence()));
         }
         let format = file::format(path, &bytes);
@@ -120,7 +120,14 @@ impl Document {
         }
     }
 
-    fn add_collada(&mut self, bytes: Vec<u8>, name: &str, path: &Path, images: &mut Pending, progress: &Progress) -> Result<(), OpenError> {
+    fn add_collada(
+        &mut self,
+        bytes: Vec<u8>,
+        name: &str,
+        path: &Path,
+        images: &mut PendingImages,
+        progress: &Progress,
+    ) -> Result<(), OpenError> {
         let mut loaded = collada::read(&bytes, name, progress).map_err(|error| OpenError {
             file: name.to_owned(),
             line: error.line,

@@ -11,11 +11,11 @@ impl Document {
     /// memory than the largest.
     pub fn outline(&self, state: &PoseState) -> Bounds {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
-        self.lay_out_nodes(&mut buffers, &mut frame);
+        self.prepare_nodes(&mut buffers, &mut frame);
         self.pose_nodes(state, &mut buffers, &mut frame);
         self.solve_muscles(state, &mut buffers, &frame);
         let mut shown = Vec::new();
-        self.mark_shown(&mut shown);
+        self.update_visibility(&mut shown);
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         let mut bounds = Bounds::EMPTY;
         for (id, node) in self.scene.graph.iter() {
@@ -32,7 +32,7 @@ impl Document {
                         } else {
                             let mut bender = MeshDeformer::new(&self.scene, instance, mesh);
                             let (weights, into) = (&buffers.pose().morph_weights, (&mut positions, &mut normals));
-                            bender.bend(&self.scene, (id, instance), mesh, state, &frame.world, weights, into).0
+                            bender.deform(&self.scene, (id, instance), mesh, state, &frame.world, weights, into).0
                         }
                     }
                     Content::Muscle(muscle) => {

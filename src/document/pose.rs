@@ -6,7 +6,7 @@ use std::time::Instant;
 use glam::{DMat4, Mat4};
 
 use super::deform::MeshDeformer;
-use super::occlusion_test::mark_skins;
+use super::occlusion_test::mark_covering_surfaces;
 use super::{Document, PoseState, SourceKind};
 use crate::animation::Pose;
 use crate::muscle::Solved;
@@ -19,11 +19,11 @@ pub struct PoseBuffers {
     pose: Pose,
     local: Vec<DMat4>,
     shown: Vec<bool>,
-    plans: Vec<Plan>,
+    plans: Vec<SurfacePlan>,
     solved: Vec<Solved>,
     times: PoseTimes,
     /// Whether the surfaces that cover muscles were looked for since the frame was laid out.
-    skins_marked: bool,
+    covering_surfaces_marked: bool,
 }
 
 /// Milliseconds that the parts of the last pose took.
@@ -54,7 +54,7 @@ impl PoseBuffers {
 
 /// How one surface of the frame is made.
 #[derive(Debug, Clone)]
-enum Plan {
+enum SurfacePlan {
     /// A mesh as it is; its box is kept until the matrix changes.
     Rigid { made_for: Option<(Mat4, Bounds)> },
     /// A morphed or skinned mesh.
@@ -76,8 +76,8 @@ impl Document {
         self.solve_muscles(state, buffers, frame);
         let posed = Instant::now();
         self.place_surfaces(state, buffers, frame);
-        if !std::mem::replace(&mut buffers.skins_marked, true) {
-            mark_skins(frame);
+        if !std::mem::replace(&mut buffers.covering_surfaces_marked, true) {
+            mark_covering_surfaces(frame);
         }
         let milliseconds = |from: Instant, to: Instant| to.duration_since(from).as_secs_f64() * 1e3;
         buffers.times = PoseTimes { pose_ms: milliseconds(begun, posed), deform_ms: milliseconds(posed, Instant::now()) };
@@ -87,7 +87,7 @@ impl Document {
     /// questions about bones alone, which need no skin.
     pub fn pose_nodes(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
         if buffers.revision != self.revision || frame.layout_revision != self.revision {
-            self.lay_out(buffers, frame);
+            self.prepare(buffers, frame);
         }
         let pose = &mut buffers.pose;
         pose.reset(&self.scene);
@@ -103,7 +103,7 @@ impl Document {
         {
             *local = turn.apply(*local, self.scene.graph.node(turn.node).transform.matrix());
         }
-        for turn in &self.hand {
+        for turn in &self.joint_overrides {
             if let Some(local) = buffers.local.get_mut(turn.node.index()) {
                 *local *= turn.matrix();
             }
@@ -129,13 +129,13 @@ impl Document {
     }
 
     fn place_surfaces(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
-        self.mark_shown(&mut buffers.shown);
+        self.update_visibility(&mut buffers.shown);
         frame.bounds = Bounds::EMPTY;
         for (surface, plan) in frame.surfaces.iter_mut().zip(&mut buffers.plans) {
             surface.visible = buffers.shown.get(surface.node.index()).copied().unwrap_or(true);
             let world = frame.world.get(surface.node.index()).copied().unwrap_or(DMat4::IDENTITY);
             let (bounds, solid) = match plan {
-                Plan::Rigid { made_for } => {
+                SurfacePlan::Rigid { made_for } => {
                     let matrix = world.as_mat4();
                     surface.geometry = SurfaceGeometry::Rigid(matrix);
                     surface.mirrored = world.determinant() < 0.0;
@@ -149,16 +149,16 @@ impl Document {
                     };
                     (bounds, surface.mesh.solid)
                 }
-                Plan::Bent(bender) => {
+                SurfacePlan::Bent(bender) => {
                     let SurfaceGeometry::Deformed { positions, normals } = &mut surface.geometry else { continue };
                     let Some(instance) = self.instance(surface.node, surface.content) else { continue };
                     let (weights, into) = (&buffers.pose.morph_weights, (positions, normals));
                     let (bounds, mirrored) =
-                        bender.bend(&self.scene, (surface.node, instance), &surface.mesh, state, &frame.world, weights, into);
+                        bender.deform(&self.scene, (surface.node, instance), &surface.mesh, state, &frame.world, weights, into);
                     surface.mirrored = mirrored;
                     (bounds, false)
                 }
-                Plan::Muscle(id) => {
+                SurfacePlan::Muscle(id) => {
                     let SurfaceGeometry::Deformed { positions, normals } = &mut surface.geometry else { continue };
                     let (Some((rig, index)), Some(solved)) = (self.muscle(*id), buffers.solved.get(id.index())) else { continue };
                     let Some(shape) = rig.deform(index, solved, &frame.world, positions, normals) else { continue };
@@ -177,7 +177,7 @@ impl Document {
     }
 
     /// Whether each node and all above it are visible.
-    pub(super) fn mark_shown(&self, shown: &mut Vec<bool>) {
+    pub(super) fn update_visibility(&self, shown: &mut Vec<bool>) {
         shown.clear();
         for (_, node) in self.scene.graph.iter() {
             let above = node.parent().is_none_or(|parent| shown.get(parent.index()).copied().unwrap_or(true));
@@ -193,7 +193,7 @@ impl Document {
     }
 
     /// Makes buffers and frame fit the document's nodes, muscles and joints; no surfaces.
-    pub(super) fn lay_out_nodes(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
+    pub(super) fn prepare_nodes(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
         *buffers = PoseBuffers { revision: self.revision, pose: Pose::rest(&self.scene), ..PoseBuffers::default() };
         *frame = Frame { layout_revision: self.revision, ..Frame::default() };
         buffers.solved.resize(self.muscle_count(), Solved::default());
@@ -205,8 +205,8 @@ impl Document {
     }
 
     /// Makes buffers and frame fit the document: one surface for each mesh and muscle, in the order of the nodes.
-    fn lay_out(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
-        self.lay_out_nodes(buffers, frame);
+    fn prepare(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        self.prepare_nodes(buffers, frame);
         frame.materials = self.scene.materials.clone();
         let deformed = || SurfaceGeometry::Deformed { positions: Vec::new(), normals: Vec::new() };
         for (id, node) in self.scene.graph.iter() {
@@ -229,16 +229,16 @@ impl Document {
                     Content::Mesh(instance) => {
                         let Some(mesh) = self.scene.meshes.get(instance.mesh.index()) else { continue };
                         let (plan, placement) = if instance.deformers.is_empty() {
-                            (Plan::Rigid { made_for: None }, SurfaceGeometry::Rigid(Mat4::IDENTITY))
+                            (SurfacePlan::Rigid { made_for: None }, SurfaceGeometry::Rigid(Mat4::IDENTITY))
                         } else {
-                            (Plan::Bent(Box::new(MeshDeformer::new(&self.scene, instance, mesh))), deformed())
+                            (SurfacePlan::Bent(Box::new(MeshDeformer::new(&self.scene, instance, mesh))), deformed())
                         };
                         buffers.plans.push(plan);
                         frame.surfaces.push(blank(Arc::clone(mesh), Arc::clone(&instance.materials), placement, None));
                     }
                     Content::Muscle(muscle) => {
                         let Some((rig, index)) = self.muscle(*muscle) else { continue };
-                        buffers.plans.push(Plan::Muscle(*muscle));
+                        buffers.plans.push(SurfacePlan::Muscle(*muscle));
                         frame.surfaces.push(blank(rig.mesh(index), rig.materials(index).into(), deformed(), Some(*muscle)));
                     }
                     Content::Light(_) | Content::Camera(_) => {}

@@ -8,13 +8,13 @@ use crate::scene::{Bounds, Frame, Ghost, OverlayLine, Scene};
 /// Buffers of a pose beside the main one. Its surfaces are lent to the main frame for drawing and taken back before the next pose, so that
 /// nothing is copied and nothing is allocated after the first frame.
 #[derive(Debug, Default)]
-pub struct Companion {
+pub struct PosedCopy {
     buffers: PoseBuffers,
     frame: Frame,
-    lent: usize,
+    appended: usize,
 }
 
-impl Companion {
+impl PosedCopy {
     /// Poses it. What was lent must have been taken back.
     pub fn pose(&mut self, document: &Document, state: &PoseState) {
         document.pose(state, &mut self.buffers, &mut self.frame);
@@ -31,19 +31,19 @@ impl Companion {
     }
 
     /// Lends its surfaces to a frame, to be drawn as `ghost` says.
-    pub fn lend(&mut self, to: &mut Frame, ghost: Ghost) {
+    pub fn append_to(&mut self, to: &mut Frame, ghost: Ghost) {
         for surface in &mut self.frame.surfaces {
             surface.ghost = Some(ghost);
         }
-        self.lent = self.frame.surfaces.len();
+        self.appended = self.frame.surfaces.len();
         to.surfaces.append(&mut self.frame.surfaces);
     }
 
     /// Takes back what was lent, of several companions in the reverse order of lending. From a frame that no longer has it nothing comes, and
     /// the next pose begins anew.
-    pub fn take_back(&mut self, from: &mut Frame) {
-        let lent = std::mem::take(&mut self.lent);
-        match from.surfaces.len().checked_sub(lent) {
+    pub fn remove_from(&mut self, from: &mut Frame) {
+        let appended = std::mem::take(&mut self.appended);
+        match from.surfaces.len().checked_sub(appended) {
             Some(start) if from.surfaces.iter().skip(start).all(|surface| surface.ghost.is_some()) => {
                 self.frame.surfaces.extend(from.surfaces.drain(start..));
             }
@@ -52,7 +52,7 @@ impl Companion {
     }
 
     /// Its bones as lines.
-    pub fn sketch_bones(&self, scene: &Scene, color: Vec3, opacity: f32, into: &mut Vec<OverlayLine>) {
+    pub fn append_bone_lines(&self, scene: &Scene, color: Vec3, opacity: f32, into: &mut Vec<OverlayLine>) {
         let frame = &self.frame;
         let shown = frame.joints.iter().filter(|joint| joint.node.index() < scene.graph.len() && scene.graph.is_shown(joint.node));
         into.extend(shown.filter_map(|joint| {
@@ -62,16 +62,16 @@ impl Companion {
 
     /// The greatest distance between a vertex of `other` and the same vertex here, moved by `shift`; metres. For two poses of one document,
     /// while nothing is lent.
-    pub fn farthest_vertex(&self, other: &Frame, shift: Vec3) -> f32 {
-        let mut farthest = 0.0f32;
+    pub fn max_vertex_distance(&self, other: &Frame, shift: Vec3) -> f32 {
+        let mut max_distance = 0.0f32;
         for (a, b) in other.surfaces.iter().zip(&self.frame.surfaces) {
             for vertex in 0..a.mesh.positions.len() as u32 {
                 let distance = (a.position(vertex) + shift).distance(b.position(vertex));
                 if distance.is_finite() {
-                    farthest = farthest.max(distance);
+                    max_distance = max_distance.max(distance);
                 }
             }
         }
-        farthest
+        max_distance
     }
 }

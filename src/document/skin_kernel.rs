@@ -8,7 +8,7 @@ use std::ops::{Add, Mul, Sub};
 
 use glam::{DMat4, Mat3A, Vec3, Vec3A};
 
-use super::skin_plan::{GROUP, Pick, Plan};
+use super::skin_plan::{GROUP, SkinningPlan, WeightedMatrixRef};
 use crate::scene::{Bounds, Influence};
 use crate::simd::{Simd, always, each, kernel, map};
 
@@ -57,9 +57,9 @@ pub(super) fn cofactor(m: &Mat3A) -> Mat3A {
 }
 
 /// What is bent, and by what. All lists of vertices have the same length.
-pub(super) struct Task<'a> {
+pub(super) struct DeformJob<'a> {
     /// Which matrices move which vertex.
-    pub(super) plan: &'a Plan,
+    pub(super) plan: &'a SkinningPlan,
     /// The matrices that the plan picks from.
     pub(super) matrices: &'a [Affine],
     /// Whether a matrix scales unevenly, so that normals need the inverse transpose.
@@ -74,36 +74,36 @@ pub(super) struct Task<'a> {
 
 kernel! {
     /// Bends all vertices of the task.
-    pub(super) fn bend(task: &mut Task<'_>) = bend_with
+    pub(super) fn deform(job: &mut DeformJob<'_>) = deform_with
 }
 
 #[inline(always)]
-fn bend_with<L: Simd>(l: L, task: &mut Task<'_>) {
-    if task.uneven { bend_groups::<L, true>(l, task) } else { bend_groups::<L, false>(l, task) }
+fn deform_with<L: Simd>(l: L, job: &mut DeformJob<'_>) {
+    if job.uneven { deform_groups::<L, true>(l, job) } else { deform_groups::<L, false>(l, job) }
 }
 
 #[inline(always)]
-fn bend_groups<L: Simd, const UNEVEN: bool>(l: L, task: &mut Task<'_>) {
-    let (positions, normals) = task.from;
-    let (to_positions, to_normals) = (&mut *task.to.0, &mut *task.to.1);
+fn deform_groups<L: Simd, const NONUNIFORM: bool>(l: L, job: &mut DeformJob<'_>) {
+    let (positions, normals) = job.from;
+    let (to_positions, to_normals) = (&mut *job.to.0, &mut *job.to.1);
     let count = positions.len();
-    assert!(normals.len() == count && to_positions.len() == count && to_normals.len() == count && task.plan.vertices() == count);
-    assert!(task.plan.needs() <= task.matrices.len());
+    assert!(normals.len() == count && to_positions.len() == count && to_normals.len() == count && job.plan.vertices() == count);
+    assert!(job.plan.matrix_count() <= job.matrices.len());
     let mut bounds = ([l.splat(f32::INFINITY); 3], [l.splat(f32::NEG_INFINITY); 3]);
     let mut blended = [Affine::default(); GROUP];
-    for (first, picks) in task.plan.groups() {
+    for (first, picks) in job.plan.groups() {
         // SAFETY: the plan's indices are below `needs`, which was compared above.
-        unsafe { blend_group(l, task.matrices, picks, &mut blended) };
+        unsafe { blend_group(l, job.matrices, picks, &mut blended) };
         if let (Some(positions), Some(normals)) = (positions[first..].first_chunk(), normals[first..].first_chunk())
             && let (Some(to_positions), Some(to_normals)) = (to_positions[first..].first_chunk_mut(), to_normals[first..].first_chunk_mut())
         {
-            transform_group::<L, UNEVEN>(l, &blended, [positions, normals], [to_positions, to_normals], &mut bounds);
+            transform_group::<L, NONUNIFORM>(l, &blended, [positions, normals], [to_positions, to_normals], &mut bounds);
             continue;
         }
         // Places beyond the end repeat the last vertex, as the plan does, so that they change nothing in the box.
         let padded = |list: &[Vec3]| -> [Vec3; GROUP] { std::array::from_fn(|i| list[(first + i).min(count - 1)]) };
         let [mut p, mut n] = [[Vec3::ZERO; GROUP]; 2];
-        transform_group::<L, UNEVEN>(l, &blended, [&padded(positions), &padded(normals)], [&mut p, &mut n], &mut bounds);
+        transform_group::<L, NONUNIFORM>(l, &blended, [&padded(positions), &padded(normals)], [&mut p, &mut n], &mut bounds);
         to_positions[first..].copy_from_slice(&p[..count - first]);
         to_normals[first..].copy_from_slice(&n[..count - first]);
     }
@@ -119,7 +119,7 @@ fn bend_groups<L: Simd, const UNEVEN: bool>(l: L, task: &mut Task<'_>) {
         );
         Vec3::from_array(coordinates)
     });
-    task.bounds = Bounds { min: ends(bounds.0, f32::min), max: ends(bounds.1, f32::max) };
+    job.bounds = Bounds { min: ends(bounds.0, f32::min), max: ends(bounds.1, f32::max) };
 }
 
 /// `Σ wᵢ Mᵢ` for each vertex of a group; `picks` holds equally many for each.
@@ -127,7 +127,7 @@ fn bend_groups<L: Simd, const UNEVEN: bool>(l: L, task: &mut Task<'_>) {
 /// # Safety
 /// All picks name one of `matrices`.
 #[inline(always)]
-unsafe fn blend_group<L: Simd>(l: L, matrices: &[Affine], picks: &[Pick], blended: &mut [Affine; GROUP]) {
+unsafe fn blend_group<L: Simd>(l: L, matrices: &[Affine], picks: &[WeightedMatrixRef], blended: &mut [Affine; GROUP]) {
     // SAFETY: the caller's promise; a count that is known lets the compiler lay the sum out in a row.
     unsafe {
         match picks.len() / GROUP {
@@ -143,11 +143,11 @@ unsafe fn blend_group<L: Simd>(l: L, matrices: &[Affine], picks: &[Pick], blende
 /// # Safety
 /// All picks name one of `matrices`.
 #[inline(always)]
-unsafe fn blend_each<L: Simd>(l: L, matrices: &[Affine], picks: &[Pick], count: usize, blended: &mut [Affine; GROUP]) {
+unsafe fn blend_each<L: Simd>(l: L, matrices: &[Affine], picks: &[WeightedMatrixRef], count: usize, blended: &mut [Affine; GROUP]) {
     for (sum, picks) in blended.iter_mut().zip(picks.chunks_exact(count)) {
         let (first, rest) = picks.split_at(1);
         for part in (0..16).step_by(L::N) {
-            let term = always!(|pick: &Pick| {
+            let term = always!(|pick: &WeightedMatrixRef| {
                 // SAFETY: the caller's promise.
                 let matrix = unsafe { pick.of(matrices) };
                 l.load(&matrix.0[part..]) * l.splat(pick.weight)
@@ -163,7 +163,7 @@ unsafe fn blend_each<L: Simd>(l: L, matrices: &[Affine], picks: &[Pick], count: 
 
 /// Transforms a group: positions and normals of `from` into those of `to`.
 #[inline(always)]
-fn transform_group<L: Simd, const UNEVEN: bool>(
+fn transform_group<L: Simd, const NONUNIFORM: bool>(
     l: L,
     blended: &[Affine; GROUP],
     from: [&[Vec3; GROUP]; 2],
@@ -178,7 +178,7 @@ fn transform_group<L: Simd, const UNEVEN: bool>(
         let [x, y, z] = unsafe { each::<_, 3>(always!(|k| l.quads(first.add(k * 4), 16))) };
         let (position, normal) = (l.triples(&from_positions[part..]), l.triples(&from_normals[part..]));
         let rows = map([x, y, z], always!(|m: [L::F; 4]| [m[0], m[1], m[2]]));
-        let rows = if UNEVEN { cofactors(l, rows) } else { rows };
+        let rows = if NONUNIFORM { cofactors(l, rows) } else { rows };
         let turned = map(rows, always!(|row: [L::F; 3]| dot(row, normal)));
         let square = dot(turned, turned);
         // Roots and quotients take long: the positions are worked on meanwhile.
@@ -222,12 +222,12 @@ mod tests {
     use proptest::prelude::*;
 
     /// Bends by `level` and returns positions, normals and box.
-    fn bent(level: SimdLevel, plan: &Plan, matrices: &[Affine], uneven: bool, shape: &[Vec3]) -> (Vec<Vec3>, Vec<Vec3>, Bounds) {
+    fn bent(level: SimdLevel, plan: &SkinningPlan, matrices: &[Affine], uneven: bool, shape: &[Vec3]) -> (Vec<Vec3>, Vec<Vec3>, Bounds) {
         let (mut positions, mut normals) = (vec![Vec3::NAN; shape.len()], vec![Vec3::NAN; shape.len()]);
         let to = (positions.as_mut_slice(), normals.as_mut_slice());
-        let mut task = Task { plan, matrices, uneven, from: (shape, shape), to, bounds: Bounds::EMPTY };
-        bend(level, &mut task);
-        let bounds = task.bounds;
+        let mut job = DeformJob { plan, matrices, uneven, from: (shape, shape), to, bounds: Bounds::EMPTY };
+        deform(level, &mut job);
+        let bounds = job.bounds;
         (positions, normals, bounds)
     }
 
@@ -252,7 +252,7 @@ mod tests {
             let shape: Vec<Vec3> = shape.iter().take(points.len()).map(|p| Vec3::from_array(*p)).collect();
             let source_vertex = (0..source_count).rev().collect();
             let mesh = Mesh { positions: shape.clone(), source_vertex, source_count, ..Mesh::default() };
-            let plan = Plan::of_skin(&skin, &mesh);
+            let plan = SkinningPlan::of_skin(&skin, &mesh);
             let bits = |v: &[Vec3]| v.iter().map(|v| v.to_array().map(f32::to_bits)).collect::<Vec<_>>();
             let plain = bent(SimdLevel::Scalar(crate::simd::Scalar), &plan, &matrices, uneven, &shape);
             for level in SimdLevel::all() {
@@ -286,7 +286,7 @@ mod tests {
     fn a_normal_that_vanishes_points_up_and_a_coordinate_that_is_no_number_stays_out_of_the_box() {
         let mesh = Mesh { positions: vec![Vec3::ONE; 2], source_vertex: vec![0; 2], source_count: 1, ..Mesh::default() };
         for level in SimdLevel::all() {
-            let (_, normals, bounds) = bent(level, &Plan::of_points(&mesh), &[Affine::default()], false, &[Vec3::ONE, Vec3::NAN]);
+            let (_, normals, bounds) = bent(level, &SkinningPlan::of_points(&mesh), &[Affine::default()], false, &[Vec3::ONE, Vec3::NAN]);
             assert_eq!(normals, [Vec3::Y; 2]);
             assert_eq!((bounds.min, bounds.max), (Vec3::ZERO, Vec3::ZERO));
         }

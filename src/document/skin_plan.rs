@@ -9,56 +9,56 @@ use crate::scene::{Mesh, Skin};
 pub(super) const GROUP: usize = 16;
 
 /// A vertex with more influences than this gets its matrix beforehand, so that one of them in a group does not fill it up.
-const MOST: usize = 8;
+const MAX_INFLUENCES: usize = 8;
 
 /// Steps of eight bytes from one matrix to the next.
-const STEPS: u32 = (size_of::<Affine>() / 8) as u32;
+const OFFSET_STRIDE: u32 = (size_of::<Affine>() / 8) as u32;
 
 /// The share of one matrix in a vertex.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Pick {
+pub(super) struct WeightedMatrixRef {
     /// Where the matrix stands in the list, in steps of eight bytes: a processor adds such a step up for nothing, not so one of 64.
-    place: u32,
+    byte_offset: u32,
     /// Its weight.
     pub(super) weight: f32,
 }
 
-impl Pick {
+impl WeightedMatrixRef {
     fn new(matrix: u32, weight: f32) -> Self {
-        Self { place: matrix.min(u32::MAX / STEPS) * STEPS, weight }
+        Self { byte_offset: matrix.min(u32::MAX / OFFSET_STRIDE) * OFFSET_STRIDE, weight }
     }
 
     /// Its index in the list of matrices.
     fn matrix(self) -> usize {
-        (self.place / STEPS) as usize
+        (self.byte_offset / OFFSET_STRIDE) as usize
     }
 
     /// The matrix itself.
     ///
     /// # Safety
-    /// There are more than [`Pick::matrix`] matrices.
+    /// There are more than [`WeightedMatrixRef::matrix`] matrices.
     #[inline(always)]
     pub(super) unsafe fn of(self, matrices: &[Affine]) -> &Affine {
         // SAFETY: the caller's promise; `place` is a whole number of matrices.
-        unsafe { &*matrices.as_ptr().cast::<u64>().add(self.place as usize).cast() }
+        unsafe { &*matrices.as_ptr().cast::<u64>().add(self.byte_offset as usize).cast() }
     }
 }
 
 /// The picks of all vertices of a mesh, in groups. Within a group every vertex has equally many: those with fewer repeat their first with weight 0.
 ///
 /// The matrices that a plan for a skin picks from are: the joints, the one for vertices without influences, the one for influences of no joint, and
-/// then one for each point of [`Plan::long`].
+/// then one for each point of [`SkinningPlan::preblended`].
 #[derive(Debug, Clone, Default)]
-pub(super) struct Plan {
-    picks: Vec<Pick>,
+pub(super) struct SkinningPlan {
+    refs: Vec<WeightedMatrixRef>,
     /// For each group, how many picks each of its vertices has.
     sizes: Vec<u32>,
     vertices: usize,
-    needs: usize,
-    long: Vec<u32>,
+    matrix_count: usize,
+    preblended: Vec<u32>,
 }
 
-impl Plan {
+impl SkinningPlan {
     /// For a skin on a mesh.
     pub(super) fn of_skin(skin: &Skin, mesh: &Mesh) -> Self {
         let joints = skin.joints.len() as u32;
@@ -66,33 +66,33 @@ impl Plan {
         let (mut long, mut places) = (Vec::new(), FxHashMap::default());
         let mut plan = Self::of(mesh, |point, picks| {
             let influences = skin.influences_of(point as usize);
-            if influences.len() > MOST {
+            if influences.len() > MAX_INFLUENCES {
                 // Vertices that were split from one point share its matrix.
                 let place = *places.entry(point).or_insert_with(|| {
                     long.push(point);
                     bind + long.len() as u32
                 });
-                picks.push(Pick::new(place, 1.0));
+                picks.push(WeightedMatrixRef::new(place, 1.0));
             } else if influences.is_empty() {
-                picks.push(Pick::new(loose, 1.0));
+                picks.push(WeightedMatrixRef::new(loose, 1.0));
             } else {
                 picks.extend(influences.iter().map(|influence| {
                     let joint = u32::try_from(influence.joint).ok().filter(|joint| *joint < joints);
-                    Pick::new(joint.unwrap_or(bind), influence.weight)
+                    WeightedMatrixRef::new(joint.unwrap_or(bind), influence.weight)
                 }));
             }
         });
-        plan.long = long;
+        plan.preblended = long;
         plan
     }
 
     /// For one matrix a point of the file, and behind those one for vertices of no point.
     pub(super) fn of_points(mesh: &Mesh) -> Self {
-        Self::of(mesh, |point, picks| picks.push(Pick::new(point.min(mesh.source_count), 1.0)))
+        Self::of(mesh, |point, picks| picks.push(WeightedMatrixRef::new(point.min(mesh.source_count), 1.0)))
     }
 
-    /// `picks_of` appends the picks of a point: at least one, at most [`MOST`].
-    fn of(mesh: &Mesh, mut picks_of: impl FnMut(u32, &mut Vec<Pick>)) -> Self {
+    /// `picks_of` appends the picks of a point: at least one, at most [`MAX_INFLUENCES`].
+    fn of(mesh: &Mesh, mut refs_of: impl FnMut(u32, &mut Vec<WeightedMatrixRef>)) -> Self {
         let count = mesh.positions.len();
         let mut plan = Self { vertices: count, ..Self::default() };
         let mut here = Vec::new();
@@ -102,18 +102,18 @@ impl Plan {
             let ranges: [_; GROUP] = std::array::from_fn(|place| {
                 let from = here.len();
                 let vertex = (first + place).min(count - 1);
-                picks_of(mesh.source_vertex.get(vertex).copied().unwrap_or(u32::MAX), &mut here);
+                refs_of(mesh.source_vertex.get(vertex).copied().unwrap_or(u32::MAX), &mut here);
                 from..here.len()
             });
             let size = ranges.iter().map(ExactSizeIterator::len).max().unwrap_or(1);
             for range in ranges {
                 let own = &here[range];
-                let fill = Pick { weight: 0.0, ..own[0] };
-                plan.picks.extend(own.iter().copied().chain(std::iter::repeat_n(fill, size - own.len())));
+                let fill = WeightedMatrixRef { weight: 0.0, ..own[0] };
+                plan.refs.extend(own.iter().copied().chain(std::iter::repeat_n(fill, size - own.len())));
             }
             plan.sizes.push(size as u32);
         }
-        plan.needs = plan.picks.iter().map(|pick| pick.matrix() + 1).max().unwrap_or(0);
+        plan.matrix_count = plan.refs.iter().map(|pick| pick.matrix() + 1).max().unwrap_or(0);
         plan
     }
 
@@ -123,18 +123,18 @@ impl Plan {
     }
 
     /// How many matrices it picks from, at least.
-    pub(super) fn needs(&self) -> usize {
-        self.needs
+    pub(super) fn matrix_count(&self) -> usize {
+        self.matrix_count
     }
 
     /// Points of the file whose matrices are to be blended beforehand.
-    pub(super) fn long(&self) -> &[u32] {
-        &self.long
+    pub(super) fn preblended(&self) -> &[u32] {
+        &self.preblended
     }
 
     /// For each group its first vertex and its picks: [`GROUP`] times equally many, one vertex after the other.
-    pub(super) fn groups(&self) -> impl Iterator<Item = (usize, &[Pick])> {
-        let mut rest = self.picks.as_slice();
+    pub(super) fn groups(&self) -> impl Iterator<Item = (usize, &[WeightedMatrixRef])> {
+        let mut rest = self.refs.as_slice();
         self.sizes.iter().enumerate().map_while(move |(group, size)| {
             let (picks, after) = rest.split_at_checked(*size as usize * GROUP)?;
             rest = after;
@@ -159,7 +159,7 @@ mod tests {
         }
         // Point 9 is not in the skin.
         let mesh = Mesh { positions: vec![glam::Vec3::ZERO; 6], source_vertex: vec![3, 0, 1, 3, 2, 9], source_count: 4, ..Mesh::default() };
-        let plan = Plan::of_skin(&skin, &mesh);
+        let plan = SkinningPlan::of_skin(&skin, &mesh);
         let groups: Vec<_> = plan.groups().collect();
         assert_eq!((groups.len(), groups[0].0, groups[0].1.len()), (1, 0, 3 * GROUP));
         let vertex = |v: usize| groups[0].1[v * 3..v * 3 + 3].iter().map(|pick| (pick.matrix(), pick.weight)).collect::<Vec<_>>();
@@ -170,6 +170,6 @@ mod tests {
         assert_eq!(vertex(4), [(2, 0.25), (4, 0.25), (4, 0.25)]);
         assert_eq!(vertex(5), vertex(2));
         assert_eq!(vertex(15), vertex(5));
-        assert_eq!((plan.needs(), plan.long(), plan.vertices()), (6, [3].as_slice(), 6));
+        assert_eq!((plan.matrix_count(), plan.preblended(), plan.vertices()), (6, [3].as_slice(), 6));
     }
 }

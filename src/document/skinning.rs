@@ -7,8 +7,8 @@ use std::sync::LazyLock;
 
 use glam::{DMat3, DMat4, DQuat, Mat3A, Quat, Vec3};
 
-use super::skin_kernel::{self, Affine, Task};
-use super::skin_plan::Plan;
+use super::skin_kernel::{self, Affine, DeformJob};
+use super::skin_plan::SkinningPlan;
 use crate::scene::{Bounds, Influence, Mesh, Skin};
 use crate::simd::SimdLevel;
 
@@ -17,30 +17,30 @@ static LEVEL: LazyLock<SimdLevel> = LazyLock::new(SimdLevel::detect);
 
 /// Matrices of one skin at one moment, and what blending them needs. Kept between frames.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Palette {
+pub(super) struct SkinDeformer {
     /// Into the world: `Jᵢ · IBMᵢ · BSM`, one a joint; where points go that no joint moves (the bind shape, with the holding node's world matrix
     /// where that is the identity); where the influence −1 puts a point (the bind shape in the file's world); then those that the plan wants blended beforehand.
     matrices: Vec<Affine>,
     /// Whether a matrix scales unevenly, so that normals need the inverse transpose.
-    uneven: bool,
+    has_nonuniform_scale: bool,
     /// Made with the first frame.
-    plan: Option<Plan>,
+    plan: Option<SkinningPlan>,
     /// The joints and the two other matrices as dual quaternions; filled for that mode only.
-    rigid: Vec<Rigid>,
+    rigid: Vec<DualQuaternion>,
     /// One a point of the file, then the one for vertices of no point; for dual quaternions only, like their plan.
     blended: Vec<Affine>,
-    rigid_plan: Option<Plan>,
+    rigid_plan: Option<SkinningPlan>,
 }
 
 /// A palette matrix as rotation and translation (a unit dual quaternion) after a scale and shear.
 #[derive(Debug, Clone, Copy)]
-struct Rigid {
+struct DualQuaternion {
     real: Quat,
     dual: Quat,
     stretch: Mat3A,
 }
 
-impl Rigid {
+impl DualQuaternion {
     fn of(matrix: &DMat4) -> Self {
         let linear = DMat3::from_mat4(*matrix);
         let rotation = rotation_of(linear);
@@ -60,7 +60,7 @@ fn rotation_of(linear: DMat3) -> DQuat {
 }
 
 /// Whether a matrix stretches one direction more than another by over a thousandth.
-fn is_uneven(matrix: &Affine) -> bool {
+fn has_nonuniform_scale(matrix: &Affine) -> bool {
     let m = matrix.linear();
     let lengths = [m.x_axis.length_squared(), m.y_axis.length_squared(), m.z_axis.length_squared()];
     let (low, high) = (lengths[0].min(lengths[1]).min(lengths[2]), lengths[0].max(lengths[1]).max(lengths[2]));
@@ -68,7 +68,7 @@ fn is_uneven(matrix: &Affine) -> bool {
     !(high - low <= high * 2e-3 && skew <= high * 1e-3)
 }
 
-impl Palette {
+impl SkinDeformer {
     /// Computes the matrices of `skin` for nodes at `joint_worlds` (`None` where a joint has no node: it stays in its bind pose).
     ///
     /// `node` is the world matrix of the node that places points without weights, `file` that of the file's root.
@@ -93,10 +93,10 @@ impl Palette {
         for matrix in joints.chain([loose, bind]) {
             self.matrices.push(Affine::of(&matrix));
             if dual_quaternions {
-                self.rigid.push(Rigid::of(&matrix));
+                self.rigid.push(DualQuaternion::of(&matrix));
             }
         }
-        self.uneven = self.matrices.iter().any(is_uneven);
+        self.has_nonuniform_scale = self.matrices.iter().any(has_nonuniform_scale);
     }
 
     /// Whether the skin as a whole is mirrored: by its first matrix.
@@ -105,25 +105,25 @@ impl Palette {
     }
 
     /// Bends the mesh: `from` holds positions and normals before, `to` those in the world afterwards. Returns the box round it.
-    pub(super) fn bend(&mut self, skin: &Skin, mesh: &Mesh, from: (&[Vec3], &[Vec3]), to: (&mut [Vec3], &mut [Vec3])) -> Bounds {
+    pub(super) fn deform(&mut self, skin: &Skin, mesh: &Mesh, from: (&[Vec3], &[Vec3]), to: (&mut [Vec3], &mut [Vec3])) -> Bounds {
         let (plan, matrices) = if self.rigid.is_empty() {
-            let plan = self.plan.get_or_insert_with(|| Plan::of_skin(skin, mesh));
-            for point in plan.long() {
+            let plan = self.plan.get_or_insert_with(|| SkinningPlan::of_skin(skin, mesh));
+            for point in plan.preblended() {
                 let blended =
                     Affine::sum(skin.influences_of(*point as usize), |joint| self.matrices[joint_index(joint, skin.joints.len())]);
                 self.matrices.push(blended);
             }
             (&*plan, &self.matrices)
         } else {
-            let plan = self.rigid_plan.get_or_insert_with(|| Plan::of_points(mesh));
+            let plan = self.rigid_plan.get_or_insert_with(|| SkinningPlan::of_points(mesh));
             self.blended.clear();
             for point in 0..=mesh.source_count {
                 self.blended.push(blend_quaternions(&self.rigid, &self.matrices, skin.influences_of(point as usize)));
             }
             (&*plan, &self.blended)
         };
-        let mut task = Task { plan, matrices, uneven: self.uneven, from, to, bounds: Bounds::EMPTY };
-        skin_kernel::bend(*LEVEL, &mut task);
+        let mut task = DeformJob { plan, matrices, uneven: self.has_nonuniform_scale, from, to, bounds: Bounds::EMPTY };
+        skin_kernel::deform(*LEVEL, &mut task);
         let bounds = task.bounds;
         // A coordinate that is no number gets lost or spoils the box: then the careful way.
         if bounds.min.is_finite() && bounds.max.is_finite() { bounds } else { Bounds::of(task.to.0.iter().copied()) }
@@ -136,7 +136,7 @@ fn joint_index(joint: i32, joints: usize) -> usize {
 }
 
 /// The matrix of a point with these influences; `rigid` and `matrices` both hold the joints and the two others behind them.
-fn blend_quaternions(rigid: &[Rigid], matrices: &[Affine], influences: &[Influence]) -> Affine {
+fn blend_quaternions(rigid: &[DualQuaternion], matrices: &[Affine], influences: &[Influence]) -> Affine {
     let joints = rigid.len() - 2;
     let Some(first) = influences.first().map(|first| joint_index(first.joint, joints)) else {
         return matrices[joints];

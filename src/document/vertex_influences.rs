@@ -16,9 +16,9 @@ pub struct Influence {
     /// Its weight.
     pub weight: f64,
     /// Where this bone alone would put the vertex; world, metres.
-    pub alone: DVec3,
+    pub full_weight_position: DVec3,
     /// `weight · alone`: what it adds to the sum.
-    pub part: DVec3,
+    pub contribution: DVec3,
 }
 
 /// A vertex, explained: `v' = Σ wᵢ Jᵢ IBMᵢ BSM v`.
@@ -31,7 +31,7 @@ pub struct VertexInfluences {
     /// The vertex before the skin, after the morphs below it; the mesh's own space.
     pub base: DVec3,
     /// The bones; empty where no skin moves it.
-    pub shares: Vec<Influence>,
+    pub influences: Vec<Influence>,
     /// The sum of the parts: where linear blending puts the vertex; world, metres.
     pub sum: DVec3,
     /// Where it is drawn; world, metres. Differs from the sum where dual quaternions are blended, and where a morph above the skin mixes the skinned shape.
@@ -41,7 +41,7 @@ pub struct VertexInfluences {
 impl Document {
     /// Explains vertex `vertex` of surface `surface` of the frame that was posed last with these buffers. `None` where there is no such mesh or vertex
     /// (a muscle's vertices follow its profile, not bones).
-    pub fn explain(&self, buffers: &PoseBuffers, frame: &Frame, surface: usize, vertex: u32) -> Option<VertexInfluences> {
+    pub fn vertex_influences(&self, buffers: &PoseBuffers, frame: &Frame, surface: usize, vertex: u32) -> Option<VertexInfluences> {
         let surface = frame.surfaces.get(surface)?;
         let Content::Mesh(instance) = self.scene.graph.node(surface.node).contents.get(surface.content as usize)? else { return None };
         let v = vertex as usize;
@@ -49,14 +49,14 @@ impl Document {
         let mut base: Vec3 = *surface.mesh.positions.get(v)?;
         let skinned = skin_of(&self.scene, instance).is_some();
         for (id, morph) in morphs_of(&self.scene, instance, skinned) {
-            base = mix::point(morph, buffers.pose().morph_weights.get(id)?, &surface.mesh, v, base);
+            base = mix::morph_point(morph, buffers.pose().morph_weights.get(id)?, &surface.mesh, v, base);
         }
         let base = base.as_dvec3();
         let drawn = surface.position(vertex).as_dvec3();
         let at = |node: NodeId| frame.world.get(node.index()).copied();
         let here = at(surface.node).unwrap_or(DMat4::IDENTITY);
         let Some((skin, nodes)) = skin_of(&self.scene, instance) else {
-            return Some(VertexInfluences { vertex, point, base, shares: Vec::new(), sum: here.transform_point3(base), drawn });
+            return Some(VertexInfluences { vertex, point, base, influences: Vec::new(), sum: here.transform_point3(base), drawn });
         };
         let bind = at(root_of(&self.scene, surface.node)).unwrap_or(DMat4::IDENTITY) * skin.bind_shape;
         let shares: Vec<Influence> = skin
@@ -71,14 +71,20 @@ impl Document {
                     _ => bind,
                 };
                 let (weight, alone) = (f64::from(influence.weight), matrix.transform_point3(base));
-                Influence { node, joint: joint.map_or_else(String::new, |joint| joint.name.clone()), weight, alone, part: alone * weight }
+                Influence {
+                    node,
+                    joint: joint.map_or_else(String::new, |joint| joint.name.clone()),
+                    weight,
+                    full_weight_position: alone,
+                    contribution: alone * weight,
+                }
             })
             .collect();
         let sum = match (shares.is_empty(), skin.has_identity_bind_shape() && instance.is_skinned()) {
             (true, true) => here.transform_point3(base),
             (true, false) => bind.transform_point3(base),
-            (false, _) => shares.iter().map(|share| share.part).sum(),
+            (false, _) => shares.iter().map(|share| share.contribution).sum(),
         };
-        Some(VertexInfluences { vertex, point, base, shares, sum, drawn })
+        Some(VertexInfluences { vertex, point, base, influences: shares, sum, drawn })
     }
 }

@@ -122,7 +122,7 @@ impl Sequence {
                 (MotionKind::Angle(from, to), 0.0, DEFAULT_SECONDS)
             }
             (Motion::Contraction(from, to), _) => {
-                if !rig.is_some_and(MuscleRig::is_drivable) && document.contracted(&state, from).is_none() {
+                if !rig.is_some_and(MuscleRig::is_drivable) && document.joint_rotation_for_contraction(&state, from).is_none() {
                     return Err(SequenceError::NoMuscle);
                 }
                 (MotionKind::Contraction(from, to), 0.0, DEFAULT_SECONDS)
@@ -187,7 +187,7 @@ impl Sequence {
                 let per_cent = from + (to - from) * fraction;
                 match document.driven_rig().filter(|rig| rig.is_drivable()) {
                     Some(rig) => state.drive = rig.at_contraction(per_cent),
-                    None => state.joint_rotation = document.contracted(&state, per_cent),
+                    None => state.joint_rotation = document.joint_rotation_for_contraction(&state, per_cent),
                 }
             }
             MotionKind::Swing => {

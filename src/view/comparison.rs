@@ -6,7 +6,7 @@ use glam::{DMat4, DVec3};
 
 use super::overlays::{PoseContext, color};
 use super::session_file::SavedComparison;
-use crate::document::{Companion, Document, PoseState, Skinning};
+use crate::document::{Document, PoseState, PosedCopy, Skinning};
 use crate::scene::{Bounds, Frame, Ghost, NodeId, NodeKind};
 
 /// Tint of the compared pose, `0xRRGGBB`.
@@ -41,7 +41,7 @@ pub struct Comparison {
     offset: f64,
     /// Unit direction of `offset`.
     direction: DVec3,
-    posed: Companion,
+    posed: PosedCopy,
     /// Corresponding joints of the main document and the compared one.
     joint_pairs: Vec<(NodeId, NodeId)>,
     max_deviation: Option<(Option<NodeId>, f64)>,
@@ -74,7 +74,7 @@ impl Comparison {
             time_offset: 0.0,
             offset: 0.0,
             direction,
-            posed: Companion::default(),
+            posed: PosedCopy::default(),
             joint_pairs: pairs,
             max_deviation: None,
         })
@@ -134,13 +134,13 @@ impl Comparison {
 
     /// Bounding box of the whole movement of the compared document.
     pub fn motion_bounds(&self, document: &Document, state: &PoseState) -> Bounds {
-        self.other(document).reach(&self.state(document, state))
+        self.other(document).motion_bounds(&self.state(document, state))
     }
 
     /// A copy for another frame, without posed buffers.
     pub(super) fn clone_for_frame(&self) -> Self {
         let Self { target, key, clip, time_offset: later, offset: aside, direction, joint_pairs: pairs, .. } = self;
-        let (companion, farthest) = (Companion::default(), None);
+        let (companion, farthest) = (PosedCopy::default(), None);
         let (target, key, pairs) = (target.clone(), key.clone(), pairs.clone());
         Self {
             target,
@@ -160,7 +160,7 @@ impl Comparison {
         if let CompareTarget::File(other, _) = &mut self.target {
             (self.clip, self.joint_pairs) = (replacement.start_state().clip, joint_pairs(document, &replacement));
             **other = replacement;
-            (self.posed, self.max_deviation) = (Companion::default(), None);
+            (self.posed, self.max_deviation) = (PosedCopy::default(), None);
         }
     }
 
@@ -170,12 +170,12 @@ impl Comparison {
             *clip = document.clip_named(key)?;
         }
         let pairs = joint_pairs(document, self.other(document));
-        Some(Self { posed: Companion::default(), joint_pairs: pairs, ..self })
+        Some(Self { posed: PosedCopy::default(), joint_pairs: pairs, ..self })
     }
 
     /// Moves the surfaces out of the main frame, back into the buffers.
     pub(super) fn remove_from(&mut self, frame: &mut Frame) {
-        self.posed.take_back(frame);
+        self.posed.remove_from(frame);
     }
 
     /// Poses the second one and finds the joint that is farthest off; `frame` is the first one's.
@@ -189,7 +189,7 @@ impl Comparison {
         self.posed.pose(other, &other_state);
         let other_world = &self.posed.frame().world;
         self.max_deviation = if let CompareTarget::Skinning = self.target {
-            Some((None, f64::from(self.posed.farthest_vertex(frame, translation.as_vec3()))))
+            Some((None, f64::from(self.posed.max_vertex_distance(frame, translation.as_vec3()))))
         } else {
             let distance = |(document, other): &(NodeId, NodeId)| {
                 let (a, b) = (frame.world.get(document.index())?, other_world.get(other.index())?);
@@ -214,12 +214,12 @@ impl Comparison {
             CompareTarget::Clip(_) | CompareTarget::Skinning => context.document,
         };
         if context.bones || !other.shows_surface() {
-            self.posed.sketch_bones(&other.scene, tint, 0.9, &mut frame.overlay_lines);
+            self.posed.append_bone_lines(&other.scene, tint, 0.9, &mut frame.overlay_lines);
         }
         let bounds = self.posed.bounds();
         // Where both coincide the main one is drawn in front.
         let depth_offset = if is_beside { 0.0 } else { DEPTH_OFFSET };
-        self.posed.lend(frame, Ghost { tint, tint_share, opacity, materials, depth_offset });
+        self.posed.append_to(frame, Ghost { tint, tint_share, opacity, materials, depth_offset });
         if !bounds.is_empty() {
             frame.bounds.merge(&bounds);
         }

@@ -27,7 +27,7 @@ impl MotionPath {
             let keys = clip.key_times(Some(node));
             Self {
                 positions: context.document.node_path(&untransformed, node, samples).into_iter().map(|(_, place)| place).collect(),
-                key_positions: context.document.node_places(&untransformed, node, keys.get(..MAX_SEGMENTS).unwrap_or(&keys)),
+                key_positions: context.document.node_positions(&untransformed, node, keys.get(..MAX_SEGMENTS).unwrap_or(&keys)),
             }
         });
         let color = color(context.selection_color);

@@ -3,7 +3,7 @@
 use super::onion_skin_settings::OnionSkinSettings;
 use super::overlays::{PoseContext, color};
 use crate::animation::Clip;
-use crate::document::{Companion, PoseState};
+use crate::document::{PoseState, PosedCopy};
 use crate::scene::{Frame, Ghost};
 
 /// Past poses are blue, future ones green; both fade with their distance in time, so that colour is not the only cue.
@@ -17,14 +17,14 @@ const NEAREST_OPACITY: f32 = 0.42;
 /// The poses that are drawn with the present one.
 #[derive(Debug, Default)]
 pub(super) struct OnionSkins {
-    skins: Vec<Companion>,
+    skins: Vec<PosedCopy>,
 }
 
 impl OnionSkins {
     /// Moves the surfaces out of the frame, back into the buffers.
     pub(super) fn remove_from(&mut self, frame: &mut Frame) {
         for skin in self.skins.iter_mut().rev() {
-            skin.take_back(frame);
+            skin.remove_from(frame);
         }
     }
 
@@ -32,15 +32,15 @@ impl OnionSkins {
     pub(super) fn append_to(&mut self, context: &PoseContext<'_>, settings: OnionSkinSettings, frame: &mut Frame) {
         let clip = context.state.clip.and_then(|clip| context.document.clips.get(clip));
         let moments = moments(clip, context.state.time, context.frame_rate, settings);
-        self.skins.resize_with(moments.len(), Companion::default);
+        self.skins.resize_with(moments.len(), PosedCopy::default);
         for ((time, share, past), skin) in moments.into_iter().zip(&mut self.skins) {
             let tint = color(if past { PAST_TINT } else { FUTURE_TINT });
             let opacity = NEAREST_OPACITY * (1.0 - 0.75 * (share - 0.1).max(0.0));
             skin.pose(context.document, &PoseState { time, ..context.state });
             if context.bones {
-                skin.sketch_bones(&context.document.scene, tint, opacity * 1.6, &mut frame.overlay_lines);
+                skin.append_bone_lines(&context.document.scene, tint, opacity * 1.6, &mut frame.overlay_lines);
             }
-            skin.lend(frame, Ghost { tint, tint_share: 0.65, opacity, materials: false, depth_offset: DEPTH_OFFSET });
+            skin.append_to(frame, Ghost { tint, tint_share: 0.65, opacity, materials: false, depth_offset: DEPTH_OFFSET });
         }
     }
 }

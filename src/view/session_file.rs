@@ -299,7 +299,7 @@ impl SessionState {
             document.scene.graph.node_mut(id).visible = false;
         }
         for (node, degrees) in turned {
-            document.set_hand_turn(node, DVec3::from_array(degrees));
+            document.set_joint_override(node, DVec3::from_array(degrees));
         }
     }
 

@@ -44,15 +44,15 @@ fn the_parts_of_every_vertex_add_up_to_where_it_is_drawn() {
     let posed = WorldMesh::column(1.2);
     let mut shared = 0;
     for vertex in posed.vertices() {
-        let told = posed.document.explain(&posed.buffers, &posed.frame, 0, vertex).expect("a vertex of a mesh");
-        let sum: DVec3 = told.shares.iter().map(|share| share.part).sum();
-        let weights: f64 = told.shares.iter().map(|share| share.weight).sum();
+        let told = posed.document.vertex_influences(&posed.buffers, &posed.frame, 0, vertex).expect("a vertex of a mesh");
+        let sum: DVec3 = told.influences.iter().map(|share| share.contribution).sum();
+        let weights: f64 = told.influences.iter().map(|share| share.weight).sum();
         assert!((weights - 1.0).abs() < 1e-6);
         assert!((sum - told.sum).length() < 1e-12);
         assert!((told.drawn - told.sum).length() < 1e-5, "{vertex}: {} drawn, {} explained", told.drawn, told.sum);
-        shared += usize::from(told.shares.len() == 2);
-        for share in &told.shares {
-            assert!((share.alone * share.weight - share.part).length() < 1e-12);
+        shared += usize::from(told.influences.len() == 2);
+        for share in &told.influences {
+            assert!((share.full_weight_position * share.weight - share.contribution).length() < 1e-12);
             assert_eq!(share.node.map(|node| posed.document.scene.graph.node(node).sid.clone()).as_deref(), Some(share.joint.as_str()));
         }
     }
@@ -66,21 +66,21 @@ fn dual_quaternions_draw_a_shared_vertex_elsewhere_than_the_linear_sum() {
     posed.pose();
     let apart = |told: &sinew::document::VertexInfluences| (told.drawn - told.sum).length();
     for vertex in posed.vertices() {
-        let told = posed.document.explain(&posed.buffers, &posed.frame, 0, vertex).expect("a vertex");
-        assert_eq!(apart(&told) > 1e-3, told.shares.len() == 2, "vertex {vertex}: {}", apart(&told));
+        let told = posed.document.vertex_influences(&posed.buffers, &posed.frame, 0, vertex).expect("a vertex");
+        assert_eq!(apart(&told) > 1e-3, told.influences.len() == 2, "vertex {vertex}: {}", apart(&told));
     }
 }
 
 #[test]
 fn what_is_not_there_is_not_explained() {
     let posed = WorldMesh::column(0.5);
-    assert!(posed.document.explain(&posed.buffers, &posed.frame, 0, 1_000_000).is_none());
-    assert!(posed.document.explain(&posed.buffers, &posed.frame, 9, 0).is_none());
+    assert!(posed.document.vertex_influences(&posed.buffers, &posed.frame, 0, 1_000_000).is_none());
+    assert!(posed.document.vertex_influences(&posed.buffers, &posed.frame, 9, 0).is_none());
     let biceps = Document::built_in();
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     biceps.pose(&biceps.start_state(), &mut buffers, &mut frame);
     let muscle = frame.surfaces.iter().position(|surface| surface.muscle.is_some()).expect("a muscle");
-    assert!(biceps.explain(&buffers, &frame, muscle, 0).is_none());
+    assert!(biceps.vertex_influences(&buffers, &frame, muscle, 0).is_none());
 }
 
 #[test]
@@ -89,7 +89,7 @@ fn a_turn_by_hand_does_what_the_clip_does_and_comes_on_top_of_it() {
     let mut posed = WorldMesh::column(0.5);
     let upper = posed.node("upper");
     let rest = posed.frame.world.clone();
-    posed.document.set_hand_turn(upper, DVec3::new(90.0, 0.0, 0.0));
+    posed.document.set_joint_override(upper, DVec3::new(90.0, 0.0, 0.0));
     posed.pose();
     let by_hand = posed.frame.world.clone();
     let mut clip = WorldMesh::column(1.5);
@@ -101,14 +101,14 @@ fn a_turn_by_hand_does_what_the_clip_does_and_comes_on_top_of_it() {
         assert!((ours - theirs).length() < 1e-5);
     }
     // On top of the clip: 90° and −90° are nothing.
-    clip.document.set_hand_turn(upper, DVec3::new(-90.0, 0.0, 0.0));
+    clip.document.set_joint_override(upper, DVec3::new(-90.0, 0.0, 0.0));
     clip.pose();
     assert!(clip.frame.world[upper.index()].abs_diff_eq(rest[upper.index()], 1e-9));
     // Taken away, nothing is left; what is no number or not there does nothing.
-    posed.document.set_hand_turn(upper, DVec3::ZERO);
-    posed.document.set_hand_turn(upper, DVec3::NAN);
-    posed.document.set_hand_turn(NodeId(999), DVec3::X);
-    assert!(posed.document.hand_turns().is_empty());
+    posed.document.set_joint_override(upper, DVec3::ZERO);
+    posed.document.set_joint_override(upper, DVec3::NAN);
+    posed.document.set_joint_override(NodeId(999), DVec3::X);
+    assert!(posed.document.joint_overrides().is_empty());
     posed.pose();
     assert_eq!(posed.frame.world, rest);
 }
@@ -116,14 +116,14 @@ fn a_turn_by_hand_does_what_the_clip_does_and_comes_on_top_of_it() {
 #[test]
 fn turns_are_about_the_joints_own_axes_x_first() {
     let mut document = Document::built_in();
-    document.set_hand_turn(NodeId(0), DVec3::new(90.0, 90.0, 0.0));
-    let matrix = document.hand_turns()[0].matrix();
+    document.set_joint_override(NodeId(0), DVec3::new(90.0, 90.0, 0.0));
+    let matrix = document.joint_overrides()[0].matrix();
     // X turns +Y to +Z, then Y turns +Z to +X.
     assert!((matrix.transform_vector3(DVec3::Y) - DVec3::X).length() < 1e-12);
     assert!((matrix.determinant() - 1.0).abs() < 1e-12);
-    document.set_hand_turn(NodeId(0), DVec3::new(0.0, 0.0, 30.0));
-    assert_eq!(document.hand_turns().len(), 1);
-    assert!(document.hand_turns()[0].matrix().abs_diff_eq(DMat4::from_rotation_z(30f64.to_radians()), 1e-12));
+    document.set_joint_override(NodeId(0), DVec3::new(0.0, 0.0, 30.0));
+    assert_eq!(document.joint_overrides().len(), 1);
+    assert!(document.joint_overrides()[0].matrix().abs_diff_eq(DMat4::from_rotation_z(30f64.to_radians()), 1e-12));
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn every_shipped_file_opens_without_a_finding() {
     assert!(names.len() >= 4);
     for name in names {
         let document = open(&[&name]);
-        assert_eq!(document.health, [], "{name}");
+        assert_eq!(document.diagnostics, [], "{name}");
         assert!(document.missing().is_empty() || name == "lamp.dae", "{name}: {:?}", document.missing());
     }
 }

@@ -30,7 +30,7 @@ fn sheet(n: u32) -> Mesh {
 fn document(scene: Scene) -> Document {
     let mut document = Document::default();
     document.scene = scene;
-    document.touch();
+    document.bump_revision();
     document
 }
 
@@ -173,7 +173,7 @@ fn a_point_without_influences_and_a_lost_joint_stay_in_the_bind_shape() {
     if let Content::Mesh(instance) = &mut model.document.scene.graph.node_mut(model.node).contents[0] {
         instance.deformers = vec![Deformer::Skin { skin: SkinId(0), joints: vec![None] }];
     }
-    model.document.touch();
+    model.document.bump_revision();
     let (positions, _) = deformed(&model.document, &PoseState::default());
     let rest = sheet(4).positions;
     assert!((positions[3] - (rest[3] + Vec3::Z) * 2.0).length() < 1e-6);

@@ -141,7 +141,7 @@ fn biceps_and_triceps_follow_the_shipped_clip() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl-muscles.yaml");
     let document = Document::open(&[&path], &Progress::default()).unwrap();
     assert_eq!(document.sources.len(), 2, "the clip that the file names is opened too");
-    assert!(!document.health.iter().any(|finding| finding.code.starts_with("muscle-")), "{:?}", document.health);
+    assert!(!document.diagnostics.iter().any(|finding| finding.code.starts_with("muscle-")), "{:?}", document.diagnostics);
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let mut lengths = Vec::new();
     for time in [0.05, 1.0, 2.0] {

@@ -55,7 +55,7 @@ fn every_shipped_muscle_keeps_the_sign_of_its_moment_arm_and_has_no_jump() {
     for path in shipped() {
         let document = Document::open(std::slice::from_ref(&path), &Progress::default()).unwrap();
         let odd: Vec<String> = document
-            .health
+            .diagnostics
             .iter()
             .filter(|finding| finding.code.contains("muscle") || finding.code.contains("moment"))
             .map(ToString::to_string)

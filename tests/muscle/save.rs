@@ -242,7 +242,7 @@ fn the_clip_is_named_from_where_the_muscles_are_written() {
             assert_eq!(MuscleFile { clip: file.clip.clone(), ..written.clone() }, *file);
             std::fs::write(at(to), written.to_yaml()).unwrap();
             let again = open(&[&at(to)]);
-            assert_eq!(again.sources.len(), 2, "{to}: {:?}", again.health);
+            assert_eq!(again.sources.len(), 2, "{to}: {:?}", again.diagnostics);
         }
     }
     // One that is not there is named from there all the same.

@@ -75,7 +75,7 @@ impl Session {
             Against::Time => {
                 let mut rows = self.document.measure_times(&self.state(), &steps(&range, MOMENTS));
                 let samples = if muscle.index() < rows.len() { rows.swap_remove(muscle.index()) } else { Vec::new() };
-                let reading = |sample: crate::document::TimeSample| Reading {
+                let reading = |sample: crate::document::MuscleSample| Reading {
                     time: Some(sample.time),
                     angle: sample.angle,
                     moment_arm: sample.moment_arm,

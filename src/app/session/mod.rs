@@ -177,8 +177,12 @@ impl Session {
             Viewpoint::File(node, _) => name_of(&self.document, Some(node)),
             Viewpoint::Orbit | Viewpoint::Fly(_) => None,
         };
-        let turned: Vec<_> =
-            self.document.hand_turns().iter().map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees)).collect();
+        let turned: Vec<_> = self
+            .document
+            .joint_overrides()
+            .iter()
+            .map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees))
+            .collect();
         let joint = self.kept_joint();
         let followed = name_of(&self.document, self.followed());
         self.follow = None;
@@ -227,7 +231,7 @@ impl Session {
                 self.take_joint(joint);
                 for (name, degrees) in turned {
                     if let Some(node) = self.document.scene.graph.find(&name) {
-                        self.document.set_hand_turn(node, degrees);
+                        self.document.set_joint_override(node, degrees);
                     }
                 }
                 self.display.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
@@ -342,7 +346,7 @@ impl Session {
 
     /// The box round everything that the clip, or the arm's swing, covers.
     pub fn reach(&self) -> Bounds {
-        let mut reach = self.document.reach(&self.state());
+        let mut reach = self.document.motion_bounds(&self.state());
         if let Some(other) = self.compared_reach() {
             reach.merge(&other);
         }

@@ -192,8 +192,8 @@ impl Session {
         let shares = pick.barycentric.to_array();
         let corners = triangles.get(pick.triangle as usize)?.iter().zip(shares);
         let (vertex, _) = corners.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let explained = self.document.explain(&self.buffers, &self.frame, surface, *vertex)?;
-        explained.shares.iter().max_by(|a, b| a.weight.total_cmp(&b.weight))?.node
+        let explained = self.document.vertex_influences(&self.buffers, &self.frame, surface, *vertex)?;
+        explained.influences.iter().max_by(|a, b| a.weight.total_cmp(&b.weight))?.node
     }
 
     /// From where a bone begins to where the farthest bone on it does, metres; nothing for a last bone.

@@ -82,7 +82,7 @@ impl Session {
         self.frame();
         let (surface, vertex) = self.pins.vertex?;
         let same = self.frame.surfaces.get(surface).map(|surface| surface.node) == self.display.selected;
-        self.document.explain(&self.buffers, &self.frame, surface, vertex).filter(|_| same)
+        self.document.vertex_influences(&self.buffers, &self.frame, surface, vertex).filter(|_| same)
     }
 
     /// The last two points that were clicked, oldest first, and where they are now; world, metres.
@@ -152,9 +152,9 @@ impl Session {
 
     /// Turns a joint by hand, degrees about its own axes. Within [`Session::step`] undo takes it back.
     pub fn turn_by_hand(&mut self, node: NodeId, degrees: DVec3) {
-        let before = self.document.hand_turn(node);
-        self.document.set_hand_turn(node, degrees);
-        if self.document.hand_turn(node) != before {
+        let before = self.document.joint_override(node);
+        self.document.set_joint_override(node, degrees);
+        if self.document.joint_override(node) != before {
             self.changed(Changes::HAND);
         }
     }
@@ -162,12 +162,12 @@ impl Session {
     /// Takes back what was turned by hand: of one node, or of all.
     pub fn reset_turns(&mut self, node: Option<NodeId>) {
         let kept: Vec<JointOverride> = match node {
-            Some(node) => self.document.hand_turns().iter().copied().filter(|turn| turn.node != node).collect(),
+            Some(node) => self.document.joint_overrides().iter().copied().filter(|turn| turn.node != node).collect(),
             None => Vec::new(),
         };
-        if kept.len() != self.document.hand_turns().len() {
+        if kept.len() != self.document.joint_overrides().len() {
             self.step(tr!("app-edit-reset-turns"), Step::New, |session| {
-                session.document.set_hand_turns(&kept);
+                session.document.set_joint_overrides(&kept);
                 session.changed(Changes::HAND);
             });
         }

@@ -65,7 +65,7 @@ impl Session {
             follow: self.followed().map(|node| saved_node(document, node)),
             compared: self.saved_comparison(&beside),
             turned: document
-                .hand_turns()
+                .joint_overrides()
                 .iter()
                 .map(|turn| SavedRotation { joint: saved_node(document, turn.node), degrees: turn.degrees.to_array() })
                 .collect(),

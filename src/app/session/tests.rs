@@ -308,7 +308,7 @@ pub(super) fn swinging() -> Document {
     let target = ChannelTarget::Transform { node: arm, op: 0, components: Components::Component(3) };
     let channels = vec![Channel { target, curve: Arc::new(Curve::new(keys)) }];
     document.clips.push(Clip { name: "swing".into(), start: 0.0, end: 1.0, channels, ..Clip::default() });
-    document.touch();
+    document.bump_revision();
     document
 }
 

@@ -131,7 +131,7 @@ impl Session {
             light: self.light,
             hidden,
             files: self.document.muscle_files().cloned().collect(),
-            turned: self.document.hand_turns().to_vec(),
+            turned: self.document.joint_overrides().to_vec(),
             drive: self.state.drive,
             held: self.held(),
         }
@@ -148,7 +148,7 @@ impl Session {
                 let id = NodeId(index);
                 self.document.scene.graph.node_mut(id).visible = step.hidden.binary_search(&id).is_err();
             }
-            self.document.set_hand_turns(&step.turned);
+            self.document.set_joint_overrides(&step.turned);
             self.state.drive = step.drive;
             self.hold_as(step.held);
             self.changed(Changes::MODEL | Changes::LIGHT | Changes::DISPLAY | Changes::HAND | Changes::DRIVE);

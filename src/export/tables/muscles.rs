@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::{NoTable, csv_cell, csv_number};
-use crate::document::{Document, PoseBuffers, PoseState, SourceKind, TimeSample};
+use crate::document::{Document, MuscleSample, PoseBuffers, PoseState, SourceKind};
 use crate::muscle::{MuscleRig, Sample, Solved};
 use crate::scene::{Frame, MuscleId};
 
@@ -151,7 +151,7 @@ impl MuscleRow {
         Self { angle: Some(sample.angle), moment_arm: Some(sample.moment_arm + 0.0), ..Self::alone(&sample.solved) }
     }
 
-    fn at_time(sample: &TimeSample) -> Self {
+    fn at_time(sample: &MuscleSample) -> Self {
         let plain = |value: Option<f64>| value.map(|value| value + 0.0);
         Self { time: Some(sample.time), angle: plain(sample.angle), moment_arm: plain(sample.moment_arm), ..Self::alone(&sample.solved) }
     }
