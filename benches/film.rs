@@ -9,7 +9,7 @@ use std::time::Instant;
 use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::export::gltf;
-use sinew::export::guard::Guard;
+use sinew::export::guard::OverwriteGuard;
 use sinew::export::pipeline::ExportProgress;
 use sinew::render::Display;
 use sinew::scene::ViewDirection;
@@ -38,7 +38,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let target = OutputTarget::of(out)?;
     let begun = Instant::now();
     let mut studio = SequenceRenderer::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
-    sequence::save(&mut studio, SIZE, (&target, &Guard::default()), &|_| String::new(), &ExportProgress::default()).ok()?;
+    sequence::save(&mut studio, SIZE, (&target, &OverwriteGuard::default()), &|_| String::new(), &ExportProgress::default()).ok()?;
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }
 
@@ -55,7 +55,7 @@ fn conversion(name: &str, file: &Path, folder: &Path) {
     let once = || {
         let begun = Instant::now();
         let document = Document::open(&[file], &Progress::default()).ok()?;
-        gltf::save(&Guard::default().output(&folder.join("out.glb")).ok()?, gltf::Form::Binary, &document).ok()?;
+        gltf::save(&OverwriteGuard::default().output(&folder.join("out.glb")).ok()?, gltf::GltfContainer::Binary, &document).ok()?;
         Some(begun.elapsed().as_secs_f64())
     };
     let bytes = std::fs::metadata(file).map_or(0, |found| found.len());

@@ -19,7 +19,7 @@ pub const YAML_TEXT: usize = 16 << 20;
 pub const YAML_DEPTH: usize = 100;
 /// Most files that one session or muscle file may bring into a scene.
 pub const SESSION_FILES: usize = 100;
-/// Whether the system would give so many bytes now. Whoever is refused memory in the middle of a library ends the program, so it is asked for before.
+/// Whether the system would give so many bytes now. A library that runs out of memory ends the program, so the memory is asked for before.
 pub fn is_room(bytes: u64) -> bool {
     usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok())
 }

@@ -164,7 +164,7 @@ fn typed(editor: &Editor, hold: AttachmentPoint, axis: usize, entry: &gtk::Entry
     if entry.text() == offset_text(&anchor, axis) {
         return entry.remove_css_class("error");
     }
-    anchor.offset[axis] = format::typed(&entry.text()).unwrap_or(f64::NAN);
+    anchor.offset[axis] = format::parse_number(&entry.text()).unwrap_or(f64::NAN);
     let text = offset_text(&anchor, axis);
     let taken = Edit::place(&spec, hold, anchor).is_some_and(|edit| editor.edit(&edit, Step::New));
     if taken {

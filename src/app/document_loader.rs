@@ -17,7 +17,7 @@ use super::window::Window;
 use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
-use crate::export::guard::Guard;
+use crate::export::guard::OverwriteGuard;
 use crate::muscle::MuscleFile;
 use crate::view::{self, Opened};
 use crate::{input, limits, tr};
@@ -123,7 +123,7 @@ impl Files {
 }
 
 /// Holds every file that is open in a window, with what belongs to it: no result replaces one of them.
-pub(super) fn guard(window: &Rc<Window>) -> Guard {
+pub(super) fn guard(window: &Rc<Window>) -> OverwriteGuard {
     let files = &window.files;
     let (names, table) = (files.session_names.borrow().clone(), files.table.borrow().clone());
     window.look(|session| session.guard()).and(names).and(files.session_file()).and(table)

@@ -62,7 +62,7 @@ pub(super) fn show(window: &Rc<Window>) {
     dialog.show_choice();
     let asking = dialog.clone();
     glib::spawn_future_local(async move {
-        if let Ok(false) = gio::spawn_blocking(video::is_there).await {
+        if let Ok(false) = gio::spawn_blocking(video::ffmpeg_available).await {
             asking.no_ffmpeg.set(true);
             asking.show_choice();
         }
@@ -205,8 +205,10 @@ impl Dialog {
         let document = self.window.look(|session| session.document().clone());
         let dialog = self.clone();
         glib::spawn_future_local(async move {
-            let found =
-                gio::spawn_blocking(move || gltf::losses(&document).iter().map(|loss| format!("• {loss}")).collect::<Vec<_>>()).await;
+            let found = gio::spawn_blocking(move || {
+                gltf::unsupported_features(&document).iter().map(|loss| format!("• {loss}")).collect::<Vec<_>>()
+            })
+            .await;
             if let Ok(found) = found {
                 dialog.losses.replace(Some(found));
                 dialog.show_losses(dialog.options().kind);

@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use super::session::{CameraController, Session, Viewpoint};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::export::ExportError;
-use crate::export::file_extension::completed;
-use crate::export::gltf::{self, Form};
-use crate::export::guard::Guard;
+use crate::export::file_extension::with_extension;
+use crate::export::gltf::{self, GltfContainer};
+use crate::export::guard::OverwriteGuard;
 use crate::export::mtl;
 use crate::export::pipeline::ExportProgress;
 use crate::export::surface::SurfaceFormat;
-use crate::export::tables::{self, NoTable, Of, Table};
+use crate::export::tables::{self, Table, TableError, TableSubject};
 use crate::export::{gif, video};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
@@ -45,9 +45,9 @@ pub(super) enum Kind {
     /// The whole document.
     Gltf,
     /// Muscles over the clip, or over their arm's angles.
-    Muscles(tables::Form),
+    Muscles(tables::TableFormat),
     /// Joints over the clip.
-    Joints(tables::Form),
+    Joints(tables::TableFormat),
 }
 
 impl Kind {
@@ -64,14 +64,14 @@ impl Kind {
         Self::Stl,
         Self::Glb,
         Self::Gltf,
-        Self::Muscles(tables::Form::Csv),
-        Self::Muscles(tables::Form::Json),
-        Self::Muscles(tables::Form::Png),
-        Self::Muscles(tables::Form::Svg),
-        Self::Joints(tables::Form::Csv),
-        Self::Joints(tables::Form::Json),
-        Self::Joints(tables::Form::Png),
-        Self::Joints(tables::Form::Svg),
+        Self::Muscles(tables::TableFormat::Csv),
+        Self::Muscles(tables::TableFormat::Json),
+        Self::Muscles(tables::TableFormat::Png),
+        Self::Muscles(tables::TableFormat::Svg),
+        Self::Joints(tables::TableFormat::Csv),
+        Self::Joints(tables::TableFormat::Json),
+        Self::Joints(tables::TableFormat::Png),
+        Self::Joints(tables::TableFormat::Svg),
     ];
 
     /// What a person calls it.
@@ -88,14 +88,14 @@ impl Kind {
             Self::Stl => "app-export-stl",
             Self::Glb => "app-export-glb",
             Self::Gltf => "app-export-gltf",
-            Self::Muscles(tables::Form::Csv) => "app-export-muscles-csv",
-            Self::Muscles(tables::Form::Json) => "app-export-muscles-json",
-            Self::Joints(tables::Form::Csv) => "app-export-joints-csv",
-            Self::Joints(tables::Form::Json) => "app-export-joints-json",
-            Self::Muscles(tables::Form::Png) => "app-export-muscles-png",
-            Self::Muscles(tables::Form::Svg) => "app-export-muscles-svg",
-            Self::Joints(tables::Form::Png) => "app-export-joints-png",
-            Self::Joints(tables::Form::Svg) => "app-export-joints-svg",
+            Self::Muscles(tables::TableFormat::Csv) => "app-export-muscles-csv",
+            Self::Muscles(tables::TableFormat::Json) => "app-export-muscles-json",
+            Self::Joints(tables::TableFormat::Csv) => "app-export-joints-csv",
+            Self::Joints(tables::TableFormat::Json) => "app-export-joints-json",
+            Self::Muscles(tables::TableFormat::Png) => "app-export-muscles-png",
+            Self::Muscles(tables::TableFormat::Svg) => "app-export-muscles-svg",
+            Self::Joints(tables::TableFormat::Png) => "app-export-joints-png",
+            Self::Joints(tables::TableFormat::Svg) => "app-export-joints-svg",
         })
     }
 
@@ -112,16 +112,16 @@ impl Kind {
             Self::Stl => "stl",
             Self::Glb => "glb",
             Self::Gltf => "gltf",
-            Self::Muscles(tables::Form::Csv) | Self::Joints(tables::Form::Csv) => "csv",
-            Self::Muscles(tables::Form::Json) | Self::Joints(tables::Form::Json) => "json",
-            Self::Muscles(tables::Form::Png) | Self::Joints(tables::Form::Png) => "png",
-            Self::Muscles(tables::Form::Svg) | Self::Joints(tables::Form::Svg) => "svg",
+            Self::Muscles(tables::TableFormat::Csv) | Self::Joints(tables::TableFormat::Csv) => "csv",
+            Self::Muscles(tables::TableFormat::Json) | Self::Joints(tables::TableFormat::Json) => "json",
+            Self::Muscles(tables::TableFormat::Png) | Self::Joints(tables::TableFormat::Png) => "png",
+            Self::Muscles(tables::TableFormat::Svg) | Self::Joints(tables::TableFormat::Svg) => "svg",
         }
     }
 
     /// A chosen name with what it lacks: the ending, and the place for the number in the names of numbered pictures.
     pub(super) fn completed(self, chosen: &Path) -> PathBuf {
-        let file = completed(chosen, &[self.ending()]);
+        let file = with_extension(chosen, &[self.ending()]);
         if self == Self::Pictures { with_number(&file) } else { file }
     }
 
@@ -150,10 +150,10 @@ impl Kind {
     }
 
     /// What it is a table of.
-    pub(super) fn table(self) -> Option<(Of, tables::Form)> {
+    pub(super) fn table(self) -> Option<(TableSubject, tables::TableFormat)> {
         match self {
-            Self::Muscles(form) => Some((Of::Muscles, form)),
-            Self::Joints(form) => Some((Of::Joints, form)),
+            Self::Muscles(form) => Some((TableSubject::Muscles, form)),
+            Self::Joints(form) => Some((TableSubject::Joints, form)),
             _ => None,
         }
     }
@@ -234,7 +234,7 @@ pub(super) enum ExportRefusal {
     /// There is no such film.
     Film(SequenceError),
     /// There is no such table.
-    Table(NoTable),
+    Table(TableError),
     /// More frames a second than a GIF can show.
     GifRate,
 }
@@ -259,7 +259,7 @@ impl Options {
     /// [`ExportRefusal`], where it cannot be made.
     pub(super) fn check(&self, session: &Session) -> Result<Sequence, ExportRefusal> {
         if let Some((of, _)) = self.kind.table() {
-            NoTable::check(of, session.document(), &session.state(), self.fps).map_err(ExportRefusal::Table)?;
+            TableError::check(of, session.document(), &session.state(), self.fps).map_err(ExportRefusal::Table)?;
         }
         if self.kind == Kind::Gif && self.fps > gif::MOST_FPS {
             return Err(ExportRefusal::GifRate);
@@ -304,7 +304,7 @@ pub(super) struct Job {
     along: Option<CameraFollow>,
     display: Display,
     options: Options,
-    guard: Guard,
+    guard: OverwriteGuard,
 }
 
 impl Job {
@@ -312,7 +312,7 @@ impl Job {
     ///
     /// # Errors
     /// As [`Options::check`].
-    pub(super) fn new(session: &mut Session, options: Options, guard: Guard) -> Result<Self, ExportRefusal> {
+    pub(super) fn new(session: &mut Session, options: Options, guard: OverwriteGuard) -> Result<Self, ExportRefusal> {
         let sequence = options.check(session)?;
         let (_, _, _, mut display) = session.picture();
         display.scale = options.scale;
@@ -360,16 +360,16 @@ impl Job {
             Kind::Picture => OutputTarget::Picture(file.to_owned()),
             Kind::Gif => OutputTarget::Gif(file.to_owned()),
             Kind::Apng => OutputTarget::Apng(file.to_owned()),
-            Kind::Mp4 => OutputTarget::Video(file.to_owned(), video::Kind::Mp4),
-            Kind::Webm => OutputTarget::Video(file.to_owned(), video::Kind::Webm),
+            Kind::Mp4 => OutputTarget::Video(file.to_owned(), video::VideoFormat::Mp4),
+            Kind::Webm => OutputTarget::Video(file.to_owned(), video::VideoFormat::Webm),
             Kind::Pictures => numbered(file).map_or_else(|| OutputTarget::Picture(file.to_owned()), OutputTarget::Pictures),
             Kind::Obj => return self.surface(SurfaceFormat::Obj, file),
             Kind::Ply => return self.surface(SurfaceFormat::Ply, file),
             Kind::Stl => return self.surface(SurfaceFormat::Stl, file),
-            Kind::Glb => return self.scene(Form::Binary, file, work),
-            Kind::Gltf => return self.scene(Form::Text, file, work),
-            Kind::Muscles(form) => return self.table(Of::Muscles, form, file, work),
-            Kind::Joints(form) => return self.table(Of::Joints, form, file, work),
+            Kind::Glb => return self.scene(GltfContainer::Binary, file, work),
+            Kind::Gltf => return self.scene(GltfContainer::Text, file, work),
+            Kind::Muscles(form) => return self.table(TableSubject::Muscles, form, file, work),
+            Kind::Joints(form) => return self.table(TableSubject::Joints, form, file, work),
         };
         let Self { document, company: (company, rate), sequence, eye, along, display, options, guard, .. } = self;
         let note = note(&document, &eye);
@@ -384,12 +384,12 @@ impl Job {
         sequence::save(&mut studio, options.size, (&target, &guard), &note, work)
     }
 
-    fn scene(&self, form: Form, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
+    fn scene(&self, form: GltfContainer, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
         let (pending, _) = gltf::prepare(&self.guard.output(file)?, form, &self.document)?;
-        if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.put_in_place() }
+        if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.commit() }
     }
 
-    fn table(&self, of: Of, form: tables::Form, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
+    fn table(&self, of: TableSubject, form: tables::TableFormat, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
         // The document is the one that was checked, so nothing is refused now.
         match Table::measure(of, &self.document, &self.state, self.options.fps) {
             Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE),
@@ -455,7 +455,7 @@ mod tests {
             assert!(!kind.label().starts_with("app-export"), "{kind:?} has no name");
             let file = kind.completed(&folder.path().join(format!("50%d.{}", kind.ending())));
             assert_eq!(kind.completed(&file), file);
-            let job = Job::new(&mut session, options(kind, MotionSource::Elbow), Guard::default()).expect("the arm bends");
+            let job = Job::new(&mut session, options(kind, MotionSource::Elbow), OverwriteGuard::default()).expect("the arm bends");
             assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
             job.run(&file, &ExportProgress::default()).expect("written");
             let first = kind.first_files(&file).remove(0);
@@ -470,8 +470,8 @@ mod tests {
         assert_eq!(options(Kind::Gif, MotionSource::Contraction).sequence(&session), Err(SequenceError::NoMuscle));
         assert_eq!(options(Kind::Gif, MotionSource::Elbow).sequence(&session), Err(SequenceError::NoElbow));
         let table = |kind| options(kind, MotionSource::Whole).check(&session);
-        assert_eq!(table(Kind::Joints(tables::Form::Csv)), Err(ExportRefusal::Table(NoTable::NoJoint)));
-        assert_eq!(table(Kind::Muscles(tables::Form::Json)), Err(ExportRefusal::Table(NoTable::NoMuscle)));
+        assert_eq!(table(Kind::Joints(tables::TableFormat::Csv)), Err(ExportRefusal::Table(TableError::NoJoint)));
+        assert_eq!(table(Kind::Muscles(tables::TableFormat::Json)), Err(ExportRefusal::Table(TableError::NoMuscle)));
         assert_eq!(Options { fps: 60.0, ..options(Kind::Gif, MotionSource::Whole) }.check(&session), Err(ExportRefusal::GifRate));
         for course in MotionSource::ALL {
             assert!(!course.label().starts_with("app-export"), "{course:?} has no name");

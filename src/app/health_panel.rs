@@ -100,7 +100,7 @@ fn facts(document: &Document) -> String {
         lines.push(source.name.clone());
         match &source.kind {
             SourceKind::Collada(asset) => {
-                let unit = format::shortest(asset.unit_metres, 4);
+                let unit = format::trim_trailing_zeros(asset.unit_metres, 4);
                 lines.push(tr!("app-facts-collada", version = asset.version.as_str(), axis = asset.up_axis.as_str(), unit = unit));
                 if !asset.authoring_tool.is_empty() {
                     lines.push(asset.authoring_tool.clone());

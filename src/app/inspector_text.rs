@@ -81,7 +81,7 @@ fn unsigned(value: f64) -> f64 {
 /// How large a mesh is, and what bends it.
 pub(super) fn mesh(scene: &Scene, instance: &MeshInstance) -> String {
     let Some(mesh) = scene.meshes.get(instance.mesh.index()) else { return String::new() };
-    let count = |value: usize| format::count(value as u64);
+    let count = |value: usize| format::group_digits(value as u64);
     let mut lines = vec![
         tr!("app-mesh-points", points = count(mesh.source_count as usize), vertices = count(mesh.positions.len())),
         tr!("app-mesh-triangles", triangles = count(mesh.triangles.len()), sets = mesh.uv_sets.len()),

@@ -17,8 +17,8 @@ use super::save_as::{self, Wanted};
 use super::session::{Against, Changes, Reading, Session, csv};
 use super::ui;
 use super::window::{Window, part};
-use crate::export::atomic_file::write_whole;
-use crate::export::file_extension::ending;
+use crate::export::atomic_file::write_atomic;
+use crate::export::file_extension::extension;
 use crate::muscle::literature_data;
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
@@ -280,7 +280,7 @@ impl MeasurePanel {
 
     /// The file that a name's ending asks for: the table, or the plots.
     fn bytes(&self, path: &Path) -> Result<Vec<u8>, String> {
-        match ending(path).as_str() {
+        match extension(path).as_str() {
             "svg" => Ok(self.page().svg().into_bytes()),
             "png" => self.page().png(PICTURE_SCALE).map_err(|error| error.to_string()),
             _ => Ok(csv(&self.readings.borrow()).into_bytes()),
@@ -296,7 +296,7 @@ fn save(window: &Rc<Window>) {
         let written = window
             .measure
             .bytes(path)
-            .and_then(|bytes| write_whole(output, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
+            .and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
         match written {
             Ok(()) => save_as::done(window, path),
             Err(message) => save_as::failed(window, path, message),

@@ -80,7 +80,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use crate::export::atomic_file::sweep;
+use crate::export::atomic_file::cleanup_temp_files;
 /// How numbers are written in the window.
 use crate::i18n::quantity as format;
 use crate::tr;
@@ -120,7 +120,7 @@ pub fn run(files: Vec<PathBuf>) -> ExitCode {
     end_on_signals();
     let code = application.run_with_args(&["sinew"]).get();
     // An export that is still running on another thread ends with the program; it leaves no half file.
-    sweep();
+    cleanup_temp_files();
     match code {
         _ if STOPPED.load(Ordering::Relaxed) => ExitCode::from(ENDED),
         0 => ExitCode::SUCCESS,

@@ -68,7 +68,7 @@ fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
     if entry.text() == field_text(&spec, field) {
         return entry.remove_css_class("error");
     }
-    let value = format::typed(&entry.text()).unwrap_or(f64::NAN);
+    let value = format::parse_number(&entry.text()).unwrap_or(f64::NAN);
     let tendon = |end: usize, change: &dyn Fn(&mut Tendon)| {
         let mut tendon = spec.tendons[end];
         change(&mut tendon);

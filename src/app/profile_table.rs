@@ -194,7 +194,7 @@ impl Values {
         if text == shown {
             return entry.remove_css_class("error");
         }
-        let value = format::typed(&text).unwrap_or(f64::NAN);
+        let value = format::parse_number(&text).unwrap_or(f64::NAN);
         let edit = if column == 1 { Edit::Radius(row as usize, value) } else { Edit::Growth(row as usize, value) };
         let taken = self.typed.borrow().as_ref().is_some_and(|typed| typed(edit));
         if taken {

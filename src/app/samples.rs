@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers};
-use crate::export::atomic_file::write_whole;
+use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::render::{Background, Display, Palette, Renderer, Theme};
 use crate::scene::{Frame, OrbitCamera, ViewDirection};
@@ -44,7 +44,7 @@ impl Demo {
             let path = folder.join(name);
             if std::fs::read(&path).ok().as_deref() != Some(*bytes) {
                 std::fs::create_dir_all(folder)?;
-                write_whole(&Output::of_program(&path), |file| file.write_all(bytes)).map_err(std::io::Error::other)?;
+                write_atomic(&Output::of_program(&path), |file| file.write_all(bytes)).map_err(std::io::Error::other)?;
             }
         }
         Ok(self.files.first().map(|(name, _)| folder.join(name)))

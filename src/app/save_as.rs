@@ -11,7 +11,7 @@ use gtk4 as gtk;
 use super::document_loader;
 use super::error_bar::Trouble;
 use super::window::Window;
-use crate::export::file_extension::completed;
+use crate::export::file_extension::with_extension;
 use crate::export::guard::{Output, is_same};
 use crate::i18n::shown;
 use crate::tr;
@@ -43,7 +43,7 @@ pub(super) fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Win
     } else {
         document_loader::guard(window).free_name(&there, &name, |file| vec![file.to_owned()])
     };
-    let complete = move |chosen: &Path| if is_own(chosen) { chosen.to_owned() } else { completed(chosen, endings) };
+    let complete = move |chosen: &Path| if is_own(chosen) { chosen.to_owned() } else { with_extension(chosen, endings) };
     let asked = Asked { title, name, folder };
     choose(
         window.widget.upcast_ref(),
@@ -54,7 +54,7 @@ pub(super) fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Win
             window,
             move |chosen: PathBuf| {
                 let path = complete(&chosen);
-                let output = match document_loader::guard(&window).but(own.as_deref()).output(&path) {
+                let output = match document_loader::guard(&window).without(own.as_deref()).output(&path) {
                     Ok(output) => output,
                     Err(error) => return failed(&window, &path, error.to_string()),
                 };

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use super::recent;
 use super::save_as::{self, Wanted};
 use super::window::Window;
-use crate::export::atomic_file::write_whole;
+use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::system::{Doing, reason};
 use crate::tr;
@@ -27,7 +27,7 @@ fn write(window: &Rc<Window>, output: &Output) {
     let text = window.look(|session| session.to_saved(folder).to_yaml());
     let written = text
         .map_err(|error| reason(&error, Doing::Writing))
-        .and_then(|text| write_whole(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));
+        .and_then(|text| write_atomic(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));
     match written {
         Ok(()) => {
             window.error_bar.hide();

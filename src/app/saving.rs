@@ -12,7 +12,7 @@ use gtk4 as gtk;
 use super::save_as::{self, Wanted};
 use super::window::Window;
 use super::{document_loader, samples};
-use crate::export::atomic_file::write_whole;
+use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::{input, limits, tr};
 
@@ -29,7 +29,7 @@ fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()
     let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
     match path {
         // A demo is written anew when it is opened again.
-        Some(path) if !path.starts_with(samples::folder()) => match document_loader::guard(window).but(Some(&path)).output(&path) {
+        Some(path) if !path.starts_with(samples::folder()) => match document_loader::guard(window).without(Some(&path)).output(&path) {
             Ok(output) => {
                 if write(window, index, &output) {
                     save_each(window, wanted, then);
@@ -74,7 +74,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
     let original = source.and_then(|source| input::read_text(&source, limits::YAML_BYTES).ok()).unwrap_or_default();
     let saved = file.to_yaml_keeping(&original);
     window.files.wrote(path.clone(), saved.text.clone());
-    match write_whole(output, |out| out.write_all(saved.text.as_bytes())) {
+    match write_atomic(output, |out| out.write_all(saved.text.as_bytes())) {
         Ok(()) => {
             window.error_bar.hide();
             window.act(|session| session.was_saved(index, path.clone(), file));

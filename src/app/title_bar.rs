@@ -85,7 +85,7 @@ pub(super) fn name_steps(builder: &gtk::Builder, session: &Session) {
 
 /// Says in the status line how many triangles are drawn and how much memory the program takes.
 pub(super) fn tell_size(builder: &gtk::Builder, triangles: u64) {
-    let text = tr!("app-status-triangles", count = triangles, shown = format::count(triangles));
+    let text = tr!("app-status-triangles", count = triangles, shown = format::group_digits(triangles));
     part::<gtk::Label>(builder, "status_triangles").set_text(&text);
     if let Some(megabytes) = memory_usage::resident() {
         part::<gtk::Label>(builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));

@@ -165,7 +165,7 @@ fn speak_numbers(number: &SpinButton) {
         Propagation::Stop
     });
     // What is no number changes nothing; GTK would take it for 0.
-    number.connect_input(|number| Some(Ok(format::typed(&number.text()).unwrap_or_else(|| number.value()))));
+    number.connect_input(|number| Some(Ok(format::parse_number(&number.text()).unwrap_or_else(|| number.value()))));
 }
 
 /// Lets a box or an entry take numbers only: a letter is never a part of one.

@@ -187,7 +187,7 @@ fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
     if entry.text() == field_text(&wrap, field) {
         return entry.remove_css_class("error");
     }
-    let value = format::typed(&entry.text()).unwrap_or(f64::NAN);
+    let value = format::parse_number(&entry.text()).unwrap_or(f64::NAN);
     if field == 0 {
         wrap.radius = value
     } else {

@@ -8,7 +8,7 @@ use crate::tr;
 /// The longest list that `--angles`, `--sweep` and `--times` make.
 const ANGLES: usize = 100_000;
 
-/// Beyond so many degrees an angle is a slip of the hand: its sine would have few digits left.
+/// Largest angle accepted, degrees: beyond it the sine would have few digits left.
 pub(super) const MOST_DEGREES: f64 = 1e6;
 
 /// A finite number with a decimal point.
@@ -55,7 +55,7 @@ pub(super) fn point(text: &str) -> Result<Vec3, String> {
 
 /// A background: nothing, or `0xRRGGBB`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Backdrop {
+pub(super) enum BackgroundArg {
     /// `none`: the picture has an alpha channel.
     None,
     /// One colour, `0xRRGGBB`.
@@ -63,7 +63,7 @@ pub(super) enum Backdrop {
 }
 
 /// `none`, `#rrggbb`, `#rgb` (the mark may be left out) or one of CSS's sixteen basic names.
-pub(super) fn backdrop(text: &str) -> Result<Backdrop, String> {
+pub(super) fn backdrop(text: &str) -> Result<BackgroundArg, String> {
     const NAMES: [(&str, u32); 17] = [
         ("black", 0x000000),
         ("silver", 0xC0C0C0),
@@ -85,10 +85,10 @@ pub(super) fn backdrop(text: &str) -> Result<Backdrop, String> {
     ];
     let wanted = text.trim().to_ascii_lowercase();
     if wanted == "none" {
-        return Ok(Backdrop::None);
+        return Ok(BackgroundArg::None);
     }
     if let Some((_, color)) = NAMES.iter().find(|(name, _)| *name == wanted) {
-        return Ok(Backdrop::Color(*color));
+        return Ok(BackgroundArg::Color(*color));
     }
     let digits = wanted.strip_prefix('#').unwrap_or(&wanted);
     let full = match digits.len() {
@@ -100,7 +100,7 @@ pub(super) fn backdrop(text: &str) -> Result<Backdrop, String> {
     if !full.chars().all(|c| c.is_ascii_hexdigit()) {
         return Err(tr!("cli-value-not-color"));
     }
-    u32::from_str_radix(&full, 16).map(Backdrop::Color).map_err(|_| tr!("cli-value-not-color"))
+    u32::from_str_radix(&full, 16).map(BackgroundArg::Color).map_err(|_| tr!("cli-value-not-color"))
 }
 
 /// A number of threads.
@@ -252,10 +252,10 @@ mod tests {
 
     #[test]
     fn colours_are_hex_or_named() {
-        assert_eq!(backdrop("#1a2B3c"), Ok(Backdrop::Color(0x1A2B3C)));
-        assert_eq!(backdrop("fff"), Ok(Backdrop::Color(0xFFFFFF)));
-        assert_eq!(backdrop("White"), Ok(Backdrop::Color(0xFFFFFF)));
-        assert_eq!(backdrop("none"), Ok(Backdrop::None));
+        assert_eq!(backdrop("#1a2B3c"), Ok(BackgroundArg::Color(0x1A2B3C)));
+        assert_eq!(backdrop("fff"), Ok(BackgroundArg::Color(0xFFFFFF)));
+        assert_eq!(backdrop("White"), Ok(BackgroundArg::Color(0xFFFFFF)));
+        assert_eq!(backdrop("none"), Ok(BackgroundArg::None));
         for wrong in ["", "#", "#12", "#12345", "+12345", "whitish", "#ggg", "ййй"] {
             assert!(backdrop(wrong).is_err(), "{wrong}");
         }

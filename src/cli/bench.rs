@@ -1,4 +1,4 @@
-//! `sinew bench`: how fast the rasterizer is on this machine.
+//! `sinew bench`: speed of the rasterizer on this machine.
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use clap::ArgMatches;
 use serde::Serialize;
 
-use super::failure::{Failure, answer, answer_json, display_name};
+use super::output::{Failure, display_name, print_json, print_result};
 use super::text_table::columns;
 use super::{files, value};
 use crate::collada::Progress;
@@ -115,7 +115,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         floor: Floor { clear_ms: floor.clear_ms, z_pass_ms: floor.z_pass_ms, memcpy_ms: floor.memcpy_ms },
         scenes: rows.into_iter().map(Scene::from).collect(),
     };
-    if given.get_flag("json") { answer_json(&report) } else { answer(&report.text()) }
+    if given.get_flag("json") { print_json(&report) } else { print_result(&report.text()) }
 }
 
 fn count(samples: Samples) -> u32 {

@@ -1,12 +1,12 @@
-//! `sinew check`: what the readers found odd.
+//! `sinew check`: the diagnostics of the readers.
 
 use std::path::Path;
 
 use clap::ArgMatches;
 use serde::Serialize;
 
-use super::failure::{Failure, answer, answer_json, display_name};
 use super::files;
+use super::output::{Failure, display_name, print_json, print_result};
 use crate::collada::Progress;
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, Images, OpenError, OpenOptions};
@@ -61,9 +61,9 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let opened: Vec<_> = files(given).into_iter().map(|file| (display_name(&file), open(&file))).collect();
     if given.get_flag("json") {
         let reports: Vec<_> = opened.iter().map(|(name, result)| report(name, result)).collect();
-        answer_json(&serde_json::json!({ "files": reports }))?;
+        print_json(&serde_json::json!({ "files": reports }))?;
     } else {
-        answer(&listing(&opened))?;
+        print_result(&listing(&opened))?;
     }
     let refused: Vec<_> = opened.iter().filter_map(|(_, result)| result.as_ref().err().map(ToString::to_string)).collect();
     if refused.is_empty() { Ok(()) } else { Err(Failure::Files(refused)) }

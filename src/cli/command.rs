@@ -83,7 +83,7 @@ fn render() -> Command {
     .arg(option("threads", "N", arg_parsers::threads, "cli-arg-threads", "cli-heading-output"))
     .arg(flag("stats", "cli-arg-stats", "cli-heading-output"))
     .arg(flag("force", "cli-arg-force", "cli-heading-output"))
-    .args(moment())
+    .args(pose_args())
     .arg(number("from", "S", arg_parsers::number, "cli-arg-from", "cli-heading-moment").conflicts_with("time"))
     .arg(number("to", "S", arg_parsers::number, "cli-arg-to", "cli-heading-moment").conflicts_with("time"))
     .arg(number("duration", "S", arg_parsers::number_within(0.0, 1e6), "cli-arg-duration", "cli-heading-moment").conflicts_with("to"))
@@ -128,7 +128,7 @@ fn export() -> Command {
     .arg(file())
     .arg(output("cli-arg-export-output"))
     .arg(flag("force", "cli-arg-force", "cli-heading-output"))
-    .args(moment())
+    .args(pose_args())
 }
 
 fn convert() -> Command {
@@ -291,7 +291,7 @@ fn verbose() -> Arg {
 }
 
 /// The options that choose a moment, shared by `render` and `export`.
-fn moment() -> [Arg; 5] {
+fn pose_args() -> [Arg; 5] {
     let heading = "cli-heading-moment";
     [
         number("time", "S", arg_parsers::number, "cli-arg-time", heading),

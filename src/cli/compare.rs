@@ -8,8 +8,8 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::failure::{Failure, display_name};
 use super::measured;
+use super::output::{Failure, display_name};
 use super::text_table::columns;
 use crate::document::Document;
 use crate::export::tables::{MuscleRow, csv_cell, unit, unit_for_people};

@@ -4,7 +4,7 @@ use clap::ArgMatches;
 use clap_complete::{Shell, generate};
 
 use super::command::command;
-use super::failure::{Failure, answer};
+use super::output::{Failure, print_result};
 use super::value;
 use crate::tr;
 
@@ -19,5 +19,5 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     };
     let mut script = Vec::new();
     generate(shell, &mut command(), "sinew", &mut script);
-    answer(&String::from_utf8_lossy(&script))
+    print_result(&String::from_utf8_lossy(&script))
 }

@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 
 use super::export::allow_overwriting;
-use super::failure::{Failure, notice, one_file, output_name, remark, wrong_ending};
-use super::progress::leave_nothing;
+use super::output::{Failure, output_name, print_notice, print_verbose, refuse_number_pattern, wrong_extension};
+use super::progress::install_interrupt_handler;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions};
-use crate::export::gltf::{Form, save};
-use crate::export::guard::Guard;
+use crate::export::gltf::{GltfContainer, save};
+use crate::export::guard::OverwriteGuard;
 use crate::tr;
 
 /// Runs the subcommand.
@@ -19,17 +19,17 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Required by the parser.
     let Some(out) = value::<PathBuf>(given, "out") else { return Err(Failure::usage(tr!("cli-call-wrong"))) };
-    let form = Form::of(&out).ok_or_else(|| wrong_ending(&out, "cli-convert-ending"))?;
-    one_file(&out)?;
-    let guard = Guard::of_files(&files);
+    let form = GltfContainer::of(&out).ok_or_else(|| wrong_extension(&out, "cli-convert-ending"))?;
+    refuse_number_pattern(&out)?;
+    let guard = OverwriteGuard::of_files(&files);
     guard.output(&out)?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
-    remark(document.diagnostics.iter());
+    print_verbose(document.diagnostics.iter());
     let target = guard.and(document.files()).output(&out)?;
     allow_overwriting(given, std::iter::once(out.clone()))?;
-    leave_nothing();
+    install_interrupt_handler();
     for loss in save(&target, form, &document)? {
-        notice(&format!("{}: {loss}", output_name(&out)));
+        print_notice(&format!("{}: {loss}", output_name(&out)));
     }
     Ok(())
 }

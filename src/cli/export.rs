@@ -5,13 +5,13 @@ use std::path::PathBuf;
 
 use clap::ArgMatches;
 
-use super::failure::{Failure, complain_part, is_quiet, one_file, output_name, remark, wrong_ending};
+use super::output::{Failure, is_quiet, output_name, print_prompt, print_verbose, refuse_number_pattern, wrong_extension};
 use super::pose_options::Moment;
-use super::progress::leave_nothing;
+use super::progress::install_interrupt_handler;
 use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseBuffers};
-use crate::export::guard::Guard;
+use crate::export::guard::OverwriteGuard;
 use crate::export::mtl;
 use crate::export::surface::{self, SurfaceFormat};
 use crate::scene::Frame;
@@ -24,14 +24,14 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(file), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let format = SurfaceFormat::of(&out).ok_or_else(|| wrong_ending(&out, "cli-export-ending"))?;
-    one_file(&out)?;
+    let format = SurfaceFormat::of(&out).ok_or_else(|| wrong_extension(&out, "cli-export-ending"))?;
+    refuse_number_pattern(&out)?;
     let library = (format == SurfaceFormat::Obj).then(|| mtl::library(&out));
     let outs = || std::iter::once(out.clone()).chain(library.clone());
-    let guard = Guard::of_files(&files);
+    let guard = OverwriteGuard::of_files(&files);
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
-    remark(document.diagnostics.iter());
+    print_verbose(document.diagnostics.iter());
     let guard = guard.and(document.files());
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
     allow_overwriting(given, outs())?;
@@ -41,13 +41,13 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if !surface::is_any(&frame) {
         return Err(Failure::file(file, tr!("cli-export-nothing")));
     }
-    leave_nothing();
+    install_interrupt_handler();
     format.save(&guard.output(&out)?, &document.scene, &frame)?;
-    remark([tr!("cli-export-written", out = output_name(&out))]);
+    print_verbose([tr!("cli-export-written", out = output_name(&out))]);
     Ok(())
 }
 
-/// What is there already is asked about where somebody sits at a terminal; scripts and desktops, which cannot be asked, replace it as they mean to,
+/// An existing file is only replaced after a question where standard input is a terminal; scripts and desktops, which cannot be asked, replace it,
 /// and so does `--force`.
 ///
 /// # Errors
@@ -58,7 +58,7 @@ pub(super) fn allow_overwriting(given: &ArgMatches, outs: impl Iterator<Item = P
     }
     let there: Vec<PathBuf> = outs.filter(|out| out.is_file()).collect();
     let Some(first) = there.first() else { return Ok(()) };
-    complain_part(&tr!("cli-ask-overwrite", out = output_name(first), more = there.len() - 1));
+    print_prompt(&tr!("cli-ask-overwrite", out = output_name(first), more = there.len() - 1));
     let mut answer = String::new();
     // No answer is a no.
     let _ = io::stdin().lock().read_line(&mut answer);

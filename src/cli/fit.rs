@@ -8,14 +8,14 @@ use serde::Serialize;
 
 use super::compare::rms_lines;
 use super::export::allow_overwriting;
-use super::failure::{Failure, answer, answer_json, display_name, one_file, output_name, wrong_ending};
-use super::progress::leave_nothing;
+use super::output::{Failure, display_name, output_name, print_json, print_result, refuse_number_pattern, wrong_extension};
+use super::progress::install_interrupt_handler;
 use super::{files, measured, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, SourceKind};
-use crate::export::atomic_file::write_whole;
-use crate::export::file_extension::ending;
-use crate::export::guard::Guard;
+use crate::export::atomic_file::write_atomic;
+use crate::export::file_extension::extension;
+use crate::export::guard::OverwriteGuard;
 use crate::export::tables::{unit_for_people, unit_name};
 use crate::i18n::decimal;
 use crate::muscle::parameter_fit::{Fitted, Model, fitted_file};
@@ -49,12 +49,12 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(csv), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    if !matches!(ending(&out).as_str(), "yaml" | "yml") {
-        return Err(wrong_ending(&out, "cli-fit-ending"));
+    if !matches!(extension(&out).as_str(), "yaml" | "yml") {
+        return Err(wrong_extension(&out, "cli-fit-ending"));
     }
-    one_file(&out)?;
+    refuse_number_pattern(&out)?;
     let like = value::<PathBuf>(given, "like");
-    let guard = Guard::of_files(files.iter().chain(&like));
+    let guard = OverwriteGuard::of_files(files.iter().chain(&like));
     guard.output(&out)?;
     let table = measured::read(csv)?;
     let document = match &like {
@@ -78,14 +78,14 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         None => Vec::new(),
     };
     allow_overwriting(given, std::iter::once(out.clone()))?;
-    leave_nothing();
-    write_whole(&target, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
+    install_interrupt_handler();
+    write_atomic(&target, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
     let rms = Rms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
     if given.get_flag("json") {
         let model = if model == Model::Poses { "poses" } else { "growth" };
-        answer_json(&Report { file: output_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
+        print_json(&Report { file: output_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
     } else {
-        answer(rms_lines(rms.own_growth, rms.fitted_growth, rms.measured_poses, &unit_for_people(&unit)).trim_start())
+        print_result(rms_lines(rms.own_growth, rms.fitted_growth, rms.measured_poses, &unit_for_people(&unit)).trim_start())
     }
 }
 

@@ -6,8 +6,8 @@ use clap::ArgMatches;
 use serde::Serialize;
 
 use super::check::FindingReport;
-use super::failure::{Failure, answer, answer_json, display_name};
 use super::files;
+use super::output::{Failure, display_name, print_json, print_result};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, SourceKind};
 use crate::export::tables::{unit_for_people, unit_name};
@@ -89,7 +89,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     // The program ends here: giving back what was read piece by piece would only take time.
     #[expect(clippy::mem_forget, reason = "nothing in a document does anything when it is dropped but give back memory")]
     std::mem::forget(document);
-    if given.get_flag("json") { answer_json(&info) } else { answer(&info.text()) }
+    if given.get_flag("json") { print_json(&info) } else { print_result(&info.text()) }
 }
 
 impl Info {

@@ -8,15 +8,19 @@ use clap::ArgMatches;
 use super::arg_parsers::{Angles, MOST_DEGREES, Times, plain};
 use super::compare::Comparison;
 use super::export::allow_overwriting;
-use super::failure::{Failure, answer, answer_json, display_name, notice, one_file, output_name, remark, wrong_ending};
+use super::output::{
+    Failure, display_name, output_name, print_json, print_notice, print_result, print_verbose, refuse_number_pattern, wrong_extension,
+};
 use super::pose_options::unknown_clip;
-use super::progress::leave_nothing;
+use super::progress::install_interrupt_handler;
 use super::text_table::columns;
 use super::{files, joints, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseState};
-use crate::export::guard::Guard;
-use crate::export::tables::{Form, JointTable, MuscleTable, NoTable, Of, PLOT_SCALE, Table, even_times, unit_for_people};
+use crate::export::guard::OverwriteGuard;
+use crate::export::tables::{
+    JointTable, MuscleTable, PLOT_SCALE, Table, TableError, TableFormat, TableSubject, even_times, unit_for_people,
+};
 use crate::i18n::{self, decimal};
 use crate::sequence::DEFAULT_FPS;
 use crate::tr;
@@ -25,50 +29,51 @@ use crate::tr;
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
-    let sheet = Sheet { given, guard: Guard::of_files(&files).and(document.files()) };
+    let sheet = Sheet { given, guard: OverwriteGuard::of_files(&files).and(document.files()) };
     let file = files.first().cloned().unwrap_or_default();
     if given.get_flag("joints") {
         // A file without joints is to be told so, whether it has a clip or not.
-        if NoTable::check(Of::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(NoTable::NoJoint) {
+        if TableError::check(TableSubject::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(TableError::NoJoint) {
             return Err(match document.clips.is_empty() {
                 true => Failure::usage(tr!("cli-measure-no-joint-no-clip", file = display_name(&file))),
-                false => no_table(NoTable::NoJoint, &file),
+                false => table_failure(TableError::NoJoint, &file),
             });
         }
         let (state, times) = times(given, &document, &file)?;
         let table = JointTable::over_time(&document, display_name(&file), &state, &times);
-        return sheet.answer(&Table::Joints(table.map_err(|why| no_table(why, &file))?));
+        return sheet.answer(&Table::Joints(table.map_err(|error| table_failure(error, &file))?));
     }
     if document.muscle_count() == 0 {
-        return Err(Failure::file(&file, NoTable::NoMuscle));
+        return Err(Failure::file(&file, TableError::NoMuscle));
     }
     if let Some(csv) = value::<PathBuf>(given, "compare") {
         let comparison = Comparison::of(&document, &file, &csv)?;
         return if given.get_flag("json") {
-            answer_json(&comparison)
+            print_json(&comparison)
         } else if given.get_flag("csv") {
-            answer(&comparison.csv())
+            print_result(&comparison.csv())
         } else {
-            answer(&comparison.text())
+            print_result(&comparison.text())
         };
     }
     if given.contains_id("times") {
         let (state, times) = times(given, &document, &file)?;
         let table = MuscleTable::over_time(&document, display_name(&file), &state, &times);
-        return sheet.answer(&Table::Muscles(table.map_err(|why| no_table(why, &file))?));
+        return sheet.answer(&Table::Muscles(table.map_err(|error| table_failure(error, &file))?));
     }
     let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
     if let Some(angles) = &angles {
         if let Some(angle) = angles.iter().find(|angle| angle.abs() > MOST_DEGREES) {
             let option = if given.contains_id("sweep") { "--sweep" } else { "--angles" };
-            let why = tr!("cli-value-out-of-range", low = plain(-MOST_DEGREES), high = plain(MOST_DEGREES));
-            return Err(Failure::usage(tr!("cli-value-wrong", option = option, value = plain(*angle), why = why)));
+            let error = tr!("cli-value-out-of-range", low = plain(-MOST_DEGREES), high = plain(MOST_DEGREES));
+            return Err(Failure::usage(tr!("cli-value-wrong", option = option, value = plain(*angle), why = error)));
         }
-        say_what_no_joint_does(&document, angles, &file);
+        print_angles_out_of_range(&document, angles, &file);
     }
     if angles.is_none() && given.contains_id("plot") {
         // Four angles are a table, but no curve.
-        let table = Table::measure(Of::Muscles, &document, &document.start_state(), DEFAULT_FPS).map_err(|why| no_table(why, &file))?;
+        let table = Table::measure(TableSubject::Muscles, &document, &document.start_state(), DEFAULT_FPS)
+            .map_err(|why| table_failure(why, &file))?;
         return sheet.answer(&table);
     }
     let table = MuscleTable::over_angles(&document, display_name(&file), angles.as_deref());
@@ -79,7 +84,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
 /// How a table is to be answered.
 struct Sheet<'a> {
     given: &'a ArgMatches,
-    guard: Guard,
+    guard: OverwriteGuard,
 }
 
 impl Sheet<'_> {
@@ -94,21 +99,21 @@ impl Sheet<'_> {
             }
         }
         match table {
-            Table::Muscles(table) if json => answer_json(table),
-            Table::Joints(table) if json => answer_json(table),
-            Table::Muscles(table) => answer(&if csv { table.csv() } else { text(table) }),
-            Table::Joints(table) => answer(&if csv { table.csv() } else { joints::text(table) }),
+            Table::Muscles(table) if json => print_json(table),
+            Table::Joints(table) if json => print_json(table),
+            Table::Muscles(table) => print_result(&if csv { table.csv() } else { text(table) }),
+            Table::Joints(table) => print_result(&if csv { table.csv() } else { joints::text(table) }),
         }
     }
 
     fn draw(&self, table: &Table, out: &Path) -> Result<(), Failure> {
-        let form = Form::of_plot(out).ok_or_else(|| wrong_ending(out, "cli-plot-ending"))?;
-        one_file(out)?;
+        let form = TableFormat::of_plot(out).ok_or_else(|| wrong_extension(out, "cli-plot-ending"))?;
+        refuse_number_pattern(out)?;
         let target = self.guard.output(out)?;
         allow_overwriting(self.given, std::iter::once(out.to_owned()))?;
-        leave_nothing();
+        install_interrupt_handler();
         table.save(&target, form, value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE))?;
-        remark([tr!("cli-export-written", out = output_name(out))]);
+        print_verbose([tr!("cli-export-written", out = output_name(out))]);
         Ok(())
     }
 }
@@ -119,32 +124,32 @@ fn times(given: &ArgMatches, document: &Document, file: &Path) -> Result<(PoseSt
     if let Some(name) = value::<String>(given, "clip") {
         state.clip = Some(document.clip_named(&name).ok_or_else(|| unknown_clip(document, file, &name))?);
     }
-    let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or_else(|| no_table(NoTable::NoClip, file))?;
+    let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or_else(|| table_failure(TableError::NoClip, file))?;
     let Some(Times(times)) = value::<Times>(given, "times") else {
         return Ok((state, even_times(clip.start, clip.end, DEFAULT_FPS)));
     };
     if times.iter().any(|time| !(clip.start..=clip.end).contains(time)) {
         let (start, end) = (plain(clip.start), plain(clip.end));
-        notice(&tr!("cli-measure-time-held", file = display_name(file), start = start, end = end));
+        print_notice(&tr!("cli-measure-time-held", file = display_name(file), start = start, end = end));
     }
     Ok((state, times))
 }
 
-fn no_table(why: NoTable, file: &Path) -> Failure {
+fn table_failure(why: TableError, file: &Path) -> Failure {
     match why {
-        NoTable::NoClip => Failure::usage(tr!("cli-measure-no-clip", file = display_name(file))),
-        NoTable::TooLong => Failure::usage(why.to_string()),
-        NoTable::NoMuscle | NoTable::NoJoint => Failure::file(file, why),
+        TableError::NoClip => Failure::usage(tr!("cli-measure-no-clip", file = display_name(file))),
+        TableError::TooLong => Failure::usage(why.to_string()),
+        TableError::NoMuscle | TableError::NoJoint => Failure::file(file, why),
     }
 }
 
 /// The formulas go on beyond the angles that a joint reaches, and so does the table; it says so.
-fn say_what_no_joint_does(document: &Document, angles: &[f64], file: &Path) {
+fn print_angles_out_of_range(document: &Document, angles: &[f64], file: &Path) {
     for range in document.rigs().filter_map(|(rig, _)| rig.measured_range()) {
         if angles.iter().any(|angle| !range.contains(angle)) {
             let tenth = |degrees: f64| plain((10.0 * degrees).round() / 10.0);
             let (low, high) = (tenth(*range.start()), tenth(*range.end()));
-            notice(&tr!("cli-measure-beyond", file = display_name(file), low = low, high = high));
+            print_notice(&tr!("cli-measure-beyond", file = display_name(file), low = low, high = high));
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::failure::{Failure, display_name};
+use super::output::{Failure, display_name};
 use crate::input::{self, Refused};
 use crate::muscle::validation::Table;
 use crate::{limits, tr};

@@ -1,4 +1,4 @@
-//! Words that stand where a command does and are none.
+//! Suggestions for mistyped commands.
 
 use std::ffi::OsString;
 use std::path::Path;

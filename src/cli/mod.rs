@@ -11,13 +11,13 @@ mod compare;
 mod completions;
 mod convert;
 mod export;
-mod failure;
 mod fit;
 mod info;
 mod joints;
 mod measure;
 mod measured;
 mod mistyped;
+mod output;
 mod pose_options;
 mod progress;
 mod render;
@@ -34,19 +34,19 @@ use clap::error::ErrorKind;
 
 use crate::render::{Renderer, SimdError};
 use crate::tr;
-use failure::{Failure, answer};
+use output::{Failure, print_result};
 
 pub use command::command;
-pub use window::{Opener, hand_over};
+pub use window::{WindowOpener, launch_gui};
 
 /// Runs the program and returns its exit code: 0 = done, 1 = a file could not be used, 2 = the call was wrong. `opener` opens the window:
 /// [`hand_over`] in a program that has none itself.
-pub fn main(opener: Opener) -> ExitCode {
+pub fn main(opener: WindowOpener) -> ExitCode {
     run(std::env::args_os(), opener)
 }
 
 /// Runs the program with these arguments, the first of which is its own name.
-pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> ExitCode {
+pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: WindowOpener) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     if let Some(sentence) = mistyped::first_word(&arguments, &command()) {
         return Failure::Usage(sentence).report();
@@ -54,12 +54,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: Opener) -> Exi
     let matches = match command().try_get_matches_from(arguments) {
         Ok(matches) => matches,
         Err(error) if matches!(error.kind(), ErrorKind::DisplayHelp | ErrorKind::DisplayVersion) => {
-            return finish(answer(&error.render().to_string()));
+            return finish(print_result(&error.render().to_string()));
         }
         Err(error) => return Failure::Usage(usage::sentence(&error)).report(),
     };
     if let Some((_, given)) = matches.subcommand() {
-        failure::set_loudness(given);
+        output::set_verbosity(given);
         if inputs(given).filter(|file| file.as_os_str() == "-").count() > 1 {
             return Failure::Usage(tr!("cli-stdin-twice")).report();
         }
@@ -115,7 +115,7 @@ fn help(given: &ArgMatches) -> Result<(), Failure> {
             }
         },
     };
-    answer(&page.to_string())
+    print_result(&page.to_string())
 }
 
 /// The value of `--option`, where it was given.

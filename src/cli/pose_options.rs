@@ -1,11 +1,11 @@
-//! The moment that the options name: clip, time, elbow angle or contraction.
+//! The pose that the options describe: clip, time, elbow angle or contraction.
 
 use std::path::Path;
 
 use clap::ArgMatches;
 
 use super::arg_parsers::plain;
-use super::failure::{Failure, display_name, notice};
+use super::output::{Failure, display_name, print_notice};
 use super::value;
 use crate::animation::Clip;
 use crate::document::{Document, PoseState};
@@ -13,8 +13,8 @@ use crate::muscle::MuscleRig;
 use crate::scene::NodeKind;
 use crate::tr;
 
-/// Seconds: a time that lies farther outside a clip than this is a slip of the hand, which is told; one that lies nearer is held at the end in silence.
-const FAR: f64 = 3600.0;
+/// Seconds: a time that lies farther outside a clip than this is reported as a mistake; one that lies nearer is clamped without a message.
+const MAX_TIME_OUTSIDE: f64 = 3600.0;
 
 /// What the options say.
 #[derive(Debug, Clone, Default)]
@@ -66,23 +66,23 @@ impl Moment {
         if let Some(clip) = state.clip.and_then(|index| document.clips.get(index)) {
             let kept = if self.clip.is_some() { clip.start } else { state.time };
             state.time = self.time.unwrap_or(kept).max(clip.start).min(clip.end.max(clip.start));
-            if self.time.is_some_and(|time| (time - state.time).abs() > FAR) {
+            if self.time.is_some_and(|time| (time - state.time).abs() > MAX_TIME_OUTSIDE) {
                 let (start, end) = (plain(clip.start), plain(clip.end));
-                notice(&tr!("cli-measure-time-held", file = display_name(file), start = start, end = end));
+                print_notice(&tr!("cli-measure-time-held", file = display_name(file), start = start, end = end));
             }
         }
         if let Some(angle) = self.angle {
             match document.driven_rig().filter(|rig| rig.flexion_range().is_some()) {
                 Some(rig) => state.drive = rig.at_flexion(angle),
                 None => {
-                    let joint = document.joint().ok_or_else(|| nothing_to_bend(document, file))?;
+                    let joint = document.joint().ok_or_else(|| no_joint_failure(document, file))?;
                     state.joint_rotation = Some(if self.on_top { joint.by(angle) } else { joint.at(angle) });
                 }
             }
             let range =
                 document.driven_rig().and_then(MuscleRig::flexion_range).or_else(|| document.joint().map(|j| j.range[0]..=j.range[1]));
             if let Some(range) = range.filter(|range| !self.on_top && !range.contains(&angle)) {
-                notice(&tr!(
+                print_notice(&tr!(
                     "cli-angle-held",
                     file = display_name(file),
                     angle = plain(angle),
@@ -118,7 +118,7 @@ fn clip_at(clips: &[Clip], time: f64) -> Option<usize> {
     })
 }
 
-fn nothing_to_bend(document: &Document, file: &Path) -> Failure {
+fn no_joint_failure(document: &Document, file: &Path) -> Failure {
     let file = display_name(file);
     Failure::usage(if document.muscle_count() > 0 && document.scene.graph.iter().all(|(_, node)| node.kind != NodeKind::Joint) {
         tr!("cli-no-arm-to-bend", file = file)

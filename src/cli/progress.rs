@@ -1,65 +1,66 @@
-//! Long work on a terminal: how far it is, and Ctrl+C that leaves nothing behind.
+//! Progress of long exports on a terminal, and their cancellation by Ctrl+C.
 
 use std::io::{self, IsTerminal, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use super::failure::{Failure, STOPPED, is_quiet};
+use super::output::{EXIT_CANCELLED, Failure, is_quiet};
 use crate::export::ExportError;
-use crate::export::atomic_file::sweep;
+use crate::export::atomic_file::cleanup_temp_files;
 use crate::export::pipeline::ExportProgress;
 use crate::tr;
 
-/// How often the line on the terminal is written anew.
-const PULSE: Duration = Duration::from_millis(100);
+/// Interval between updates of the progress line.
+const PRINT_INTERVAL: Duration = Duration::from_millis(100);
 
-/// The work that Ctrl+C stops.
+/// The export that Ctrl+C cancels.
 static CURRENT: Mutex<Option<Arc<ExportProgress>>> = Mutex::new(None);
 
-/// Does work of `count` frames. A terminal shows how many are done; Ctrl+C, or whoever ends the program, stops it so that no half file is left.
+/// Runs an export of `count` frames. A terminal shows the progress; Ctrl+C or a termination signal cancels it without leaving partial files.
 ///
 /// # Errors
 /// What the work returns.
-pub(super) fn watched(count: usize, run: impl FnOnce(&ExportProgress) -> Result<(), ExportError>) -> Result<(), Failure> {
-    let work = Arc::new(ExportProgress::default());
-    *CURRENT.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&work));
-    leave_nothing();
+pub(super) fn run_with_progress(count: usize, run: impl FnOnce(&ExportProgress) -> Result<(), ExportError>) -> Result<(), Failure> {
+    let progress = Arc::new(ExportProgress::default());
+    *CURRENT.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&progress));
+    install_interrupt_handler();
     let shown = count > 1 && !is_quiet() && io::stderr().is_terminal();
-    let over = AtomicBool::new(false);
+    let finished = AtomicBool::new(false);
     let result = std::thread::scope(|scope| {
-        let teller = shown.then(|| std::thread::Builder::new().spawn_scoped(scope, || tell(&work, count, &over)).ok()).flatten();
-        let result = run(&work);
-        over.store(true, Ordering::Relaxed);
-        if let Some(teller) = teller {
-            teller.thread().unpark();
+        let printer =
+            shown.then(|| std::thread::Builder::new().spawn_scoped(scope, || print_progress(&progress, count, &finished)).ok()).flatten();
+        let result = run(&progress);
+        finished.store(true, Ordering::Relaxed);
+        if let Some(printer) = printer {
+            printer.thread().unpark();
         }
         result
     });
     Ok(result?)
 }
 
-/// From now on Ctrl+C, or whoever ends the program, leaves no half file behind: work that is [`watched`] is stopped, anything else is swept away.
-pub(super) fn leave_nothing() {
+/// From now on Ctrl+C and termination signals leave no partial files: an export of [`run_with_progress`] is cancelled, other temporary files are deleted.
+pub(super) fn install_interrupt_handler() {
     // Where the system has no such thing the program just ends.
     let _ = ctrlc::set_handler(|| match &*CURRENT.lock().unwrap_or_else(PoisonError::into_inner) {
-        Some(work) => work.cancelled.store(true, Ordering::Relaxed),
+        Some(progress) => progress.cancelled.store(true, Ordering::Relaxed),
         None => {
-            sweep();
-            Failure::Stopped.report();
-            #[expect(clippy::exit, reason = "a signal handler has nobody to return to")]
-            std::process::exit(i32::from(STOPPED));
+            cleanup_temp_files();
+            Failure::Cancelled.report();
+            #[expect(clippy::exit, reason = "a signal handler cannot return an exit code")]
+            std::process::exit(i32::from(EXIT_CANCELLED));
         }
     });
 }
 
-fn tell(work: &ExportProgress, count: usize, over: &AtomicBool) {
+fn print_progress(progress: &ExportProgress, count: usize, finished: &AtomicBool) {
     let mut out = io::stderr();
-    while !over.load(Ordering::Relaxed) {
-        let line = tr!("cli-progress", done = work.done.load(Ordering::Relaxed), count = count);
+    while !finished.load(Ordering::Relaxed) {
+        let line = tr!("cli-progress", done = progress.done.load(Ordering::Relaxed), count = count);
         // A terminal that is gone is nothing to stop for.
         let _ = write!(out, "\r\x1b[K{line}").and_then(|()| out.flush());
-        std::thread::park_timeout(PULSE);
+        std::thread::park_timeout(PRINT_INTERVAL);
     }
     let _ = write!(out, "\r\x1b[K").and_then(|()| out.flush());
 }

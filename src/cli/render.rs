@@ -5,15 +5,15 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use glam::Vec3;
 
-use super::arg_parsers::{Backdrop, Span, plain};
+use super::arg_parsers::{BackgroundArg, Span, plain};
 use super::export::allow_overwriting;
-use super::failure::{Failure, complain, display_name, one_file, output_name, remark, wrong_ending};
+use super::output::{Failure, display_name, output_name, print_error, print_verbose, refuse_number_pattern, wrong_extension};
 use super::pose_options::Moment;
 use super::{files, progress, value};
 use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
-use crate::export::guard::Guard;
+use crate::export::guard::OverwriteGuard;
 use crate::limits;
 use crate::muscle::MuscleRig;
 use crate::render::{Background, Display, Samples, Shading};
@@ -35,21 +35,21 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (Some(first), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
         return Err(Failure::usage(tr!("cli-call-wrong")));
     };
-    let target = OutputTarget::of(&out).ok_or_else(|| wrong_ending(&out, "cli-render-ending"))?;
+    let target = OutputTarget::of(&out).ok_or_else(|| wrong_extension(&out, "cli-render-ending"))?;
     match &target {
         OutputTarget::Pictures(pattern) if pattern.has_second() => {
             return Err(Failure::usage(tr!("cli-pattern-twice", out = output_name(&out))));
         }
         OutputTarget::Pictures(_) => {}
-        _ => one_file(&out)?,
+        _ => refuse_number_pattern(&out)?,
     }
     let (size, scale) = size(given)?;
-    let guard = Guard::of_files(&files);
+    let guard = OverwriteGuard::of_files(&files);
     guard.output(&out)?;
     let opened = view::open(&files, OpenOptions::default(), &Progress::default())?;
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
     let Opened { document, session: saved, compared } = opened;
-    remark(document.diagnostics.iter());
+    print_verbose(document.diagnostics.iter());
     let moment = Moment::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
     let state = moment.over(start, &document, first)?;
@@ -65,29 +65,29 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let aspect = size.0 as f32 / size.1 as f32;
     let bounds = if sequence.is_turntable_only() { posed_bounds(&document, &state) } else { document.motion_bounds(&state) };
     let other = compared.map(|(path, other)| (path.display().to_string(), other));
-    let (company, rate) = saved.as_ref().map_or_else(Default::default, |saved| SceneOverlays::from_session(saved, &document, other));
+    let (overlays, rate) = saved.as_ref().map_or_else(Default::default, |saved| SceneOverlays::from_session(saved, &document, other));
     let mut wide = bounds;
-    if let Some(other) = company.motion_bounds(&document, &state) {
+    if let Some(other) = overlays.motion_bounds(&document, &state) {
         wide.merge(&other);
     }
-    let look = match saved.as_deref().filter(|_| !chooses_direction(given)) {
-        Some(saved) => saved_look(saved, &document, &wide, CameraFollow::from_session(saved, &document, &start)),
+    let camera = match saved.as_deref().filter(|_| !chooses_direction(given)) {
+        Some(saved) => session_camera(saved, &document, &wide, CameraFollow::from_session(saved, &document, &start)),
         None => None,
     };
-    let look = look.unwrap_or_else(|| {
+    let camera = camera.unwrap_or_else(|| {
         let eye = FittedOrbit::fit(direction(given), &wide, aspect, sequence.has_turntable());
         Box::new(move |_, _, turn| eye.camera(turn))
     });
     // What is only a help on the screen, such as the ground grid, stays away unless it is asked for or a session shows it.
-    let usual = saved.as_ref().map_or_else(|| Display { grid: false, ..Display::default() }, |saved| saved.display(&document, &bounds));
+    let orbit = saved.as_ref().map_or_else(|| Display { grid: false, ..Display::default() }, |saved| saved.display(&document, &bounds));
     // In a film the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
-    let display = Display { scale, ground, ..display(given, usual, !document.shows_surface()) };
-    let mut studio = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), look).with_overlays(company, rate);
+    let display = Display { scale, ground, ..display(given, orbit, !document.shows_surface()) };
+    let mut renderer = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), camera).with_overlays(overlays, rate);
     let call = call_note(given, &files, size, scale);
-    let note = |shot: &FrameSpec| format!("{call}{}", shot_note(&document, shot));
-    progress::watched(sequence.count, |work| sequence::save(&mut studio, size, (&target, &guard), &note, work))?;
-    remark([tr!(
+    let note = |spec: &FrameSpec| format!("{call}{}", frame_note(&document, spec));
+    progress::run_with_progress(sequence.count, |work| sequence::save(&mut renderer, size, (&target, &guard), &note, work))?;
+    print_verbose([tr!(
         "cli-written",
         out = output_name(&out),
         count = sequence.count,
@@ -95,7 +95,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         height = plain(size.1.into())
     )]);
     if given.get_flag("stats") {
-        report(&studio.take_times());
+        report(&renderer.take_times());
     }
     Ok(())
 }
@@ -185,72 +185,72 @@ fn chooses_direction(given: &ArgMatches) -> bool {
     ["camera", "yaw", "pitch", "zoom"].into_iter().any(|id| given.contains_id(id))
 }
 
-/// Where a session looks from: its camera of the file, else its orbit, which may go along with something; `None` where it has neither.
-fn saved_look(saved: &SessionState, document: &Document, bounds: &Bounds, along: Option<CameraFollow>) -> Option<CameraFn<'static>> {
+/// The camera of a session: a camera of the file, else its orbit camera, which may follow a node; `None` where it has neither.
+fn session_camera(saved: &SessionState, document: &Document, bounds: &Bounds, follow: Option<CameraFollow>) -> Option<CameraFn<'static>> {
     let orbit = saved.camera.and_then(|camera| camera.orbit(bounds));
     let node = saved.file_camera.as_ref().and_then(|node| node.find(document));
-    let of_file = node.and_then(|node| view::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
+    let file_camera = node.and_then(|node| view::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
     let usual = orbit.unwrap_or_default();
-    let round = move |frame: &Frame, turn: f32| {
+    let orbit_camera = move |frame: &Frame, turn: f32| {
         let camera = OrbitCamera { yaw: usual.yaw + turn, ..usual }.camera();
-        along.map_or(camera, |along| along.moved(camera, frame))
+        follow.map_or(camera, |follow| follow.moved(camera, frame))
     };
-    match of_file {
+    match file_camera {
         Some((node, id)) => {
-            Some(Box::new(move |scene, frame, turn| view::file_camera(scene, frame, node, id).unwrap_or_else(|| round(frame, turn))))
+            Some(Box::new(move |scene, frame, turn| view::file_camera(scene, frame, node, id).unwrap_or_else(|| orbit_camera(frame, turn))))
         }
-        None => orbit.map(|_| -> CameraFn<'static> { Box::new(move |_, frame, turn| round(frame, turn)) }),
+        None => orbit.map(|_| -> CameraFn<'static> { Box::new(move |_, frame, turn| orbit_camera(frame, turn)) }),
     }
 }
 
-/// How things look, from the options on top of what is usual. The bones of a file that has nothing else are drawn without being asked for.
-fn display(given: &ArgMatches, usual: Display, only_bones: bool) -> Display {
+/// Display options: those of the command line over `defaults`. The bones of a file without surfaces are always drawn.
+fn display(given: &ArgMatches, defaults: Display, only_bones: bool) -> Display {
     Display {
         shading: match value::<String>(given, "shading").as_deref() {
             Some("flat") => Shading::Flat,
             Some("phong") => Shading::Phong,
             Some(_) => Shading::Gouraud,
-            None => usual.shading,
+            None => defaults.shading,
         },
         samples: match value::<String>(given, "samples").as_deref() {
             Some("1") => Samples::One,
             Some(_) => Samples::Four,
-            None => usual.samples,
+            None => defaults.samples,
         },
-        see_through: usual.see_through && !given.get_flag("no-see-through"),
-        materials: usual.materials && !given.get_flag("no-materials"),
-        smooth_normals: usual.smooth_normals && !given.get_flag("no-normals"),
-        wireframe: usual.wireframe || given.get_flag("wireframe"),
-        bones: usual.bones || only_bones || given.get_flag("bones"),
-        grid: usual.grid || given.get_flag("grid"),
-        axes: usual.axes || given.get_flag("axes"),
-        bounding_box: usual.bounding_box || given.get_flag("bounding-box"),
-        background: match value::<Backdrop>(given, "background") {
-            Some(Backdrop::None) => Background::Transparent,
-            Some(Backdrop::Color(color)) => Background::Solid(color),
-            None => usual.background,
+        see_through: defaults.see_through && !given.get_flag("no-see-through"),
+        materials: defaults.materials && !given.get_flag("no-materials"),
+        smooth_normals: defaults.smooth_normals && !given.get_flag("no-normals"),
+        wireframe: defaults.wireframe || given.get_flag("wireframe"),
+        bones: defaults.bones || only_bones || given.get_flag("bones"),
+        grid: defaults.grid || given.get_flag("grid"),
+        axes: defaults.axes || given.get_flag("axes"),
+        bounding_box: defaults.bounding_box || given.get_flag("bounding-box"),
+        background: match value::<BackgroundArg>(given, "background") {
+            Some(BackgroundArg::None) => Background::Transparent,
+            Some(BackgroundArg::Color(color)) => Background::Solid(color),
+            None => defaults.background,
         },
-        light: value::<Vec3>(given, "light").or(usual.light),
-        ..usual
+        light: value::<Vec3>(given, "light").or(defaults.light),
+        ..defaults
     }
 }
 
 /// The part of the note that changes from picture to picture.
-fn shot_note(document: &Document, shot: &FrameSpec) -> String {
+fn frame_note(document: &Document, spec: &FrameSpec) -> String {
     let mut note = String::new();
-    if let Some(clip) = shot.state.clip.and_then(|index| document.clips.get(index)) {
-        note.push_str(&format!(" --clip {} --time {}", quoted(&clip.name), shot.state.time));
+    if let Some(clip) = spec.state.clip.and_then(|index| document.clips.get(index)) {
+        note.push_str(&format!(" --clip {} --time {}", quoted(&clip.name), spec.state.time));
     }
     if document.driven_rig().is_some_and(MuscleRig::is_drivable) {
         // `+ 0.0` turns a negative zero into zero.
-        note.push_str(&format!(" --contraction {}", shot.state.drive.contraction + 0.0));
+        note.push_str(&format!(" --contraction {}", spec.state.drive.contraction + 0.0));
     }
-    if let (Some(turn), Some(joint)) = (shot.state.joint_rotation, document.joint()) {
+    if let (Some(turn), Some(joint)) = (spec.state.joint_rotation, document.joint()) {
         let (angle, option) = if turn.on_top { (turn.degrees, " --on-top") } else { (turn.degrees + joint.at_rest, "") };
         note.push_str(&format!(" --angle {}{option}", angle + 0.0));
     }
-    if shot.turntable != 0.0 {
-        note.push_str(&format!(" (turned by {}°)", shot.turntable));
+    if spec.turntable != 0.0 {
+        note.push_str(&format!(" (turned by {}°)", spec.turntable));
     }
     note
 }
@@ -286,7 +286,7 @@ fn quoted(word: &str) -> String {
 fn report(times: &[FrameTimes]) {
     for (name, stage) in ["pose", "deform", "vertex", "raster", "resolve"].iter().zip(0..) {
         let medians = median(times.iter().filter_map(|times| times.get(stage).copied()).collect());
-        complain(&format!("{name} {medians:.3} ms"));
+        print_error(&format!("{name} {medians:.3} ms"));
     }
 }
 

@@ -1,20 +1,20 @@
 //! `sinew [FILE…]`: the window, or a sentence that says what to do without one.
 //!
-//! The window is a program of its own, `sinew-window`, which this one becomes. Loading GTK with the sixty libraries that it brings takes longer
+//! The window is a separate program, `sinew-window`, which replaces this process. Loading GTK with the sixty libraries that it brings takes longer
 //! than reading most files, and `info`, `check`, `render` and the rest never need it.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::failure::Failure;
+use super::output::Failure;
 use crate::system::{Doing, reason};
 use crate::tr;
 
 /// What opens the window with these files.
-pub type Opener = fn(Vec<PathBuf>) -> ExitCode;
+pub type WindowOpener = fn(Vec<PathBuf>) -> ExitCode;
 
 /// Opens the window with these files.
-pub(super) fn open(files: Vec<PathBuf>, opener: Opener) -> ExitCode {
+pub(super) fn open(files: Vec<PathBuf>, opener: WindowOpener) -> ExitCode {
     if cfg!(not(feature = "gui")) {
         return Failure::Files(vec![tr!("cli-no-window")]).report();
     }
@@ -24,8 +24,8 @@ pub(super) fn open(files: Vec<PathBuf>, opener: Opener) -> ExitCode {
     opener(files)
 }
 
-/// Becomes the program of the window, which lies beside this one; without `exec` it is started and waited for.
-pub fn hand_over(files: Vec<PathBuf>) -> ExitCode {
+/// Replaces this process by the window's program, which lies beside this one; without `exec` it is started and waited for.
+pub fn launch_gui(files: Vec<PathBuf>) -> ExitCode {
     let name = format!("sinew-window{}", std::env::consts::EXE_SUFFIX);
     let program = std::env::current_exe().ok().and_then(|own| own.parent().map(|folder| folder.join(&name))).unwrap_or_else(|| name.into());
     let mut command = std::process::Command::new(&program);
@@ -33,11 +33,11 @@ pub fn hand_over(files: Vec<PathBuf>) -> ExitCode {
         // A file may be called like a command.
         command.arg("--").args(files);
     }
-    become_it(command, &program)
+    run_program(command, &program)
 }
 
 #[cfg(unix)]
-fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
+fn run_program(mut command: std::process::Command, program: &Path) -> ExitCode {
     use std::os::unix::process::CommandExt;
     // Returns only where it fails.
     let error = command.exec();
@@ -58,7 +58,7 @@ fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
     }
 }
 
-/// Whether there is a screen to open a window on. GTK would say so too, but in words that help nobody.
+/// Whether there is a screen to open a window on. GTK would say so too, but its message does not tell the user what to do.
 fn has_display() -> bool {
     !cfg!(all(unix, not(target_os = "macos")))
         || ["WAYLAND_DISPLAY", "DISPLAY"].iter().any(|name| std::env::var_os(name).is_some_and(|value| !value.is_empty()))

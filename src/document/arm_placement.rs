@@ -1,4 +1,4 @@
-//! Where arms that come with muscles stand: nothing in their file says it, so each stands beside what is there already, clear of it.
+//! Placement of arms that come with muscles: their files have no position, so each stands beside what is there already, clear of it.
 
 use glam::DVec3;
 

@@ -1,4 +1,4 @@
-//! Formats that are not read, so that a file of one is named as what it is instead of being scolded for not being another.
+//! Recognition of unsupported formats, so that the message names the format of the file.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The images that the files of a document name: found only by paths relative to a file, only regular files, never from a network, and decoded together
+//! Images of a document: found only by paths relative to a file, only regular files, never from a network, and decoded together
 //! within one budget.
 
 use std::cmp::Reverse;

@@ -1,11 +1,11 @@
-//! Joints turned by hand: a turn on top of whatever the clip does.
+//! Joint overrides: rotations applied on top of the clip.
 
 use glam::{DMat4, DQuat, DVec3, EulerRot};
 
 use super::Document;
 use crate::scene::NodeId;
 
-/// A node turned by hand about its own axes, after the clip.
+/// A rotation of a node about its own axes, applied after the clip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointOverride {
     /// The node.
@@ -23,17 +23,17 @@ impl JointOverride {
 }
 
 impl Document {
-    /// The turns made by hand, ascending by node.
+    /// The joint overrides, ascending by node.
     pub fn joint_overrides(&self) -> &[JointOverride] {
         &self.joint_overrides
     }
 
-    /// How far `node` is turned by hand, degrees about its own axes; zero where it is not.
+    /// The override of `node`, degrees about its own axes; zero where it has none.
     pub fn joint_override(&self, node: NodeId) -> DVec3 {
         self.joint_overrides.iter().find(|turn| turn.node == node).map_or(DVec3::ZERO, |turn| turn.degrees)
     }
 
-    /// Turns `node` by hand; zero takes the turn away. A node that isn't there and numbers that are none change nothing.
+    /// Sets the override of `node`; zero removes it. A node that does not exist and numbers that are not finite change nothing.
     pub fn set_joint_override(&mut self, node: NodeId, degrees: DVec3) {
         if node.index() >= self.scene.graph.len() || !degrees.is_finite() {
             return;

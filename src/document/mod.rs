@@ -100,7 +100,7 @@ pub struct Document {
     pub diagnostics: Vec<Diagnostic>,
     /// How much of the scene is not muscles'.
     scene_baseline: muscle_sources::SceneBaseline,
-    /// Joints turned by hand, ascending by node.
+    /// Joint overrides, ascending by node.
     joint_overrides: Vec<JointOverride>,
     /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
     revision: u64,
@@ -125,7 +125,7 @@ pub struct PoseState {
     pub time: f64,
     /// Elbow angle and contraction.
     pub drive: MuscleState,
-    /// A joint turned by hand, on top of the clip or instead of it: see [`Document::joint`].
+    /// Rotation of the controlled joint, on top of the clip or instead of it: see [`Document::joint`].
     pub joint_rotation: Option<Turn>,
     /// Moves the whole model in the world, after everything else.
     pub model: DMat4,
@@ -192,7 +192,7 @@ impl Document {
         self.rigs().next().map(|(rig, _)| rig)
     }
 
-    /// The joint of a clip's skeleton that can be turned by hand: the one that a muscle file names or its muscles cross, else the elbow that is found
+    /// The joint of a clip's skeleton that the user can rotate: the one that a muscle file names or its muscles cross, else the elbow that is found
     /// in the skeleton. `None` where there is none. Looks at the whole scene and its clips: ask once, when a document has been opened.
     ///
     /// The elbow of a muscle file's own arm is none of these; [`PoseState::drive`] bends it.

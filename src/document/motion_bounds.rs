@@ -1,13 +1,13 @@
-//! The room that a movement takes, so that a camera can stand far enough away from the start.
+//! Bounding box of a whole movement, for placing the camera.
 
 use super::{Document, PoseBuffers, PoseState};
 use crate::scene::{Bounds, Frame};
 
-/// Moments at which the movement is looked at.
+/// Number of poses that are sampled.
 const SAMPLES: usize = 17;
 
 impl Document {
-    /// The box round everything that `state`'s clip covers, or, where no clip moves anything, the arm from straight to fully bent.
+    /// Bounding box over the clip of `state`, or, without a moving clip, of the arm from straight to fully bent.
     pub fn motion_bounds(&self, state: &PoseState) -> Bounds {
         let (mut buffers, mut frame, mut bounds) = (PoseBuffers::default(), Frame::default(), Bounds::EMPTY);
         let mut add_pose = |state: &PoseState| {

@@ -1,4 +1,4 @@
-//! How large a moment of a document is, without its surfaces: for whoever only tells what is in a file.
+//! Bounding box of a pose without its surfaces, for listing what is in a file.
 
 use glam::DMat4;
 

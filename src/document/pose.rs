@@ -259,7 +259,7 @@ impl Document {
         above
     }
 
-    /// The root nodes that carry muscle files, with their rigs; for whoever shows or edits them.
+    /// The root nodes that carry muscle files, with their rigs, for showing and editing them.
     pub fn rig_roots(&self) -> impl Iterator<Item = NodeId> {
         self.sources.iter().filter(|source| matches!(source.kind, SourceKind::Muscles(..))).filter_map(|source| source.root)
     }

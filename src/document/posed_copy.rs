@@ -1,11 +1,11 @@
-//! Another posed scene whose surfaces are drawn together with those of the main one: a ghost of another moment, a file that is compared.
+//! A second posed scene whose surfaces are drawn with the main one: an onion skin, or the compared file.
 
 use glam::Vec3;
 
 use super::{Document, PoseBuffers, PoseState};
 use crate::scene::{Bounds, Frame, Ghost, OverlayLine, Scene};
 
-/// Buffers of a pose beside the main one. Its surfaces are lent to the main frame for drawing and taken back before the next pose, so that
+/// Buffers of a pose beside the main one. Its surfaces move into the main frame for drawing and back before the next pose, so that
 /// nothing is copied and nothing is allocated after the first frame.
 #[derive(Debug, Default)]
 pub struct PosedCopy {
@@ -15,22 +15,22 @@ pub struct PosedCopy {
 }
 
 impl PosedCopy {
-    /// Poses it. What was lent must have been taken back.
+    /// Poses it. Its surfaces must have been removed from the main frame.
     pub fn pose(&mut self, document: &Document, state: &PoseState) {
         document.pose(state, &mut self.buffers, &mut self.frame);
     }
 
-    /// Its nodes at that moment. The surfaces are missing while they are lent.
+    /// Its frame. The surfaces are missing while they are part of the main frame.
     pub fn frame(&self) -> &Frame {
         &self.frame
     }
 
-    /// The box round it.
+    /// Its bounding box.
     pub fn bounds(&self) -> Bounds {
         self.frame.bounds
     }
 
-    /// Lends its surfaces to a frame, to be drawn as `ghost` says.
+    /// Moves its surfaces into a frame, to be drawn as `ghost` says.
     pub fn append_to(&mut self, to: &mut Frame, ghost: Ghost) {
         for surface in &mut self.frame.surfaces {
             surface.ghost = Some(ghost);
@@ -39,7 +39,7 @@ impl PosedCopy {
         to.surfaces.append(&mut self.frame.surfaces);
     }
 
-    /// Takes back what was lent, of several companions in the reverse order of lending. From a frame that no longer has it nothing comes, and
+    /// Moves its surfaces back; several copies in the reverse order of appending. From a frame that no longer has them nothing comes, and
     /// the next pose begins anew.
     pub fn remove_from(&mut self, from: &mut Frame) {
         let appended = std::mem::take(&mut self.appended);
@@ -51,7 +51,7 @@ impl PosedCopy {
         }
     }
 
-    /// Its bones as lines.
+    /// Appends its bones as lines.
     pub fn append_bone_lines(&self, scene: &Scene, color: Vec3, opacity: f32, into: &mut Vec<OverlayLine>) {
         let frame = &self.frame;
         let shown = frame.joints.iter().filter(|joint| joint.node.index() < scene.graph.len() && scene.graph.is_shown(joint.node));
@@ -61,7 +61,7 @@ impl PosedCopy {
     }
 
     /// The greatest distance between a vertex of `other` and the same vertex here, moved by `shift`; metres. For two poses of one document,
-    /// while nothing is lent.
+    /// while its surfaces are not in another frame.
     pub fn max_vertex_distance(&self, other: &Frame, shift: Vec3) -> f32 {
         let mut max_distance = 0.0f32;
         for (a, b) in other.surfaces.iter().zip(&self.frame.surfaces) {

@@ -1,22 +1,22 @@
-//! Films as APNG: every pixel as it was drawn, endless loop, and only the box that changed from frame to frame.
+//! Sequences as APNG: every pixel as it was drawn, endless loop, and only the box that changed from frame to frame.
 
 use std::io::{self, Write};
 
-use super::png::{rgb, straight, to_io};
+use super::png::{rgb, to_io, unpremultiply};
 use crate::render::Framebuffer;
 
-/// The pixels of a frame as the file takes them: red, green, blue, and alpha where the film has it.
+/// The pixels of a frame as the file takes them: red, green, blue, and alpha where the sequence has it.
 pub fn rows(picture: &Framebuffer, alpha: bool) -> Vec<u8> {
     let mut rows = Vec::with_capacity(picture.pixels.len() * if alpha { 4 } else { 3 });
     match alpha {
-        true => rows.extend(picture.pixels.iter().flat_map(|&pixel| straight(pixel))),
+        true => rows.extend(picture.pixels.iter().flat_map(|&pixel| unpremultiply(pixel))),
         false => rows.extend(picture.pixels.iter().flat_map(|&pixel| rgb(pixel))),
     }
     rows
 }
 
-/// Takes the frames of a film.
-pub struct Sink<W: Write> {
+/// Writes the frames of an APNG.
+pub struct ApngWriter<W: Write> {
     writer: ::png::Writer<W>,
     width: usize,
     height: usize,
@@ -26,8 +26,8 @@ pub struct Sink<W: Write> {
     shown: Vec<u8>,
 }
 
-impl<W: Write> Sink<W> {
-    /// A film of `count` frames of `size`, `fps` a second, with `notes` as in [`super::png::save`].
+impl<W: Write> ApngWriter<W> {
+    /// Begins an APNG of `count` frames of `size`, `fps` a second, with `notes` as in [`super::png::save`].
     ///
     /// # Errors
     /// What `out` returns; [`io::ErrorKind::InvalidInput`] for no frames or no pixels.
@@ -100,7 +100,7 @@ impl<W: Write> Sink<W> {
 }
 
 /// The delay of frame `index` as a fraction of a second: exact for whole rates and those of television (1001 in the numerator); otherwise in
-/// ten-thousandths, the sums rounded and not the delays, so that the film keeps its length.
+/// ten-thousandths, the sums rounded and not the delays, so that the sequence keeps its duration.
 fn delay(index: u64, fps: f64) -> (u16, u16) {
     for numerator in [1, 2, 5, 10, 100, 1001, 1000] {
         let denominator = fps * f64::from(numerator);
@@ -128,7 +128,7 @@ mod tests {
         let frames = [picture([r, r, r, b, b, t]), picture([r, r, r, b, r, r]), picture([r, r, r, b, r, r]), picture([b, r, r, b, r, t])];
         for alpha in [false, true] {
             let mut file = Vec::new();
-            let mut sink = Sink::begin(&mut file, (3, 2), frames.len(), 30.0, alpha, &[("Comment", "x")]).expect("memory");
+            let mut sink = ApngWriter::begin(&mut file, (3, 2), frames.len(), 30.0, alpha, &[("Comment", "x")]).expect("memory");
             frames.iter().for_each(|frame| sink.frame(rows(frame, alpha)).expect("memory"));
             sink.finish().expect("memory");
             let mut reader = ::png::Decoder::new(io::Cursor::new(&file)).read_info().expect("a PNG");

@@ -1,4 +1,4 @@
-//! Writing a file whole or not at all, and never over one that it is made from.
+//! Atomic writing of files, never over one of the inputs.
 
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use super::ExportError;
 use super::guard::{self, Output};
-use super::temporary::Temporary;
+use super::temporary::TempFile;
 
-pub use super::temporary::sweep;
+pub use super::temporary::cleanup_temp_files;
 
 /// Calls `write` with a buffered temporary file beside `target` and renames it to `target` once everything is on it.
 ///
@@ -16,20 +16,20 @@ pub use super::temporary::sweep;
 ///
 /// # Errors
 /// [`ExportError`] where the folder or the disk refuses, or `target` is a folder or a device.
-pub fn write_whole(target: &Output, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<(), ExportError> {
-    prepare(target, write)?.put_in_place()
+pub fn write_atomic(target: &Output, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<(), ExportError> {
+    prepare(target, write)?.commit()
 }
 
-/// A file that is complete but not yet where it belongs; gone when it is dropped.
+/// A complete file under its temporary name; deleted when it is dropped before [`PendingFile::commit`].
 #[derive(Debug)]
-pub struct Pending {
-    temporary: Temporary,
+pub struct PendingFile {
+    temporary: TempFile,
     target: Output,
     place: PathBuf,
 }
 
-impl Pending {
-    /// An empty temporary file beside `target`, for a program that writes it by its name: [`Pending::file`].
+impl PendingFile {
+    /// An empty temporary file beside `target`, for a program that writes it by its name: [`PendingFile::file`].
     ///
     /// # Errors
     /// As [`write_whole`].
@@ -47,7 +47,7 @@ impl Pending {
     ///
     /// # Errors
     /// [`ExportError`] where the folder refuses, or what is there now is one of the files that the result is made from.
-    pub fn put_in_place(self) -> Result<(), ExportError> {
+    pub fn commit(self) -> Result<(), ExportError> {
         let Self { temporary, target, place } = self;
         target.check()?;
         if let Ok(found) = fs::metadata(&place) {
@@ -62,24 +62,24 @@ impl Pending {
 ///
 /// # Errors
 /// As [`write_whole`].
-pub fn prepare(target: &Output, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<Pending, ExportError> {
+pub fn prepare(target: &Output, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<PendingFile, ExportError> {
     let failed = |error| ExportError::io(target.file(), error);
     let (mut file, temporary, place) = start(target)?;
     let mut buffered = BufWriter::with_capacity(1 << 16, &mut file);
     write(&mut buffered).and_then(|()| buffered.flush()).map_err(failed)?;
     drop(buffered);
-    Ok(Pending { temporary, target: target.clone(), place })
+    Ok(PendingFile { temporary, target: target.clone(), place })
 }
 
 /// The temporary file for `target`, and where it goes in the end.
-fn start(target: &Output) -> Result<(File, Temporary, PathBuf), ExportError> {
+fn start(target: &Output) -> Result<(File, TempFile, PathBuf), ExportError> {
     target.check()?;
     let place = guard::place(target.file());
     let names_folder = target.file().as_os_str().as_encoded_bytes().ends_with(b"/");
     if names_folder || fs::metadata(&place).is_ok_and(|found| !found.is_file()) {
         return Err(ExportError::NotAFile { file: target.file().to_owned() });
     }
-    let (file, temporary) = Temporary::begin(&folder_of(&place)).map_err(|error| ExportError::io(target.file(), error))?;
+    let (file, temporary) = TempFile::begin(&folder_of(&place)).map_err(|error| ExportError::io(target.file(), error))?;
     Ok((file, temporary, place))
 }
 
@@ -93,10 +93,10 @@ fn folder_of(file: &Path) -> PathBuf {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::export::guard::Guard;
+    use crate::export::guard::OverwriteGuard;
 
     fn output(file: &Path) -> Output {
-        Guard::default().output(file).expect("nothing is held")
+        OverwriteGuard::default().output(file).expect("nothing is held")
     }
 
     #[test]
@@ -104,7 +104,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let target = folder.path().join("kept.txt");
         fs::write(&target, "old").expect("writable");
-        let result = write_whole(&output(&target), |out| out.write_all(b"half").and(Err(io::ErrorKind::StorageFull.into())));
+        let result = write_atomic(&output(&target), |out| out.write_all(b"half").and(Err(io::ErrorKind::StorageFull.into())));
         assert!(matches!(result, Err(ExportError::Io { .. })));
         assert_eq!(fs::read_to_string(&target).expect("still there"), "old");
         assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 1);
@@ -118,10 +118,10 @@ mod tests {
         let (target, link) = (folder.path().join("real.txt"), folder.path().join("link.txt"));
         symlink(&target, &link).expect("links work");
         // Also where the link leads to nothing yet.
-        write_whole(&output(&link), |out| out.write_all(b"old")).expect("writes");
+        write_atomic(&output(&link), |out| out.write_all(b"old")).expect("writes");
         assert_eq!(fs::read_to_string(&target).expect("there"), "old");
         fs::set_permissions(&target, fs::Permissions::from_mode(0o640)).expect("ours");
-        write_whole(&output(&link), |out| out.write_all(b"new")).expect("writes");
+        write_atomic(&output(&link), |out| out.write_all(b"new")).expect("writes");
         assert_eq!(fs::read_to_string(&target).expect("there"), "new");
         assert_eq!(fs::metadata(&target).expect("there").permissions().mode() & 0o777, 0o640);
         assert!(fs::symlink_metadata(&link).expect("there").is_symlink());
@@ -133,8 +133,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let (source, target) = (folder.path().join("source"), folder.path().join("target"));
         fs::write(&source, "source").expect("writable");
-        let target = Guard::of_files([&source]).output(&target).expect("not there yet");
-        let result = write_whole(&target, |out| {
+        let target = OverwriteGuard::of_files([&source]).output(&target).expect("not there yet");
+        let result = write_atomic(&target, |out| {
             std::os::unix::fs::symlink("source", target.file())?;
             out.write_all(b"result")
         });
@@ -148,7 +148,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let slashed = folder.path().join("result.png/");
         for path in [folder.path(), &slashed] {
-            assert!(matches!(write_whole(&output(path), |_| Ok(())), Err(ExportError::NotAFile { .. })), "{}", path.display());
+            assert!(matches!(write_atomic(&output(path), |_| Ok(())), Err(ExportError::NotAFile { .. })), "{}", path.display());
         }
     }
 }

@@ -24,12 +24,12 @@ const NEAR: i32 = 8;
 
 /// Collects colours from pictures.
 #[derive(Debug, Clone)]
-pub struct Sampler {
+pub struct ColorSampler {
     colors: Vec<[u8; 3]>,
     a_picture: usize,
 }
 
-impl Sampler {
+impl ColorSampler {
     /// For about this many pictures.
     pub fn new(pictures: usize) -> Self {
         Self { colors: Vec::new(), a_picture: (SAMPLES / pictures.max(1)).max(1) }
@@ -44,7 +44,7 @@ impl Sampler {
     }
 
     /// The palette of all that was added.
-    pub fn palette(self) -> Palette {
+    pub fn color_table(self) -> ColorTable {
         let mut counts: HashMap<[u8; 3], usize> = HashMap::new();
         for color in &self.colors {
             *counts.entry(*color).or_default() += 1;
@@ -66,7 +66,7 @@ impl Sampler {
         }
         colors.dedup();
         colors.truncate(COLORS);
-        Palette::of(colors)
+        ColorTable::of(colors)
     }
 }
 
@@ -77,13 +77,13 @@ pub fn is_solid(pixel: u32) -> bool {
 
 /// At most 255 colours, with a table that finds the nearest.
 #[derive(Debug, Clone)]
-pub struct Palette {
+pub struct ColorTable {
     colors: Vec<[u8; 3]>,
     /// Index of the nearest colour for each cell of 4 × 4 × 4 colours, filled as asked for.
     nearest: Vec<Option<u8>>,
 }
 
-impl Palette {
+impl ColorTable {
     fn of(mut colors: Vec<[u8; 3]>) -> Self {
         if colors.is_empty() {
             colors.push([0; 3]);
@@ -146,9 +146,9 @@ mod tests {
 
     #[test]
     fn few_colours_stay_exact() {
-        let mut sampler = Sampler::new(1);
+        let mut sampler = ColorSampler::new(1);
         sampler.add(&Framebuffer { width: 3, height: 1, pixels: vec![0xFF010203, 0xFFFFFFFF, 0x00000000] });
-        let mut palette = sampler.palette();
+        let mut palette = sampler.color_table();
         assert_eq!(palette.bytes().len(), 6);
         for color in [[1, 2, 3], [255, 255, 255]] {
             let index = usize::from(palette.index(color, 5, 3));
@@ -160,9 +160,9 @@ mod tests {
     fn a_gradient_stays_close() {
         let pixels: Vec<u32> = (0..65_536_u32).map(|i| 0xFF00_0000 | (i & 255) << 16 | (i >> 8) << 8 | 64).collect();
         let picture = Framebuffer { width: 256, height: 256, pixels };
-        let mut sampler = Sampler::new(1);
+        let mut sampler = ColorSampler::new(1);
         sampler.add(&picture);
-        let mut palette = sampler.palette();
+        let mut palette = sampler.color_table();
         let (mut error, mut worst) = ([0_i64; 3], 0);
         for (i, pixel) in picture.pixels.iter().enumerate() {
             let color = rgb(*pixel);

@@ -1,16 +1,16 @@
-//! Endings of the files that a person names.
+//! File extensions.
 
 use std::path::{Path, PathBuf};
 
-/// The ending of a file name in lower case, empty where it has none.
-pub fn ending(file: &Path) -> String {
-    file.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default()
+/// The extension of a file name in lower case, empty where it has none.
+pub fn extension(file: &Path) -> String {
+    file.extension().map(|extension| extension.to_string_lossy().to_lowercase()).unwrap_or_default()
 }
 
-/// The name with an ending that says what the file is: the first of `endings` is added where it has none of them. What stands there already stays,
+/// The name with one of the extensions `endings`: the first is appended where it has none of them. The name itself is kept,
 /// since `walk.v2` is a name and a picture called `walk.dae` would be taken for a clip.
-pub fn completed(file: &Path, endings: &[&str]) -> PathBuf {
-    let known = endings.contains(&ending(file).as_str());
+pub fn with_extension(file: &Path, endings: &[&str]) -> PathBuf {
+    let known = endings.contains(&extension(file).as_str());
     match endings.first() {
         Some(first) if !known => {
             let mut name = file.as_os_str().to_owned();
@@ -39,8 +39,8 @@ mod tests {
             (".hidden", &["yaml", "yml"], ".hidden.yaml"),
             ("plain", &[], "plain"),
         ] {
-            assert_eq!(completed(Path::new(name), endings), PathBuf::from(expected), "{name}");
+            assert_eq!(with_extension(Path::new(name), endings), PathBuf::from(expected), "{name}");
         }
-        assert_eq!((ending(Path::new("a.PnG")), ending(Path::new("a"))), ("png".into(), String::new()));
+        assert_eq!((extension(Path::new("a.PnG")), extension(Path::new("a"))), ("png".into(), String::new()));
     }
 }

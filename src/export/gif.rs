@@ -6,10 +6,10 @@ use std::io::{self, BufWriter, Write};
 
 use ::gif::{DisposalMethod, Encoder, Frame, Repeat};
 
-use super::color_quantizer::{COLORS, Palette, is_solid};
+use super::color_quantizer::{COLORS, ColorTable, is_solid};
 use super::guard::Output;
-use super::png::straight;
-use super::{ExportError, atomic_file::write_whole};
+use super::png::unpremultiply;
+use super::{ExportError, atomic_file::write_atomic};
 use crate::render::Framebuffer;
 
 /// The index that stands for nothing; palettes end before it.
@@ -20,7 +20,7 @@ pub const MOST_FPS: f64 = 50.0;
 
 /// How an animation is written.
 #[derive(Debug, Clone)]
-pub struct Settings {
+pub struct GifSettings {
     /// Columns and rows, at most 65535.
     pub size: (u32, u32),
     /// Frames a second.
@@ -28,34 +28,34 @@ pub struct Settings {
     /// Whether pixels may be transparent (all or nothing: the format has no more).
     pub alpha: bool,
     /// The colours.
-    pub palette: Palette,
+    pub palette: ColorTable,
 }
 
-/// Writes an animation to `file`. `draw` is called once and gives the frames to the [`Sink`], one after the other.
+/// Writes an animation to `file`. `draw` is called once and gives the frames to the [`ApngWriter`], one after the other.
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written or the size does not fit the format; what `draw` returns.
 pub fn save(
     file: &Output,
-    settings: Settings,
-    draw: impl FnOnce(&mut Sink<'_, BufWriter<&mut File>>) -> io::Result<()>,
+    settings: GifSettings,
+    draw: impl FnOnce(&mut GifWriter<'_, BufWriter<&mut File>>) -> io::Result<()>,
 ) -> Result<(), ExportError> {
     let (width, height) = settings.size;
     let (Ok(width), Ok(height)) = (u16::try_from(width), u16::try_from(height)) else {
         return Err(ExportError::TooLarge { file: file.file().to_owned(), limit: u16::MAX.into() });
     };
-    write_whole(file, |out| draw(&mut Sink::begin(out, width, height, settings)?))
+    write_atomic(file, |out| draw(&mut GifWriter::begin(out, width, height, settings)?))
 }
 
 /// The palette's index for each pixel of a frame.
-pub fn indices(palette: &mut Palette, picture: &Framebuffer, alpha: bool) -> Vec<u8> {
+pub fn indices(palette: &mut ColorTable, picture: &Framebuffer, alpha: bool) -> Vec<u8> {
     let mut indices = Vec::with_capacity(picture.pixels.len());
     for (y, row) in picture.pixels.chunks_exact((picture.width as usize).max(1)).enumerate() {
         indices.extend(row.iter().enumerate().map(|(x, &pixel)| {
             if alpha && !is_solid(pixel) {
                 return CLEAR;
             }
-            let [r, g, b, _] = if alpha { straight(pixel) } else { straight(pixel | 0xFF00_0000) };
+            let [r, g, b, _] = if alpha { unpremultiply(pixel) } else { unpremultiply(pixel | 0xFF00_0000) };
             palette.index([r, g, b], x, y)
         }));
     }
@@ -63,9 +63,9 @@ pub fn indices(palette: &mut Palette, picture: &Framebuffer, alpha: bool) -> Vec
 }
 
 /// Takes the frames of an animation.
-pub struct Sink<'a, W: Write> {
+pub struct GifWriter<'a, W: Write> {
     encoder: Encoder<&'a mut W>,
-    settings: Settings,
+    settings: GifSettings,
     width: u16,
     height: u16,
     frames: u64,
@@ -74,8 +74,8 @@ pub struct Sink<'a, W: Write> {
     next: Vec<u8>,
 }
 
-impl<'a, W: Write> Sink<'a, W> {
-    fn begin(out: &'a mut W, width: u16, height: u16, settings: Settings) -> io::Result<Self> {
+impl<'a, W: Write> GifWriter<'a, W> {
+    fn begin(out: &'a mut W, width: u16, height: u16, settings: GifSettings) -> io::Result<Self> {
         let mut colors = settings.palette.bytes();
         // The table is as long as the index for nothing asks.
         colors.resize((COLORS + 1) * 3, 0);
@@ -166,7 +166,7 @@ fn to_io(error: ::gif::EncodingError) -> io::Error {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::export::color_quantizer::Sampler;
+    use crate::export::color_quantizer::ColorSampler;
 
     const RED: u32 = 0xFFFF_0000;
     const BLUE: u32 = 0xFF00_00FF;
@@ -176,11 +176,11 @@ mod tests {
     }
 
     fn encoded(frames: &[Framebuffer], fps: f64, alpha: bool) -> Vec<u8> {
-        let mut sampler = Sampler::new(frames.len());
+        let mut sampler = ColorSampler::new(frames.len());
         frames.iter().for_each(|frame| sampler.add(frame));
         let mut file = Vec::new();
-        let settings = Settings { size: (3, 2), fps, alpha, palette: sampler.palette() };
-        let mut sink = Sink::begin(&mut file, 3, 2, settings).expect("memory is writable");
+        let settings = GifSettings { size: (3, 2), fps, alpha, palette: sampler.color_table() };
+        let mut sink = GifWriter::begin(&mut file, 3, 2, settings).expect("memory is writable");
         let mut palette = sink.settings.palette.clone();
         frames.iter().for_each(|frame| sink.frame(indices(&mut palette, frame, alpha)).expect("memory is writable"));
         drop(sink);
@@ -242,8 +242,8 @@ mod tests {
 
     #[test]
     fn a_side_beyond_the_format_is_refused() {
-        let palette = Sampler::new(1).palette();
-        let settings = Settings { size: (65_536, 1), fps: 10.0, alpha: false, palette };
+        let palette = ColorSampler::new(1).color_table();
+        let settings = GifSettings { size: (65_536, 1), fps: 10.0, alpha: false, palette };
         assert!(matches!(
             save(&Output::of_program(std::path::Path::new("never.gif")), settings, |_| Ok(())),
             Err(ExportError::TooLarge { .. })

@@ -1,6 +1,6 @@
-//! What no result may replace: the files that it is made from and those that are open.
+//! Protection of input files: no result may replace a file that it is made from, or one that is open.
 //!
-//! Whatever writes a file takes an [`Output`], and only a [`Guard`] gives one out. So nobody can forget to ask.
+//! Every writer takes an [`Output`], and only an [`OverwriteGuard`] makes one, so the check cannot be forgotten.
 
 use std::collections::HashSet;
 use std::fs;
@@ -19,8 +19,8 @@ const NUMBERS: usize = 10_000;
 /// Files that no result may replace, by whatever name: through symbolic and hard links, `./a/../b`, another mount or, where the file system does not
 /// tell them apart, capital letters.
 #[derive(Debug, Clone, Default)]
-pub struct Guard {
-    held: Arc<Vec<PathBuf>>,
+pub struct OverwriteGuard {
+    protected: Arc<Vec<PathBuf>>,
     /// Where they lie, so that one that has gone since does not come back as a result.
     places: Arc<HashSet<PathBuf>>,
 }
@@ -29,10 +29,10 @@ pub struct Guard {
 #[derive(Debug, Clone)]
 pub struct Output {
     file: PathBuf,
-    guard: Guard,
+    guard: OverwriteGuard,
 }
 
-impl Guard {
+impl OverwriteGuard {
     /// Holds these files; `-` is what standard input reads.
     pub fn of_files<P: Into<PathBuf>>(files: impl IntoIterator<Item = P>) -> Self {
         Self::default().and(files)
@@ -47,26 +47,26 @@ impl Guard {
     #[must_use]
     pub fn and<P: Into<PathBuf>>(&self, files: impl IntoIterator<Item = P>) -> Self {
         let named = |file: PathBuf| if file.as_os_str() == "-" { PathBuf::from("/dev/stdin") } else { file };
-        let held = self.held.iter().cloned().chain(files.into_iter().map(|file| named(file.into()))).collect();
-        Self::holding(held)
+        let protected = self.protected.iter().cloned().chain(files.into_iter().map(|file| named(file.into()))).collect();
+        Self::protecting(protected)
     }
 
-    /// Holds what another one holds too.
+    /// Protects the files of another guard too.
     #[must_use]
     pub fn and_of(&self, other: &Self) -> Self {
-        self.and(other.held.iter().cloned())
+        self.and(other.protected.iter().cloned())
     }
 
     /// Holds all but this file: what is saved where it came from replaces itself.
     #[must_use]
-    pub fn but(&self, own: Option<&Path>) -> Self {
+    pub fn without(&self, own: Option<&Path>) -> Self {
         let Some(own) = own else { return self.clone() };
-        Self::holding(self.held.iter().filter(|held| !is_same(held, own)).cloned().collect())
+        Self::protecting(self.protected.iter().filter(|protected| !is_same(protected, own)).cloned().collect())
     }
 
-    fn holding(held: Vec<PathBuf>) -> Self {
-        let places = held.iter().map(|file| place(file)).collect();
-        Self { held: Arc::new(held), places: Arc::new(places) }
+    fn protecting(protected: Vec<PathBuf>) -> Self {
+        let places = protected.iter().map(|file| place(file)).collect();
+        Self { protected: Arc::new(protected), places: Arc::new(places) }
     }
 
     /// `file` as one that may be written.
@@ -84,24 +84,24 @@ impl Guard {
     pub fn free_name(&self, folder: &Path, name: &str, written: impl Fn(&Path) -> Vec<PathBuf>) -> String {
         let (stem, ending) = name.rsplit_once('.').map_or((name, String::new()), |(stem, ending)| (stem, format!(".{ending}")));
         let is_free =
-            |name: &String| written(&folder.join(name)).iter().all(|file| fs::symlink_metadata(file).is_err() && !self.holds(file));
+            |name: &String| written(&folder.join(name)).iter().all(|file| fs::symlink_metadata(file).is_err() && !self.protects(file));
         let numbered = (1..NUMBERS).map(|number| format!("{stem}-{number}{ending}"));
         std::iter::once(name.to_owned()).chain(numbered).find(is_free).unwrap_or_else(|| name.to_owned())
     }
 
-    fn holds(&self, file: &Path) -> bool {
+    fn protects(&self, file: &Path) -> bool {
         if self.places.contains(&place(file)) {
             return true;
         }
         // What is not there is no other name of anything.
-        identity(file).is_some_and(|there| self.held.iter().any(|held| identity(held).as_ref() == Some(&there)))
+        identity(file).is_some_and(|there| self.protected.iter().any(|protected| identity(protected).as_ref() == Some(&there)))
     }
 }
 
 impl Output {
     /// A file of the program's own, such as its settings, which no person chooses and nothing is made from.
     pub fn of_program(file: &Path) -> Self {
-        Self { file: file.to_owned(), guard: Guard::default() }
+        Self { file: file.to_owned(), guard: OverwriteGuard::default() }
     }
 
     /// The file.
@@ -112,7 +112,7 @@ impl Output {
     /// Another file that belongs to the same result.
     ///
     /// # Errors
-    /// As [`Guard::output`].
+    /// As [`OverwriteGuard::output`].
     pub fn with(&self, file: &Path) -> Result<Self, ExportError> {
         self.guard.output(file)
     }
@@ -120,9 +120,9 @@ impl Output {
     /// Whether it may be written still: a link may have been laid since.
     ///
     /// # Errors
-    /// As [`Guard::output`].
+    /// As [`OverwriteGuard::output`].
     pub(super) fn check(&self) -> Result<(), ExportError> {
-        if self.guard.holds(&self.file) { Err(ExportError::Held { file: self.file.clone() }) } else { Ok(()) }
+        if self.guard.protects(&self.file) { Err(ExportError::Held { file: self.file.clone() }) } else { Ok(()) }
     }
 }
 
@@ -186,10 +186,10 @@ mod tests {
             fs::hard_link(at("clip.dae"), at("hard.png")).expect("links work");
             names.extend(["soft.png", "soft-of-soft.png", "sub/back/clip.dae", "hard.png"].map(at));
         }
-        let guard = Guard::of_files([at("sub/../clip.dae")]);
+        let guard = OverwriteGuard::of_files([at("sub/../clip.dae")]);
         for name in &names {
             assert!(matches!(guard.output(name), Err(ExportError::Held { .. })), "{}", name.display());
-            assert!(guard.but(Some(name)).output(&at("clip.dae")).is_ok(), "{}", name.display());
+            assert!(guard.without(Some(name)).output(&at("clip.dae")).is_ok(), "{}", name.display());
         }
         for other in ["clip.png", "sub/clip.dae", "new/clip.dae"] {
             assert!(guard.output(&at(other)).is_ok(), "{other}");
@@ -200,7 +200,7 @@ mod tests {
     fn a_free_name_is_one_that_may_be_written_and_replaces_nothing() {
         let folder = tempfile::tempdir().expect("a folder");
         let at = |name: &str| folder.path().join(name);
-        let guard = Guard::of_files([at("walk.png"), at("gone-2.png")]);
+        let guard = OverwriteGuard::of_files([at("walk.png"), at("gone-2.png")]);
         for name in ["walk.png", "walk-1.png", "walk-2.obj", "arm.mtl", "gone.png", "gone-1.png"] {
             fs::write(at(name), "x").expect("written");
         }
@@ -218,7 +218,7 @@ mod tests {
     fn a_file_that_has_gone_is_held_still() {
         let folder = tempfile::tempdir().expect("a folder");
         let clip = folder.path().join("clip.dae");
-        let guard = Guard::of_files([&clip]);
+        let guard = OverwriteGuard::of_files([&clip]);
         assert!(guard.output(&clip).is_err());
         #[cfg(unix)]
         {

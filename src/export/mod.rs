@@ -1,7 +1,7 @@
-//! Files to take away: pictures, films and posed surfaces.
+//! Exported files: pictures, videos, posed surfaces, glTF, tables.
 //!
 //! Every file is written beside its final place under a temporary name and renamed when it is complete, so a failed save leaves what was
-//! there. No result replaces a file that it is made from or that is open: what writes takes an [`guard::Output`], which only a [`guard::Guard`]
+//! there. No result replaces a file that it is made from or that is open: what writes takes an [`guard::Output`], which only a [`guard::OverwriteGuard`]
 //! gives out.
 
 pub mod apng;

@@ -18,12 +18,12 @@ pub fn library(obj: &Path) -> PathBuf {
 
 /// The materials that a frame's visible surfaces use, with their names in the file.
 #[derive(Debug, Clone, Default)]
-pub struct Materials {
+pub struct MtlLibrary {
     names: HashMap<MaterialId, String>,
     order: Vec<MaterialId>,
 }
 
-impl Materials {
+impl MtlLibrary {
     /// Finds them.
     pub fn of(frame: &Frame) -> Self {
         let bound = visible(frame).flat_map(|surface| surface.materials.iter().flatten()).map(|binding| binding.material);

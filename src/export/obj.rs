@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use glam::{Vec2, Vec3};
 
-use super::atomic_file::{prepare, write_whole};
+use super::atomic_file::{prepare, write_atomic};
 use super::guard::Output;
 use super::surface::{WorldMesh, visible};
 use super::{ExportError, mtl};
@@ -17,17 +17,17 @@ use crate::scene::{Frame, Scene, Surface};
 /// # Errors
 /// [`ExportError`] where a file cannot be written.
 pub fn save(file: &Output, scene: &Scene, frame: &Frame) -> Result<(), ExportError> {
-    let materials = mtl::Materials::of(frame);
+    let materials = mtl::MtlLibrary::of(frame);
     if materials.is_empty() {
-        return write_whole(file, |out| write(out, scene, frame, &materials, None));
+        return write_atomic(file, |out| write(out, scene, frame, &materials, None));
     }
     let library = file.with(&mtl::library(file.file()))?;
     let name = library.file().file_name().map(|name| name.to_string_lossy().into_owned());
     // First the one that was asked for: where nothing can be written, that one is named.
     let asked_for = prepare(file, |out| write(out, scene, frame, &materials, name.as_deref()))?;
     let beside = prepare(&library, |out| materials.write(out, scene, frame, file.file()))?;
-    asked_for.put_in_place()?;
-    beside.put_in_place()
+    asked_for.commit()?;
+    beside.commit()
 }
 
 /// Writes the visible surfaces of `frame`, a pose of `scene`, as OBJ to `out`. `library` is the name of the file with the `materials`.
@@ -37,13 +37,13 @@ pub fn save(file: &Output, scene: &Scene, frame: &Frame) -> Result<(), ExportErr
 ///
 /// # Errors
 /// What `out` returns.
-pub fn write(out: &mut impl Write, scene: &Scene, frame: &Frame, materials: &mtl::Materials, library: Option<&str>) -> io::Result<()> {
+pub fn write(out: &mut impl Write, scene: &Scene, frame: &Frame, materials: &mtl::MtlLibrary, library: Option<&str>) -> io::Result<()> {
     writeln!(out, "# Sinew {}: world space, metres, Y up", env!("CARGO_PKG_VERSION"))?;
     if let Some(library) = library {
         writeln!(out, "mtllib {library}")?;
     }
     let mut names = HashSet::new();
-    let mut written = Written::default();
+    let mut written = ObjCounts::default();
     for surface in visible(frame) {
         let name = &scene.graph.node(surface.node).name;
         writeln!(out, "g {}", unique(&group_name(name), &mut names))?;
@@ -54,7 +54,7 @@ pub fn write(out: &mut impl Write, scene: &Scene, frame: &Frame, materials: &mtl
 
 /// How much of each list the file has already: its numbers run on from surface to surface.
 #[derive(Debug, Clone, Copy, Default)]
-struct Written {
+struct ObjCounts {
     vertices: u64,
     uvs: u64,
 }
@@ -63,8 +63,8 @@ fn write_surface(
     out: &mut impl Write,
     frame: &Frame,
     surface: &Surface,
-    materials: &mtl::Materials,
-    written: &mut Written,
+    materials: &mtl::MtlLibrary,
+    written: &mut ObjCounts,
 ) -> io::Result<()> {
     let posed = WorldMesh::of(surface);
     for v in posed.used() {
@@ -162,7 +162,7 @@ mod tests {
     fn written(scene: &Scene, surfaces: Vec<Surface>) -> Vec<String> {
         let mut out = Vec::new();
         let frame = Frame { surfaces, ..Frame::default() };
-        write(&mut out, scene, &frame, &mtl::Materials::of(&frame), None).expect("memory is writable");
+        write(&mut out, scene, &frame, &mtl::MtlLibrary::of(&frame), None).expect("memory is writable");
         String::from_utf8(out).expect("text").lines().skip(1).map(str::to_owned).collect()
     }
 

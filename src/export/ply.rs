@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::guard::Output;
 use super::surface::{WorldMesh, visible};
-use super::{ExportError, atomic_file::write_whole};
+use super::{ExportError, atomic_file::write_atomic};
 use crate::scene::Frame;
 
 /// Writes the visible surfaces of `frame` to `file`.
@@ -14,7 +14,7 @@ use crate::scene::Frame;
 /// # Errors
 /// [`ExportError`] where the file cannot be written.
 pub fn save(file: &Output, frame: &Frame) -> Result<(), ExportError> {
-    write_whole(file, |out| write(out, frame))
+    write_atomic(file, |out| write(out, frame))
 }
 
 /// Writes the visible surfaces of `frame`: world space, metres, Y up, `float` positions and unit normals, `uchar` colours (vertex colours, or

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::guard::Output;
-use super::{ExportError, atomic_file::write_whole};
+use super::{ExportError, atomic_file::write_atomic};
 use crate::render::Framebuffer;
 
 /// What names the program in a picture, under the keyword `Software`.
@@ -25,28 +25,28 @@ pub enum Compression {
 /// # Errors
 /// [`ExportError`] where the file cannot be written.
 pub fn save(file: &Output, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)]) -> Result<(), ExportError> {
-    write_whole(file, |out| encode(out, picture, alpha, notes, Compression::Small))
+    write_atomic(file, |out| encode(out, picture, alpha, notes, Compression::Small))
 }
 
 /// Writes `picture` as PNG to `out`; see [`save`].
 ///
 /// # Errors
 /// What `out` returns; [`io::ErrorKind::InvalidInput`] for a picture without pixels or a keyword that PNG does not allow.
-pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Compression) -> io::Result<()> {
+pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], compression: Compression) -> io::Result<()> {
     let mut refused = None;
-    let result = encode_into(Remembering { out, refused: &mut refused }, picture, alpha, notes, effort);
+    let result = encode_into(ErrorKeepingWriter { out, refused: &mut refused }, picture, alpha, notes, compression);
     // The encoder hands on what the system said as words alone; a full disk is to be known as one.
     result.map_err(|error| refused.unwrap_or(error))
 }
 
 /// Keeps the first error that the system returned.
-struct Remembering<'a, W> {
+struct ErrorKeepingWriter<'a, W> {
     out: W,
     refused: &'a mut Option<io::Error>,
 }
 
-impl<W: Write> Remembering<'_, W> {
-    fn kept<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+impl<W: Write> ErrorKeepingWriter<'_, W> {
+    fn keep_error<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.inspect_err(|error| {
             let again = error.raw_os_error().map_or_else(|| io::Error::from(error.kind()), io::Error::from_raw_os_error);
             self.refused.get_or_insert(again);
@@ -54,23 +54,23 @@ impl<W: Write> Remembering<'_, W> {
     }
 }
 
-impl<W: Write> Write for Remembering<'_, W> {
+impl<W: Write> Write for ErrorKeepingWriter<'_, W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let result = self.out.write(bytes);
-        self.kept(result)
+        self.keep_error(result)
     }
 
     fn flush(&mut self) -> io::Result<()> {
         let result = self.out.flush();
-        self.kept(result)
+        self.keep_error(result)
     }
 }
 
-fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], effort: Compression) -> io::Result<()> {
+fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], compression: Compression) -> io::Result<()> {
     let mut encoder = ::png::Encoder::new(out, picture.width, picture.height);
     encoder.set_color(if alpha { ::png::ColorType::Rgba } else { ::png::ColorType::Rgb });
     encoder.set_depth(::png::BitDepth::Eight);
-    if effort == Compression::Quick {
+    if compression == Compression::Quick {
         encoder.set_compression(::png::Compression::Fast);
     }
     encoder.set_source_srgb(::png::SrgbRenderingIntent::Perceptual);
@@ -85,7 +85,7 @@ fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&s
     for pixels in picture.pixels.chunks_exact(columns).take(picture.height as usize) {
         row.clear();
         match alpha {
-            true => row.extend(pixels.iter().flat_map(|&pixel| straight(pixel))),
+            true => row.extend(pixels.iter().flat_map(|&pixel| unpremultiply(pixel))),
             false => row.extend(pixels.iter().flat_map(|&pixel| rgb(pixel))),
         }
         stream.write_all(&row)?;
@@ -101,7 +101,7 @@ pub(super) fn rgb(pixel: u32) -> [u8; 3] {
 }
 
 /// Red, green, blue, alpha of a premultiplied pixel, no longer premultiplied.
-pub(super) fn straight(pixel: u32) -> [u8; 4] {
+pub(super) fn unpremultiply(pixel: u32) -> [u8; 4] {
     let [alpha, red, green, blue] = pixel.to_be_bytes();
     match alpha {
         0 => [0; 4],
@@ -150,9 +150,9 @@ mod tests {
             height: 48,
             pixels: (0..64 * 48).map(|i: u32| 0xFF00_0000 | i.wrapping_mul(2_654_435_761) >> 8).collect(),
         };
-        let decoded = [Compression::Small, Compression::Quick].map(|effort| {
+        let decoded = [Compression::Small, Compression::Quick].map(|compression| {
             let mut file = Vec::new();
-            encode(&mut file, &picture, false, &[], effort).expect("memory is writable");
+            encode(&mut file, &picture, false, &[], compression).expect("memory is writable");
             decode(&file).1
         });
         assert!(decoded[0] == decoded[1]);

@@ -1,7 +1,7 @@
-//! Temporary files beside what they become, which no end of the program leaves behind for good.
+//! Temporary files beside their targets, which are cleaned up however the program ends.
 //!
 //! In each folder where a program writes lies one file more, empty and locked as long as the program lives. The names of its temporary files begin
-//! with that file's. Whoever writes there next and can lock it knows that its owner has gone, and takes all of them away.
+//! with that file's. A later run that can lock the file knows that its owner has ended, and deletes all of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
@@ -14,49 +14,49 @@ use super::ExportError;
 /// What the names begin and end with. Between them stand letters and digits, and behind a point the number of a temporary file.
 const NAME: (&str, &str) = (".sinew-", ".tmp");
 
-/// What this program has not put in its place yet.
-static UNFINISHED: Mutex<Unfinished> = Mutex::new(Unfinished { lots: BTreeMap::new(), over: false });
+/// Temporary files of this program.
+static TEMP_REGISTRY: Mutex<TempRegistry> = Mutex::new(TempRegistry { folders: BTreeMap::new(), closed: false });
 
-struct Unfinished {
+struct TempRegistry {
     /// By folder.
-    lots: BTreeMap<PathBuf, Lot>,
-    over: bool,
+    folders: BTreeMap<PathBuf, FolderTemps>,
+    closed: bool,
 }
 
 /// The temporary files of a folder.
-struct Lot {
-    /// The empty file whose lock says that this program lives; held open for that.
-    mark: (PathBuf, File),
+struct FolderTemps {
+    /// The empty file whose lock shows that this program is running; kept open.
+    lock_file: (PathBuf, File),
     files: BTreeSet<PathBuf>,
     next: u64,
 }
 
-impl Unfinished {
+impl TempRegistry {
     fn lock() -> MutexGuard<'static, Self> {
-        UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+        TEMP_REGISTRY.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The file is no longer temporary or no longer there.
+    /// Removes a file that was renamed or deleted.
     fn forget(&mut self, folder: &Path, file: &Path) {
-        let Some(lot) = self.lots.get_mut(folder) else { return };
-        lot.files.remove(file);
-        if lot.files.is_empty()
-            && let Some(lot) = self.lots.remove(folder)
+        let Some(temps) = self.folders.get_mut(folder) else { return };
+        temps.files.remove(file);
+        if temps.files.is_empty()
+            && let Some(temps) = self.folders.remove(folder)
         {
-            lot.clear();
+            temps.clear();
         }
     }
 }
 
-impl Lot {
+impl FolderTemps {
     fn begin(folder: &Path) -> io::Result<Self> {
-        take_away_left(folder);
-        Ok(Self { mark: mark(folder)?, files: BTreeSet::new(), next: 0 })
+        remove_stale_files(folder);
+        Ok(Self { lock_file: create_lock_file(folder)?, files: BTreeSet::new(), next: 0 })
     }
 
     /// Another temporary file.
     fn add(&mut self, folder: &Path) -> io::Result<(File, PathBuf)> {
-        let stem = self.mark.0.file_name().and_then(|name| name.to_str()).and_then(stem_of).unwrap_or_default();
+        let stem = self.lock_file.0.file_name().and_then(|name| name.to_str()).and_then(stem_of).unwrap_or_default();
         loop {
             let path = folder.join(format!("{}{stem}.{}{}", NAME.0, self.next, NAME.1));
             self.next += 1;
@@ -71,46 +71,46 @@ impl Lot {
         }
     }
 
-    /// Takes everything away; nothing more can be done about what stays.
+    /// Deletes everything; files that cannot be deleted stay.
     fn clear(self) {
         self.files.iter().for_each(|file| drop(fs::remove_file(file)));
-        let _ = fs::remove_file(&self.mark.0);
+        let _ = fs::remove_file(&self.lock_file.0);
     }
 }
 
-/// Takes away every file that is not in its place yet, whoever writes it, and lets none begin any more: for a program that ends at once while other
+/// Deletes all temporary files, of all threads, and prevents new ones: for a program that ends at once while other
 /// threads still write.
-pub fn sweep() {
-    let mut unfinished = Unfinished::lock();
-    unfinished.over = true;
-    std::mem::take(&mut unfinished.lots).into_values().for_each(Lot::clear);
+pub fn cleanup_temp_files() {
+    let mut registry = TempRegistry::lock();
+    registry.closed = true;
+    std::mem::take(&mut registry.folders).into_values().for_each(FolderTemps::clear);
 }
 
 /// A temporary file; gone when it is dropped.
 #[derive(Debug)]
-pub(super) struct Temporary {
+pub(super) struct TempFile {
     folder: PathBuf,
     /// None once it is in its place.
     path: Option<PathBuf>,
 }
 
-impl Temporary {
+impl TempFile {
     /// An empty file in `folder`.
     pub(super) fn begin(folder: &Path) -> io::Result<(File, Self)> {
         // Held until the file is known: one that is made at the same moment as the sweep is swept or never made.
-        let mut unfinished = Unfinished::lock();
-        if unfinished.over {
+        let mut registry = TempRegistry::lock();
+        if registry.closed {
             return Err(io::Error::other(ExportError::Cancelled));
         }
-        if !unfinished.lots.contains_key(folder) {
-            let lot = Lot::begin(folder)?;
-            unfinished.lots.insert(folder.to_owned(), lot);
+        if !registry.folders.contains_key(folder) {
+            let temps = FolderTemps::begin(folder)?;
+            registry.folders.insert(folder.to_owned(), temps);
         }
-        let made = unfinished.lots.get_mut(folder).map(|lot| lot.add(folder));
+        let made = registry.folders.get_mut(folder).map(|temps| temps.add(folder));
         match made {
             Some(Ok((file, path))) => Ok((file, Self { folder: folder.to_owned(), path: Some(path) })),
             Some(Err(error)) => {
-                unfinished.forget(folder, Path::new(""));
+                registry.forget(folder, Path::new(""));
                 Err(error)
             }
             None => Err(io::ErrorKind::NotFound.into()),
@@ -126,23 +126,23 @@ impl Temporary {
     pub(super) fn persist(mut self, place: &Path) -> io::Result<()> {
         fs::rename(self.path(), place)?;
         if let Some(path) = self.path.take() {
-            Unfinished::lock().forget(&self.folder, &path);
+            TempRegistry::lock().forget(&self.folder, &path);
         }
         Ok(())
     }
 }
 
-impl Drop for Temporary {
+impl Drop for TempFile {
     fn drop(&mut self) {
         if let Some(path) = &self.path {
             let _ = fs::remove_file(path);
-            Unfinished::lock().forget(&self.folder, path);
+            TempRegistry::lock().forget(&self.folder, path);
         }
     }
 }
 
 /// A new empty file with a name of its own, locked by this program.
-fn mark(folder: &Path) -> io::Result<(PathBuf, File)> {
+fn create_lock_file(folder: &Path) -> io::Result<(PathBuf, File)> {
     loop {
         let made = tempfile::Builder::new().prefix(NAME.0).suffix(NAME.1).rand_bytes(8).tempfile_in(folder);
         let (file, path) = made.map(tempfile::NamedTempFile::into_parts).map_err(|error| {
@@ -159,9 +159,9 @@ fn mark(folder: &Path) -> io::Result<(PathBuf, File)> {
     }
 }
 
-/// Takes away what programs that no longer live have left in a folder. Files whose owner may live stay, and so does everything that is no file of
+/// Deletes what programs that have ended left in a folder. Files whose owner may live stay, and so does everything that is no file of
 /// this kind.
-fn take_away_left(folder: &Path) {
+fn remove_stale_files(folder: &Path) {
     // A folder of very many files is not searched to its end.
     let Ok(entries) = fs::read_dir(folder).map(|entries| entries.take(100_000)) else { return };
     let mut left: BTreeMap<String, Vec<PathBuf>> = BTreeMap::new();
@@ -192,9 +192,9 @@ fn take_away_left(folder: &Path) {
 fn stem_of(name: &str) -> Option<&str> {
     let stem = name.strip_prefix(NAME.0)?.strip_suffix(NAME.1)?;
     let (stem, number) = stem.split_once('.').map_or((stem, None), |(stem, number)| (stem, Some(number)));
-    let sound = !stem.is_empty() && stem.chars().all(|c| c.is_ascii_alphanumeric());
+    let is_valid = !stem.is_empty() && stem.chars().all(|c| c.is_ascii_alphanumeric());
     let numbered = number.is_none_or(|number| !number.is_empty() && number.chars().all(|c| c.is_ascii_digit()));
-    (sound && numbered).then_some(stem)
+    (is_valid && numbered).then_some(stem)
 }
 
 #[cfg(test)]
@@ -230,12 +230,12 @@ mod tests {
         fs::create_dir(at(".sinew-folder.tmp")).expect("made");
         let alive = File::open(at(".sinew-alive.tmp")).expect("there");
         alive.lock().expect("locked");
-        let (_, temporary) = Temporary::begin(folder.path()).expect("writable");
+        let (_, temporary) = TempFile::begin(folder.path()).expect("writable");
         let stay = [".other.tmp", ".sinew-alive.0.tmp", ".sinew-alive.tmp", ".sinew-folder.tmp", ".sinew-my notes.tmp", "sinew.tmp"];
         let own = names(folder.path()).into_iter().filter(|name| !stay.contains(&name.as_str())).count();
         assert_eq!((own, names(folder.path()).len()), (2, stay.len() + 2), "{:?}", names(folder.path()));
         // A second one in the same program neither takes the first away nor makes another mark.
-        let (_, second) = Temporary::begin(folder.path()).expect("writable");
+        let (_, second) = TempFile::begin(folder.path()).expect("writable");
         assert_eq!(names(folder.path()).len(), stay.len() + 3);
         assert!(temporary.path().is_file() && second.path().is_file());
         second.persist(&at("result")).expect("renamed");
@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn what_cannot_be_put_in_place_goes() {
         let folder = tempfile::tempdir().expect("a folder");
-        let (_, temporary) = Temporary::begin(folder.path()).expect("writable");
+        let (_, temporary) = TempFile::begin(folder.path()).expect("writable");
         fs::create_dir_all(folder.path().join("full/x")).expect("made");
         assert!(temporary.persist(&folder.path().join("full")).is_err());
         assert_eq!(names(folder.path()), ["full"]);

@@ -1,4 +1,4 @@
-//! Films as MP4 and WebM, by the `ffmpeg` that the user has: it is a program of its own that is handed the pictures, nothing is linked in.
+//! Videos as MP4 and WebM, encoded by the user's `ffmpeg`: a separate program that receives the frames through a pipe; nothing is linked.
 
 use std::io::{self, Read, Write};
 use std::path::Path;
@@ -6,20 +6,20 @@ use std::process::{Child, ChildStdin, Command, Stdio};
 use std::thread::JoinHandle;
 
 use super::ExportError;
-use super::atomic_file::Pending;
+use super::atomic_file::PendingFile;
 use super::guard::Output;
 use crate::system::{Doing, reason};
 
-/// The kinds of film.
+/// The video formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum VideoFormat {
     /// H.264, which plays everywhere; MPEG-4 where the user's `ffmpeg` has no H.264.
     Mp4,
     /// VP9 (VP8 where there is none), which can be transparent.
     Webm,
 }
 
-impl Kind {
+impl VideoFormat {
     /// The encoders that would do, the best first.
     fn encoders(self) -> &'static [&'static str] {
         match self {
@@ -37,14 +37,14 @@ impl Kind {
 }
 
 /// Whether `ffmpeg` can be started.
-pub fn is_there() -> bool {
+pub fn ffmpeg_available() -> bool {
     ffmpeg().arg("-version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok_and(|status| status.success())
 }
 
 /// What `ffmpeg` says of a full disk somewhere before its last words, in the C library's English.
 const FULL: [&str; 2] = ["No space left on device", "Disk quota exceeded"];
 
-/// What it says where the end of a film could not be written.
+/// Messages of `ffmpeg` where the end of a video could not be written.
 const SPOILED: [&str; 2] = ["Error writing trailer", "Error closing file"];
 
 /// Quiet, without questions, in plain C messages.
@@ -57,30 +57,37 @@ fn ffmpeg() -> Command {
     command
 }
 
-/// Takes the frames of a film.
-pub struct Sink {
+/// Sends the frames of a video to `ffmpeg`.
+pub struct VideoWriter {
     child: Child,
     pipe: Option<ChildStdin>,
-    words: Option<JoinHandle<String>>,
-    said: String,
-    pending: Option<Pending>,
+    stderr_thread: Option<JoinHandle<String>>,
+    stderr_text: String,
+    pending: Option<PendingFile>,
     target: std::path::PathBuf,
 }
 
-impl Sink {
-    /// Starts `ffmpeg` on a film of frames of `size`, `fps` a second. With `alpha` its pictures have an alpha channel, which only WebM keeps.
+impl VideoWriter {
+    /// Starts `ffmpeg` on a video of frames of `size`, `fps` a second. With `alpha` its pictures have an alpha channel, which only WebM keeps.
     ///
     /// # Errors
     /// [`ExportError`] where there is no `ffmpeg`, it has no encoder for this kind, or the folder cannot be written.
-    pub fn begin(target: &Output, kind: Kind, (width, height): (u32, u32), fps: f64, alpha: bool, note: &str) -> Result<Self, ExportError> {
+    pub fn begin(
+        target: &Output,
+        kind: VideoFormat,
+        (width, height): (u32, u32),
+        fps: f64,
+        alpha: bool,
+        note: &str,
+    ) -> Result<Self, ExportError> {
         let encoder = encoder(target.file(), kind)?;
-        let pending = Pending::begin(target)?;
+        let pending = PendingFile::begin(target)?;
         let mut command = ffmpeg();
         let pixels = if alpha { "rgba" } else { "rgb24" };
         command.args(["-f", "rawvideo", "-pixel_format", pixels, "-video_size", &format!("{width}x{height}")]);
         command.args(["-framerate", &format!("{fps}"), "-i", "pipe:0", "-an", "-c:v", encoder]);
         // Half the columns and rows carry the colour, so both must be even; a last line is doubled where they are not.
-        let transparent = alpha && kind == Kind::Webm;
+        let transparent = alpha && kind == VideoFormat::Webm;
         let format = if transparent { "yuva420p" } else { "yuv420p" };
         let filter = format!(
             "pad=ceil(iw/2)*2:ceil(ih/2)*2:0:0:{},scale=out_color_matrix=bt709:out_range=tv,format={format}",
@@ -104,7 +111,7 @@ impl Sink {
             "libvpx" => command.args(["-crf", "8", "-b:v", "8M", "-auto-alt-ref", "0"]),
             _ => command.args(["-q:v", "2", "-b:v", "12M"]),
         };
-        if kind == Kind::Mp4 {
+        if kind == VideoFormat::Mp4 {
             command.args(["-movflags", "+faststart"]);
         }
         command.args(["-metadata", &format!("comment={note}"), "-f", kind.container(), "-y"]).arg(pending.file());
@@ -121,7 +128,7 @@ impl Sink {
             listening.ok()
         });
         let pipe = child.stdin.take();
-        Ok(Self { child, pipe, words, said: String::new(), pending: Some(pending), target: target.file().to_owned() })
+        Ok(Self { child, pipe, stderr_thread: words, stderr_text: String::new(), pending: Some(pending), target: target.file().to_owned() })
     }
 
     /// Adds a frame, rows of bytes as [`super::apng::rows`] makes them.
@@ -130,41 +137,39 @@ impl Sink {
     /// [`ExportError::EncoderFailed`], inside the [`io::Error`], where `ffmpeg` no longer listens.
     pub fn frame(&mut self, rows: &[u8]) -> io::Result<()> {
         let Some(pipe) = &mut self.pipe else { return Err(io::ErrorKind::BrokenPipe.into()) };
-        pipe.write_all(rows).map_err(|_| io::Error::other(self.last_words()))
+        pipe.write_all(rows).map_err(|_| io::Error::other(self.encoder_error()))
     }
 
-    /// Lets `ffmpeg` finish and puts the film in its place.
+    /// Lets `ffmpeg` finish and commits the video.
     ///
     /// # Errors
     /// [`ExportError`] where `ffmpeg` failed.
     pub fn finish(mut self) -> Result<(), ExportError> {
         self.pipe = None;
         let ended = self.child.wait().is_ok_and(|status| status.success());
-        self.listen();
+        self.join_stderr();
         // Some versions tell of a full disk and end well all the same, with a part of the film or nothing.
-        let spoiled = FULL.iter().chain(&SPOILED).any(|words| self.said.contains(words));
+        let spoiled = FULL.iter().chain(&SPOILED).any(|words| self.stderr_text.contains(words));
         match self.pending.take() {
-            Some(pending) if ended && !spoiled && std::fs::metadata(pending.file()).is_ok_and(|found| found.len() > 0) => {
-                pending.put_in_place()
-            }
-            _ => Err(self.last_words()),
+            Some(pending) if ended && !spoiled && std::fs::metadata(pending.file()).is_ok_and(|found| found.len() > 0) => pending.commit(),
+            _ => Err(self.encoder_error()),
         }
     }
 
     /// Takes what `ffmpeg` said, once it has ended.
-    fn listen(&mut self) {
-        if let Some(words) = self.words.take() {
-            self.said = words.join().unwrap_or_default();
+    fn join_stderr(&mut self) {
+        if let Some(words) = self.stderr_thread.take() {
+            self.stderr_text = words.join().unwrap_or_default();
         }
     }
 
-    fn last_words(&mut self) -> ExportError {
+    fn encoder_error(&mut self) -> ExportError {
         self.pipe = None;
-        // It is on its way out; should it hang, nobody waits for it.
+        // The process was killed; it is not waited for, in case it hangs.
         let _ = self.child.kill();
         let status = self.child.wait();
-        self.listen();
-        let said = &self.said;
+        self.join_stderr();
+        let said = &self.stderr_text;
         if FULL.iter().any(|words| said.contains(words)) {
             return ExportError::Io { file: self.target.clone(), source: io::ErrorKind::StorageFull.into() };
         }
@@ -174,11 +179,11 @@ impl Sink {
     }
 }
 
-impl Drop for Sink {
+impl Drop for VideoWriter {
     fn drop(&mut self) {
         self.pipe = None;
         if self.pending.is_some() {
-            // Given up half-way. The temporary file goes once nobody writes it.
+            // Given up half-way. The temporary file goes once no process writes it.
             let _ = self.child.kill();
         }
         let _ = self.child.wait();
@@ -186,7 +191,7 @@ impl Drop for Sink {
 }
 
 /// The best encoder that the user's `ffmpeg` has.
-fn encoder(target: &Path, kind: Kind) -> Result<&'static str, ExportError> {
+fn encoder(target: &Path, kind: VideoFormat) -> Result<&'static str, ExportError> {
     let listed = ffmpeg().arg("-encoders").output().map_err(|_| ExportError::NoEncoder { file: target.to_owned() })?;
     let listed = String::from_utf8_lossy(&listed.stdout).into_owned();
     let has = |name: &str| listed.lines().any(|line| line.split_whitespace().nth(1) == Some(name));

@@ -1,4 +1,4 @@
-//! Numbers with units, as a person reads them.
+//! Localised numbers with units.
 
 use crate::i18n::decimal;
 
@@ -17,8 +17,8 @@ pub fn number(value: f64, digits: usize) -> String {
     if value < 0.0 && !zero { format!("{MINUS}{text}") } else { text }
 }
 
-/// The number that a person typed, with a decimal point or comma and any minus; `None` where it is none.
-pub fn typed(text: &str) -> Option<f64> {
+/// Parses a number with a decimal point or comma and any minus sign; `None` where the text is no number.
+pub fn parse_number(text: &str) -> Option<f64> {
     let plain: String = text
         .chars()
         .filter(|c| !c.is_whitespace())
@@ -56,8 +56,8 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// As [`significant`], without zeros at the end that say nothing: `0.01`, not `0.01000`.
-pub fn shortest(value: f64, digits: usize) -> String {
+/// As [`significant`], without trailing zeros: `0.01`, not `0.01000`.
+pub fn trim_trailing_zeros(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
     if text.contains('·') || !text.contains([',', '.']) {
         return text;
@@ -66,7 +66,7 @@ pub fn shortest(value: f64, digits: usize) -> String {
 }
 
 /// A count with a thin space between groups of three digits.
-pub fn count(value: u64) -> String {
+pub fn group_digits(value: u64) -> String {
     let digits = value.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (index, digit) in digits.chars().enumerate() {
@@ -98,8 +98,8 @@ mod tests {
 
     #[test]
     fn typed_numbers_are_read() {
-        assert_eq!((typed("1,5"), typed(" −2.25 "), typed("1e3")), (Some(1.5), Some(-2.25), Some(1000.0)));
-        assert_eq!((typed("x"), typed(""), typed("inf"), typed("1.2.3")), (None, None, None, None));
+        assert_eq!((parse_number("1,5"), parse_number(" −2.25 "), parse_number("1e3")), (Some(1.5), Some(-2.25), Some(1000.0)));
+        assert_eq!((parse_number("x"), parse_number(""), parse_number("inf"), parse_number("1.2.3")), (None, None, None, None));
     }
 
     #[test]
@@ -111,10 +111,16 @@ mod tests {
         assert_eq!(significant(1234.567, 6), "1234.57");
         assert_eq!(significant(-3.25e-13, 3), "−3.25·10⁻¹³");
         assert_eq!(significant(12_345_678.0, 3), "1.23·10⁷");
-        assert_eq!((shortest(0.01, 4), shortest(0.0254, 4), shortest(1.0, 4)), ("0.01".into(), "0.0254".into(), "1".into()));
-        assert_eq!((shortest(100.0, 2), shortest(1e-9, 2), shortest(0.0, 4)), ("100".into(), "1.0·10⁻⁹".into(), "0".into()));
         assert_eq!(
-            (count(999), count(9999), count(15_600), count(1_234_567)),
+            (trim_trailing_zeros(0.01, 4), trim_trailing_zeros(0.0254, 4), trim_trailing_zeros(1.0, 4)),
+            ("0.01".into(), "0.0254".into(), "1".into())
+        );
+        assert_eq!(
+            (trim_trailing_zeros(100.0, 2), trim_trailing_zeros(1e-9, 2), trim_trailing_zeros(0.0, 4)),
+            ("100".into(), "1.0·10⁻⁹".into(), "0".into())
+        );
+        assert_eq!(
+            (group_digits(999), group_digits(9999), group_digits(15_600), group_digits(1_234_567)),
             ("999".into(), "9999".into(), "15\u{2009}600".into(), "1\u{2009}234\u{2009}567".into())
         );
     }

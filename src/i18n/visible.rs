@@ -1,4 +1,4 @@
-//! Text of a file as it may be shown: nothing in it moves the cursor, colours the terminal, rings or turns the reading order.
+//! Makes text of files safe to show: removes control characters, terminal escapes and changes of the reading order.
 
 use std::borrow::Cow;
 use std::fmt::Write;

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::thread;
 
 use super::{FilePattern, FrameSpec, Sequence, SequenceRenderer};
-use crate::export::atomic_file::{prepare, write_whole};
-use crate::export::color_quantizer::Sampler;
-use crate::export::guard::{Guard, Output};
+use crate::export::atomic_file::{prepare, write_atomic};
+use crate::export::color_quantizer::ColorSampler;
+use crate::export::guard::{Output, OverwriteGuard};
 use crate::export::pipeline::{self, ExportProgress};
 use crate::export::png::{Compression, SOFTWARE};
-use crate::export::video::{self, Kind};
+use crate::export::video::{self, VideoFormat};
 use crate::export::{ExportError, apng, gif, png};
 use crate::render::Framebuffer;
 
@@ -28,7 +28,7 @@ pub enum OutputTarget {
     /// An APNG.
     Apng(PathBuf),
     /// A video, encoded by the user's `ffmpeg`.
-    Video(PathBuf, Kind),
+    Video(PathBuf, VideoFormat),
 }
 
 impl OutputTarget {
@@ -39,8 +39,8 @@ impl OutputTarget {
             "png" => FilePattern::of(out).map_or_else(|| Self::Picture(out.to_owned()), Self::Pictures),
             "gif" => Self::Gif(out.to_owned()),
             "apng" => Self::Apng(out.to_owned()),
-            "mp4" => Self::Video(out.to_owned(), Kind::Mp4),
-            "webm" => Self::Video(out.to_owned(), Kind::Webm),
+            "mp4" => Self::Video(out.to_owned(), VideoFormat::Mp4),
+            "webm" => Self::Video(out.to_owned(), VideoFormat::Webm),
             _ => return None,
         })
     }
@@ -63,7 +63,7 @@ impl OutputTarget {
 pub fn save(
     renderer: &mut SequenceRenderer<'_>,
     size: (u32, u32),
-    (target, guard): (&OutputTarget, &Guard),
+    (target, guard): (&OutputTarget, &OverwriteGuard),
     note: &(dyn Fn(&FrameSpec) -> String + Sync),
     progress: &ExportProgress,
 ) -> Result<(), ExportError> {
@@ -75,7 +75,7 @@ pub fn save(
 fn write(
     renderer: &mut SequenceRenderer<'_>,
     size: (u32, u32),
-    (target, guard): (&OutputTarget, &Guard),
+    (target, guard): (&OutputTarget, &OverwriteGuard),
     note: &(dyn Fn(&FrameSpec) -> String + Sync),
     progress: &ExportProgress,
 ) -> Result<(), ExportError> {
@@ -85,7 +85,7 @@ fn write(
             let spec = renderer.draw(0, &mut picture);
             let (alpha, comment) = (renderer.is_transparent(), note(&spec));
             let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
-            write_whole(&guard.output(file)?, |out| png::encode(progress.cancellable(out), &picture, alpha, &notes, Compression::Small))?;
+            write_atomic(&guard.output(file)?, |out| png::encode(progress.cancellable(out), &picture, alpha, &notes, Compression::Small))?;
             progress.done.store(1, std::sync::atomic::Ordering::Relaxed);
             Ok(())
         }
@@ -94,8 +94,8 @@ fn write(
         OutputTarget::Apng(file) => {
             let (alpha, fps, count) = (renderer.is_transparent(), renderer.sequence.fps, renderer.sequence.count);
             let comment = note(&renderer.sequence.frame_spec(renderer.document(), 0));
-            write_whole(&guard.output(file)?, |out| {
-                let mut sink = apng::Sink::begin(out, size, count, fps, alpha, &[("Software", SOFTWARE), ("Comment", &comment)])?;
+            write_atomic(&guard.output(file)?, |out| {
+                let mut sink = apng::ApngWriter::begin(out, size, count, fps, alpha, &[("Software", SOFTWARE), ("Comment", &comment)])?;
                 run_pipeline(renderer, size, progress, || (), |(), _, picture| Ok(apng::rows(picture, alpha)), |rows| sink.frame(rows))?;
                 sink.finish()
             })
@@ -103,7 +103,7 @@ fn write(
         OutputTarget::Video(file, kind) => {
             let (alpha, fps) = (renderer.is_transparent(), renderer.sequence.fps);
             let comment = note(&renderer.sequence.frame_spec(renderer.document(), 0));
-            let mut sink = video::Sink::begin(&guard.output(file)?, *kind, size, fps, alpha, &comment)?;
+            let mut sink = video::VideoWriter::begin(&guard.output(file)?, *kind, size, fps, alpha, &comment)?;
             run_pipeline(renderer, size, progress, || (), |(), _, picture| Ok(apng::rows(picture, alpha)), |rows| sink.frame(&rows))
                 .map_err(|error| ExportError::io(file, error))?;
             sink.finish()
@@ -114,7 +114,7 @@ fn write(
 fn save_pictures(
     renderer: &mut SequenceRenderer<'_>,
     size: (u32, u32),
-    (pattern, guard): (&FilePattern, &Guard),
+    (pattern, guard): (&FilePattern, &OverwriteGuard),
     note: &(dyn Fn(&FrameSpec) -> String + Sync),
     progress: &ExportProgress,
 ) -> Result<(), ExportError> {
@@ -141,13 +141,13 @@ fn save_pictures(
         },
     )
     .map_err(|error| ExportError::io(&pattern.file(0), error))?;
-    pending.into_iter().try_for_each(|file| file.put_in_place())
+    pending.into_iter().try_for_each(|file| file.commit())
 }
 
 fn save_gif(renderer: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output, progress: &ExportProgress) -> Result<(), ExportError> {
     let count = renderer.sequence.count;
     let tries = count.min(PALETTE_SAMPLES);
-    let mut sampler = Sampler::new(tries);
+    let mut sampler = ColorSampler::new(tries);
     let mut picture = Framebuffer::new(size.0, size.1).map_err(|error| ExportError::io(file.file(), error))?;
     for i in 0..tries {
         if progress.is_cancelled() {
@@ -158,8 +158,8 @@ fn save_gif(renderer: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output
     }
     drop(picture);
     renderer.take_times();
-    let (palette, alpha) = (sampler.palette(), renderer.is_transparent());
-    let settings = gif::Settings { size, fps: renderer.sequence.fps, alpha, palette: palette.clone() };
+    let (palette, alpha) = (sampler.color_table(), renderer.is_transparent());
+    let settings = gif::GifSettings { size, fps: renderer.sequence.fps, alpha, palette: palette.clone() };
     gif::save(file, settings, |sink| {
         let convert = |palette: &mut _, _, picture: &Framebuffer| Ok(gif::indices(palette, picture, alpha));
         run_pipeline(renderer, size, progress, || palette.clone(), convert, |indices| sink.frame(indices))

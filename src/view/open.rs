@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::SessionState;
 use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
-use crate::export::guard::Guard;
+use crate::export::guard::OverwriteGuard;
 use crate::input;
 
 /// What was opened.
@@ -21,16 +21,16 @@ pub struct Opened {
 
 impl Opened {
     /// Protects from overwriting: every file that was opened, and those that a session names, opened or not. `folder` is that of the session file.
-    pub fn guard(&self, folder: &Path) -> Guard {
+    pub fn guard(&self, folder: &Path) -> OverwriteGuard {
         let named = self.session.iter().flat_map(|session| session.all_files(folder));
         guard_of(&self.document, self.compared.as_ref().map(|(file, other)| (file.as_path(), other))).and(named)
     }
 }
 
 /// Protects every file that a document and its comparison were read from: also clips that muscles name, and images.
-pub fn guard_of(document: &Document, compared: Option<(&Path, &Document)>) -> Guard {
+pub fn guard_of(document: &Document, compared: Option<(&Path, &Document)>) -> OverwriteGuard {
     let with = compared.into_iter().flat_map(|(file, other)| std::iter::once(file.to_owned()).chain(other.files()));
-    Guard::of_document(document).and(with)
+    OverwriteGuard::of_document(document).and(with)
 }
 
 /// Opens files, or the files that a session file names.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::export::atomic_file::write_whole;
+use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::muscle::MuscleFile;
 use crate::system::{Doing, reason};
@@ -64,7 +64,7 @@ impl RecoveryFile {
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(|error| reason(&error, Doing::Writing))?;
         }
-        write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
+        write_atomic(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
     }
 }
 

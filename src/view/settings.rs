@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::BackgroundPreset;
-use crate::export::atomic_file::write_whole;
+use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::render::Display;
 use crate::yaml::{self, YamlError};
@@ -166,7 +166,7 @@ impl Settings {
         let folder = path.parent().unwrap_or(Path::new("."));
         std::fs::create_dir_all(folder)?;
         let text = self.to_yaml()?;
-        write_whole(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(std::io::Error::other)
+        write_atomic(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(std::io::Error::other)
     }
 
     fn clamped(mut self) -> Self {

@@ -11,11 +11,11 @@ use crate::support::{arg, call, config, folder, models, run, sinew, sinew_ru};
 use proptest::prelude::*;
 use sinew::collada::Progress;
 use sinew::document::{Document, OpenOptions, PoseBuffers};
-use sinew::export::atomic_file::write_whole;
-use sinew::export::gltf::{self, Form};
-use sinew::export::guard::{Guard, is_same};
+use sinew::export::atomic_file::write_atomic;
+use sinew::export::gltf::{self, GltfContainer};
+use sinew::export::guard::{OverwriteGuard, is_same};
 use sinew::export::surface::SurfaceFormat;
-use sinew::export::tables::{self, Of, Table};
+use sinew::export::tables::{self, Table, TableSubject};
 use sinew::export::{ExportError, png};
 use sinew::render::Framebuffer;
 use sinew::scene::Frame;
@@ -56,19 +56,19 @@ fn hidden(folder: &Path) -> Vec<String> {
 /// Ways to write a result.
 const KINDS: [&str; 7] = ["png", "obj", "stl", "glb", "csv", "svg", "yaml"];
 
-fn write(kind: &str, document: &Document, guard: &Guard, out: &Path) -> Result<(), ExportError> {
+fn write(kind: &str, document: &Document, guard: &OverwriteGuard, out: &Path) -> Result<(), ExportError> {
     let output = guard.output(out)?;
     let mut frame = Frame::default();
     document.pose(&document.start_state(), &mut PoseBuffers::default(), &mut frame);
-    let table = || Table::measure(Of::Joints, document, &document.start_state(), 5.0).expect("joints move");
+    let table = || Table::measure(TableSubject::Joints, document, &document.start_state(), 5.0).expect("joints move");
     match kind {
         "png" => png::save(&output, &Framebuffer { width: 2, height: 2, pixels: vec![0xFF00_FF00; 4] }, false, &[]),
         "obj" => SurfaceFormat::Obj.save(&output, &document.scene, &frame),
         "stl" => SurfaceFormat::Stl.save(&output, &document.scene, &frame),
-        "glb" => gltf::save(&output, Form::Binary, document).map(drop),
-        "csv" => table().save(&output, tables::Form::Csv, 1.0),
-        "svg" => table().save(&output, tables::Form::Svg, 1.0),
-        _ => write_whole(&output, |file| std::io::Write::write_all(file, b"sinew_session: {}\n")),
+        "glb" => gltf::save(&output, GltfContainer::Binary, document).map(drop),
+        "csv" => table().save(&output, tables::TableFormat::Csv, 1.0),
+        "svg" => table().save(&output, tables::TableFormat::Svg, 1.0),
+        _ => write_atomic(&output, |file| std::io::Write::write_all(file, b"sinew_session: {}\n")),
     }
 }
 
@@ -109,7 +109,7 @@ proptest! {
         let files = sources(folder);
         let paths: Vec<&PathBuf> = opened.iter().filter_map(|index| files.get(*index)).collect();
         let document = Document::open(&paths, &Progress::default()).expect("opened");
-        let guard = Guard::of_document(&document);
+        let guard = OverwriteGuard::of_document(&document);
         // The texture and the clip that muscles name are open too.
         let held: Vec<&PathBuf> = files.iter().enumerate().filter(|(index, _)| match index {
             0 | 1 => opened.contains(&0) || opened.contains(&2),

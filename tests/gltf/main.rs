@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState};
-use sinew::export::gltf::{Form, save};
+use sinew::export::gltf::{GltfContainer, save};
 use sinew::export::guard::Output;
 use sinew::scene::Frame;
 
@@ -89,7 +89,7 @@ fn apart(from: &[DVec3], to: &[DVec3], cell: f64) -> f64 {
 fn agrees(file: &Path, folder: &Path) {
     let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     let out = folder.join("out.glb");
-    save(&Output::of_program(&out), Form::Binary, &document).expect("written");
+    save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
     let glb = Glb::read(&std::fs::read(&out).expect("there"));
     for Moment { animation, written, state } in moments(&document) {
         // A clip that moves nothing is no animation.
@@ -314,7 +314,7 @@ fn what_is_lost_is_told_once() {
     assert_eq!((ended.code, ended.err.lines().count()), (0, 2), "{}", ended.err);
     assert!(ended.err.contains("Sky") && ended.err.contains("Room"), "{}", ended.err);
     let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(sinew::export::gltf::losses(&document).len(), 2);
+    assert_eq!(sinew::export::gltf::unsupported_features(&document).len(), 2);
 }
 
 #[test]
@@ -348,7 +348,7 @@ fn the_validator_and_three_js_agree_where_node_is_installed() {
     for (number, file) in files.iter().enumerate() {
         let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
         let out = folder.path().join(format!("{number}.glb"));
-        save(&Output::of_program(&out), Form::Binary, &document).expect("written");
+        save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
         let mut poses = Vec::new();
         for (count, moment) in moments(&document).iter().enumerate() {
             let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use sinew::collada::Progress;
 use sinew::document::Document;
-use sinew::export::gltf::{Form, save};
+use sinew::export::gltf::{GltfContainer, save};
 use sinew::export::guard::Output;
 
 use crate::reader::Glb;
@@ -36,7 +36,7 @@ fn faces_on_each_other_are_seen_from_their_own_sides_only() {
     let file = support::models::write(folder.path(), "sheet.dae", SHEET);
     let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     let out = folder.path().join("sheet.glb");
-    save(&Output::of_program(&out), Form::Binary, &document).expect("written");
+    save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
     let glb = Glb::read(&std::fs::read(&out).expect("there"));
     let number = |value: &Value| value.as_u64().expect("a number") as usize;
     let mut found: Vec<(String, bool, usize)> = Vec::new();
@@ -57,7 +57,7 @@ fn other_surfaces_are_seen_from_both_sides() {
     let file = support::models::write(folder.path(), "cube.dae", &support::models::cube(""));
     let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     let out = folder.path().join("cube.glb");
-    save(&Output::of_program(&out), Form::Binary, &document).expect("written");
+    save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
     let glb = Glb::read(&std::fs::read(&out).expect("there"));
     let materials = glb.root()["materials"].as_array().cloned().unwrap_or_default();
     assert!(materials.iter().all(|material| material["doubleSided"] == true), "{materials:?}");

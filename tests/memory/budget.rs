@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use sinew::collada::Progress;
 use sinew::document::{Document, Images, OpenOptions};
-use sinew::export::gltf::{self, Form};
+use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::guard::Output;
 use sinew::limits;
 use sinew::scene::Content;
@@ -40,9 +40,9 @@ fn hung(document: &Document) -> usize {
     meshes.filter(|content| matches!(content, Content::Mesh(_))).count()
 }
 
-fn converted(folder: &Path, document: &Document) -> (Result<Vec<gltf::Loss>, sinew::export::ExportError>, PathBuf) {
+fn converted(folder: &Path, document: &Document) -> (Result<Vec<gltf::UnsupportedFeature>, sinew::export::ExportError>, PathBuf) {
     let file = folder.join("a.glb");
-    (gltf::save(&Output::of_program(&file), Form::Binary, document), file)
+    (gltf::save(&Output::of_program(&file), GltfContainer::Binary, document), file)
 }
 
 /// Nodes of a library that hold instances of later ones: `edges[i]` are the steps forward from node i.

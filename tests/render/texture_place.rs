@@ -8,7 +8,7 @@ use glam::{Mat4, Vec2};
 use proptest::prelude::*;
 use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers};
-use sinew::export::gltf::{self, Form};
+use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::guard::Output;
 use sinew::export::surface::SurfaceFormat;
 use sinew::render::Renderer;
@@ -106,7 +106,7 @@ fn gltf_gets_the_place_as_an_extension_and_white_for_colours_without_a_material(
     let folder = tempfile::tempdir().expect("a folder");
     let document = Document::open(&[file(folder.path())], &Progress::default()).expect("readable");
     let out = folder.path().join("out.gltf");
-    gltf::save(&Output::of_program(&out), Form::Text, &document).expect("written");
+    gltf::save(&Output::of_program(&out), GltfContainer::Text, &document).expect("written");
     let root: serde_json::Value = serde_json::from_slice(&std::fs::read(&out).expect("there")).expect("JSON");
     assert!(root["extensionsUsed"].as_array().is_some_and(|used| used.contains(&"KHR_texture_transform".into())), "{root}");
     let place = &root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]["KHR_texture_transform"];

@@ -56,7 +56,7 @@ use probe::SurfacePoint;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
-use crate::export::guard::Guard;
+use crate::export::guard::OverwriteGuard;
 use crate::muscle::MuscleFile;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, ViewDirection};
@@ -274,7 +274,7 @@ impl Session {
     }
 
     /// Holds every file that is open, with what belongs to it: clips that muscles name, images, the file that is compared with and what belongs to that.
-    pub fn guard(&self) -> Guard {
+    pub fn guard(&self) -> OverwriteGuard {
         let compared = match self.compared_with() {
             Some(CompareTarget::File(document, name)) => Some((Path::new(name), &**document)),
             _ => None,

@@ -7,7 +7,7 @@ use super::buffer::{Buffer, ENTRY, Usage};
 use super::keyframe_reduction::{Moment, Tolerance, moments, numbers, track};
 use super::spline::Spline;
 use super::trs::Placing;
-use super::unsupported_features::Loss;
+use super::unsupported_features::UnsupportedFeature;
 use crate::animation::{Channel, ChannelTarget, Clip, Curve, Interpolation, Pose};
 use crate::document::{Document, PoseState};
 use crate::scene::{MorphId, NodeId, TransformOp, compose};
@@ -25,11 +25,11 @@ pub(super) struct AnimationRange {
     pub span: (f64, f64),
     /// What is added to times where they are written: the format knows none below zero.
     pub shift: f64,
-    kind: Kind,
+    kind: AnimationSource,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
+enum AnimationSource {
     /// A clip of the document.
     Clip(usize),
     /// The elbow from one angle to another, degrees.
@@ -44,8 +44,8 @@ impl AnimationRange {
         if document.clips.is_empty() {
             let Some(rig) = document.driven_rig() else { return Vec::new() };
             let (name, kind) = match rig.flexion_range() {
-                Some(range) => (crate::tr!("gltf-bend"), Kind::Bend([*range.start(), *range.end()])),
-                None => (crate::tr!("gltf-contract"), Kind::Contract),
+                Some(range) => (crate::tr!("gltf-bend"), AnimationSource::Bend([*range.start(), *range.end()])),
+                None => (crate::tr!("gltf-contract"), AnimationSource::Contract),
             };
             return vec![Self { name, span: (0.0, BEND_SECONDS), shift: 0.0, kind }];
         }
@@ -53,7 +53,7 @@ impl AnimationRange {
             name: clip.name.clone(),
             span: (clip.start, clip.end.max(clip.start)),
             shift: if clip.start < 0.0 { -clip.start } else { 0.0 },
-            kind: Kind::Clip(number),
+            kind: AnimationSource::Clip(number),
         };
         document.clips.iter().enumerate().map(take).collect()
     }
@@ -66,17 +66,19 @@ impl AnimationRange {
             document.driven_rig().map_or(start.drive, |rig| make(rig, value))
         };
         match self.kind {
-            Kind::Clip(clip) => PoseState { clip: Some(clip), time: at, ..start },
-            Kind::Bend([from, to]) => PoseState { drive: drive(crate::muscle::MuscleRig::at_flexion, from + (to - from) * part), ..start },
-            Kind::Contract => PoseState { drive: drive(crate::muscle::MuscleRig::at_contraction, 100.0 * part), ..start },
+            AnimationSource::Clip(clip) => PoseState { clip: Some(clip), time: at, ..start },
+            AnimationSource::Bend([from, to]) => {
+                PoseState { drive: drive(crate::muscle::MuscleRig::at_flexion, from + (to - from) * part), ..start }
+            }
+            AnimationSource::Contract => PoseState { drive: drive(crate::muscle::MuscleRig::at_contraction, 100.0 * part), ..start },
         }
     }
 
     /// Moments that any key of it stands at.
     pub(super) fn moments(&self, document: &Document) -> Vec<Moment> {
         let times = match self.kind {
-            Kind::Clip(clip) => document.clips.get(clip).map(|clip| within(clip.key_times(None), self.span)).unwrap_or_default(),
-            Kind::Bend(_) | Kind::Contract => self.even(),
+            AnimationSource::Clip(clip) => document.clips.get(clip).map(|clip| within(clip.key_times(None), self.span)).unwrap_or_default(),
+            AnimationSource::Bend(_) | AnimationSource::Contract => self.even(),
         };
         moments(&times, &[], self.shift)
     }
@@ -153,7 +155,7 @@ pub(super) struct Stage<'a> {
     pub document: &'a Document,
     /// The node in the file for each node of the scene, and how it rests; `None` where it rests as two nodes or a matrix.
     pub nodes: &'a [(usize, Placing)],
-    /// Largest way off, metres.
+    /// Largest deviation, metres.
     pub length: f64,
     /// World scale of each node's parent at rest, so that the tolerance means the same everywhere.
     pub scales: &'a [f64],
@@ -173,15 +175,15 @@ impl Stage<'_> {
         pose: &mut Pose,
         animation: &mut Animation,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        unsupported: &mut Vec<UnsupportedFeature>,
     ) {
         match take.kind {
-            Kind::Clip(number) => {
+            AnimationSource::Clip(number) => {
                 if let Some(clip) = self.document.clips.get(number) {
-                    self.write_clip(take, clip, pose, animation, buffer, losses);
+                    self.write_clip(take, clip, pose, animation, buffer, unsupported);
                 }
             }
-            Kind::Bend(_) | Kind::Contract => self.write_bend(take, animation, buffer),
+            AnimationSource::Bend(_) | AnimationSource::Contract => self.write_bend(take, animation, buffer),
         }
     }
 
@@ -206,7 +208,7 @@ impl Stage<'_> {
         pose: &mut Pose,
         animation: &mut Animation,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        unsupported: &mut Vec<UnsupportedFeature>,
     ) {
         let mut by_node: Vec<(NodeId, Vec<&Channel>)> = Vec::new();
         let mut at_node = rustc_hash::FxHashMap::default();
@@ -225,10 +227,10 @@ impl Stage<'_> {
             }
         }
         if colours {
-            losses.push(Loss::Colours { clip: clip.name.clone() });
+            unsupported.push(UnsupportedFeature::Colours { clip: clip.name.clone() });
         }
         if take.shift != 0.0 {
-            losses.push(Loss::Moved { clip: clip.name.clone(), milliseconds: (take.shift * 1000.0).round() as i64 });
+            unsupported.push(UnsupportedFeature::Moved { clip: clip.name.clone(), milliseconds: (take.shift * 1000.0).round() as i64 });
         }
         for (node, channels) in by_node {
             let keys: usize = channels.iter().map(|channel| channel.curve.times.len()).sum();
@@ -236,12 +238,12 @@ impl Stage<'_> {
             if buffer.is_full() {
                 return;
             }
-            self.put_back(pose, node);
-            self.write_node(take, node, &channels, pose, animation, buffer, losses);
+            self.reset_pose(pose, node);
+            self.write_node(take, node, &channels, pose, animation, buffer, unsupported);
         }
     }
 
-    fn put_back(&self, pose: &mut Pose, node: NodeId) {
+    fn reset_pose(&self, pose: &mut Pose, node: NodeId) {
         let Some(range) = pose.ranges.get(node.index()).cloned() else { return };
         if let Some(ops) = pose.ops.get_mut(range.start as usize..range.end as usize) {
             ops.iter_mut().zip(&self.document.scene.graph.node(node).transform.ops).for_each(|(op, rest)| *op = *rest);
@@ -257,7 +259,7 @@ impl Stage<'_> {
         pose: &mut Pose,
         animation: &mut Animation,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        unsupported: &mut Vec<UnsupportedFeature>,
     ) {
         let Some((written, rest)) = self.nodes.get(node.index()) else { return };
         if let Some(spline) = Spline::of_node(take, node, channels, pose) {
@@ -288,7 +290,7 @@ impl Stage<'_> {
             track(&when, self.tolerance(node), &mut at)
         };
         if sheared {
-            losses.push(Loss::Shear { node: self.document.scene.graph.node(node).name.clone() });
+            unsupported.push(UnsupportedFeature::Shear { node: self.document.scene.graph.node(node).name.clone() });
         }
         animation.write_track(*written, &keys, rest, stepped, buffer);
     }
@@ -329,7 +331,7 @@ pub(super) struct Weights<'a> {
 impl Weights<'_> {
     /// Writes the weights where the take moves any of them.
     pub(super) fn write(&self, document: &Document, take: &AnimationRange, animation: &mut Animation, buffer: &mut Buffer) {
-        let Kind::Clip(number) = take.kind else { return };
+        let AnimationSource::Clip(number) = take.kind else { return };
         let Some(clip) = document.clips.get(number) else { return };
         // All channels are looked through for each mesh that morphs.
         buffer.spend(size_of_val(clip.channels.as_slice()));

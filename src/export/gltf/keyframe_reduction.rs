@@ -1,15 +1,15 @@
-//! Keys of one moving thing: taken where the file has them, and as many more as its way needs.
+//! Keyframes of one track: those of the file, and as many more as the tolerance needs.
 
 use super::trs::Placing;
 
-/// Largest turn that a key's way may be off, radians; see also [`Tolerance`].
+/// Largest rotation error between keys, radians; see also [`Tolerance`].
 const TURN: f64 = 2e-5;
 /// How often a stretch between two keys may be halved.
 const HALVINGS: u32 = 10;
 /// Most keys of one track.
 const KEYS: usize = 200_000;
 
-/// How far the written way may be off.
+/// Largest deviation of the written track.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Tolerance {
     /// Length in the node's own unit.
@@ -56,7 +56,7 @@ pub(super) fn moments(times: &[f64], jumps: &[f64], shift: f64) -> Vec<Moment> {
     found
 }
 
-/// Takes keys at `moments` and wherever the way between them is off by more than the tolerance.
+/// Places keys at `moments` and wherever interpolation between them deviates by more than the tolerance.
 pub(super) fn track(moments: &[Moment], tolerance: Tolerance, take: &mut dyn FnMut(f64) -> Placing) -> Vec<(f32, Placing)> {
     let fits = |from: &Placing, to: &Placing, part: f64, found: &Placing| tolerance.holds(&from.between(to, part), found);
     let mut keys = walk(moments, &fits, take);
@@ -76,7 +76,7 @@ pub(super) fn numbers(moments: &[Moment], most: f64, take: &mut dyn FnMut(f64) -
     walk(moments, &fits, take)
 }
 
-/// Whether what was found at a part of the way from one value to another lies where a straight way would have it.
+/// Whether a value sampled between two keys equals their linear interpolation within the tolerance.
 type Fits<'a, V> = &'a dyn Fn(&V, &V, f64, &V) -> bool;
 
 fn walk<V: Clone>(moments: &[Moment], fits: Fits<'_, V>, take: &mut dyn FnMut(f64) -> V) -> Vec<(f32, V)> {

@@ -8,7 +8,7 @@ use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, Usage};
-use super::unsupported_features::Loss;
+use super::unsupported_features::UnsupportedFeature;
 use crate::limits;
 use crate::scene::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, Scene, ShadingModel, TextureRef, WrapMode};
 
@@ -67,7 +67,7 @@ impl Materials {
         binding: &MaterialBinding,
         both_sides: bool,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
         let material = scene.materials.get(binding.material.index())?;
         let key = (binding.material.0, binding.uv_sets.clone(), both_sides);
@@ -90,7 +90,7 @@ impl Materials {
         material: &Material,
         binding: &MaterialBinding,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) -> Value {
         let constant = material.model == ShadingModel::Constant;
         let paint = if constant { &material.emission } else { &material.diffuse };
@@ -142,7 +142,7 @@ impl Materials {
         binding: &MaterialBinding,
         value: &mut Value,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) {
         let light = linear(paint.color);
         if light == Vec3::ZERO {
@@ -171,7 +171,7 @@ impl Materials {
         picture: Picture,
         opacity: Option<AlphaSource>,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
         let picture = (picture.0.map(|id| self.first_of(scene, id)), picture.1.map(|(id, source)| (self.first_of(scene, id), source)));
         let image = match self.pictures.get(&picture) {
@@ -180,7 +180,7 @@ impl Materials {
                 let made = encoded(scene, picture, opacity);
                 if made.is_none() {
                     let name = scene.images.get(used.image.index()).map_or_else(String::new, |image| image.uri.clone());
-                    losses.push(Loss::Image { name });
+                    losses.push(UnsupportedFeature::Image { name });
                 }
                 let number = made.map(|(kind, bytes)| {
                     let view = buffer.view(Usage::Other, None, |all| all.extend_from_slice(&bytes));

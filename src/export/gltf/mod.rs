@@ -1,8 +1,8 @@
-//! glTF 2.0, the way out of COLLADA: node tree, meshes, skins, morphs, materials, images, cameras, lights and animations; muscles as morph targets.
+//! Export of the whole document as glTF 2.0: node tree, meshes, skins, morphs, materials, images, cameras, lights and animations; muscles as morph targets.
 //!
-//! What the format says the way the document does is written as it is: values of nodes, LINEAR and STEP keys, Bézier translations at thirds as cubic splines.
-//! Everything else is taken from the same sampler that draws, with keys wherever the way between two is off by more than [`ERROR`] of the scene's diagonal
-//! or 2·10⁻⁵ radians. What cannot be written is told as a [`Loss`].
+//! What both formats express alike is written unchanged: values of nodes, LINEAR and STEP keys, Bézier translations at thirds as cubic splines.
+//! Everything else is taken from the same sampler that draws, with keys wherever interpolation between two deviates by more than [`MAX_ERROR`] of the scene's diagonal
+//! or 2·10⁻⁵ radians. What cannot be written is reported as an [`UnsupportedFeature`].
 
 mod animations;
 mod buffer;
@@ -15,7 +15,7 @@ mod surfaces;
 mod trs;
 mod unsupported_features;
 
-pub use unsupported_features::Loss;
+pub use unsupported_features::UnsupportedFeature;
 
 use std::path::Path;
 
@@ -30,25 +30,25 @@ use self::muscles::Muscles;
 use self::surfaces::{Bone, Surfaces, bones};
 use self::trs::Placing;
 use super::ExportError;
-use super::atomic_file::{self, Pending};
+use super::atomic_file::{self, PendingFile};
 use super::guard::Output;
 use crate::animation::Pose;
 use crate::document::{Document, PoseBuffers};
 use crate::scene::{Content, Deformer, Frame, LightKind, Mesh, MeshInstance, MorphId, NodeId, Projection, SurfaceGeometry};
 
 /// Largest distance, in diagonals of the scene, that sampled movement is off.
-pub const ERROR: f64 = 2e-5;
+pub const MAX_ERROR: f64 = 2e-5;
 
 /// The two forms of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum GltfContainer {
     /// `.glb`: one binary file.
     Binary,
     /// `.gltf`: JSON, with the binary part inside as base64.
     Text,
 }
 
-impl Form {
+impl GltfContainer {
     /// The form that a file name's ending asks for.
     pub fn of(file: &Path) -> Option<Self> {
         let ending = file.extension()?.to_string_lossy().to_lowercase();
@@ -60,36 +60,37 @@ impl Form {
     }
 }
 
-/// Writes the document to `file`, whole or not at all, and tells what the format could not hold.
+/// Writes the document to `file` atomically and returns what the format cannot express.
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written, where converting would take more than [`crate::limits::CONVERTED_BYTES`], or where the file would be larger
 /// than the 4 GiB that the binary form can be.
-pub fn save(file: &Output, form: Form, document: &Document) -> Result<Vec<Loss>, ExportError> {
-    let (pending, losses) = prepare(file, form, document)?;
-    pending.put_in_place()?;
-    Ok(losses)
+pub fn save(file: &Output, form: GltfContainer, document: &Document) -> Result<Vec<UnsupportedFeature>, ExportError> {
+    let (pending, unsupported) = prepare(file, form, document)?;
+    pending.commit()?;
+    Ok(unsupported)
 }
 
-/// As [`save`], but leaves it to the caller to put the file in its place.
+/// As [`save`], but the caller commits the file.
 ///
 /// # Errors
 /// As [`save`].
-pub fn prepare(file: &Output, form: Form, document: &Document) -> Result<(Pending, Vec<Loss>), ExportError> {
-    let (mut root, bytes, losses) = Writer::new(document).write().ok_or_else(|| ExportError::TooMuch { file: file.file().to_owned() })?;
+pub fn prepare(file: &Output, form: GltfContainer, document: &Document) -> Result<(PendingFile, Vec<UnsupportedFeature>), ExportError> {
+    let (mut root, bytes, unsupported) =
+        Writer::new(document).write().ok_or_else(|| ExportError::TooMuch { file: file.file().to_owned() })?;
     let pending = atomic_file::prepare(file, |out| match form {
-        Form::Binary => container::binary(out, &root, &bytes),
-        Form::Text => container::text(out, &mut root, &bytes),
+        GltfContainer::Binary => container::binary(out, &root, &bytes),
+        GltfContainer::Text => container::text(out, &mut root, &bytes),
     })?;
-    Ok((pending, losses))
+    Ok((pending, unsupported))
 }
 
-/// What the format could not hold of the document, with nothing written; nothing either where the document cannot be converted.
-pub fn losses(document: &Document) -> Vec<Loss> {
-    Writer::new(document).write().map(|(_, _, losses)| losses).unwrap_or_default()
+/// What the format cannot express of the document, without writing a file; empty where the document cannot be converted.
+pub fn unsupported_features(document: &Document) -> Vec<UnsupportedFeature> {
+    Writer::new(document).write().map(|(_, _, unsupported)| unsupported).unwrap_or_default()
 }
 
-/// What a file is put together from.
+/// The parts of a glTF file under construction.
 struct Writer<'a> {
     document: &'a Document,
     buffer: Buffer,
@@ -109,7 +110,7 @@ struct Writer<'a> {
     still: FxHashMap<(NodeId, usize), (Vec<Vec3>, Vec<Vec3>)>,
     /// Written nodes with morphs.
     morphed: Vec<(usize, Vec<MorphId>)>,
-    losses: Vec<Loss>,
+    unsupported: Vec<UnsupportedFeature>,
 }
 
 impl<'a> Writer<'a> {
@@ -128,15 +129,15 @@ impl<'a> Writer<'a> {
             mirrored: FxHashSet::default(),
             still: FxHashMap::default(),
             morphed: Vec::new(),
-            losses: Vec::new(),
+            unsupported: Vec::new(),
         }
     }
 
     /// The JSON, the buffer and what got lost; `None` where the document would take more than converting may.
-    fn write(mut self) -> Option<(Value, Vec<u8>, Vec<Loss>)> {
+    fn write(mut self) -> Option<(Value, Vec<u8>, Vec<UnsupportedFeature>)> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose(&self.document.start_state(), &mut buffers, &mut frame);
-        let length = f64::from(frame.bounds.diagonal()) * ERROR;
+        let length = f64::from(frame.bounds.diagonal()) * MAX_ERROR;
         self.mirrored = frame.surfaces.iter().filter(|surface| surface.mirrored).map(|surface| surface.node).collect();
         for surface in &frame.surfaces {
             let content = self.document.scene.graph.node(surface.node).contents.get(surface.content as usize);
@@ -156,7 +157,7 @@ impl<'a> Writer<'a> {
         let stage = Stage { document: self.document, nodes: &nodes, length, scales: &scales };
         let mut pose = Pose::rest(&self.document.scene);
         for (take, animation) in takes.iter().zip(&mut animations) {
-            stage.write(take, &mut pose, animation, &mut self.buffer, &mut self.losses);
+            stage.write(take, &mut pose, animation, &mut self.buffer, &mut self.unsupported);
             for (node, morphs) in &self.morphed {
                 if self.buffer.is_full() {
                     return None;
@@ -172,11 +173,11 @@ impl<'a> Writer<'a> {
             &mut self.surfaces.meshes,
             &mut self.materials,
             &mut self.buffer,
-            &mut self.losses,
+            &mut self.unsupported,
         );
         for (node, bone) in muscles {
             match bone.and_then(|bone| self.places.get(bone.index())) {
-                Some(&(_, place)) => self.adopt(place, node),
+                Some(&(_, place)) => self.add_child(place, node),
                 None => self.roots.push(node),
             }
         }
@@ -185,9 +186,9 @@ impl<'a> Writer<'a> {
         }
         // One thing may be met in several clips or on several meshes; it is told once, where it was first met.
         let mut told = FxHashSet::default();
-        self.losses.retain(|loss| told.insert(loss.clone()));
+        self.unsupported.retain(|loss| told.insert(loss.clone()));
         let animations = takes.iter().zip(animations).filter_map(|(take, animation)| animation.value(take)).collect();
-        Some(self.put_together(animations))
+        Some(self.assemble(animations))
     }
 
     /// World scale above each node, the cube root of the volume that its parent's matrix makes of a unit cube.
@@ -210,7 +211,7 @@ impl<'a> Writer<'a> {
         }
         self.buffer.spend(graph.len() * ENTRY);
         for ((id, node), moves) in graph.iter().zip(moving) {
-            let matrix = tame(&node.transform.matrix());
+            let matrix = finite_or_zero(&node.transform.matrix());
             let (placing, sheared) = Placing::of(&matrix);
             let outer = self.nodes.len();
             let mut value = json!({"name": node.name});
@@ -232,14 +233,14 @@ impl<'a> Writer<'a> {
             };
             self.places.push((outer, inner));
             match node.parent().and_then(|parent| self.places.get(parent.index())) {
-                Some(&(_, above)) => self.adopt(above, outer),
+                Some(&(_, above)) => self.add_child(above, outer),
                 None => self.roots.push(outer),
             }
             debug_assert_eq!(self.places.len(), id.index() + 1);
         }
     }
 
-    fn adopt(&mut self, parent: usize, child: usize) {
+    fn add_child(&mut self, parent: usize, child: usize) {
         match self.nodes[parent]["children"].as_array_mut() {
             Some(children) => children.push(child.into()),
             None => self.nodes[parent]["children"] = json!([child]),
@@ -255,7 +256,7 @@ impl<'a> Writer<'a> {
         let name = self.nodes[place]["name"].clone();
         self.nodes.push(json!({"name": name}));
         let new = self.nodes.len() - 1;
-        self.adopt(place, new);
+        self.add_child(place, new);
         new
     }
 
@@ -270,7 +271,7 @@ impl<'a> Writer<'a> {
                 }
                 match content {
                     Content::Mesh(instance) => match self.still.remove(&(id, place)) {
-                        Some(posed) => self.write_still(id, instance, &posed),
+                        Some(posed) => self.write_rigid_mesh(id, instance, &posed),
                         None => self.write_mesh(id, instance),
                     },
                     Content::Light(light) => self.write_light(id, light.index()),
@@ -283,24 +284,24 @@ impl<'a> Writer<'a> {
     }
 
     /// A surface in the world, at the root.
-    fn write_still(&mut self, node: NodeId, instance: &MeshInstance, (positions, normals): &(Vec<Vec3>, Vec<Vec3>)) {
+    fn write_rigid_mesh(&mut self, node: NodeId, instance: &MeshInstance, (positions, normals): &(Vec<Vec3>, Vec<Vec3>)) {
         let scene = &self.document.scene;
         let Some(mesh) = scene.meshes.get(instance.mesh.index()) else { return };
         let posed = Mesh { positions: positions.clone(), normals: normals.clone(), ..Mesh::clone(mesh) };
         let mirrored = self.mirrored.contains(&node);
         let bindings = &instance.materials;
-        let made = self.surfaces.still(scene, &posed, bindings, mirrored, &mut self.materials, &mut self.buffer, &mut self.losses);
+        let made = self.surfaces.still(scene, &posed, bindings, mirrored, &mut self.materials, &mut self.buffer, &mut self.unsupported);
         if let Some(number) = made {
             self.nodes.push(json!({"name": scene.graph.node(node).name, "mesh": number}));
             self.roots.push(self.nodes.len() - 1);
-            self.losses.push(Loss::Mixed { mesh: mesh.name.clone() });
+            self.unsupported.push(UnsupportedFeature::Mixed { mesh: mesh.name.clone() });
         }
     }
 
     fn write_mesh(&mut self, node: NodeId, instance: &MeshInstance) {
         let scene = &self.document.scene;
         let mirrored = instance.is_skinned() && self.mirrored.contains(&node);
-        let made = self.surfaces.mesh(scene, instance, mirrored, &mut self.materials, &mut self.buffer, &mut self.losses);
+        let made = self.surfaces.mesh(scene, instance, mirrored, &mut self.materials, &mut self.buffer, &mut self.unsupported);
         let (Some(number), Some(mesh)) = (made, scene.meshes.get(instance.mesh.index())) else { return };
         let skin = instance.deformers.iter().find_map(|deformer| match deformer {
             Deformer::Skin { skin, joints } => Some((*skin, scene.skins.get(skin.index())?, joints)),
@@ -349,7 +350,7 @@ impl<'a> Writer<'a> {
                 let name = self.nodes[place]["name"].clone();
                 self.nodes.push(json!({"name": name}));
                 let new = self.nodes.len() - 1;
-                self.adopt(place, new);
+                self.add_child(place, new);
                 new
             })
             .collect()
@@ -359,7 +360,7 @@ impl<'a> Writer<'a> {
         let Some(light) = self.document.scene.lights.get(light) else { return };
         let kind = match light.kind {
             LightKind::Ambient => {
-                self.losses.push(Loss::AmbientLight { name: light.name.clone() });
+                self.unsupported.push(UnsupportedFeature::AmbientLight { name: light.name.clone() });
                 return;
             }
             LightKind::Directional => json!({"type": "directional"}),
@@ -408,7 +409,7 @@ impl<'a> Writer<'a> {
         self.nodes[holder]["camera"] = number.into();
     }
 
-    fn put_together(self, animations: Vec<Value>) -> (Value, Vec<u8>, Vec<Loss>) {
+    fn assemble(self, animations: Vec<Value>) -> (Value, Vec<u8>, Vec<UnsupportedFeature>) {
         let mut root = json!({
             "asset": {"version": "2.0", "generator": format!("Sinew {}", env!("CARGO_PKG_VERSION"))},
             "scene": 0,
@@ -452,11 +453,11 @@ impl<'a> Writer<'a> {
         if !extensions.is_empty() {
             root["extensionsUsed"] = extensions.into();
         }
-        (root, self.buffer.bytes, self.losses)
+        (root, self.buffer.bytes, self.unsupported)
     }
 }
 
 /// A matrix without infinities, which the format does not allow.
-fn tame(matrix: &DMat4) -> DMat4 {
+fn finite_or_zero(matrix: &DMat4) -> DMat4 {
     if matrix.as_mat4().is_finite() { *matrix } else { DMat4::IDENTITY }
 }

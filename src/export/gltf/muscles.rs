@@ -8,19 +8,19 @@ use super::buffer::{Buffer, Usage};
 use super::keyframe_reduction::Moment;
 use super::materials::Materials;
 use super::surfaces::{Indices, Sides, given_shape, primitives};
-use super::unsupported_features::Loss;
+use super::unsupported_features::UnsupportedFeature;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::limits;
 use crate::scene::{Frame, MuscleId, NodeId, Surface, SurfaceGeometry};
 
-/// Most shapes that one muscle is kept in over a take.
-const SHAPES: usize = 128;
-/// Largest distance, in diagonals of the scene, that a surface is off between two of its shapes.
-const ERROR: f32 = 6e-5;
+/// Most morph targets of one muscle in one animation.
+const MAX_SHAPES: usize = 128;
+/// Largest deviation of a surface between two of its shapes, in diagonals of the scene.
+const MAX_ERROR: f32 = 6e-5;
 
 /// The surface of one muscle at one moment, in the space of the bone that it originates from: there it moves least, however far the whole walks.
 #[derive(Debug, Clone, Default, PartialEq)]
-struct Shape {
+struct MuscleShape {
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
     /// Metres a unit of that space.
@@ -29,7 +29,7 @@ struct Shape {
 
 /// A muscle's surface in a frame, and the node that its shapes are given in; `None` for the world.
 #[derive(Debug, Clone, Copy)]
-struct Place {
+struct MuscleSurface {
     surface: usize,
     bone: Option<NodeId>,
 }
@@ -39,15 +39,15 @@ pub(super) struct Muscles<'a> {
     document: &'a Document,
     buffers: PoseBuffers,
     frame: Frame,
-    places: Vec<Place>,
+    surfaces: Vec<MuscleSurface>,
 }
 
-/// A stretch between two keys, with the shapes half-way and how far they are off the straight way.
-struct Stretch {
+/// An interval between two keys, with the shapes in its middle and their deviation from linear interpolation.
+struct KeyInterval {
     from: usize,
     to: usize,
-    off: f32,
-    middle: (Moment, Vec<Shape>),
+    error: f32,
+    middle: (Moment, Vec<MuscleShape>),
 }
 
 impl<'a> Muscles<'a> {
@@ -57,28 +57,28 @@ impl<'a> Muscles<'a> {
         let bone = |muscle: MuscleId| document.muscle(muscle).and_then(|(rig, index)| rig.origin_bone(index));
         // A bone that is flat at the start has no inside to stand in.
         let solid = |node: &NodeId| frame.world.get(node.index()).is_some_and(|world| world.determinant().abs() > f64::MIN_POSITIVE);
-        let place = |(surface, shown): (usize, &Surface)| Some(Place { surface, bone: bone(shown.muscle?).filter(solid) });
+        let place = |(surface, shown): (usize, &Surface)| Some(MuscleSurface { surface, bone: bone(shown.muscle?).filter(solid) });
         let places = frame.surfaces.iter().enumerate().filter_map(place).collect();
-        Self { document, buffers, frame, places }
+        Self { document, buffers, frame, surfaces: places }
     }
 
-    fn at(&mut self, state: &PoseState) -> Vec<Shape> {
+    fn at(&mut self, state: &PoseState) -> Vec<MuscleShape> {
         self.document.pose(state, &mut self.buffers, &mut self.frame);
-        let shape = |place: &Place| match self.frame.surfaces.get(place.surface).map(|surface| &surface.geometry) {
+        let shape = |place: &MuscleSurface| match self.frame.surfaces.get(place.surface).map(|surface| &surface.geometry) {
             Some(SurfaceGeometry::Deformed { positions, normals }) => {
                 let world = place.bone.and_then(|bone| self.frame.world.get(bone.index())).copied().unwrap_or(DMat4::IDENTITY);
                 let scale = world.determinant().abs().cbrt() as f32;
                 let (inside, upright) = (world.inverse(), DMat3::from_mat4(world).transpose());
                 if !inside.is_finite() {
-                    return Shape { positions: vec![Vec3::ZERO; positions.len()], normals: vec![Vec3::Y; normals.len()], scale };
+                    return MuscleShape { positions: vec![Vec3::ZERO; positions.len()], normals: vec![Vec3::Y; normals.len()], scale };
                 }
                 let positions = positions.iter().map(|point| inside.transform_point3(point.as_dvec3()).as_vec3()).collect();
                 let normals = normals.iter().map(|normal| (upright * normal.as_dvec3()).as_vec3().normalize_or(Vec3::Y)).collect();
-                Shape { positions, normals, scale }
+                MuscleShape { positions, normals, scale }
             }
-            _ => Shape::default(),
+            _ => MuscleShape::default(),
         };
-        self.places.iter().map(shape).collect()
+        self.surfaces.iter().map(shape).collect()
     }
 
     /// Writes all muscles and the movement of their shapes into the takes' `animations`. Returns the new nodes, each with the bone that it belongs under.
@@ -92,16 +92,16 @@ impl<'a> Muscles<'a> {
         meshes: &mut Vec<Value>,
         materials: &mut Materials,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) -> Vec<(usize, Option<NodeId>)> {
         let start = self.at(&self.document.start_state());
         // However many muscles and clips there are, all shapes together stay within a bound.
         let vertices: usize = start.iter().map(|shape| shape.positions.len()).sum();
-        let most = (limits::SHAPE_VERTICES / vertices.max(1) / takes.len().max(1)).min(SHAPES);
+        let most = (limits::SHAPE_VERTICES / vertices.max(1) / takes.len().max(1)).min(MAX_SHAPES);
         let mut rough = false;
-        let mut keyed: Vec<Vec<(f32, Vec<Shape>)>> = Vec::new();
+        let mut keyed: Vec<Vec<(f32, Vec<MuscleShape>)>> = Vec::new();
         for take in takes {
-            let keys = self.keys(take, diagonal * ERROR, most, &mut rough);
+            let keys = self.keys(take, diagonal * MAX_ERROR, most, &mut rough);
             let shapes = keys.iter().flat_map(|(_, shapes)| shapes);
             buffer.spend(shapes.map(|shape| size_of_val(&*shape.positions) + size_of_val(&*shape.normals)).sum());
             keyed.push(keys);
@@ -109,11 +109,11 @@ impl<'a> Muscles<'a> {
                 return Vec::new();
             }
         }
-        if rough && most < SHAPES {
-            losses.push(Loss::Shapes { kept: if most < 2 { 0 } else { most } });
+        if rough && most < MAX_SHAPES {
+            losses.push(UnsupportedFeature::Shapes { kept: if most < 2 { 0 } else { most } });
         }
         let mut written = Vec::new();
-        for (number, place) in self.places.clone().into_iter().enumerate() {
+        for (number, place) in self.surfaces.clone().into_iter().enumerate() {
             let Some(surface) = self.frame.surfaces.get(place.surface) else { continue };
             let Some(base) = start.get(number) else { continue };
             let mut targets = Vec::new();
@@ -157,7 +157,7 @@ impl<'a> Muscles<'a> {
     }
 
     /// At each key its own target counts whole, and in between the two neighbours mix.
-    fn weights(&self, node: usize, keyed: &[Vec<(f32, Vec<Shape>)>], animations: &mut [Animation], buffer: &mut Buffer) {
+    fn weights(&self, node: usize, keyed: &[Vec<(f32, Vec<MuscleShape>)>], animations: &mut [Animation], buffer: &mut Buffer) {
         let all: usize = keyed.iter().map(Vec::len).sum();
         let mut before = 0;
         for (keys, animation) in keyed.iter().zip(animations) {
@@ -176,8 +176,8 @@ impl<'a> Muscles<'a> {
 
     /// The shapes of all muscles at so many moments of a take that the straight way between them is nowhere off by more than `length`, the worst stretches
     /// halved first; no more than `most` moments, and none where that is less than the two ends. `rough` where that was too few.
-    fn keys(&mut self, take: &AnimationRange, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<Shape>)> {
-        if self.places.is_empty() {
+    fn keys(&mut self, take: &AnimationRange, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<MuscleShape>)> {
+        if self.surfaces.is_empty() {
             return Vec::new();
         }
         if most < 2 {
@@ -187,22 +187,22 @@ impl<'a> Muscles<'a> {
         let document = self.document;
         let when = take.moments(document);
         let ends = [when.first(), when.last()].into_iter().flatten().copied();
-        let mut keys: Vec<(Moment, Vec<Shape>)> = ends.map(|moment| (moment, self.at(&take.state(document, moment.at)))).collect();
+        let mut keys: Vec<(Moment, Vec<MuscleShape>)> = ends.map(|moment| (moment, self.at(&take.state(document, moment.at)))).collect();
         if keys.len() == 2 && keys[0].0 == keys[1].0 {
             keys.pop();
         }
-        let mut open: Vec<Stretch> = Vec::new();
+        let mut open: Vec<KeyInterval> = Vec::new();
         if keys.len() == 2 {
             open.push(self.stretch(take, &keys, 0, 1));
         }
         loop {
-            let worst = (0..open.len()).max_by(|a, b| open[*a].off.total_cmp(&open[*b].off));
-            let Some(worst) = worst.filter(|worst| open[*worst].off > length) else { break };
+            let worst = (0..open.len()).max_by(|a, b| open[*a].error.total_cmp(&open[*b].error));
+            let Some(worst) = worst.filter(|worst| open[*worst].error > length) else { break };
             if keys.len() >= most {
                 *rough = true;
                 break;
             }
-            let Stretch { from, to, middle, .. } = open.swap_remove(worst);
+            let KeyInterval { from, to, middle, .. } = open.swap_remove(worst);
             if middle.0.written <= keys[from].0.written || middle.0.written >= keys[to].0.written {
                 continue;
             }
@@ -215,19 +215,19 @@ impl<'a> Muscles<'a> {
         keys.into_iter().map(|(moment, shapes)| (moment.written, shapes)).collect()
     }
 
-    fn stretch(&mut self, take: &AnimationRange, keys: &[(Moment, Vec<Shape>)], from: usize, to: usize) -> Stretch {
+    fn stretch(&mut self, take: &AnimationRange, keys: &[(Moment, Vec<MuscleShape>)], from: usize, to: usize) -> KeyInterval {
         let ((start, first), (end, last)) = (&keys[from], &keys[to]);
         let at = |part: f64| start.at + (end.at - start.at) * part;
         let [quarter, middle, rest] = [0.25, 0.5, 0.75].map(|part| self.at(&take.state(self.document, at(part))));
         let off = off(first, last, 0.25, &quarter).max(off(first, last, 0.5, &middle)).max(off(first, last, 0.75, &rest));
         let moment = Moment { at: at(0.5), written: start.written + (end.written - start.written) * 0.5 };
-        Stretch { from, to, off, middle: (moment, middle) }
+        KeyInterval { from, to, error: off, middle: (moment, middle) }
     }
 }
 
-/// How far the shapes are from the straight way between two others, metres.
-fn off(from: &[Shape], to: &[Shape], part: f32, shapes: &[Shape]) -> f32 {
-    let muscle = |((from, to), shape): ((&Shape, &Shape), &Shape)| {
+/// Deviation of shapes from the linear interpolation of two others, metres.
+fn off(from: &[MuscleShape], to: &[MuscleShape], part: f32, shapes: &[MuscleShape]) -> f32 {
+    let muscle = |((from, to), shape): ((&MuscleShape, &MuscleShape), &MuscleShape)| {
         let vertices = from.positions.iter().zip(&to.positions).zip(&shape.positions);
         vertices.map(|((from, to), here)| (from.lerp(*to, part) - *here).length()).fold(0.0, f32::max) * shape.scale
     };

@@ -13,14 +13,14 @@ pub(super) struct Spline {
     pub rows: Vec<f32>,
 }
 
-/// A number over time: along a component of a curve, or still.
+/// A number over time: a component of a curve, or a constant.
 #[derive(Clone, Copy)]
-enum Lead<'a> {
+enum ComponentTrack<'a> {
     Curve(&'a Curve, usize),
     Still(f64),
 }
 
-impl Lead<'_> {
+impl ComponentTrack<'_> {
     fn value(&self, key: usize, times: &[f64]) -> f64 {
         match self {
             Self::Curve(curve, component) => curve.value(times[key], *component),
@@ -66,7 +66,9 @@ impl Spline {
         let at = moving? as usize;
         let op = *ops(pose, node).get(at)?;
         let leads = |rest: DVec3| {
-            [0, 1, 2].map(|component| lanes[component].map_or(Lead::Still(rest[component]), |(curve, lane)| Lead::Curve(curve, lane)))
+            [0, 1, 2].map(|component| {
+                lanes[component].map_or(ComponentTrack::Still(rest[component]), |(curve, lane)| ComponentTrack::Curve(curve, lane))
+            })
         };
         match op {
             TransformOp::Translate(rest) => {
@@ -110,9 +112,9 @@ impl Spline {
         let lead = |&(morph, target, weight): &(MorphId, u32, f64)| {
             // Of two channels on one weight the later counts, as it does when they are sampled.
             let found = channels.iter().rev().find(|channel| channel.target == ChannelTarget::MorphWeight { morph, target });
-            found.map_or(Lead::Still(weight), |channel| Lead::Curve(&channel.curve, 0))
+            found.map_or(ComponentTrack::Still(weight), |channel| ComponentTrack::Curve(&channel.curve, 0))
         };
-        let leads: Vec<Lead<'_>> = rest.iter().map(lead).collect();
+        let leads: Vec<ComponentTrack<'_>> = rest.iter().map(lead).collect();
         let width = leads.len();
         let mut rows = vec![0.0; times.len() * 3 * width];
         for (index, lead) in leads.iter().enumerate() {
@@ -132,7 +134,7 @@ impl Spline {
         path: &'static str,
         take: &AnimationRange,
         times: &[f64],
-        leads: &[Lead<'_>; 3],
+        leads: &[ComponentTrack<'_>; 3],
         value: impl Fn(DVec3) -> [f64; 3],
         tangent: impl Fn(DVec3) -> [f64; 3],
     ) -> Option<Self> {

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::buffer::{Buffer, ENTRY, Usage};
 use super::materials::Materials;
-use super::unsupported_features::Loss;
+use super::unsupported_features::UnsupportedFeature;
 use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, MorphId, NodeId, Scene, Skin, SkinId, backed_triangles};
 
 /// Vertex attributes by name.
@@ -26,7 +26,7 @@ pub(super) struct Surfaces {
     /// The accessor of the matrices that each mesh was last bound with.
     matrices: FxHashMap<(MeshId, SkinId), BindMatrices>,
     /// The number of each mesh that was written; `None` where nothing of it can be drawn.
-    written: FxHashMap<Look, Option<usize>>,
+    written: FxHashMap<MeshKey, Option<usize>>,
 }
 
 /// Inverse bind matrices of a skin, and the accessor that holds them.
@@ -37,7 +37,7 @@ pub(super) type Indices = FxHashMap<(usize, u32, bool, bool), usize>;
 
 /// What makes an instance look as it does. Instances that look alike are one mesh of the file on several nodes.
 #[derive(Debug, PartialEq, Eq, Hash)]
-struct Look {
+struct MeshKey {
     mesh: MeshId,
     /// Skins and morphs in their order.
     deformers: Vec<(Option<SkinId>, Option<MorphId>)>,
@@ -46,7 +46,7 @@ struct Look {
     mirrored: bool,
 }
 
-impl Look {
+impl MeshKey {
     fn of(instance: &MeshInstance, mirrored: bool) -> Self {
         let deformer = |deformer: &Deformer| match deformer {
             Deformer::Skin { skin, .. } => (Some(*skin), None),
@@ -97,14 +97,14 @@ impl Surfaces {
         mirrored: bool,
         materials: &mut Materials,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
-        let look = Look::of(instance, mirrored);
-        if let Some(known) = self.written.get(&look) {
+        let key = MeshKey::of(instance, mirrored);
+        if let Some(known) = self.written.get(&key) {
             return *known;
         }
         let number = self.new_mesh(scene, instance, mirrored, materials, buffer, losses);
-        self.written.insert(look, number);
+        self.written.insert(key, number);
         number
     }
 
@@ -115,7 +115,7 @@ impl Surfaces {
         mirrored: bool,
         materials: &mut Materials,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
         let mesh = scene.meshes.get(instance.mesh.index())?;
         let mut attributes = self.shapes.entry(instance.mesh).or_insert_with(|| shape(mesh, buffer)).clone();
@@ -163,7 +163,7 @@ impl Surfaces {
         mirrored: bool,
         materials: &mut Materials,
         buffer: &mut Buffer,
-        losses: &mut Vec<Loss>,
+        losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
         let attributes = shape(mesh, buffer);
         let primitives = primitives(
@@ -211,14 +211,14 @@ fn upright(matrix: &DMat4) -> [f32; 16] {
 }
 
 /// A vector without infinities, which the format does not allow.
-fn tame(vector: Vec3) -> [f32; 3] {
+fn finite_or_zero(vector: Vec3) -> [f32; 3] {
     if vector.is_finite() { (vector + 0.0).to_array() } else { [0.0; 3] }
 }
 
 /// Positions, normals, texture coordinates, colours.
 fn shape(mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
     let mut attributes = Attributes::new();
-    let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|position| tame(*position)).collect();
+    let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|position| finite_or_zero(*position)).collect();
     if positions.is_empty() {
         return attributes;
     }
@@ -291,8 +291,9 @@ fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
 
 fn morph_targets(morph: &Morph, mesh: &Mesh, buffer: &mut Buffer) -> Vec<Value> {
     let count = mesh.positions.len();
-    let rows =
-        |deltas: &[Vec3]| -> Vec<[f32; 3]> { deltas.iter().copied().chain(std::iter::repeat(Vec3::ZERO)).take(count).map(tame).collect() };
+    let rows = |deltas: &[Vec3]| -> Vec<[f32; 3]> {
+        deltas.iter().copied().chain(std::iter::repeat(Vec3::ZERO)).take(count).map(finite_or_zero).collect()
+    };
     let target = |target: &crate::scene::MorphTarget| {
         let mut value = json!({"POSITION": buffer.floats(Usage::Vertices, &rows(&target.position_deltas), true)});
         if target.normal_deltas.len() == count && mesh.normals.len() == count {
@@ -324,7 +325,7 @@ pub(super) fn primitives(
     known: &mut Indices,
     materials: &mut Materials,
     buffer: &mut Buffer,
-    losses: &mut Vec<Loss>,
+    losses: &mut Vec<UnsupportedFeature>,
 ) -> Vec<Value> {
     let count = mesh.positions.len();
     let good = |vertex: &u32| mesh.positions.get(*vertex as usize).is_some_and(|position| position.is_finite());

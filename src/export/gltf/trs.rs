@@ -15,7 +15,7 @@ pub(super) struct Placing {
 }
 
 impl Placing {
-    /// The parts of a matrix and whether shear was lost on the way. A mirror goes into the x scale.
+    /// The parts of a matrix and whether shear was lost. A mirror goes into the x scale.
     pub(super) fn of(matrix: &DMat4) -> (Self, bool) {
         let axes = DMat3::from_mat4(*matrix);
         let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(DVec3::length);
@@ -39,7 +39,7 @@ impl Placing {
         (Self { translation: matrix.w_axis.truncate(), rotation, scale }, sheared)
     }
 
-    /// A point of the way from `self` to `to`, as a glTF player goes it: straight, and along the shorter arc.
+    /// Interpolation from `self` to `to` as a glTF player does it: linear, rotations along the shorter arc.
     pub(super) fn between(&self, to: &Self, part: f64) -> Self {
         let end = if self.rotation.dot(to.rotation) < 0.0 { -to.rotation } else { to.rotation };
         Self {

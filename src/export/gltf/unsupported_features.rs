@@ -1,10 +1,10 @@
-//! What a file cannot hold of a document.
+//! Features of a document that glTF cannot express.
 
 use crate::tr;
 
 /// Something that was left out or only comes close.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
-pub enum Loss {
+pub enum UnsupportedFeature {
     /// A node shears while it moves, which no key of the format can say.
     Shear {
         /// The node's name.
@@ -44,7 +44,7 @@ pub enum Loss {
     },
 }
 
-impl std::fmt::Display for Loss {
+impl std::fmt::Display for UnsupportedFeature {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&match self {
             Self::Shear { node } => tr!("gltf-shear", node = node.as_str()),

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{NoTable, csv_cell, csv_number};
+use super::{TableError, csv_cell, csv_number};
 use crate::document::{Document, JointSample, PoseState};
 use crate::scene::NodeKind;
 
@@ -47,10 +47,10 @@ impl JointTable {
     /// Measures at these times of the clip that `state` names.
     ///
     /// # Errors
-    /// [`NoTable`] where there is no clip or no joint, or there would be too many rows.
-    pub fn over_time(document: &Document, file: String, state: &PoseState, times: &[f64]) -> Result<Self, NoTable> {
-        let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or(NoTable::NoClip)?.name.clone();
-        NoTable::hold(count(document), times.len(), NoTable::NoJoint)?;
+    /// [`TableError`] where there is no clip or no joint, or there would be too many rows.
+    pub fn over_time(document: &Document, file: String, state: &PoseState, times: &[f64]) -> Result<Self, TableError> {
+        let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or(TableError::NoClip)?.name.clone();
+        TableError::hold(count(document), times.len(), TableError::NoJoint)?;
         let joints = document.joint_angles(state, times).into_iter().map(|track| JointRows {
             name: document.scene.graph.node(track.node).name.clone(),
             samples: track.samples.iter().map(JointRow::of).collect(),

@@ -1,4 +1,4 @@
-//! Tables to take away, as CSV, JSON and plots: what muscles and joints do over angles and over time.
+//! Tables of muscles and joints over angles and over time, as CSV, JSON and plots.
 
 mod joints;
 mod muscles;
@@ -8,7 +8,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::guard::Output;
-use super::{ExportError, atomic_file::write_whole};
+use super::{ExportError, atomic_file::write_atomic};
 use crate::document::{Document, PoseState};
 use crate::muscle::MuscleRig;
 use crate::{i18n, limits, tr};
@@ -19,7 +19,7 @@ pub use plots::unit_for_people;
 
 /// What a table is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Of {
+pub enum TableSubject {
     /// Muscles: over the clip that moves their bones, else over the angles of their arm.
     Muscles,
     /// Joints, over the clip.
@@ -28,7 +28,7 @@ pub enum Of {
 
 /// How a table is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Form {
+pub enum TableFormat {
     /// Comma-separated text.
     Csv,
     /// JSON.
@@ -39,7 +39,7 @@ pub enum Form {
     Svg,
 }
 
-/// Pixels a logical pixel of a plot where nobody says.
+/// Default number of pixels per logical pixel of a plot.
 pub const PLOT_SCALE: f64 = 2.0;
 
 /// A table of a whole clip, or of a whole range of angles.
@@ -51,7 +51,7 @@ pub enum Table {
     Joints(JointTable),
 }
 
-impl Form {
+impl TableFormat {
     /// The kind of plot that a file name's ending asks for.
     pub fn of_plot(file: &Path) -> Option<Self> {
         match file.extension()?.to_string_lossy().to_lowercase().as_str() {
@@ -66,39 +66,39 @@ impl Table {
     /// Measures in the clip that `state` names, `fps` times a second; muscles that no clip moves degree by degree.
     ///
     /// # Errors
-    /// [`NoTable`].
-    pub fn measure(of: Of, document: &Document, state: &PoseState, fps: f64) -> Result<Self, NoTable> {
-        NoTable::check(of, document, state, fps)?;
+    /// [`TableError`].
+    pub fn measure(of: TableSubject, document: &Document, state: &PoseState, fps: f64) -> Result<Self, TableError> {
+        TableError::check(of, document, state, fps)?;
         let file = document.sources.iter().map(|source| source.name.as_str()).collect::<Vec<_>>().join(", ");
         let times = times(document, state, fps);
         match (of, times) {
-            (Of::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
-            (Of::Muscles, Some(times)) => MuscleTable::over_time(document, file, state, &times).map(Self::Muscles),
-            (Of::Muscles, None) => {
+            (TableSubject::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
+            (TableSubject::Muscles, Some(times)) => MuscleTable::over_time(document, file, state, &times).map(Self::Muscles),
+            (TableSubject::Muscles, None) => {
                 let angles =
                     document.driven_rig().and_then(MuscleRig::measured_range).map(|range| even_times(*range.start(), *range.end(), 1.0));
                 let table = angles.and_then(|angles| MuscleTable::over_angles(document, file.clone(), Some(&angles)));
-                table.or_else(|| MuscleTable::over_angles(document, file, None)).map(Self::Muscles).ok_or(NoTable::NoMuscle)
+                table.or_else(|| MuscleTable::over_angles(document, file, None)).map(Self::Muscles).ok_or(TableError::NoMuscle)
             }
         }
     }
 
-    /// Writes it to `file`, whole or not at all; a plot in pixels `scale` times its logical size.
+    /// Writes it to `file` atomically; a plot in pixels `scale` times its logical size.
     ///
     /// # Errors
     /// [`ExportError`] where the file cannot be written, or a plot in pixels cannot be drawn.
-    pub fn save(&self, file: &Output, form: Form, scale: f64) -> Result<(), ExportError> {
+    pub fn save(&self, file: &Output, form: TableFormat, scale: f64) -> Result<(), ExportError> {
         let drawn = match form {
-            Form::Png => self.page().png(scale).map_err(|why| ExportError::Plot { file: file.file().to_owned(), why })?,
-            Form::Svg => self.page().svg().into_bytes(),
-            Form::Csv | Form::Json => Vec::new(),
+            TableFormat::Png => self.page().png(scale).map_err(|why| ExportError::Plot { file: file.file().to_owned(), why })?,
+            TableFormat::Svg => self.page().svg().into_bytes(),
+            TableFormat::Csv | TableFormat::Json => Vec::new(),
         };
-        write_whole(file, |out| match (form, self) {
-            (Form::Png | Form::Svg, _) => out.write_all(&drawn),
-            (Form::Csv, Self::Muscles(table)) => out.write_all(table.csv().as_bytes()),
-            (Form::Csv, Self::Joints(table)) => out.write_all(table.csv().as_bytes()),
-            (Form::Json, Self::Muscles(table)) => json(out, table),
-            (Form::Json, Self::Joints(table)) => json(out, table),
+        write_atomic(file, |out| match (form, self) {
+            (TableFormat::Png | TableFormat::Svg, _) => out.write_all(&drawn),
+            (TableFormat::Csv, Self::Muscles(table)) => out.write_all(table.csv().as_bytes()),
+            (TableFormat::Csv, Self::Joints(table)) => out.write_all(table.csv().as_bytes()),
+            (TableFormat::Json, Self::Muscles(table)) => json(out, table),
+            (TableFormat::Json, Self::Joints(table)) => json(out, table),
         })
     }
 }
@@ -117,7 +117,7 @@ fn times(document: &Document, state: &PoseState, fps: f64) -> Option<Vec<f64>> {
 
 /// Why there is no such table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NoTable {
+pub enum TableError {
     /// No clip moves anything.
     NoClip,
     /// There is no muscle.
@@ -128,18 +128,18 @@ pub enum NoTable {
     TooLong,
 }
 
-impl NoTable {
+impl TableError {
     /// Whether [`Table::measure`] would refuse, known at once.
     ///
     /// # Errors
     /// Why it would.
-    pub fn check(of: Of, document: &Document, state: &PoseState, fps: f64) -> Result<(), Self> {
+    pub fn check(of: TableSubject, document: &Document, state: &PoseState, fps: f64) -> Result<(), Self> {
         let times = times(document, state, fps).map(|times| times.len());
         match (of, times) {
-            (Of::Joints, _) if joints::count(document) == 0 => Err(Self::NoJoint),
-            (Of::Joints, None) => Err(Self::NoClip),
-            (Of::Joints, Some(times)) => Self::hold(joints::count(document), times, Self::NoJoint),
-            (Of::Muscles, times) => Self::hold(document.muscle_count(), times.unwrap_or(1), Self::NoMuscle),
+            (TableSubject::Joints, _) if joints::count(document) == 0 => Err(Self::NoJoint),
+            (TableSubject::Joints, None) => Err(Self::NoClip),
+            (TableSubject::Joints, Some(times)) => Self::hold(joints::count(document), times, Self::NoJoint),
+            (TableSubject::Muscles, times) => Self::hold(document.muscle_count(), times.unwrap_or(1), Self::NoMuscle),
         }
     }
 
@@ -153,7 +153,7 @@ impl NoTable {
     }
 }
 
-impl std::fmt::Display for NoTable {
+impl std::fmt::Display for TableError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&match self {
             Self::NoClip => tr!("table-no-clip"),

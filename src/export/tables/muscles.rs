@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::{NoTable, csv_cell, csv_number};
+use super::{TableError, csv_cell, csv_number};
 use crate::document::{Document, MuscleSample, PoseBuffers, PoseState, SourceKind};
 use crate::muscle::{MuscleRig, Sample, Solved};
 use crate::scene::{Frame, MuscleId};
 
-/// Elbow angles where nobody says which.
+/// Default elbow angles.
 const ANGLES: [f64; 4] = [0.0, 30.0, 60.0, 90.0];
 
 /// Contractions, per cent, of a muscle that is on no arm.
@@ -81,12 +81,12 @@ impl MuscleTable {
     /// Measures at times of the clip that `state` names, which moves the muscles' bones.
     ///
     /// # Errors
-    /// [`NoTable`] where there is no clip or no muscle, or there would be too many rows.
-    pub fn over_time(document: &Document, file: String, state: &PoseState, times: &[f64]) -> Result<Self, NoTable> {
+    /// [`TableError`] where there is no clip or no muscle, or there would be too many rows.
+    pub fn over_time(document: &Document, file: String, state: &PoseState, times: &[f64]) -> Result<Self, TableError> {
         if state.clip.and_then(|clip| document.clips.get(clip)).is_none() {
-            return Err(NoTable::NoClip);
+            return Err(TableError::NoClip);
         }
-        NoTable::hold(document.muscle_count(), times.len(), NoTable::NoMuscle)?;
+        TableError::hold(document.muscle_count(), times.len(), TableError::NoMuscle)?;
         let names = document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.name(index).to_owned()));
         let rows = document.measure_times(state, times);
         let muscles =

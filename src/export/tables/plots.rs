@@ -109,12 +109,12 @@ pub fn unit_for_people(unit: &str) -> String {
 mod tests {
     use super::*;
     use crate::document::Document;
-    use crate::export::tables::{JointRows, Of};
+    use crate::export::tables::{JointRows, TableSubject};
 
     #[test]
     fn an_arm_is_plotted_over_its_angle() {
         let document = Document::built_in();
-        let table = Table::measure(Of::Muscles, &document, &document.start_state(), 25.0).expect("a muscle on an arm");
+        let table = Table::measure(TableSubject::Muscles, &document, &document.start_state(), 25.0).expect("a muscle on an arm");
         let page = table.page();
         let [(_, plots)] = &page.sections[..] else { panic!("one section") };
         assert_eq!(plots.len(), 4);

@@ -1,4 +1,4 @@
-//! How a command ends other than well, and how that is said.
+//! Output of the commands: results, notices, errors and exit codes.
 
 use std::io::{self, Write};
 use std::path::Path;
@@ -14,19 +14,19 @@ use crate::sequence::FilePattern;
 use crate::system::{Doing, reason};
 
 /// The exit code of a program that Ctrl+C stopped, as shells have it.
-pub(super) const STOPPED: u8 = 130;
+pub(super) const EXIT_CANCELLED: u8 = 130;
 
-/// Why a command stopped.
+/// Why a command failed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Failure {
     /// The call was wrong: exit code 2.
     Usage(String),
     /// Files could not be used, one line each: exit code 1.
     Files(Vec<String>),
-    /// Stopped by the user's hand: exit code [`STOPPED`].
-    Stopped,
-    /// Whoever read the output has gone: nothing more to say, exit code 0.
-    ReaderGone,
+    /// Cancelled by the user: exit code [`EXIT_CANCELLED`].
+    Cancelled,
+    /// The reader of standard output closed it: no message, exit code 0.
+    BrokenPipe,
 }
 
 impl Failure {
@@ -40,22 +40,22 @@ impl Failure {
         Self::Files(vec![format!("{}: {what}", display_name(file))])
     }
 
-    /// Says what happened on standard error and returns the exit code.
+    /// Prints the failure to standard error and returns the exit code.
     pub(super) fn report(&self) -> ExitCode {
         match self {
             Self::Usage(sentence) => {
-                complain(&format!("sinew: {sentence}"));
+                print_error(&format!("sinew: {sentence}"));
                 ExitCode::from(2)
             }
             Self::Files(lines) => {
-                lines.iter().for_each(|line| complain(line));
+                lines.iter().for_each(|line| print_error(line));
                 ExitCode::from(1)
             }
-            Self::Stopped => {
-                complain(&crate::tr!("export-cancelled"));
-                ExitCode::from(STOPPED)
+            Self::Cancelled => {
+                print_error(&crate::tr!("export-cancelled"));
+                ExitCode::from(EXIT_CANCELLED)
             }
-            Self::ReaderGone => ExitCode::SUCCESS,
+            Self::BrokenPipe => ExitCode::SUCCESS,
         }
     }
 }
@@ -69,7 +69,7 @@ impl From<OpenError> for Failure {
 impl From<ExportError> for Failure {
     fn from(error: ExportError) -> Self {
         if matches!(error, ExportError::Cancelled) {
-            return Self::Stopped;
+            return Self::Cancelled;
         }
         if let ExportError::Held { file } = &error {
             return Self::Usage(crate::tr!("cli-out-is-input", out = output_name(file)));
@@ -92,7 +92,7 @@ pub(super) fn output_name(file: &Path) -> String {
 }
 
 /// A result whose name has not one of the endings that it may have: `key` is the sentence that lists them.
-pub(super) fn wrong_ending(out: &Path, key: &str) -> Failure {
+pub(super) fn wrong_extension(out: &Path, key: &str) -> Failure {
     let has_name = out.file_name().is_none_or(|name| out.extension().is_some() || !name.as_encoded_bytes().starts_with(b"."));
     Failure::usage(if has_name { crate::tr!(key, out = output_name(out)) } else { crate::tr!("cli-ending-alone", out = output_name(out)) })
 }
@@ -101,49 +101,49 @@ pub(super) fn wrong_ending(out: &Path, key: &str) -> Failure {
 ///
 /// # Errors
 /// [`Failure::Usage`].
-pub(super) fn one_file(out: &Path) -> Result<(), Failure> {
+pub(super) fn refuse_number_pattern(out: &Path) -> Result<(), Failure> {
     match FilePattern::of(out) {
         Some(_) => Err(Failure::usage(crate::tr!("cli-pattern-one-file", out = output_name(out)))),
         None => Ok(()),
     }
 }
 
-/// Writes one line to standard error; a closed one is nothing to stop for.
-pub(super) fn complain(line: &str) {
+/// Writes one line to standard error; a closed standard error is ignored.
+pub(super) fn print_error(line: &str) {
     let _ = writeln!(io::stderr(), "{}", one_line(line));
 }
 
 /// Writes a question to standard error; the answer stands behind it.
-pub(super) fn complain_part(question: &str) {
+pub(super) fn print_prompt(question: &str) {
     let _ = write!(io::stderr(), "{} ", one_line(question));
     let _ = io::stderr().flush();
 }
 
-/// How much is said: 0 = results and problems, 1 = notices too, 2 = everything.
-static LOUDNESS: AtomicU8 = AtomicU8::new(1);
+/// Verbosity: 0 = results and errors, 1 = notices too, 2 = everything.
+static VERBOSITY: AtomicU8 = AtomicU8::new(1);
 
 /// Takes `--quiet` and `--verbose`.
-pub(super) fn set_loudness(given: &ArgMatches) {
+pub(super) fn set_verbosity(given: &ArgMatches) {
     let flag = |id| given.try_get_one::<bool>(id).ok().flatten().copied().unwrap_or(false);
-    LOUDNESS.store(if flag("quiet") { 0 } else { 1 + u8::from(flag("verbose")) }, Ordering::Relaxed);
+    VERBOSITY.store(if flag("quiet") { 0 } else { 1 + u8::from(flag("verbose")) }, Ordering::Relaxed);
 }
 
-/// Whether nothing but problems is to be said.
+/// Whether only errors are printed.
 pub(super) fn is_quiet() -> bool {
-    LOUDNESS.load(Ordering::Relaxed) == 0
+    VERBOSITY.load(Ordering::Relaxed) == 0
 }
 
 /// Writes a notice to standard error, unless the call is quiet.
-pub(super) fn notice(line: &str) {
+pub(super) fn print_notice(line: &str) {
     if !is_quiet() {
-        complain(line);
+        print_error(line);
     }
 }
 
-/// Writes to standard error what only `--verbose` wants to know.
-pub(super) fn remark(lines: impl IntoIterator<Item = impl std::fmt::Display>) {
-    if LOUDNESS.load(Ordering::Relaxed) > 1 {
-        lines.into_iter().for_each(|line| complain(&line.to_string()));
+/// Writes lines to standard error with `--verbose`.
+pub(super) fn print_verbose(lines: impl IntoIterator<Item = impl std::fmt::Display>) {
+    if VERBOSITY.load(Ordering::Relaxed) > 1 {
+        lines.into_iter().for_each(|line| print_error(&line.to_string()));
     }
 }
 
@@ -155,11 +155,11 @@ fn one_line(text: &str) -> String {
 /// Writes a result to standard output in one go, with nothing in it that a terminal would obey.
 ///
 /// # Errors
-/// [`Failure::ReaderGone`] where the reader closed the pipe, [`Failure::Files`] where the output cannot be written, such as a full disk.
-pub(super) fn answer(text: &str) -> Result<(), Failure> {
+/// [`Failure::BrokenPipe`] where the reader closed the pipe, [`Failure::Files`] where the output cannot be written, such as a full disk.
+pub(super) fn print_result(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(i18n::shown_lines(text).as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
-        io::ErrorKind::BrokenPipe => Failure::ReaderGone,
+        io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
         _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = reason(&error, Doing::Writing))]),
     })
 }
@@ -168,10 +168,10 @@ pub(super) fn answer(text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// As [`answer`].
-pub(super) fn answer_json(value: &impl serde::Serialize) -> Result<(), Failure> {
+pub(super) fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let mut text = serde_json::to_string_pretty(value).map_err(|error| Failure::Files(vec![error.to_string()]))?;
     text.push('\n');
-    answer(&i18n::visible_json(&text))
+    print_result(&i18n::visible_json(&text))
 }
 
 #[cfg(test)]
