@@ -13,7 +13,7 @@ use super::{files, value};
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::i18n::decimal;
-use crate::render::bench::{self, Row, Stages, label, lit_pixels};
+use crate::render::bench::{self, BenchRow, Stages, label, lit_pixels};
 use crate::render::{Display, Renderer, Samples};
 use crate::scene::{Frame, OrbitCamera};
 use crate::tr;
@@ -62,8 +62,8 @@ struct StageTimes {
     resolve_ms: f64,
 }
 
-impl From<Row> for Scene {
-    fn from(row: Row) -> Self {
+impl From<BenchRow> for Scene {
+    fn from(row: BenchRow) -> Self {
         let Stages { pose_ms, vertex_ms, raster_ms, resolve_ms } = row.times.stages;
         Self {
             scene: row.scene,
@@ -130,7 +130,7 @@ fn model(
     display: &Display,
     (width, height): (u32, u32),
     budget: Duration,
-) -> Row {
+) -> BenchRow {
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let start = document.start_state();
     let mut orbit = OrbitCamera::default();
@@ -152,7 +152,7 @@ fn model(
     let triangles = renderer.stats().triangles;
     let bare = Display { grid: false, ..display.clone() };
     let lit_pixels = lit_pixels(renderer, &document.scene, &frame, &camera, &bare, (width, height));
-    Row {
+    BenchRow {
         scene: name.to_owned(),
         view: "moving",
         width,

@@ -4,7 +4,7 @@ use super::Background;
 
 /// The background, ready to be written row by row.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Backdrop {
+pub(super) struct BackgroundRows {
     kind: Background,
     height: u32,
 }
@@ -34,13 +34,13 @@ const fn bayer() -> [[u8; 8]; 8] {
     matrix
 }
 
-impl Backdrop {
+impl BackgroundRows {
     pub(super) fn new(kind: Background, height: u32) -> Self {
         Self { kind, height }
     }
 
     /// Whether all rows look alike.
-    pub(super) fn is_even(&self) -> bool {
+    pub(super) fn is_uniform(&self) -> bool {
         !matches!(self.kind, Background::Gradient(..))
     }
 
@@ -82,11 +82,11 @@ mod tests {
 
     #[test]
     fn a_gradient_runs_from_its_first_to_its_last_colour() {
-        let backdrop = Backdrop::new(Background::Gradient(0x102030, 0x405060), 100);
+        let background_rows = BackgroundRows::new(Background::Gradient(0x102030, 0x405060), 100);
         let mut row = [0; 13];
-        backdrop.row(0, &mut row);
+        background_rows.row(0, &mut row);
         assert!(row.iter().all(|p| (p >> 16 & 255).abs_diff(0x10) <= 1), "{row:x?}");
-        backdrop.row(99, &mut row);
+        background_rows.row(99, &mut row);
         assert!(row.iter().all(|p| (p & 255).abs_diff(0x60) <= 1), "{row:x?}");
     }
 }

@@ -1,19 +1,19 @@
-//! One band of the picture, from the background to the finished rows: what a worker does alone.
+//! Rasterizes one band of the picture, from the background to the finished rows: the job of one worker.
 //!
-//! Only the columns that something touches pass through the band's plane; the others go straight from the background to the target. A figure in
+//! Only the columns that something touches pass through the band's buffer; the others go straight from the background to the target. A figure in
 //! the middle of a wide picture would else pay for four samples of nothing on either side.
 
 use std::time::Instant;
 
-use super::bin_lists::{Bins, Columns};
-use super::binning::Bands;
+use super::bin_lists::{BinLists, ColumnRange};
+use super::binning::BandLayout;
 use super::draw_data::{DrawCall, FrameData, WorkUnit};
 use super::line::{self, LinePass, LineSegments, LineTarget};
 use super::material_state::RenderPass;
 use super::raster::{DrawRun, fill};
-use super::renderer::{Canvas, Sorted};
+use super::renderer::{Sorted, TargetLayout};
 use super::resolve::{Rows, copy_row, lay_over, resolve};
-use super::static_layer_cache::Piece;
+use super::static_layer_cache::BandPixels;
 use super::tile_buffer::BandBuffer;
 use crate::simd::SimdLevel;
 
@@ -26,10 +26,10 @@ const STEP: i32 = 16;
 /// All that a band is drawn from.
 pub(super) struct BandJob<'a> {
     pub frame_data: &'a FrameData<'a>,
-    pub canvas: &'a Canvas,
+    pub target: &'a TargetLayout,
     pub units: &'a [WorkUnit],
     pub sorted: &'a [Sorted],
-    pub sorted_bins: &'a Bins,
+    pub sorted_bins: &'a BinLists,
     pub segments: &'a LineSegments,
     /// Opacity of the overlay behind a surface.
     pub xray: f32,
@@ -38,9 +38,9 @@ pub(super) struct BandJob<'a> {
 /// What each worker has of its own.
 #[derive(Debug, Default)]
 pub(super) struct WorkerScratch {
-    plane: BandBuffer,
+    buffer: BandBuffer,
     overlay: BandBuffer,
-    ground: BandBuffer,
+    static_layer: BandBuffer,
     entries: Vec<u32>,
     row: Vec<u32>,
     pub resolve_ms: f64,
@@ -48,84 +48,85 @@ pub(super) struct WorkerScratch {
 
 impl WorkerScratch {
     /// Makes room for any band of a picture.
-    pub(super) fn reserve(&mut self, picture: &BandJob<'_>) {
-        let Canvas { width, samples, bands: Bands { rows, .. }, .. } = *picture.canvas;
-        let bands = 0..picture.canvas.bands.count;
-        let any = |stage: LinePass| bands.clone().any(|band| !picture.segments.is_empty(stage, band));
+    pub(super) fn reserve(&mut self, job: &BandJob<'_>) {
+        let TargetLayout { width, samples, bands: BandLayout { rows, .. }, .. } = *job.target;
+        let bands = 0..job.target.bands.count;
+        let any = |stage: LinePass| bands.clone().any(|band| !job.segments.is_empty(stage, band));
         self.row.resize(width as usize, 0);
-        self.plane.reserve(rows, width as usize, samples);
+        self.buffer.reserve(rows, width as usize, samples);
         if any(LinePass::Under) {
-            self.ground.reserve(rows, width as usize, 1);
+            self.static_layer.reserve(rows, width as usize, 1);
         }
-        if any(LinePass::Overlay) || picture.units.iter().any(|unit| picture.is_overlay(unit)) {
+        if any(LinePass::Overlay) || job.units.iter().any(|unit| job.is_overlay(unit)) {
             self.overlay.reserve(rows, width as usize, samples);
         }
         self.entries.clear();
-        self.entries.reserve(picture.units.iter().map(|unit| unit.bins.longest()).max().unwrap_or(0));
+        self.entries.reserve(job.units.iter().map(|unit| unit.bins.max_len()).max().unwrap_or(0));
     }
 }
 
 impl BandJob<'_> {
     fn is_overlay(&self, unit: &WorkUnit) -> bool {
-        self.frame_data.item_of(unit.range.start).is_some_and(|item| item.style.layer == RenderPass::Overlay)
+        self.frame_data.draw_call_of(unit.range.start).is_some_and(|item| item.material.pass == RenderPass::Overlay)
     }
 
     /// The columns that surfaces, and that surfaces, lines and bones touch in a band.
-    fn columns(&self, band: usize) -> [Columns; 2] {
-        let (mut surfaces, mut all) = (self.sorted_bins.columns(band), Columns::NONE);
+    fn columns(&self, band: usize) -> [ColumnRange; 2] {
+        let (mut surfaces, mut all) = (self.sorted_bins.columns(band), ColumnRange::NONE);
         for unit in self.units.iter().filter(|unit| !unit.bins.is_empty(band)) {
             let columns = unit.bins.columns(band);
             if self.is_overlay(unit) {
-                all = all.and(columns);
+                all = all.union(columns);
             } else {
-                surfaces = surfaces.and(columns);
+                surfaces = surfaces.union(columns);
             }
         }
         for stage in [LinePass::Over, LinePass::Overlay] {
-            all = all.and(self.segments.columns(stage, band));
+            all = all.union(self.segments.columns(stage, band));
         }
-        let end = self.canvas.width as i32 - 1;
-        let whole =
-            |of: Columns| if of.is_empty() { of } else { Columns { first: of.first & -STEP, last: (of.last | (STEP - 1)).min(end) } };
-        [surfaces, surfaces.and(all)].map(whole)
+        let end = self.target.width as i32 - 1;
+        let whole = |of: ColumnRange| {
+            if of.is_empty() { of } else { ColumnRange { first: of.first & -STEP, last: (of.last | (STEP - 1)).min(end) } }
+        };
+        [surfaces, surfaces.union(all)].map(whole)
     }
 }
 
 /// Draws one band from the background to the finished rows.
 pub(super) fn draw_band(
     level: SimdLevel,
-    picture: &BandJob<'_>,
+    job: &BandJob<'_>,
     band: usize,
-    local: &mut WorkerScratch,
-    mut piece: Piece<'_>,
+    scratch: &mut WorkerScratch,
+    mut piece: BandPixels<'_>,
     mut target: Rows<'_>,
 ) {
-    let BandJob { frame_data, canvas, units, sorted, sorted_bins, segments, xray } = *picture;
+    let BandJob { frame_data, target: canvas, units, sorted, sorted_bins, segments, xray } = *job;
     let (top, width) = ((band * canvas.bands.rows) as i32, canvas.width as usize);
     let rows = canvas.bands.rows.min(canvas.height as usize - top as usize);
-    let WorkerScratch { plane, overlay, ground, entries, row, resolve_ms } = local;
+    let WorkerScratch { buffer: plane, overlay, static_layer: ground, entries, row, resolve_ms } = scratch;
     let lined = !segments.is_empty(LinePass::Under, band);
-    if lined && !matches!(piece, Piece::Kept(_)) {
-        ground.shape(top, rows, width, Columns { first: 0, last: width as i32 - 1 }, 1);
+    if lined && !matches!(piece, BandPixels::Kept(_)) {
+        ground.resize(top, rows, width, ColumnRange { first: 0, last: width as i32 - 1 }, 1);
         for y in 0..rows {
-            canvas.backdrop.row(top + y as i32, ground.row_mut(0, y));
+            canvas.background.row(top + y as i32, ground.row_mut(0, y));
         }
         line::segments(level, segments, LinePass::Under, LineTarget::BackgroundCache, band, ground);
-        if let Piece::Room(room) = &mut piece {
+        if let BandPixels::Room(room) = &mut piece {
             room.chunks_mut(width).enumerate().for_each(|(y, to)| to.copy_from_slice(ground.row(0, y)));
         }
     }
-    let [surfaces, used] = picture.columns(band);
+    let [surfaces, used] = job.columns(band);
     let start = Instant::now();
-    plane.shape(top, rows, width, used, canvas.samples);
+    plane.resize(top, rows, width, used, canvas.samples);
     let [left, right] = plane.used;
     for y in 0..rows {
         let behind = match &piece {
-            Piece::Kept(pixels) if lined => &pixels[y * width..][..width],
+            BandPixels::Kept(pixels) if lined => &pixels[y * width..][..width],
             _ if lined => ground.row(0, y),
             _ => {
-                if y == 0 || !canvas.backdrop.is_even() {
-                    canvas.backdrop.row(top + y as i32, row);
+                if y == 0 || !canvas.background.is_uniform() {
+                    canvas.background.row(top + y as i32, row);
                 }
                 &row[..]
             }
@@ -142,7 +143,7 @@ pub(super) fn draw_band(
         return;
     }
     plane.clear_depth();
-    for unit in units.iter().filter(|unit| !unit.bins.is_empty(band) && !picture.is_overlay(unit)) {
+    for unit in units.iter().filter(|unit| !unit.bins.is_empty(band) && !job.is_overlay(unit)) {
         fill_unit(level, frame_data, unit, band, entries, plane);
     }
     if lined && !surfaces.is_empty() {
@@ -152,15 +153,15 @@ pub(super) fn draw_band(
     for run in sorted_bins.of(band) {
         for triangle in run.iter().filter_map(|&index| sorted.get(index as usize)) {
             let unit = &units[triangle.unit as usize];
-            if let Some(item) = frame_data.item_of(FrameData::number(unit, triangle.entry)) {
+            if let Some(item) = frame_data.draw_call_of(FrameData::triangle_number(unit, triangle.entry)) {
                 fill(level, &DrawRun { frame_data, item, unit, entries: &[triangle.entry] }, plane);
             }
         }
     }
     line::segments(level, segments, LinePass::Over, LineTarget::All, band, plane);
-    let bones = || units.iter().filter(|unit| !unit.bins.is_empty(band) && picture.is_overlay(unit));
+    let bones = || units.iter().filter(|unit| !unit.bins.is_empty(band) && job.is_overlay(unit));
     if bones().next().is_some() || !segments.is_empty(LinePass::Overlay, band) {
-        overlay.shape(top, rows, width, used, canvas.samples);
+        overlay.resize(top, rows, width, used, canvas.samples);
         overlay.clear_depth();
         overlay.clear_color(0);
         for unit in bones() {
@@ -185,13 +186,13 @@ fn fill_unit(level: SimdLevel, frame_data: &FrameData<'_>, unit: &WorkUnit, band
     let mut item: Option<&DrawCall> = None;
     entries.clear();
     for &entry in unit.bins.of(band).flatten() {
-        let number = FrameData::number(unit, entry);
+        let number = FrameData::triangle_number(unit, entry);
         if !item.is_some_and(|item| item.triangles.contains(&number)) {
             if let Some(item) = item {
                 fill(level, &DrawRun { frame_data, item, unit, entries }, plane);
             }
             entries.clear();
-            item = frame_data.item_of(number);
+            item = frame_data.draw_call_of(number);
         }
         entries.push(entry);
     }

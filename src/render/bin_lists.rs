@@ -4,7 +4,7 @@
 const BLOCK: usize = 62;
 
 #[derive(Debug, Clone, Copy)]
-struct Block {
+struct BinBlock {
     next: u32,
     len: u32,
     values: [u32; BLOCK],
@@ -14,12 +14,12 @@ const NONE: u32 = u32::MAX;
 
 /// A stretch of columns, ends included; empty where `last < first`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Columns {
+pub(super) struct ColumnRange {
     pub first: i32,
     pub last: i32,
 }
 
-impl Columns {
+impl ColumnRange {
     pub(super) const NONE: Self = Self { first: i32::MAX, last: i32::MIN };
 
     #[inline(always)]
@@ -29,21 +29,21 @@ impl Columns {
 
     /// The smallest stretch that holds both.
     #[inline(always)]
-    pub(super) fn and(self, other: Self) -> Self {
+    pub(super) fn union(self, other: Self) -> Self {
         Self { first: self.first.min(other.first), last: self.last.max(other.last) }
     }
 }
 
 /// One list a band. Blocks are taken from one arena that is kept from frame to frame.
 #[derive(Debug, Default)]
-pub(super) struct Bins {
+pub(super) struct BinLists {
     heads: Vec<u32>,
     tails: Vec<u32>,
-    columns: Vec<Columns>,
-    blocks: Vec<Block>,
+    columns: Vec<ColumnRange>,
+    blocks: Vec<BinBlock>,
 }
 
-impl Bins {
+impl BinLists {
     /// Empties all and makes room for `bands` lists.
     pub(super) fn reset(&mut self, bands: usize) {
         self.heads.clear();
@@ -51,14 +51,14 @@ impl Bins {
         self.tails.clear();
         self.tails.resize(bands, NONE);
         self.columns.clear();
-        self.columns.resize(bands, Columns::NONE);
+        self.columns.resize(bands, ColumnRange::NONE);
         self.blocks.clear();
     }
 
     /// Adds `value`, which touches these columns, to the list of `band`.
     #[inline(always)]
-    pub(super) fn push(&mut self, band: usize, columns: Columns, value: u32) {
-        self.columns[band] = self.columns[band].and(columns);
+    pub(super) fn push(&mut self, band: usize, columns: ColumnRange, value: u32) {
+        self.columns[band] = self.columns[band].union(columns);
         let tail = self.tails[band];
         if let Some(block) = self.blocks.get_mut(tail as usize)
             && let Some(slot) = block.values.get_mut(block.len as usize)
@@ -75,7 +75,7 @@ impl Bins {
         let index = u32::try_from(self.blocks.len()).unwrap_or(NONE);
         let mut values = [0; BLOCK];
         values[0] = value;
-        self.blocks.push(Block { next: NONE, len: 1, values });
+        self.blocks.push(BinBlock { next: NONE, len: 1, values });
         match self.blocks.get_mut(self.tails[band] as usize) {
             Some(tail) => tail.next = index,
             None => self.heads[band] = index,
@@ -89,12 +89,12 @@ impl Bins {
     }
 
     /// The columns that something touches in `band`.
-    pub(super) fn columns(&self, band: usize) -> Columns {
-        self.columns.get(band).copied().unwrap_or(Columns::NONE)
+    pub(super) fn columns(&self, band: usize) -> ColumnRange {
+        self.columns.get(band).copied().unwrap_or(ColumnRange::NONE)
     }
 
     /// At least as many as the longest list holds.
-    pub(super) fn longest(&self) -> usize {
+    pub(super) fn max_len(&self) -> usize {
         (0..self.heads.len()).map(|band| self.of(band).count() * BLOCK).max().unwrap_or(0)
     }
 
@@ -115,15 +115,15 @@ mod tests {
 
     #[test]
     fn lists_keep_their_order() {
-        let mut bins = Bins::default();
+        let mut bins = BinLists::default();
         for _ in 0..2 {
             bins.reset(3);
             for i in 0..1000 {
                 let column = 40 - i as i32 % 20;
-                bins.push(i as usize % 2, Columns { first: column, last: column + 3 }, i);
+                bins.push(i as usize % 2, ColumnRange { first: column, last: column + 3 }, i);
             }
-            assert_eq!(bins.columns(0), Columns { first: 22, last: 43 });
-            assert!(bins.columns(2).is_empty() && bins.longest() >= 500);
+            assert_eq!(bins.columns(0), ColumnRange { first: 22, last: 43 });
+            assert!(bins.columns(2).is_empty() && bins.max_len() >= 500);
             let odd: Vec<u32> = bins.of(1).flatten().copied().collect();
             assert_eq!(odd, (0..1000).filter(|i| i % 2 == 1).collect::<Vec<_>>());
             assert!(bins.is_empty(2) && !bins.is_empty(0));

@@ -1,14 +1,14 @@
-//! Between vertices and pixels: which triangles face the eye, which need clipping, and which bands they touch.
+//! Binning: culls back faces, clips where needed, and lists the triangles of each band.
 
-use super::bin_lists::{Bins, Columns};
+use super::bin_lists::{BinLists, ColumnRange};
 use super::clip::clip;
-use super::draw_data::{CUT, DrawCall, FrameData, WorkUnit};
+use super::draw_data::{CLIPPED_FLAG, DrawCall, FrameData, WorkUnit};
 use super::projection::{BAD, ScreenVertex};
 use super::setup::{Rect, area};
 
 /// The division of the picture into bands.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bands {
+pub(super) struct BandLayout {
     /// Rows of a band.
     pub rows: usize,
     pub count: usize,
@@ -16,36 +16,36 @@ pub(super) struct Bands {
     pub multi: bool,
 }
 
-impl Bands {
+impl BandLayout {
     /// Puts `value` into every band that the rectangle touches.
     #[inline(always)]
-    pub(super) fn spread(&self, bins: &mut Bins, rect: &Rect, value: u32) {
+    pub(super) fn push_to_bands(&self, bins: &mut BinLists, rect: &Rect, value: u32) {
         let (from, to) = (rect.y0 as usize / self.rows, (rect.y1 as usize / self.rows).min(self.count - 1));
         for band in from..=to {
-            bins.push(band, Columns { first: rect.x0, last: rect.x1 }, value);
+            bins.push(band, ColumnRange { first: rect.x0, last: rect.x1 }, value);
         }
     }
 }
 
 /// Goes through the triangles of `unit` and fills its bins (or, for blended ones, its list).
-pub(super) fn bin(frame_data: &FrameData<'_>, bands: &Bands, unit: &mut WorkUnit) {
+pub(super) fn bin(frame_data: &FrameData<'_>, bands: &BandLayout, unit: &mut WorkUnit) {
     unit.bins.reset(bands.count);
     unit.clipped.clear();
     unit.blended.clear();
     let mut number = unit.range.start;
     while number < unit.range.end {
-        let Some(item) = frame_data.item_of(number) else { break };
+        let Some(item) = frame_data.draw_call_of(number) else { break };
         let end = item.triangles.end.min(unit.range.end);
-        run(frame_data, bands, unit, item, number..end);
+        bin_draw_call(frame_data, bands, unit, item, number..end);
         number = end;
     }
 }
 
-fn run(frame_data: &FrameData<'_>, bands: &Bands, unit: &mut WorkUnit, item: &DrawCall, numbers: std::ops::Range<u32>) {
+fn bin_draw_call(frame_data: &FrameData<'_>, bands: &BandLayout, unit: &mut WorkUnit, item: &DrawCall, numbers: std::ops::Range<u32>) {
     let reader = frame_data.reader(item);
     let size = frame_data.view.size;
     let keep = |t: usize, screen: &[ScreenVertex; 3]| -> Option<Rect> {
-        if item.hides(t, area(screen)) {
+        if item.culls(t, area(screen)) {
             return None;
         }
         let rect = Rect::of(screen, bands.multi, size);
@@ -53,11 +53,11 @@ fn run(frame_data: &FrameData<'_>, bands: &Bands, unit: &mut WorkUnit, item: &Dr
     };
     for number in numbers {
         let t = (number - item.triangles.start) as usize;
-        let Some(screen) = reader.screens(t) else { continue };
+        let Some(screen) = reader.screen_vertices(t) else { continue };
         let [a, b, c] = [screen[0].code, screen[1].code, screen[2].code];
         if a | b | c == 0 {
             if let Some(rect) = keep(t, &screen) {
-                emit(unit, bands, item, &rect, &screen, number);
+                push_triangle(unit, bands, item, &rect, &screen, number);
             }
             continue;
         }
@@ -68,19 +68,19 @@ fn run(frame_data: &FrameData<'_>, bands: &Bands, unit: &mut WorkUnit, item: &Dr
         let corners = reader.geometry.triangles[t].map(|v| reader.geometry.world(v as usize));
         clip(&frame_data.view, corners, &screen, number, |piece| {
             if let Some(rect) = keep(t, &piece.screen) {
-                let entry = CUT | unit.clipped.len() as u32;
+                let entry = CLIPPED_FLAG | unit.clipped.len() as u32;
                 unit.clipped.push(piece);
-                emit(unit, bands, item, &rect, &piece.screen, entry);
+                push_triangle(unit, bands, item, &rect, &piece.screen, entry);
             }
         });
     }
 }
 
 #[inline(always)]
-fn emit(unit: &mut WorkUnit, bands: &Bands, item: &DrawCall, rect: &Rect, screen: &[ScreenVertex; 3], entry: u32) {
-    if item.blended() {
+fn push_triangle(unit: &mut WorkUnit, bands: &BandLayout, item: &DrawCall, rect: &Rect, screen: &[ScreenVertex; 3], entry: u32) {
+    if item.is_blended() {
         unit.blended.push((screen[0].q + screen[1].q + screen[2].q, entry));
     } else {
-        bands.spread(&mut unit.bins, rect, entry);
+        bands.push_to_bands(&mut unit.bins, rect, entry);
     }
 }

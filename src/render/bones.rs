@@ -12,13 +12,13 @@ use crate::scene::{Frame, NodeId, Scene};
 /// Triangles of an octahedron.
 pub(super) const FACES: usize = 8;
 /// Radius of a joint's dot in logical pixels.
-pub(super) const DOT: f32 = 3.2;
+pub(super) const DOT_RADIUS: f32 = 3.2;
 
 /// How far dots and axes are brought forward, so that a bone does not hide the joint in it; see [`super::projection::ViewTransform::depth_bias`].
-pub(super) const LIFT: f32 = 20.0;
+pub(super) const DEPTH_BIAS: f32 = 20.0;
 
 /// Where along a bone its girdle is, and how thick it is there, as shares of its length.
-const GIRDLE: f32 = 0.14;
+const RING_POSITION: f32 = 0.14;
 const THICKNESS: f32 = 0.075;
 
 /// A bone: the joint that moves it, its head and its tip.
@@ -41,7 +41,7 @@ pub(super) fn bones<'a>(scene: &'a Scene, frame: &'a Frame) -> impl Iterator<Ite
 }
 
 /// The four corners of an octahedron between head and tip.
-fn girdle(frame: &Frame, bone: &Bone) -> [Vec3; 4] {
+fn ring(frame: &Frame, bone: &Bone) -> [Vec3; 4] {
     let along = bone.tip - bone.head;
     let length = along.length();
     let axis = along / length;
@@ -49,7 +49,7 @@ fn girdle(frame: &Frame, bone: &Bone) -> [Vec3; 4] {
     let own = frame.world.get(bone.owner.index()).map_or(Vec3::X, |matrix| matrix.x_axis.truncate().as_vec3());
     let side = (own - axis * own.dot(axis)).try_normalize().unwrap_or_else(|| axis.any_orthonormal_vector());
     let other = axis.cross(side);
-    let middle = bone.head + along * GIRDLE;
+    let middle = bone.head + along * RING_POSITION;
     [side, other, -side, -other].map(|out| middle + out * (length * THICKNESS))
 }
 
@@ -79,9 +79,9 @@ impl GeneratedMesh {
     }
 
     fn octahedron(&mut self, frame: &Frame, bone: &Bone, paint: Vec4) {
-        let girdle = girdle(frame, bone);
+        let ring = ring(frame, bone);
         for k in 0..4 {
-            let (a, b) = (girdle[k], girdle[(k + 1) % 4]);
+            let (a, b) = (ring[k], ring[(k + 1) % 4]);
             self.face([a, b, bone.tip], paint);
             self.face([b, a, bone.head], paint);
         }
@@ -108,23 +108,23 @@ impl LineBuilder<'_> {
         let (palette, shown) = (&self.display.palette, self.display.bones);
         // On the selected bone's own colour a line of that colour would not be seen.
         let line = if shown { palette.grid.0 } else { palette.selected };
-        let line_style = LineStyle { stage: LinePass::Overlay, depth_bias: LIFT, ..self.line_style(rgb(line), 1.0, 1.4) };
+        let line_style = LineStyle { pass: LinePass::Overlay, depth_bias: DEPTH_BIAS, ..self.line_style(rgb(line), 1.0, 1.4) };
         for bone in bones(scene, frame).filter(|bone| bone.owner == selected) {
-            let girdle = girdle(frame, &bone);
+            let ring = ring(frame, &bone);
             let faces = |a: Vec3, b: Vec3, c: Vec3| {
                 let towards = if self.view.perspective { self.view.eye - a } else { self.view.back };
                 (b - a).cross(c - a).dot(towards) > 0.0
             };
-            let next = |k: usize| girdle[(k + 1) % 4];
-            let upper: [bool; 4] = std::array::from_fn(|k| faces(girdle[k], next(k), bone.tip));
-            let lower: [bool; 4] = std::array::from_fn(|k| faces(next(k), girdle[k], bone.head));
+            let next = |k: usize| ring[(k + 1) % 4];
+            let upper: [bool; 4] = std::array::from_fn(|k| faces(ring[k], next(k), bone.tip));
+            let lower: [bool; 4] = std::array::from_fn(|k| faces(next(k), ring[k], bone.head));
             // The outline is where a face that is seen meets one that is not.
             for k in 0..4 {
                 let before = (k + 3) % 4;
                 let edges =
                     [(upper[k] != lower[k], next(k)), (upper[k] != upper[before], bone.tip), (lower[k] != lower[before], bone.head)];
                 for (_, other) in edges.into_iter().filter(|(outer, _)| *outer) {
-                    self.line(girdle[k], other, &line_style);
+                    self.line(ring[k], other, &line_style);
                 }
             }
         }
@@ -132,12 +132,12 @@ impl LineBuilder<'_> {
             return;
         }
         let at = frame.position(selected);
-        self.line(at, at, &LineStyle { width: (2.0 * DOT + 3.0) * self.scale(), depth_bias: LIFT + 2.0, ..line_style });
+        self.line(at, at, &LineStyle { width: (2.0 * DOT_RADIUS + 3.0) * self.scale(), depth_bias: DEPTH_BIAS + 2.0, ..line_style });
     }
 
     /// Joints as dots with a dark rim, and their axes where they are asked for.
     pub(super) fn joints(&mut self, scene: &Scene, frame: &Frame) {
-        let radius = DOT * self.scale();
+        let radius = DOT_RADIUS * self.scale();
         for joint in &frame.joints {
             if joint.node.index() >= scene.graph.len() || !scene.graph.is_shown(joint.node) {
                 continue;
@@ -145,10 +145,10 @@ impl LineBuilder<'_> {
             let at = frame.position(joint.node);
             let paint = color(self.display, joint.node);
             if self.display.bones {
-                let plain = LineStyle { stage: LinePass::Overlay, depth_test: true, ..self.line_style(paint, 1.0, 1.0) };
+                let plain = LineStyle { pass: LinePass::Overlay, depth_test: true, ..self.line_style(paint, 1.0, 1.0) };
                 let rim = paint.map(|c| c * 0.25);
-                self.line(at, at, &LineStyle { color: rim, width: 2.0 * radius + 2.5, depth_bias: LIFT, ..plain });
-                let dot = LineStyle { width: 2.0 * radius, depth_bias: LIFT + 1.0, ..plain };
+                self.line(at, at, &LineStyle { color: rim, width: 2.0 * radius + 2.5, depth_bias: DEPTH_BIAS, ..plain });
+                let dot = LineStyle { width: 2.0 * radius, depth_bias: DEPTH_BIAS + 1.0, ..plain };
                 self.line(at, at, &dot);
             }
             if self.display.bone_axes {

@@ -16,19 +16,19 @@ pub(super) struct Clipped {
     /// Its corners.
     pub screen: [ScreenVertex; 3],
     /// Each corner as a mixture of the three corners of the whole.
-    pub mixture: [[f32; 3]; 3],
+    pub barycentric: [[f32; 3]; 3],
 }
 
 #[derive(Clone, Copy, Default)]
-struct Corner {
+struct ClipVertex {
     clip: [f64; 5],
     mixture: [f64; 3],
     /// Where the vertex stage put it, if it is a corner of the whole that can be used as it is.
-    whole: Option<ScreenVertex>,
+    original: Option<ScreenVertex>,
 }
 
 /// Three corners and one more for each plane.
-const MOST: usize = 3 + PLANES;
+const MAX_VERTICES: usize = 3 + PLANES;
 
 /// The near plane and the four sides of the guard band.
 const PLANES: usize = 5;
@@ -42,12 +42,12 @@ fn planes(view: &ViewTransform) -> impl Fn(&[f64; 5]) -> [f64; PLANES] {
 
 /// Cuts the triangle with these corners in the world, which are on the picture as `whole` says, and hands each piece to `emit`.
 pub(super) fn clip(view: &ViewTransform, corners: [Vec3; 3], whole: &[ScreenVertex; 3], triangle: u32, mut emit: impl FnMut(Clipped)) {
-    let mut polygon = [Corner::default(); MOST];
+    let mut polygon = [ClipVertex::default(); MAX_VERTICES];
     for (k, corner) in corners.into_iter().enumerate() {
-        polygon[k] = Corner {
+        polygon[k] = ClipVertex {
             clip: view.clip(corner),
             mixture: std::array::from_fn(|i| f64::from(u8::from(i == k))),
-            whole: Some(whole[k]).filter(|screen| screen.code == 0),
+            original: Some(whole[k]).filter(|screen| screen.code == 0),
         };
         if !polygon[k].clip.iter().all(|x| x.is_finite()) {
             return;
@@ -56,22 +56,22 @@ pub(super) fn clip(view: &ViewTransform, corners: [Vec3; 3], whole: &[ScreenVert
     let distances = planes(view);
     let mut count = 3;
     for plane in 0..PLANES {
-        let mut kept = [Corner::default(); MOST];
+        let mut kept = [ClipVertex::default(); MAX_VERTICES];
         let mut n = 0;
         for k in 0..count {
             let (a, b) = (polygon[k], polygon[(k + 1) % count]);
             let (da, db) = (distances(&a.clip)[plane], distances(&b.clip)[plane]);
-            if da >= 0.0 && n < MOST {
+            if da >= 0.0 && n < MAX_VERTICES {
                 kept[n] = a;
                 n += 1;
             }
-            if (da >= 0.0) != (db >= 0.0) && n < MOST {
+            if (da >= 0.0) != (db >= 0.0) && n < MAX_VERTICES {
                 let (from, to, d_from, d_to) = if da >= 0.0 { (a, b, da, db) } else { (b, a, db, da) };
                 let t = d_from / (d_from - d_to);
-                kept[n] = Corner {
+                kept[n] = ClipVertex {
                     clip: std::array::from_fn(|i| from.clip[i] + (to.clip[i] - from.clip[i]) * t),
                     mixture: std::array::from_fn(|i| from.mixture[i] + (to.mixture[i] - from.mixture[i]) * t),
-                    whole: None,
+                    original: None,
                 };
                 n += 1;
             }
@@ -81,14 +81,14 @@ pub(super) fn clip(view: &ViewTransform, corners: [Vec3; 3], whole: &[ScreenVert
             return;
         }
     }
-    let mut screen = [ScreenVertex::default(); MOST];
+    let mut screen = [ScreenVertex::default(); MAX_VERTICES];
     for (screen, corner) in screen.iter_mut().zip(&polygon[..count]) {
-        let Some(point) = corner.whole.or_else(|| view.snap(corner.clip)) else { return };
+        let Some(point) = corner.original.or_else(|| view.snap(corner.clip)) else { return };
         *screen = point;
     }
     for k in 1..count - 1 {
         let chosen = [0, k, k + 1];
-        emit(Clipped { triangle, screen: chosen.map(|i| screen[i]), mixture: chosen.map(|i| polygon[i].mixture.map(|x| x as f32)) });
+        emit(Clipped { triangle, screen: chosen.map(|i| screen[i]), barycentric: chosen.map(|i| polygon[i].mixture.map(|x| x as f32)) });
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::{Mat4, Vec3};
 
 use super::Display;
-use super::binning::Bands;
+use super::binning::BandLayout;
 use super::draw_list::rgb;
 use super::line::{LinePass, LineSegments, LineStyle};
 use super::projection::ViewTransform;
@@ -12,7 +12,7 @@ use crate::scene::{Bounds, Frame, NodeId, SurfaceGeometry};
 /// Everything that drawing a helper line needs.
 pub(super) struct LineBuilder<'a> {
     pub view: &'a ViewTransform,
-    pub bands: &'a Bands,
+    pub bands: &'a BandLayout,
     pub display: &'a Display,
     pub segments: &'a mut LineSegments,
 }
@@ -25,7 +25,7 @@ impl LineBuilder<'_> {
     /// A line over the surfaces, brought a little forward.
     pub(super) fn line_style(&self, color: [f32; 3], alpha: f32, width: f32) -> LineStyle {
         let (stage, depth_test) = (LinePass::Over, self.display.depth_test);
-        LineStyle { color, alpha: [alpha; 2], width: width * self.scale() * self.thickness(), stage, depth_test, depth_bias: 1.0 }
+        LineStyle { color, alpha: [alpha; 2], width: width * self.scale() * self.thickness(), pass: stage, depth_test, depth_bias: 1.0 }
     }
 
     /// Device pixels a logical pixel.
@@ -107,7 +107,7 @@ impl LineBuilder<'_> {
         let at = matrix.w_axis.truncate();
         for (axis, color) in [matrix.x_axis, matrix.y_axis, matrix.z_axis].into_iter().zip(self.display.palette.axes) {
             let line_style =
-                LineStyle { stage: LinePass::Overlay, depth_bias: super::bones::LIFT, ..self.line_style(rgb(color), 1.0, 1.5) };
+                LineStyle { pass: LinePass::Overlay, depth_bias: super::bones::DEPTH_BIAS, ..self.line_style(rgb(color), 1.0, 1.5) };
             self.line(at, at + axis.truncate().normalize_or_zero() * length, &line_style);
         }
     }
@@ -157,7 +157,7 @@ impl LineBuilder<'_> {
                     let ends = [alpha(t0), alpha(t1)];
                     if ends[0].max(ends[1]) > 0.004 {
                         let line_style =
-                            LineStyle { alpha: ends, stage: LinePass::Under, depth_bias: 0.0, ..self.line_style(rgb(color), 1.0, 1.0) };
+                            LineStyle { alpha: ends, pass: LinePass::Under, depth_bias: 0.0, ..self.line_style(rgb(color), 1.0, 1.0) };
                         let (a, b) = (at(t0), at(t1));
                         self.line(a, b, &line_style);
                     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{Affine2, Vec2, Vec3};
 
-use super::bin_lists::Bins;
+use super::bin_lists::BinLists;
 use super::clip::Clipped;
 use super::light::Lights;
 use super::material_state::{RenderPass, ResolvedMaterial};
@@ -16,7 +16,7 @@ use crate::scene::{Frame, SurfaceGeometry};
 
 /// Where an item's geometry comes from.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Source {
+pub(super) enum GeometrySource {
     /// A stretch of the triangles of a surface of the frame.
     Surface {
         /// Index in [`Frame::surfaces`].
@@ -31,13 +31,13 @@ pub(super) enum Source {
 /// Triangles that are drawn alike.
 #[derive(Debug, Clone)]
 pub(super) struct DrawCall {
-    pub source: Source,
-    pub style: ResolvedMaterial,
+    pub source: GeometrySource,
+    pub material: ResolvedMaterial,
     /// Leaves out what faces away.
     pub cull: bool,
     /// For each triangle of its mesh whether another one of the opposite winding lies on it, which is seen from the other side in its stead; `None` where
     /// none does. See [`crate::scene::backed_triangles`].
-    pub backed: Option<Arc<[bool]>>,
+    pub backed_triangles: Option<Arc<[bool]>>,
     /// Its vertices in the flat arrays.
     pub vertices: Range<usize>,
     /// See [`Geometry::first`] and [`Geometry::expanded`].
@@ -45,28 +45,28 @@ pub(super) struct DrawCall {
     pub expanded: bool,
     /// The numbers of its triangles in the picture.
     pub triangles: Range<u32>,
-    /// Whether heat is painted on: index of the first value in the heat list.
-    pub heat: Option<usize>,
+    /// Index of its first value in the list of weight colours, where the weights of a joint are shown.
+    pub weight_colors: Option<usize>,
 }
 
 impl DrawCall {
-    /// Whether its triangle `t` does not show where its area on the picture is this: it is nothing, or it faces away and is not seen from behind.
+    /// Whether its triangle `t` is culled at this screen area: the area is zero, or the triangle faces away and is not drawn from behind.
     #[inline(always)]
-    pub(super) fn hides(&self, t: usize, area: i64) -> bool {
+    pub(super) fn culls(&self, t: usize, area: i64) -> bool {
         // Positive is clockwise as seen: the other side, unless the surface is mirrored.
-        let away = (area > 0) != self.style.mirrored;
+        let away = (area > 0) != self.material.mirrored;
         area == 0 || (away && (self.cull || self.is_backed(t)))
     }
 
     #[inline(always)]
     fn is_backed(&self, t: usize) -> bool {
-        let (Some(backed), Source::Surface { triangles, .. }) = (&self.backed, &self.source) else { return false };
+        let (Some(backed), GeometrySource::Surface { triangles, .. }) = (&self.backed_triangles, &self.source) else { return false };
         backed.get(triangles.start as usize + t).copied().unwrap_or(false)
     }
 
     /// Whether it is laid over what is there instead of replacing it.
-    pub(super) fn blended(&self) -> bool {
-        self.style.layer == RenderPass::Blended
+    pub(super) fn is_blended(&self) -> bool {
+        self.material.pass == RenderPass::Blended
     }
 }
 
@@ -84,15 +84,15 @@ pub(super) struct GeneratedMesh {
 pub(super) struct WorkUnit {
     /// Numbers of its triangles in the picture.
     pub range: Range<u32>,
-    /// Triangle numbers, or [`CUT`] and an index in `clipped`, by band.
-    pub bins: Bins,
+    /// Triangle numbers, or [`CLIPPED_FLAG`] and an index in `clipped`, by band.
+    pub bins: BinLists,
     pub clipped: Vec<Clipped>,
     /// Blended triangles with their nearness, not yet in bins.
     pub blended: Vec<(f32, u32)>,
 }
 
 /// Marks an entry that stands for a cut piece.
-pub(super) const CUT: u32 = 1 << 31;
+pub(super) const CLIPPED_FLAG: u32 = 1 << 31;
 
 /// What the stages after the vertex stage share.
 pub(super) struct FrameData<'a> {
@@ -100,9 +100,9 @@ pub(super) struct FrameData<'a> {
     pub lights: Lights,
     pub frame: &'a Frame,
     pub bones: &'a GeneratedMesh,
-    pub items: &'a [DrawCall],
+    pub draw_calls: &'a [DrawCall],
     pub textures: &'a [Texture],
-    pub heat: &'a [glam::Vec4],
+    pub weight_colors: &'a [glam::Vec4],
     pub screen: &'a [ScreenVertex],
     pub front: &'a [Quad],
     pub back: &'a [Quad],
@@ -113,14 +113,14 @@ pub(super) struct ClippedTriangle {
     /// Its index in the item.
     pub triangle: usize,
     pub screen: [ScreenVertex; 3],
-    pub mixture: Option<[[f32; 3]; 3]>,
+    pub barycentric: Option<[[f32; 3]; 3]>,
 }
 
 /// The geometry of an item.
 pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, heat: &'a [glam::Vec4], item: &DrawCall) -> Geometry<'a> {
     let (first, expanded) = (item.first_vertex, item.expanded);
     match &item.source {
-        Source::Surface { index, triangles } => {
+        GeometrySource::Surface { index, triangles } => {
             let surface = &frame.surfaces[*index as usize];
             let mesh = &*surface.mesh;
             let (positions, normals, transform) = match &surface.geometry {
@@ -128,16 +128,16 @@ pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, heat: &'a
                 SurfaceGeometry::Deformed { positions, normals } => (&positions[..], &normals[..], None),
             };
             let triangles = &mesh.triangles[triangles.start as usize..triangles.end as usize];
-            let heat = item.heat.and_then(|from| heat.get(from..)).unwrap_or(&[]);
-            Geometry { positions, normals, transform, triangles, colors: &mesh.colors, heat, first, expanded }
+            let heat = item.weight_colors.and_then(|from| heat.get(from..)).unwrap_or(&[]);
+            Geometry { positions, normals, transform, triangles, colors: &mesh.colors, weight_colors: heat, first, expanded }
         }
-        Source::Bones => Geometry {
+        GeometrySource::Bones => Geometry {
             positions: &bones.positions,
             normals: &bones.normals,
             transform: None,
             triangles: &bones.triangles,
             colors: &bones.colors,
-            heat: &[],
+            weight_colors: &[],
             first,
             expanded,
         },
@@ -155,43 +155,43 @@ pub(super) fn normal_matrix(matrix: &glam::Mat4) -> glam::Mat3 {
 }
 
 impl<'a> FrameData<'a> {
-    /// The item that triangle `number` of the picture belongs to.
-    pub(super) fn item_of(&self, number: u32) -> Option<&'a DrawCall> {
-        let after = self.items.partition_point(|item| item.triangles.end <= number);
-        self.items.get(after).filter(|item| item.triangles.contains(&number))
+    /// The draw call that triangle `number` of the picture belongs to.
+    pub(super) fn draw_call_of(&self, number: u32) -> Option<&'a DrawCall> {
+        let after = self.draw_calls.partition_point(|item| item.triangles.end <= number);
+        self.draw_calls.get(after).filter(|item| item.triangles.contains(&number))
     }
 
     /// What an entry of a bin stands for.
     #[inline(always)]
-    pub(super) fn part(item: &DrawCall, reader: &VertexReader<'_>, unit: &WorkUnit, entry: u32) -> Option<ClippedTriangle> {
-        let (number, cut) = if entry & CUT == 0 {
+    pub(super) fn clipped_triangle(item: &DrawCall, reader: &VertexReader<'_>, unit: &WorkUnit, entry: u32) -> Option<ClippedTriangle> {
+        let (number, cut) = if entry & CLIPPED_FLAG == 0 {
             (entry, None)
         } else {
-            let cut = unit.clipped.get((entry & !CUT) as usize)?;
+            let cut = unit.clipped.get((entry & !CLIPPED_FLAG) as usize)?;
             (cut.triangle, Some(cut))
         };
         let triangle = number.wrapping_sub(item.triangles.start) as usize;
         let part = match cut {
-            Some(cut) => ClippedTriangle { triangle, screen: cut.screen, mixture: Some(cut.mixture) },
-            None => ClippedTriangle { triangle, screen: reader.screens(triangle)?, mixture: None },
+            Some(cut) => ClippedTriangle { triangle, screen: cut.screen, barycentric: Some(cut.barycentric) },
+            None => ClippedTriangle { triangle, screen: reader.screen_vertices(triangle)?, barycentric: None },
         };
         Some(part)
     }
 
     /// The triangle number of an entry.
     #[inline(always)]
-    pub(super) fn number(unit: &WorkUnit, entry: u32) -> u32 {
-        if entry & CUT == 0 { entry } else { unit.clipped.get((entry & !CUT) as usize).map_or(0, |cut| cut.triangle) }
+    pub(super) fn triangle_number(unit: &WorkUnit, entry: u32) -> u32 {
+        if entry & CLIPPED_FLAG == 0 { entry } else { unit.clipped.get((entry & !CLIPPED_FLAG) as usize).map_or(0, |cut| cut.triangle) }
     }
 
     /// Access to an item's vertices by triangle.
     #[inline(always)]
     pub(super) fn reader(&self, item: &'a DrawCall) -> VertexReader<'a> {
-        let geometry = geometry(self.frame, self.bones, self.heat, item);
-        let (uv, placing) = match (&item.source, &item.style.diffuse.or(item.style.cutout).or(item.style.glow)) {
-            (Source::Surface { index, .. }, Some(sampler)) => {
+        let geometry = geometry(self.frame, self.bones, self.weight_colors, item);
+        let (uv, placing) = match (&item.source, &item.material.diffuse.or(item.material.cutout).or(item.material.emission_texture)) {
+            (GeometrySource::Surface { index, .. }, Some(sampler)) => {
                 let set = self.frame.surfaces[*index as usize].mesh.uv_sets.get(sampler.uv_set as usize);
-                (set.map_or(&[][..], |set| set), sampler.placing)
+                (set.map_or(&[][..], |set| set), sampler.uv_transform)
             }
             _ => (&[][..], None),
         };
@@ -199,7 +199,7 @@ impl<'a> FrameData<'a> {
         VertexReader {
             geometry,
             uv,
-            placing,
+            uv_transform: placing,
             screen: &self.screen[range.clone()],
             front: &self.front[range.clone()],
             back: &self.back[range],
@@ -213,16 +213,16 @@ impl<'a> FrameData<'a> {
 pub(super) struct VertexReader<'a> {
     pub geometry: Geometry<'a>,
     uv: &'a [Vec2],
-    placing: Option<Affine2>,
+    uv_transform: Option<Affine2>,
     screen: &'a [ScreenVertex],
     front: &'a [Quad],
     back: &'a [Quad],
 }
 
 impl VertexReader<'_> {
-    /// The corners on the picture; `None` where a vertex isn't there.
+    /// The corners on the screen; `None` where a vertex does not exist.
     #[inline(always)]
-    pub(super) fn screens(&self, t: usize) -> Option<[ScreenVertex; 3]> {
+    pub(super) fn screen_vertices(&self, t: usize) -> Option<[ScreenVertex; 3]> {
         let at = |k: usize| self.screen.get(self.geometry.item_vertex(t, k)).copied();
         Some([at(0)?, at(1)?, at(2)?])
     }
@@ -238,11 +238,11 @@ impl VertexReader<'_> {
 
     /// Corners in the world. Only where the vertex stage made [`super::material_state::VertexOutput::Geometry`].
     #[inline(always)]
-    pub(super) fn places(&self, t: usize) -> [Vec3; 3] {
+    pub(super) fn positions(&self, t: usize) -> [Vec3; 3] {
         self.lit(t, false).map(|[x, y, z, _]| Vec3::new(x, y, z))
     }
 
-    /// Normals at the corners, as for [`VertexReader::places`].
+    /// Normals at the corners, as for [`VertexReader::positions`].
     #[inline(always)]
     pub(super) fn normals(&self, t: usize) -> [Vec3; 3] {
         self.lit(t, true).map(|[x, y, z, _]| Vec3::new(x, y, z))
@@ -252,7 +252,7 @@ impl VertexReader<'_> {
     #[inline(always)]
     pub(super) fn uvs(&self, t: usize) -> [Vec2; 3] {
         let given = self.geometry.triangles[t].map(|v| self.uv.get(v as usize).copied().unwrap_or_default());
-        match &self.placing {
+        match &self.uv_transform {
             Some(placing) => given.map(|uv| placing.transform_point2(uv)),
             None => given,
         }

@@ -7,14 +7,14 @@ use super::draw_list::rgb;
 use super::projection::ViewTransform;
 use crate::scene::{Mesh, Surface};
 
-/// An edge: its two vertices and the triangles on its sides ([`NOBODY`] where there is none).
+/// An edge: its two vertices and the triangles on its sides ([`NO_FACE`] where there is none).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
     ends: [u32; 2],
     sides: [u32; 2],
 }
 
-const NOBODY: u32 = u32::MAX;
+const NO_FACE: u32 = u32::MAX;
 
 /// The edges of a mesh, each once. Vertices that are the same point of the file are one, so a seam of the texture is no edge of the shape.
 pub(super) fn find(mesh: &Mesh) -> Vec<Edge> {
@@ -28,18 +28,18 @@ pub(super) fn find(mesh: &Mesh) -> Vec<Edge> {
             let index = *known.entry((pa.min(pb), pa.max(pb))).or_insert(edges.len() as u32) as usize;
             match edges.get_mut(index) {
                 Some(edge) => {
-                    if edge.sides[1] == NOBODY {
+                    if edge.sides[1] == NO_FACE {
                         edge.sides[1] = t as u32;
                     }
                 }
-                None => edges.push(Edge { ends: [a, b], sides: [t as u32, NOBODY] }),
+                None => edges.push(Edge { ends: [a, b], sides: [t as u32, NO_FACE] }),
             }
         }
     }
     edges
 }
 
-/// Whether each triangle of a surface faces the eye.
+/// Whether each triangle of a surface faces the camera.
 fn facing(view: &ViewTransform, surface: &Surface, out: &mut Vec<bool>) {
     out.clear();
     out.extend(surface.mesh.triangles.iter().map(|corners| {
@@ -60,7 +60,7 @@ impl LineBuilder<'_> {
         }
     }
 
-    /// The edges where what faces the eye meets what does not, and the rims.
+    /// The silhouette edges, between front and back faces, and the boundary edges.
     pub(super) fn outline(&mut self, surface: &Surface, edges: &[Edge], color: u32, scratch: &mut Vec<bool>) {
         facing(self.view, surface, scratch);
         let line_style = self.line_style(rgb(color), 1.0, 2.0);
@@ -74,7 +74,7 @@ impl LineBuilder<'_> {
     }
 
     /// The lines that a mesh brings along.
-    pub(super) fn own_lines(&mut self, surface: &Surface, color: [f32; 3]) {
+    pub(super) fn mesh_lines(&mut self, surface: &Surface, color: [f32; 3]) {
         let line_style = self.line_style(color, 1.0, 1.4);
         for line in &surface.mesh.lines {
             let [a, b] = line.map(|v| surface.position(v));

@@ -1,4 +1,4 @@
-//! The light on the model: one key light, a soft ambient that knows sky from ground, and a highlight where the material has one.
+//! Lighting: one key light, hemispheric ambient light, and a specular highlight where the material has one.
 //!
 //! Colours are worked on as the files write them (sRGB-encoded), so 50 % grey in full light is 50 % grey. No term can reach beyond white:
 //! the diffuse weights add up to at most 1, and highlights and emission are *screened* on, `1 − (1 − a)(1 − b)`.
@@ -20,7 +20,7 @@ const KEY: [f32; 3] = [1.0, 0.985, 0.96];
 pub(super) struct Lights {
     /// Position of the key light.
     pub position: Vec3,
-    /// The eye, or the direction to the viewer where rays are parallel.
+    /// Position of the camera, or the direction to the viewer in orthographic projection.
     pub eye: Vec3,
     pub perspective: bool,
     /// Ambient colour on a level surface, its change towards the sky, and what comes from the viewer.
@@ -95,7 +95,7 @@ pub(super) struct ShadingPoint<L: Simd> {
 
 /// Light and viewer as seen from `p` with the unit normal `n`.
 #[inline(always)]
-pub(super) fn see<L: Simd>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> ShadingPoint<L> {
+pub(super) fn shading_point<L: Simd>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> ShadingPoint<L> {
     let splat = always!(|v: Vec3| [l.splat(v.x), l.splat(v.y), l.splat(v.z)]);
     let towards = always!(|v: Vec3| {
         let v = splat(v);
@@ -108,10 +108,10 @@ pub(super) fn see<L: Simd>(l: L, lights: &Lights, p: V3<L>, n: V3<L>) -> Shading
 
 /// Lights the side of a surface that the normal is on, or with `other` the other one.
 #[inline(always)]
-pub(super) fn shine<L: Simd>(l: L, lights: &Lights, gloss: Specular, seen: ShadingPoint<L>, other: bool) -> LightingTerms<L> {
+pub(super) fn lighting_terms<L: Simd>(l: L, lights: &Lights, specular: Specular, point: ShadingPoint<L>, other: bool) -> LightingTerms<L> {
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
     let turn = always!(|x: L::F| if other { zero - x } else { x });
-    let (ndl, ndv, up) = (turn(seen.light), turn(seen.viewer), turn(seen.up));
+    let (ndl, ndv, up) = (turn(point.light), turn(point.viewer), turn(point.up));
     let (direct, facing) = (l.max(ndl, zero), l.max(ndv, zero));
     let mut light = [zero; 3];
     for (i, out) in light.iter_mut().enumerate() {
@@ -120,14 +120,14 @@ pub(super) fn shine<L: Simd>(l: L, lights: &Lights, gloss: Specular, seen: Shadi
             + l.splat(lights.viewer[i]) * facing
             + l.splat(lights.key[i]) * direct;
     }
-    let highlight = if gloss.exponent > 0.0 {
-        let cosine = if gloss.mirrored {
+    let highlight = if specular.exponent > 0.0 {
+        let cosine = if specular.mirrored {
             // r·v with r the light mirrored at the normal; turning the normal round changes nothing.
-            l.splat(2.0) * seen.light * seen.viewer - seen.between
+            l.splat(2.0) * point.light * point.viewer - point.between
         } else {
-            (ndl + ndv) / l.max(l.sqrt(l.max(l.splat(2.0) + l.splat(2.0) * seen.between, zero)), l.splat(1e-6))
+            (ndl + ndv) / l.max(l.sqrt(l.max(l.splat(2.0) + l.splat(2.0) * point.between, zero)), l.splat(1e-6))
         };
-        let strength = pow(l, l.min(l.max(cosine, l.splat(1e-6)), one), gloss.exponent);
+        let strength = pow(l, l.min(l.max(cosine, l.splat(1e-6)), one), specular.exponent);
         l.select(l.lt(zero, ndl), strength, zero)
     } else {
         zero

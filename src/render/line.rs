@@ -5,8 +5,8 @@
 
 use glam::Vec3;
 
-use super::bin_lists::{Bins, Columns};
-use super::binning::Bands;
+use super::bin_lists::{BinLists, ColumnRange};
+use super::binning::BandLayout;
 use super::clip::clip_line;
 use super::projection::ViewTransform;
 use super::setup::Rect;
@@ -33,7 +33,7 @@ pub(super) struct LineStyle {
     pub alpha: [f32; 2],
     /// Pixels.
     pub width: f32,
-    pub stage: LinePass,
+    pub pass: LinePass,
     pub depth_test: bool,
     /// How far it is brought nearer, so that it wins against the surface it lies on: 1 is enough for that.
     pub depth_bias: f32,
@@ -65,32 +65,32 @@ struct LineSegment {
     depth_test: bool,
 }
 
-/// The strokes of a picture, by stage and band.
+/// The line segments of a picture, by pass and band.
 #[derive(Debug, Default)]
 pub(super) struct LineSegments {
     all: [Vec<LineSegment>; 3],
-    bins: [Bins; 3],
+    bins: [BinLists; 3],
 }
 
 impl LineSegments {
-    /// Empties a stage.
-    pub(super) fn reset(&mut self, stage: LinePass, bands: &Bands) {
-        self.all[stage as usize].clear();
-        self.bins[stage as usize].reset(bands.count);
+    /// Removes the segments of a pass.
+    pub(super) fn reset(&mut self, pass: LinePass, bands: &BandLayout) {
+        self.all[pass as usize].clear();
+        self.bins[pass as usize].reset(bands.count);
     }
 
-    /// Whether nothing is drawn in `band` at this stage.
-    pub(super) fn is_empty(&self, stage: LinePass, band: usize) -> bool {
-        self.bins[stage as usize].is_empty(band)
+    /// Whether nothing is drawn in `band` in this pass.
+    pub(super) fn is_empty(&self, pass: LinePass, band: usize) -> bool {
+        self.bins[pass as usize].is_empty(band)
     }
 
-    /// The columns that are drawn on in `band` at this stage.
-    pub(super) fn columns(&self, stage: LinePass, band: usize) -> Columns {
-        self.bins[stage as usize].columns(band)
+    /// The columns that are drawn on in `band` in this pass.
+    pub(super) fn columns(&self, pass: LinePass, band: usize) -> ColumnRange {
+        self.bins[pass as usize].columns(band)
     }
 
     /// Adds the line from `a` to `b` in the world.
-    pub(super) fn line(&mut self, view: &ViewTransform, bands: &Bands, a: Vec3, b: Vec3, line_style: &LineStyle) {
+    pub(super) fn line(&mut self, view: &ViewTransform, bands: &BandLayout, a: Vec3, b: Vec3, line_style: &LineStyle) {
         let (part, ends) = if a == b {
             let clip = view.clip(a);
             if !clip.iter().all(|x| x.is_finite()) || clip[3] < f64::from(view.near) {
@@ -126,31 +126,31 @@ impl LineSegments {
         let rect = Rect { x0: low(0).max(0), y0: low(1).max(0), x1: high(0, w), y1: high(1, h) };
         let visible = from.iter().chain(&to).all(|x| x.is_finite()) && from[0].max(to[0]) + reach > 0.0 && from[1].max(to[1]) + reach > 0.0;
         if visible && !rect.is_empty() && (segment.alpha[0] > 0.0 || segment.alpha[1] > 0.0) {
-            let all = &mut self.all[line_style.stage as usize];
-            bands.spread(&mut self.bins[line_style.stage as usize], &rect, all.len() as u32);
+            let all = &mut self.all[line_style.pass as usize];
+            bands.push_to_bands(&mut self.bins[line_style.pass as usize], &rect, all.len() as u32);
             all.push(segment);
         }
     }
 }
 
 kernel! {
-    /// Draws the strokes of a stage into the rows of a band, within the columns that the plane uses.
-    pub(super) fn segments(all: &LineSegments, stage: LinePass, onto: LineTarget, band: usize, plane: &mut BandBuffer) = draw
+    /// Draws the line segments of a pass into the rows of a band, within the columns that the buffer uses.
+    pub(super) fn segments(all: &LineSegments, pass: LinePass, target: LineTarget, band: usize, plane: &mut BandBuffer) = rasterize_segments
 }
 
 #[inline(always)]
-fn draw<L: Simd>(l: L, all: &LineSegments, stage: LinePass, onto: LineTarget, band: usize, plane: &mut BandBuffer) {
-    for run in all.bins[stage as usize].of(band) {
+fn rasterize_segments<L: Simd>(l: L, all: &LineSegments, pass: LinePass, target: LineTarget, band: usize, plane: &mut BandBuffer) {
+    for run in all.bins[pass as usize].of(band) {
         for &index in run {
-            if let Some(segment) = all.all[stage as usize].get(index as usize) {
-                one(l, segment, plane, onto);
+            if let Some(segment) = all.all[pass as usize].get(index as usize) {
+                rasterize_segment(l, segment, plane, target);
             }
         }
     }
 }
 
 #[inline(always)]
-fn one<L: Simd>(l: L, segment: &LineSegment, plane: &mut BandBuffer, onto: LineTarget) {
+fn rasterize_segment<L: Simd>(l: L, segment: &LineSegment, plane: &mut BandBuffer, target: LineTarget) {
     let [ax, ay, aq] = segment.from;
     let (dx, dy) = (segment.to[0] - ax, segment.to[1] - ay);
     let squared = dx * dx + dy * dy;
@@ -163,9 +163,9 @@ fn one<L: Simd>(l: L, segment: &LineSegment, plane: &mut BandBuffer, onto: LineT
     let (zero, one) = (l.splat(0.0), l.splat(1.0));
     let color = map(segment.color, always!(|c: f32| l.splat(c)));
     let [first, end] = plane.used.map(|x| x as i32);
-    let depth_test = segment.depth_test && onto != LineTarget::BackgroundCache;
+    let depth_test = segment.depth_test && target != LineTarget::BackgroundCache;
     for y in top..=bottom {
-        assert!(plane.holds(plane.index(y, 0), plane.width), "a row reaches beyond its band");
+        assert!(plane.contains(plane.index(y, 0), plane.width), "a row reaches beyond its band");
         let cy = y as f32 + 0.5 - ay;
         // Where along the stroke it is within reach of this row; a little too much does no harm, since coverage is worked out exactly.
         let (mut from, mut to) = (0.0f32, 1.0f32);
@@ -204,10 +204,10 @@ fn one<L: Simd>(l: L, segment: &LineSegment, plane: &mut BandBuffer, onto: LineT
                     if depth_test {
                         shown = shown & l.lt(plane.depth(l, s, at), q);
                     }
-                    if onto == LineTarget::Surfaces {
+                    if target == LineTarget::Surfaces {
                         shown = shown & l.lt(l.splat(f32::NEG_INFINITY), plane.depth(l, s, at));
                     }
-                    if onto == LineTarget::Overlay {
+                    if target == LineTarget::Overlay {
                         plane.set_depth(l, s, at, shown, q);
                     }
                     plane.blend(l, s, at, shown, [color[0], color[1], color[2], full]);

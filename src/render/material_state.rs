@@ -1,7 +1,7 @@
 //! Material, display options and surface, resolved to the numbers that the kernels read.
 
 use super::light::Specular;
-use super::texture::Sampler;
+use super::texture::TextureSampler;
 
 /// What the vertex stage hands on for each vertex.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,18 +52,18 @@ pub(super) enum ShaderKind {
 /// How the triangles of one item are drawn.
 #[derive(Debug, Clone)]
 pub(super) struct ResolvedMaterial {
-    pub varying: VertexOutput,
+    pub vertex_output: VertexOutput,
     pub normals: Normals,
-    pub layer: RenderPass,
-    pub fill: ShaderKind,
+    pub pass: RenderPass,
+    pub shader: ShaderKind,
     /// How many steps it is pushed back in depth; see [`super::projection::ViewTransform::depth_bias`].
-    pub behind: f32,
+    pub depth_offset: f32,
     /// Colour under full light, 0 to 1.
     pub albedo: [f32; 3],
     pub opacity: f32,
     pub emission: [f32; 3],
     pub specular: [f32; 3],
-    pub gloss: Specular,
+    pub highlight: Specular,
     /// No light: the colour as it is.
     pub unlit: bool,
     /// Back faces show, so they have to be lit too.
@@ -76,26 +76,26 @@ pub(super) struct ResolvedMaterial {
     pub mark: [f32; 3],
     pub mark_share: f32,
     pub depth_test: bool,
-    pub diffuse: Option<Sampler>,
-    pub cutout: Option<Sampler>,
+    pub diffuse: Option<TextureSampler>,
+    pub cutout: Option<TextureSampler>,
     /// How much of the cutout counts: opacity is multiplied by `1 − share + share · texture`.
     pub cutout_share: f32,
-    pub glow: Option<Sampler>,
+    pub emission_texture: Option<TextureSampler>,
 }
 
 impl Default for ResolvedMaterial {
     fn default() -> Self {
         Self {
-            varying: VertexOutput::Color,
+            vertex_output: VertexOutput::Color,
             normals: Normals::Smooth,
-            layer: RenderPass::Opaque,
-            fill: ShaderKind::Gouraud,
-            behind: 0.0,
+            pass: RenderPass::Opaque,
+            shader: ShaderKind::Gouraud,
+            depth_offset: 0.0,
             albedo: [1.0; 3],
             opacity: 1.0,
             emission: [0.0; 3],
             specular: [0.0; 3],
-            gloss: Specular { exponent: 0.0, mirrored: false },
+            highlight: Specular { exponent: 0.0, mirrored: false },
             unlit: false,
             both_sides: true,
             mirrored: false,
@@ -106,7 +106,7 @@ impl Default for ResolvedMaterial {
             diffuse: None,
             cutout: None,
             cutout_share: 1.0,
-            glow: None,
+            emission_texture: None,
         }
     }
 }

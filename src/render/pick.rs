@@ -1,14 +1,14 @@
-//! What lies under a pixel: the same vertices, edges and depths as in the picture, looked at in one place.
+//! Picking: the surface under a pixel, from the same vertices, edges and depths as in the picture.
 
 use glam::{DVec3, Vec3};
 
-use super::bones::{DOT, FACES, LIFT, bones};
+use super::bones::{DEPTH_BIAS, DOT_RADIUS, FACES, bones};
 use super::clip::clip;
-use super::draw_data::{DrawCall, FrameData, Source};
+use super::draw_data::{DrawCall, FrameData, GeometrySource};
 use super::material_state::RenderPass;
 use super::pool::Pool;
 use super::projection::{BAD, ScreenVertex};
-use super::renderer::{Buffers, Canvas};
+use super::renderer::{Buffers, TargetLayout};
 use super::setup::{AttributePlanes, Edges, Rect, area};
 use super::{Display, Pick};
 use crate::scene::{Camera, Frame, NodeId, Scene};
@@ -37,14 +37,14 @@ impl Buffers {
             return None;
         }
         let (px, py) = (x as i32, y as i32);
-        let canvas = Canvas::new(display, width, height);
+        let canvas = TargetLayout::new(display, width, height);
         let (view, lights) = self.prepare(scene, frame, camera, display, &canvas, true);
         self.vertex_stage(pool, level, frame, &view, &lights);
         let frame_data = self.frame_data(frame, view, lights);
         let (mut surface, mut overlay) = (None, None);
         let owners: Vec<NodeId> = if display.bones { bones(scene, frame).map(|bone| bone.owner).collect() } else { Vec::new() };
-        for item in frame_data.items {
-            let best = if item.style.layer == RenderPass::Overlay { &mut overlay } else { &mut surface };
+        for item in frame_data.draw_calls {
+            let best = if item.material.pass == RenderPass::Overlay { &mut overlay } else { &mut surface };
             look(&frame_data, item, &owners, (px, py), best);
         }
         if display.bones {
@@ -59,14 +59,14 @@ impl Buffers {
 fn look(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], at: (i32, i32), best: &mut Option<Hit>) {
     let reader = frame_data.reader(item);
     for t in 0..item.triangles.len() {
-        let Some(screen) = reader.screens(t) else { continue };
+        let Some(screen) = reader.screen_vertices(t) else { continue };
         let codes = screen.map(|corner| corner.code);
         let (any, all) = (codes[0] | codes[1] | codes[2], codes[0] & codes[1] & codes[2]);
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let mut one = |screen: [ScreenVertex; 3], mixture: [[f32; 3]; 3]| {
             let Some((q, shares)) = touch(frame_data, item, t, screen, at) else { return };
             // The picture keeps the first of two that are equally near; without a depth test the last.
-            if !item.style.depth_test || best.is_none_or(|best| q > best.q) {
+            if !item.material.depth_test || best.is_none_or(|best| q > best.q) {
                 *best = Some(Hit { q, pick: describe(frame_data, item, owners, t, shares, mixture) });
             }
         };
@@ -74,7 +74,7 @@ fn look(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], at: (i32
             one(screen, identity);
         } else if all == 0 && any & BAD == 0 {
             let corners = reader.geometry.triangles[t].map(|v| reader.geometry.world(v as usize));
-            clip(&frame_data.view, corners, &screen, 0, |piece| one(piece.screen, piece.mixture));
+            clip(&frame_data.view, corners, &screen, 0, |piece| one(piece.screen, piece.barycentric));
         }
     }
 }
@@ -88,8 +88,8 @@ fn touch(
     (px, py): (i32, i32),
 ) -> Option<(f32, DVec3)> {
     let mut size = area(&screen);
-    let away = (size > 0) != item.style.mirrored;
-    if item.hides(t, size) {
+    let away = (size > 0) != item.material.mirrored;
+    if item.culls(t, size) {
         return None;
     }
     let swapped = size < 0;
@@ -128,11 +128,11 @@ fn describe(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], t: u
     let [a, b, c] = geometry.triangles[t].map(|v| geometry.world(v as usize));
     let point = a * barycentric.x + b * barycentric.y + c * barycentric.z;
     match &item.source {
-        Source::Surface { index, triangles } => {
+        GeometrySource::Surface { index, triangles } => {
             let node = frame_data.frame.surfaces[*index as usize].node;
             Pick { node, surface: Some(*index), triangle: triangles.start + t as u32, barycentric, point }
         }
-        Source::Bones => {
+        GeometrySource::Bones => {
             let node = owners.get(t / FACES).copied().unwrap_or(NodeId(0));
             Pick { node, surface: None, triangle: 0, barycentric, point }
         }
@@ -141,7 +141,7 @@ fn describe(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], t: u
 
 /// The dots of the joints.
 fn dots(frame_data: &FrameData<'_>, scene: &Scene, display: &Display, at: [f32; 2], best: &mut Option<Hit>) {
-    let radius = f64::from(DOT * if display.scale.is_finite() { display.scale.clamp(0.25, 8.0) } else { 1.0 }) + 1.0;
+    let radius = f64::from(DOT_RADIUS * if display.scale.is_finite() { display.scale.clamp(0.25, 8.0) } else { 1.0 }) + 1.0;
     for joint in &frame_data.frame.joints {
         let point: Vec3 = frame_data.frame.position(joint.node);
         let clip = frame_data.view.clip(point);
@@ -154,7 +154,7 @@ fn dots(frame_data: &FrameData<'_>, scene: &Scene, display: &Display, at: [f32; 
         }
         let [x, y, q] = frame_data.view.project(clip);
         let near = (x - f64::from(at[0])).hypot(y - f64::from(at[1])) <= radius;
-        let [factor, summand] = frame_data.view.depth_bias(LIFT + 1.0);
+        let [factor, summand] = frame_data.view.depth_bias(DEPTH_BIAS + 1.0);
         let q = q as f32 * factor + summand;
         if near && best.is_none_or(|best| q > best.q) {
             let pick = Pick { node: joint.node, surface: None, triangle: 0, barycentric: Vec3::X, point };

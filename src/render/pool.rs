@@ -10,7 +10,7 @@ use std::thread::JoinHandle;
 /// What the threads run: the argument is the worker's number.
 type Job = dyn Fn(usize) + Sync;
 
-/// A job whose lifetime was erased; see the reason in [`Pool::run`].
+/// A job whose lifetime was erased; see the reason in [`Pool::bin_draw_call`].
 #[derive(Clone, Copy)]
 struct JobPointer(*const Job);
 // SAFETY: the pointee is `Sync`, so calling it from another thread is allowed while it lives, which `Pool::run` sees to.
@@ -108,7 +108,7 @@ impl Pool {
             let _closing = Closing(&self.shared, self.threads.len());
             job(0);
         }
-        // A panic in a worker is a bug of ours; it must not leave a half-drawn picture unnoticed.
+        // A panic in a worker is a bug of the renderer; it must not leave a half-drawn picture unnoticed.
         assert!(!std::mem::take(&mut self.shared.lock().panicked), "a drawing thread panicked");
     }
 }

@@ -39,7 +39,7 @@ pub(super) struct ViewTransform {
     pub x: Vec4,
     pub y: Vec4,
     pub w: Vec4,
-    /// Distance from the eye's plane.
+    /// Distance from the camera plane.
     pub distance: Vec4,
     /// For a parallel camera: nearness.
     pub nearness: Vec4,
@@ -51,7 +51,7 @@ pub(super) struct ViewTransform {
     pub half: [f32; 2],
     /// Picture size in pixels.
     pub size: [u32; 2],
-    /// The eye.
+    /// Position of the camera.
     pub eye: Vec3,
     /// From the scene to the viewer, for a parallel camera.
     pub back: Vec3,
@@ -109,7 +109,7 @@ impl ViewTransform {
         [self.x, self.y, self.w, self.distance, self.nearness].map(|row| row.as_dvec4().dot(point))
     }
 
-    /// Pixel coordinates and nearness of clip coordinates that are in front of the eye.
+    /// Pixel coordinates and nearness of clip coordinates that are in front of the camera.
     pub(super) fn project(&self, clip: [f64; 5]) -> [f64; 3] {
         let [x, y, w, _, nearness] = clip;
         let inverse = 1.0 / w;

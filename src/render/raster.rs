@@ -7,8 +7,10 @@ use super::draw_data::{DrawCall, FrameData, WorkUnit};
 use super::material_state::ShaderKind;
 use super::projection::ScreenVertex;
 use super::setup::{AttributePlanes, BLOCK, EdgeStepper, Edges, Rect, area};
-use super::shade::{Attributes, Gouraud, Gradients, Phong, PhongTextured, Plain, Shader, Textured, TriangleAttributes, is_plain};
-use super::small_triangles::{TriangleBatch, bend};
+use super::shade::{
+    AnyTextured, Attributes, Gouraud, Gradients, OpaqueTextured, Phong, PhongTextured, Shader, TriangleAttributes, is_opaque_textured,
+};
+use super::small_triangles::{TriangleBatch, premultiply_inv_w};
 use super::tile_buffer::BandBuffer;
 use crate::simd::{Scalar, Simd, SimdLevel, always, each, kernel, map};
 
@@ -19,11 +21,11 @@ pub(super) struct DrawRun<'a> {
     pub item: &'a DrawCall,
     /// Where cut pieces are.
     pub unit: &'a WorkUnit,
-    /// What to fill, as [`FrameData::part`] understands it.
+    /// What to fill, as [`FrameData::clipped_triangle`] understands it.
     pub entries: &'a [u32],
 }
 
-/// One function for each way of shading and number of samples: together they would be too much for the optimizer's patience.
+/// One function for each way of shading and number of samples: as one function they would take the optimizer too long.
 macro_rules! kernels {
     ($($(($narrow:ident))? $name:ident = $shader:ident, $attributes:literal, $samples:literal;)*) => { $(
         kernel! {
@@ -36,9 +38,9 @@ kernels! {
     gouraud_4 = Gouraud, 4, 4;
     (narrow) glass = Gouraud, 8, 1;
     (narrow) glass_4 = Gouraud, 8, 4;
-    plain = Plain, 8, 1;
-    textured = Textured, 8, 1;
-    textured_4 = Textured, 8, 4;
+    plain = OpaqueTextured, 8, 1;
+    textured = AnyTextured, 8, 1;
+    textured_4 = AnyTextured, 8, 4;
     phong = Phong, 12, 1;
     (narrow) phong_4 = Phong, 12, 4;
     (narrow) phong_textured = PhongTextured, 12, 1;
@@ -47,12 +49,12 @@ kernels! {
 
 /// Fills a stretch of triangles into the rows of `plane`.
 pub(super) fn fill(level: SimdLevel, run: &DrawRun<'_>, plane: &mut BandBuffer) {
-    let kernel = match (run.item.style.fill, plane.samples) {
-        (ShaderKind::Gouraud, 1) if run.item.blended() => glass,
-        (ShaderKind::Gouraud, _) if run.item.blended() => glass_4,
+    let kernel = match (run.item.material.shader, plane.samples) {
+        (ShaderKind::Gouraud, 1) if run.item.is_blended() => glass,
+        (ShaderKind::Gouraud, _) if run.item.is_blended() => glass_4,
         (ShaderKind::Gouraud, 1) => gouraud,
         (ShaderKind::Gouraud, _) => gouraud_4,
-        (ShaderKind::Textured, 1) if is_plain(run.frame_data, &run.item.style) => plain,
+        (ShaderKind::Textured, 1) if is_opaque_textured(run.frame_data, &run.item.material) => plain,
         (ShaderKind::Textured, 1) => textured,
         (ShaderKind::Textured, _) => textured_4,
         (ShaderKind::Phong, 1) => phong,
@@ -71,18 +73,18 @@ where
     let DrawRun { frame_data, item, unit, entries } = *run;
     let reader = frame_data.reader(item);
     let shader = S::new(frame_data, item);
-    let blended = S::BLENDED.unwrap_or(item.blended());
+    let blended = S::BLENDED.unwrap_or(item.is_blended());
     let mut batch = TriangleBatch::<K>::new();
     for &entry in entries {
-        let Some(part) = FrameData::part(item, &reader, unit, entry) else { continue };
+        let Some(part) = FrameData::clipped_triangle(item, &reader, unit, entry) else { continue };
         let mut screen = part.screen;
         let mut size = area(&screen);
         if size == 0 {
             continue;
         }
-        let other_side = (size > 0) != item.style.mirrored;
+        let other_side = (size > 0) != item.material.mirrored;
         let mut values = shader.corners(&reader, part.triangle, other_side);
-        if let Some(mixture) = part.mixture {
+        if let Some(mixture) = part.barycentric {
             let whole = values;
             for (value, share) in values.iter_mut().zip(mixture) {
                 for k in 0..K {
@@ -104,24 +106,24 @@ where
                 batch.push(S::USED, &screen, &values, &rect, other_side);
             }
             if batch.is_full() {
-                batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.style.depth_test, plane);
+                batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.material.depth_test, plane);
             }
             continue;
         }
         // What came before has to be drawn before.
         if !blended {
-            batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.style.depth_test, plane);
+            batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.material.depth_test, plane);
         }
-        let curved = bend(frame_data, &mut values, item.style.fill == ShaderKind::Gouraud);
-        let triangle = Triangle { screen, area: size, values, curved, away: other_side, depth_test: item.style.depth_test, blended };
+        let curved = premultiply_inv_w(frame_data, &mut values, item.material.shader == ShaderKind::Gouraud);
+        let triangle = Triangle { screen, area: size, values, curved, away: other_side, depth_test: item.material.depth_test, blended };
         raster::<L, S, K, M>(l, &shader, &triangle, plane, frame_data.view.size);
     }
     if !blended {
-        batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.style.depth_test, plane);
+        batch.flush::<L, S, M>(l, &shader, frame_data.view.perspective, item.material.depth_test, plane);
     }
 }
 
-/// The straight way is good enough where the nearness's change times the colours' is no more than this share of the nearness: see [`needs_perspective`].
+/// Linear interpolation is accurate enough where the nearness's change times the colours' is no more than this share of the nearness: see [`needs_perspective`].
 pub(super) const STRAIGHT: f32 = 0.4;
 
 /// Whether straight interpolation on the picture would be off by more than a tenth of a 255th anywhere. Between corners whose nearness has the
@@ -135,7 +137,7 @@ pub(super) fn needs_perspective<const K: usize>(values: &[[f32; K]; 3], colors: 
         (if high > c { high } else { c }, if low < c { low } else { c })
     });
     let (near, far) = spread(0);
-    // Only colours are known to be within 0 to 255; other attributes always take the exact way.
+    // Only colours are known to be within 0 to 255; other attributes always use perspective interpolation.
     if !colors {
         return near != far;
     }
@@ -204,7 +206,7 @@ where
         for y in top..=bottom {
             let (mut x, end) = span.next();
             let first = plane.index(y, left);
-            assert!(plane.holds(first, width as usize), "a row reaches beyond its band");
+            assert!(plane.contains(first, width as usize), "a row reaches beyond its band");
             if x < end {
                 let row = planes.row(y - rect.y0);
                 let row = map(row, always!(|value: f32| l.splat(value)));

@@ -5,10 +5,10 @@ use std::time::Instant;
 
 use glam::Vec4;
 
-use super::background::Backdrop;
+use super::background::BackgroundRows;
 use super::band_raster::{BandJob, WorkerScratch, XRAY, draw_band};
-use super::bin_lists::Bins;
-use super::binning::{Bands, bin};
+use super::bin_lists::BinLists;
+use super::binning::{BandLayout, bin};
 use super::draw_data::{DrawCall, FrameData, GeneratedMesh, WorkUnit, geometry};
 use super::draw_list::{DrawListBuilder, light_position};
 use super::light::Lights;
@@ -18,8 +18,8 @@ use super::pool::Pool;
 use super::projection::{ScreenVertex, ViewTransform};
 use super::resolve::Rows;
 use super::static_layer_cache::BackgroundCache;
-use super::texture::Cache;
-use super::vertex::{CHUNK, Out, Quad, vertices};
+use super::texture::TextureCache;
+use super::vertex::{CHUNK, Quad, VertexBuffers, vertices};
 use super::{Display, Samples, Stats};
 use crate::limits;
 use crate::scene::{Camera, Frame, Scene};
@@ -41,8 +41,8 @@ pub(super) struct Buffers {
     pub collector: DrawListBuilder,
     pub items: Vec<DrawCall>,
     pub bones: GeneratedMesh,
-    pub heat: Vec<Vec4>,
-    pub cache: Cache,
+    pub weight_colors: Vec<Vec4>,
+    pub cache: TextureCache,
     pub segments: LineSegments,
     pub ground: BackgroundCache,
     screen: Vec<ScreenVertex>,
@@ -50,7 +50,7 @@ pub(super) struct Buffers {
     back: Vec<Quad>,
     units: Vec<WorkUnit>,
     sorted: Vec<Sorted>,
-    sorted_bins: Bins,
+    sorted_bins: BinLists,
     locals: Vec<Mutex<WorkerScratch>>,
 }
 
@@ -62,7 +62,7 @@ pub(super) struct Sorted {
     pub entry: u32,
 }
 
-/// Hands out pieces of something to whoever comes, each once.
+/// Distributes the parts of a slice to the workers, each part once.
 fn take<T>(from: &Mutex<impl Iterator<Item = T>>) -> Option<T> {
     from.lock().unwrap_or_else(PoisonError::into_inner).next()
 }
@@ -78,7 +78,7 @@ struct Chunks<'a> {
 }
 
 impl<'a> Iterator for Chunks<'a> {
-    type Item = (&'a DrawCall, usize, Out<'a>);
+    type Item = (&'a DrawCall, usize, VertexBuffers<'a>);
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
@@ -94,28 +94,31 @@ impl<'a> Iterator for Chunks<'a> {
             }
             let start = self.start;
             self.start += n;
-            let out =
-                Out { screen: self.screen.split_off_mut(..n)?, front: self.front.split_off_mut(..n)?, back: self.back.split_off_mut(..n)? };
+            let out = VertexBuffers {
+                screen: self.screen.split_off_mut(..n)?,
+                front: self.front.split_off_mut(..n)?,
+                back: self.back.split_off_mut(..n)?,
+            };
             return Some((item, start, out));
         }
     }
 }
 
-/// A picture's size, its bands, and what is behind it.
-pub(super) struct Canvas {
+/// A picture's size, its bands, and its background.
+pub(super) struct TargetLayout {
     pub width: u32,
     pub height: u32,
     pub samples: usize,
-    pub bands: Bands,
-    pub backdrop: Backdrop,
+    pub bands: BandLayout,
+    pub background: BackgroundRows,
 }
 
-impl Canvas {
+impl TargetLayout {
     pub(super) fn new(display: &Display, width: u32, height: u32) -> Self {
         let multi = display.samples == Samples::Four;
         let rows = if multi { BAND_ROWS_MULTI } else { BAND_ROWS };
-        let bands = Bands { rows, count: (height as usize).div_ceil(rows).max(1), multi };
-        Self { width, height, samples: if multi { 4 } else { 1 }, bands, backdrop: Backdrop::new(display.background, height) }
+        let bands = BandLayout { rows, count: (height as usize).div_ceil(rows).max(1), multi };
+        Self { width, height, samples: if multi { 4 } else { 1 }, bands, background: BackgroundRows::new(display.background, height) }
     }
 }
 
@@ -136,7 +139,7 @@ impl Buffers {
         if width == 0 || height == 0 || stride < 4 {
             return stats;
         }
-        let canvas = Canvas::new(display, width, height);
+        let canvas = TargetLayout::new(display, width, height);
         let start = Instant::now();
         let (view, lights) = self.prepare(scene, frame, camera, display, &canvas, false);
         let band_rows = canvas.bands.rows;
@@ -170,7 +173,7 @@ impl Buffers {
         };
         let picture = BandJob {
             frame_data: &frame_data,
-            canvas: &canvas,
+            target: &canvas,
             units: units_now,
             sorted: &sorted,
             sorted_bins: &sorted_bins,
@@ -182,7 +185,7 @@ impl Buffers {
         for local in &mut locals {
             local.get_mut().unwrap_or_else(PoisonError::into_inner).reserve(&picture);
         }
-        let rows = Mutex::new(target.chunks_mut(stride * band_rows).take(bands).zip(ground.pieces()).enumerate());
+        let rows = Mutex::new(target.chunks_mut(stride * band_rows).take(bands).zip(ground.bands()).enumerate());
         pool.run(&|worker| {
             // Each worker has its own, so the lock is free.
             let mut local = locals[worker].lock().unwrap_or_else(PoisonError::into_inner);
@@ -209,7 +212,7 @@ impl Buffers {
         frame: &Frame,
         camera: &Camera,
         display: &Display,
-        canvas: &Canvas,
+        canvas: &TargetLayout,
         picking: bool,
     ) -> (ViewTransform, Lights) {
         let view = ViewTransform::new(camera, canvas.width, canvas.height);
@@ -221,16 +224,16 @@ impl Buffers {
         if seen {
             let mut cache = std::mem::take(&mut self.cache);
             cache.begin();
-            self.collect(&mut cache, (scene, frame), &view, display, picking);
+            self.build(&mut cache, (scene, frame), &view, display, picking);
             self.cache = cache;
         }
         (view, Lights::new(position, display.ambient, &view))
     }
 
     /// Makes the lists of lines.
-    fn lines(&mut self, scene: &Scene, frame: &Frame, view: &ViewTransform, bands: &Bands, display: &Display, lights: &Lights) {
+    fn lines(&mut self, scene: &Scene, frame: &Frame, view: &ViewTransform, bands: &BandLayout, display: &Display, lights: &Lights) {
         if view.is_somewhere() {
-            self.sketch(scene, frame, view, bands, display, lights.position);
+            self.add_lines(scene, frame, view, bands, display, lights.position);
         } else {
             [LinePass::Under, LinePass::Over, LinePass::Overlay].into_iter().for_each(|stage| self.segments.reset(stage, bands));
         }
@@ -243,9 +246,9 @@ impl Buffers {
             lights,
             frame,
             bones: &self.bones,
-            items: &self.items,
+            draw_calls: &self.items,
             textures: self.cache.textures(),
-            heat: &self.heat,
+            weight_colors: &self.weight_colors,
             screen: &self.screen,
             front: &self.front,
             back: &self.back,
@@ -261,7 +264,7 @@ impl Buffers {
             self.front.resize(total, Quad::default());
             self.back.resize(total, Quad::default());
         }
-        let (bones, heat) = (&self.bones, &self.heat);
+        let (bones, weight_colors) = (&self.bones, &self.weight_colors);
         let chunks = Mutex::new(Chunks {
             items: self.items.iter(),
             now: None,
@@ -272,11 +275,11 @@ impl Buffers {
         });
         pool.run(&|_| {
             while let Some((item, start, out)) = take(&chunks) {
-                vertices(level, view, lights, &item.style, &geometry(frame, bones, heat, item), start, out);
+                vertices(level, view, lights, &item.material, &geometry(frame, bones, weight_colors, item), start, out);
             }
         });
-        for item in self.items.iter().filter(|item| item.style.behind > 0.0) {
-            let [factor, summand] = view.depth_bias(-item.style.behind);
+        for item in self.items.iter().filter(|item| item.material.depth_offset > 0.0) {
+            let [factor, summand] = view.depth_bias(-item.material.depth_offset);
             self.screen.get_mut(item.vertices.clone()).into_iter().flatten().for_each(|corner| corner.q = corner.q * factor + summand);
         }
     }
@@ -290,8 +293,8 @@ fn milliseconds(since: Instant) -> f64 {
 fn divide(items: &[DrawCall], units: &mut Vec<WorkUnit>) -> usize {
     let mut count = 0;
     for layer in [RenderPass::Opaque, RenderPass::Blended, RenderPass::Overlay] {
-        let from = items.partition_point(|item| item.style.layer < layer);
-        let to = items.partition_point(|item| item.style.layer <= layer);
+        let from = items.partition_point(|item| item.material.pass < layer);
+        let to = items.partition_point(|item| item.material.pass <= layer);
         let Some((first, last)) = items[from..to].first().zip(items[from..to].last()) else { continue };
         let (start, end) = (first.triangles.start, last.triangles.end);
         let size = (end - start).div_ceil(UNITS).max(UNIT);
@@ -307,7 +310,7 @@ fn divide(items: &[DrawCall], units: &mut Vec<WorkUnit>) -> usize {
 }
 
 /// Puts the blended triangles of all units in order, the farthest first, and into bands.
-fn sort_blended(frame_data: &FrameData<'_>, bands: &Bands, units: &[WorkUnit], sorted: &mut Vec<Sorted>, bins: &mut Bins) {
+fn sort_blended(frame_data: &FrameData<'_>, bands: &BandLayout, units: &[WorkUnit], sorted: &mut Vec<Sorted>, bins: &mut BinLists) {
     sorted.clear();
     for (index, unit) in units.iter().enumerate() {
         sorted.extend(unit.blended.iter().map(|&(nearness, entry)| Sorted { nearness, unit: index as u32, entry }));
@@ -316,9 +319,9 @@ fn sort_blended(frame_data: &FrameData<'_>, bands: &Bands, units: &[WorkUnit], s
     sorted.sort_unstable_by(|a, b| a.nearness.total_cmp(&b.nearness).then(a.unit.cmp(&b.unit)).then(a.entry.cmp(&b.entry)));
     for (index, triangle) in sorted.iter().enumerate() {
         let unit = &units[triangle.unit as usize];
-        let Some(item) = frame_data.item_of(FrameData::number(unit, triangle.entry)) else { continue };
-        if let Some(part) = FrameData::part(item, &frame_data.reader(item), unit, triangle.entry) {
-            bands.spread(bins, &super::setup::Rect::of(&part.screen, bands.multi, frame_data.view.size), index as u32);
+        let Some(item) = frame_data.draw_call_of(FrameData::triangle_number(unit, triangle.entry)) else { continue };
+        if let Some(part) = FrameData::clipped_triangle(item, &frame_data.reader(item), unit, triangle.entry) {
+            bands.push_to_bands(bins, &super::setup::Rect::of(&part.screen, bands.multi, frame_data.view.size), index as u32);
         }
     }
 }

@@ -3,14 +3,14 @@
 use glam::Vec3;
 
 use super::draw_data::{DrawCall, FrameData, VertexReader};
-use super::light::{normalize, see, shine};
+use super::light::{lighting_terms, normalize, shading_point};
 use super::material_state::{Normals, ResolvedMaterial};
 use super::texels::{Texels, textures};
 use super::texture::Texture;
-use super::vertex::finish;
+use super::vertex::combine_lighting;
 use crate::simd::{Scalar, Simd, always, each, map};
 
-/// A way of shading with `K` attributes, a multiple of four so that planes are set up by whole vectors; attribute 0 is left to the caller.
+/// A shader with `K` attributes, a multiple of four so that attribute planes are set up by whole vectors; attribute 0 is left to the caller.
 pub(super) trait Attributes<const K: usize> {
     /// Whether the colour is a mixture of the corners' colours, and these are within 0 to 255.
     const BOUNDED: bool = false;
@@ -32,7 +32,7 @@ pub(super) trait Attributes<const K: usize> {
     fn shade<L: Simd>(&self, l: L, values: &[L::F; K], gradients: &Gradients<K>) -> [L::F; 4];
 }
 
-/// Makes a way of shading for an item.
+/// Makes the shader of a draw call.
 pub(super) trait Shader<'a>: Sized {
     fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self;
 }
@@ -43,7 +43,7 @@ pub(super) struct Gradients<const K: usize> {
     pub below: [f32; K],
     /// Whether they are slopes of attributes times nearness.
     pub curved: bool,
-    /// Levels of the material's textures, as [`super::texture::Detail::half`] counts them, where all corners of the triangle agree; [`Gradients::MIXED`] where they
+    /// Levels of the material's textures, as [`super::texture::MipDetail::half`] counts them, where all corners of the triangle agree; [`Gradients::MIXED`] where they
     /// don't or there is none.
     pub levels: [i32; 3],
 }
@@ -110,7 +110,7 @@ pub(super) struct Gouraud<'a> {
 impl<'a> Shader<'a> for Gouraud<'a> {
     #[inline(always)]
     fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
-        Self { frame_data, style: &item.style }
+        Self { frame_data, style: &item.material }
     }
 }
 
@@ -172,31 +172,31 @@ impl Attributes<8> for Gouraud<'_> {
 }
 
 /// Light between the corners, colour from a texture. `PLAIN` where the colour is that of the texture times the light and nothing else; see [`is_plain`].
-pub(super) struct LitTexture<'a, const PLAIN: bool> {
+pub(super) struct GouraudTextured<'a, const PLAIN: bool> {
     frame_data: &'a FrameData<'a>,
     style: &'a ResolvedMaterial,
 }
 
 /// Light between the corners, colour from a texture.
-pub(super) type Textured<'a> = LitTexture<'a, false>;
+pub(super) type AnyTextured<'a> = GouraudTextured<'a, false>;
 /// Colour from a texture times light, and nothing else.
-pub(super) type Plain<'a> = LitTexture<'a, true>;
+pub(super) type OpaqueTextured<'a> = GouraudTextured<'a, true>;
 
 /// Whether the texture times the light is all that a style wants: no shine, glow, opacity or mark.
-pub(super) fn is_plain(frame_data: &FrameData<'_>, style: &ResolvedMaterial) -> bool {
+pub(super) fn is_opaque_textured(frame_data: &FrameData<'_>, style: &ResolvedMaterial) -> bool {
     let colored = style.diffuse.is_some_and(|sampler| (sampler.texture as usize) < frame_data.textures.len());
-    let bare = style.cutout.is_none() && style.glow.is_none() && style.opacity == 1.0 && style.mark_share == 0.0;
+    let bare = style.cutout.is_none() && style.emission_texture.is_none() && style.opacity == 1.0 && style.mark_share == 0.0;
     colored && bare && style.specular == [0.0; 3] && style.emission == [0.0; 3]
 }
 
-impl<'a, const PLAIN: bool> Shader<'a> for LitTexture<'a, PLAIN> {
+impl<'a, const PLAIN: bool> Shader<'a> for GouraudTextured<'a, PLAIN> {
     #[inline(always)]
     fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
-        Self { frame_data, style: &item.style }
+        Self { frame_data, style: &item.material }
     }
 }
 
-impl<const PLAIN: bool> Attributes<8> for LitTexture<'_, PLAIN> {
+impl<const PLAIN: bool> Attributes<8> for GouraudTextured<'_, PLAIN> {
     const USED: usize = if PLAIN { 6 } else { 7 };
 
     #[inline(always)]
@@ -226,7 +226,7 @@ impl<const PLAIN: bool> Attributes<8> for LitTexture<'_, PLAIN> {
         let style = self.style;
         let channel = always!(|i: usize| {
             let lit = texel.color[i] * values[3 + i];
-            let dark = (one - lit * l.splat(1.0 / 255.0)) * (one - values[6] * l.splat(style.specular[i])) * (one - texel.glow[i]);
+            let dark = (one - lit * l.splat(1.0 / 255.0)) * (one - values[6] * l.splat(style.specular[i])) * (one - texel.emission[i]);
             let out = one - dark;
             (out + (l.splat(style.mark[i]) - out) * l.splat(style.mark_share)) * full
         });
@@ -243,7 +243,7 @@ pub(super) struct Phong<'a> {
 impl<'a> Shader<'a> for Phong<'a> {
     #[inline(always)]
     fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
-        Self { frame_data, style: &item.style }
+        Self { frame_data, style: &item.material }
     }
 }
 
@@ -263,9 +263,9 @@ impl Attributes<12> for Phong<'_> {
     fn shade<L: Simd>(&self, l: L, v: &[L::F; 12], _: &Gradients<12>) -> [L::F; 4] {
         let normal = normalize(l, [v[1], v[2], v[3]]);
         let lights = &self.frame_data.lights;
-        let seen = see(l, lights, [v[4], v[5], v[6]], normal);
-        let light = shine(l, lights, self.style.gloss, seen, false);
-        let [r, g, b] = finish(l, self.style, light, [v[7], v[8], v[9]], map(self.style.emission, always!(|e| l.splat(e))));
+        let seen = shading_point(l, lights, [v[4], v[5], v[6]], normal);
+        let light = lighting_terms(l, lights, self.style.highlight, seen, false);
+        let [r, g, b] = combine_lighting(l, self.style, light, [v[7], v[8], v[9]], map(self.style.emission, always!(|e| l.splat(e))));
         let full = l.splat(255.0);
         [r * full, g * full, b * full, v[10] * l.splat(self.style.opacity * 255.0)]
     }
@@ -280,7 +280,7 @@ pub(super) struct PhongTextured<'a> {
 impl<'a> Shader<'a> for PhongTextured<'a> {
     #[inline(always)]
     fn new(frame_data: &'a FrameData<'a>, item: &'a DrawCall) -> Self {
-        Self { frame_data, style: &item.style }
+        Self { frame_data, style: &item.material }
     }
 }
 
@@ -305,10 +305,10 @@ impl Attributes<12> for PhongTextured<'_> {
         let texel = Texels::read(l, self.frame_data, self.style, [v[7], v[8]], gradients, v, 7);
         let normal = normalize(l, [v[1], v[2], v[3]]);
         let lights = &self.frame_data.lights;
-        let seen = see(l, lights, [v[4], v[5], v[6]], normal);
-        let light = shine(l, lights, self.style.gloss, seen, false);
+        let seen = shading_point(l, lights, [v[4], v[5], v[6]], normal);
+        let light = lighting_terms(l, lights, self.style.highlight, seen, false);
         let base = [texel.color[0] * v[9], texel.color[1] * v[10], texel.color[2] * v[11]];
-        let [r, g, b] = finish(l, self.style, light, base, texel.glow);
+        let [r, g, b] = combine_lighting(l, self.style, light, base, texel.emission);
         let full = l.splat(255.0);
         [r * full, g * full, b * full, texel.opacity * full]
     }
@@ -317,7 +317,7 @@ impl Attributes<12> for PhongTextured<'_> {
 /// Places and normals of a triangle's corners, the normals on the side that is seen.
 #[inline(always)]
 fn geometry(style: &ResolvedMaterial, reader: &VertexReader<'_>, t: usize, other_side: bool) -> ([Vec3; 3], [Vec3; 3]) {
-    let places = reader.places(t);
+    let places = reader.positions(t);
     let sign = if other_side { -1.0 } else { 1.0 };
     let normals = match style.normals {
         Normals::Smooth => map(reader.normals(t), always!(|n| n * sign)),
@@ -337,17 +337,22 @@ fn face_normal(style: &ResolvedMaterial, [a, b, c]: [Vec3; 3], other_side: bool)
 
 /// Light at the corners, or in the middle, with the triangle's own normal.
 #[inline(never)]
-fn face_shine(
+fn face_lighting(
     frame_data: &FrameData<'_>,
     style: &ResolvedMaterial,
     reader: &VertexReader<'_>,
     t: usize,
     other_side: bool,
 ) -> [super::light::LightingTerms<Scalar>; 3] {
-    let places = reader.places(t);
+    let places = reader.positions(t);
     let normal = face_normal(style, places, other_side).to_array();
-    let at =
-        always!(|p: Vec3| shine(Scalar, &frame_data.lights, style.gloss, see(Scalar, &frame_data.lights, p.to_array(), normal), false));
+    let at = always!(|p: Vec3| lighting_terms(
+        Scalar,
+        &frame_data.lights,
+        style.highlight,
+        shading_point(Scalar, &frame_data.lights, p.to_array(), normal),
+        false
+    ));
     if style.normals == Normals::Flat {
         [at((places[0] + places[1] + places[2]) / 3.0); 3]
     } else {
@@ -363,10 +368,10 @@ fn face_colors(
     t: usize,
     other_side: bool,
 ) -> [[f32; 4]; 3] {
-    let light = face_shine(frame_data, style, reader, t, other_side);
+    let light = face_lighting(frame_data, style, reader, t, other_side);
     each(always!(|k: usize| {
         let [r, g, b, a] = reader.tint(t, k);
-        let color = finish(Scalar, style, light[k], [r, g, b], style.emission);
+        let color = combine_lighting(Scalar, style, light[k], [r, g, b], style.emission);
         let all = [color[0] * 255.0, color[1] * 255.0, color[2] * 255.0, a * (style.opacity * 255.0)];
         map(all, always!(|c: f32| Scalar.clamp(c, 0.0, 255.0)))
     }))
@@ -380,7 +385,7 @@ fn face_light(
     t: usize,
     other_side: bool,
 ) -> [[f32; 4]; 3] {
-    let light = face_shine(frame_data, style, reader, t, other_side);
+    let light = face_lighting(frame_data, style, reader, t, other_side);
     each(always!(|k: usize| {
         let tint = reader.tint(t, k);
         let c = always!(|i: usize| (if style.unlit { 1.0 } else { light[k].light[i] }) * tint[i] * style.albedo[i] * 255.0);

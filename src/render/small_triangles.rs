@@ -1,6 +1,6 @@
-//! Small triangles, which most are: set up sixteen at a time in vectors, then filled one by one.
+//! Small triangles, the common case: set up sixteen at a time in vectors, then rasterized one by one.
 //!
-//! A triangle whose box is at most [`SIDE`] pixels wide and high has edge functions that fit in 32 bits with all their fraction, and planes that `f32`
+//! A triangle whose box is at most [`MAX_SIDE`] pixels wide and high has edge functions that fit in 32 bits with all their fraction, and planes that `f32`
 //! carries well as long as it is not a sliver. Set up one at a time in `i64` and `f64`, as large ones are, a triangle of a few pixels costs ten times as
 //! much as its pixels do. Whether a triangle is small depends on its corners alone, so the picture stays the same for all vector widths and bands.
 
@@ -16,17 +16,17 @@ use super::tile_buffer::{BandBuffer, pack};
 use crate::simd::{Simd, always, each, map};
 
 /// Triangles that are set up together.
-const MANY: usize = 16;
+const BATCH: usize = 16;
 /// Most columns and rows of a small triangle.
-const SIDE: i32 = 64;
+const MAX_SIDE: i32 = 64;
 /// A box may have so many times the triangle's doubled area; beyond, differences of products lose what `f32` has.
 const SLIVER: i32 = 32;
 /// Where the nearness of the corners is no further than this share from the middle between them, two of Newton's steps from there give one over the nearness
 /// to the precision of `f32`: each squares the error. A division takes four times as long.
-const NARROW: f32 = 1.0 / 64.0;
+const MIN_INV_W_RATIO: f32 = 1.0 / 64.0;
 
-type Ints = [i32; MANY];
-type Floats = [f32; MANY];
+type Ints = [i32; BATCH];
+type Floats = [f32; BATCH];
 
 /// Triangles that wait to be filled. `K` attributes, of which the first is the nearness.
 pub(super) struct TriangleBatch<const K: usize> {
@@ -39,9 +39,9 @@ pub(super) struct TriangleBatch<const K: usize> {
     right: Ints,
     bottom: Ints,
     /// 1 for yes.
-    curved: Ints,
+    perspective: Ints,
     /// 1 for what faces away.
-    away: Ints,
+    back_facing: Ints,
     /// How far that is moved back.
     retreat: Floats,
     /// Change of each edge function a pixel to the right and a pixel downward, and its value at the centre of the box's first pixel, with the fill rule's bias.
@@ -54,14 +54,14 @@ pub(super) struct TriangleBatch<const K: usize> {
     base: [Floats; K],
     /// See [`Gradients::levels`].
     levels: [Ints; 3],
-    /// About one over the nearness, where that hardly changes; see [`NARROW`]. Else 0.
+    /// About one over the nearness, where that hardly changes; see [`MIN_INV_W_RATIO`]. Else 0.
     guess: Floats,
 }
 
 impl<const K: usize> TriangleBatch<K> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        let (ints, floats) = ([0; MANY], [0.0; MANY]);
+        let (ints, floats) = ([0; BATCH], [0.0; BATCH]);
         Self {
             count: 0,
             x: [ints; 3],
@@ -71,8 +71,8 @@ impl<const K: usize> TriangleBatch<K> {
             top: ints,
             right: ints,
             bottom: ints,
-            curved: ints,
-            away: ints,
+            perspective: ints,
+            back_facing: ints,
             retreat: floats,
             across: [ints; 3],
             down: [ints; 3],
@@ -88,7 +88,7 @@ impl<const K: usize> TriangleBatch<K> {
     /// Whether there is no room for another.
     #[inline(always)]
     pub(super) fn is_full(&self) -> bool {
-        self.count == MANY
+        self.count == BATCH
     }
 
     /// Whether a triangle with these corners, clockwise as seen, and this doubled area is small.
@@ -97,14 +97,14 @@ impl<const K: usize> TriangleBatch<K> {
         let side = |a: i32, b: i32, c: i32| a.max(b).max(c) - a.min(b).min(c);
         let (w, h) = (side(screen[0].x, screen[1].x, screen[2].x), side(screen[0].y, screen[1].y, screen[2].y));
         // Corners are inside the guard band, so the differences fit.
-        w < (SIDE - 1) * 256 && h < (SIDE - 1) * 256 && i64::from(w * h) <= area * i64::from(SLIVER)
+        w < (MAX_SIDE - 1) * 256 && h < (MAX_SIDE - 1) * 256 && i64::from(w * h) <= area * i64::from(SLIVER)
     }
 
     /// Adds a triangle that fits, with the first `used` of its attributes. Corners clockwise as seen.
     #[inline(always)]
     pub(super) fn push(&mut self, used: usize, screen: &[ScreenVertex; 3], values: &[[f32; K]; 3], rect: &Rect, away: bool) {
         let i = self.count;
-        if i >= MANY {
+        if i >= BATCH {
             return;
         }
         for corner in 0..3 {
@@ -115,7 +115,7 @@ impl<const K: usize> TriangleBatch<K> {
             }
         }
         (self.left[i], self.top[i], self.right[i], self.bottom[i]) = (rect.x0, rect.y0, rect.x1, rect.y1);
-        self.away[i] = i32::from(away);
+        self.back_facing[i] = i32::from(away);
         self.count = i + 1;
     }
 
@@ -131,11 +131,11 @@ impl<const K: usize> TriangleBatch<K> {
     ) where
         S: Shader<'a> + Attributes<K>,
     {
-        let count = std::mem::take(&mut self.count).min(MANY);
+        let count = std::mem::take(&mut self.count).min(BATCH);
         let mut from = 0;
         while from < count {
             if perspective {
-                self.bend::<L, S>(l, from, count);
+                self.premultiply_batch::<L, S>(l, from, count);
             }
             self.set_up(l, shader, from);
             from += L::N;
@@ -153,7 +153,7 @@ impl<const K: usize> TriangleBatch<K> {
     /// The same as [`bend`] for the triangles from number `from` on, one a lane. What is left in the lanes behind the last of `count` stays as it is:
     /// multiplied again and again it would become too small to be quick.
     #[inline(always)]
-    fn bend<'a, L: Simd, S>(&mut self, l: L, from: usize, count: usize)
+    fn premultiply_batch<'a, L: Simd, S>(&mut self, l: L, from: usize, count: usize)
     where
         S: Shader<'a> + Attributes<K>,
     {
@@ -169,7 +169,7 @@ impl<const K: usize> TriangleBatch<K> {
             l.lt(far, near)
         };
         let curved = curved & l.ilt(l.iota() + l.isplat(from as i32), l.isplat(count as i32));
-        l.istore(l.iselect(curved, l.isplat(1), l.isplat(0)), bytemuck::cast_slice_mut(&mut self.curved[from..]));
+        l.istore(l.iselect(curved, l.isplat(1), l.isplat(0)), bytemuck::cast_slice_mut(&mut self.perspective[from..]));
         let factors: [L::F; 3] = each(always!(|c: usize| l.select(curved, l.load(&self.values[0][c][from..]), l.splat(1.0))));
         for k in 1..S::USED {
             for c in 0..3 {
@@ -221,18 +221,18 @@ impl<const K: usize> TriangleBatch<K> {
         let (low, high) = self.spread(l, 0, from);
         let slant = l.abs(l.load(&self.slope[0][from..])) + l.abs(l.load(&self.fall[0][from..]));
         let retreat = l.min(slant * l.splat(SNAPPED), high - low) + l.abs(high) * l.splat(ROUNDING);
-        l.store(l.select(l.ilt(zero, load(&self.away)), retreat, l.splat(0.0)), &mut self.retreat[from..]);
+        l.store(l.select(l.ilt(zero, load(&self.back_facing)), retreat, l.splat(0.0)), &mut self.retreat[from..]);
         if S::COSTLY {
             let middle = (low + high) * l.splat(0.5);
             // Neither the square of a guess nor that of what it is a guess at may leave the range.
             let usual = l.lt(l.splat(1e-15), middle) & l.lt(middle, l.splat(1e15));
-            let narrow = l.lt(high - middle, middle * l.splat(NARROW)) & usual;
+            let narrow = l.lt(high - middle, middle * l.splat(MIN_INV_W_RATIO)) & usual;
             l.store(l.select(narrow, l.splat(1.0) / middle, l.splat(0.0)), &mut self.guess[from..]);
             let corners = TriangleAttributes {
                 values: each(always!(|c: usize| each(always!(|k: usize| l.load(&self.values[k][c][from..]))))),
                 right: each(always!(|k: usize| l.load(&self.slope[k][from..]))),
                 below: each(always!(|k: usize| l.load(&self.fall[k][from..]))),
-                curved: l.ilt(zero, load(&self.curved)),
+                curved: l.ilt(zero, load(&self.perspective)),
             };
             let levels = shader.levels(l, &corners);
             for (level, slots) in levels.into_iter().zip(&mut self.levels) {
@@ -266,7 +266,7 @@ impl<const K: usize> TriangleBatch<K> {
         if first > bottom {
             return;
         }
-        assert!(plane.holds(plane.index(bottom, left), (right - left + 1) as usize), "a row reaches beyond its band");
+        assert!(plane.contains(plane.index(bottom, left), (right - left + 1) as usize), "a row reaches beyond its band");
         // Lanes count from left to right, in a tile row by row; rows have a power of two of them.
         let lane = l.iota();
         let (column, row) = if TILED {
@@ -295,7 +295,7 @@ impl<const K: usize> TriangleBatch<K> {
             let [x, y] = SAMPLES[s];
             l.splat(self.slope[0][i] * (x as f32 / 256.0) + self.fall[0][i] * (y as f32 / 256.0) - self.retreat[i])
         }));
-        let curved = self.curved[i] != 0;
+        let curved = self.perspective[i] != 0;
         let tame = M == 1 && S::BOUNDED && !curved;
         let mut gradients = Gradients { right: [0.0; K], below: [0.0; K], curved, levels: [Gradients::<K>::MIXED; 3] };
         if S::COSTLY {
@@ -366,7 +366,7 @@ impl<const K: usize> TriangleBatch<K> {
                 let packed = pack(l, shader.shade(l, &values, &gradients), tame);
                 for s in 0..M {
                     // SAFETY: as for reading.
-                    unsafe { plane.put::<L, TILED>(l, s, here, covered[s], packed, sample(s)) };
+                    unsafe { plane.write::<L, TILED>(l, s, here, covered[s], packed, sample(s)) };
                 }
             }
             for e in 0..3 {
@@ -377,9 +377,9 @@ impl<const K: usize> TriangleBatch<K> {
     }
 }
 
-/// Multiplies attributes with the nearness where the way between the corners bends too much, and says whether it does.
+/// Multiplies attributes by 1/w where linear interpolation would deviate too much; returns whether it did.
 #[inline(always)]
-pub(super) fn bend<const K: usize>(frame_data: &FrameData<'_>, values: &mut [[f32; K]; 3], colors: bool) -> bool {
+pub(super) fn premultiply_inv_w<const K: usize>(frame_data: &FrameData<'_>, values: &mut [[f32; K]; 3], colors: bool) -> bool {
     let curved = frame_data.view.perspective && needs_perspective(values, colors);
     if curved {
         for value in values {

@@ -7,11 +7,11 @@ use super::{Background, Display};
 use crate::scene::{Bounds, Camera};
 
 /// Pictures of more pixels are not kept; 4K has 8.3 million.
-const MOST: usize = 9 << 20;
+const MAX_PIXELS: usize = 9 << 20;
 
-/// All that the ground depends on.
+/// Everything that the static layer depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Key {
+struct StaticLayerKey {
     camera: Camera,
     size: [u32; 2],
     /// Rows of a band, and how many bands the target has room for: no others are drawn.
@@ -24,9 +24,9 @@ struct Key {
     depth_test: bool,
 }
 
-/// Where the picture of the ground comes from.
+/// Where the pixels of the static layer come from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum State {
+enum CacheState {
     /// It differs from the one before and may well differ again.
     #[default]
     New,
@@ -36,16 +36,16 @@ enum State {
     Kept,
 }
 
-/// The ground of the last frame.
+/// The static layer of the last frame.
 #[derive(Debug, Default)]
 pub(super) struct BackgroundCache {
-    key: Option<Key>,
-    state: State,
+    key: Option<StaticLayerKey>,
+    state: CacheState,
     pixels: Vec<u32>,
 }
 
-/// What a band has of the ground.
-pub(super) enum Piece<'a> {
+/// The static layer's pixels of a band.
+pub(super) enum BandPixels<'a> {
     /// Nothing: it has to be drawn.
     None,
     /// Room to keep it once it is drawn.
@@ -59,17 +59,18 @@ impl BackgroundCache {
     pub(super) fn begin(&mut self, camera: &Camera, display: &Display, bounds: Bounds, size: [u32; 2], bands: [usize; 2]) {
         let grid = display.grid.then_some((display.ground.unwrap_or(bounds), display.grid_cell, display.palette.grid));
         let widths = [display.scale, display.line_width];
-        let key = Key { camera: *camera, size, bands, background: display.background, grid, widths, depth_test: display.depth_test };
+        let key =
+            StaticLayerKey { camera: *camera, size, bands, background: display.background, grid, widths, depth_test: display.depth_test };
         // What is not a number differs from itself and is drawn anew each time.
         let same = self.key.as_ref() == Some(&key);
         let room = size[0] as usize * size[1] as usize;
         self.state = match self.state {
-            State::Kept | State::Same if same && room <= MOST => State::Kept,
-            State::New if same && room <= MOST => State::Same,
-            _ => State::New,
+            CacheState::Kept | CacheState::Same if same && room <= MAX_PIXELS => CacheState::Kept,
+            CacheState::New if same && room <= MAX_PIXELS => CacheState::Same,
+            _ => CacheState::New,
         };
         self.key = Some(key);
-        if room <= MOST && self.pixels.len() < room && grid.is_some() {
+        if room <= MAX_PIXELS && self.pixels.len() < room && grid.is_some() {
             // In the first frame already, though only the second may write it: the system hands memory out only as it is touched.
             self.pixels = vec![0; room];
         }
@@ -77,19 +78,19 @@ impl BackgroundCache {
 
     /// Whether the lines have to be made again.
     pub(super) fn is_new(&self) -> bool {
-        self.state == State::New
+        self.state == CacheState::New
     }
 
     /// The bands' parts.
-    pub(super) fn pieces(&mut self) -> impl Iterator<Item = Piece<'_>> {
+    pub(super) fn bands(&mut self) -> impl Iterator<Item = BandPixels<'_>> {
         let (width, height, rows) = self.key.map_or((0, 0, 0), |key| (key.size[0] as usize, key.size[1] as usize, key.bands[0]));
         let (state, room) = (self.state, width * height);
         let grid = self.key.is_some_and(|key| key.grid.is_some());
-        let end = if state == State::New || !grid { 0 } else { room.min(self.pixels.len()) };
+        let end = if state == CacheState::New || !grid { 0 } else { room.min(self.pixels.len()) };
         let parts = self.pixels[..end].chunks_mut((width * rows).max(1)).map(move |part| match state {
-            State::Kept => Piece::Kept(part),
-            _ => Piece::Room(part),
+            CacheState::Kept => BandPixels::Kept(part),
+            _ => BandPixels::Room(part),
         });
-        parts.chain(std::iter::repeat_with(|| Piece::None))
+        parts.chain(std::iter::repeat_with(|| BandPixels::None))
     }
 }

@@ -3,7 +3,7 @@
 use super::draw_data::FrameData;
 use super::material_state::ResolvedMaterial;
 use super::shade::Gradients;
-use super::texture::{Sampler, Texture};
+use super::texture::{Texture, TextureSampler};
 use crate::scene::WrapMode;
 use crate::simd::{Simd, always, each, map};
 
@@ -14,7 +14,7 @@ pub(super) struct Texels<L: Simd> {
     /// 0 to 1, the material's own opacity included.
     pub opacity: L::F,
     /// 0 to 1.
-    pub glow: [L::F; 3],
+    pub emission: [L::F; 3],
 }
 
 impl<L: Simd> Texels<L> {
@@ -30,9 +30,9 @@ impl<L: Simd> Texels<L> {
         first: usize,
     ) -> Self {
         let glow = map(style.emission, always!(|emission| l.splat(emission)));
-        let mut texels = Self { color: [l.splat(1.0); 3], opacity: l.splat(style.opacity), glow };
+        let mut texels = Self { color: [l.splat(1.0); 3], opacity: l.splat(style.opacity), emission: glow };
         // A loop, so that the long way through a texture is compiled once.
-        let samplers = [&style.diffuse, &style.cutout, &style.glow];
+        let samplers = [&style.diffuse, &style.cutout, &style.emission_texture];
         let mut which = 0;
         while which < samplers.len() {
             if let Some(sampler) = samplers[which]
@@ -42,12 +42,12 @@ impl<L: Simd> Texels<L> {
                 match which {
                     0 => texels.color = [r, g, b],
                     1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
-                    _ => texels.glow = [texels.glow[0] * r, texels.glow[1] * g, texels.glow[2] * b],
+                    _ => texels.emission = [texels.emission[0] * r, texels.emission[1] * g, texels.emission[2] * b],
                 }
             }
             which += 1;
             // By far the most materials have a colour texture alone.
-            if which == 1 && style.cutout.is_none() && style.glow.is_none() {
+            if which == 1 && style.cutout.is_none() && style.emission_texture.is_none() {
                 break;
             }
         }
@@ -82,7 +82,7 @@ fn filtered<L: Simd, const K: usize>(
             finer = levels[0];
             mips = map(levels, always!(|level: L::I| texture.mips(l, level)));
         }
-        share = detail.share(l, finer);
+        share = detail.mix_factor(l, finer);
     }
     // A loop, so that reading is compiled once.
     let mut found = [l.splat(0.0); 4];
@@ -103,5 +103,8 @@ fn filtered<L: Simd, const K: usize>(
 /// The textures of a material: colour, opacity, glow.
 #[inline(always)]
 pub(super) fn textures<'a>(frame_data: &'a FrameData<'a>, style: &ResolvedMaterial) -> [Option<&'a Texture>; 3] {
-    map([style.diffuse, style.cutout, style.glow], always!(|sampler: Option<Sampler>| frame_data.textures.get(sampler?.texture as usize)))
+    map(
+        [style.diffuse, style.cutout, style.emission_texture],
+        always!(|sampler: Option<TextureSampler>| frame_data.textures.get(sampler?.texture as usize)),
+    )
 }

@@ -14,9 +14,9 @@ const LEVELS: usize = 16;
 
 /// A use of a texture.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sampler {
+pub(super) struct TextureSampler {
     /// From the mesh's texture coordinates to those that the texture is read with; `None` where they are the same.
-    pub placing: Option<Affine2>,
+    pub uv_transform: Option<Affine2>,
     /// Index in the cache's list.
     pub texture: u32,
     /// Horizontally, vertically.
@@ -36,7 +36,7 @@ pub(super) enum Alpha {
 
 /// Texels kept beyond the edges of a level, so that the four texels round a point never have to be wrapped one by one: one on the left and above, two on the
 /// right and below.
-const APRON: u32 = 3;
+const BORDER: u32 = 3;
 
 /// A mip chain of `0xAARRGGBB` texels, rows from the top, each level with an apron that continues it as its wrapping says.
 #[derive(Debug, Default)]
@@ -85,8 +85,8 @@ impl Texture {
             (chain.width[k], chain.height[k], chain.last) = (width, height, k as u32);
             chain.origin[k] = chain.texels.len() as u32;
             for y in -1..height as i32 + 2 {
-                let row = beyond(wrap[1], y, height).map(|y| &level[y as usize * width as usize..][..width as usize]);
-                let texel = |x: i32| beyond(wrap[0], x, width).and_then(|x| row.map(|row| row[x as usize])).unwrap_or(0);
+                let row = wrapped_texel(wrap[1], y, height).map(|y| &level[y as usize * width as usize..][..width as usize]);
+                let texel = |x: i32| wrapped_texel(wrap[0], x, width).and_then(|x| row.map(|row| row[x as usize])).unwrap_or(0);
                 chain.texels.extend((-1..width as i32 + 2).map(texel));
             }
             if width == 1 && height == 1 {
@@ -97,20 +97,20 @@ impl Texture {
         chain
     }
 
-    /// How much is to be seen, for a change of (u, v) a pixel to the right and a pixel downward: see [`Detail`].
+    /// How much is to be seen, for a change of (u, v) a pixel to the right and a pixel downward: see [`MipDetail`].
     #[inline(always)]
-    pub(super) fn detail<L: Simd>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> Detail<L> {
+    pub(super) fn detail<L: Simd>(&self, l: L, across: [L::F; 2], down: [L::F; 2]) -> MipDetail<L> {
         let (w, h) = (l.splat(self.width[0] as f32), l.splat(self.height[0] as f32));
         let size = always!(|d: [L::F; 2]| {
             let (x, y) = (d[0] * w, d[1] * h);
             x * x + y * y
         });
         let squared = l.clamp(l.max(size(across), size(down)), 1.0, 1e9);
-        // The bits of a float are its logarithm in 2⁻²³ths, but for a bend between two powers that nobody sees; the root halves it.
+        // The bits of a float are its logarithm in 2⁻²³ths, except for an invisible deviation between two powers; the root halves it.
         let octaves = l.bits(squared) - l.isplat(1.0f32.to_bits() as i32);
         let last = l.isplat((self.last << 24) as i32);
         let octaves = l.iselect(l.ilt(last, octaves), last, octaves);
-        Detail { octaves, half: l.shr::<23>(octaves + l.isplat((1 << 23) - 1)) }
+        MipDetail { octaves, half: l.shr::<23>(octaves + l.isplat((1 << 23) - 1)) }
     }
 
     /// A level for each lane.
@@ -132,9 +132,9 @@ impl Texture {
     /// Places between texels are told apart to a 256th, and the shares of the four texels add up to 256 exactly, so that an even colour stays what it is.
     #[inline(always)]
     pub(super) fn sample<L: Simd>(&self, l: L, wrap: [WrapMode; 2], uv: [L::F; 2], mip: Mip<L>) -> [L::F; 4] {
-        let (x, fx) = place(l, wrap[0], uv[0], mip.width);
-        let (y, fy) = place(l, wrap[1], l.splat(1.0) - uv[1], mip.height);
-        let pitch = mip.width + l.isplat(APRON as i32);
+        let (x, fx) = wrap_coordinate(l, wrap[0], uv[0], mip.width);
+        let (y, fy) = wrap_coordinate(l, wrap[1], l.splat(1.0) - uv[1], mip.height);
+        let pitch = mip.width + l.isplat(BORDER as i32);
         // Sides and places are below 2¹⁵, shares at most 256.
         let at = mip.origin + l.dot16(y, pitch) + x;
         let ([a, b], [c, d]) = (l.pairs(&self.texels, at), l.pairs(&self.texels, at + pitch));
@@ -169,16 +169,16 @@ pub(super) struct Mip<L: Simd> {
 /// of all pixels pay for one level only. Half numbers of levels therefore say it all: `half` is even where level `half / 2` stands alone, odd where level
 /// `half / 2`, rounded down, passes into the next.
 #[derive(Clone, Copy)]
-pub(super) struct Detail<L: Simd> {
+pub(super) struct MipDetail<L: Simd> {
     /// In 2⁻²⁴ths, never negative.
     octaves: L::I,
     pub half: L::I,
 }
 
-impl<L: Simd> Detail<L> {
+impl<L: Simd> MipDetail<L> {
     /// Share of the level after `finer`; it starts and ends gently, so that neither end shows as a line. 0 where `finer` stands alone.
     #[inline(always)]
-    pub(super) fn share(self, l: L, finer: L::I) -> L::F {
+    pub(super) fn mix_factor(self, l: L, finer: L::I) -> L::F {
         let within = l.clamp(l.float(self.octaves - l.shl::<24>(finer)) * l.splat(1.0 / (1 << 23) as f32), 0.0, 1.0);
         within * within * (l.splat(3.0) - (within + within))
     }
@@ -200,7 +200,7 @@ impl<L: Simd> Detail<L> {
 ///
 /// All in 256ths of a texel: half a texel back to the middle of one, a whole one forward to the apron, half a 256th to round.
 #[inline(always)]
-fn place<L: Simd>(l: L, wrap: WrapMode, coordinate: L::F, size: L::I) -> (L::I, L::I) {
+fn wrap_coordinate<L: Simd>(l: L, wrap: WrapMode, coordinate: L::F, size: L::I) -> (L::I, L::I) {
     // What repeats is rounded down, which takes a number of moderate size; NaN becomes one too.
     let moderate = always!(|| l.clamp(coordinate, -1e6, 1e6));
     let length = l.float(l.shl::<8>(size));
@@ -224,7 +224,7 @@ fn place<L: Simd>(l: L, wrap: WrapMode, coordinate: L::F, size: L::I) -> (L::I, 
 }
 
 /// Which texel stands at place `at` of an edge with `size` texels; `None` for the border's nothing.
-fn beyond(wrap: WrapMode, at: i32, size: u32) -> Option<i32> {
+fn wrapped_texel(wrap: WrapMode, at: i32, size: u32) -> Option<i32> {
     let size = size as i32;
     match wrap {
         WrapMode::Repeat => Some(at.rem_euclid(size)),
@@ -242,13 +242,13 @@ fn beyond(wrap: WrapMode, at: i32, size: u32) -> Option<i32> {
 fn halve(level: &[u32], width: u32, height: u32) -> (Vec<u32>, u32, u32) {
     let to = [(width / 2).max(1), (height / 2).max(1)];
     let tables = Srgb::tables();
-    let columns: Vec<[(usize, u32); 3]> = (0..to[0]).map(|x| beneath(x, width)).collect();
+    let columns: Vec<[(usize, u32); 3]> = (0..to[0]).map(|x| source_texels(x, width)).collect();
     let mut texels = Vec::with_capacity(to[0] as usize * to[1] as usize);
-    let all = u64::from(shares(width)) * u64::from(shares(height));
+    let all = u64::from(box_weights(width)) * u64::from(box_weights(height));
     // A division of such numbers takes longer than all the rest, and most sides are even.
     let part = |sum: u64| (if all == 4 { sum >> 2 } else { sum / all }) as u32;
     for y in 0..to[1] {
-        let rows = beneath(y, height).map(|(y, share)| (&level[y * width as usize..][..width as usize], u64::from(share)));
+        let rows = source_texels(y, height).map(|(y, share)| (&level[y * width as usize..][..width as usize], u64::from(share)));
         for column in &columns {
             let mut sums = [all / 2; 4];
             for (row, below) in rows.iter().filter(|(_, share)| *share > 0) {
@@ -268,12 +268,12 @@ fn halve(level: &[u32], width: u32, height: u32) -> (Vec<u32>, u32, u32) {
 }
 
 /// Into how many shares a texel's place on the next level is divided along a side.
-fn shares(side: u32) -> u32 {
+fn box_weights(side: u32) -> u32 {
     if side == 1 || side.is_multiple_of(2) { 2 } else { side }
 }
 
 /// Which texels of a side lie beneath texel `at` of the next level, and with what shares.
-fn beneath(at: u32, side: u32) -> [(usize, u32); 3] {
+fn source_texels(at: u32, side: u32) -> [(usize, u32); 3] {
     let first = at as usize * 2;
     if side == 1 {
         return [(0, 2), (0, 0), (0, 0)];
@@ -287,46 +287,46 @@ fn beneath(at: u32, side: u32) -> [(usize, u32); 3] {
 
 /// The textures of a renderer: made when first used, kept while they are.
 #[derive(Debug, Default)]
-pub(super) struct Cache {
-    entries: Vec<Entry>,
+pub(super) struct TextureCache {
+    entries: Vec<CacheEntry>,
     textures: Vec<Texture>,
     fibres: FiberTexture,
     frame: u64,
 }
 
 #[derive(Debug)]
-struct Entry {
-    key: Key,
+struct CacheEntry {
+    key: TextureKey,
     used: u64,
 }
 
 /// What a texture was made from.
 #[derive(Debug)]
-enum Key {
+enum TextureKey {
     /// The image is held, so that its address cannot be given to another one while the entry lives.
     Image(Arc<Pixels>, Alpha, [WrapMode; 2]),
     /// Muscle fibres of a colour, with or without tendons.
     Muscle([u8; 3], bool),
 }
 
-impl Entry {
-    /// Whether nobody else has the image any more, as after a file was read again: then it cannot be asked for, however soon.
+impl CacheEntry {
+    /// Whether the cache holds the last reference to the image, as after a reload: then it cannot be requested again.
     fn is_orphan(&self) -> bool {
-        matches!(&self.key, Key::Image(pixels, ..) if Arc::strong_count(pixels) == 1)
+        matches!(&self.key, TextureKey::Image(pixels, ..) if Arc::strong_count(pixels) == 1)
     }
 }
 
 /// A texture that was not used for this many frames is dropped.
-const PATIENCE: u64 = 240;
+const MAX_UNUSED_FRAMES: u64 = 240;
 
-impl Cache {
-    /// Begins a frame: forgets what has long not been used, and what nobody can use. Indices handed out before are void.
+impl TextureCache {
+    /// Begins a frame: drops textures that were not used for long or cannot be requested any more. Earlier indices become invalid.
     pub(super) fn begin(&mut self) {
         self.frame += 1;
         let mut k = 0;
         while k < self.entries.len() {
             let entry = &self.entries[k];
-            if entry.is_orphan() || self.frame - entry.used > PATIENCE {
+            if entry.is_orphan() || self.frame - entry.used > MAX_UNUSED_FRAMES {
                 self.entries.swap_remove(k);
                 self.textures.swap_remove(k);
             } else {
@@ -337,21 +337,20 @@ impl Cache {
 
     /// The index of an image's texture.
     pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha, wrap: [WrapMode; 2]) -> u32 {
-        let same =
-            |key: &Key| matches!(key, Key::Image(known, kind, edge) if Arc::ptr_eq(known, pixels) && *kind == alpha && *edge == wrap);
-        self.find(same, |_| (Key::Image(Arc::clone(pixels), alpha, wrap), Texture::from_pixels(pixels, alpha, wrap)))
+        let same = |key: &TextureKey| matches!(key, TextureKey::Image(known, kind, edge) if Arc::ptr_eq(known, pixels) && *kind == alpha && *edge == wrap);
+        self.find(same, |_| (TextureKey::Image(Arc::clone(pixels), alpha, wrap), Texture::from_pixels(pixels, alpha, wrap)))
     }
 
     /// The index of the fibres of a muscle.
     pub(super) fn muscle(&mut self, color: [u8; 3], tendon: bool) -> u32 {
-        let same = |key: &Key| matches!(key, Key::Muscle(known, end) if *known == color && *end == tendon);
-        self.find(same, |fibres| (Key::Muscle(color, tendon), fibres.texture(color, tendon)))
+        let same = |key: &TextureKey| matches!(key, TextureKey::Muscle(known, end) if *known == color && *end == tendon);
+        self.find(same, |fibres| (TextureKey::Muscle(color, tendon), fibres.texture(color, tendon)))
     }
 
-    fn find(&mut self, same: impl Fn(&Key) -> bool, make: impl FnOnce(&mut FiberTexture) -> (Key, Texture)) -> u32 {
+    fn find(&mut self, same: impl Fn(&TextureKey) -> bool, make: impl FnOnce(&mut FiberTexture) -> (TextureKey, Texture)) -> u32 {
         let index = self.entries.iter().position(|entry| same(&entry.key)).unwrap_or_else(|| {
             let (key, texture) = make(&mut self.fibres);
-            self.entries.push(Entry { key, used: 0 });
+            self.entries.push(CacheEntry { key, used: 0 });
             self.textures.push(texture);
             self.entries.len() - 1
         });
@@ -371,7 +370,7 @@ mod tests {
 
     #[test]
     fn a_texture_goes_with_the_last_who_has_its_image() {
-        let mut cache = Cache::default();
+        let mut cache = TextureCache::default();
         let image = || Arc::new(Pixels { width: 2, height: 2, rgba: vec![255; 16] });
         let kept = image();
         for _ in 0..5 {

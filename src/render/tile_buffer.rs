@@ -3,13 +3,13 @@
 //! Only the columns in use are cleared, filled and handed on. What stands in the others is left over from earlier bands: vectors that reach there
 //! read it and write it back, but no lane of theirs is ever covered.
 
-use super::bin_lists::Columns;
+use super::bin_lists::ColumnRange;
 use crate::simd::{Simd, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
 const MARGIN: usize = 16;
 /// Rows beyond the last that a tile may touch.
-const FOOT: usize = 3;
+const TRAILING_ROWS: usize = 3;
 
 /// Colour and depth of some rows. Sample planes stand one after the other.
 #[derive(Debug, Default)]
@@ -34,18 +34,18 @@ pub(super) struct BandBuffer {
 
 impl BandBuffer {
     /// Takes this shape; what is in it stays as it was until [`BandBuffer::clear_depth`] and the rows are written.
-    pub(super) fn shape(&mut self, top: i32, rows: usize, width: usize, used: Columns, samples: usize) {
+    pub(super) fn resize(&mut self, top: i32, rows: usize, width: usize, used: ColumnRange, samples: usize) {
         (self.top, self.rows, self.width, self.samples) = (top, rows, width, samples);
         let end = (used.last + 1).clamp(0, width as i32) as usize;
         self.used = [(used.first.max(0) as usize).min(end), end];
         self.pitch = width + MARGIN;
-        self.area = self.pitch * (rows + FOOT) + MARGIN;
+        self.area = self.pitch * (rows + TRAILING_ROWS) + MARGIN;
         self.reserve(rows, width, samples);
     }
 
     /// Makes room for a shape.
     pub(super) fn reserve(&mut self, rows: usize, width: usize, samples: usize) {
-        let needed = ((width + MARGIN) * (rows + FOOT) + MARGIN) * samples;
+        let needed = ((width + MARGIN) * (rows + TRAILING_ROWS) + MARGIN) * samples;
         if self.color.len() < needed {
             // Fresh zeros, not a longer copy: the system hands them out only as they are touched.
             self.color = vec![0; needed];
@@ -110,13 +110,13 @@ impl BandBuffer {
     /// Whether a vector that starts at any of `count` pixels from index `at` on stays inside all sample planes: asked once a row, so that the loops
     /// need not ask for every vector.
     #[inline(always)]
-    pub(super) fn holds(&self, at: usize, count: usize) -> bool {
-        let end = at + count + MARGIN + FOOT * self.pitch;
+    pub(super) fn contains(&self, at: usize, count: usize) -> bool {
+        let end = at + count + MARGIN + TRAILING_ROWS * self.pitch;
         end <= self.area && self.area * self.samples <= self.color.len().min(self.depth.len())
     }
 
     /// # Safety
-    /// [`BandBuffer::holds`] said yes to a stretch that `at` is in, and `s` is below the number of samples.
+    /// [`BandBuffer::contains`] said yes to a stretch that `at` is in, and `s` is below the number of samples.
     #[inline(always)]
     pub(super) unsafe fn depth<L: Simd>(&self, l: L, s: usize, at: usize) -> L::F {
         let from = s * self.area + at;
@@ -167,7 +167,7 @@ impl BandBuffer {
     /// # Safety
     /// As for [`BandBuffer::depth`].
     #[inline(always)]
-    pub(super) unsafe fn put<L: Simd, const TILED: bool>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I, depth: L::F) {
+    pub(super) unsafe fn write<L: Simd, const TILED: bool>(&mut self, l: L, s: usize, at: usize, mask: L::M, color: L::I, depth: L::F) {
         // SAFETY: the caller's promise, and for tiles as in `depth_at`.
         unsafe {
             if TILED {
@@ -208,9 +208,9 @@ impl BandBuffer {
 
 /// Opaque pixels from red, green and blue. `tame` promises that no channel is further than a quarter beyond 0 to 255, so none has to be held back.
 #[inline(always)]
-pub(super) fn pack<L: Simd>(l: L, color: [L::F; 4], tame: bool) -> L::I {
+pub(super) fn pack<L: Simd>(l: L, color: [L::F; 4], in_range: bool) -> L::I {
     let half = l.splat(0.5);
-    let [r, g, b, _] = if tame { color } else { map(color, always!(|c: L::F| l.clamp(c, 0.0, 255.0))) };
+    let [r, g, b, _] = if in_range { color } else { map(color, always!(|c: L::F| l.clamp(c, 0.0, 255.0))) };
     let alpha = l.isplat(0xFF00_0000u32 as i32);
     (alpha | l.trunc(b + half)) | (l.shl::<16>(l.trunc(r + half)) | l.shl::<8>(l.trunc(g + half)))
 }

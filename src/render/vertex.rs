@@ -2,7 +2,7 @@
 
 use glam::{Mat3, Mat4, Vec3, Vec4};
 
-use super::light::{LightingTerms, Lights, V3, normalize, see, shine};
+use super::light::{LightingTerms, Lights, V3, lighting_terms, normalize, shading_point};
 use super::material_state::{ResolvedMaterial, VertexOutput};
 use super::projection::{BAD, NEAR, SIDES, ScreenVertex, ViewTransform};
 use crate::simd::{Simd, always, kernel, map};
@@ -24,8 +24,8 @@ pub(super) struct Geometry<'a> {
     pub triangles: &'a [[u32; 3]],
     /// One a vertex, or empty.
     pub colors: &'a [Vec4],
-    /// One a vertex, or empty: heat, already mapped to a colour.
-    pub heat: &'a [Vec4],
+    /// One a vertex, or empty: the weight colours.
+    pub weight_colors: &'a [Vec4],
     /// Which mesh vertex is vertex 0 of the item; not used where `expanded`.
     pub first: u32,
     /// Vertex `3t + k` of the item is corner `k` of triangle `t`: used where a part picks few vertices out of many.
@@ -53,12 +53,12 @@ impl Geometry<'_> {
 
     /// The colour that multiplies the material at mesh vertex `v`.
     pub(super) fn tint(&self, v: usize) -> Vec4 {
-        self.heat.get(v).or_else(|| self.colors.get(v)).copied().unwrap_or(Vec4::ONE)
+        self.weight_colors.get(v).or_else(|| self.colors.get(v)).copied().unwrap_or(Vec4::ONE)
     }
 }
 
 /// The part of the output arrays that one chunk fills.
-pub(super) struct Out<'a> {
+pub(super) struct VertexBuffers<'a> {
     pub screen: &'a mut [ScreenVertex],
     pub front: &'a mut [Quad],
     pub back: &'a mut [Quad],
@@ -66,7 +66,7 @@ pub(super) struct Out<'a> {
 
 kernel! {
     /// Transforms, projects and lights the vertices of an item from `start` on, as many as `out` has room for.
-    pub(super) fn vertices<'a>(view: &ViewTransform, lights: &Lights, style: &ResolvedMaterial, geometry: &Geometry<'a>, start: usize, out: Out<'a>) = chunk
+    pub(super) fn vertices<'a>(view: &ViewTransform, lights: &Lights, style: &ResolvedMaterial, geometry: &Geometry<'a>, start: usize, out: VertexBuffers<'a>) = chunk
 }
 
 #[inline(always)]
@@ -77,14 +77,14 @@ fn chunk<L: Simd>(
     style: &ResolvedMaterial,
     geometry: &Geometry<'_>,
     start: usize,
-    out: Out<'_>,
+    out: VertexBuffers<'_>,
 ) {
     let count = out.screen.len();
     let mut done = 0;
     while done < count {
         let n = (count - done).min(L::N);
         let here = start + done;
-        let mut gathered = Gathered::default();
+        let mut gathered = VertexBatch::default();
         gathered.fill(geometry, here, n, style.tinted);
         let mut p = map(gathered.position, always!(|lane: [f32; 16]| l.load(&lane)));
         let mut normal = map(gathered.normal, always!(|lane: [f32; 16]| l.load(&lane)));
@@ -94,19 +94,19 @@ fn chunk<L: Simd>(
         }
         normal = normalize(l, normal);
         project(l, view, p, &mut out.screen[done..done + n]);
-        match style.varying {
+        match style.vertex_output {
             VertexOutput::Geometry => {
                 let zero = l.splat(0.0);
                 scatter(l, [p[0], p[1], p[2], zero], &mut out.front[done..done + n]);
                 scatter(l, [normal[0], normal[1], normal[2], zero], &mut out.back[done..done + n]);
             }
             VertexOutput::Light | VertexOutput::Color => {
-                let seen = see(l, lights, p, normal);
+                let seen = shading_point(l, lights, p, normal);
                 let tint = map(gathered.tint, always!(|lane: [f32; 16]| l.load(&lane)));
-                let front = paint(l, style, shine(l, lights, style.gloss, seen, false), tint);
+                let front = vertex_color(l, style, lighting_terms(l, lights, style.highlight, seen, false), tint);
                 scatter(l, front, &mut out.front[done..done + n]);
                 if style.both_sides {
-                    let back = paint(l, style, shine(l, lights, style.gloss, seen, true), tint);
+                    let back = vertex_color(l, style, lighting_terms(l, lights, style.highlight, seen, true), tint);
                     scatter(l, back, &mut out.back[done..done + n]);
                 }
             }
@@ -116,20 +116,20 @@ fn chunk<L: Simd>(
 }
 
 /// Vertices brought from "xyz xyz xyz" to "xxx yyy zzz".
-struct Gathered {
+struct VertexBatch {
     position: [[f32; 16]; 3],
     normal: [[f32; 16]; 3],
     tint: [[f32; 16]; 4],
 }
 
-impl Default for Gathered {
+impl Default for VertexBatch {
     #[inline(always)]
     fn default() -> Self {
         Self { position: [[0.0; 16]; 3], normal: [[0.0; 16]; 3], tint: [[1.0; 16]; 4] }
     }
 }
 
-impl Gathered {
+impl VertexBatch {
     #[inline(always)]
     fn fill(&mut self, geometry: &Geometry<'_>, start: usize, n: usize, tinted: bool) {
         let first = geometry.first as usize + start;
@@ -214,32 +214,32 @@ fn project<L: Simd>(l: L, view: &ViewTransform, p: V3<L>, out: &mut [ScreenVerte
 
 /// What a vertex hands on: its finished colour and opacity, or the light and highlight that a texture waits for. 0 to 255.
 #[inline(always)]
-fn paint<L: Simd>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, tint: [L::F; 4]) -> [L::F; 4] {
+fn vertex_color<L: Simd>(l: L, style: &ResolvedMaterial, lighting: LightingTerms<L>, tint: [L::F; 4]) -> [L::F; 4] {
     let full = l.splat(255.0);
-    match style.varying {
+    match style.vertex_output {
         VertexOutput::Color => {
-            let color = finish(l, style, shine, [tint[0], tint[1], tint[2]], map(style.emission, always!(|e| l.splat(e))));
+            let color = combine_lighting(l, style, lighting, [tint[0], tint[1], tint[2]], map(style.emission, always!(|e| l.splat(e))));
             // Held within 0 to 255, which the kernels count on.
             let all = [color[0] * full, color[1] * full, color[2] * full, tint[3] * l.splat(style.opacity * 255.0)];
             map(all, always!(|c: L::F| l.clamp(c, 0.0, 255.0)))
         }
         _ => {
-            let light = if style.unlit { [l.splat(1.0); 3] } else { shine.light };
+            let light = if style.unlit { [l.splat(1.0); 3] } else { lighting.light };
             let c = always!(|i: usize| light[i] * tint[i] * l.splat(style.albedo[i]) * full);
-            [c(0), c(1), c(2), shine.highlight]
+            [c(0), c(1), c(2), lighting.highlight]
         }
     }
 }
 
 /// Light on a material: `base` multiplies its colour. 0 to 1.
 #[inline(always)]
-pub(super) fn finish<L: Simd>(l: L, style: &ResolvedMaterial, shine: LightingTerms<L>, base: V3<L>, emission: V3<L>) -> V3<L> {
+pub(super) fn combine_lighting<L: Simd>(l: L, style: &ResolvedMaterial, lighting: LightingTerms<L>, base: V3<L>, emission: V3<L>) -> V3<L> {
     let one = l.splat(1.0);
     let channel = always!(|i: usize| {
         let albedo = base[i] * l.splat(style.albedo[i]);
-        let lit = if style.unlit { albedo } else { albedo * shine.light[i] };
+        let lit = if style.unlit { albedo } else { albedo * lighting.light[i] };
         // Screen on the highlight and the emission.
-        let dark = (one - lit) * (one - shine.highlight * l.splat(style.specular[i])) * (one - emission[i]);
+        let dark = (one - lit) * (one - lighting.highlight * l.splat(style.specular[i])) * (one - emission[i]);
         let out = one - dark;
         out + (l.splat(style.mark[i]) - out) * l.splat(style.mark_share)
     });

@@ -22,7 +22,7 @@ pub fn weight_color(weight: f32) -> [f32; 3] {
 }
 
 /// Adds one colour for each vertex of the surface's mesh.
-pub(super) fn paint(scene: &Scene, surface: &Surface, joint: NodeId, out: &mut Vec<Vec4>) {
+pub(super) fn append_weight_colors(scene: &Scene, surface: &Surface, joint: NodeId, out: &mut Vec<Vec4>) {
     let mesh = &surface.mesh;
     let found = || {
         if surface.node.index() >= scene.graph.len() {

@@ -10,12 +10,12 @@ use crate::scene::{
 };
 
 /// A scene of one sphere.
-pub(super) struct Yard {
+pub(super) struct BenchScene {
     pub scene: Scene,
     pub frame: Frame,
 }
 
-impl Yard {
+impl BenchScene {
     /// A sphere of so many segments round and rings from pole to pole, plain or with a texture of 512 × 512.
     pub(super) fn sphere(segments: u32, rings: u32, textured: bool) -> Self {
         let mut scene = Scene::default();

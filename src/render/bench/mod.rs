@@ -14,7 +14,7 @@ use glam::Vec3;
 
 use super::{Background, Display, Renderer, Samples, Shading, Stats};
 use crate::scene::{Camera, Frame, Scene};
-use bench_scene::Yard;
+use bench_scene::BenchScene;
 pub use floor::Floor;
 
 const WIDTH: u32 = 1280;
@@ -27,7 +27,7 @@ const LIT: usize = 411_000;
 
 /// One scene that was measured.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct BenchRow {
     /// What stands there: `sphere-10k`, …
     pub scene: String,
     /// From where it is seen.
@@ -45,12 +45,12 @@ pub struct Row {
     /// Samples a pixel.
     pub samples: u32,
     /// How long frames took.
-    pub times: Times,
+    pub times: BenchTimes,
 }
 
 /// How long the frames of a scene took.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Times {
+pub struct BenchTimes {
     /// The fastest, milliseconds.
     pub min_ms: f64,
     /// The median, milliseconds.
@@ -80,25 +80,25 @@ impl Stages {
 }
 
 /// A closure that measures may return what its stages took, or nothing.
-pub trait Staged {
+pub trait StageTimings {
     /// The stages of the frame that was just made.
     fn stages(self) -> Stages;
 }
 
-impl Staged for () {
+impl StageTimings for () {
     fn stages(self) -> Stages {
         Stages::default()
     }
 }
 
-impl Staged for Stages {
+impl StageTimings for Stages {
     fn stages(self) -> Stages {
         self
     }
 }
 
 /// Runs `frame` with a growing number, for at most `budget` or 400 frames and at least 5, and says how long it took.
-pub fn time<S: Staged>(budget: Duration, mut frame: impl FnMut(u32) -> S) -> Times {
+pub fn time<S: StageTimings>(budget: Duration, mut frame: impl FnMut(u32) -> S) -> BenchTimes {
     // The first frames make buffers and warm caches.
     for warm in 0..3 {
         frame(warm);
@@ -118,7 +118,7 @@ pub fn time<S: Staged>(budget: Duration, mut frame: impl FnMut(u32) -> S) -> Tim
         raster_ms: of(|s| s.raster_ms),
         resolve_ms: of(|s| s.resolve_ms),
     };
-    Times { min_ms, median_ms: median(all), stages }
+    BenchTimes { min_ms, median_ms: median(all), stages }
 }
 
 /// The middle one; 0 of none.
@@ -160,7 +160,7 @@ fn plain() -> Display {
 }
 
 /// Measures the spheres whose label (`sphere-10k fill gouraud`, …) `wanted` says yes to.
-pub fn spheres(renderer: &mut Renderer, budget: Duration, wanted: impl Fn(&str) -> bool) -> Vec<Row> {
+pub fn spheres(renderer: &mut Renderer, budget: Duration, wanted: impl Fn(&str) -> bool) -> Vec<BenchRow> {
     let plain = plain();
     let phong = Display { shading: Shading::Phong, ..plain.clone() };
     let flat = Display { shading: Shading::Flat, ..plain.clone() };
@@ -188,7 +188,7 @@ pub fn spheres(renderer: &mut Renderer, budget: Duration, wanted: impl Fn(&str) 
         if !wanted(&label(scene, view, shading, samples)) {
             continue;
         }
-        let mut yard = Yard::sphere(segments, rings, shading == "textured");
+        let mut yard = BenchScene::sphere(segments, rings, shading == "textured");
         let camera = bench_scene::camera(distance);
         let times = time(budget, |turn| {
             yard.turn(turn as f32 * 0.01);
@@ -197,7 +197,7 @@ pub fn spheres(renderer: &mut Renderer, budget: Duration, wanted: impl Fn(&str) 
         });
         let triangles = renderer.stats().triangles;
         let lit_pixels = lit_pixels(renderer, &yard.scene, &yard.frame, &camera, display, (WIDTH, HEIGHT));
-        rows.push(Row { scene: scene.into(), view, width: WIDTH, height: HEIGHT, triangles, lit_pixels, shading, samples, times });
+        rows.push(BenchRow { scene: scene.into(), view, width: WIDTH, height: HEIGHT, triangles, lit_pixels, shading, samples, times });
     }
     rows
 }
