@@ -7,7 +7,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::session::{Picked, Session, Step};
+use super::session::{PickTarget, Session, UndoStep};
 use super::window::part;
 use super::{format, ui};
 use crate::i18n;
@@ -101,9 +101,9 @@ impl AttachmentField {
                 return;
             }
             let (node, id) = (field.node(row), own.id());
-            own.tell(|session| session.put_on(id, field.hold, node));
+            own.tell(|session| session.attach_to(id, field.hold, node));
         });
-        let what = Picked::Point(self.hold);
+        let what = PickTarget::Point(self.hold);
         connect_pick(&self.pick, editor, what);
         for (axis, entry) in self.entries.iter().enumerate() {
             let (own, hold) = (editor.clone(), self.hold);
@@ -124,7 +124,7 @@ impl AttachmentField {
         self.bone.set_selected(row);
         self.bone.set_sensitive(!self.bones.is_empty());
         self.pick.set_sensitive(!self.bones.is_empty());
-        show_pick(&self.pick, session, id, Picked::Point(self.hold));
+        show_pick(&self.pick, session, id, PickTarget::Point(self.hold));
         let anchor = spec.place(self.hold);
         self.offset.set_visible(anchor.is_some());
         for (axis, entry) in self.entries.iter().enumerate() {
@@ -134,7 +134,7 @@ impl AttachmentField {
 }
 
 /// Lets a button begin and leave picking.
-pub(super) fn connect_pick(pick: &gtk::ToggleButton, editor: &Editor, what: Picked) {
+pub(super) fn connect_pick(pick: &gtk::ToggleButton, editor: &Editor, what: PickTarget) {
     let own = editor.clone();
     pick.connect_clicked(move |pick| {
         let (id, on) = (own.id(), pick.is_active());
@@ -149,8 +149,8 @@ pub(super) fn connect_pick(pick: &gtk::ToggleButton, editor: &Editor, what: Pick
 }
 
 /// Shows in a button whether this is being picked.
-pub(super) fn show_pick(pick: &gtk::ToggleButton, session: &Session, id: MuscleId, what: Picked) {
-    pick.set_active(session.picking().is_some_and(|picking| picking.muscle == id && picking.what == what));
+pub(super) fn show_pick(pick: &gtk::ToggleButton, session: &Session, id: MuscleId, what: PickTarget) {
+    pick.set_active(session.picking().is_some_and(|picking| picking.muscle == id && picking.target == what));
 }
 
 fn offset_text(anchor: &Anchor, axis: usize) -> String {
@@ -166,7 +166,7 @@ fn typed(editor: &Editor, hold: AttachmentPoint, axis: usize, entry: &gtk::Entry
     }
     anchor.offset[axis] = format::parse_number(&entry.text()).unwrap_or(f64::NAN);
     let text = offset_text(&anchor, axis);
-    let taken = Edit::place(&spec, hold, anchor).is_some_and(|edit| editor.edit(&edit, Step::New));
+    let taken = Edit::place(&spec, hold, anchor).is_some_and(|edit| editor.edit(&edit, UndoStep::New));
     if taken {
         entry.remove_css_class("error");
         entry.set_text(&text);

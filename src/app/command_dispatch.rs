@@ -8,7 +8,7 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::session::{CompareTarget, Picked, Preset, Session, Step, Tool};
+use super::session::{CompareTarget, PickTarget, Preset, Session, Tool, UndoStep};
 use super::settings::{ColorScheme, SheetPage};
 use super::window::Window;
 use super::{about, appearance, compare_file, document_loader, export_dialog, help, save_session, saving, screenshot};
@@ -91,14 +91,14 @@ fn switch_state(command: Command, session: &Session) -> Option<bool> {
     match command {
         Command::Play => Some(session.playback().playing),
         Command::Reverse => Some(session.playback().speed < 0.0),
-        Command::Orthographic => Some(session.eye().orbit().orthographic),
+        Command::Orthographic => Some(session.camera_controller().orbit().orthographic),
         Command::Weights => Some(session.display().weights.is_some()),
         Command::SmoothEdges => Some(session.display().samples == Samples::Four),
         Command::BoneNames => Some(session.bone_names()),
-        Command::Ghosts => Some(session.ghosts().shown),
-        Command::BonePath => Some(session.ghosts().path),
+        Command::Ghosts => Some(session.onion_skin_settings().shown),
+        Command::BonePath => Some(session.onion_skin_settings().path),
         Command::Follow => Some(session.followed().is_some()),
-        Command::CompareSkinning => Some(matches!(session.compared_with(), Some(CompareTarget::Skinning))),
+        Command::CompareSkinning => Some(matches!(session.compare_target(), Some(CompareTarget::Skinning))),
         Command::Isolate => Some(session.is_isolated()),
         _ => None,
     }
@@ -127,8 +127,8 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
     use Command as C;
     let has_time = session.playback().duration() > 0.0;
     match command {
-        C::Undo => session.steps().0,
-        C::Redo => session.steps().1,
+        C::Undo => session.undo_counts().0,
+        C::Redo => session.undo_counts().1,
         C::Play | C::Reverse | C::FrameBack | C::FrameForward | C::SecondBack | C::SecondForward | C::First | C::Last => has_time,
         C::PreviousKey | C::NextKey | C::MarkA | C::MarkB | C::TimeCloser | C::TimeWider | C::TimeWhole => has_time,
         C::ClearMarks => session.playback().mark_a.is_some() || session.playback().mark_b.is_some(),
@@ -138,12 +138,12 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::Centre | C::Hide => session.selected().is_some(),
         C::Isolate => session.selected().is_some() || session.is_isolated(),
         C::ShowAll => session.hides_something(),
-        C::Ghosts => has_time || session.ghosts().shown,
-        C::BonePath => has_time || session.ghosts().path,
+        C::Ghosts => has_time || session.onion_skin_settings().shown,
+        C::BonePath => has_time || session.onion_skin_settings().path,
         C::Follow => session.can_follow() || session.followed().is_some(),
-        C::StopComparing => session.compared_with().is_some(),
+        C::StopComparing => session.compare_target().is_some(),
         C::CompareFile => !session.is_empty(),
-        C::CompareSkinning => session.has_skins() || session.compared_with().is_some(),
+        C::CompareSkinning => session.has_skins() || session.compare_target().is_some(),
         C::ContractMore | C::ContractLess | C::DuplicateMuscle | C::DeleteMuscle => session.document().muscle_count() > 0,
         C::ElbowMore | C::ElbowLess => session.bends_arm() || session.joint().is_some(),
         C::PickOrigin | C::PickInsertion => !session.bones_for(session.shown_muscle()).is_empty(),
@@ -181,7 +181,7 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         appearance::choose(colours);
         return window.show_states();
     }
-    let look = |view: ViewDirection| window.act(|session| session.change_eye(|eye| eye.look_from(view)));
+    let look = |view: ViewDirection| window.act(|session| session.change_camera(|eye| eye.look_from(view)));
     match command {
         C::Open => document_loader::choose(window),
         C::CompareFile => compare_file::choose(window),
@@ -291,29 +291,29 @@ fn change_session(command: Command, session: &mut Session) {
                 session.centre_on(node);
             }
         }
-        C::IsoOpposite => session.change_eye(|eye| {
-            eye.jump(|orbit| {
+        C::IsoOpposite => session.change_camera(|eye| {
+            eye.animate_to(|orbit| {
                 let (yaw, pitch) = ViewDirection::Iso.angles();
                 (orbit.yaw, orbit.pitch) = (yaw + 180.0, -pitch);
             });
         }),
-        C::Orthographic => session.change_eye(|eye| eye.jump(|orbit| orbit.orthographic = !orbit.orthographic)),
+        C::Orthographic => session.change_camera(|eye| eye.animate_to(|orbit| orbit.orthographic = !orbit.orthographic)),
         C::ResetLight => session.reset_light(),
         C::ResetModel => {
-            session.step(tr!("app-edit-reset-model"), Step::New, |session| session.change_model(|model| model.reset()));
+            session.undoable(tr!("app-edit-reset-model"), UndoStep::New, |session| session.change_model(|model| model.reset()));
         }
         C::ContractMore | C::ContractLess => {
             if let Some(contraction) = session.contraction() {
-                session.contract_by_hand(contraction + if command == C::ContractMore { 5.0 } else { -5.0 });
+                session.set_contraction_undoable(contraction + if command == C::ContractMore { 5.0 } else { -5.0 });
             }
         }
         C::ElbowMore | C::ElbowLess => {
-            if let Some(bend) = session.bend() {
-                session.bend_by_hand(bend.value + if command == C::ElbowMore { 5.0 } else { -5.0 });
+            if let Some(bend) = session.angle_slider() {
+                session.set_angle_undoable(bend.value + if command == C::ElbowMore { 5.0 } else { -5.0 });
             }
         }
-        C::PickOrigin => session.start_picking(session.shown_muscle(), Picked::Point(AttachmentPoint::End(0))),
-        C::PickInsertion => session.start_picking(session.shown_muscle(), Picked::Point(AttachmentPoint::End(1))),
+        C::PickOrigin => session.start_picking(session.shown_muscle(), PickTarget::Point(AttachmentPoint::End(0))),
+        C::PickInsertion => session.start_picking(session.shown_muscle(), PickTarget::Point(AttachmentPoint::End(1))),
         C::PresetClean => session.take_preset(Preset::Clean),
         C::PresetSkeleton => session.take_preset(Preset::Skeleton),
         C::PresetInspection => session.take_preset(Preset::Inspection),
@@ -321,10 +321,10 @@ fn change_session(command: Command, session: &mut Session) {
         C::Revert => session.revert(),
         C::Undo => session.undo(),
         C::Redo => session.redo(),
-        C::Ghosts => session.change_ghosts(|ghosts| ghosts.shown = !ghosts.shown),
-        C::BonePath => session.change_ghosts(|ghosts| ghosts.path = !ghosts.path),
+        C::Ghosts => session.change_onion_skin_settings(|ghosts| ghosts.shown = !ghosts.shown),
+        C::BonePath => session.change_onion_skin_settings(|ghosts| ghosts.path = !ghosts.path),
         C::CompareSkinning => {
-            let on = !matches!(session.compared_with(), Some(CompareTarget::Skinning));
+            let on = !matches!(session.compare_target(), Some(CompareTarget::Skinning));
             session.compare(on.then_some(CompareTarget::Skinning));
         }
         C::StopComparing => session.compare(None),

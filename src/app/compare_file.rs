@@ -8,7 +8,7 @@ use gtk4 as gtk;
 
 use super::session::CompareTarget;
 use super::window::Window;
-use super::{document_loader, ghosts_panel, reload_summary};
+use super::{document_loader, onion_skin_panel, reload_summary};
 use crate::collada::Progress;
 use crate::document::Document;
 use crate::tr;
@@ -40,12 +40,12 @@ pub(super) fn read_again(window: &Rc<Window>, path: &Path) {
         if let Ok(Ok(document)) = read
             && window.look(|session| session.compared_file()).as_ref() == Some(&path)
         {
-            let news = window.look(|session| match session.compared_with() {
+            let news = window.look(|session| match session.compare_target() {
                 Some(CompareTarget::File(old, _)) => reload_summary::what_changed(old, &document),
                 _ => String::new(),
             });
-            window.act(|session| session.compare_again(document));
-            let file = ghosts_panel::file_name(&path.display().to_string());
+            window.act(|session| session.replace_compared_file(document));
+            let file = onion_skin_panel::file_name(&path.display().to_string());
             window.viewport.toast(&tr!("app-compared-again", file = file, news = news), None);
         }
     });

@@ -8,7 +8,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::session::{Changes, JointAxis, Session, Step};
+use super::session::{ChangeSet, JointAxis, Session, UndoStep};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::scene::NodeId;
@@ -52,12 +52,12 @@ impl ContractionControls {
         self.contraction.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.contract_by_hand(slider.value()))
+            move |slider| window.act(|session| session.set_contraction_undoable(slider.value()))
         ));
         self.flexion.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.bend_by_hand(slider.value()))
+            move |slider| window.act(|session| session.set_angle_undoable(slider.value()))
         ));
         for list in [&self.joint, &self.axis] {
             let (joint, axis, bones) = (self.joint.downgrade(), self.axis.downgrade(), self.bones.clone());
@@ -72,7 +72,7 @@ impl ContractionControls {
                         // Another axis of the joint that was found is a choice too.
                         let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Hinge);
                         let chosen = bone.or_else(found).map(|node| (node, axis));
-                        session.step(tr!("app-edit-joint"), Step::New, |session| session.choose_joint(chosen));
+                        session.undoable(tr!("app-edit-joint"), UndoStep::New, |session| session.choose_joint(chosen));
                     });
                 }
             ));
@@ -81,22 +81,22 @@ impl ContractionControls {
             #[weak]
             window,
             move |on_top| window.act(|session| {
-                session.step(tr!("app-edit-on-top"), Step::New, |session| session.set_on_top(on_top.is_active()));
+                session.undoable(tr!("app-edit-on-top"), UndoStep::New, |session| session.set_on_top(on_top.is_active()));
             })
         ));
         part::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::release_by_hand)
+            move |_| window.act(Session::release_undoable)
         ));
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
-        if changes.any(Changes::DOCUMENT) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::DOCUMENT) {
             self.list_joints(session);
         }
-        let (there, bend, contraction) = (session.document().muscle_count() > 0, session.bend(), session.contraction());
+        let (there, bend, contraction) = (session.document().muscle_count() > 0, session.angle_slider(), session.contraction());
         let (text, show) = (
             |id: &str, value: String| part::<gtk::Label>(&self.builder, id).set_text(&value),
             |id: &str, shown: bool| part::<gtk::Widget>(&self.builder, id).set_visible(shown),
@@ -123,7 +123,7 @@ impl ContractionControls {
         if of_clip {
             self.on_top.set_active(session.is_on_top());
             self.on_top.set_visible(!session.document().clips.is_empty());
-            part::<gtk::Button>(&self.builder, "joint_release").set_sensitive(bend.by_hand);
+            part::<gtk::Button>(&self.builder, "joint_release").set_sensitive(bend.is_manual);
             let row = |node: NodeId| self.bones.borrow().iter().position(|bone| *bone == node).map_or(0, |row| row as u32 + 1);
             let (bone, axis) = session.chosen_joint().map_or((0, JointAxis::Hinge), |(node, axis)| (row(node), axis));
             self.joint.set_selected(bone);

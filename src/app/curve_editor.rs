@@ -11,7 +11,7 @@ use gtk4 as gtk;
 
 use super::curve_plot::{CurvePlot, diamond};
 use super::drawing_area::{PaintWidget, cairo, rgb, set_color};
-use super::session::{Changes, Graph, GraphKind, Moved, Session, SheetRow};
+use super::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRow};
 use super::settings::SheetPage;
 use super::timeline::{self, hold_while};
 use super::timeline_ruler::Track;
@@ -66,7 +66,7 @@ pub(super) struct Sheet {
     shown: Rc<Shown>,
     graphs: RefCell<Vec<Graph>>,
     /// The row whose curves are shown.
-    moved: Cell<Option<Moved>>,
+    moved: Cell<Option<AnimatedItem>>,
     /// The kind that a hand chose.
     kind: Cell<Option<GraphKind>>,
     page: Cell<SheetPage>,
@@ -195,20 +195,20 @@ impl Sheet {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
         if self.page.get() == SheetPage::None {
             return;
         }
-        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK) {
             self.list_rows(session);
-        } else if changes.any(Changes::SELECTION) {
+        } else if changes.any(ChangeSet::SELECTION) {
             self.follow_selection(session);
         }
-        if changes.any(Changes::DISPLAY) {
+        if changes.any(ChangeSet::DISPLAY) {
             self.shown.plot.borrow_mut().colors = session.display().palette.axes;
             self.curves.queue_draw();
         }
-        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::TIME) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::TIME) {
             self.show_values(session);
         }
     }
@@ -240,13 +240,13 @@ impl Sheet {
     /// The row of the selected node; without one the curves stay where they are, or show the first row in which anything happens.
     fn follow_selection(&self, session: &Session) {
         let rows = self.shown.rows.borrow();
-        let selected = session.selected().and_then(|node| rows.iter().position(|row| row.moved == Moved::Node(node)));
+        let selected = session.selected().and_then(|node| rows.iter().position(|row| row.item == AnimatedItem::Node(node)));
         self.selection.set_selected(selected.map_or(gtk::INVALID_LIST_POSITION, |place| place as u32));
         if let Some(place) = selected {
             ui::scroll_to(&self.list, place as u32);
         }
-        let kept = self.moved.get().and_then(|moved| rows.iter().position(|row| row.moved == moved));
-        let moves = |row: &SheetRow| session.sheet_graphs(row.moved).iter().any(Graph::moves);
+        let kept = self.moved.get().and_then(|moved| rows.iter().position(|row| row.item == moved));
+        let moves = |row: &SheetRow| session.sheet_graphs(row.item).iter().any(Graph::moves);
         let first = || rows.iter().position(moves).or(if rows.is_empty() { None } else { Some(0) });
         let place = selected.or(kept).or_else(first);
         drop(rows);
@@ -255,7 +255,7 @@ impl Sheet {
 
     /// Shows the curves of a row.
     fn show_row(&self, session: &Session, place: Option<usize>) {
-        let row = place.and_then(|place| self.shown.rows.borrow().get(place).map(|row| row.moved));
+        let row = place.and_then(|place| self.shown.rows.borrow().get(place).map(|row| row.item));
         if let Some(place) = place {
             self.row.set_selected(place as u32);
         }
@@ -293,7 +293,7 @@ impl Sheet {
         let text = match &plot.graph {
             Some(graph) if self.page.get() == SheetPage::Curves => {
                 let unit = if graph.kind == GraphKind::Rotation { "°" } else { "" };
-                let value = |line: &super::session::Line| format!("{} {}{unit}", line.name, format::number(line.value(time), 3));
+                let value = |line: &super::session::GraphLine| format!("{} {}{unit}", line.name, format::number(line.value(time), 3));
                 let values: Vec<String> = graph.lines.iter().take(12).map(value).collect();
                 tr!(
                     "app-sheet-values",
@@ -308,13 +308,13 @@ impl Sheet {
 
     /// The row at a place was chosen.
     fn choose(&self, session: &Session, place: usize) {
-        if session.selected().is_none_or(|node| self.moved_at(place) != Some(Moved::Node(node))) {
+        if session.selected().is_none_or(|node| self.moved_at(place) != Some(AnimatedItem::Node(node))) {
             self.show_row(session, Some(place));
         }
     }
 
-    fn moved_at(&self, place: usize) -> Option<Moved> {
-        self.shown.rows.borrow().get(place).map(|row| row.moved)
+    fn moved_at(&self, place: usize) -> Option<AnimatedItem> {
+        self.shown.rows.borrow().get(place).map(|row| row.item)
     }
 }
 
@@ -325,7 +325,7 @@ fn choose(window: &Rc<Window>, place: u32) {
     }
     let mut node: Option<NodeId> = None;
     window.sheet(|sheet, _| {
-        if let Some(Moved::Node(found)) = sheet.moved_at(place as usize) {
+        if let Some(AnimatedItem::Node(found)) = sheet.moved_at(place as usize) {
             node = Some(found);
         }
     });

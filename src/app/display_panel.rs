@@ -6,8 +6,8 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::ghosts_panel::GhostsPanel;
-use super::session::{BackgroundPreset, Changes, LightDirection, Session, Step};
+use super::onion_skin_panel::GhostsPanel;
+use super::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};
 use super::settings::SHADINGS;
 use super::window::{Window, part};
 use super::{format, ui};
@@ -134,7 +134,7 @@ impl DisplayPanel {
                 move |_| {
                     let aim = LightDirection { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
                     window.act(|session| {
-                        session.step(tr!("app-edit-light"), Step::near(0), |session| session.set_light(aim));
+                        session.undoable(tr!("app-edit-light"), UndoStep::near(0), |session| session.set_light(aim));
                     });
                 }
             ));
@@ -142,9 +142,9 @@ impl DisplayPanel {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
         self.ghosts.refresh(session, changes);
-        if changes.any(Changes::DISPLAY) {
+        if changes.any(ChangeSet::DISPLAY) {
             let display = session.display();
             let shading = SHADINGS.iter().position(|(_, shading)| *shading == display.shading).unwrap_or(1);
             self.shading.set_selected(shading as u32);
@@ -152,7 +152,7 @@ impl DisplayPanel {
             self.ambient.set_value(f64::from(display.ambient));
             self.ambient_value.set_text(&format::with_unit(f64::from(display.ambient) * 100.0, 0, "%"));
         }
-        if changes.any(Changes::DISPLAY) {
+        if changes.any(ChangeSet::DISPLAY) {
             let display = session.display();
             let cell = CELLS.iter().position(|cell| *cell == display.grid_cell).unwrap_or(0);
             self.grid_cell.set_selected(cell as u32);
@@ -161,12 +161,12 @@ impl DisplayPanel {
             self.line_width.set_value(f64::from(display.line_width));
             self.line_width_value.set_text(&format!("{}\u{2009}×", format::number(f64::from(display.line_width), 1)));
         }
-        if changes.any(Changes::LIGHT | Changes::DOCUMENT | Changes::CAMERA) {
-            let aim = session.light_aim();
+        if changes.any(ChangeSet::LIGHT | ChangeSet::DOCUMENT | ChangeSet::CAMERA) {
+            let aim = session.light_direction();
             self.light_yaw.set_value(f64::from(aim.yaw.rem_euclid(360.0)));
             self.light_pitch.set_value(f64::from(aim.pitch));
         }
-        if changes.any(Changes::LIGHT | Changes::DOCUMENT) {
+        if changes.any(ChangeSet::LIGHT | ChangeSet::DOCUMENT) {
             let text = match session.light() {
                 None => tr!("app-light-default"),
                 Some(aim) => {

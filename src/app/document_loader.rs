@@ -158,7 +158,7 @@ pub(super) fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: V
             window.viewport.hush();
             window.act(|session| {
                 session.show(Document::built_in(), LoadMode::New);
-                session.carry(carried.muscles);
+                session.set_carried_files(carried.muscles);
             });
             return (carried.then)();
         }
@@ -282,10 +282,10 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Load
     }
     match &saved {
         Some(saved) => window.borrow_looks(|session| {
-            session.show_saved(document, saved);
+            session.show_session(document, saved);
             if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
                 session.compare(Some(CompareTarget::File(Box::new(other), path.display().to_string())));
-                session.shift_as(shift);
+                session.apply_saved_comparison(shift);
                 if saved.camera.is_none() && saved.file_camera.is_none() {
                     session.fit();
                 }
@@ -294,7 +294,7 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Load
         None => window.act(|session| session.show(document, arrival)),
     }
     if let Some(carried) = window.files.carried.take() {
-        window.act(|session| session.carry(carried.muscles));
+        window.act(|session| session.set_carried_files(carried.muscles));
         (carried.then)();
     }
     watch(window);

@@ -32,6 +32,6 @@ impl EmptyState {
 
     /// Shows them where they are true of what is open.
     pub(super) fn refresh(&self, session: &mut Session) {
-        self.root.set_visible(session.draws_nothing());
+        self.root.set_visible(session.has_nothing_to_draw());
     }
 }

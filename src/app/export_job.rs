@@ -332,9 +332,9 @@ impl Job {
                 *switch = false;
             }
         }
-        let company = (session.company(), session.frame_rate());
-        let (document, state, eye) = (session.document().clone(), session.state(), session.eye().clone());
-        let along = session.along();
+        let company = (session.overlays(), session.frame_rate());
+        let (document, state, eye) = (session.document().clone(), session.state(), session.camera_controller().clone());
+        let along = session.camera_follow();
         Ok(Self { document, company, state, sequence, eye, along, display, options, guard })
     }
 

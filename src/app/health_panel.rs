@@ -6,7 +6,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::session::{Changes, Session};
+use super::session::{ChangeSet, Session};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::diagnostics::{Diagnostic, Severity};
@@ -69,8 +69,8 @@ impl HealthPanel {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
-        if !changes.any(Changes::DOCUMENT) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if !changes.any(ChangeSet::DOCUMENT) {
             return;
         }
         let document = session.document();

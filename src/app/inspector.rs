@@ -10,7 +10,7 @@ use gtk4 as gtk;
 
 use super::inspector_text::{self, Space};
 use super::plot_view;
-use super::session::{Changes, Matrices, Session, Step};
+use super::session::{ChangeSet, Matrices, Session, UndoStep};
 use super::window::{Window, part};
 use super::{drawing_area::PaintWidget, format, material_preview, ui};
 use crate::document::{Skinning, angle_at};
@@ -111,7 +111,7 @@ impl Inspector {
             window,
             move |list| window.act(|session| {
                 wanted.set(Space::ALL.get(list.selected() as usize).copied().unwrap_or(Space::World));
-                session.inspect_anew();
+                session.refresh_probe();
             })
         ));
         part::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
@@ -137,7 +137,7 @@ impl Inspector {
                 move |_| window.act(|session| {
                     let node = session.selected();
                     if all || node.is_some() {
-                        session.reset_turns(node.filter(|_| !all));
+                        session.reset_joint_overrides(node.filter(|_| !all));
                     }
                 })
             ));
@@ -209,10 +209,11 @@ impl Inspector {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
-        let other = changes.any(Changes::DOCUMENT | Changes::SELECTION);
-        let moved = Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::HAND | Changes::PINS | Changes::DISPLAY;
-        if !other && !changes.any(moved | Changes::PLAYBACK) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        let other = changes.any(ChangeSet::DOCUMENT | ChangeSet::SELECTION);
+        let moved =
+            ChangeSet::TIME | ChangeSet::DRIVE | ChangeSet::MODEL | ChangeSet::JOINT_OVERRIDES | ChangeSet::PROBE | ChangeSet::DISPLAY;
+        if !other && !changes.any(moved | ChangeSet::PLAYBACK) {
             return;
         }
         let Some(node) = session.selected() else {
@@ -223,10 +224,10 @@ impl Inspector {
         if other {
             self.show_kind(session, node);
         }
-        if changes.any(Changes::DOCUMENT) {
+        if changes.any(ChangeSet::DOCUMENT) {
             self.list_joints(session);
         }
-        if other || changes.any(Changes::PLAYBACK | Changes::HAND | Changes::PINS) {
+        if other || changes.any(ChangeSet::PLAYBACK | ChangeSet::JOINT_OVERRIDES | ChangeSet::PROBE) {
             self.show_curve(session, node);
         }
         self.show_transform(session, node);
@@ -234,7 +235,7 @@ impl Inspector {
         self.show_angle(session, node);
         self.show_vertex(session);
         let distance: gtk::Label = part(&self.builder, "distance");
-        let pinned = session.pinned();
+        let pinned = session.probed_point();
         distance.set_visible(pinned[1].is_some());
         distance.set_text(&inspector_text::distance(pinned));
     }
@@ -356,7 +357,7 @@ impl Inspector {
     }
 
     fn show_vertex(&self, session: &mut Session) {
-        let told = session.explanation();
+        let told = session.vertex_influences();
         part::<gtk::Box>(&self.builder, "vertex").set_visible(told.is_some());
         let Some(told) = told else { return };
         part::<gtk::Label>(&self.builder, "vertex_title").set_text(&tr!("app-vertex", number = told.point));
@@ -399,5 +400,5 @@ fn turn(session: &mut Session, axis: usize, degrees: f64) {
     let Some(node) = session.selected() else { return };
     let mut turns = session.document().joint_override(node);
     turns[axis] = degrees;
-    session.step(tr!("app-edit-turn-by-hand"), Step::near(node.0), |session| session.turn_by_hand(node, turns));
+    session.undoable(tr!("app-edit-turn-by-hand"), UndoStep::near(node.0), |session| session.override_joint(node, turns));
 }

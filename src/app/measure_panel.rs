@@ -14,7 +14,7 @@ use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;
 use super::save_as::{self, Wanted};
-use super::session::{Against, Changes, Reading, Session, csv};
+use super::session::{ChangeSet, MeasureAxis, Measurement, Session, csv};
 use super::ui;
 use super::window::{Window, part};
 use crate::export::atomic_file::write_atomic;
@@ -26,12 +26,12 @@ use crate::scene::{Content, MuscleId};
 use crate::tr;
 
 /// A quantity: the key of its name, how it is read, and the least that its axis spans.
-type Quantity = (&'static str, fn(&Reading) -> f64, f64);
+type Quantity = (&'static str, fn(&Measurement) -> f64, f64);
 
 const QUANTITIES: [Quantity; 5] = [
     ("app-measure-length", |reading| reading.solved.length, 0.0),
     ("app-measure-arm", |reading| reading.moment_arm.unwrap_or(f64::NAN), 0.0),
-    ("app-measure-radius", Reading::belly, 0.0),
+    ("app-measure-radius", Measurement::belly, 0.0),
     ("app-measure-section", |reading| std::f64::consts::PI * reading.belly().powi(2), 0.0),
     // Rounding alone would look like a mountain range.
     ("app-measure-error", |reading| reading.solved.volume_error, 2e-12),
@@ -39,7 +39,7 @@ const QUANTITIES: [Quantity; 5] = [
 /// The quantity that there are published figures of.
 const PUBLISHED: usize = 1;
 /// What can go right, in the order of the list.
-const AXES: [Against; 2] = [Against::Angle, Against::Time];
+const AXES: [MeasureAxis; 2] = [MeasureAxis::Angle, MeasureAxis::Time];
 /// Colour of a saved curve: dark enough for white paper.
 const ON_PAPER: u32 = 0xB8_322E;
 /// Pixels of a saved picture to a logical pixel.
@@ -51,7 +51,7 @@ pub(super) struct MeasurePanel {
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
     plots: [(PaintWidget, Rc<RefCell<Plot>>); 5],
-    readings: RefCell<Vec<Reading>>,
+    readings: RefCell<Vec<Measurement>>,
     muscle: Cell<MuscleId>,
     stale: Cell<bool>,
 }
@@ -88,8 +88,8 @@ impl MeasurePanel {
                     let place = plot.borrow().x_at(x, f64::from(canvas.width()));
                     let Some(place) = place else { return };
                     match window.measure.against() {
-                        Against::Angle => window.act(|session| session.bend_by_hand(place)),
-                        Against::Time => window.act(|session| session.time(|playback| playback.seek(place))),
+                        MeasureAxis::Angle => window.act(|session| session.set_angle_undoable(place)),
+                        MeasureAxis::Time => window.act(|session| session.time(|playback| playback.seek(place))),
                     }
                 }
             };
@@ -130,7 +130,7 @@ impl MeasurePanel {
             window,
             move |_| save(&window)
         ));
-        let again = |window: &Rc<Window>| window.act(Session::show_other_muscle);
+        let again = |window: &Rc<Window>| window.act(Session::show_selected_muscle);
         part::<gtk::CheckButton>(&self.builder, "published").connect_toggled(glib::clone!(
             #[weak]
             window,
@@ -160,17 +160,17 @@ impl MeasurePanel {
         self.root.connect_map(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::show_other_muscle)
+            move |_| window.act(Session::show_selected_muscle)
         ));
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
-        if changes.any(Changes::DOCUMENT) {
+    pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::DOCUMENT) {
             self.muscle.set(MuscleId(0));
             self.stale.set(true);
         }
-        if changes.any(Changes::SELECTION)
+        if changes.any(ChangeSet::SELECTION)
             && let Some(node) = session.selected()
         {
             let contents = &session.document().scene.graph.node(node).contents;
@@ -180,7 +180,7 @@ impl MeasurePanel {
                 self.stale.set(true);
             }
         }
-        if changes.any(Changes::EDIT | Changes::MUSCLE) || (changes.any(Changes::PLAYBACK) && self.against() == Against::Time) {
+        if changes.any(ChangeSet::EDIT | ChangeSet::MUSCLE) || (changes.any(ChangeSet::PLAYBACK) && self.against() == MeasureAxis::Time) {
             self.stale.set(true);
         }
         if !self.root.is_mapped() {
@@ -189,8 +189,9 @@ impl MeasurePanel {
         if self.stale.replace(false) {
             self.measure(session);
         }
-        if changes.any(Changes::DRIVE | Changes::TIME | Changes::DOCUMENT | Changes::MUSCLE | Changes::DISPLAY | Changes::EDIT) {
-            let present = session.present(self.muscle.get(), self.against());
+        if changes.any(ChangeSet::DRIVE | ChangeSet::TIME | ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::DISPLAY | ChangeSet::EDIT)
+        {
+            let present = session.current_value(self.muscle.get(), self.against());
             for (canvas, plot) in &self.plots {
                 let mut plot = plot.borrow_mut();
                 (plot.cursor, plot.color) = (present, session.display().palette.selected);
@@ -205,7 +206,7 @@ impl MeasurePanel {
     }
 
     /// What goes right.
-    fn against(&self) -> Against {
+    fn against(&self) -> MeasureAxis {
         AXES.get(self.axis().selected() as usize).copied().unwrap_or_default()
     }
 
@@ -234,8 +235,8 @@ impl MeasurePanel {
         let readings = session.measure(self.muscle.get(), against);
         ui::say(&part(&self.builder, "name"), rig.name(index));
         let (across, hint) = match against {
-            Against::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
-            Against::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
+            MeasureAxis::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
+            MeasureAxis::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
         };
         part::<gtk::Label>(&self.builder, "hint").set_text(&hint);
         let unit = Unit::of_rig(document, rig);
@@ -250,7 +251,7 @@ impl MeasurePanel {
             canvas.set_visible(plot.points.iter().any(|point| point.1.is_finite()));
         }
         // The published figures are of a flexor of the elbow.
-        let comparable = against == Against::Angle && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
+        let comparable = against == MeasureAxis::Angle && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
         for id in ["published", "sources"] {
             part::<gtk::Widget>(&self.builder, id).set_visible(comparable);
         }

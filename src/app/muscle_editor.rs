@@ -6,7 +6,7 @@ use std::rc::{Rc, Weak};
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::{Session, Step};
+use super::session::{Session, UndoStep};
 use super::ui;
 use super::window::Window;
 use crate::i18n::shown;
@@ -31,7 +31,7 @@ impl Editor {
     }
 
     /// Makes a change; whether it was made.
-    pub(super) fn edit(&self, edit: &Edit, step: Step) -> bool {
+    pub(super) fn edit(&self, edit: &Edit, step: UndoStep) -> bool {
         let id = self.id();
         self.tell(|session| session.edit_muscle(id, edit, step))
     }

@@ -15,7 +15,7 @@ use super::contraction_controls::ContractionControls;
 use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::profile_plot::{ProfilePlot, Shape};
 use super::profile_table::ProfileTable;
-use super::session::{AttachResult, Changes, Session, Step};
+use super::session::{AttachResult, ChangeSet, Session, UndoStep};
 use super::via_points_editor::ViaPointsEditor;
 use super::window::{Window, part};
 use super::{format, ui};
@@ -86,7 +86,7 @@ fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
         3 => tendon(1, &|tendon| tendon.length = value),
         _ => tendon(1, &|tendon| tendon.radius = value),
     };
-    if !editor.edit(&edit, Step::New) {
+    if !editor.edit(&edit, UndoStep::New) {
         return entry.add_css_class("error");
     }
     entry.remove_css_class("error");
@@ -221,15 +221,15 @@ impl MusclePanel {
     fn connect_edits(&self, editor: &Editor) {
         let (delete, own) = (part::<gtk::Button>(&self.builder, "delete_node"), editor.clone());
         let name_node = move |node: usize| delete.set_label(&tr!("app-node-delete-number", node = node + 1));
-        self.nodes.connect(move |edit| own.edit(&edit, Step::New), name_node);
+        self.nodes.connect(move |edit| own.edit(&edit, UndoStep::New), name_node);
         let own = editor.clone();
         self.profile.connect(move |edit, first| {
-            own.edit(&edit, if first { Step::New } else { Step::Same });
+            own.edit(&edit, if first { UndoStep::New } else { UndoStep::Same });
         });
         for (id, edit) in [("add_node", Edit::AddNode as fn(usize) -> Edit), ("delete_node", Edit::DeleteNode)] {
             let (own, current) = (editor.clone(), self.nodes.at_hand());
             part::<gtk::Button>(&self.builder, id).connect_clicked(move |_| {
-                own.edit(&edit(current()), Step::New);
+                own.edit(&edit(current()), UndoStep::New);
             });
         }
         for (field, entry) in self.fields.iter().enumerate() {
@@ -242,19 +242,19 @@ impl MusclePanel {
         connect_entry(&self.name, move |entry| {
             let name = entry.text().trim().to_owned();
             if own.spec().is_some_and(|spec| spec.name != name && !name.is_empty()) {
-                own.edit(&Edit::Name(name), Step::New);
+                own.edit(&Edit::Name(name), UndoStep::New);
             }
         });
         let own = editor.clone();
         part::<gtk::Button>(&self.builder, "fit_length").connect_clicked(move |_| {
             let id = own.id();
-            own.tell(|session| session.fit_length(id, Step::New));
+            own.tell(|session| session.fit_length(id, UndoStep::New));
         });
         let own = editor.clone();
         part::<gtk::ColorButton>(&self.builder, "colour").connect_color_set(move |button| {
             let color = button.rgba();
             let byte = |part: f32| (part * 255.0).round().clamp(0.0, 255.0) as u8;
-            own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), Step::New);
+            own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), UndoStep::New);
         });
         let weak = editor.window.clone();
         part::<gtk::Button>(&self.builder, "hang").connect_clicked(move |_| {
@@ -287,7 +287,7 @@ impl MusclePanel {
         let button: gtk::MenuButton = part(&self.builder, "muscle_menu");
         let ready = list(&button, "ready", |own, preset| {
             let id = own.id();
-            own.tell(|session| session.take_ready(id, preset));
+            own.tell(|session| session.apply_preset(id, preset));
         });
         let menu = gio::Menu::new();
         for command in [Command::DuplicateMuscle, Command::DeleteMuscle] {
@@ -298,34 +298,40 @@ impl MusclePanel {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
-        if changes.any(Changes::DOCUMENT) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::DOCUMENT) {
             self.refresh_document(session);
         }
         self.shown.set(session.shown_muscle().0);
-        if changes.any(Changes::MUSCLE) {
+        if changes.any(ChangeSet::MUSCLE) {
             self.which.set_selected(self.shown.get());
         }
-        let bends = Changes::DRIVE | Changes::HAND | Changes::MUSCLE | Changes::EDIT;
-        if changes.any(Changes::DOCUMENT | bends) || changes.any(Changes::TIME) && self.root.is_mapped() {
+        let bends = ChangeSet::DRIVE | ChangeSet::JOINT_OVERRIDES | ChangeSet::MUSCLE | ChangeSet::EDIT;
+        if changes.any(ChangeSet::DOCUMENT | bends) || changes.any(ChangeSet::TIME) && self.root.is_mapped() {
             self.joint.refresh(session, changes);
         }
-        if changes.any(Changes::DOCUMENT | Changes::MUSCLE | Changes::SELECTION) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::SELECTION) {
             self.refresh_hang(session);
         }
-        if changes.any(Changes::HISTORY) {
+        if changes.any(ChangeSet::HISTORY) {
             self.refused.set_visible(false);
             self.way.forget_refusals();
         }
-        let moves = Changes::DOCUMENT | Changes::DRIVE | Changes::TIME | Changes::MUSCLE | Changes::EDIT | Changes::HAND | Changes::PICKING;
-        if changes.any(moves) && self.root.is_mapped() || changes.any(Changes::DOCUMENT | Changes::MUSCLE) {
-            self.refresh_ledger(session, changes.any(Changes::DOCUMENT | Changes::MUSCLE));
+        let moves = ChangeSet::DOCUMENT
+            | ChangeSet::DRIVE
+            | ChangeSet::TIME
+            | ChangeSet::MUSCLE
+            | ChangeSet::EDIT
+            | ChangeSet::JOINT_OVERRIDES
+            | ChangeSet::PICKING;
+        if changes.any(moves) && self.root.is_mapped() || changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE) {
+            self.refresh_ledger(session, changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE));
         }
     }
 
     /// Offers to hang muscles that are on an arm of their own on the clip that is open with them.
     fn refresh_hang(&self, session: &Session) {
-        let joint = session.shown_file().and_then(|place| session.joint_to_hang_on(place));
+        let joint = session.shown_file().and_then(|place| session.joint_to_attach_to(place));
         part::<gtk::Widget>(&self.builder, "hang_box").set_visible(joint.is_some());
         if let Some(joint) = joint {
             let name = &session.document().scene.graph.node(joint.node).name;
@@ -379,7 +385,7 @@ impl MusclePanel {
         let [taken, other] = solved.roots;
         set_all(&self.quadratic, &[a, b, c, solved.discriminant, taken, other].map(|value| format::significant(value, 7)));
         part::<gtk::Label>(&self.builder, "held").set_visible(solved.held);
-        let (alone, why) = (part::<gtk::Label>(&self.builder, "alone"), session.why_alone());
+        let (alone, why) = (part::<gtk::Label>(&self.builder, "alone"), session.standalone_reason());
         alone.set_visible(why.is_some());
         if let Some(why) = why.filter(|why| alone.text() != *why) {
             alone.set_text(&why);
@@ -439,7 +445,7 @@ pub(super) fn hang_all(window: &Rc<Window>) -> bool {
 fn hang(window: &Rc<Window>, files: impl IntoIterator<Item = usize>) -> bool {
     let mut hung: Option<AttachResult> = None;
     window.act(|session| {
-        for new in files.into_iter().filter_map(|place| session.hang_on_clip(place)) {
+        for new in files.into_iter().filter_map(|place| session.attach_to_skeleton(place)) {
             let before = hung.take().map_or(0, |hung| hung.muscles);
             hung = Some(AttachResult { muscles: before + new.muscles, ..new });
         }

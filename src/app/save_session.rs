@@ -24,7 +24,7 @@ pub(super) fn save(window: &Rc<Window>) {
 fn write(window: &Rc<Window>, output: &Output) {
     let path = output.file();
     let folder = path.parent().unwrap_or(Path::new(""));
-    let text = window.look(|session| session.to_saved(folder).to_yaml());
+    let text = window.look(|session| session.session_state(folder).to_yaml());
     let written = text
         .map_err(|error| reason(&error, Doing::Writing))
         .and_then(|text| write_atomic(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));

@@ -77,7 +77,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
     match write_atomic(output, |out| out.write_all(saved.text.as_bytes())) {
         Ok(()) => {
             window.error_bar.hide();
-            window.act(|session| session.was_saved(index, path.clone(), file));
+            window.act(|session| session.mark_saved(index, path.clone(), file));
             document_loader::watch(window);
             let key = if saved.comments_lost { "app-saved-without-comments" } else { "app-saved" };
             window.viewport.toast(&tr!(key, file = save_as::name_of(&path)), Some(path));

@@ -10,7 +10,7 @@ use gtk4 as gtk;
 
 use super::drawing_area::PaintWidget;
 use super::icons;
-use super::session::{Changes, Session};
+use super::session::{ChangeSet, Session};
 use super::tree_model::{Row, path_to, search, steps};
 use super::ui;
 use super::window::{Window, part};
@@ -74,7 +74,7 @@ impl SceneTree {
         self.search.connect_search_changed(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::list_anew)
+            move |_| window.act(Session::refresh_tree)
         ));
         self.search.connect_stop_search(glib::clone!(
             #[weak]
@@ -97,9 +97,9 @@ impl SceneTree {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
         let scene = &session.document().scene;
-        if changes.any(Changes::DOCUMENT | Changes::LIST) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::TREE) {
             *self.rows.borrow_mut() = scene.graph.iter().map(|(id, _)| Row::of(scene, id)).collect();
             let wanted = self.search.text();
             let (roots, flat) =
@@ -116,10 +116,10 @@ impl SceneTree {
                 self.unfold_first();
             }
         }
-        if changes.any(Changes::DOCUMENT | Changes::LIST | Changes::SELECTION) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::TREE | ChangeSet::SELECTION) {
             self.select(session);
         }
-        if changes.any(Changes::DISPLAY) {
+        if changes.any(ChangeSet::DISPLAY) {
             for row in self.rows.borrow_mut().iter_mut() {
                 row.visible = scene.graph.node(row.node).visible;
             }

@@ -27,7 +27,7 @@ fn take(window: &Rc<Window>, transparent: bool) -> Picture {
     let (width, height) = window.viewport.size();
     let (width, height) = ((width * scale).max(1), (height * scale).max(1));
     window.look(|session| {
-        let note = note(session.document(), session.eye())(&FrameSpec { state: session.state(), turntable: 0.0 });
+        let note = note(session.document(), session.camera_controller())(&FrameSpec { state: session.state(), turntable: 0.0 });
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;
         display.hovered = None;

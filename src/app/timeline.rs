@@ -14,7 +14,7 @@ use super::commands::Command;
 use super::curve_editor::Sheet;
 use super::drawing_area::PaintWidget;
 use super::icons::{self, Glyph};
-use super::session::{Changes, Mark, Session};
+use super::session::{ChangeSet, RangeMark, Session};
 use super::timeline_ruler::{Track, frame_of};
 use super::window::{Window, part};
 use super::{format, ui};
@@ -35,7 +35,7 @@ enum Grip {
     /// The present moment.
     Seek,
     /// A mark.
-    Mark(Mark),
+    Mark(RangeMark),
     /// Both marks: what lies between the ends of the drag.
     Range,
 }
@@ -289,15 +289,15 @@ impl Timeline {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &Session, changes: Changes) {
+    pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
         self.show(session, changes);
         self.sheet.refresh(session, changes);
     }
 
-    fn show(&self, session: &Session, changes: Changes) {
+    fn show(&self, session: &Session, changes: ChangeSet) {
         let playback = *session.playback();
         let rate = session.frame_rate();
-        if changes.any(Changes::DOCUMENT) {
+        if changes.any(ChangeSet::DOCUMENT) {
             let mut names: Vec<&str> = session.document().clips.iter().map(|clip| clip.name.as_str()).collect();
             if names.is_empty() {
                 names.push("–");
@@ -305,10 +305,10 @@ impl Timeline {
             self.clip.set_model(Some(&ui::words(&names)));
             self.clip.set_enable_search(names.len() > MANY);
         }
-        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK) {
             self.list_rates(session);
         }
-        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK) {
             self.clip.set_sensitive(!session.document().clips.is_empty());
             self.clip.set_selected(session.clip_index().map_or(0, |index| index as u32));
             let moves = playback.duration() > 0.0;
@@ -337,14 +337,14 @@ impl Timeline {
             self.loop_mode.set_icon_name(icon);
             self.loop_mode.set_tooltip_text(Some(&tr!("app-loop-tip", mode = name, key = Command::LoopMode.key_label())));
         }
-        if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::TIME) {
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::TIME) {
             self.time.set_value(playback.time);
             // A box that is being typed into keeps what is typed.
             for (number, value) in [(&self.seconds, playback.time), (&self.frame, frame_of(playback.time, rate))] {
                 number.set_value(value);
             }
         }
-        let shown = Changes::DOCUMENT | Changes::PLAYBACK | Changes::TIME | Changes::SELECTION | Changes::DISPLAY;
+        let shown = ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::TIME | ChangeSet::SELECTION | ChangeSet::DISPLAY;
         if changes.any(shown) {
             let mut track = self.track.borrow_mut();
             let before = track.range;
@@ -355,7 +355,7 @@ impl Timeline {
                 track.keep(playback.time);
             }
             track.marks = (playback.mark_a, playback.mark_b);
-            if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::SELECTION) {
+            if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::SELECTION) {
                 track.keys = session.all_keys().to_vec();
                 track.own_keys = session.own_keys().to_vec();
             }

@@ -5,7 +5,7 @@ use gtk4 as gtk;
 
 use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write, write_amid};
 use super::format;
-use super::session::Mark;
+use super::session::RangeMark;
 
 /// Room left of the first and right of the last moment, logical pixels.
 const INSET: f64 = 16.0;
@@ -128,14 +128,14 @@ impl Track {
     }
 
     /// The mark whose tab lies at a place.
-    pub(super) fn mark_at(&self, x: f64, y: f64, width: f64) -> Option<Mark> {
+    pub(super) fn mark_at(&self, x: f64, y: f64, width: f64) -> Option<RangeMark> {
         let within = |mark: Option<f64>, from: f64, to: f64| mark.is_some_and(|mark| (from..=to).contains(&(x - self.x(mark, width))));
         if !(TOP - 2.0..=TOP + TAB + 2.0).contains(&y) || self.range.1 <= self.range.0 {
             None
         } else if within(self.marks.0, -4.0, TAB + 1.0) {
-            Some(Mark::A)
+            Some(RangeMark::A)
         } else {
-            within(self.marks.1, -TAB - 1.0, 4.0).then_some(Mark::B)
+            within(self.marks.1, -TAB - 1.0, 4.0).then_some(RangeMark::B)
         }
     }
 
@@ -376,8 +376,8 @@ mod tests {
     fn marks_are_held_by_their_tabs() {
         let track = Track { marks: (Some(1.0), Some(3.0)), ..track() };
         let (a, b) = (track.x(1.0, 800.0), track.x(3.0, 800.0));
-        assert_eq!(track.mark_at(a + 5.0, TOP + 5.0, 800.0), Some(Mark::A));
-        assert_eq!(track.mark_at(b - 5.0, TOP + 5.0, 800.0), Some(Mark::B));
+        assert_eq!(track.mark_at(a + 5.0, TOP + 5.0, 800.0), Some(RangeMark::A));
+        assert_eq!(track.mark_at(b - 5.0, TOP + 5.0, 800.0), Some(RangeMark::B));
         assert_eq!(track.mark_at(b + 9.0, TOP + 5.0, 800.0), None);
         assert_eq!(track.mark_at(a + 5.0, TOP + 30.0, 800.0), None);
         assert_eq!(Track::default().mark_at(20.0, 20.0, 800.0), None);

@@ -73,7 +73,7 @@ fn title_of(names: &[String]) -> Option<String> {
 
 /// Says at the buttons what undo and redo would do.
 pub(super) fn name_steps(builder: &gtk::Builder, session: &Session) {
-    let (back, forward) = session.step_names();
+    let (back, forward) = session.undo_names();
     for (id, command, step) in [("undo", Command::Undo, back), ("redo", Command::Redo, forward)] {
         let text = match step {
             Some(step) => tr!("app-step", what = command.label(), step = step, key = command.key_label()),

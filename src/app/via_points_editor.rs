@@ -8,7 +8,7 @@ use gtk4 as gtk;
 
 use super::attachment_field::{AttachmentField, Bones, connect_pick, show_pick};
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::session::{Picked, Session, Step};
+use super::session::{PickTarget, Session, UndoStep};
 use super::window::part;
 use super::{format, ui};
 use crate::muscle::edit::VIA;
@@ -72,7 +72,7 @@ impl ViaPointsEditor {
             let id = own.id();
             own.tell(|session| session.add_via(id));
         });
-        connect_pick(&self.pick, &of_via, Picked::NewVia);
+        connect_pick(&self.pick, &of_via, PickTarget::NewVia);
         self.editor.replace(Some(of_via));
         self.ball.connect(&of_wrap);
         for (field, entry) in self.fields.iter().enumerate() {
@@ -105,7 +105,7 @@ impl ViaPointsEditor {
         }
         self.rows.add.set_sensitive(held && spec.via.len() < VIA);
         self.pick.set_sensitive(held && spec.via.len() < VIA);
-        show_pick(&self.pick, session, id, Picked::NewVia);
+        show_pick(&self.pick, session, id, PickTarget::NewVia);
         let heading = part::<gtk::Label>(&self.builder, "via_heading");
         heading.set_text(&if unit.is_empty() || spec.via.is_empty() { tr!("app-via") } else { tr!("app-via-unit", unit = unit) });
         self.ball.show(session, id, anew);
@@ -151,7 +151,7 @@ impl Rows {
         for (arrow, swapped, goes_to) in [(&up, number.checked_sub(1), number.wrapping_sub(1)), (&down, Some(number), number + 1)] {
             let (own, rows, is_up) = (editor.clone(), self.clone(), arrow == &up);
             arrow.connect_clicked(move |_| {
-                if swapped.is_some_and(|swapped| own.edit(&Edit::SwapVia(swapped), Step::New)) {
+                if swapped.is_some_and(|swapped| own.edit(&Edit::SwapVia(swapped), UndoStep::New)) {
                     rows.focus(goes_to, |row| {
                         let (wished, other) = if is_up { (&row.up, &row.down) } else { (&row.down, &row.up) };
                         if wished.is_sensitive() { wished } else { other }
@@ -161,7 +161,7 @@ impl Rows {
         }
         let (own, rows) = (editor.clone(), self.clone());
         delete.connect_clicked(move |_| {
-            if own.edit(&Edit::DeleteVia(number), Step::New) {
+            if own.edit(&Edit::DeleteVia(number), UndoStep::New) {
                 rows.focus(number, |row| &row.delete);
             }
         });
@@ -193,7 +193,7 @@ fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
     } else {
         wrap.side[field - 1] = value
     }
-    if editor.edit(&Edit::Wrap(Some(wrap.clone())), Step::New) {
+    if editor.edit(&Edit::Wrap(Some(wrap.clone())), UndoStep::New) {
         entry.remove_css_class("error");
         entry.set_text(&field_text(&wrap, field));
     } else {

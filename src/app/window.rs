@@ -9,6 +9,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+use super::autosave::Recovery;
 use super::commands::Command;
 use super::curve_editor::Sheet;
 use super::display_panel::DisplayPanel;
@@ -16,13 +17,12 @@ use super::document_loader::Files;
 use super::empty_state::EmptyState;
 use super::error_bar::ErrorBar;
 use super::health_panel::HealthPanel;
-use super::held::Held;
+use super::held_joint_banner::Held;
 use super::inspector::Inspector;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
-use super::recovery::Recovery;
 use super::scene_tree::SceneTree;
-use super::session::{Changes, LoadMode, Session};
+use super::session::{ChangeSet, LoadMode, Session};
 use super::settings::{SavedViewSettings, Settings};
 use super::shortcuts::Keys;
 use super::side_panels::Sides;
@@ -31,7 +31,7 @@ use super::timeline::Timeline;
 use super::timeline_ruler::Track;
 use super::tree_model::Row;
 use super::viewport::Viewport;
-use super::{appearance, command_dispatch, document_loader, ghosts_panel, key_controller, menus, saving, side_panels, title_bar, ui};
+use super::{appearance, command_dispatch, document_loader, key_controller, menus, onion_skin_panel, saving, side_panels, title_bar, ui};
 use crate::document::Document;
 use crate::muscle::EditError;
 use crate::scene::NodeId;
@@ -250,7 +250,7 @@ impl Window {
     /// Refreshes the parts that show what changed.
     pub(super) fn refresh(self: &Rc<Self>) {
         let changes = self.session.borrow_mut().take_changes();
-        if changes == Changes::default() {
+        if changes == ChangeSet::default() {
             return;
         }
         self.refreshing.set(true);
@@ -264,38 +264,44 @@ impl Window {
             self.health.refresh(session, changes);
             self.inspector.refresh(session, changes);
             self.viewport.refresh(session, changes);
-            if changes.any(Changes::DOCUMENT | Changes::DRIVE | Changes::PLAYBACK) {
+            if changes.any(ChangeSet::DOCUMENT | ChangeSet::DRIVE | ChangeSet::PLAYBACK) {
                 self.held.iter().for_each(|held| held.refresh(session));
             }
-            if changes.any(Changes::DOCUMENT) {
+            if changes.any(ChangeSet::DOCUMENT) {
                 menus::list_cameras(&part(&self.builder, "camera_menu"), session);
                 self.turn_page(session);
                 self.bare.refresh(session);
             }
-            if changes.any(Changes::DOCUMENT | Changes::SURROUNDINGS) {
+            if changes.any(ChangeSet::DOCUMENT | ChangeSet::SURROUNDINGS) {
                 self.start.refresh(session, self.files.is_loading());
             }
-            if changes.any(Changes::DOCUMENT | Changes::PLAYBACK | Changes::EDIT) {
+            if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::EDIT) {
                 title_bar::name(&self.builder, &self.widget, session);
             }
-            if changes.any(Changes::DOCUMENT | Changes::EDIT) {
+            if changes.any(ChangeSet::DOCUMENT | ChangeSet::EDIT) {
                 self.recovery.note(self, session);
             }
-            if changes.any(Changes::HISTORY | Changes::DOCUMENT) {
+            if changes.any(ChangeSet::HISTORY | ChangeSet::DOCUMENT) {
                 title_bar::name_steps(&self.builder, session);
             }
-            if changes.any(Changes::SELECTION | Changes::DOCUMENT) {
+            if changes.any(ChangeSet::SELECTION | ChangeSet::DOCUMENT) {
                 let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
                 ui::say(&part(&self.builder, "status_selection"), &name.unwrap_or_default());
             }
-            if changes.any(Changes::PICTURE) {
-                let compared = session.compared().map(|compared| ghosts_panel::difference(session, &compared));
+            if changes.any(ChangeSet::PICTURE) {
+                let compared = session.compared().map(|compared| onion_skin_panel::difference(session, &compared));
                 ui::say(&part(&self.builder, "status_compared"), &compared.unwrap_or_default());
             }
             command_dispatch::show_states(self, session, &self.actions);
         }
         self.refreshing.set(false);
-        let moves = Changes::CAMERA | Changes::TIME | Changes::DOCUMENT | Changes::MODEL | Changes::HAND | Changes::EDIT | Changes::DRIVE;
+        let moves = ChangeSet::CAMERA
+            | ChangeSet::TIME
+            | ChangeSet::DOCUMENT
+            | ChangeSet::MODEL
+            | ChangeSet::JOINT_OVERRIDES
+            | ChangeSet::EDIT
+            | ChangeSet::DRIVE;
         if changes.any(moves) {
             self.viewport.point_again(self);
         }

@@ -1,6 +1,6 @@
 //! Attaches the muscles of a file to the bones of a clip instead of the arm that they came with, as one undo step.
 
-use super::{Session, Step};
+use super::{Session, UndoStep};
 use crate::muscle::{Form, Joint, MuscleFile, MuscleSpec};
 use crate::tr;
 
@@ -16,7 +16,7 @@ pub struct AttachResult {
 impl Session {
     /// The joint of a clip that the muscles of file `place` can be hung on: that of the selected bone, else the elbow that is found. `None` where they are
     /// on no arm of their own, or there is no such joint. Looks at the whole scene: ask when something was opened, selected or edited.
-    pub fn joint_to_hang_on(&self, place: usize) -> Option<Joint> {
+    pub fn joint_to_attach_to(&self, place: usize) -> Option<Joint> {
         self.document.muscle_files().nth(place).filter(|file| file.arm.is_some())?;
         let bones = self.turnable();
         let scene = &self.document.scene;
@@ -34,10 +34,10 @@ impl Session {
         Some(self.document.file_of_muscle(self.shown_muscle)?.0)
     }
 
-    /// Hangs the muscles of file `place` on [`Session::joint_to_hang_on`], as long and as thick as its bones are beside those of their arm, which goes.
+    /// Hangs the muscles of file `place` on [`Session::joint_to_attach_to`], as long and as thick as its bones are beside those of their arm, which goes.
     /// `None` where that cannot be; nothing is changed then.
-    pub fn hang_on_clip(&mut self, place: usize) -> Option<AttachResult> {
-        let joint = self.joint_to_hang_on(place)?;
+    pub fn attach_to_skeleton(&mut self, place: usize) -> Option<AttachResult> {
+        let joint = self.joint_to_attach_to(place)?;
         let before = self.files_now();
         let on_arm = before.get(place)?.clone();
         let muscles = on_arm.muscles.len();
@@ -50,18 +50,19 @@ impl Session {
         files[place] = loose;
         let (drive, selected) = (self.state.drive, self.display.selected);
         self.put_muscle_files(&files);
-        let hung: Option<Vec<MuscleSpec>> = on_arm.muscles.iter().map(|muscle| self.hung(place, muscle, &on_arm, &joint)).collect();
+        let hung: Option<Vec<MuscleSpec>> =
+            on_arm.muscles.iter().map(|muscle| self.attached_muscle(place, muscle, &on_arm, &joint)).collect();
         self.put_muscle_files(&before);
         (self.state.drive, self.display.selected) = (drive, selected);
         files[place].muscles = hung?;
         let name = self.document.scene.graph.node(joint.node).name.clone();
-        self.change_files(&files, tr!("muscle-edit-hang", joint = name.clone()), Step::New);
+        self.change_files(&files, tr!("muscle-edit-hang", joint = name.clone()), UndoStep::New);
         let shown = self.node_of_muscle(self.shown_muscle);
         self.select(shown);
         Some(AttachResult { muscles, joint: name })
     }
 
-    fn hung(&self, place: usize, muscle: &MuscleSpec, on_arm: &MuscleFile, joint: &Joint) -> Option<MuscleSpec> {
+    fn attached_muscle(&self, place: usize, muscle: &MuscleSpec, on_arm: &MuscleFile, joint: &Joint) -> Option<MuscleSpec> {
         if muscle.origin.is_none() {
             return Some(muscle.clone());
         }
@@ -87,7 +88,7 @@ mod tests {
     fn muscles_leave_their_arm_for_the_elbow_of_a_clip_and_come_back() {
         let mut session = both("curl.dae", "example.yaml");
         let (before, nodes) = (session.files_now(), session.document().scene.graph.len());
-        let hung = session.hang_on_clip(0).unwrap();
+        let hung = session.attach_to_skeleton(0).unwrap();
         assert_eq!(hung, AttachResult { muscles: 2, joint: "forearm".into() });
         assert!(session.is_unsaved());
         for id in [MuscleId(0), MuscleId(1)] {
@@ -104,7 +105,7 @@ mod tests {
         for (id, sign) in [(MuscleId(0), -1.0), (MuscleId(1), 1.0)] {
             assert!((length(&mut session, id, 100.0) - length(&mut session, id, 10.0)) * sign > 5.0, "{id:?}");
         }
-        assert_eq!(session.hang_on_clip(0), None, "they hang there already");
+        assert_eq!(session.attach_to_skeleton(0), None, "they hang there already");
         session.undo();
         assert_eq!((session.files_now(), session.document().scene.graph.len(), session.is_unsaved()), (before, nodes, false));
     }
@@ -113,17 +114,17 @@ mod tests {
     fn what_cannot_be_hung_stays_on_its_arm() {
         let mut session = both("lamp.dae", "biceps.yaml");
         let before = session.files_now();
-        assert_eq!((session.joint_to_hang_on(0), session.hang_on_clip(0)), (None, None), "a lamp has no elbow");
-        assert_eq!(session.joint_to_hang_on(7), None);
-        assert!(session.files_now() == before && !session.is_unsaved() && session.step_names().0.is_none());
+        assert_eq!((session.joint_to_attach_to(0), session.attach_to_skeleton(0)), (None, None), "a lamp has no elbow");
+        assert_eq!(session.joint_to_attach_to(7), None);
+        assert!(session.files_now() == before && !session.is_unsaved() && session.undo_names().0.is_none());
         let mut alone = Session::new(Document::built_in());
-        assert_eq!(alone.hang_on_clip(0), None);
+        assert_eq!(alone.attach_to_skeleton(0), None);
     }
 
     #[test]
     fn bones_that_no_file_can_name_leave_everything_as_it_was() {
         let named = both("curl.dae", "biceps.yaml");
-        let elbow = named.joint_to_hang_on(0).unwrap().node;
+        let elbow = named.joint_to_attach_to(0).unwrap().node;
         let mut document = named.document().clone();
         for bone in 0..document.scene.graph.len() as u32 {
             let node = document.scene.graph.node_mut(NodeId(bone));
@@ -136,15 +137,15 @@ mod tests {
         session.select(Some(elbow));
         let look = |session: &Session| (session.files_now(), session.drive(), session.selected(), session.is_unsaved());
         let before = look(&session);
-        assert_eq!(session.joint_to_hang_on(0).map(|joint| joint.node), Some(elbow));
-        assert_eq!(session.hang_on_clip(0), None);
+        assert_eq!(session.joint_to_attach_to(0).map(|joint| joint.node), Some(elbow));
+        assert_eq!(session.attach_to_skeleton(0), None);
         assert_eq!(look(&session), before);
     }
 
     #[test]
     fn the_selected_bone_says_which_joint() {
         let mut session = both("walker.dae", "biceps.yaml");
-        let found = session.joint_to_hang_on(0).unwrap().node;
+        let found = session.joint_to_attach_to(0).unwrap().node;
         let other = ["shin.L", "shin.R"].map(|name| {
             let graph = &session.document().scene.graph;
             let (id, _) = graph.iter().find(|(_, node)| node.name == name).unwrap();
@@ -152,9 +153,9 @@ mod tests {
         });
         for bone in other {
             session.select(Some(bone));
-            assert!(bone != found && session.joint_to_hang_on(0).unwrap().node == bone);
+            assert!(bone != found && session.joint_to_attach_to(0).unwrap().node == bone);
         }
-        let hung = session.hang_on_clip(0).unwrap();
+        let hung = session.attach_to_skeleton(0).unwrap();
         assert_eq!(hung.joint, "shin.R");
         assert_eq!(ends(&session, MuscleId(0))[1], Some(other[1]));
     }

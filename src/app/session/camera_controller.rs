@@ -6,7 +6,7 @@ use crate::scene::{Bounds, Camera, CameraId, Frame, NodeId, OrbitCamera, Project
 use crate::view::file_camera;
 
 /// Seconds that a jump of the camera takes.
-const JUMP_SECONDS: f64 = 0.15;
+const ANIMATION_SECONDS: f64 = 0.15;
 
 /// A camera that flies: looks anywhere, moves where it looks.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,16 +23,16 @@ pub struct FlyCamera {
 
 impl FlyCamera {
     /// Turns by degrees.
-    pub fn look(&mut self, yaw: f32, pitch: f32) {
+    pub fn rotate(&mut self, yaw: f32, pitch: f32) {
         self.yaw = (self.yaw + yaw).rem_euclid(360.0);
         self.pitch = (self.pitch + pitch).clamp(-90.0, 90.0);
     }
 
     /// Moves for `seconds` along (right, up, into the picture).
-    pub fn go(&mut self, direction: Vec3, seconds: f32) {
-        let way = self.rotation() * Vec3::new(direction.x, direction.y, -direction.z) * self.speed * seconds;
-        if way.is_finite() {
-            self.eye += way;
+    pub fn move_by(&mut self, direction: Vec3, seconds: f32) {
+        let offset = self.rotation() * Vec3::new(direction.x, direction.y, -direction.z) * self.speed * seconds;
+        if offset.is_finite() {
+            self.eye += offset;
         }
     }
 
@@ -55,7 +55,7 @@ pub enum Viewpoint {
 
 /// A jump under way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Jump {
+struct CameraAnimation {
     from: OrbitCamera,
     to: OrbitCamera,
     seconds: f64,
@@ -67,9 +67,9 @@ pub struct CameraController {
     /// The orbit; during an animated transition its end is in `jump`.
     orbit: OrbitCamera,
     viewpoint: Viewpoint,
-    jump: Option<Jump>,
+    animation: Option<CameraAnimation>,
     /// Whether jumps are eased; the desktop may ask for no animation.
-    pub eased: bool,
+    pub animated: bool,
 }
 
 impl CameraController {
@@ -84,44 +84,44 @@ impl CameraController {
     }
 
     /// Changes the orbit at once: a hand is on it. A jump under way ends; flight and file cameras are left.
-    pub fn handle(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
-        self.jump = None;
+    pub fn change(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
+        self.animation = None;
         self.viewpoint = Viewpoint::Orbit;
         change(&mut self.orbit);
     }
 
     /// Jumps to what `change` makes of the orbit, eased where that is wanted.
-    pub fn jump(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
-        let mut to = self.jump.map_or(self.orbit, |jump| jump.to);
+    pub fn animate_to(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
+        let mut to = self.animation.map_or(self.orbit, |jump| jump.to);
         change(&mut to);
         self.viewpoint = Viewpoint::Orbit;
-        if self.eased {
+        if self.animated {
             // The yaw takes the short way round.
             let mut from = self.orbit;
             from.yaw = to.yaw + (from.yaw - to.yaw + 180.0).rem_euclid(360.0) - 180.0;
             from.scene_radius = to.scene_radius;
             from.orthographic = to.orthographic;
-            self.jump = Some(Jump { from, to, seconds: 0.0 });
+            self.animation = Some(CameraAnimation { from, to, seconds: 0.0 });
         } else {
-            self.jump = None;
+            self.animation = None;
             self.orbit = to;
         }
     }
 
     /// Moves the orbit, and a jump under way, by metres of the world; a hand is on neither.
-    pub fn shift(&mut self, way: Vec3) {
-        self.orbit.target += way;
-        if let Some(jump) = &mut self.jump {
-            jump.from.target += way;
-            jump.to.target += way;
+    pub fn move_by(&mut self, offset: Vec3) {
+        self.orbit.target += offset;
+        if let Some(jump) = &mut self.animation {
+            jump.from.target += offset;
+            jump.to.target += offset;
         }
     }
 
     /// Lets time go by for a jump; whether anything moved.
     pub fn advance(&mut self, seconds: f64) -> bool {
-        let Some(jump) = &mut self.jump else { return false };
+        let Some(jump) = &mut self.animation else { return false };
         jump.seconds += seconds;
-        let part = (jump.seconds / JUMP_SECONDS).clamp(0.0, 1.0) as f32;
+        let part = (jump.seconds / ANIMATION_SECONDS).clamp(0.0, 1.0) as f32;
         let part = part * part * (3.0 - 2.0 * part);
         let (from, to) = (jump.from, jump.to);
         self.orbit = OrbitCamera {
@@ -133,31 +133,31 @@ impl CameraController {
         };
         if part >= 1.0 {
             self.orbit = to;
-            self.jump = None;
+            self.animation = None;
         }
         true
     }
 
     /// Whether a jump is under way.
-    pub fn is_jumping(&self) -> bool {
-        self.jump.is_some()
+    pub fn is_animating(&self) -> bool {
+        self.animation.is_some()
     }
 
     /// Jumps so that `bounds` fill a picture of this aspect.
     pub fn fit(&mut self, bounds: &Bounds, aspect: f32) {
-        self.jump(|orbit| orbit.fit(bounds, aspect));
+        self.animate_to(|orbit| orbit.fit(bounds, aspect));
     }
 
     /// Jumps to a named direction.
     pub fn look_from(&mut self, view: ViewDirection) {
-        self.jump(|orbit| orbit.look_from(view));
+        self.animate_to(|orbit| orbit.look_from(view));
     }
 
     /// Takes off from where the eye is; where rays were parallel, from where they meet with the middle as large as it was.
     pub fn fly(&mut self) {
         self.orbit.orthographic = false;
         let camera = self.orbit.camera();
-        self.jump = None;
+        self.animation = None;
         self.viewpoint = Viewpoint::Fly(FlyCamera {
             eye: camera.eye,
             yaw: self.orbit.yaw,
@@ -175,7 +175,7 @@ impl CameraController {
     }
 
     /// Lands: the orbit goes on from where the flight ended, round a point ahead.
-    pub fn land(&mut self) {
+    pub fn exit_fly(&mut self) {
         if let Viewpoint::Fly(fly) = self.viewpoint {
             let ahead = fly.rotation() * Vec3::NEG_Z;
             self.orbit.target = fly.eye + ahead * self.orbit.distance;
@@ -186,13 +186,13 @@ impl CameraController {
 
     /// Looks through a camera of the file.
     pub fn look_through(&mut self, node: NodeId, camera: CameraId) {
-        self.jump = None;
+        self.animation = None;
         self.viewpoint = Viewpoint::File(node, camera);
     }
 
     /// Puts the orbit, under what it is at present, where `camera` looks from, with the same size of what is as far ahead as `middle`, the middle of the
     /// scene. The turntable has no roll: the horizon becomes level.
-    pub fn stand_at(&mut self, camera: &Camera, middle: Vec3) {
+    pub fn place_at(&mut self, camera: &Camera, middle: Vec3) {
         let (right, back) = (camera.rotation * Vec3::X, camera.rotation * Vec3::Z);
         let ahead = (middle - camera.eye).dot(camera.forward());
         let depth = if ahead.is_finite() && ahead > 0.0 { ahead } else { self.orbit.scene_radius };
@@ -216,7 +216,7 @@ impl CameraController {
         };
         self.orbit.distance = distance;
         self.orbit.zoom(1.0);
-        self.jump = None;
+        self.animation = None;
     }
 
     /// The camera to draw with.
@@ -242,10 +242,10 @@ mod tests {
 
     #[test]
     fn a_jump_ends_exactly_where_it_should_and_turns_the_short_way() {
-        let mut eye = CameraController { eased: true, ..CameraController::default() };
-        eye.handle(|orbit| orbit.yaw = 350.0);
+        let mut eye = CameraController { animated: true, ..CameraController::default() };
+        eye.change(|orbit| orbit.yaw = 350.0);
         eye.look_from(ViewDirection::Front);
-        eye.advance(JUMP_SECONDS / 2.0);
+        eye.advance(ANIMATION_SECONDS / 2.0);
         assert!(eye.orbit().yaw < 0.0 && eye.orbit().yaw > -10.0, "{}", eye.orbit().yaw);
         assert!(eye.advance(1.0) && !eye.advance(1.0));
         assert_eq!((eye.orbit().yaw, eye.orbit().pitch), (0.0, 0.0));
@@ -256,7 +256,7 @@ mod tests {
         let mut eye = CameraController::default();
         eye.look_from(ViewDirection::Top);
         assert_eq!(eye.orbit().pitch, 90.0);
-        assert!(!eye.is_jumping());
+        assert!(!eye.is_animating());
     }
 
     #[test]
@@ -269,7 +269,7 @@ mod tests {
             let wanted = OrbitCamera { target, yaw, pitch, distance, orthographic, scene_radius: 1.0 };
             let camera = wanted.camera();
             let mut eye = CameraController::default();
-            eye.stand_at(&camera, target);
+            eye.place_at(&camera, target);
             let taken = eye.orbit().camera();
             assert!(taken.rotation.angle_between(camera.rotation) < 2e-3, "{wanted:?}: {:?}", eye.orbit());
             assert!((eye.orbit().target - target).length() < 1e-3 && (eye.orbit().distance - distance).abs() < 1e-3, "{:?}", eye.orbit());
@@ -283,7 +283,7 @@ mod tests {
         let projection = Projection::Perspective { fov_y };
         let camera = Camera { eye: Vec3::new(0.0, 1.0, 6.0), rotation: Quat::from_rotation_z(0.4), projection, near: 0.1, far: 100.0 };
         let mut eye = CameraController::default();
-        eye.stand_at(&camera, Vec3::ZERO);
+        eye.place_at(&camera, Vec3::ZERO);
         let seen = 2.0 * 6.0 * (fov_y * 0.5).tan();
         let shown = 2.0 * eye.orbit().distance * (OrbitCamera::FOV_Y * 0.5).tan();
         assert!((seen - shown).abs() < 1e-4 && (eye.orbit().target - Vec3::new(0.0, 1.0, 0.0)).length() < 1e-5);
@@ -295,11 +295,11 @@ mod tests {
     fn a_flight_from_parallel_rays_begins_with_the_middle_as_large_as_it_was() {
         let (scene, frame) = (Scene::default(), Frame::default());
         let mut eye = CameraController::default();
-        eye.handle(|orbit| (orbit.orthographic, orbit.distance) = (true, 5.0));
+        eye.change(|orbit| (orbit.orthographic, orbit.distance) = (true, 5.0));
         let seen = eye.camera(&scene, &frame).height_at(eye.orbit().target);
         eye.fly();
         assert!((eye.camera(&scene, &frame).height_at(eye.orbit().target) - seen).abs() < 1e-4 * seen);
-        eye.land();
+        eye.exit_fly();
         assert!((eye.camera(&scene, &frame).height_at(eye.orbit().target) - seen).abs() < 1e-4 * seen);
     }
 
@@ -307,16 +307,16 @@ mod tests {
     fn landing_keeps_what_one_sees() {
         let (scene, frame) = (Scene::default(), Frame::default());
         let mut eye = CameraController::default();
-        eye.handle(|orbit| orbit.orbit(20.0, 10.0));
+        eye.change(|orbit| orbit.orbit(20.0, 10.0));
         let before = eye.camera(&scene, &frame);
         eye.fly();
         let flying = eye.camera(&scene, &frame);
         assert!((flying.eye - before.eye).length() < 1e-5 && flying.rotation.angle_between(before.rotation) < 1e-3);
         let fly = eye.flying().expect("it flies");
-        fly.go(Vec3::new(0.5, 0.2, 1.0), 0.5);
-        fly.look(33.0, -12.0);
+        fly.move_by(Vec3::new(0.5, 0.2, 1.0), 0.5);
+        fly.rotate(33.0, -12.0);
         let there = eye.camera(&scene, &frame);
-        eye.land();
+        eye.exit_fly();
         let landed = eye.camera(&scene, &frame);
         assert!((landed.eye - there.eye).length() < 1e-4 && landed.rotation.angle_between(there.rotation) < 1e-3);
     }

@@ -4,9 +4,9 @@ use std::ops::{BitOr, BitOrAssign};
 
 /// A set of kinds of change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Changes(u32);
+pub struct ChangeSet(u32);
 
-impl Changes {
+impl ChangeSet {
     /// Another document.
     pub const DOCUMENT: Self = Self(1);
     /// The present moment.
@@ -32,7 +32,7 @@ impl Changes {
     /// What can be undone.
     pub const HISTORY: Self = Self(1 << 11);
     /// What the scene tree lists.
-    pub const LIST: Self = Self(1 << 12);
+    pub const TREE: Self = Self(1 << 12);
     /// Which muscle the ledger shows.
     pub const MUSCLE: Self = Self(1 << 13);
     /// What surrounds the document: whether one is being read.
@@ -40,11 +40,11 @@ impl Changes {
     /// The shape or the ends of a muscle, or whether that is saved.
     pub const EDIT: Self = Self(1 << 15);
     /// What a click in the picture pointed at: the vertex explained, the two points between which is measured.
-    pub const PINS: Self = Self(1 << 16);
+    pub const PROBE: Self = Self(1 << 16);
     /// Joints turned by hand.
-    pub const HAND: Self = Self(1 << 17);
+    pub const JOINT_OVERRIDES: Self = Self(1 << 17);
     /// Ghosts, paths, and what is compared.
-    pub const GHOSTS: Self = Self(1 << 18);
+    pub const OVERLAYS: Self = Self(1 << 18);
     /// Whether the end of a muscle is being picked.
     pub const PICKING: Self = Self(1 << 19);
     /// Everything.
@@ -62,8 +62,8 @@ impl Changes {
             | Self::MODEL.0
             | Self::HOVER.0
             | Self::EDIT.0
-            | Self::HAND.0
-            | Self::GHOSTS.0,
+            | Self::JOINT_OVERRIDES.0
+            | Self::OVERLAYS.0,
     );
 
     /// Whether any of `kinds` is among them.
@@ -72,7 +72,7 @@ impl Changes {
     }
 }
 
-impl BitOr for Changes {
+impl BitOr for ChangeSet {
     type Output = Self;
 
     fn bitor(self, other: Self) -> Self {
@@ -80,7 +80,7 @@ impl BitOr for Changes {
     }
 }
 
-impl BitOrAssign for Changes {
+impl BitOrAssign for ChangeSet {
     fn bitor_assign(&mut self, other: Self) {
         self.0 |= other.0;
     }

@@ -4,18 +4,18 @@ use std::path::PathBuf;
 
 use glam::Vec3;
 
-use super::{Changes, Session};
+use super::{ChangeSet, Session};
 use crate::document::Document;
 use crate::scene::{Bounds, NodeId};
 use crate::view::{CompareTarget, Comparison, SavedComparison};
 
 /// What a comparison shows and found out.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Compared {
+pub struct ComparisonState {
     /// Seconds that the second one is ahead.
-    pub later: f64,
+    pub time_offset: f64,
     /// Metres that it stands aside.
-    pub aside: f64,
+    pub offset: f64,
     /// The joint that is farthest from its counterpart, and how far, metres; of two ways to bend a skin the farthest vertex, which has no joint.
     /// `None` where the two have no joint in common.
     pub farthest: Option<(Option<NodeId>, f64)>,
@@ -25,43 +25,43 @@ pub struct Compared {
 
 impl Session {
     /// Compares with something; `None` ends it. A clip that is not there is none.
-    pub fn compare(&mut self, with: Option<CompareTarget>) {
+    pub fn compare(&mut self, target: Option<CompareTarget>) {
         // A view that shows both, and that no hand has touched since, goes back to the first one.
-        let alone = self.fit_on_resize && self.compared_shift().is_some_and(|(_, aside)| aside != 0.0);
-        if self.put_beside(with) || alone {
+        let alone = self.fit_on_resize && self.compare_offset().is_some_and(|(_, aside)| aside != 0.0);
+        if self.set_comparison(target) || alone {
             self.fit();
         }
-        self.changed(Changes::GHOSTS);
+        self.changed(ChangeSet::OVERLAYS);
     }
 
     /// The file that is compared with, if one is.
     pub fn compared_file(&self) -> Option<PathBuf> {
-        match self.compared_with()? {
+        match self.compare_target()? {
             CompareTarget::File(_, name) => Some(name.into()),
             CompareTarget::Clip(_) | CompareTarget::Skinning => None,
         }
     }
 
     /// The file that is compared with was read again; where it stands and how far ahead it is stay.
-    pub fn compare_again(&mut self, document: Document) {
-        self.recall_company();
-        if let Some(comparison) = self.company.comparison_mut() {
+    pub fn replace_compared_file(&mut self, document: Document) {
+        self.remove_overlays();
+        if let Some(comparison) = self.overlays.comparison_mut() {
             comparison.replace_file(document, &self.document);
         }
-        self.changed(Changes::GHOSTS);
+        self.changed(ChangeSet::OVERLAYS);
     }
 
     /// Compares, and leaves the eye where it is; whether the second one stands beside the first.
-    pub(super) fn put_beside(&mut self, with: Option<CompareTarget>) -> bool {
-        self.recall_company();
-        self.company.compare(None);
-        self.stale = true;
-        let yaw = self.eye.orbit().yaw;
-        let Some(mut comparison) = with.and_then(|with| Comparison::new(with, &self.document, yaw)) else { return false };
+    pub(super) fn set_comparison(&mut self, target: Option<CompareTarget>) -> bool {
+        self.remove_overlays();
+        self.overlays.compare(None);
+        self.needs_posing = true;
+        let yaw = self.camera.orbit().yaw;
+        let Some(mut comparison) = target.and_then(|target| Comparison::new(target, &self.document, yaw)) else { return false };
         let beside = comparison.place_beside(&self.frame().bounds);
-        self.recall_company();
-        self.company.compare(Some(comparison));
-        self.stale = true;
+        self.remove_overlays();
+        self.overlays.compare(Some(comparison));
+        self.needs_posing = true;
         beside
     }
 
@@ -71,39 +71,39 @@ impl Session {
     }
 
     /// What is compared with, if anything is.
-    pub fn compared_with(&self) -> Option<&CompareTarget> {
-        self.company.comparison().map(Comparison::target)
+    pub fn compare_target(&self) -> Option<&CompareTarget> {
+        self.overlays.comparison().map(Comparison::target)
     }
 
     /// Seconds that the second one is ahead and metres that it stands aside, while something is compared.
-    pub fn compared_shift(&self) -> Option<(f64, f64)> {
-        self.company.comparison().map(Comparison::offsets)
+    pub fn compare_offset(&self) -> Option<(f64, f64)> {
+        self.overlays.comparison().map(Comparison::offsets)
     }
 
     /// Seconds that the second one is ahead; 0 without a comparison.
-    pub fn compared_later(&self) -> f64 {
-        self.compared_shift().map_or(0.0, |(later, _)| later)
+    pub fn compare_time_offset(&self) -> f64 {
+        self.compare_offset().map_or(0.0, |(later, _)| later)
     }
 
     /// Moves the second one in time (seconds ahead) and in space (metres aside).
-    pub fn shift_compared(&mut self, later: f64, aside: f64) {
-        if self.company.comparison_mut().is_some_and(|comparison| comparison.set_offsets(later, aside)) {
-            self.changed(Changes::GHOSTS);
+    pub fn set_compare_offsets(&mut self, later: f64, aside: f64) {
+        if self.overlays.comparison_mut().is_some_and(|comparison| comparison.set_offsets(later, aside)) {
+            self.changed(ChangeSet::OVERLAYS);
         }
     }
 
     /// Moves the second one as a session file says.
-    pub fn shift_as(&mut self, saved: &SavedComparison) {
-        if let Some(comparison) = self.company.comparison_mut() {
+    pub fn apply_saved_comparison(&mut self, saved: &SavedComparison) {
+        if let Some(comparison) = self.overlays.comparison_mut() {
             comparison.apply_saved(saved);
-            self.changed(Changes::GHOSTS);
+            self.changed(ChangeSet::OVERLAYS);
         }
     }
 
     /// What the comparison shows and found out at the present moment.
-    pub fn compared(&mut self) -> Option<Compared> {
+    pub fn compared(&mut self) -> Option<ComparisonState> {
         self.frame();
-        let comparison = self.company.comparison()?;
+        let comparison = self.overlays.comparison()?;
         let ((later, aside), farthest) = (comparison.offsets(), comparison.max_deviation());
         let first = self.frame.surfaces.iter().filter(|surface| surface.ghost.is_none() && surface.visible);
         let mut own = Bounds::EMPTY;
@@ -111,12 +111,12 @@ impl Session {
         if own.is_empty() {
             own = Bounds::of(self.frame.joints.iter().map(|joint| self.frame.position(joint.node)));
         }
-        Some(Compared { later, aside, farthest, boxes: [own, comparison.bounds()] })
+        Some(ComparisonState { time_offset: later, offset: aside, farthest, boxes: [own, comparison.bounds()] })
     }
 
     /// The box round everything that the second one covers.
-    pub(super) fn compared_reach(&self) -> Option<Bounds> {
-        self.company.motion_bounds(&self.document, &self.state())
+    pub(super) fn compared_motion_bounds(&self) -> Option<Bounds> {
+        self.overlays.motion_bounds(&self.document, &self.state())
     }
 }
 
@@ -135,14 +135,14 @@ mod tests {
     #[test]
     fn what_stands_far_aside_is_before_the_eye() {
         let mut session = Session::new(swinging());
-        session.change_eye(|eye| {
+        session.change_camera(|eye| {
             eye.look_from(crate::scene::ViewDirection::Front);
-            eye.handle(|orbit| orbit.orthographic = true);
+            eye.change(|orbit| orbit.orthographic = true);
         });
         session.compare(Some(CompareTarget::File(Box::new(swinging()), "other.dae".into())));
-        session.change_eye(|eye| eye.handle(|orbit| orbit.yaw = 90.0));
+        session.change_camera(|eye| eye.change(|orbit| orbit.yaw = 90.0));
         for aside in [0.0, 1.0, 1e3, -1e3] {
-            session.shift_compared(0.0, aside);
+            session.set_compare_offsets(0.0, aside);
             let (_, _, camera, _) = session.picture();
             let boxes = session.compared().expect("compared").boxes;
             for corner in boxes.iter().flat_map(Bounds::corners) {
@@ -164,7 +164,7 @@ mod tests {
         assert!(told.farthest.is_some_and(|(joint, far)| joint.is_some() && far < 1e-9), "{told:?}");
         assert_eq!(session.frame().surfaces.len(), own * 2);
         // Half a second ahead it is elsewhere; aside does not count as distance.
-        session.shift_compared(0.5, 3.0);
+        session.set_compare_offsets(0.5, 3.0);
         let (joint, far) = session.compared().and_then(|told| told.farthest).expect("joints in common");
         let mut alone = Session::new(swinging());
         let joint = joint.expect("a joint");
@@ -190,7 +190,7 @@ mod tests {
         let alone = pixels(&mut session);
         session.compare(Some(CompareTarget::File(Box::new(session.document().clone()), "same.dae".into())));
         assert!(pixels(&mut session) == alone, "no stripes where both are the same");
-        session.shift_compared(0.5, 0.0);
+        session.set_compare_offsets(0.5, 0.0);
         assert!(pixels(&mut session) != alone);
     }
 

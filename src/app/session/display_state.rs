@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{CameraController, Changes, LightDirection, Session, Step, Viewpoint};
+use super::{CameraController, ChangeSet, LightDirection, Session, UndoStep, Viewpoint};
 use crate::document::Skinning;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, ViewDirection};
@@ -32,35 +32,35 @@ impl Session {
                 self.show_muscle(muscle);
             }
             self.find_own_keys();
-            self.changed(Changes::SELECTION);
+            self.changed(ChangeSet::SELECTION);
         }
     }
 
     /// A panel shows something else of the muscles.
-    pub fn show_other_muscle(&mut self) {
-        self.changed(Changes::MUSCLE);
+    pub fn show_selected_muscle(&mut self) {
+        self.changed(ChangeSet::MUSCLE);
     }
 
     /// The scene tree lists something else: another search.
-    pub fn list_anew(&mut self) {
-        self.changed(Changes::LIST);
+    pub fn refresh_tree(&mut self) {
+        self.changed(ChangeSet::TREE);
     }
 
     /// Marks the node under the pointer.
     pub fn hover(&mut self, node: Option<NodeId>) {
         if node != self.display.hovered {
             self.display.hovered = node;
-            self.changed(Changes::HOVER);
+            self.changed(ChangeSet::HOVER);
         }
     }
 
     /// Shows or hides a node with everything below it.
     pub fn set_visible(&mut self, node: NodeId, visible: bool) {
         if node.index() < self.document.scene.graph.len() && self.document.scene.graph.node(node).visible != visible {
-            self.step(tr!("app-edit-visible"), Step::New, |session| {
+            self.undoable(tr!("app-edit-visible"), UndoStep::New, |session| {
                 session.document.scene.graph.node_mut(node).visible = visible;
-                session.stale = true;
-                session.changed(Changes::DISPLAY);
+                session.needs_posing = true;
+                session.changed(ChangeSet::DISPLAY);
             });
         }
     }
@@ -75,7 +75,7 @@ impl Session {
         let before = self.display.clone();
         change(&mut self.display);
         if before != self.display {
-            self.changed(Changes::DISPLAY);
+            self.changed(ChangeSet::DISPLAY);
         }
     }
 
@@ -87,7 +87,7 @@ impl Session {
     /// Follows the desktop's light or dark.
     pub fn set_theme(&mut self, theme: Theme) {
         self.theme = theme;
-        self.colour();
+        self.update_colors();
     }
 
     /// What stands behind the scene.
@@ -98,11 +98,11 @@ impl Session {
     /// Puts something else behind the scene.
     pub fn set_backdrop(&mut self, backdrop: BackgroundPreset) {
         self.backdrop = backdrop;
-        self.colour();
+        self.update_colors();
     }
 
     /// Background and what is drawn over the model: on white, what is meant for light surroundings, whatever the window wears.
-    fn colour(&mut self) {
+    fn update_colors(&mut self) {
         let (palette, background) = self.backdrop.palette_and_background(self.theme);
         self.change_display(|display| (display.palette, display.background) = (palette, background));
     }
@@ -116,7 +116,7 @@ impl Session {
     pub fn set_bone_names(&mut self, shown: bool) {
         if shown != self.bone_names {
             self.bone_names = shown;
-            self.changed(Changes::DISPLAY);
+            self.changed(ChangeSet::DISPLAY);
         }
     }
 
@@ -124,8 +124,8 @@ impl Session {
     pub fn set_skinning(&mut self, skinning: Skinning) {
         if skinning != self.state.skinning {
             self.state.skinning = skinning;
-            self.stale = true;
-            self.changed(Changes::DISPLAY);
+            self.needs_posing = true;
+            self.changed(ChangeSet::DISPLAY);
         }
     }
 
@@ -147,32 +147,32 @@ impl Session {
     }
 
     /// The eye.
-    pub fn eye(&self) -> &CameraController {
-        &self.eye
+    pub fn camera_controller(&self) -> &CameraController {
+        &self.camera
     }
 
     /// Whether jumps of the camera are eased.
     pub fn set_eased(&mut self, eased: bool) {
-        self.eye.eased = eased;
+        self.camera.animated = eased;
     }
 
     /// Nothing changed but what surrounds the document, such as a reading that ended without one.
     pub fn touch(&mut self) {
-        self.changed(Changes::SURROUNDINGS);
+        self.changed(ChangeSet::SURROUNDINGS);
     }
 
     /// Changes the eye. What a hand makes of a camera of the file goes on from where that camera looks.
-    pub fn change_eye(&mut self, change: impl FnOnce(&mut CameraController)) {
-        if let Viewpoint::File(node, camera) = self.eye.viewpoint() {
+    pub fn change_camera(&mut self, change: impl FnOnce(&mut CameraController)) {
+        if let Viewpoint::File(node, camera) = self.camera.viewpoint() {
             self.frame();
             if let Some(camera) = file_camera(&self.document.scene, &self.frame, node, camera) {
-                let middle = self.reach().center();
-                self.eye.stand_at(&camera, middle);
+                let middle = self.motion_bounds().center();
+                self.camera.place_at(&camera, middle);
             }
         }
-        change(&mut self.eye);
+        change(&mut self.camera);
         self.fit_on_resize = false;
-        self.changed(Changes::CAMERA);
+        self.changed(ChangeSet::CAMERA);
     }
 
     /// The picture's width over its height. A view that no hand has touched is fitted anew.
@@ -180,27 +180,27 @@ impl Session {
         if aspect.is_finite() && aspect > 0.0 && aspect != self.aspect {
             self.aspect = aspect;
             if self.fit_on_resize {
-                let eased = std::mem::take(&mut self.eye.eased);
+                let eased = std::mem::take(&mut self.camera.animated);
                 self.fit();
-                self.eye.eased = eased;
+                self.camera.animated = eased;
             }
         }
     }
 
     /// Fits everything into the picture, and into that of another size too until a hand is on the camera.
     pub fn fit(&mut self) {
-        let (bounds, aspect) = (self.reach(), self.aspect);
+        let (bounds, aspect) = (self.motion_bounds(), self.aspect);
         self.ground = Some(bounds);
-        self.change_eye(|eye| eye.fit(&bounds, aspect));
+        self.change_camera(|eye| eye.fit(&bounds, aspect));
         self.fit_on_resize = true;
     }
 
     /// Back to the start view, fitted.
     pub fn reset_camera(&mut self) {
-        let (bounds, aspect) = (self.reach(), self.aspect);
+        let (bounds, aspect) = (self.motion_bounds(), self.aspect);
         self.ground = Some(bounds);
-        self.change_eye(|eye| {
-            eye.jump(|orbit| {
+        self.change_camera(|eye| {
+            eye.animate_to(|orbit| {
                 orbit.orthographic = false;
                 orbit.look_from(ViewDirection::Start);
                 orbit.fit(&bounds, aspect);
@@ -218,7 +218,7 @@ impl Session {
     /// Puts a point of the world, metres, into the middle of the picture; the camera orbits round it from then on.
     pub fn centre_at(&mut self, target: Vec3) {
         if target.is_finite() {
-            self.change_eye(|eye| eye.jump(|orbit| orbit.target = target));
+            self.change_camera(|eye| eye.animate_to(|orbit| orbit.target = target));
         }
     }
 
@@ -240,32 +240,32 @@ impl Session {
     }
 
     /// Moves the light by degrees.
-    pub fn turn_light(&mut self, yaw: f32, pitch: f32) {
-        let mut aim = self.light_aim();
+    pub fn rotate_light(&mut self, yaw: f32, pitch: f32) {
+        let mut aim = self.light_direction();
         aim.rotate(yaw, pitch);
         self.light = Some(aim);
-        self.changed(Changes::LIGHT);
+        self.changed(ChangeSet::LIGHT);
     }
 
     /// Puts the light where these angles say.
     pub fn set_light(&mut self, aim: LightDirection) {
         if self.light != Some(aim) && aim.yaw.is_finite() && aim.pitch.is_finite() {
             self.light = Some(aim);
-            self.changed(Changes::LIGHT);
+            self.changed(ChangeSet::LIGHT);
         }
     }
 
     /// Where the light comes from, as angles: where a hand put it, else beside the camera.
-    pub fn light_aim(&self) -> LightDirection {
-        self.light.unwrap_or_else(|| LightDirection::beside_camera(self.eye.orbit().yaw))
+    pub fn light_direction(&self) -> LightDirection {
+        self.light.unwrap_or_else(|| LightDirection::beside_camera(self.camera.orbit().yaw))
     }
 
     /// The light goes back to its place beside the camera.
     pub fn reset_light(&mut self) {
         if self.light.is_some() {
-            self.step(tr!("app-edit-light"), Step::New, |session| {
+            self.undoable(tr!("app-edit-light"), UndoStep::New, |session| {
                 session.light = None;
-                session.changed(Changes::LIGHT);
+                session.changed(ChangeSet::LIGHT);
             });
         }
     }

@@ -10,7 +10,7 @@ use crate::scene::{LightId, MaterialId, MorphId, NodeId, Scene, TransformOp};
 
 /// What a row of the dope sheet stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Moved {
+pub enum AnimatedItem {
     /// A node or bone.
     Node(NodeId),
     /// The weights of a morph.
@@ -25,7 +25,7 @@ pub enum Moved {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SheetRow {
     /// What it stands for.
-    pub moved: Moved,
+    pub item: AnimatedItem,
     /// What a person calls it.
     pub name: String,
     /// Key times within the clip; seconds, ascending, each once.
@@ -55,7 +55,7 @@ pub enum GraphKind {
 
 /// How a line reads its number from a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Reading {
+enum ValueReader {
     Number(usize),
     Position(usize),
     Turn(usize),
@@ -64,13 +64,13 @@ enum Reading {
 
 /// One number over time.
 #[derive(Debug, Clone)]
-pub struct Line {
+pub struct GraphLine {
     /// `X`, `Y`, `Z`, or the name of a morph target.
     pub name: String,
     /// 0, 1, 2 = the colour of that axis.
     pub axis: usize,
     curve: Arc<Curve>,
-    reading: Reading,
+    reading: ValueReader,
 }
 
 /// Lines of one kind.
@@ -79,7 +79,7 @@ pub struct Graph {
     /// What they are.
     pub kind: GraphKind,
     /// The lines.
-    pub lines: Vec<Line>,
+    pub lines: Vec<GraphLine>,
 }
 
 impl Graph {
@@ -92,18 +92,18 @@ impl Graph {
     }
 }
 
-impl Line {
+impl GraphLine {
     /// The value at a moment, seconds.
     pub fn value(&self, time: f64) -> f64 {
         match self.reading {
-            Reading::Number(component) => self.curve.value(time, component),
-            Reading::Position(axis) => self.curve.matrix(time).w_axis.to_array()[axis],
-            Reading::Turn(axis) => {
-                let (_, rotation, _) = sound(self.curve.matrix(time)).to_scale_rotation_translation();
+            ValueReader::Number(component) => self.curve.value(time, component),
+            ValueReader::Position(axis) => self.curve.matrix(time).w_axis.to_array()[axis],
+            ValueReader::Turn(axis) => {
+                let (_, rotation, _) = is_valid(self.curve.matrix(time)).to_scale_rotation_translation();
                 let (z, y, x) = rotation.to_euler(EulerRot::ZYX);
                 [x, y, z][axis].to_degrees()
             }
-            Reading::Size(axis) => {
+            ValueReader::Size(axis) => {
                 let matrix = self.curve.matrix(time);
                 [matrix.x_axis, matrix.y_axis, matrix.z_axis][axis].truncate().length()
             }
@@ -118,36 +118,36 @@ impl Line {
     /// The ends of the tangents of a segment, as (time, value); none where it goes straight.
     pub fn tangents(&self, segment: usize) -> Option<[(f64, f64); 2]> {
         match self.reading {
-            Reading::Number(component) => self.curve.control_points(segment, component),
+            ValueReader::Number(component) => self.curve.control_points(segment, component),
             _ => None,
         }
     }
 }
 
 /// A matrix without a rotation, such as a flat one, turns nothing.
-fn sound(matrix: DMat4) -> DMat4 {
+fn is_valid(matrix: DMat4) -> DMat4 {
     let flat = matrix.determinant().abs() < 1e-30 || !matrix.is_finite();
     if flat { DMat4::IDENTITY } else { matrix }
 }
 
 /// What a channel moves.
-fn moved(channel: &Channel) -> Moved {
+fn animated_item(channel: &Channel) -> AnimatedItem {
     match channel.target {
-        ChannelTarget::Transform { node, .. } => Moved::Node(node),
-        ChannelTarget::MorphWeight { morph, .. } => Moved::Morph(morph),
-        ChannelTarget::Material { material, .. } => Moved::Material(material),
-        ChannelTarget::LightColor { light, .. } => Moved::Light(light),
+        ChannelTarget::Transform { node, .. } => AnimatedItem::Node(node),
+        ChannelTarget::MorphWeight { morph, .. } => AnimatedItem::Morph(morph),
+        ChannelTarget::Material { material, .. } => AnimatedItem::Material(material),
+        ChannelTarget::LightColor { light, .. } => AnimatedItem::Light(light),
     }
 }
 
 /// The rows of a clip, in the order in which the file animates them.
 pub(super) fn rows(scene: &Scene, clip: &Clip) -> Vec<SheetRow> {
-    let mut places: HashMap<Moved, usize> = HashMap::new();
+    let mut places: HashMap<AnimatedItem, usize> = HashMap::new();
     let mut rows: Vec<SheetRow> = Vec::new();
     for channel in &clip.channels {
-        let what = moved(channel);
+        let what = animated_item(channel);
         let place = *places.entry(what).or_insert_with(|| {
-            rows.push(SheetRow { moved: what, name: name(scene, what), keys: Vec::new() });
+            rows.push(SheetRow { item: what, name: name(scene, what), keys: Vec::new() });
             rows.len() - 1
         });
         if let Some(row) = rows.get_mut(place) {
@@ -161,21 +161,21 @@ pub(super) fn rows(scene: &Scene, clip: &Clip) -> Vec<SheetRow> {
     rows
 }
 
-fn name(scene: &Scene, what: Moved) -> String {
+fn name(scene: &Scene, what: AnimatedItem) -> String {
     let found = match what {
-        Moved::Node(id) => (id.index() < scene.graph.len()).then(|| scene.graph.node(id).name.clone()),
-        Moved::Morph(id) => scene.morphs.get(id.index()).map(|morph| morph.name.clone()),
-        Moved::Material(id) => scene.materials.get(id.index()).map(|material| material.name.clone()),
-        Moved::Light(id) => scene.lights.get(id.index()).map(|light| light.name.clone()),
+        AnimatedItem::Node(id) => (id.index() < scene.graph.len()).then(|| scene.graph.node(id).name.clone()),
+        AnimatedItem::Morph(id) => scene.morphs.get(id.index()).map(|morph| morph.name.clone()),
+        AnimatedItem::Material(id) => scene.materials.get(id.index()).map(|material| material.name.clone()),
+        AnimatedItem::Light(id) => scene.lights.get(id.index()).map(|light| light.name.clone()),
     };
     found.filter(|name| !name.is_empty()).unwrap_or_else(|| "–".into())
 }
 
 /// The graphs of a row, in a fixed order, as far as the clip moves them.
-pub(super) fn graphs(scene: &Scene, clip: &Clip, what: Moved) -> Vec<Graph> {
+pub(super) fn graphs(scene: &Scene, clip: &Clip, what: AnimatedItem) -> Vec<Graph> {
     use GraphKind as K;
     let mut graphs: Vec<Graph> = Vec::new();
-    for channel in clip.channels.iter().filter(|channel| moved(channel) == what) {
+    for channel in clip.channels.iter().filter(|channel| animated_item(channel) == what) {
         for (kind, line) in lines(scene, channel) {
             match graphs.iter_mut().find(|graph| graph.kind == kind) {
                 Some(graph) => graph.lines.push(line),
@@ -195,17 +195,17 @@ const AXES: [&str; 3] = ["X", "Y", "Z"];
 const PARTS: [&str; 3] = ["R", "G", "B"];
 
 /// The lines that a channel adds, each with its kind.
-fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
-    let line = |name: &str, axis: usize, reading| Line { name: name.into(), axis, curve: channel.curve.clone(), reading };
+fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, GraphLine)> {
+    let line = |name: &str, axis: usize, reading| GraphLine { name: name.into(), axis, curve: channel.curve.clone(), reading };
     // Numbers of a vector: all of them, or the one of the lane.
-    let vector = |kind, lane, names: [&str; 3]| -> Vec<(GraphKind, Line)> {
+    let vector = |kind, lane, names: [&str; 3]| -> Vec<(GraphKind, GraphLine)> {
         match lane {
             Components::Whole => {
-                (0..channel.curve.dimension.min(3)).map(|axis| (kind, line(names[axis], axis, Reading::Number(axis)))).collect()
+                (0..channel.curve.dimension.min(3)).map(|axis| (kind, line(names[axis], axis, ValueReader::Number(axis)))).collect()
             }
             Components::Component(axis) => {
                 let axis = usize::from(axis).min(2);
-                vec![(kind, line(names[axis], axis, Reading::Number(0)))]
+                vec![(kind, line(names[axis], axis, ValueReader::Number(0)))]
             }
         }
     };
@@ -219,19 +219,19 @@ fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
                     let number = if lane == Components::Whole { channel.curve.dimension.saturating_sub(1) } else { 0 };
                     let size = axis.abs();
                     let along = if size.x >= size.y && size.x >= size.z { 0 } else { 1 + usize::from(size.z > size.y) };
-                    vec![(GraphKind::Rotation, line(AXES[along], along, Reading::Number(number)))]
+                    vec![(GraphKind::Rotation, line(AXES[along], along, ValueReader::Number(number)))]
                 }
                 (Some(TransformOp::Matrix(_)), Components::Whole) => (0..3)
                     .flat_map(|axis| {
                         [
-                            (GraphKind::Translation, line(AXES[axis], axis, Reading::Position(axis))),
-                            (GraphKind::Rotation, line(AXES[axis], axis, Reading::Turn(axis))),
-                            (GraphKind::Scale, line(AXES[axis], axis, Reading::Size(axis))),
+                            (GraphKind::Translation, line(AXES[axis], axis, ValueReader::Position(axis))),
+                            (GraphKind::Rotation, line(AXES[axis], axis, ValueReader::Turn(axis))),
+                            (GraphKind::Scale, line(AXES[axis], axis, ValueReader::Size(axis))),
                         ]
                     })
                     .collect(),
                 (_, Components::Component(component)) => {
-                    vec![(GraphKind::Other, line(&component.to_string(), usize::from(component) % 3, Reading::Number(0)))]
+                    vec![(GraphKind::Other, line(&component.to_string(), usize::from(component) % 3, ValueReader::Number(0)))]
                 }
                 (_, Components::Whole) => vector(GraphKind::Other, lane, AXES),
             }
@@ -239,11 +239,11 @@ fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, Line)> {
         ChannelTarget::MorphWeight { morph, target } => {
             let target = target as usize;
             let found = scene.morphs.get(morph.index()).and_then(|morph| morph.targets.get(target)).map(|target| target.name.clone());
-            vec![(GraphKind::Weights, line(&found.unwrap_or_else(|| target.to_string()), target, Reading::Number(0)))]
+            vec![(GraphKind::Weights, line(&found.unwrap_or_else(|| target.to_string()), target, ValueReader::Number(0)))]
         }
         ChannelTarget::Material { slot, components: lane, .. } => match slot {
-            MaterialSlot::Shininess => vec![(GraphKind::Shininess, line("", 0, Reading::Number(0)))],
-            MaterialSlot::Opacity => vec![(GraphKind::Opacity, line("", 0, Reading::Number(0)))],
+            MaterialSlot::Shininess => vec![(GraphKind::Shininess, line("", 0, ValueReader::Number(0)))],
+            MaterialSlot::Opacity => vec![(GraphKind::Opacity, line("", 0, ValueReader::Number(0)))],
             _ => vector(GraphKind::Colour, lane, PARTS),
         },
         ChannelTarget::LightColor { components: lane, .. } => vector(GraphKind::Colour, lane, PARTS),
@@ -297,7 +297,7 @@ mod tests {
         let rows = rows(&scene(), &clip);
         let told: Vec<_> = rows.iter().map(|row| (row.name.as_str(), row.keys.as_slice())).collect();
         assert_eq!(told, [("knee", [0.0, 1.0, 2.0].as_slice()), ("hip", [0.0, 1.0].as_slice())]);
-        let graphs = graphs(&scene(), &clip, rows[0].moved);
+        let graphs = graphs(&scene(), &clip, rows[0].item);
         let told: Vec<_> = graphs.iter().map(|graph| (graph.kind, graph.lines.len(), graph.lines[0].name.as_str())).collect();
         assert_eq!(told, [(GraphKind::Translation, 1, "Y"), (GraphKind::Rotation, 1, "Z")]);
         assert_eq!(graphs[1].lines[0].value(0.5), 22.5);
@@ -311,7 +311,7 @@ mod tests {
         let values = [matrix(0.0, 0.0), matrix(1.0, 4.0)].iter().flat_map(|matrix| matrix.to_cols_array()).collect();
         let keys = Keys { matrix: true, ..keys(&[0.0, 1.0], 16, values) };
         let clip = Clip { end: 1.0, channels: vec![channel(0, 2, Components::Whole, keys)], ..Clip::default() };
-        let graphs = graphs(&scene(), &clip, Moved::Node(NodeId(0)));
+        let graphs = graphs(&scene(), &clip, AnimatedItem::Node(NodeId(0)));
         let at = |kind, axis: usize| {
             graphs.iter().find(|graph| graph.kind == kind).map(|graph| graph.lines[axis].value(0.5)).expect("the graph is there")
         };
@@ -330,7 +330,7 @@ mod tests {
             ..keys(&[0.0, 1.0], 1, vec![1.0, 5.0])
         };
         let clip = Clip { end: 1.0, channels: vec![channel(0, 0, Components::Component(0), keys)], ..Clip::default() };
-        let graphs = graphs(&scene(), &clip, Moved::Node(NodeId(0)));
+        let graphs = graphs(&scene(), &clip, AnimatedItem::Node(NodeId(0)));
         assert_eq!(graphs[0].lines[0].tangents(0), Some([(0.25, 3.0), (0.5, 7.0)]));
         assert_eq!(graphs[0].lines[0].tangents(1), None);
     }

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Changes, Session};
+use super::{ChangeSet, Session};
 use crate::scene::{NodeId, NodeKind};
 use crate::view::CameraFollow;
 
@@ -21,7 +21,7 @@ impl Session {
     }
 
     /// The same for films: the camera as it stands now, and what it goes along with from here.
-    pub fn along(&mut self) -> Option<CameraFollow> {
+    pub fn camera_follow(&mut self) -> Option<CameraFollow> {
         let node = self.followed()?;
         Some(CameraFollow { node, reference: self.frame().position(node) })
     }
@@ -50,16 +50,16 @@ impl Session {
             let last = self.frame().position(node);
             Follow { node, last, time }
         });
-        self.changed(Changes::CAMERA);
+        self.changed(ChangeSet::CAMERA);
     }
 
     /// The scene was posed anew: where time has moved what is followed, the camera moves as far.
-    pub(super) fn follow_on(&mut self) {
+    pub(super) fn update_follow(&mut self) {
         let Some(follow) = &mut self.follow else { return };
         let (here, time) = (self.frame.position(follow.node), self.playback.time);
         let way = here - follow.last;
         if time != follow.time && way.is_finite() {
-            self.eye.shift(way);
+            self.camera.move_by(way);
         }
         *follow = Follow { last: here, time, ..*follow };
     }

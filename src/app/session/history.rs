@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::joint_control::Held;
+use super::joint_control::HeldJoint;
 use crate::document::JointOverride;
 use crate::muscle::{MuscleFile, MuscleState};
 use crate::scene::NodeId;
@@ -20,16 +20,16 @@ pub(super) struct Snapshot {
     /// What the muscle files say.
     pub files: Vec<MuscleFile>,
     /// Joints turned by hand.
-    pub turned: Vec<JointOverride>,
+    pub joint_overrides: Vec<JointOverride>,
     /// Elbow angle and contraction.
     pub drive: MuscleState,
     /// The joint that the slider bends, and how it is bent.
-    pub held: Held,
+    pub held_joint: HeldJoint,
 }
 
 /// Whether a change begins a step of its own or goes on with the last one. After an undo or a redo, whatever is changed begins one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
+pub enum UndoStep {
     /// A step that undo takes back alone.
     New,
     /// Goes on with the last one, where that did the same: a drag goes on.
@@ -43,7 +43,7 @@ pub enum Step {
     },
 }
 
-impl Step {
+impl UndoStep {
     /// Goes on with a change of `of` that was made just now.
     pub fn near(of: u32) -> Self {
         Self::Near { of, now: Instant::now() }
@@ -52,18 +52,18 @@ impl Step {
 
 /// A step that was taken: what it did, and how things were on its other side.
 #[derive(Debug)]
-struct Taken {
+struct UndoEntry {
     what: String,
-    other_side: Snapshot,
+    snapshot: Snapshot,
 }
 
 /// The steps taken and taken back.
 #[derive(Debug, Default)]
 pub(super) struct History {
-    done: Vec<Taken>,
-    undone: Vec<Taken>,
+    done: Vec<UndoEntry>,
+    undone: Vec<UndoEntry>,
     /// How the last change came, while the next may go on with its step: until an undo or a redo.
-    open: Option<Step>,
+    open: Option<UndoStep>,
     /// Something is being done that is one step, of whatever steps it is made.
     pub inside: bool,
 }
@@ -76,17 +76,19 @@ impl History {
     pub(super) const GESTURE: Duration = Duration::from_millis(800);
 
     /// Notes a change that was made: how things were before it, and what it did.
-    pub(super) fn note(&mut self, before: Snapshot, what: String, step: Step) {
+    pub(super) fn push_undo(&mut self, before: Snapshot, what: String, step: UndoStep) {
         let goes_on = match (self.open, step) {
-            (Some(_), Step::Same) => true,
-            (Some(Step::Near { of: last, now: then }), Step::Near { of, now }) => last == of && now.duration_since(then) < Self::GESTURE,
+            (Some(_), UndoStep::Same) => true,
+            (Some(UndoStep::Near { of: last, now: then }), UndoStep::Near { of, now }) => {
+                last == of && now.duration_since(then) < Self::GESTURE
+            }
             _ => false,
         };
         let same = self.done.last().is_some_and(|last| last.what == what);
         self.open = Some(step);
         self.undone.clear();
         if !(goes_on && same) {
-            self.done.push(Taken { what, other_side: before });
+            self.done.push(UndoEntry { what, snapshot: before });
         }
         if self.done.len() > Self::DEPTH {
             self.done.remove(0);
@@ -96,17 +98,17 @@ impl History {
     /// Goes back one step from `now`. A step in which nothing changed is passed over.
     pub(super) fn undo(&mut self, now: Snapshot) -> Option<Snapshot> {
         self.open = None;
-        let back = std::iter::from_fn(|| self.done.pop()).find(|step| step.other_side != now)?;
-        self.undone.push(Taken { what: back.what, other_side: now });
-        Some(back.other_side)
+        let back = std::iter::from_fn(|| self.done.pop()).find(|step| step.snapshot != now)?;
+        self.undone.push(UndoEntry { what: back.what, snapshot: now });
+        Some(back.snapshot)
     }
 
     /// Goes forward one step from `now`.
     pub(super) fn redo(&mut self, now: Snapshot) -> Option<Snapshot> {
         self.open = None;
-        let next = std::iter::from_fn(|| self.undone.pop()).find(|step| step.other_side != now)?;
-        self.done.push(Taken { what: next.what, other_side: now });
-        Some(next.other_side)
+        let next = std::iter::from_fn(|| self.undone.pop()).find(|step| step.snapshot != now)?;
+        self.done.push(UndoEntry { what: next.what, snapshot: now });
+        Some(next.snapshot)
     }
 
     /// What the step back and the step forward did.
@@ -136,27 +138,27 @@ mod tests {
             light: None,
             hidden: Vec::new(),
             files: Vec::new(),
-            turned: Vec::new(),
+            joint_overrides: Vec::new(),
             drive: MuscleState::default(),
-            held: Held::default(),
+            held_joint: HeldJoint::default(),
         }
     }
 
-    fn note(history: &mut History, before: f64, what: &str, step: Step) {
-        history.note(scaled(before), what.to_owned(), step);
+    fn note(history: &mut History, before: f64, what: &str, step: UndoStep) {
+        history.push_undo(scaled(before), what.to_owned(), step);
     }
 
     #[test]
     fn steps_go_back_and_forth() {
         let mut history = History::default();
-        note(&mut history, 1.0, "scale", Step::New);
-        note(&mut history, 2.0, "scale", Step::New);
+        note(&mut history, 1.0, "scale", UndoStep::New);
+        note(&mut history, 2.0, "scale", UndoStep::New);
         assert_eq!(history.undo(scaled(3.0)), Some(scaled(2.0)));
         assert_eq!(history.undo(scaled(2.0)), Some(scaled(1.0)));
         assert_eq!(history.undo(scaled(1.0)), None);
         assert_eq!(history.redo(scaled(1.0)), Some(scaled(2.0)));
         assert_eq!(history.names(), (Some("scale"), Some("scale")));
-        note(&mut history, 2.0, "move", Step::New);
+        note(&mut history, 2.0, "move", UndoStep::New);
         assert_eq!(history.names(), (Some("move"), None));
         assert!(!history.can_redo() && history.can_undo());
     }
@@ -164,7 +166,7 @@ mod tests {
     #[test]
     fn what_follows_at_once_goes_on_but_not_across_an_undo() {
         let now = Instant::now();
-        let near = |milliseconds: u64, of: u32| Step::Near { of, now: now + Duration::from_millis(milliseconds) };
+        let near = |milliseconds: u64, of: u32| UndoStep::Near { of, now: now + Duration::from_millis(milliseconds) };
         let mut history = History::default();
         note(&mut history, 1.0, "turn", near(0, 7));
         note(&mut history, 2.0, "turn", near(500, 7));
@@ -179,7 +181,7 @@ mod tests {
         assert_eq!((history.done.len(), history.can_redo()), (4, false));
         assert_eq!(history.undo(scaled(7.0)), Some(scaled(6.0)));
         for _ in 0..2 {
-            note(&mut history, 6.0, "drag", Step::Same);
+            note(&mut history, 6.0, "drag", UndoStep::Same);
         }
         assert_eq!(history.done.len(), 4, "a drag over an undo begins a step of its own, and goes on with it");
     }
@@ -187,8 +189,8 @@ mod tests {
     #[test]
     fn a_step_that_changed_nothing_is_passed_over() {
         let mut history = History::default();
-        note(&mut history, 1.0, "scale", Step::New);
-        note(&mut history, 2.0, "scale", Step::New);
+        note(&mut history, 1.0, "scale", UndoStep::New);
+        note(&mut history, 2.0, "scale", UndoStep::New);
         assert_eq!(history.undo(scaled(2.0)), Some(scaled(1.0)));
     }
 
@@ -196,7 +198,7 @@ mod tests {
     fn the_depth_is_bounded() {
         let mut history = History::default();
         for step in 0..1000 {
-            note(&mut history, f64::from(step) + 1.0, "scale", Step::New);
+            note(&mut history, f64::from(step) + 1.0, "scale", UndoStep::New);
         }
         assert_eq!(history.done.len(), History::DEPTH);
     }

@@ -1,6 +1,6 @@
 //! Showing the selection alone, hiding it, and showing everything again.
 
-use super::{Changes, Session, Step};
+use super::{ChangeSet, Session, UndoStep};
 use crate::scene::NodeId;
 use crate::tr;
 
@@ -18,7 +18,7 @@ impl Session {
     /// Shows the selected node with what is below it alone; the second time everything that was shown before comes back.
     pub fn toggle_isolated(&mut self) {
         if let Some(hidden) = self.isolated.take() {
-            return self.step(tr!("app-edit-isolate"), Step::New, |session| session.hide_exactly(&hidden));
+            return self.undoable(tr!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&hidden));
         }
         let Some(selected) = self.display.selected else { return };
         let graph = &self.document.scene.graph;
@@ -31,7 +31,7 @@ impl Session {
         let below = hidden.iter().copied().filter(|id| !above.contains(id) && !beside(*id));
         let mut alone: Vec<NodeId> = others.chain(below).collect();
         alone.sort_unstable();
-        self.step(tr!("app-edit-isolate"), Step::New, |session| session.hide_exactly(&alone));
+        self.undoable(tr!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&alone));
         self.isolated = Some(hidden);
         // A bone without its skin is seen as a bone.
         let bare = !self.frame().surfaces.iter().any(|surface| surface.visible && surface.ghost.is_none());
@@ -51,7 +51,7 @@ impl Session {
     pub fn show_all(&mut self) {
         if self.hides_something() {
             self.isolated = None;
-            self.step(tr!("app-edit-visible"), Step::New, |session| session.hide_exactly(&[]));
+            self.undoable(tr!("app-edit-visible"), UndoStep::New, |session| session.hide_exactly(&[]));
         }
     }
 
@@ -61,8 +61,8 @@ impl Session {
             let id = NodeId(index);
             self.document.scene.graph.node_mut(id).visible = hidden.binary_search(&id).is_err();
         }
-        self.stale = true;
-        self.changed(Changes::DISPLAY);
+        self.needs_posing = true;
+        self.changed(ChangeSet::DISPLAY);
     }
 }
 

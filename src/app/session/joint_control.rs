@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 
 use glam::DVec3;
 
-use super::{Changes, Session, Step};
+use super::{ChangeSet, Session, UndoStep};
 use crate::document::Document;
 use crate::i18n::quantity as format;
 use crate::muscle::{Driving, Joint, MuscleState, Turn};
@@ -43,7 +43,7 @@ impl JointController {
 
 /// What undo brings back of it.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Held {
+pub(super) struct HeldJoint {
     chosen: Option<(NodeId, JointAxis)>,
     on_top: bool,
     turn: Option<Turn>,
@@ -51,13 +51,13 @@ pub(super) struct Held {
 
 /// What the elbow slider shows, degrees.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bend {
+pub struct SliderState {
     /// Where the slider stands.
     pub value: f64,
     /// Where it can go.
     pub range: RangeInclusive<f64>,
     /// Whether a hand bends the joint of a clip; then the clip can have it back.
-    pub by_hand: bool,
+    pub is_manual: bool,
 }
 
 impl Session {
@@ -103,7 +103,7 @@ impl Session {
             self.joint.chosen = chosen;
             self.joint.joint = OnceCell::new();
             self.state.joint_rotation = None;
-            self.changed(Changes::DRIVE);
+            self.changed(ChangeSet::DRIVE);
         }
     }
 
@@ -127,14 +127,14 @@ impl Session {
             self.state.joint_rotation = match self.joint_angle() {
                 Some(angle) if on_top => {
                     self.state.joint_rotation = None;
-                    self.stale = true;
+                    self.needs_posing = true;
                     Some(joint.by(angle - self.joint_angle().unwrap_or(angle)))
                 }
                 Some(angle) => Some(joint.at(angle)),
                 None => Some(turn),
             };
         }
-        self.changed(Changes::DRIVE);
+        self.changed(ChangeSet::DRIVE);
     }
 
     /// The angle of the clip's joint in the present pose, degrees.
@@ -145,59 +145,59 @@ impl Session {
     }
 
     /// What the elbow slider shows; `None` where nothing can be bent.
-    pub fn bend(&mut self) -> Option<Bend> {
+    pub fn angle_slider(&mut self) -> Option<SliderState> {
         if let Some(range) = self.document.driven_rig().and_then(|rig| rig.flexion_range()) {
-            return Some(Bend { value: self.state.drive.flexion, range, by_hand: false });
+            return Some(SliderState { value: self.state.drive.flexion, range, is_manual: false });
         }
         let joint = self.joint()?;
         let [low, high] = joint.range;
         let by_hand = self.state.joint_rotation.is_some();
         if self.joint.on_top {
             let value = self.state.joint_rotation.map_or(0.0, |turn| turn.degrees);
-            return Some(Bend { value, range: low - high..=high - low, by_hand });
+            return Some(SliderState { value, range: low - high..=high - low, is_manual: by_hand });
         }
         // A clip may bend a joint farther than a hand can.
         let value = self.joint_angle()?;
-        Some(Bend { value, range: low..=high, by_hand })
+        Some(SliderState { value, range: low..=high, is_manual: by_hand })
     }
 
     /// Bends the clip's joint: to an angle, or by one on top of the clip. Degrees, held within the range.
-    pub fn set_bend(&mut self, degrees: f64) {
+    pub fn set_joint_angle(&mut self, degrees: f64) {
         let Some(joint) = self.joint().filter(|_| degrees.is_finite()) else { return };
         let [low, high] = joint.range;
         let turn = if self.joint.on_top { joint.by(degrees.clamp(low - high, high - low)) } else { joint.at(degrees) };
-        self.turn_joint(Some(turn));
+        self.set_joint_rotation(Some(turn));
     }
 
     /// Gives the joint back to the clip.
     pub fn release_joint(&mut self) {
-        self.turn_joint(None);
+        self.set_joint_rotation(None);
     }
 
-    fn turn_joint(&mut self, turn: Option<Turn>) {
+    fn set_joint_rotation(&mut self, turn: Option<Turn>) {
         if turn != self.state.joint_rotation {
             self.state.joint_rotation = turn;
-            self.changed(Changes::DRIVE);
+            self.changed(ChangeSet::DRIVE);
         }
     }
 
     /// A hand bends the elbow of the arm, or the joint of the clip; undo takes that back.
-    pub fn bend_by_hand(&mut self, degrees: f64) {
-        self.step(tr!("app-edit-bend"), Step::near(0), |session| session.set_flexion(degrees));
+    pub fn set_angle_undoable(&mut self, degrees: f64) {
+        self.undoable(tr!("app-edit-bend"), UndoStep::near(0), |session| session.set_flexion(degrees));
     }
 
     /// A hand sets the contraction; undo takes that back.
-    pub fn contract_by_hand(&mut self, per_cent: f64) {
-        self.step(tr!("app-edit-contract"), Step::near(0), |session| session.set_contraction(per_cent));
+    pub fn set_contraction_undoable(&mut self, per_cent: f64) {
+        self.undoable(tr!("app-edit-contract"), UndoStep::near(0), |session| session.set_contraction(per_cent));
     }
 
     /// A hand gives the joint back to the clip; undo takes that back.
-    pub fn release_by_hand(&mut self) {
-        self.step(tr!("app-edit-release"), Step::New, Self::release_joint);
+    pub fn release_undoable(&mut self) {
+        self.undoable(tr!("app-edit-release"), UndoStep::New, Self::release_joint);
     }
 
     /// Says that a joint stands still, whatever the clip does, and at which angle; `None` where none does.
-    pub fn told_held(&mut self) -> Option<String> {
+    pub fn held_joint_text(&mut self) -> Option<String> {
         let turn = self.state.joint_rotation.filter(|turn| !turn.on_top && self.playback.duration() > 0.0)?;
         let angle = format!("{}°", format::number(self.joint_angle()?, 0));
         let elbow = self.joint.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
@@ -207,11 +207,11 @@ impl Session {
         })
     }
 
-    pub(super) fn held(&self) -> Held {
-        Held { chosen: self.joint.chosen, on_top: self.joint.on_top, turn: self.state.joint_rotation }
+    pub(super) fn held_joint(&self) -> HeldJoint {
+        HeldJoint { chosen: self.joint.chosen, on_top: self.joint.on_top, turn: self.state.joint_rotation }
     }
 
-    pub(super) fn hold_as(&mut self, held: Held) {
+    pub(super) fn restore_held_joint(&mut self, held: HeldJoint) {
         if held.chosen != self.joint.chosen {
             self.joint.joint = OnceCell::new();
         }
@@ -248,11 +248,11 @@ impl Session {
         let turned = self.state.joint_rotation.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
         // What the clip does by itself. The angle in the pose is known but for whole turns, and a hand may bend the joint past half of one.
         let own = (present - turned + 180.0).rem_euclid(360.0) - 180.0;
-        self.set_bend(if self.joint.on_top { flexion - own } else { flexion });
+        self.set_joint_angle(if self.joint.on_top { flexion - own } else { flexion });
     }
 
     /// The joint that was turned, to find it again in the same file read anew.
-    pub(super) fn kept_joint(&self) -> Option<(String, Option<JointAxis>, Option<f64>)> {
+    pub(super) fn joint_for_reload(&self) -> Option<(String, Option<JointAxis>, Option<f64>)> {
         let joint = self.joint.joint.get().copied().flatten()?;
         let name = self.document.scene.graph.node(joint.node).name.clone();
         let turned = self.state.joint_rotation.map(|turn| if turn.on_top { turn.degrees } else { turn.degrees + joint.at_rest });
@@ -260,18 +260,18 @@ impl Session {
     }
 
     /// Turns that joint again.
-    pub(super) fn take_joint(&mut self, kept: Option<(String, Option<JointAxis>, Option<f64>)>) {
+    pub(super) fn restore_joint(&mut self, kept: Option<(String, Option<JointAxis>, Option<f64>)>) {
         let Some((name, axis, turned)) = kept else { return };
         let chosen = axis.and_then(|axis| Some((self.document.scene.graph.find(&name)?, axis)));
         self.choose_joint(chosen);
         let same = self.joint().is_some_and(|joint| self.document.scene.graph.node(joint.node).name == name);
         if let Some(degrees) = turned.filter(|_| same) {
-            self.set_bend(degrees);
+            self.set_joint_angle(degrees);
         }
     }
 
     /// Forgets what was known of another document's joints.
-    pub(super) fn forget_joint(&mut self) {
+    pub(super) fn clear_joint(&mut self) {
         self.joint = JointController { on_top: self.joint.on_top, ..JointController::default() };
     }
 }
@@ -297,7 +297,7 @@ mod tests {
     #[test]
     fn contraction_and_the_joint_of_a_clip_are_one_state() {
         let mut session = clip();
-        assert_eq!((session.contraction(), session.bend().map(|bend| bend.range)), (None, Some(0.0..=150.0)));
+        assert_eq!((session.contraction(), session.angle_slider().map(|bend| bend.range)), (None, Some(0.0..=150.0)));
         session.new_muscle(biceps()).unwrap();
         for (on_top, time) in [(false, 0.0), (true, 0.0), (true, 1.3)] {
             session.set_on_top(on_top);
@@ -306,7 +306,7 @@ mod tests {
             let (angle, contraction) = (session.joint_angle().unwrap(), session.contraction().unwrap());
             assert!((contraction - 60.0).abs() < 1e-6, "{contraction}");
             session.set_contraction(10.0);
-            let bend = session.bend().unwrap().value + angle - session.joint_angle().unwrap();
+            let bend = session.angle_slider().unwrap().value + angle - session.joint_angle().unwrap();
             session.set_flexion(bend);
             assert!((session.contraction().unwrap() - 60.0).abs() < 1e-6);
         }
@@ -335,7 +335,7 @@ mod tests {
         session.choose_joint(Some((hand, JointAxis::Own(0))));
         session.set_flexion(40.0);
         assert!((session.joint_angle().unwrap() - 40.0).abs() < 1e-9);
-        assert_eq!(session.bend().unwrap().range, -150.0..=150.0);
+        assert_eq!(session.angle_slider().unwrap().range, -150.0..=150.0);
         session.choose_joint(None);
         assert_eq!((session.state().joint_rotation, session.chosen_joint()), (None, None));
     }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
-use super::{Session, Step};
+use super::{Session, UndoStep};
 use crate::muscle::parameter_fit::{Model, fitted_file};
 use crate::muscle::validation::{CompareError, Table};
 use crate::muscle::{MuscleFile, MuscleRig, Solved};
@@ -11,12 +11,12 @@ use crate::scene::MuscleId;
 use crate::tr;
 
 /// Moments and angles of a curve.
-const ANGLES: u32 = 90;
-const MOMENTS: u32 = 120;
+const ANGLE_STEPS: u32 = 90;
+const TIME_STEPS: u32 = 120;
 
 /// What goes right in a plot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Against {
+pub enum MeasureAxis {
     /// The angle of the joint that the muscle crosses.
     #[default]
     Angle,
@@ -26,7 +26,7 @@ pub enum Against {
 
 /// A muscle at one angle or moment. Lengths are in the unit of its file.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Reading {
+pub struct Measurement {
     /// Seconds on the clip's axis.
     pub time: Option<f64>,
     /// Degrees.
@@ -37,17 +37,17 @@ pub struct Reading {
     pub solved: Solved,
 }
 
-impl Reading {
+impl Measurement {
     /// The largest radius.
     pub fn belly(&self) -> f64 {
         self.solved.radii.iter().copied().fold(0.0, f64::max)
     }
 
     /// Where it stands on the axis.
-    pub fn at(&self, against: Against) -> f64 {
-        match against {
-            Against::Angle => self.angle,
-            Against::Time => self.time,
+    pub fn at(&self, axis: MeasureAxis) -> f64 {
+        match axis {
+            MeasureAxis::Angle => self.angle,
+            MeasureAxis::Time => self.time,
         }
         .unwrap_or(f64::NAN)
     }
@@ -55,11 +55,11 @@ impl Reading {
 
 impl Session {
     /// The angles, degrees, or seconds that a muscle can be measured over; `None` where there is no joint, or no clip that moves it.
-    pub fn measurable(&self, muscle: MuscleId, against: Against) -> Option<RangeInclusive<f64>> {
+    pub fn measurable(&self, muscle: MuscleId, axis: MeasureAxis) -> Option<RangeInclusive<f64>> {
         let (rig, index) = self.document.muscle(muscle)?;
-        match against {
-            Against::Angle => rig.flexion_range().or_else(|| rig.measured_range()),
-            Against::Time => {
+        match axis {
+            MeasureAxis::Angle => rig.flexion_range().or_else(|| rig.measured_range()),
+            MeasureAxis::Time => {
                 // A muscle on an arm of its own is moved by no clip.
                 let moved = rig.is_attached(index) && rig.flexion_range().is_none();
                 self.clip().filter(|clip| moved && clip.end > clip.start).map(|clip| clip.start..=clip.end)
@@ -68,14 +68,14 @@ impl Session {
     }
 
     /// Measures a muscle over its whole range; empty where it has none.
-    pub fn measure(&self, muscle: MuscleId, against: Against) -> Vec<Reading> {
-        let Some((range, (rig, index))) = self.measurable(muscle, against).zip(self.document.muscle(muscle)) else { return Vec::new() };
-        match against {
-            Against::Angle => over_angles(rig, index, &steps(&range, ANGLES)),
-            Against::Time => {
-                let mut rows = self.document.measure_times(&self.state(), &steps(&range, MOMENTS));
+    pub fn measure(&self, muscle: MuscleId, axis: MeasureAxis) -> Vec<Measurement> {
+        let Some((range, (rig, index))) = self.measurable(muscle, axis).zip(self.document.muscle(muscle)) else { return Vec::new() };
+        match axis {
+            MeasureAxis::Angle => over_angles(rig, index, &steps(&range, ANGLE_STEPS)),
+            MeasureAxis::Time => {
+                let mut rows = self.document.measure_times(&self.state(), &steps(&range, TIME_STEPS));
                 let samples = if muscle.index() < rows.len() { rows.swap_remove(muscle.index()) } else { Vec::new() };
-                let reading = |sample: crate::document::MuscleSample| Reading {
+                let reading = |sample: crate::document::MuscleSample| Measurement {
                     time: Some(sample.time),
                     angle: sample.angle,
                     moment_arm: sample.moment_arm,
@@ -104,17 +104,17 @@ impl Session {
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let Some(file) = files.get_mut(place) else { return Err(CompareError::NoJoint) };
         *file = fitted_file(file, rig, index, table, model)?.file;
-        self.change_files(&files, tr!("app-do-fit-radii"), Step::New);
+        self.change_files(&files, tr!("app-do-fit-radii"), UndoStep::New);
         Ok(())
     }
 
     /// Where the present pose stands on that axis.
-    pub fn present(&self, muscle: MuscleId, against: Against) -> Option<f64> {
+    pub fn current_value(&self, muscle: MuscleId, axis: MeasureAxis) -> Option<f64> {
         let (rig, _) = self.document.muscle(muscle)?;
-        match against {
-            Against::Time => Some(self.playback.time),
-            Against::Angle if rig.flexion_range().is_some() => Some(self.state.drive.flexion),
-            Against::Angle => rig.joint()?.angle(&self.document.scene, &self.posed().world),
+        match axis {
+            MeasureAxis::Time => Some(self.playback.time),
+            MeasureAxis::Angle if rig.flexion_range().is_some() => Some(self.state.drive.flexion),
+            MeasureAxis::Angle => rig.joint()?.angle(&self.document.scene, &self.posed().world),
         }
     }
 }
@@ -124,13 +124,13 @@ fn steps(range: &RangeInclusive<f64>, count: u32) -> Vec<f64> {
     (0..=count).map(|index| range.start() + f64::from(index) * step).collect()
 }
 
-fn over_angles(rig: &MuscleRig, index: usize, angles: &[f64]) -> Vec<Reading> {
+fn over_angles(rig: &MuscleRig, index: usize, angles: &[f64]) -> Vec<Measurement> {
     let samples = rig.measure(index, angles).into_iter();
-    samples.map(|s| Reading { time: None, angle: Some(s.angle), moment_arm: Some(s.moment_arm), solved: s.solved }).collect()
+    samples.map(|s| Measurement { time: None, angle: Some(s.angle), moment_arm: Some(s.moment_arm), solved: s.solved }).collect()
 }
 
 /// One row a reading, with decimal points; lengths in the file's unit.
-pub fn csv(readings: &[Reading]) -> String {
+pub fn csv(readings: &[Measurement]) -> String {
     let nodes = readings.first().map_or(0, |reading| reading.solved.radii.len());
     let timed = readings.iter().any(|reading| reading.time.is_some());
     let mut text = String::from(if timed { "time,angle" } else { "angle" });
@@ -165,8 +165,8 @@ mod tests {
     #[test]
     fn the_table_has_a_column_a_radius_and_one_for_time_where_there_is_any() {
         let solved = Solved { length: 2.5, radii: vec![1.0, 2.0], delta: -0.0, ..Solved::default() };
-        let bent = Reading { time: None, angle: Some(30.0), moment_arm: Some(0.5), solved };
-        let moving = Reading { time: Some(0.25), angle: None, ..bent.clone() };
+        let bent = Measurement { time: None, angle: Some(30.0), moment_arm: Some(0.5), solved };
+        let moving = Measurement { time: Some(0.25), angle: None, ..bent.clone() };
         assert_eq!(csv(&[bent]), "angle,length,moment_arm,volume,volume_error,delta,r1,r2\n30,2.5,0.5,0,0,0,1,2\n");
         assert_eq!(csv(&[moving]), "time,angle,length,moment_arm,volume,volume_error,delta,r1,r2\n0.25,,2.5,0.5,0,0,0,1,2\n");
     }

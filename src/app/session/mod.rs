@@ -8,8 +8,7 @@ mod compare;
 mod display_state;
 mod dope_sheet;
 mod follow;
-mod ghosts;
-mod handles;
+mod gizmo;
 mod history;
 mod isolate;
 mod joint_control;
@@ -17,10 +16,11 @@ mod manipulators;
 mod measure;
 mod muscle_commands;
 mod muscle_edit;
+mod overlays;
 mod pick_mode;
 mod presets;
 mod probe;
-mod saved;
+mod session_state;
 mod timeline_state;
 mod tool;
 mod undoable;
@@ -31,18 +31,18 @@ pub use crate::view::{
 };
 pub use attach_to_skeleton::AttachResult;
 pub use camera_controller::{CameraController, FlyCamera, Viewpoint};
-pub use change_set::Changes;
-pub use compare::{Compared, top_of};
-pub use dope_sheet::{Graph, GraphKind, Line, Moved, SheetRow};
-pub use handles::{Handle, Handles, ModelDrag};
-pub use history::Step;
-pub use joint_control::{Bend, JointAxis};
-pub use manipulators::{Grip, GripDrag, Ring};
-pub use measure::{Against, Reading, csv};
-pub use pick_mode::{Picked, Picking};
+pub use change_set::ChangeSet;
+pub use compare::{ComparisonState, top_of};
+pub use dope_sheet::{AnimatedItem, Graph, GraphKind, GraphLine, SheetRow};
+pub use gizmo::{Gizmo, GizmoHandle, ModelDrag};
+pub use history::UndoStep;
+pub use joint_control::{JointAxis, SliderState};
+pub use manipulators::{AttachmentDrag, AttachmentHandle, WrapSphereCircle};
+pub use measure::{MeasureAxis, Measurement, csv};
+pub use pick_mode::{PickMode, PickTarget};
 pub use presets::Preset;
 pub use probe::Matrices;
-pub use timeline_state::Mark;
+pub use timeline_state::RangeMark;
 pub use tool::Tool;
 
 use std::cell::OnceCell;
@@ -52,7 +52,7 @@ use std::sync::Arc;
 use follow::Follow;
 use history::History;
 use joint_control::JointController;
-use probe::SurfacePoint;
+use probe::Probe;
 
 use crate::animation::Playback;
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
@@ -82,7 +82,7 @@ pub struct Session {
     frame_rate: f64,
     /// The frame rate that a person chose; `None` = the one that the keys tell.
     chosen_rate: Option<f64>,
-    sheet: OnceCell<Arc<Vec<SheetRow>>>,
+    sheet_rows: OnceCell<Arc<Vec<SheetRow>>>,
     keys: Vec<f64>,
     own_keys: Vec<f64>,
     display: Display,
@@ -91,29 +91,29 @@ pub struct Session {
     theme: Theme,
     backdrop: BackgroundPreset,
     bone_names: bool,
-    eye: CameraController,
+    camera: CameraController,
     follow: Option<Follow>,
     light: Option<LightDirection>,
     model: ModelTransform,
     tool: Tool,
     history: History,
     /// What the muscle files said when they were read or saved last.
-    saved: Vec<MuscleFile>,
+    saved_files: Vec<MuscleFile>,
     /// The muscle that panels and handles show.
     shown_muscle: MuscleId,
     joint: JointController,
-    picking: Option<Picking>,
+    picking: Option<PickMode>,
     aspect: f32,
     fit_on_resize: bool,
-    pins: SurfacePoint,
-    company: SceneOverlays,
+    probe: Probe,
+    overlays: SceneOverlays,
     /// What was hidden before the selection was shown alone.
     isolated: Option<Vec<NodeId>>,
     frame: Frame,
     buffers: PoseBuffers,
-    stale: bool,
+    needs_posing: bool,
     posing_ms: f64,
-    changes: Changes,
+    changes: ChangeSet,
 }
 
 impl Default for Session {
@@ -132,7 +132,7 @@ impl Session {
             time_held: false,
             frame_rate: DEFAULT_FRAME_RATE,
             chosen_rate: None,
-            sheet: OnceCell::new(),
+            sheet_rows: OnceCell::new(),
             keys: Vec::new(),
             own_keys: Vec::new(),
             display: Display::default(),
@@ -140,26 +140,26 @@ impl Session {
             theme: Theme::Dark,
             backdrop: BackgroundPreset::default(),
             bone_names: false,
-            eye: CameraController::default(),
+            camera: CameraController::default(),
             follow: None,
             light: None,
             model: ModelTransform::default(),
             tool: Tool::default(),
             history: History::default(),
-            saved: Vec::new(),
+            saved_files: Vec::new(),
             shown_muscle: MuscleId(0),
             joint: JointController::default(),
             picking: None,
             aspect: 1.5,
             fit_on_resize: true,
-            pins: SurfacePoint::default(),
-            company: SceneOverlays::default(),
+            probe: Probe::default(),
+            overlays: SceneOverlays::default(),
             isolated: None,
             frame: Frame::default(),
             buffers: PoseBuffers::default(),
-            stale: true,
+            needs_posing: true,
             posing_ms: 0.0,
-            changes: Changes::ALL,
+            changes: ChangeSet::ALL,
         };
         session.show(document, LoadMode::New);
         session
@@ -173,7 +173,7 @@ impl Session {
             node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.node(id).name.clone())
         };
         let selected = name_of(&self.document, self.display.selected);
-        let lens = match self.eye.viewpoint() {
+        let lens = match self.camera.viewpoint() {
             Viewpoint::File(node, _) => name_of(&self.document, Some(node)),
             Viewpoint::Orbit | Viewpoint::Fly(_) => None,
         };
@@ -183,24 +183,24 @@ impl Session {
             .iter()
             .map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees))
             .collect();
-        let joint = self.kept_joint();
+        let joint = self.joint_for_reload();
         let followed = name_of(&self.document, self.followed());
         self.follow = None;
         self.stop_picking();
         self.time_held = false;
         self.document = document;
-        self.forget_joint();
-        self.pins = SurfacePoint::default();
+        self.clear_joint();
+        self.probe = Probe::default();
         // Buffers made for another scene are of no use.
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
         self.isolated = None;
-        self.company.rebind(&self.document, arrival == LoadMode::Again);
+        self.overlays.rebind(&self.document, arrival == LoadMode::Again);
         (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
         self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
         self.history = History::default();
-        self.saved = self.document.muscle_files().cloned().collect();
+        self.saved_files = self.document.muscle_files().cloned().collect();
         self.model = ModelTransform::default();
-        self.stale = true;
+        self.needs_posing = true;
         self.take_clip(self.state.clip);
         match arrival {
             LoadMode::New => {
@@ -209,10 +209,10 @@ impl Session {
                 // A file of bones alone is shown as far as it goes.
                 self.display.bones |= !self.is_empty() && !self.document.shows_surface();
                 self.model.pivot = self.bounds().center().as_dvec3();
-                let eased = std::mem::take(&mut self.eye.eased);
-                self.eye.jump(|orbit| orbit.look_from(ViewDirection::Start));
+                let eased = std::mem::take(&mut self.camera.animated);
+                self.camera.animate_to(|orbit| orbit.look_from(ViewDirection::Start));
                 self.fit();
-                self.eye.eased = eased;
+                self.camera.animated = eased;
             }
             LoadMode::Again => {
                 let same = old_clip.and_then(|key| self.document.clip_named(&key));
@@ -228,7 +228,7 @@ impl Session {
                 };
                 self.model = old_model;
                 self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));
-                self.take_joint(joint);
+                self.restore_joint(joint);
                 for (name, degrees) in turned {
                     if let Some(node) = self.document.scene.graph.find(&name) {
                         self.document.set_joint_override(node, degrees);
@@ -239,27 +239,33 @@ impl Session {
                 if let Some(lens) = lens {
                     let same = |(node, _): &(NodeId, _)| self.document.scene.graph.node(*node).name == lens;
                     match file_cameras(&self.document.scene).into_iter().find(same) {
-                        Some((node, camera)) => self.eye.look_through(node, camera),
-                        None => self.eye.handle(|_| ()),
+                        Some((node, camera)) => self.camera.look_through(node, camera),
+                        None => self.camera.change(|_| ()),
                     }
                 }
             }
         }
-        self.changes = Changes::ALL;
+        self.changes = ChangeSet::ALL;
     }
 
     /// What changed since this was last asked.
-    pub fn take_changes(&mut self) -> Changes {
+    pub fn take_changes(&mut self) -> ChangeSet {
         std::mem::take(&mut self.changes)
     }
 
-    fn changed(&mut self, what: Changes) {
+    fn changed(&mut self, what: ChangeSet) {
         self.changes |= what;
-        let moves = Changes::DOCUMENT | Changes::TIME | Changes::DRIVE | Changes::MODEL | Changes::EDIT | Changes::HAND | Changes::GHOSTS;
-        let accompanied = self.company.is_active();
-        self.stale |= what.any(moves) || (accompanied && what.any(Changes::SELECTION | Changes::DISPLAY | Changes::PLAYBACK));
-        if what.any(Changes::SELECTION | Changes::HAND | Changes::EDIT | Changes::PLAYBACK) {
-            self.company.clear_motion_path();
+        let moves = ChangeSet::DOCUMENT
+            | ChangeSet::TIME
+            | ChangeSet::DRIVE
+            | ChangeSet::MODEL
+            | ChangeSet::EDIT
+            | ChangeSet::JOINT_OVERRIDES
+            | ChangeSet::OVERLAYS;
+        let accompanied = self.overlays.is_active();
+        self.needs_posing |= what.any(moves) || (accompanied && what.any(ChangeSet::SELECTION | ChangeSet::DISPLAY | ChangeSet::PLAYBACK));
+        if what.any(ChangeSet::SELECTION | ChangeSet::JOINT_OVERRIDES | ChangeSet::EDIT | ChangeSet::PLAYBACK) {
+            self.overlays.clear_motion_path();
         }
     }
 
@@ -275,7 +281,7 @@ impl Session {
 
     /// Holds every file that is open, with what belongs to it: clips that muscles name, images, the file that is compared with and what belongs to that.
     pub fn guard(&self) -> OverwriteGuard {
-        let compared = match self.compared_with() {
+        let compared = match self.compare_target() {
             Some(CompareTarget::File(document, name)) => Some((Path::new(name), &**document)),
             _ => None,
         };
@@ -294,7 +300,7 @@ impl Session {
     }
 
     /// Whether something is open of which nothing can be drawn, hidden or not: no bone, no triangle, no line.
-    pub fn draws_nothing(&mut self) -> bool {
+    pub fn has_nothing_to_draw(&mut self) -> bool {
         let frame = self.frame();
         let bare = frame.joints.is_empty()
             && frame.surfaces.iter().all(|surface| surface.mesh.triangles.is_empty() && surface.mesh.lines.is_empty());
@@ -308,12 +314,12 @@ impl Session {
 
     /// The scene posed at the present moment.
     pub fn frame(&mut self) -> &Frame {
-        if std::mem::take(&mut self.stale) {
+        if std::mem::take(&mut self.needs_posing) {
             let begun = std::time::Instant::now();
-            self.recall_company();
+            self.remove_overlays();
             self.document.pose(&self.state(), &mut self.buffers, &mut self.frame);
-            self.follow_on();
-            self.invite_company();
+            self.update_follow();
+            self.append_overlays();
             self.posing_ms += begun.elapsed().as_secs_f64() * 1e3;
         }
         &self.frame
@@ -332,10 +338,10 @@ impl Session {
     /// Everything that a picture is made of.
     pub fn picture(&mut self) -> (&Scene, &Frame, Camera, Display) {
         self.frame();
-        let mut camera = self.eye.camera(&self.document.scene, &self.frame);
-        if matches!(self.eye.viewpoint(), Viewpoint::Orbit) {
+        let mut camera = self.camera.camera(&self.document.scene, &self.frame);
+        if matches!(self.camera.viewpoint(), Viewpoint::Orbit) {
             let mut shown = self.frame.bounds;
-            if let Some(comparison) = self.company.comparison() {
+            if let Some(comparison) = self.overlays.comparison() {
                 shown.merge(&comparison.bounds());
             }
             camera = camera.moved_back(&shown);
@@ -345,9 +351,9 @@ impl Session {
     }
 
     /// The box round everything that the clip, or the arm's swing, covers.
-    pub fn reach(&self) -> Bounds {
+    pub fn motion_bounds(&self) -> Bounds {
         let mut reach = self.document.motion_bounds(&self.state());
-        if let Some(other) = self.compared_reach() {
+        if let Some(other) = self.compared_motion_bounds() {
             reach.merge(&other);
         }
         reach

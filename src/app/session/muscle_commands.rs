@@ -1,7 +1,7 @@
 //! Adding, copying and deleting muscles on the arm or on the bones of a clip; each is one undo step.
 
 use super::joint_control::bones;
-use super::{Changes, Session, Step};
+use super::{ChangeSet, Session, UndoStep};
 use crate::document::{PoseBuffers, PoseState};
 use crate::muscle::presets::Preset;
 use crate::muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap, bone_scale};
@@ -18,7 +18,7 @@ impl Session {
     pub fn show_muscle(&mut self, id: MuscleId) {
         if id != self.shown_muscle && id.index() < self.document.muscle_count() {
             self.shown_muscle = id;
-            self.changed(Changes::MUSCLE);
+            self.changed(ChangeSet::MUSCLE);
         }
     }
 
@@ -48,7 +48,7 @@ impl Session {
         }
         *file = file.with_muscle(spec)?;
         let id = id_of(&files, place, usize::MAX);
-        self.change_files(&files, tr!("muscle-edit-new"), Step::New);
+        self.change_files(&files, tr!("muscle-edit-new"), UndoStep::New);
         // Only now that its file is in the scene has the muscle axes to be laid in.
         let fitted = joint.and_then(|joint| self.fitted(id, model, &ready, &joint));
         if fitted.is_none() {
@@ -63,7 +63,7 @@ impl Session {
         }
         self.shown_muscle = id;
         self.select(self.node_of_muscle(id));
-        self.changed(Changes::MUSCLE);
+        self.changed(ChangeSet::MUSCLE);
         Ok(())
     }
 
@@ -97,7 +97,7 @@ impl Session {
     }
 
     /// Why the muscle that is shown lies on its own although there are bones that could carry it; `None` where it does not.
-    pub fn why_alone(&self) -> Option<String> {
+    pub fn standalone_reason(&self) -> Option<String> {
         let (rig, index) = self.document.muscle(self.shown_muscle)?;
         let alone = !rig.is_attached(index) && rig.flexion_range().is_none() && !bones(&self.document).is_empty();
         let twisted = self.joint.twisted.filter(|(id, _)| *id == self.shown_muscle);
@@ -135,10 +135,10 @@ impl Session {
         file.form = Form::Rich;
         *file = file.with_muscle(copy)?;
         let copied = id_of(&files, place, usize::MAX);
-        self.change_files(&files, tr!("muscle-edit-duplicate"), Step::New);
+        self.change_files(&files, tr!("muscle-edit-duplicate"), UndoStep::New);
         self.shown_muscle = copied;
         self.select(self.node_of_muscle(copied));
-        self.changed(Changes::MUSCLE);
+        self.changed(ChangeSet::MUSCLE);
         Ok(())
     }
 
@@ -158,11 +158,11 @@ impl Session {
         } else {
             *file = file.without_muscle(index)?;
         }
-        self.change_files(&files, tr!("muscle-edit-delete"), Step::New);
+        self.change_files(&files, tr!("muscle-edit-delete"), UndoStep::New);
         let count = self.document.muscle_count() as u32;
         self.shown_muscle = MuscleId(self.shown_muscle.0.min(count.saturating_sub(1)));
         self.select(None);
-        self.changed(Changes::MUSCLE);
+        self.changed(ChangeSet::MUSCLE);
         Ok(())
     }
 
@@ -184,7 +184,7 @@ impl Session {
     ///
     /// # Errors
     /// [`EditError`] where no bones hold it apart.
-    pub fn fit_length(&mut self, id: MuscleId, step: Step) -> Result<(), EditError> {
+    pub fn fit_length(&mut self, id: MuscleId, step: UndoStep) -> Result<(), EditError> {
         self.frame();
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let solved = rig.solve(index, self.state.drive, &self.frame.world);
@@ -271,7 +271,7 @@ mod tests {
             session.new_muscle(biceps()).unwrap();
             let (rig, index) = session.document().muscle(session.shown_muscle()).unwrap();
             let attached = rig.is_attached(index);
-            let why = session.why_alone();
+            let why = session.standalone_reason();
             assert_eq!(why.is_none(), attached, "{axis}");
             twisted += usize::from(why.is_some_and(|why| why.contains("forearm") && why != tr!("app-alone")));
             session.undo();
@@ -279,8 +279,8 @@ mod tests {
         assert_eq!(twisted, 1, "one of a bone's own axes runs along it");
         session.choose_joint(None);
         session.new_muscle(biceps()).unwrap();
-        assert_eq!(session.why_alone(), None);
-        assert_eq!(Session::new(Document::built_in()).why_alone(), None, "an arm carries it");
+        assert_eq!(session.standalone_reason(), None);
+        assert_eq!(Session::new(Document::built_in()).standalone_reason(), None, "an arm carries it");
     }
 
     #[test]
@@ -324,17 +324,17 @@ mod tests {
         session.new_muscle(biceps()).unwrap();
         let (id, size) = (session.shown_muscle(), glam::DVec2::new(900.0, 600.0));
         session.set_flexion(70.0);
-        for grip in session.grips(size) {
-            let drag = super::super::GripDrag { muscle: id, grip, from: grip.place };
-            let to = grip.place + glam::DVec2::new(23.0, -11.0);
-            session.drag_grip(&drag, to, size, Step::New).unwrap();
-            let moved = session.grips(size).into_iter().find(|moved| moved.hold == grip.hold).unwrap();
-            assert!(moved.place.distance(to) < 0.5, "{:?}: {} {to}", grip.hold, moved.place);
+        for grip in session.attachment_handles(size) {
+            let drag = super::super::AttachmentDrag { muscle: id, handle: grip, from: grip.screen_position };
+            let to = grip.screen_position + glam::DVec2::new(23.0, -11.0);
+            session.drag_attachment(&drag, to, size, UndoStep::New).unwrap();
+            let moved = session.attachment_handles(size).into_iter().find(|moved| moved.attachment == grip.attachment).unwrap();
+            assert!(moved.screen_position.distance(to) < 0.5, "{:?}: {} {to}", grip.attachment, moved.screen_position);
             session.undo();
-            let back = session.grips(size).into_iter().find(|back| back.hold == grip.hold).unwrap();
-            assert!(back.place.distance(grip.place) < 1e-6);
+            let back = session.attachment_handles(size).into_iter().find(|back| back.attachment == grip.attachment).unwrap();
+            assert!(back.screen_position.distance(grip.screen_position) < 1e-6);
         }
-        assert_eq!(session.grip_at(glam::DVec2::new(-50.0, -50.0), size), None);
+        assert_eq!(session.attachment_handle_at(glam::DVec2::new(-50.0, -50.0), size), None);
     }
 
     #[test]

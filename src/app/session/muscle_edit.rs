@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{Changes, Session, Step};
+use super::{ChangeSet, Session, UndoStep};
 use crate::muscle::presets::Preset;
 use crate::muscle::{Edit, EditError, MuscleFile};
 use crate::scene::MuscleId;
@@ -13,7 +13,7 @@ impl Session {
     ///
     /// # Errors
     /// [`EditError`] where the change would make no muscle; nothing is changed then.
-    pub fn edit_muscle(&mut self, id: MuscleId, edit: &Edit, step: Step) -> Result<(), EditError> {
+    pub fn edit_muscle(&mut self, id: MuscleId, edit: &Edit, step: UndoStep) -> Result<(), EditError> {
         let Some((place, index)) = self.document.file_of_muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let Some(file) = files.get_mut(place) else { return Ok(()) };
@@ -37,7 +37,7 @@ impl Session {
     ///
     /// # Errors
     /// [`EditError`] where it cannot be; nothing is changed then.
-    pub fn take_ready(&mut self, id: MuscleId, preset: Preset) -> Result<(), EditError> {
+    pub fn apply_preset(&mut self, id: MuscleId, preset: Preset) -> Result<(), EditError> {
         let Some((place, index)) = self.document.file_of_muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let Some(file) = files.get_mut(place) else { return Ok(()) };
@@ -51,21 +51,21 @@ impl Session {
             // The length of the bones stays: it is they that the muscle must fit.
             *file = file.edited(index, &Edit::Nodes(radii, muscle.profile.growth().to_vec()))?;
         }
-        self.change_files(&files, preset.name(), Step::New);
+        self.change_files(&files, preset.name(), UndoStep::New);
         Ok(())
     }
 
     /// Puts muscle files that were kept aside back into the scene: as a change that is not saved and can be undone. Kept files that are fewer than those
     /// of the scene do not belong to it and change nothing.
-    pub fn carry(&mut self, files: Vec<MuscleFile>) {
+    pub fn set_carried_files(&mut self, files: Vec<MuscleFile>) {
         if files.len() >= self.document.muscle_files().count() && !self.document.muscle_files().eq(&files) {
-            self.change_files(&files, tr!("app-edit-carried"), Step::New);
+            self.change_files(&files, tr!("app-edit-carried"), UndoStep::New);
         }
     }
 
     /// Whether a muscle file on the disk no longer says what it did when it was read or saved last. One that cannot be read says something else.
     pub fn is_changed_outside(&self) -> bool {
-        let mut saved = self.saved.iter().enumerate();
+        let mut saved = self.saved_files.iter().enumerate();
         saved.any(|(index, saved)| {
             let path = self.document.muscle_file_path(index);
             path.is_some_and(|path| {
@@ -77,13 +77,13 @@ impl Session {
     /// Goes back to what was read or saved last; undo takes that back.
     pub fn revert(&mut self) {
         if self.is_unsaved() {
-            let files = self.saved.clone();
-            self.change_files(&files, tr!("app-do-revert"), Step::New);
+            let files = self.saved_files.clone();
+            self.change_files(&files, tr!("app-do-revert"), UndoStep::New);
         }
     }
 
-    pub(super) fn change_files(&mut self, files: &[MuscleFile], label: String, step: Step) {
-        self.step(label, step, |session| session.put_muscle_files(files));
+    pub(super) fn change_files(&mut self, files: &[MuscleFile], label: String, step: UndoStep) {
+        self.undoable(label, step, |session| session.put_muscle_files(files));
     }
 
     /// Puts other muscle files in place, keeping the pose.
@@ -94,7 +94,7 @@ impl Session {
         let before = (self.document.scene.graph.len(), self.document.muscle_count());
         self.document.set_muscle_files(files);
         // A file that is not kept anywhere yet was empty before.
-        self.saved.resize(files.len(), MuscleFile::default());
+        self.saved_files.resize(files.len(), MuscleFile::default());
         self.joint.muscles_changed();
         if let Some(rig) = self.document.driven_rig() {
             let drive = self.state.drive;
@@ -106,20 +106,20 @@ impl Session {
             *marked = marked.filter(|node| node.index() < count);
         }
         self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));
-        self.changed(Changes::EDIT | Changes::DRIVE | Changes::MUSCLE | Changes::HISTORY);
+        self.changed(ChangeSet::EDIT | ChangeSet::DRIVE | ChangeSet::MUSCLE | ChangeSet::HISTORY);
         if before != (count, self.document.muscle_count()) {
-            self.changed(Changes::DOCUMENT | Changes::LIST);
+            self.changed(ChangeSet::DOCUMENT | ChangeSet::TREE);
         }
     }
 
     /// Whether something of the muscles is not saved.
     pub fn is_unsaved(&self) -> bool {
-        !self.document.muscle_files().eq(&self.saved)
+        !self.document.muscle_files().eq(&self.saved_files)
     }
 
     /// The numbers of the muscle files that are not saved.
     pub fn unsaved_files(&self) -> Vec<usize> {
-        let pairs = self.document.muscle_files().zip(&self.saved).enumerate();
+        let pairs = self.document.muscle_files().zip(&self.saved_files).enumerate();
         pairs.filter(|(_, (now, saved))| now != saved).map(|(index, _)| index).collect()
     }
 
@@ -130,10 +130,10 @@ impl Session {
     }
 
     /// Says that muscle file `index` was written to `path` as `file`.
-    pub fn was_saved(&mut self, index: usize, path: PathBuf, file: MuscleFile) {
+    pub fn mark_saved(&mut self, index: usize, path: PathBuf, file: MuscleFile) {
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let before = files.clone();
-        if let (Some(now), Some(saved)) = (files.get_mut(index), self.saved.get_mut(index)) {
+        if let (Some(now), Some(saved)) = (files.get_mut(index), self.saved_files.get_mut(index)) {
             saved.clone_from(&file);
             *now = file;
         }
@@ -141,7 +141,7 @@ impl Session {
         if files != before {
             self.put_muscle_files(&files);
         }
-        self.changed(Changes::EDIT | Changes::HISTORY | Changes::PLAYBACK);
+        self.changed(ChangeSet::EDIT | ChangeSet::HISTORY | ChangeSet::PLAYBACK);
     }
 }
 
@@ -155,11 +155,11 @@ mod tests {
         let mut session = Session::new(Document::built_in());
         let radius = |session: &Session| session.document().muscle_files().next().map(|file| file.muscles[0].profile.radii()[2]);
         let before = radius(&session);
-        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.0), Step::New).unwrap();
-        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 34.0), Step::Same).unwrap();
+        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.0), UndoStep::New).unwrap();
+        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 34.0), UndoStep::Same).unwrap();
         assert!(session.is_unsaved() && radius(&session) == Some(34.0));
-        assert_eq!(session.step_names().0, Some(Edit::Radius(2, 0.0).label().as_str()));
-        let refused = session.edit_muscle(MuscleId(0), &Edit::Radius(2, -1.0), Step::New);
+        assert_eq!(session.undo_names().0, Some(Edit::Radius(2, 0.0).label().as_str()));
+        let refused = session.edit_muscle(MuscleId(0), &Edit::Radius(2, -1.0), UndoStep::New);
         assert!(refused.is_err() && radius(&session) == Some(34.0));
         session.undo();
         assert!(!session.is_unsaved() && radius(&session) == before);
@@ -174,11 +174,11 @@ mod tests {
         let mut session = Session::new(Document::built_in());
         let nodes = session.document().scene.graph.len();
         session.set_flexion(60.0);
-        session.edit_muscle(MuscleId(0), &Edit::AddNode(1), Step::New).unwrap();
+        session.edit_muscle(MuscleId(0), &Edit::AddNode(1), UndoStep::New).unwrap();
         assert_eq!((session.document().scene.graph.len(), session.drive().flexion), (nodes, 60.0));
         assert!(!session.frame().bounds.is_empty());
         for preset in crate::muscle::presets::PRESETS {
-            session.take_ready(MuscleId(0), preset).unwrap();
+            session.apply_preset(MuscleId(0), preset).unwrap();
             assert!(!session.frame().bounds.is_empty(), "{}", preset.id);
         }
     }

@@ -2,21 +2,21 @@
 
 use glam::DVec3;
 
-use super::{Changes, Session, Step};
+use super::{ChangeSet, Session, UndoStep};
 use crate::muscle::{Anchor, AttachmentPoint, Edit, EditError};
 use crate::render::Pick;
 use crate::scene::{MuscleId, NodeId};
 
 /// Share of a bone's length from its beginning at which a bone chosen by name is held.
 const ALONG: f64 = 0.15;
-const ORIGIN: Picked = Picked::Point(AttachmentPoint::End(0));
-const INSERTION: Picked = Picked::Point(AttachmentPoint::End(1));
+const ORIGIN: PickTarget = PickTarget::Point(AttachmentPoint::End(0));
+const INSERTION: PickTarget = PickTarget::Point(AttachmentPoint::End(1));
 /// A point picked on the skin lies this share of the way from the bone to the skin.
 const UNDER_SKIN: f64 = 0.4;
 
 /// What the next click gives a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Picked {
+pub enum PickTarget {
     /// A point that the muscle has; [`AttachmentPoint::WrapMode`] also where it goes round nothing yet.
     Point(AttachmentPoint),
     /// A via point that it gets.
@@ -25,11 +25,11 @@ pub enum Picked {
 
 /// A point of a muscle that the next click gives a place.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Picking {
+pub struct PickMode {
     /// The muscle.
     pub muscle: MuscleId,
     /// What is picked.
-    pub what: Picked,
+    pub target: PickTarget,
     /// The origin, of a muscle that had none, while its insertion is still to be picked.
     first: Option<Anchor>,
     /// How bones were shown before: bones, and through surfaces.
@@ -38,26 +38,26 @@ pub struct Picking {
 
 impl Session {
     /// Begins to pick the bone of a point. Bones show through everything meanwhile.
-    pub fn start_picking(&mut self, muscle: MuscleId, what: Picked) {
+    pub fn start_picking(&mut self, muscle: MuscleId, what: PickTarget) {
         self.stop_picking();
         let Some((rig, index)) = self.document.muscle(muscle) else { return };
         // A muscle that lies on its own needs both ends first, of these the origin.
         let what = if rig.is_attached(index) { what } else { ORIGIN };
-        self.picking = Some(Picking { muscle, what, first: None, bones: [self.display.bones, self.display.xray] });
+        self.picking = Some(PickMode { muscle, target: what, first: None, bones: [self.display.bones, self.display.xray] });
         (self.display.bones, self.display.xray) = (true, true);
-        self.changed(Changes::PICKING | Changes::DISPLAY);
+        self.changed(ChangeSet::PICKING | ChangeSet::DISPLAY);
     }
 
     /// Leaves picking; whether there was any.
     pub fn stop_picking(&mut self) -> bool {
         let Some(picking) = self.picking.take() else { return false };
         [self.display.bones, self.display.xray] = picking.bones;
-        self.changed(Changes::PICKING | Changes::DISPLAY);
+        self.changed(ChangeSet::PICKING | ChangeSet::DISPLAY);
         true
     }
 
     /// What is being picked.
-    pub fn picking(&self) -> Option<&Picking> {
+    pub fn picking(&self) -> Option<&PickMode> {
         self.picking.as_ref()
     }
 
@@ -83,36 +83,36 @@ impl Session {
     }
 
     fn pick_place(&mut self, node: NodeId, place: DVec3) -> Result<(), EditError> {
-        let Some(Picking { muscle, what, first, .. }) = self.picking.clone() else { return Ok(()) };
+        let Some(PickMode { muscle, target: what, first, .. }) = self.picking.clone() else { return Ok(()) };
         let Some((rig, index)) = self.document.muscle(muscle) else { return Ok(()) };
         let Some(anchor) = rig.anchor_at(&self.document.scene.graph, node, place, &self.frame.world) else { return Err(EditError::NoName) };
         if rig.is_attached(index) {
             let edit = match what {
                 // A ball goes into a joint, wherever on the bone was clicked.
-                Picked::Point(AttachmentPoint::Wrap) => None,
-                Picked::Point(hold) => rig.spec(index).and_then(|spec| Edit::place(spec, hold, anchor)),
-                Picked::NewVia => rig.via_number_at(index, place, &self.frame.world).map(|number| Edit::AddVia(number, anchor)),
+                PickTarget::Point(AttachmentPoint::Wrap) => None,
+                PickTarget::Point(hold) => rig.spec(index).and_then(|spec| Edit::place(spec, hold, anchor)),
+                PickTarget::NewVia => rig.via_number_at(index, place, &self.frame.world).map(|number| Edit::AddVia(number, anchor)),
             };
             self.stop_picking();
             return match edit {
-                Some(edit) => self.edit_muscle(muscle, &edit, Step::New),
+                Some(edit) => self.edit_muscle(muscle, &edit, UndoStep::New),
                 None => self.wrap_round(muscle, node),
             };
         }
         match first {
             None => {
                 if let Some(picking) = &mut self.picking {
-                    (picking.first, picking.what) = (Some(anchor), INSERTION);
+                    (picking.first, picking.target) = (Some(anchor), INSERTION);
                 }
-                self.changed(Changes::PICKING);
+                self.changed(ChangeSet::PICKING);
                 Ok(())
             }
             Some(origin) => {
                 let ends = Edit::Ends(Some([origin, anchor]));
-                self.step(ends.label(), Step::New, |session| {
-                    session.edit_muscle(muscle, &ends, Step::New)?;
+                self.undoable(ends.label(), UndoStep::New, |session| {
+                    session.edit_muscle(muscle, &ends, UndoStep::New)?;
                     session.stop_picking();
-                    session.fit_length(muscle, Step::New)
+                    session.fit_length(muscle, UndoStep::New)
                 })
             }
         }
@@ -122,21 +122,21 @@ impl Session {
     ///
     /// # Errors
     /// [`EditError`] where the point cannot be there.
-    pub fn put_on(&mut self, id: MuscleId, hold: AttachmentPoint, node: Option<NodeId>) -> Result<(), EditError> {
+    pub fn attach_to(&mut self, id: MuscleId, hold: AttachmentPoint, node: Option<NodeId>) -> Result<(), EditError> {
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let there = rig.is_attached(index).then(|| rig.hold_bone(index, hold)).flatten();
         let Some(node) = node else {
             return match hold {
-                AttachmentPoint::End(_) => self.edit_muscle(id, &Edit::Ends(None), Step::New),
+                AttachmentPoint::End(_) => self.edit_muscle(id, &Edit::Ends(None), UndoStep::New),
                 AttachmentPoint::Via(_) => Ok(()),
-                AttachmentPoint::Wrap => self.edit_muscle(id, &Edit::Wrap(None), Step::New),
+                AttachmentPoint::Wrap => self.edit_muscle(id, &Edit::Wrap(None), UndoStep::New),
             };
         };
         if there == Some(node) {
             return Ok(());
         }
         match hold {
-            AttachmentPoint::End(_) => self.put_end_on(id, hold, node),
+            AttachmentPoint::End(_) => self.attach_end_to(id, hold, node),
             AttachmentPoint::Via(_) | AttachmentPoint::Wrap => {
                 self.stop_picking();
                 if hold == AttachmentPoint::Wrap { self.wrap_round(id, node) } else { self.put_via_on(id, hold, node) }
@@ -144,22 +144,24 @@ impl Session {
         }
     }
 
-    fn put_end_on(&mut self, id: MuscleId, hold: AttachmentPoint, node: NodeId) -> Result<(), EditError> {
-        let what = Picked::Point(hold);
+    fn attach_end_to(&mut self, id: MuscleId, hold: AttachmentPoint, node: NodeId) -> Result<(), EditError> {
+        let what = PickTarget::Point(hold);
         let mut picking = self.picking.clone();
-        if !picking.as_ref().is_some_and(|picking| picking.muscle == id && picking.what == what) {
+        if !picking.as_ref().is_some_and(|picking| picking.muscle == id && picking.target == what) {
             self.start_picking(id, what);
             picking = self.picking.clone();
         }
         match picking {
-            Some(picking) if picking.what == what => self.pick_bone(node),
+            Some(picking) if picking.target == what => self.pick_bone(node),
             _ => Ok(()),
         }
     }
 
     /// Whether what is picked is a point on the way, which may be picked on the muscle itself.
     fn picks_via(&self) -> bool {
-        self.picking.as_ref().is_some_and(|picking| matches!(picking.what, Picked::NewVia | Picked::Point(AttachmentPoint::Via(_))))
+        self.picking
+            .as_ref()
+            .is_some_and(|picking| matches!(picking.target, PickTarget::NewVia | PickTarget::Point(AttachmentPoint::Via(_))))
     }
 
     /// The bone that a picked point belongs to, and where on it the muscle's point goes: a bone itself, the arm's rods, or the joint that a skin follows
@@ -182,7 +184,7 @@ impl Session {
         }
         let node = self.strongest_joint(index as usize, &surface.mesh.triangles, pick).unwrap_or(pick.node);
         let begin = self.frame.position(node).as_dvec3();
-        let along = self.way_along(node);
+        let along = self.direction_along(node);
         let on_bone = begin + along * ((point - begin).dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
         Some((node, on_bone + (point - on_bone) * UNDER_SKIN))
     }
@@ -197,7 +199,7 @@ impl Session {
     }
 
     /// From where a bone begins to where the farthest bone on it does, metres; nothing for a last bone.
-    fn way_along(&self, node: NodeId) -> DVec3 {
+    fn direction_along(&self, node: NodeId) -> DVec3 {
         let begin = self.frame.position(node);
         let children = self.document.scene.graph.node(node).children();
         let ways = children.iter().map(|child| self.frame.position(*child) - begin).filter(|way| way.is_finite());
@@ -205,7 +207,7 @@ impl Session {
     }
 
     pub(super) fn place_along(&self, node: NodeId) -> DVec3 {
-        self.frame.position(node).as_dvec3() + self.way_along(node) * ALONG
+        self.frame.position(node).as_dvec3() + self.direction_along(node) * ALONG
     }
 }
 
@@ -219,13 +221,13 @@ mod tests {
         let mut session = clip();
         session.new_muscle(biceps()).unwrap();
         let id = session.shown_muscle();
-        session.edit_muscle(id, &Edit::Ends(None), Step::New).unwrap();
+        session.edit_muscle(id, &Edit::Ends(None), UndoStep::New).unwrap();
         let bones = session.display().bones;
         let find = |session: &Session, name: &str| session.document().scene.graph.find(name).unwrap();
         session.start_picking(id, INSERTION);
-        assert_eq!(session.picking().map(|picking| picking.what), Some(ORIGIN), "a muscle on its own needs an origin first");
+        assert_eq!(session.picking().map(|picking| picking.target), Some(ORIGIN), "a muscle on its own needs an origin first");
         session.pick_bone(find(&session, "upper_arm")).unwrap();
-        assert_eq!(session.picking().map(|picking| picking.what), Some(INSERTION));
+        assert_eq!(session.picking().map(|picking| picking.target), Some(INSERTION));
         session.pick_bone(find(&session, "hand")).unwrap();
         assert!(session.picking().is_none() && session.display().bones == bones);
         assert_eq!(ends(&session, id), [Some(find(&session, "upper_arm")), Some(find(&session, "hand"))]);

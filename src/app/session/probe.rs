@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3, Vec3};
 
-use super::{Changes, Session, Step};
+use super::{ChangeSet, Session, UndoStep};
 use crate::document::{JointOverride, VertexInfluences};
 use crate::render::Pick;
 use crate::scene::{Content, Deformer, Frame, NodeId, NodeKind};
@@ -10,7 +10,7 @@ use crate::tr;
 
 /// A point on a surface, or a bone; it moves with what it is on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Pin {
+pub(super) struct ProbedPoint {
     node: NodeId,
     surface: Option<u32>,
     triangle: u32,
@@ -19,14 +19,14 @@ pub(super) struct Pin {
 
 /// The last two points and the vertex nearest to the last one.
 #[derive(Debug, Clone, Default)]
-pub(super) struct SurfacePoint {
-    last: [Option<Pin>; 2],
+pub(super) struct Probe {
+    last: [Option<ProbedPoint>; 2],
     vertex: Option<(usize, u32)>,
     /// Three bones chosen by hand for the joint angle.
     angle: Option<[NodeId; 3]>,
 }
 
-impl Pin {
+impl ProbedPoint {
     fn place(&self, frame: &Frame) -> Option<Vec3> {
         let Some(surface) = self.surface else { return Some(frame.position(self.node)) };
         let surface = frame.surfaces.get(surface as usize)?;
@@ -54,18 +54,18 @@ impl Session {
     pub fn point_at(&mut self, pick: Option<Pick>) {
         self.select(pick.map(|pick| pick.node));
         let Some(pick) = pick else {
-            self.pins.vertex = None;
-            return self.changed(Changes::PINS);
+            self.probe.vertex = None;
+            return self.changed(ChangeSet::PROBE);
         };
-        let pin = Pin { node: pick.node, surface: pick.surface, triangle: pick.triangle, shares: pick.barycentric };
-        self.pins.last = [self.pins.last[1], Some(pin)];
-        self.pins.vertex = self.nearest_vertex(&pick);
-        self.changed(Changes::PINS);
+        let pin = ProbedPoint { node: pick.node, surface: pick.surface, triangle: pick.triangle, shares: pick.barycentric };
+        self.probe.last = [self.probe.last[1], Some(pin)];
+        self.probe.vertex = self.nearest_vertex(&pick);
+        self.changed(ChangeSet::PROBE);
     }
 
     /// The inspector shows something else of the same selection.
-    pub fn inspect_anew(&mut self) {
-        self.changed(Changes::PINS);
+    pub fn refresh_probe(&mut self) {
+        self.changed(ChangeSet::PROBE);
     }
 
     /// The corner of the picked triangle that is nearest to the point.
@@ -78,17 +78,17 @@ impl Session {
     }
 
     /// The vertex that was clicked, explained; `None` where none was or the selection has gone elsewhere.
-    pub fn explanation(&mut self) -> Option<VertexInfluences> {
+    pub fn vertex_influences(&mut self) -> Option<VertexInfluences> {
         self.frame();
-        let (surface, vertex) = self.pins.vertex?;
+        let (surface, vertex) = self.probe.vertex?;
         let same = self.frame.surfaces.get(surface).map(|surface| surface.node) == self.display.selected;
         self.document.vertex_influences(&self.buffers, &self.frame, surface, vertex).filter(|_| same)
     }
 
     /// The last two points that were clicked, oldest first, and where they are now; world, metres.
-    pub fn pinned(&mut self) -> [Option<Vec3>; 2] {
+    pub fn probed_point(&mut self) -> [Option<Vec3>; 2] {
         self.frame();
-        self.pins.last.map(|pin| pin?.place(&self.frame))
+        self.probe.last.map(|pin| pin?.place(&self.frame))
     }
 
     /// The matrices of a node at the present moment.
@@ -120,19 +120,19 @@ impl Session {
 
     /// The three bones whose angle is told while `node` is selected: those chosen by hand, else the node's own.
     pub fn angle_bones(&self, node: NodeId) -> Option<[NodeId; 3]> {
-        self.pins.angle.or_else(|| self.own_angle_bones(node))
+        self.probe.angle.or_else(|| self.own_angle_bones(node))
     }
 
     /// The three bones that were chosen by hand.
     pub fn chosen_angle(&self) -> Option<[NodeId; 3]> {
-        self.pins.angle
+        self.probe.angle
     }
 
     /// Chooses the three bones whose angle is told, the corner in the middle; `None` = those of the selected joint.
     pub fn choose_angle(&mut self, bones: Option<[NodeId; 3]>) {
         let count = self.document.scene.graph.len();
-        self.pins.angle = bones.filter(|bones| bones.iter().all(|bone| bone.index() < count));
-        self.changed(Changes::PINS);
+        self.probe.angle = bones.filter(|bones| bones.iter().all(|bone| bone.index() < count));
+        self.changed(ChangeSet::PROBE);
     }
 
     /// The joints, to choose from.
@@ -150,25 +150,25 @@ impl Session {
         Some([above, node, below])
     }
 
-    /// Turns a joint by hand, degrees about its own axes. Within [`Session::step`] undo takes it back.
-    pub fn turn_by_hand(&mut self, node: NodeId, degrees: DVec3) {
+    /// Turns a joint by hand, degrees about its own axes. Within [`Session::undoable`] undo takes it back.
+    pub fn override_joint(&mut self, node: NodeId, degrees: DVec3) {
         let before = self.document.joint_override(node);
         self.document.set_joint_override(node, degrees);
         if self.document.joint_override(node) != before {
-            self.changed(Changes::HAND);
+            self.changed(ChangeSet::JOINT_OVERRIDES);
         }
     }
 
     /// Takes back what was turned by hand: of one node, or of all.
-    pub fn reset_turns(&mut self, node: Option<NodeId>) {
+    pub fn reset_joint_overrides(&mut self, node: Option<NodeId>) {
         let kept: Vec<JointOverride> = match node {
             Some(node) => self.document.joint_overrides().iter().copied().filter(|turn| turn.node != node).collect(),
             None => Vec::new(),
         };
         if kept.len() != self.document.joint_overrides().len() {
-            self.step(tr!("app-edit-reset-turns"), Step::New, |session| {
+            self.undoable(tr!("app-edit-reset-turns"), UndoStep::New, |session| {
                 session.document.set_joint_overrides(&kept);
-                session.changed(Changes::HAND);
+                session.changed(ChangeSet::JOINT_OVERRIDES);
             });
         }
     }

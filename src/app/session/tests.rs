@@ -45,13 +45,13 @@ fn every_change_is_told_once() {
     let mut session = session();
     session.time(|time| time.seek(1.0));
     let changes = session.take_changes();
-    assert!(changes.any(Changes::TIME) && !changes.any(Changes::PLAYBACK | Changes::CAMERA));
+    assert!(changes.any(ChangeSet::TIME) && !changes.any(ChangeSet::PLAYBACK | ChangeSet::CAMERA));
     session.time(|time| time.seek(1.0));
-    assert_eq!(session.take_changes(), Changes::default());
+    assert_eq!(session.take_changes(), ChangeSet::default());
     session.toggle_playing();
-    assert_eq!(session.take_changes(), Changes::PLAYBACK);
+    assert_eq!(session.take_changes(), ChangeSet::PLAYBACK);
     session.change_display(|display| display.grid = !display.grid);
-    assert_eq!(session.take_changes(), Changes::DISPLAY);
+    assert_eq!(session.take_changes(), ChangeSet::DISPLAY);
 }
 
 #[test]
@@ -84,23 +84,23 @@ fn filmed(name: &str) -> Document {
 fn a_camera_of_the_file_outlives_a_reload_and_hands_go_on_from_it() {
     let mut session = Session::new(filmed("lens"));
     let (node, camera) = file_cameras(&session.document().scene)[0];
-    session.change_eye(|eye| eye.look_through(node, camera));
+    session.change_camera(|eye| eye.look_through(node, camera));
     let seen = session.picture().2;
     session.show(filmed("lens"), LoadMode::Again);
-    assert!(matches!(session.eye().viewpoint(), Viewpoint::File(..)) && session.picture().2 == seen);
+    assert!(matches!(session.camera_controller().viewpoint(), Viewpoint::File(..)) && session.picture().2 == seen);
     // A drag that turns nothing yet: the direction and the size of the middle are what they were.
-    session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(0.0, 0.0)));
+    session.change_camera(|eye| eye.change(|orbit| orbit.orbit(0.0, 0.0)));
     let taken = session.picture().2;
-    assert!(matches!(session.eye().viewpoint(), Viewpoint::Orbit) && taken.rotation.angle_between(seen.rotation) < 2e-3);
+    assert!(matches!(session.camera_controller().viewpoint(), Viewpoint::Orbit) && taken.rotation.angle_between(seen.rotation) < 2e-3);
     let size = |camera: &Camera, depth: f32| match camera.projection {
         crate::scene::Projection::Perspective { fov_y } => depth * (fov_y * 0.5).tan(),
         crate::scene::Projection::Orthographic { height } => height * 0.5,
     };
-    let depth = |camera: &Camera| (session.eye().orbit().target - camera.eye).dot(camera.forward());
+    let depth = |camera: &Camera| (session.camera_controller().orbit().target - camera.eye).dot(camera.forward());
     assert!((size(&seen, depth(&seen)) - size(&taken, depth(&taken))).abs() < 1e-3);
-    session.change_eye(|eye| eye.look_through(node, camera));
+    session.change_camera(|eye| eye.look_through(node, camera));
     session.show(filmed("another"), LoadMode::Again);
-    assert!(matches!(session.eye().viewpoint(), Viewpoint::Orbit));
+    assert!(matches!(session.camera_controller().viewpoint(), Viewpoint::Orbit));
 }
 
 #[test]
@@ -145,13 +145,13 @@ fn another_clip_starts_at_its_start_and_goes_on_playing() {
 fn a_reload_keeps_moment_camera_selection_and_model() {
     let mut session = session();
     session.time(|time| time.seek(2.0));
-    session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(33.0, 5.0)));
+    session.change_camera(|eye| eye.change(|orbit| orbit.orbit(33.0, 5.0)));
     session.select(Some(NodeId(1)));
     session.change_model(|model| model.translate(DVec3::X));
-    let orbit = *session.eye().orbit();
+    let orbit = *session.camera_controller().orbit();
     session.show(two_clips(), LoadMode::Again);
     assert_eq!((session.state().time, session.clip_index()), (2.0, Some(0)));
-    assert_eq!((*session.eye().orbit(), session.selected()), (orbit, Some(NodeId(1))));
+    assert_eq!((*session.camera_controller().orbit(), session.selected()), (orbit, Some(NodeId(1))));
     assert_eq!(session.model().translation, DVec3::X);
 
     let mut shorter = two_clips();
@@ -166,8 +166,8 @@ fn a_reload_keeps_moment_camera_selection_and_model() {
 #[test]
 fn undo_brings_back_model_light_and_visibility() {
     let mut session = session();
-    session.step("grow".into(), Step::New, |session| session.change_model(|model| model.scale_by(2.0)));
-    session.step("light".into(), Step::New, |session| session.turn_light(10.0, 0.0));
+    session.undoable("grow".into(), UndoStep::New, |session| session.change_model(|model| model.scale_by(2.0)));
+    session.undoable("light".into(), UndoStep::New, |session| session.rotate_light(10.0, 0.0));
     session.set_visible(NodeId(1), false);
     assert!(!session.document().scene.graph.node(NodeId(1)).visible);
     session.undo();
@@ -176,7 +176,7 @@ fn undo_brings_back_model_light_and_visibility() {
     assert!(session.light().is_none() && session.model().scale == 2.0);
     session.undo();
     assert!(session.model().is_identity());
-    assert_eq!(session.steps(), (false, true));
+    assert_eq!(session.undo_counts(), (false, true));
     session.redo();
     assert_eq!(session.model().scale, 2.0);
 }
@@ -193,16 +193,16 @@ fn selecting_something_that_is_not_there_selects_nothing() {
 fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
     let mut session = session();
     session.set_aspect(0.5);
-    assert!(session.take_changes().any(Changes::CAMERA));
-    session.change_eye(|eye| eye.handle(|orbit| orbit.zoom(2.0)));
+    assert!(session.take_changes().any(ChangeSet::CAMERA));
+    session.change_camera(|eye| eye.change(|orbit| orbit.zoom(2.0)));
     session.take_changes();
     session.set_aspect(2.0);
-    assert!(!session.take_changes().any(Changes::CAMERA));
+    assert!(!session.take_changes().any(ChangeSet::CAMERA));
     for fit in [Session::fit, Session::reset_camera] {
         fit(&mut session);
         session.take_changes();
         session.set_aspect(session.aspect * 1.5);
-        assert!(session.take_changes().any(Changes::CAMERA), "what was fitted stays fitted");
+        assert!(session.take_changes().any(ChangeSet::CAMERA), "what was fitted stays fitted");
     }
 }
 
@@ -210,11 +210,11 @@ fn a_view_that_no_hand_touched_is_fitted_to_the_picture() {
 fn a_session_file_without_a_camera_is_fitted_whatever_the_window_becomes() {
     let saved = view::SessionState::parse("sinew_session:\n  compared: {skinning: true}\n").expect("a session file").expect("sound");
     let mut session = Session::default();
-    session.show_saved(clip().document().clone(), &saved);
+    session.show_session(clip().document().clone(), &saved);
     assert!(session.compared().is_some());
     session.take_changes();
     session.set_aspect(0.4);
-    assert!(session.take_changes().any(Changes::CAMERA));
+    assert!(session.take_changes().any(ChangeSet::CAMERA));
 }
 
 #[test]
@@ -254,24 +254,24 @@ fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
     let mut session = Session::new(document);
     session.set_clip(Some(2));
     session.compare(Some(CompareTarget::Clip(1)));
-    let saved = session.to_saved(Path::new("/somewhere"));
+    let saved = session.session_state(Path::new("/somewhere"));
     assert_eq!((saved.clip.as_deref(), saved.compared.and_then(|compared| compared.clip).as_deref()), (Some("#3"), Some("run")));
     session.show(nameless(["walk", "walk", "run"]), LoadMode::Again);
-    assert_eq!((session.clip_index(), session.compared_with().map(|with| matches!(with, CompareTarget::Clip(2)))), (Some(2), Some(true)));
+    assert_eq!((session.clip_index(), session.compare_target().map(|with| matches!(with, CompareTarget::Clip(2)))), (Some(2), Some(true)));
     session.show(nameless(["walk", "walk", "jump"]), LoadMode::Again);
-    assert!(session.compared_with().is_none(), "the clip that was compared with is gone");
+    assert!(session.compare_target().is_none(), "the clip that was compared with is gone");
 }
 
 #[test]
 fn a_compared_file_that_was_written_again_keeps_its_place() {
     let mut session = Session::new(swinging());
     session.compare(Some(CompareTarget::File(Box::new(swinging()), "other.dae".into())));
-    session.shift_compared(0.25, 2.0);
+    session.set_compare_offsets(0.25, 2.0);
     let mut other = swinging();
     other.scene.graph.add(None, Node::new("more"));
-    session.compare_again(other);
-    assert_eq!((session.compared_shift(), session.compared_file()), (Some((0.25, 2.0)), Some("other.dae".into())));
-    assert!(matches!(session.compared_with(), Some(CompareTarget::File(other, _)) if other.scene.graph.find("more").is_some()));
+    session.replace_compared_file(other);
+    assert_eq!((session.compare_offset(), session.compared_file()), (Some((0.25, 2.0)), Some("other.dae".into())));
+    assert!(matches!(session.compare_target(), Some(CompareTarget::File(other, _)) if other.scene.graph.find("more").is_some()));
     assert!(session.compared().and_then(|told| told.farthest).is_some());
 }
 
@@ -334,8 +334,8 @@ fn weights_are_those_of_a_bone_whatever_else_is_selected() {
 
 #[test]
 fn a_file_without_anything_to_draw_is_known() {
-    assert!(!clip().draws_nothing());
-    assert!(!Session::new(Document::built_in()).draws_nothing());
-    assert!(!Session::default().draws_nothing(), "nothing is open");
-    assert!(session().draws_nothing(), "two nodes and nothing on them");
+    assert!(!clip().has_nothing_to_draw());
+    assert!(!Session::new(Document::built_in()).has_nothing_to_draw());
+    assert!(!Session::default().has_nothing_to_draw(), "nothing is open");
+    assert!(session().has_nothing_to_draw(), "two nodes and nothing on them");
 }

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use super::{Changes, Graph, Moved, Session, SheetRow, dope_sheet};
+use super::{AnimatedItem, ChangeSet, Graph, Session, SheetRow, dope_sheet};
 use crate::animation::{Clip, LoopMode, Playback};
 use crate::view::infer_frame_rate;
 
 /// One of the marks that bound what plays.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mark {
+pub enum RangeMark {
     /// Where playing starts.
     A,
     /// Where it ends.
@@ -50,22 +50,22 @@ impl Session {
     pub fn choose_rate(&mut self, rate: Option<f64>) {
         self.chosen_rate = rate.filter(|rate| rate.is_finite() && *rate > 0.0);
         self.frame_rate = self.chosen_rate.unwrap_or_else(|| self.own_rate());
-        self.changed(Changes::PLAYBACK);
+        self.changed(ChangeSet::PLAYBACK);
     }
 
     /// The rows of the dope sheet: one for each thing that the clip moves.
     pub fn sheet_rows(&self) -> Arc<Vec<SheetRow>> {
         let make = || self.clip().map_or_else(Vec::new, |clip| dope_sheet::rows(&self.document.scene, clip));
-        self.sheet.get_or_init(|| Arc::new(make())).clone()
+        self.sheet_rows.get_or_init(|| Arc::new(make())).clone()
     }
 
     /// The curves of a row, by kind.
-    pub fn sheet_graphs(&self, moved: Moved) -> Vec<Graph> {
+    pub fn sheet_graphs(&self, moved: AnimatedItem) -> Vec<Graph> {
         self.clip().map_or_else(Vec::new, |clip| dope_sheet::graphs(&self.document.scene, clip, moved))
     }
 
     /// Puts a mark at the frame nearest to a moment, at least one frame from the other.
-    pub fn set_mark(&mut self, mark: Mark, time: f64) {
+    pub fn set_mark(&mut self, mark: RangeMark, time: f64) {
         if !time.is_finite() {
             return;
         }
@@ -75,8 +75,8 @@ impl Session {
             let (start, end) = (cursor.start, cursor.end);
             let time = ((time * rate).round() / rate).clamp(start, end);
             match mark {
-                Mark::A => cursor.mark_a = Some(time.min(cursor.mark_b.unwrap_or(end) - frame).max(start)),
-                Mark::B => cursor.mark_b = Some(time.max(cursor.mark_a.unwrap_or(start) + frame).min(end)),
+                RangeMark::A => cursor.mark_a = Some(time.min(cursor.mark_b.unwrap_or(end) - frame).max(start)),
+                RangeMark::B => cursor.mark_b = Some(time.max(cursor.mark_a.unwrap_or(start) + frame).min(end)),
             }
         });
     }
@@ -84,8 +84,8 @@ impl Session {
     /// Bounds what plays by two moments, in any order.
     pub fn set_marks(&mut self, one: f64, other: f64) {
         self.time(|cursor| (cursor.mark_a, cursor.mark_b) = (None, None));
-        self.set_mark(Mark::A, one.min(other));
-        self.set_mark(Mark::B, one.max(other));
+        self.set_mark(RangeMark::A, one.min(other));
+        self.set_mark(RangeMark::B, one.max(other));
     }
 
     /// Key times of everything that the clip moves; seconds, ascending.
@@ -106,7 +106,7 @@ impl Session {
             if playing {
                 self.playback.play();
             }
-            self.changed(Changes::TIME | Changes::PLAYBACK);
+            self.changed(ChangeSet::TIME | ChangeSet::PLAYBACK);
         }
     }
 
@@ -126,12 +126,12 @@ impl Session {
         self.playback = Playback { speed: speed.abs(), mode, ..Playback::new(start, end) };
         self.find_keys();
         self.frame_rate = self.chosen_rate.unwrap_or_else(|| self.own_rate());
-        self.stale = true;
+        self.needs_posing = true;
     }
 
     pub(super) fn find_keys(&mut self) {
         self.keys = self.clip().map_or_else(Vec::new, |clip| clip.key_times(None));
-        self.sheet.take();
+        self.sheet_rows.take();
         self.find_own_keys();
     }
 
@@ -146,10 +146,10 @@ impl Session {
         change(&mut self.playback);
         let after = self.playback;
         if after.time != before.time {
-            self.changed(Changes::TIME);
+            self.changed(ChangeSet::TIME);
         }
         if (Playback { time: before.time, ..after }) != before {
-            self.changed(Changes::PLAYBACK);
+            self.changed(ChangeSet::PLAYBACK);
         }
     }
 
@@ -204,13 +204,13 @@ impl Session {
                 time.advance(seconds);
             });
         }
-        if self.eye.advance(seconds) {
-            self.changed(Changes::CAMERA);
+        if self.camera.advance(seconds) {
+            self.changed(ChangeSet::CAMERA);
         }
     }
 
     /// Whether something moves by itself, so that another frame is wanted.
     pub fn is_moving(&self) -> bool {
-        self.playback.playing || self.eye.is_jumping()
+        self.playback.playing || self.camera.is_animating()
     }
 }

@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-use super::history::{Snapshot, Step};
-use super::{Changes, Handles, ModelDrag, ModelTransform, Session, Tool};
+use super::history::{Snapshot, UndoStep};
+use super::{ChangeSet, Gizmo, ModelDrag, ModelTransform, Session, Tool};
 use crate::muscle::MuscleState;
 use crate::scene::NodeId;
 
@@ -13,10 +13,10 @@ impl Session {
         self.state.drive
     }
 
-    /// Sets the elbow angle of the arm or of the clip's joint (see [`Session::bend`]), degrees; the contraction follows.
+    /// Sets the elbow angle of the arm or of the clip's joint (see [`Session::angle_slider`]), degrees; the contraction follows.
     pub fn set_flexion(&mut self, degrees: f64) {
         if !self.bends_arm() {
-            return self.set_bend(degrees);
+            return self.set_joint_angle(degrees);
         }
         let drive = self.document.driven_rig().filter(|_| degrees.is_finite()).map(|rig| rig.at_flexion(degrees));
         self.set_drive(drive);
@@ -34,7 +34,7 @@ impl Session {
     fn set_drive(&mut self, drive: Option<MuscleState>) {
         if let Some(drive) = drive.filter(|drive| *drive != self.state.drive) {
             self.state.drive = drive;
-            self.changed(Changes::DRIVE);
+            self.changed(ChangeSet::DRIVE);
         }
     }
 
@@ -43,12 +43,12 @@ impl Session {
         &self.model
     }
 
-    /// Changes the model's transform; within [`Session::step`] undo takes it back.
+    /// Changes the model's transform; within [`Session::undoable`] undo takes it back.
     pub fn change_model(&mut self, change: impl FnOnce(&mut ModelTransform)) {
         let before = self.model;
         change(&mut self.model);
         if before != self.model {
-            self.changed(Changes::MODEL);
+            self.changed(ChangeSet::MODEL);
         }
     }
 
@@ -61,25 +61,25 @@ impl Session {
     pub fn set_tool(&mut self, tool: Tool) {
         if tool != self.tool {
             self.tool = tool;
-            self.changed(Changes::TOOL);
+            self.changed(ChangeSet::TOOL);
         }
     }
 
     /// Works with the handles of the tool in hand, in a picture of this size (logical pixels); `None` where it has none.
-    pub fn with_handles<T>(&mut self, size: DVec2, work: impl FnOnce(&Handles) -> T) -> Option<T> {
+    pub fn with_gizmo<T>(&mut self, size: DVec2, work: impl FnOnce(&Gizmo) -> T) -> Option<T> {
         if self.tool == Tool::Navigate || self.is_empty() {
             return None;
         }
         self.frame();
-        let camera = self.eye.camera(&self.document.scene, &self.frame);
+        let camera = self.camera.camera(&self.document.scene, &self.frame);
         let middle = self.model.pivot + self.model.translation;
-        Some(work(&Handles { tool: self.tool, camera: &camera, size, middle }))
+        Some(work(&Gizmo { tool: self.tool, camera: &camera, size, middle }))
     }
 
     /// The model follows a drag of a handle that came to `to`, in a picture of this size (logical pixels); with `snap` by whole steps.
     pub fn drag_model(&mut self, drag: &ModelDrag, to: DVec2, size: DVec2, snap: bool) {
         let middle = drag.start.pivot + drag.start.translation;
-        let dragged = self.with_handles(size, |handles| Handles { middle, ..*handles }.dragged(drag, to, snap));
+        let dragged = self.with_gizmo(size, |handles| Gizmo { middle, ..*handles }.dragged(drag, to, snap));
         if let Some(dragged) = dragged {
             self.change_model(|model| *model = dragged);
         }
@@ -87,7 +87,7 @@ impl Session {
 
     /// Does something that undo takes back; `what` says it in the user's language. Where nothing changed there is nothing to take back. Steps within it
     /// are parts of it.
-    pub fn step<T>(&mut self, what: String, step: Step, change: impl FnOnce(&mut Self) -> T) -> T {
+    pub fn undoable<T>(&mut self, what: String, step: UndoStep, change: impl FnOnce(&mut Self) -> T) -> T {
         if self.history.inside {
             return change(self);
         }
@@ -96,19 +96,19 @@ impl Session {
         let result = change(self);
         self.history.inside = false;
         if self.snapshot() != before {
-            self.history.note(before, what, step);
-            self.changed(Changes::HISTORY);
+            self.history.push_undo(before, what, step);
+            self.changed(ChangeSet::HISTORY);
         }
         result
     }
 
     /// What undo and redo would take back and do again, in the user's language.
-    pub fn step_names(&self) -> (Option<&str>, Option<&str>) {
+    pub fn undo_names(&self) -> (Option<&str>, Option<&str>) {
         self.history.names()
     }
 
     /// Whether there is a step back, and one forward.
-    pub fn steps(&self) -> (bool, bool) {
+    pub fn undo_counts(&self) -> (bool, bool) {
         (self.history.can_undo(), self.history.can_redo())
     }
 
@@ -131,9 +131,9 @@ impl Session {
             light: self.light,
             hidden,
             files: self.document.muscle_files().cloned().collect(),
-            turned: self.document.joint_overrides().to_vec(),
+            joint_overrides: self.document.joint_overrides().to_vec(),
             drive: self.state.drive,
-            held: self.held(),
+            held_joint: self.held_joint(),
         }
     }
 
@@ -148,12 +148,12 @@ impl Session {
                 let id = NodeId(index);
                 self.document.scene.graph.node_mut(id).visible = step.hidden.binary_search(&id).is_err();
             }
-            self.document.set_joint_overrides(&step.turned);
+            self.document.set_joint_overrides(&step.joint_overrides);
             self.state.drive = step.drive;
-            self.hold_as(step.held);
-            self.changed(Changes::MODEL | Changes::LIGHT | Changes::DISPLAY | Changes::HAND | Changes::DRIVE);
+            self.restore_held_joint(step.held_joint);
+            self.changed(ChangeSet::MODEL | ChangeSet::LIGHT | ChangeSet::DISPLAY | ChangeSet::JOINT_OVERRIDES | ChangeSet::DRIVE);
         }
-        self.changed(Changes::HISTORY);
+        self.changed(ChangeSet::HISTORY);
     }
 }
 
@@ -204,7 +204,7 @@ mod tests {
             match self {
                 Self::Bend(degrees) => session.set_flexion(degrees),
                 Self::Contract(per_cent) => session.set_contraction(per_cent),
-                Self::Turn(node, degrees) => session.turn_by_hand(NodeId(node), glam::DVec3::new(degrees, 0.0, 0.0)),
+                Self::Turn(node, degrees) => session.override_joint(NodeId(node), glam::DVec3::new(degrees, 0.0, 0.0)),
                 Self::Move(axis, by) => session.change_model(|model| model.translation[axis as usize] = by),
                 Self::Hide(node) => session.document.scene.graph.node_mut(NodeId(node)).visible ^= true,
                 Self::Release => session.release_joint(),
@@ -213,14 +213,14 @@ mod tests {
             }
         }
 
-        fn act(self, session: &mut Session, step: Step) {
+        fn act(self, session: &mut Session, step: UndoStep) {
             match (self, self.what()) {
                 (Self::Undo, _) => session.undo(),
                 (Self::Redo, _) => session.redo(),
                 (Self::Radius(node, value), _) => {
                     session.edit_muscle(MuscleId(0), &Edit::Radius(node, value), step).expect("a sound radius");
                 }
-                (deed, Some((what, _))) => session.step(what, step, |session| deed.change(session)),
+                (deed, Some((what, _))) => session.undoable(what, step, |session| deed.change(session)),
                 (_, None) => {}
             }
         }
@@ -303,7 +303,7 @@ mod tests {
             for (deed, how, gap) in deeds {
                 now += Duration::from_millis(gap);
                 let of = deed.what().map_or(0, |(_, of)| of);
-                let step = [Step::New, Step::Same, Step::Near { of, now: begun + now }][how];
+                let step = [UndoStep::New, UndoStep::Same, UndoStep::Near { of, now: begun + now }][how];
                 deed.act(&mut session, step);
                 match deed {
                     Deed::Undo => model.go(true),
@@ -340,30 +340,30 @@ mod tests {
     fn bending_by_the_slider_is_undone_and_an_edit_after_an_undo_is_a_step_of_its_own() {
         let mut session = clip();
         let turn = |session: &Session| session.state().joint_rotation;
-        session.bend_by_hand(50.0);
-        session.bend_by_hand(107.0);
+        session.set_angle_undoable(50.0);
+        session.set_angle_undoable(107.0);
         let bent = turn(&session);
-        assert_eq!(session.step_names().0, Some(crate::tr!("app-edit-bend").as_str()));
+        assert_eq!(session.undo_names().0, Some(crate::tr!("app-edit-bend").as_str()));
         session.undo();
-        assert_eq!((turn(&session), session.steps()), (None, (false, true)));
+        assert_eq!((turn(&session), session.undo_counts()), (None, (false, true)));
         // At once, of the same value: within what would be one gesture.
-        session.bend_by_hand(30.0);
+        session.set_angle_undoable(30.0);
         let again = turn(&session);
-        assert_eq!(session.steps(), (true, false));
+        assert_eq!(session.undo_counts(), (true, false));
         session.undo();
         assert_eq!(turn(&session), None);
         session.redo();
         assert_eq!(turn(&session), again);
-        session.bend_by_hand(107.0);
-        assert!(turn(&session) == bent && session.told_held().is_some_and(|told| told.contains("107°")));
-        session.release_by_hand();
-        assert_eq!((turn(&session), session.told_held()), (None, None));
+        session.set_angle_undoable(107.0);
+        assert!(turn(&session) == bent && session.held_joint_text().is_some_and(|told| told.contains("107°")));
+        session.release_undoable();
+        assert_eq!((turn(&session), session.held_joint_text()), (None, None));
         session.undo();
         assert_eq!(turn(&session), bent);
         session.undo();
         assert_eq!(turn(&session), again);
         session.set_on_top(true);
-        session.bend_by_hand(20.0);
-        assert_eq!(session.told_held(), None, "the clip goes on moving it");
+        session.set_angle_undoable(20.0);
+        assert_eq!(session.held_joint_text(), None, "the clip goes on moving it");
     }
 }

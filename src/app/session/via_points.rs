@@ -1,6 +1,6 @@
 //! The path of a muscle between its attachments: via points and the wrap sphere.
 
-use super::{Session, Step};
+use super::{Session, UndoStep};
 use crate::muscle::{AttachmentPoint, Edit, EditError};
 use crate::scene::{MuscleId, NodeId};
 
@@ -14,7 +14,7 @@ impl Session {
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         let (number, node, place) = rig.via_half_way(index, self.state.drive, &self.frame.world).ok_or(EditError::NoEnds)?;
         let anchor = rig.anchor_at(&self.document.scene.graph, node, place, &self.frame.world).ok_or(EditError::NoName)?;
-        self.edit_muscle(id, &Edit::AddVia(number, anchor), Step::New)
+        self.edit_muscle(id, &Edit::AddVia(number, anchor), UndoStep::New)
     }
 
     /// Puts a via point on another bone: it stays where it is and moves with that bone from now on.
@@ -26,7 +26,7 @@ impl Session {
         let place = rig.hold(index, hold, world).unwrap_or_else(|| self.place_along(node));
         let anchor = rig.anchor_at(&self.document.scene.graph, node, place, world).ok_or(EditError::NoName)?;
         let Some(edit) = rig.spec(index).and_then(|spec| Edit::place(spec, hold, anchor)) else { return Ok(()) };
-        self.edit_muscle(id, &edit, Step::New)
+        self.edit_muscle(id, &edit, UndoStep::New)
     }
 
     /// Lets a muscle go round the joint by which it leaves the bone `node`.
@@ -37,7 +37,7 @@ impl Session {
             return Err(EditError::NoEnds);
         }
         let wrap = rig.wrap_on(index, node, &self.document.scene, self.state.drive, &self.frame.world).ok_or(EditError::NoName)?;
-        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), Step::New)
+        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), UndoStep::New)
     }
 
     /// Lets a muscle pass what it goes round on the other side.
@@ -49,7 +49,7 @@ impl Session {
         let Some(mut wrap) = rig.spec(index).and_then(|spec| spec.wrap.clone()) else { return Ok(()) };
         // Adding nothing keeps a zero from becoming −0.
         wrap.side = -wrap.side + glam::DVec3::ZERO;
-        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), Step::New)
+        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), UndoStep::New)
     }
 }
 
@@ -59,7 +59,7 @@ mod tests {
 
     use super::*;
     use crate::app::session::tests::{biceps, clip};
-    use crate::app::session::{GripDrag, Picked};
+    use crate::app::session::{AttachmentDrag, PickTarget};
     use crate::document::Document;
     use crate::muscle::{Anchor, MuscleFile, MuscleSpec};
     use crate::render::Pick;
@@ -69,7 +69,7 @@ mod tests {
         let mut session = clip();
         session.new_muscle(biceps()).unwrap();
         let id = session.shown_muscle();
-        session.put_on(id, AttachmentPoint::Wrap, None).unwrap();
+        session.attach_to(id, AttachmentPoint::Wrap, None).unwrap();
         session.set_flexion(60.0);
         (session, id)
     }
@@ -123,16 +123,16 @@ mod tests {
         session.add_via(id).unwrap();
         let (hold, before) = (AttachmentPoint::Via(0), place(&mut session, id, AttachmentPoint::Via(0)));
         assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
-        session.put_on(id, hold, Some(find(&session, "forearm"))).unwrap();
+        session.attach_to(id, hold, Some(find(&session, "forearm"))).unwrap();
         assert_eq!(spec(&session, id).via[0].bone, "forearm");
         let after = place(&mut session, id, hold);
         assert!(before.distance(after) < 2e-5, "{before} {after}");
         session.set_flexion(100.0);
         assert!(place(&mut session, id, hold).distance(after) > 0.01, "it moves with the forearm");
-        let steps = session.step_names().0.map(str::to_owned);
-        session.put_on(id, hold, Some(find(&session, "forearm"))).unwrap();
-        session.put_on(id, hold, None).unwrap();
-        assert_eq!(session.step_names().0.map(str::to_owned), steps, "the bone that it is on is no change");
+        let steps = session.undo_names().0.map(str::to_owned);
+        session.attach_to(id, hold, Some(find(&session, "forearm"))).unwrap();
+        session.attach_to(id, hold, None).unwrap();
+        assert_eq!(session.undo_names().0.map(str::to_owned), steps, "the bone that it is on is no change");
         session.undo();
         assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
     }
@@ -143,14 +143,14 @@ mod tests {
         session.add_via(id).unwrap();
         let first = spec(&session, id).via[0].clone();
         for (bone, number) in [("upper_arm", 0), ("hand", 2)] {
-            session.start_picking(id, Picked::NewVia);
+            session.start_picking(id, PickTarget::NewVia);
             session.pick_bone(find(&session, bone)).unwrap();
             assert!(session.picking().is_none());
             let via = spec(&session, id).via;
             assert_eq!(via[number].bone, bone, "{via:?}");
         }
         assert_eq!(spec(&session, id).via[1], first);
-        session.start_picking(id, Picked::Point(AttachmentPoint::Via(1)));
+        session.start_picking(id, PickTarget::Point(AttachmentPoint::Via(1)));
         session.pick_bone(find(&session, "forearm")).unwrap();
         assert_eq!(spec(&session, id).via[1].bone, "forearm");
     }
@@ -161,23 +161,23 @@ mod tests {
         session.add_via(id).unwrap();
         session.add_via(id).unwrap();
         let (two, size) = (spec(&session, id).via, DVec2::new(900.0, 600.0));
-        session.edit_muscle(id, &Edit::SwapVia(0), Step::New).unwrap();
+        session.edit_muscle(id, &Edit::SwapVia(0), UndoStep::New).unwrap();
         assert_eq!(spec(&session, id).via, [two[1].clone(), two[0].clone()]);
-        assert_eq!(session.step_names().0, Some(Edit::SwapVia(0).label().as_str()));
+        assert_eq!(session.undo_names().0, Some(Edit::SwapVia(0).label().as_str()));
         session.undo();
-        let grip = session.grips(size).into_iter().find(|grip| grip.hold == AttachmentPoint::Via(1)).unwrap();
-        let drag = GripDrag { muscle: id, grip, from: grip.place };
-        session.drag_grip(&drag, grip.place + DVec2::new(12.0, 9.0), size, Step::New).unwrap();
+        let grip = session.attachment_handles(size).into_iter().find(|grip| grip.attachment == AttachmentPoint::Via(1)).unwrap();
+        let drag = AttachmentDrag { muscle: id, handle: grip, from: grip.screen_position };
+        session.drag_attachment(&drag, grip.screen_position + DVec2::new(12.0, 9.0), size, UndoStep::New).unwrap();
         let dragged = spec(&session, id).via;
         assert!(dragged[0] == two[0] && dragged[1].offset != two[1].offset && dragged[1].bone == two[1].bone);
-        assert_eq!(session.step_names().0, Some(Edit::Via(1, two[1].clone()).label().as_str()));
-        session.edit_muscle(id, &Edit::DeleteVia(0), Step::New).unwrap();
+        assert_eq!(session.undo_names().0, Some(Edit::Via(1, two[1].clone()).label().as_str()));
+        session.edit_muscle(id, &Edit::DeleteVia(0), UndoStep::New).unwrap();
         assert_eq!(spec(&session, id).via, dragged[1..]);
         for refused in [Edit::DeleteVia(1), Edit::SwapVia(0), Edit::Via(1, two[0].clone())] {
-            assert!(matches!(session.edit_muscle(id, &refused, Step::New), Err(EditError::NoVia(_))), "{refused:?}");
+            assert!(matches!(session.edit_muscle(id, &refused, UndoStep::New), Err(EditError::NoVia(_))), "{refused:?}");
         }
         let nowhere = Anchor { bone: two[0].bone.clone(), offset: DVec3::NAN };
-        assert_eq!(session.edit_muscle(id, &Edit::Via(0, nowhere), Step::New), Err(EditError::Offset));
+        assert_eq!(session.edit_muscle(id, &Edit::Via(0, nowhere), UndoStep::New), Err(EditError::Offset));
         assert_eq!(spec(&session, id).via, dragged[1..]);
     }
 
@@ -186,7 +186,7 @@ mod tests {
         let (mut session, id) = attached();
         let elbow = session.document().scene.graph.find("forearm").unwrap();
         for bone in ["upper_arm", "forearm"] {
-            session.put_on(id, AttachmentPoint::Wrap, Some(find(&session, bone))).unwrap();
+            session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, bone))).unwrap();
             session.frame();
             let wrap = spec(&session, id).wrap.unwrap();
             assert_eq!(wrap.center.bone, bone);
@@ -203,15 +203,15 @@ mod tests {
         let wrapped = length(&mut session, id);
         let mut wrap = spec(&session, id).wrap.unwrap();
         wrap.radius *= 2.0;
-        session.edit_muscle(id, &Edit::Wrap(Some(wrap.clone())), Step::New).unwrap();
+        session.edit_muscle(id, &Edit::Wrap(Some(wrap.clone())), UndoStep::New).unwrap();
         assert!(length(&mut session, id) > wrapped);
         session.flip_wrap(id).unwrap();
         assert_eq!(spec(&session, id).wrap.unwrap().side, -wrap.side);
         for radius in [0.0, -1.0, f64::NAN] {
             let bad = Edit::Wrap(Some(crate::muscle::Wrap { radius, ..wrap.clone() }));
-            assert_eq!(session.edit_muscle(id, &bad, Step::New), Err(EditError::Wrap));
+            assert_eq!(session.edit_muscle(id, &bad, UndoStep::New), Err(EditError::Wrap));
         }
-        session.put_on(id, AttachmentPoint::Wrap, None).unwrap();
+        session.attach_to(id, AttachmentPoint::Wrap, None).unwrap();
         assert_eq!(spec(&session, id).wrap, None);
         session.undo();
         assert_eq!(spec(&session, id).wrap.unwrap().side, -wrap.side);
@@ -221,15 +221,15 @@ mod tests {
     fn the_ring_of_a_ball_stands_where_its_dot_does() {
         let (mut session, id) = attached();
         let size = DVec2::new(900.0, 600.0);
-        assert_eq!(session.ring(size), None);
-        session.put_on(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))).unwrap();
-        let (ring, grips) = (session.ring(size).unwrap(), session.grips(size));
-        let dot = grips.iter().find(|grip| grip.hold == AttachmentPoint::Wrap).unwrap();
-        assert!(dot.place.distance(ring.middle) < 1e-9);
+        assert_eq!(session.wrap_sphere_circle(size), None);
+        session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))).unwrap();
+        let (ring, grips) = (session.wrap_sphere_circle(size).unwrap(), session.attachment_handles(size));
+        let dot = grips.iter().find(|grip| grip.attachment == AttachmentPoint::Wrap).unwrap();
+        assert!(dot.screen_position.distance(ring.middle) < 1e-9);
         assert!(ring.top.distance(ring.middle) <= 1.1 * ring.radius && ring.radius > 1.0, "{ring:?}");
-        let drag = GripDrag { muscle: id, grip: *dot, from: dot.place };
+        let drag = AttachmentDrag { muscle: id, handle: *dot, from: dot.screen_position };
         let before = spec(&session, id).wrap.unwrap();
-        session.drag_grip(&drag, dot.place + DVec2::new(15.0, 0.0), size, Step::New).unwrap();
+        session.drag_attachment(&drag, dot.screen_position + DVec2::new(15.0, 0.0), size, UndoStep::New).unwrap();
         let after = spec(&session, id).wrap.unwrap();
         assert!(after.center.offset != before.center.offset && (after.radius, after.side) == (before.radius, before.side));
     }
@@ -246,10 +246,10 @@ mod tests {
         let point = skin[skin.len() / 2];
         let node = session.node_of_muscle(id).unwrap();
         let pick = Pick { node, surface: Some(surface as u32), triangle: 0, barycentric: glam::Vec3::X, point };
-        session.start_picking(id, Picked::Point(AttachmentPoint::Wrap));
+        session.start_picking(id, PickTarget::Point(AttachmentPoint::Wrap));
         session.pick_at(Some(pick)).unwrap();
         assert!(session.picking().is_some() && spec(&session, id).wrap.is_none(), "no joint is there");
-        session.start_picking(id, Picked::NewVia);
+        session.start_picking(id, PickTarget::NewVia);
         session.pick_at(Some(pick)).unwrap();
         let inside = place(&mut session, id, AttachmentPoint::Via(0));
         let thickest = spec(&session, id).profile.radii().iter().copied().fold(0.0, f64::max) * 1e-3;
@@ -261,9 +261,9 @@ mod tests {
     #[test]
     fn a_muscle_on_its_own_has_no_way_to_change() {
         let (mut session, id) = attached();
-        session.edit_muscle(id, &Edit::Ends(None), Step::New).unwrap();
+        session.edit_muscle(id, &Edit::Ends(None), UndoStep::New).unwrap();
         assert_eq!(session.add_via(id), Err(EditError::NoEnds));
-        assert_eq!(session.put_on(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))), Err(EditError::NoEnds));
+        assert_eq!(session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))), Err(EditError::NoEnds));
     }
 
     #[test]
@@ -274,7 +274,7 @@ mod tests {
         files[0].muscles[0].via[0].bone = "tail".to_owned();
         session.put_muscle_files(&files);
         assert!(!session.document().muscle(id).unwrap().0.is_attached(0));
-        session.put_on(id, AttachmentPoint::Via(0), Some(find(&session, "forearm"))).unwrap();
+        session.attach_to(id, AttachmentPoint::Via(0), Some(find(&session, "forearm"))).unwrap();
         assert!(session.document().muscle(id).unwrap().0.is_attached(0));
     }
 }

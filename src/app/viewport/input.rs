@@ -10,10 +10,10 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
-use super::{gizmo, zoom_gestures};
+use super::{orientation_gizmo, zoom_gestures};
 use crate::app::drawing_area::PaintWidget;
 use crate::app::format;
-use crate::app::session::{Grip as Dot, GripDrag, Handle, ModelDrag, Session, Step, Tool, Viewpoint};
+use crate::app::session::{AttachmentDrag, AttachmentHandle as Dot, GizmoHandle, ModelDrag, Session, Tool, UndoStep, Viewpoint};
 use crate::app::window::Window;
 use crate::muscle::AttachmentPoint;
 use crate::tr;
@@ -44,11 +44,11 @@ pub(super) struct ViewportInput {
     moved: Cell<bool>,
     pointer: Cell<Option<(f64, f64)>>,
     /// The handle of the tool that is under the pointer or held.
-    handle: Cell<Option<Handle>>,
+    handle: Cell<Option<GizmoHandle>>,
     model: Cell<Option<ModelDrag>>,
     /// The dot of a muscle that is under the pointer or held.
     dot: Cell<Option<AttachmentPoint>>,
-    dragged: Cell<Option<GripDrag>>,
+    dragged: Cell<Option<AttachmentDrag>>,
     /// Counts changes of what is under the pointer.
     pictures: Cell<u32>,
     /// Whether it is waited for the picture to rest.
@@ -69,7 +69,7 @@ impl ViewportInput {
     }
 
     /// The handle of the tool that is under the pointer or held.
-    pub(super) fn handle(&self) -> Option<Handle> {
+    pub(super) fn handle(&self) -> Option<GizmoHandle> {
         self.handle.get()
     }
 
@@ -81,7 +81,7 @@ impl ViewportInput {
     /// Flies, or lands.
     pub(super) fn toggle_flight(&self, window: &Rc<Window>) {
         self.held.borrow_mut().clear();
-        window.act(|session| session.change_eye(|eye| if eye.flying().is_some() { eye.land() } else { eye.fly() }));
+        window.act(|session| session.change_camera(|eye| if eye.flying().is_some() { eye.exit_fly() } else { eye.fly() }));
     }
 
     /// Lets go of a drag that turned out to be none: the first of two fingers had begun it.
@@ -98,7 +98,7 @@ impl ViewportInput {
 
     /// Takes a key in flight; whether it was one of flight's.
     pub(super) fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gdk::Key, pressed: bool) -> bool {
-        if !window.look(|session| matches!(session.eye().viewpoint(), Viewpoint::Fly(_))) {
+        if !window.look(|session| matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))) {
             return false;
         }
         let (fast, slow) = self.pace.get();
@@ -125,7 +125,7 @@ impl ViewportInput {
             return false;
         }
         // A flight that ended otherwise than by landing left its keys held.
-        if !window.look(|session| matches!(session.eye().viewpoint(), Viewpoint::Fly(_))) {
+        if !window.look(|session| matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))) {
             self.let_go();
             return false;
         }
@@ -135,9 +135,9 @@ impl ViewportInput {
         let (fast, slow) = self.pace.get();
         let pace = if fast { 4.0 } else { 1.0 } / if slow { 4.0 } else { 1.0 };
         window.act(|session| {
-            session.change_eye(|eye| {
+            session.change_camera(|eye| {
                 if let Some(fly) = eye.flying() {
-                    fly.go(direction * pace, seconds.min(0.1) as f32);
+                    fly.move_by(direction * pace, seconds.min(0.1) as f32);
                 }
             });
         });
@@ -165,17 +165,22 @@ fn connect_drag(window: &Rc<Window>, canvas: &PaintWidget) {
             let state = gesture.current_event_state();
             let shift = state.contains(gdk::ModifierType::SHIFT_MASK);
             let control = state.contains(gdk::ModifierType::CONTROL_MASK);
-            let (tool, flying) = window.look(|session| (session.tool(), matches!(session.eye().viewpoint(), Viewpoint::Fly(_))));
+            let (tool, flying) =
+                window.look(|session| (session.tool(), matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))));
             let (point, size) = (DVec2::new(x, y), picture_size(&window));
             let handle = if gesture.current_button() == gdk::BUTTON_PRIMARY && !shift && !flying {
-                window.look(|session| session.with_handles(size, |handles| handles.at(point))).flatten()
+                window.look(|session| session.with_gizmo(size, |handles| handles.handle_at(point))).flatten()
             } else {
                 None
             };
             let plain = gesture.current_button() == gdk::BUTTON_PRIMARY && !shift && !control && !flying;
             let dot = if plain { dot_at(&window, point) } else { None };
-            hands.dot.set(dot.map(|dot| dot.hold));
-            hands.dragged.set(dot.map(|grip| GripDrag { muscle: window.look(|session| session.shown_muscle()), grip, from: point }));
+            hands.dot.set(dot.map(|dot| dot.attachment));
+            hands.dragged.set(dot.map(|dot| AttachmentDrag {
+                muscle: window.look(|session| session.shown_muscle()),
+                handle: dot,
+                from: point,
+            }));
             let grip = match gesture.current_button() {
                 _ if dot.is_some() => Grip::Dot,
                 _ if handle.is_some() => Grip::Model,
@@ -194,7 +199,7 @@ fn connect_drag(window: &Rc<Window>, canvas: &PaintWidget) {
             if grip == Grip::Model {
                 let start = window.look(|session| *session.model());
                 hands.handle.set(handle);
-                hands.model.set(Some(ModelDrag { handle: handle.unwrap_or(Handle::Free), start, from: point }));
+                hands.model.set(Some(ModelDrag { handle: handle.unwrap_or(GizmoHandle::Free), start, from: point }));
             }
             hands.grip.set(Some(grip));
             hands.last.set((0.0, 0.0));
@@ -226,7 +231,7 @@ fn dot_at(window: &Rc<Window>, place: DVec2) -> Option<Dot> {
         return None;
     }
     let size = picture_size(window);
-    window.look(|session| if session.tool() == Tool::Navigate { session.grip_at(place, size) } else { None })
+    window.look(|session| if session.tool() == Tool::Navigate { session.attachment_handle_at(place, size) } else { None })
 }
 
 /// Logical width and height of the picture.
@@ -239,41 +244,41 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
     let hands = &window.viewport.hands;
     let Some(grip) = hands.grip.get() else { return };
     // A click that trembles is no drag.
-    let mut step = Step::Same;
+    let mut step = UndoStep::Same;
     if !hands.moved.get() {
         if x.abs().max(y.abs()) < 4.0 {
             return;
         }
         hands.moved.set(true);
-        step = Step::New;
+        step = UndoStep::New;
     }
     let (last_x, last_y) = hands.last.replace((x, y));
     let (dx, dy) = (x - last_x, y - last_y);
     let height = f64::from(window.viewport.size().1.max(1));
     let (degrees_x, degrees_y) = (dx as f32 * DEGREES, dy as f32 * DEGREES);
     window.act(|session| match grip {
-        Grip::Orbit => session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(-degrees_x, degrees_y))),
-        Grip::Pan => session.change_eye(|eye| eye.handle(|orbit| zoom_gestures::pan(orbit, (dx, dy), height))),
-        Grip::Zoom => session.change_eye(|eye| eye.handle(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
-        Grip::Look => session.change_eye(|eye| {
+        Grip::Orbit => session.change_camera(|eye| eye.change(|orbit| orbit.orbit(-degrees_x, degrees_y))),
+        Grip::Pan => session.change_camera(|eye| eye.change(|orbit| zoom_gestures::pan(orbit, (dx, dy), height))),
+        Grip::Zoom => session.change_camera(|eye| eye.change(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
+        Grip::Look => session.change_camera(|eye| {
             if let Some(fly) = eye.flying() {
-                fly.look(-degrees_x * 0.6, degrees_y * 0.6);
+                fly.rotate(-degrees_x * 0.6, degrees_y * 0.6);
             }
         }),
         Grip::Light => {
-            session.step(tr!("app-edit-light"), step, |session| session.turn_light(degrees_x, -degrees_y));
+            session.undoable(tr!("app-edit-light"), step, |session| session.rotate_light(degrees_x, -degrees_y));
             session.change_display(|display| display.light_marker = true);
         }
         Grip::Model => {
             if let Some(drag) = hands.model.get() {
                 let (what, to) = (tr!(session.tool().edit()), drag.from + DVec2::new(x, y));
-                session.step(what, step, |session| session.drag_model(&drag, to, picture_size(window), snap));
+                session.undoable(what, step, |session| session.drag_model(&drag, to, picture_size(window), snap));
             }
         }
         Grip::Dot => {
             if let Some(drag) = hands.dragged.get() {
                 // Where the end cannot be it stays where it was.
-                let _ = session.drag_grip(&drag, drag.from + DVec2::new(x, y), picture_size(window), step);
+                let _ = session.drag_attachment(&drag, drag.from + DVec2::new(x, y), picture_size(window), step);
             }
         }
     });
@@ -292,9 +297,9 @@ fn connect_clicks(window: &Rc<Window>, canvas: &PaintWidget) {
             }
             let height = f64::from(window.viewport.size().1);
             if let Some(view) =
-                window.look(|session| gizmo::hit(&session.picture().2, x, y, height)).filter(|_| !window.look(|s| s.is_empty()))
+                window.look(|session| orientation_gizmo::hit(&session.picture().2, x, y, height)).filter(|_| !window.look(|s| s.is_empty()))
             {
-                return window.act(|session| session.change_eye(|eye| eye.look_from(view)));
+                return window.act(|session| session.change_camera(|eye| eye.look_from(view)));
             }
             if window.look(|session| session.picking().is_some()) {
                 return window.pick_end(|session| {
@@ -331,8 +336,8 @@ fn connect_pointer(window: &Rc<Window>, canvas: &PaintWidget) {
                 return;
             }
             let (size, before) = (picture_size(&window), hands.handle.get());
-            hands.handle.set(window.look(|session| session.with_handles(size, |handles| handles.at(DVec2::new(x, y)))).flatten());
-            let (dot_before, dot) = (hands.dot.get(), dot_at(&window, DVec2::new(x, y)).map(|dot| dot.hold));
+            hands.handle.set(window.look(|session| session.with_gizmo(size, |handles| handles.handle_at(DVec2::new(x, y)))).flatten());
+            let (dot_before, dot) = (hands.dot.get(), dot_at(&window, DVec2::new(x, y)).map(|dot| dot.attachment));
             hands.dot.set(dot);
             if dot != dot_before {
                 window.viewport.draw_over();

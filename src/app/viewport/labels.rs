@@ -4,7 +4,7 @@ use glam::Vec2;
 use gtk4 as gtk;
 
 use crate::app::drawing_area::{PaintWidget, rgb, write_on};
-use crate::app::ghosts_panel::file_name;
+use crate::app::onion_skin_panel::file_name;
 use crate::app::session::{COMPARED_TINT, CompareTarget, Session, top_of};
 use crate::app::{format, title_bar};
 use crate::document::Skinning;
@@ -17,11 +17,11 @@ pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::
     let palette = &session.display().palette;
     let ground = rgb(palette.background.0).with_alpha(0.8);
     let text = canvas.text_color();
-    let second = if matches!(session.compared_with(), Some(CompareTarget::Skinning)) { text } else { rgb(COMPARED_TINT) };
+    let second = if matches!(session.compare_target(), Some(CompareTarget::Skinning)) { text } else { rgb(COMPARED_TINT) };
     let size = Vec2::new(width as f32, height as f32);
     let (_, _, camera, _) = session.picture();
     let mut highest = Vec::new();
-    if compared.aside != 0.0 {
+    if compared.offset != 0.0 {
         highest.extend(compared.boxes.iter().filter_map(|bounds| camera.project(top_of(bounds), size)));
         highest.retain(|place| (0.0..=1.0).contains(&place.z));
     }
@@ -42,8 +42,8 @@ fn names(session: &Session) -> Option<[String; 2]> {
     let ahead = |name: String, later: f64| {
         if later == 0.0 { name } else { tr!("app-compare-ahead", name = name, seconds = format::number(later, 2)) }
     };
-    let later = session.compared_later();
-    Some(match session.compared_with()? {
+    let later = session.compare_time_offset();
+    Some(match session.compare_target()? {
         CompareTarget::File(_, name) => {
             // Two exports of one name are told apart by their folders.
             let (one, other) = own_path().map_or_else(|| (own(), file_name(name)), |path| told_apart(&path, name));

@@ -16,7 +16,7 @@ const SUN: u32 = 0xFF_DB73;
 
 /// Draws it over the picture.
 pub(super) fn draw(session: &mut Session, snapshot: &gtk::Snapshot, width: f64, height: f64) {
-    let aim = session.light_aim();
+    let aim = session.light_direction();
     let (_, frame, camera, _) = session.picture();
     let (middle, light) = (frame.bounds.center(), aim.position(&frame.bounds));
     let size = DVec2::new(width, height);

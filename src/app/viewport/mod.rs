@@ -4,12 +4,12 @@ mod attachment_overlay;
 mod bounding_box_labels;
 mod cairo_raster_source;
 mod frame_surface;
-mod gizmo;
-mod handles;
 mod input;
 mod labels;
 mod legend;
 mod light_gizmo;
+mod orientation_gizmo;
+mod tool_gizmo;
 mod transform_fields;
 mod zoom_gestures;
 
@@ -28,7 +28,7 @@ use self::transform_fields::TransformFields;
 use super::bone_names;
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::icons::{self, Glyph};
-use super::session::{Changes, Picked, Session, Tool, Viewpoint};
+use super::session::{ChangeSet, PickTarget, Session, Tool, Viewpoint};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::muscle::AttachmentPoint;
@@ -119,23 +119,23 @@ impl Viewport {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
-        if changes.any(Changes::PICTURE) {
+    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::PICTURE) {
             self.invalidate();
         }
-        if changes.any(Changes::TOOL | Changes::MODEL) {
+        if changes.any(ChangeSet::TOOL | ChangeSet::MODEL) {
             self.numbers.refresh(session.tool(), session.model());
         }
-        if changes.any(Changes::TOOL) {
+        if changes.any(ChangeSet::TOOL) {
             self.numbers.fit(self.canvas.width());
         }
-        if changes.any(Changes::TOOL | Changes::MUSCLE) {
+        if changes.any(ChangeSet::TOOL | ChangeSet::MUSCLE) {
             self.draw_over();
         }
-        if changes.any(Changes::TOOL | Changes::DOCUMENT | Changes::PICKING | Changes::CAMERA) {
+        if changes.any(ChangeSet::TOOL | ChangeSet::DOCUMENT | ChangeSet::PICKING | ChangeSet::CAMERA) {
             self.hint(&hint(session));
         }
-        if changes.any(Changes::TOOL | Changes::DOCUMENT | Changes::PICKING) {
+        if changes.any(ChangeSet::TOOL | ChangeSet::DOCUMENT | ChangeSet::PICKING) {
             let name = if session.picking().is_some() { Some("crosshair") } else { None };
             self.canvas.set_cursor_from_name(name);
             part::<gtk::Box>(&self.builder, "tools").set_visible(!session.is_empty());
@@ -308,17 +308,17 @@ fn frame_when_reached(canvas: &PaintWidget) {
 /// What drags and keys do at present.
 fn hint(session: &Session) -> String {
     if let Some(picking) = session.picking() {
-        return tr!(match picking.what {
-            Picked::Point(AttachmentPoint::End(0)) => "app-hint-pick-origin",
-            Picked::Point(AttachmentPoint::End(_)) => "app-hint-pick-insertion",
-            Picked::Point(AttachmentPoint::Wrap) => "app-hint-pick-wrap",
+        return tr!(match picking.target {
+            PickTarget::Point(AttachmentPoint::End(0)) => "app-hint-pick-origin",
+            PickTarget::Point(AttachmentPoint::End(_)) => "app-hint-pick-insertion",
+            PickTarget::Point(AttachmentPoint::Wrap) => "app-hint-pick-wrap",
             _ => "app-hint-pick-via",
         });
     }
     if session.is_empty() {
         return String::new();
     }
-    match (session.eye().viewpoint(), session.tool()) {
+    match (session.camera_controller().viewpoint(), session.tool()) {
         (Viewpoint::Fly(fly), _) => tr!("app-hint-fly", speed = format::significant(f64::from(fly.speed), 2)),
         (_, Tool::Navigate) => tr!("app-hint"),
         (_, Tool::Move) => tr!("app-hint-move"),
@@ -369,7 +369,7 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &PaintWidget
         }
         if !session.is_empty() {
             let hands = &window.viewport.hands;
-            gizmo::draw(session, canvas, snapshot, height, hands.pointer());
+            orientation_gizmo::draw(session, canvas, snapshot, height, hands.pointer());
             legend::draw(session, canvas, snapshot, width, height);
             bounding_box_labels::draw(session, canvas, snapshot, width, height);
             labels::draw(session, canvas, snapshot, width, height);
@@ -377,11 +377,11 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &PaintWidget
                 light_gizmo::draw(session, snapshot, width, height);
             }
             let colors = session.display().palette.axes;
-            session.with_handles(DVec2::new(width, height), |shown| handles::draw(shown, colors, hands.handle(), canvas, snapshot));
+            session.with_gizmo(DVec2::new(width, height), |shown| tool_gizmo::draw(shown, colors, hands.handle(), canvas, snapshot));
             if window.shows_muscles() && session.tool() == Tool::Navigate {
                 let size = DVec2::new(width, height);
-                let ring = session.ring(size);
-                attachment_overlay::draw(&session.grips(size), ring, hands.dot(), canvas, snapshot, (width, height));
+                let ring = session.wrap_sphere_circle(size);
+                attachment_overlay::draw(&session.attachment_handles(size), ring, hands.dot(), canvas, snapshot, (width, height));
             }
         }
     });

@@ -8,7 +8,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use crate::app::session::{ModelTransform, Step, Tool};
+use crate::app::session::{ModelTransform, Tool, UndoStep};
 use crate::app::ui;
 use crate::app::window::{Window, part};
 use crate::tr;
@@ -60,7 +60,7 @@ impl TransformFields {
                             Tool::Rotate => model.set_degrees(DVec3::new(x, y, z)),
                             Tool::Scale => model.set_scale(x),
                         };
-                        session.step(tr!(tool.get().edit()), Step::near(axis), |session| session.change_model(change));
+                        session.undoable(tr!(tool.get().edit()), UndoStep::near(axis), |session| session.change_model(change));
                     });
                 }
             ));

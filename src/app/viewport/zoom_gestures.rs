@@ -58,7 +58,7 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
             let to_pointer = controller.current_event_state().contains(gdk::ModifierType::CONTROL_MASK);
             let point = if to_pointer { window.viewport.hands.pointer() } else { None };
             let size = size(&window);
-            window.act(|session| session.change_eye(|eye| zoom(eye, NOTCH.powf(-dy) as f32, point, size)));
+            window.act(|session| session.change_camera(|eye| zoom(eye, NOTCH.powf(-dy) as f32, point, size)));
             glib::Propagation::Stop
         }
     ));
@@ -82,9 +82,9 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
             let (middle, size) = (gesture.bounding_box_center(), size(&window));
             let (way, factor) = (fingers.shift(middle), fingers.factor(scale));
             window.act(|session| {
-                session.change_eye(|eye| {
+                session.change_camera(|eye| {
                     if eye.flying().is_none() {
-                        eye.handle(|orbit| pan(orbit, way, size.1));
+                        eye.change(|orbit| pan(orbit, way, size.1));
                     }
                     zoom(eye, factor, middle, size);
                 });
@@ -110,7 +110,7 @@ fn zoom(eye: &mut CameraController, factor: f32, point: Option<(f64, f64)>, (wid
         fly.speed = (fly.speed * factor).clamp(1e-4, 1e4);
         return;
     }
-    eye.handle(|orbit| {
+    eye.change(|orbit| {
         let before = orbit.distance;
         orbit.zoom(factor);
         if let Some((x, y)) = point {

@@ -6,16 +6,16 @@ use gtk4 as gtk;
 
 use super::ignore;
 use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_amid};
-use crate::app::session::{Handle, Handles, Tool};
+use crate::app::session::{Gizmo, GizmoHandle, Tool};
 
 /// Paints them; `lit` is under the pointer or held.
-pub(super) fn draw(handles: &Handles, colors: [u32; 3], lit: Option<Handle>, canvas: &PaintWidget, snapshot: &gtk::Snapshot) {
-    let Some(middle) = handles.place(handles.middle) else { return };
+pub(super) fn draw(handles: &Gizmo, colors: [u32; 3], lit: Option<GizmoHandle>, canvas: &PaintWidget, snapshot: &gtk::Snapshot) {
+    let Some(middle) = handles.project(handles.middle) else { return };
     let context = cairo(snapshot, handles.size.x, handles.size.y);
     context.set_line_cap(LineCap::Round);
     context.set_line_join(LineJoin::Round);
     for (axis, color) in colors.into_iter().enumerate() {
-        let held = lit == Some(Handle::Axis(axis));
+        let held = lit == Some(GizmoHandle::Axis(axis));
         // A dark edge keeps every colour legible over any model.
         for (color, wider, opacity) in [(0, 2.0, 0.35), (color, 0.0, if held || lit.is_none() { 1.0 } else { 0.75 })] {
             set_color(&context, &rgb(color), opacity);
@@ -33,7 +33,7 @@ pub(super) fn draw(handles: &Handles, colors: [u32; 3], lit: Option<Handle>, can
     }
     for (axis, color) in colors.into_iter().enumerate() {
         let Some(corners) = handles.square(axis) else { continue };
-        let held = lit == Some(Handle::Plane(axis));
+        let held = lit == Some(GizmoHandle::Plane(axis));
         corners.iter().for_each(|corner| context.line_to(corner.x, corner.y));
         context.close_path();
         set_color(&context, &rgb(color), if held { 0.75 } else { 0.4 });

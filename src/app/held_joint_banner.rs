@@ -33,14 +33,14 @@ impl Held {
             move |_| {
                 // Else the keyboard goes from the button that is hidden to the next widget.
                 window.viewport.take_focus();
-                window.act(Session::release_by_hand);
+                window.act(Session::release_undoable);
             }
         ));
     }
 
     /// Says what is held.
     pub(super) fn refresh(&self, session: &mut Session) {
-        let told = session.told_held();
+        let told = session.held_joint_text();
         self.root.set_visible(told.is_some());
         self.label.set_text(&told.unwrap_or_default());
     }

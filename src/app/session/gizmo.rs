@@ -8,20 +8,20 @@ use crate::scene::Camera;
 use crate::view::ModelTransform;
 
 /// Length of an axis and radius of a ring, logical pixels.
-const REACH: f64 = 84.0;
+const AXIS_LENGTH: f64 = 84.0;
 /// Where the square between two axes starts and ends, in parts of their length.
-const SQUARE: [f64; 2] = [0.3, 0.52];
+const PLANE_HANDLE_RANGE: [f64; 2] = [0.3, 0.52];
 /// How near to a handle the pointer takes it, logical pixels.
-const NEAR: f64 = 8.0;
+const HIT_DISTANCE: f64 = 8.0;
 /// Pieces of a ring.
-const PIECES: usize = 64;
+const RING_SEGMENTS: usize = 64;
 /// Steps that turning and scaling snap to.
 const SNAP_DEGREES: f64 = 15.0;
 const SNAP_SCALE: f64 = 0.1;
 
 /// What can be taken by a hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Handle {
+pub enum GizmoHandle {
     /// The axis, ring or box of X, Y or Z.
     Axis(usize),
     /// The square between the other two axes: the model moves across X, Y or Z.
@@ -32,7 +32,7 @@ pub enum Handle {
 
 /// The handles of a tool about the model's middle, in a picture of a size in logical pixels.
 #[derive(Debug, Clone, Copy)]
-pub struct Handles<'a> {
+pub struct Gizmo<'a> {
     /// The tool in hand.
     pub tool: Tool,
     /// The eye.
@@ -47,7 +47,7 @@ pub struct Handles<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModelDrag {
     /// The handle.
-    pub handle: Handle,
+    pub handle: GizmoHandle,
     /// The model.
     pub start: ModelTransform,
     /// The pointer, logical pixels.
@@ -57,37 +57,37 @@ pub struct ModelDrag {
 /// The directions of the handles.
 pub(super) const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
 
-impl Handles<'_> {
+impl Gizmo<'_> {
     /// Where a point of the world falls, logical pixels; `None` behind the eye.
-    pub fn place(&self, point: DVec3) -> Option<DVec2> {
+    pub fn project(&self, point: DVec3) -> Option<DVec2> {
         let size = Vec2::new(self.size.x as f32, self.size.y as f32);
         self.camera.project(point.as_vec3(), size).map(|place| place.truncate().as_dvec2()).filter(|place| place.is_finite())
     }
 
     /// Metres that a handle is long, so that it has the same size in every picture.
-    pub fn reach(&self) -> f64 {
-        f64::from(self.camera.height_at(self.middle.as_vec3())) * REACH / self.size.y.max(1.0)
+    pub fn axis_length(&self) -> f64 {
+        f64::from(self.camera.height_at(self.middle.as_vec3())) * AXIS_LENGTH / self.size.y.max(1.0)
     }
 
     /// The tip of an axis, logical pixels.
     pub fn tip(&self, axis: usize) -> Option<DVec2> {
-        self.place(self.middle + AXES[axis] * self.reach())
+        self.project(self.middle + AXES[axis] * self.axis_length())
     }
 
     /// The half of a ring that faces the eye, as a line of places; the whole ring where it faces the eye flatly.
     pub fn ring(&self, axis: usize) -> Vec<DVec2> {
-        let (normal, reach) = (AXES[axis], self.reach());
+        let (normal, reach) = (AXES[axis], self.axis_length());
         let (one, other) = (AXES[(axis + 1) % 3], AXES[(axis + 2) % 3]);
         let towards = self.towards();
         let flat = normal.dot(towards).abs() > 0.98;
         let step = |piece: usize| {
-            let (sin, cos) = (piece as f64 / PIECES as f64 * std::f64::consts::TAU).sin_cos();
+            let (sin, cos) = (piece as f64 / RING_SEGMENTS as f64 * std::f64::consts::TAU).sin_cos();
             one * cos + other * sin
         };
         // It starts behind the eye's plane, so that the half before it is one line.
-        let first = (0..PIECES).min_by(|a, b| step(*a).dot(towards).total_cmp(&step(*b).dot(towards))).unwrap_or(0);
-        let pieces = (first..=first + PIECES).map(step).filter(|out| flat || out.dot(towards) >= -0.02);
-        pieces.filter_map(|out| self.place(self.middle + out * reach)).collect()
+        let first = (0..RING_SEGMENTS).min_by(|a, b| step(*a).dot(towards).total_cmp(&step(*b).dot(towards))).unwrap_or(0);
+        let pieces = (first..=first + RING_SEGMENTS).map(step).filter(|out| flat || out.dot(towards) >= -0.02);
+        pieces.filter_map(|out| self.project(self.middle + out * reach)).collect()
     }
 
     /// The corners of the square across an axis, logical pixels; `None` where it is seen from its edge.
@@ -96,8 +96,8 @@ impl Handles<'_> {
             return None;
         }
         let (one, other) = (AXES[(axis + 1) % 3], AXES[(axis + 2) % 3]);
-        let [near, far] = SQUARE.map(|part| part * self.reach());
-        let corner = |a: f64, b: f64| self.place(self.middle + one * a + other * b);
+        let [near, far] = PLANE_HANDLE_RANGE.map(|part| part * self.axis_length());
+        let corner = |a: f64, b: f64| self.project(self.middle + one * a + other * b);
         Some([corner(near, near)?, corner(far, near)?, corner(far, far)?, corner(near, far)?])
     }
 
@@ -110,14 +110,14 @@ impl Handles<'_> {
     }
 
     /// The handle under the pointer, logical pixels.
-    pub fn at(&self, pointer: DVec2) -> Option<Handle> {
-        let middle = self.place(self.middle)?;
+    pub fn handle_at(&self, pointer: DVec2) -> Option<GizmoHandle> {
+        let middle = self.project(self.middle)?;
         let distance = |axis: usize| match self.tool {
             Tool::Navigate => f64::INFINITY,
             Tool::Rotate => to_line(pointer, &self.ring(axis)),
             Tool::Move | Tool::Scale => match self.tip(axis) {
                 // An axis that points at the eye is a dot in the middle, which no hand could tell from the others.
-                Some(tip) if (tip - middle).length() > 2.0 * NEAR => to_line(pointer, &[middle + (tip - middle) * 0.2, tip]),
+                Some(tip) if (tip - middle).length() > 2.0 * HIT_DISTANCE => to_line(pointer, &[middle + (tip - middle) * 0.2, tip]),
                 _ => f64::INFINITY,
             },
         };
@@ -125,17 +125,17 @@ impl Handles<'_> {
         let over = (0..3).filter(|axis| self.square(*axis).is_some_and(|corners| is_inside(pointer, &corners)));
         let facing = |axis: &usize| AXES[*axis].dot(self.towards()).abs();
         if let Some(axis) = over.max_by(|a, b| facing(a).total_cmp(&facing(b))) {
-            return Some(Handle::Plane(axis));
+            return Some(GizmoHandle::Plane(axis));
         }
         let nearest = (0..3).map(|axis| (axis, distance(axis))).min_by(|a, b| a.1.total_cmp(&b.1));
-        nearest.filter(|(_, distance)| *distance <= NEAR).map(|(axis, _)| Handle::Axis(axis))
+        nearest.filter(|(_, distance)| *distance <= HIT_DISTANCE).map(|(axis, _)| GizmoHandle::Axis(axis))
     }
 
     /// The model after a drag to `to`, logical pixels. With `snap` it moves by whole parts of the grid, turns by 15° and scales by tenths.
     pub fn dragged(&self, drag: &ModelDrag, to: DVec2, snap: bool) -> ModelTransform {
         let mut model = drag.start;
         match drag.handle {
-            Handle::Axis(axis) => match self.tool {
+            GizmoHandle::Axis(axis) => match self.tool {
                 Tool::Navigate => {}
                 Tool::Move => model.translate(AXES[axis] * self.along(axis, drag.from, to)),
                 Tool::Rotate => {
@@ -144,14 +144,14 @@ impl Handles<'_> {
                     model.rotate(AXES[axis], if snap { (angle / step).round() * step } else { angle });
                 }
                 Tool::Scale => {
-                    if let (Some(middle), Some(tip)) = (self.place(self.middle), self.tip(axis)) {
+                    if let (Some(middle), Some(tip)) = (self.project(self.middle), self.tip(axis)) {
                         let along = (tip - middle).normalize_or(DVec2::X);
-                        model.scale_by(1.0 + ((to - drag.from).dot(along) / REACH).max(-0.99));
+                        model.scale_by(1.0 + ((to - drag.from).dot(along) / AXIS_LENGTH).max(-0.99));
                     }
                 }
             },
-            Handle::Plane(axis) => model.translate(self.across(axis, drag.from, to)),
-            Handle::Free => {
+            GizmoHandle::Plane(axis) => model.translate(self.across(axis, drag.from, to)),
+            GizmoHandle::Free => {
                 let part = (to - drag.from) / self.size.y.max(1.0);
                 let step = SNAP_DEGREES / 180.0;
                 let part = if snap && self.tool == Tool::Rotate { (part / step).round() * step } else { part };
@@ -170,7 +170,7 @@ impl Handles<'_> {
 
     /// The length that moving snaps to, metres: a power of ten that is a few pixels wide.
     pub fn step(&self) -> f64 {
-        10f64.powf((self.reach() / 3.0).max(1e-9).log10().floor())
+        10f64.powf((self.axis_length() / 3.0).max(1e-9).log10().floor())
     }
 
     /// A line of sight: where it starts and where it goes.
@@ -211,7 +211,7 @@ impl Handles<'_> {
 
     /// Radians about an axis that a drag over its ring turns: as the ring's own tangent goes under the pointer.
     fn about(&self, axis: usize, from: DVec2, to: DVec2) -> f64 {
-        let Some(middle) = self.place(self.middle) else { return 0.0 };
+        let Some(middle) = self.project(self.middle) else { return 0.0 };
         let facing = AXES[axis].dot(self.towards());
         if facing.abs() > 0.35 {
             // Round the middle, as one would turn a wheel that faces the eye.
@@ -226,9 +226,9 @@ impl Handles<'_> {
             return (turn + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI;
         }
         // Seen from its edge, a ring is a wheel that rolls along its line.
-        let up = self.place(self.middle + AXES[axis] * self.reach()).map_or(DVec2::Y, |tip| (tip - middle).normalize_or(DVec2::Y));
+        let up = self.project(self.middle + AXES[axis] * self.axis_length()).map_or(DVec2::Y, |tip| (tip - middle).normalize_or(DVec2::Y));
         let rolling = DVec2::new(-up.y, up.x);
-        (to - from).dot(rolling) / REACH
+        (to - from).dot(rolling) / AXIS_LENGTH
     }
 }
 
@@ -264,8 +264,8 @@ mod tests {
         orbit.camera()
     }
 
-    fn handles<'a>(tool: Tool, camera: &'a Camera, model: &ModelTransform) -> Handles<'a> {
-        Handles { tool, camera, size: SIZE, middle: model.pivot + model.translation }
+    fn handles<'a>(tool: Tool, camera: &'a Camera, model: &ModelTransform) -> Gizmo<'a> {
+        Gizmo { tool, camera, size: SIZE, middle: model.pivot + model.translation }
     }
 
     fn model() -> ModelTransform {
@@ -280,15 +280,15 @@ mod tests {
             let handles = handles(Tool::Move, &camera, &start);
             for (axis, direction) in AXES.into_iter().enumerate() {
                 let tip = handles.tip(axis).expect("before the eye");
-                assert_eq!(handles.at(tip), Some(Handle::Axis(axis)));
-                let middle = handles.place(handles.middle).expect("before the eye");
+                assert_eq!(handles.handle_at(tip), Some(GizmoHandle::Axis(axis)));
+                let middle = handles.project(handles.middle).expect("before the eye");
                 let to = tip + (tip - middle).normalize() * 40.0;
-                let drag = ModelDrag { handle: Handle::Axis(axis), start, from: tip };
+                let drag = ModelDrag { handle: GizmoHandle::Axis(axis), start, from: tip };
                 let moved = handles.dragged(&drag, to, false).translation;
                 let across = moved - direction * moved.dot(direction);
                 assert!(across.length() < 1e-9 && moved.dot(direction) > 0.0, "{moved}");
                 // What was under the pointer still is.
-                let place = handles.place(handles.middle + direction * handles.reach() + moved).expect("before the eye");
+                let place = handles.project(handles.middle + direction * handles.axis_length() + moved).expect("before the eye");
                 assert!((place - to).length() < 1.0, "{place} {to}");
             }
         }
@@ -303,13 +303,13 @@ mod tests {
             for (axis, normal) in AXES.into_iter().enumerate() {
                 let corners = handles.square(axis).expect("it faces the eye");
                 let from = corners.iter().sum::<DVec2>() / 4.0;
-                assert_eq!(handles.at(from), Some(Handle::Plane(axis)));
+                assert_eq!(handles.handle_at(from), Some(GizmoHandle::Plane(axis)));
                 let to = from + DVec2::new(37.0, -21.0);
-                let drag = ModelDrag { handle: Handle::Plane(axis), start, from };
+                let drag = ModelDrag { handle: GizmoHandle::Plane(axis), start, from };
                 let moved = handles.dragged(&drag, to, false).translation;
                 assert!(moved.dot(normal).abs() < 1e-9 && moved.length() > 0.0, "{moved}");
-                let centre = |part: f64| handles.middle + (AXES[(axis + 1) % 3] + AXES[(axis + 2) % 3]) * part * handles.reach();
-                let place = handles.place(centre(0.41) + moved).expect("before the eye");
+                let centre = |part: f64| handles.middle + (AXES[(axis + 1) % 3] + AXES[(axis + 2) % 3]) * part * handles.axis_length();
+                let place = handles.project(centre(0.41) + moved).expect("before the eye");
                 assert!((place - to).length() < 2.0, "{place} {to}");
                 let stepped = handles.dragged(&drag, to, true).translation / handles.step();
                 assert!((stepped - stepped.round()).length() < 1e-9, "{stepped}");
@@ -327,14 +327,14 @@ mod tests {
         let camera = camera(ViewDirection::Front, false);
         let start = model();
         let handles = handles(Tool::Rotate, &camera, &start);
-        let middle = handles.place(handles.middle).expect("before the eye");
-        let from = middle + DVec2::new(0.8, -0.6) * REACH;
-        assert_eq!(handles.at(from), Some(Handle::Axis(2)));
+        let middle = handles.project(handles.middle).expect("before the eye");
+        let from = middle + DVec2::new(0.8, -0.6) * AXIS_LENGTH;
+        assert_eq!(handles.handle_at(from), Some(GizmoHandle::Axis(2)));
         // A quarter against the clock, as seen from the front, is a quarter about +Z.
-        let drag = ModelDrag { handle: Handle::Axis(2), start, from };
-        let turned = handles.dragged(&drag, middle + DVec2::new(-0.6, -0.8) * REACH, false).degrees();
+        let drag = ModelDrag { handle: GizmoHandle::Axis(2), start, from };
+        let turned = handles.dragged(&drag, middle + DVec2::new(-0.6, -0.8) * AXIS_LENGTH, false).degrees();
         assert!((turned - DVec3::new(0.0, 0.0, 90.0)).length() < 1.0, "{turned}");
-        let snapped = handles.dragged(&drag, middle + DVec2::new(0.34, -0.94) * REACH, true).degrees();
+        let snapped = handles.dragged(&drag, middle + DVec2::new(0.34, -0.94) * AXIS_LENGTH, true).degrees();
         assert!((snapped - DVec3::new(0.0, 0.0, 30.0)).length() < 1e-6, "{snapped}");
     }
 
@@ -343,9 +343,9 @@ mod tests {
         let camera = camera(ViewDirection::Front, true);
         let start = model();
         let handles = handles(Tool::Rotate, &camera, &start);
-        let middle = handles.place(handles.middle).expect("before the eye");
+        let middle = handles.project(handles.middle).expect("before the eye");
         // The ring about Y is a level line from here; what is near the eye goes right where the turn is about +Y.
-        let drag = ModelDrag { handle: Handle::Axis(1), start, from: middle };
+        let drag = ModelDrag { handle: GizmoHandle::Axis(1), start, from: middle };
         let turned = handles.dragged(&drag, middle + DVec2::new(20.0, 0.0), false).degrees();
         assert!(turned.y > 5.0 && turned.x.abs() < 1e-6 && turned.z.abs() < 1e-6, "{turned}");
     }
@@ -356,13 +356,13 @@ mod tests {
         let start = model();
         let moving = handles(Tool::Move, &camera, &start);
         let tip = moving.tip(0).expect("before the eye");
-        let drag = ModelDrag { handle: Handle::Axis(0), start, from: tip };
+        let drag = ModelDrag { handle: GizmoHandle::Axis(0), start, from: tip };
         let moved = moving.dragged(&drag, tip + DVec2::new(57.0, 31.0), true).translation / moving.step();
         assert!((moved - moved.round()).length() < 1e-9 && moved != DVec3::ZERO, "{moved}");
         let scaling = handles(Tool::Scale, &camera, &start);
         let tip = scaling.tip(1).expect("before the eye");
-        assert_eq!(scaling.at(tip), Some(Handle::Axis(1)));
-        let drag = ModelDrag { handle: Handle::Axis(1), start, from: tip };
+        assert_eq!(scaling.handle_at(tip), Some(GizmoHandle::Axis(1)));
+        let drag = ModelDrag { handle: GizmoHandle::Axis(1), start, from: tip };
         let scale = scaling.dragged(&drag, tip - DVec2::new(0.0, 45.0), true).scale;
         assert!((scale - 1.5).abs() < 1e-9, "{scale}");
     }
@@ -372,10 +372,10 @@ mod tests {
         let camera = camera(ViewDirection::Front, true);
         let start = model();
         let handles = handles(Tool::Move, &camera, &start);
-        let middle = handles.place(handles.middle).expect("before the eye");
-        assert_ne!(handles.at(middle), Some(Handle::Axis(2)));
-        let drag = ModelDrag { handle: Handle::Axis(2), start, from: middle };
+        let middle = handles.project(handles.middle).expect("before the eye");
+        assert_ne!(handles.handle_at(middle), Some(GizmoHandle::Axis(2)));
+        let drag = ModelDrag { handle: GizmoHandle::Axis(2), start, from: middle };
         assert_eq!(handles.dragged(&drag, middle + DVec2::splat(30.0), false).translation, DVec3::ZERO);
-        assert_eq!(handles.at(DVec2::splat(-1e9)), None);
+        assert_eq!(handles.handle_at(DVec2::splat(-1e9)), None);
     }
 }

@@ -259,7 +259,7 @@ fn is_ours(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::session::Step;
+    use crate::app::session::UndoStep;
     use crate::document::Document;
     use crate::muscle::Edit;
     use crate::scene::MuscleId;
@@ -269,7 +269,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let mut session = Session::new(Document::built_in());
         assert_eq!(RecoveryFile::of(&session), None);
-        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.25), Step::New).unwrap();
+        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.25), UndoStep::New).unwrap();
         let unsaved = RecoveryFile::of(&session).unwrap();
         let path = folder.path().join(format!("{NAME}7-0.yaml"));
         unsaved.write(&path).unwrap();
@@ -287,7 +287,7 @@ mod tests {
         assert_eq!(left_behind(folder.path()).map(|left| left.path), Some(kept), "its program is gone now");
 
         let mut other = Session::new(Document::built_in());
-        other.carry(unsaved.muscle_files().unwrap());
+        other.set_carried_files(unsaved.muscle_files().unwrap());
         assert!(other.is_unsaved() && other.document().muscle_files().eq(session.document().muscle_files()));
         other.undo();
         assert!(!other.is_unsaved());

@@ -7,7 +7,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::{Changes, CompareTarget, Compared, Session};
+use super::session::{ChangeSet, CompareTarget, ComparisonState, Session};
 use super::window::{Window, part};
 use super::{format, ui};
 use crate::tr;
@@ -54,7 +54,7 @@ impl GhostsPanel {
                 move |_| {
                     let [before, after, step] = [&before, &after, &step].map(|number| number.value_as_int().max(0) as u32);
                     window.act(|session| {
-                        session.change_ghosts(|ghosts| (ghosts.before, ghosts.after, ghosts.step) = (before, after, step));
+                        session.change_onion_skin_settings(|ghosts| (ghosts.before, ghosts.after, ghosts.step) = (before, after, step));
                     });
                 }
             ));
@@ -64,7 +64,7 @@ impl GhostsPanel {
             number.connect_value_changed(glib::clone!(
                 #[weak]
                 window,
-                move |_| window.act(|session| session.shift_compared(later.value(), aside.value()))
+                move |_| window.act(|session| session.set_compare_offsets(later.value(), aside.value()))
             ));
         }
         self.with.connect_selected_notify(glib::clone!(
@@ -78,23 +78,23 @@ impl GhostsPanel {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: Changes) {
-        if changes.any(Changes::GHOSTS) {
-            let ghosts = session.ghosts();
+    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::OVERLAYS) {
+            let ghosts = session.onion_skin_settings();
             self.before.set_value(ghosts.before.into());
             self.after.set_value(ghosts.after.into());
             self.step.set_value(ghosts.step.into());
         }
-        if changes.any(Changes::GHOSTS | Changes::DOCUMENT) {
+        if changes.any(ChangeSet::OVERLAYS | ChangeSet::DOCUMENT) {
             self.list(session);
         }
-        if changes.any(Changes::GHOSTS | Changes::PICTURE) {
+        if changes.any(ChangeSet::OVERLAYS | ChangeSet::PICTURE) {
             let compared = session.compared();
             self.shifts.set_visible(compared.is_some());
             self.found.set_visible(compared.is_some());
             if let Some(compared) = compared {
-                self.aside.set_value(compared.aside);
-                self.later.set_value(compared.later);
+                self.aside.set_value(compared.offset);
+                self.later.set_value(compared.time_offset);
                 self.found.set_text(&difference(session, &compared));
             }
         }
@@ -104,7 +104,7 @@ impl GhostsPanel {
     fn list(&self, session: &Session) {
         let mut words = vec![tr!("app-compare-nothing")];
         words.extend(session.document().clips.iter().map(|clip| tr!("app-compare-clip", name = clip.name.clone())));
-        let (other, chosen) = match session.compared_with() {
+        let (other, chosen) = match session.compare_target() {
             None => (None, 0),
             Some(CompareTarget::Clip(clip)) => (None, *clip + 1),
             Some(CompareTarget::File(_, name)) => (Some(file_name(name)), words.len()),
@@ -139,7 +139,7 @@ fn choose(session: &mut Session, place: u32) {
 }
 
 /// How far the two are apart, in one line.
-pub(super) fn difference(session: &Session, compared: &Compared) -> String {
+pub(super) fn difference(session: &Session, compared: &ComparisonState) -> String {
     match compared.farthest {
         None => tr!("app-compare-nothing-common"),
         Some((Some(joint), far)) => {

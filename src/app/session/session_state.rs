@@ -13,7 +13,7 @@ const MODES: [(&str, LoopMode); 3] = [("loop", LoopMode::Loop), ("once", LoopMod
 
 impl Session {
     /// What a session file in `folder` keeps of this.
-    pub fn to_saved(&self, folder: &Path) -> SessionState {
+    pub fn session_state(&self, folder: &Path) -> SessionState {
         let beside = |path: PathBuf| {
             let whole = std::path::absolute(&path).unwrap_or(path);
             std::path::absolute(folder).ok().and_then(|folder| whole.strip_prefix(folder).ok().map(Path::to_path_buf)).unwrap_or(whole)
@@ -21,7 +21,7 @@ impl Session {
         let document = self.document();
         let mut looks = Settings::default();
         looks.take(self);
-        let orbit = self.eye().orbit();
+        let orbit = self.camera_controller().orbit();
         let model = self.model();
         SessionState {
             files: self.files().into_iter().map(beside).collect(),
@@ -53,12 +53,12 @@ impl Session {
             line_width: Some(looks.line_width),
             ambient: Some(looks.ambient),
             weights: self.display().weights.is_some(),
-            onion_skins: self.ghosts(),
+            onion_skins: self.onion_skin_settings(),
             frame_rate: self.chosen_rate(),
             speed: Some(self.playback().speed),
             loop_mode: MODES.iter().find(|(_, mode)| *mode == self.playback().mode).map_or("loop", |(name, _)| name).into(),
             marks: [self.playback().mark_a, self.playback().mark_b],
-            file_camera: match self.eye().viewpoint() {
+            file_camera: match self.camera_controller().viewpoint() {
                 Viewpoint::File(node, _) => Some(saved_node(document, node)),
                 Viewpoint::Orbit | Viewpoint::Fly(_) => None,
             },
@@ -73,10 +73,10 @@ impl Session {
     }
 
     fn saved_comparison(&self, beside: &dyn Fn(PathBuf) -> PathBuf) -> Option<SavedComparison> {
-        let (later, aside) = self.compared_shift()?;
-        let toward = self.company.comparison().map(|comparison| comparison.direction().to_array());
+        let (later, aside) = self.compare_offset()?;
+        let toward = self.overlays.comparison().map(|comparison| comparison.direction().to_array());
         let blank = SavedComparison { later, aside, toward, ..SavedComparison::default() };
-        Some(match self.compared_with()? {
+        Some(match self.compare_target()? {
             CompareTarget::File(_, name) => SavedComparison { file: Some(beside(name.into())), ..blank },
             CompareTarget::Clip(clip) => SavedComparison { clip: self.document().clip_key(*clip), ..blank },
             CompareTarget::Skinning => SavedComparison { skinning: true, ..blank },
@@ -84,7 +84,7 @@ impl Session {
     }
 
     /// Shows a document as a session file says. What no longer exists is passed over; numbers that are none are too.
-    pub fn show_saved(&mut self, mut document: Document, saved: &SessionState) {
+    pub fn show_session(&mut self, mut document: Document, saved: &SessionState) {
         saved.apply_to_document(&mut document);
         let selected = saved.selected.as_ref().and_then(|node| node.find(&document));
         self.show(document, LoadMode::New);
@@ -117,15 +117,15 @@ impl Session {
         if let Some(model) = saved.model {
             self.change_model(|ours| model.apply_to(ours));
         }
-        self.stand_as(saved);
+        self.restore_camera(saved);
         if let Some(compared) = &saved.compared {
             let with = compared.target_within(self.document());
             if with.is_some() {
                 // Aside is to the right as one looks; then the eye's reach is that of both.
-                self.put_beside(with);
-                self.shift_as(compared);
+                self.set_comparison(with);
+                self.apply_saved_comparison(compared);
                 match saved.camera {
-                    Some(_) => self.stand_as(saved),
+                    Some(_) => self.restore_camera(saved),
                     None => self.fit(),
                 }
             }
@@ -133,20 +133,20 @@ impl Session {
         if let Some(node) = saved.file_camera.as_ref().and_then(|node| node.find(self.document())) {
             let found = file_cameras(&self.document().scene).into_iter().find(|(carrier, _)| *carrier == node);
             if let Some((node, camera)) = found {
-                self.change_eye(|eye| eye.look_through(node, camera));
+                self.change_camera(|eye| eye.look_through(node, camera));
             }
         }
         self.follow_node(saved.follow.as_ref().and_then(|node| node.find(self.document())));
         self.select(selected);
         self.set_weights(saved.weights);
-        self.change_ghosts(|ghosts| *ghosts = saved.onion_skins);
+        self.change_onion_skin_settings(|ghosts| *ghosts = saved.onion_skins);
     }
 
     /// The orbit stands where a session file says.
-    fn stand_as(&mut self, saved: &SessionState) {
-        let reach = self.reach();
+    fn restore_camera(&mut self, saved: &SessionState) {
+        let reach = self.motion_bounds();
         if let Some(orbit) = saved.camera.and_then(|camera| camera.orbit(&reach)) {
-            self.change_eye(|eye| eye.handle(|ours| *ours = orbit));
+            self.change_camera(|eye| eye.change(|ours| *ours = orbit));
         }
     }
 }
@@ -169,20 +169,20 @@ mod tests {
         session.set_flexion(40.0);
         session.set_visible(NodeId(1), false);
         session.select(Some(NodeId(2)));
-        session.turn_light(20.0, 10.0);
+        session.rotate_light(20.0, 10.0);
         session.change_model(|model| model.scale_by(2.0));
-        session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(33.0, -4.0)));
+        session.change_camera(|eye| eye.change(|orbit| orbit.orbit(33.0, -4.0)));
         session.change_display(|display| (display.bones, display.line_width) = (true, 2.5));
         session.set_backdrop(BackgroundPreset::Grey);
         session.set_bone_names(true);
         session.set_skinning(Skinning::DualQuaternion);
-        session.turn_by_hand(NodeId(2), DVec3::new(1.0, 2.5, -3.0));
-        let saved = session.to_saved(Path::new("/somewhere"));
+        session.override_joint(NodeId(2), DVec3::new(1.0, 2.5, -3.0));
+        let saved = session.session_state(Path::new("/somewhere"));
         let read = SessionState::parse(&saved.to_yaml().expect("written")).expect("a session file").expect("sound");
         assert_eq!(read, saved);
         let mut other = Session::default();
-        other.show_saved(Document::built_in(), &read);
-        assert_eq!(other.to_saved(Path::new("/somewhere")), saved);
+        other.show_session(Document::built_in(), &read);
+        assert_eq!(other.session_state(Path::new("/somewhere")), saved);
         assert_eq!((other.display(), other.selected()), (session.display(), session.selected()));
     }
 
@@ -193,16 +193,16 @@ mod tests {
         session.time(|time| time.seek(0.5));
         session.choose_rate(Some(50.0));
         session.select(session.document().scene.graph.find("arm"));
-        session.change_ghosts(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.change_onion_skin_settings(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
         session.compare(Some(CompareTarget::Clip(0)));
-        session.shift_compared(0.125, 2.0);
+        session.set_compare_offsets(0.125, 2.0);
         session.toggle_follow();
-        let saved = session.to_saved(Path::new("/somewhere"));
+        let saved = session.session_state(Path::new("/somewhere"));
         let read = SessionState::parse(&saved.to_yaml().expect("written")).expect("a session file").expect("sound");
         let mut other = Session::default();
-        other.show_saved(swinging(), &read);
-        assert_eq!(other.to_saved(Path::new("/somewhere")), saved);
-        assert_eq!((other.ghosts(), other.compared_shift()), (session.ghosts(), Some((0.125, 2.0))));
+        other.show_session(swinging(), &read);
+        assert_eq!(other.session_state(Path::new("/somewhere")), saved);
+        assert_eq!((other.onion_skin_settings(), other.compare_offset()), (session.onion_skin_settings(), Some((0.125, 2.0))));
     }
 
     #[test]
@@ -211,16 +211,16 @@ mod tests {
         session.time(|time| time.seek(0.5));
         session.choose_rate(Some(50.0));
         session.select(session.document().scene.graph.find("arm"));
-        session.change_ghosts(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.change_onion_skin_settings(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
         session.compare(Some(CompareTarget::Skinning));
-        session.shift_compared(0.0, 2.0);
+        session.set_compare_offsets(0.0, 2.0);
         session.fit();
-        session.change_eye(|eye| eye.handle(|orbit| orbit.orbit(77.0, -4.0)));
-        let saved = session.to_saved(Path::new("/somewhere"));
+        session.change_camera(|eye| eye.change(|orbit| orbit.orbit(77.0, -4.0)));
+        let saved = session.session_state(Path::new("/somewhere"));
 
         let mut other = Session::default();
-        other.show_saved(swinging(), &saved);
-        assert_eq!(other.eye().orbit(), session.eye().orbit());
+        other.show_session(swinging(), &saved);
+        assert_eq!(other.camera_controller().orbit(), session.camera_controller().orbit());
 
         let document = swinging();
         let (mut company, rate) = SceneOverlays::from_session(&saved, &document, None);
@@ -244,9 +244,11 @@ mod tests {
         let bad = "sinew_session:\n  time: .nan\n  camera: {target: [.inf, 0, 0], yaw: 1, pitch: 2, distance: -1}\n  model: {translation: [.nan, 0, 0], rotation: [0, 0, 0], scale: -1}\n  hidden: [{node: 9999, name: gone}]\n  line-width: .nan\n  speed: .inf\n  marks: [.nan, 1e9]\n  ghosts: {before: 4000000000, step: 0}\n";
         let saved = SessionState::parse(bad).expect("a session file").expect("sound YAML");
         let mut session = Session::default();
-        session.show_saved(Document::built_in(), &saved);
-        assert!(session.model().is_identity() && session.eye().orbit().distance > 0.0 && session.playback().time.is_finite());
-        assert!(session.ghosts().before <= 10 && session.ghosts().step >= 1 && session.display().line_width == 1.0);
+        session.show_session(Document::built_in(), &saved);
+        assert!(session.model().is_identity() && session.camera_controller().orbit().distance > 0.0 && session.playback().time.is_finite());
+        assert!(
+            session.onion_skin_settings().before <= 10 && session.onion_skin_settings().step >= 1 && session.display().line_width == 1.0
+        );
         assert!(session.playback().speed.is_finite() && session.playback().mark_a.is_none());
     }
 }
