@@ -9,7 +9,7 @@ use gtk4 as gtk;
 
 use super::APPLICATION_ID;
 use super::commands::{Command, Group};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use crate::tr;
 
 /// What the mouse does: the keys of its names and of its gestures in the catalogue.
@@ -36,7 +36,7 @@ const SECTIONS: [&[Group]; 4] = [
 
 /// Shows all keys and what the mouse does.
 pub(super) fn shortcuts(window: &Rc<Window>) {
-    let shortcuts: gtk::ShortcutsWindow = part(&gtk::Builder::from_string(&shortcuts_ui()), "shortcuts");
+    let shortcuts: gtk::ShortcutsWindow = object(&gtk::Builder::from_string(&shortcuts_ui()), "shortcuts");
     shortcuts.set_transient_for(Some(&window.widget));
     shortcuts.present();
 }

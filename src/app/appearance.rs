@@ -51,7 +51,7 @@ pub(super) fn follow(window: &Rc<Window>) {
     settings.connect_gtk_enable_animations_notify(move |_| {
         if let Some(window) = weak.upgrade() {
             let smooth = window.settings.borrow().smooth_camera;
-            window.act(|session| session.set_eased(smooth && animates()));
+            window.update(|session| session.set_eased(smooth && animates()));
         }
     });
     follow_portal(window);
@@ -77,7 +77,7 @@ fn show(window: &Rc<Window>) {
     let color = text_color(&window.widget);
     let light = color.red() * 0.3 + color.green() * 0.6 + color.blue() * 0.1;
     let theme = if light > 0.5 { Theme::Dark } else { Theme::Light };
-    window.act(|session| session.set_theme(theme));
+    window.update(|session| session.set_theme(theme));
 }
 
 /// What the desktop's portal says, if there is one that answers at once.

@@ -8,7 +8,7 @@ use gtk4 as gtk;
 
 use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::session::{PickTarget, Session, UndoStep};
-use super::window::part;
+use super::window::object;
 use super::{format, ui};
 use crate::i18n;
 use crate::muscle::{Anchor, AttachmentPoint, Edit};
@@ -77,22 +77,22 @@ pub(super) struct AttachmentField {
 impl AttachmentField {
     /// That of the widgets whose names begin with `name`. A via point is always on some bone; all else can be on none.
     pub(super) fn new(builder: &gtk::Builder, name: &str, hold: AttachmentPoint, bones: &Bones) -> Self {
-        let bone: gtk::DropDown = part(builder, &format!("{name}_bone"));
+        let bone: gtk::DropDown = object(builder, &format!("{name}_bone"));
         let or_none = !matches!(hold, AttachmentPoint::Via(_));
         ui::narrow(&bone, 12);
         bone.set_model(Some(if or_none { &bones.or_none } else { &bones.names }));
         Self {
             hold,
             bone,
-            pick: part(builder, &format!("{name}_pick")),
-            offset: part(builder, &format!("{name}_offset")),
-            entries: ["x", "y", "z"].map(|axis| part(builder, &format!("{name}_{axis}"))),
+            pick: object(builder, &format!("{name}_pick")),
+            offset: object(builder, &format!("{name}_offset")),
+            entries: ["x", "y", "z"].map(|axis| object(builder, &format!("{name}_{axis}"))),
             bones: bones.clone(),
             or_none,
         }
     }
 
-    /// Lets hands choose, pick and type.
+    /// Connects the input of the widgets.
     pub(super) fn connect(&self, editor: &Editor) {
         let (own, field) = (editor.clone(), self.clone());
         self.bone.connect_selected_notify(move |list| {

@@ -6,7 +6,7 @@ use gtk4 as gtk;
 use super::attachment_field::{AttachmentField, Bones};
 use super::muscle_editor::Editor;
 use super::session::Session;
-use super::window::part;
+use super::window::object;
 use crate::muscle::AttachmentPoint;
 use crate::scene::MuscleId;
 
@@ -23,11 +23,11 @@ impl AttachmentsEditor {
     pub(super) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
         Self {
             ends: [0, 1].map(|end| AttachmentField::new(builder, NAMES[end], AttachmentPoint::End(end), bones)),
-            units: NAMES.map(|name| part(builder, &format!("{name}_unit"))),
+            units: NAMES.map(|name| object(builder, &format!("{name}_unit"))),
         }
     }
 
-    /// Lets hands choose, pick and type.
+    /// Connects the input of the widgets.
     pub(super) fn connect(&self, editor: &Editor) {
         self.ends.iter().for_each(|end| end.connect(editor));
     }

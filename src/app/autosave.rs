@@ -12,17 +12,17 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::session::Session;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{document_loader, ui};
 use crate::muscle::MuscleFile;
 use crate::tr;
 use crate::view::RecoveryFile;
 
 /// The first change is written down at once; those that follow are gathered for so long.
-const GATHER: Duration = Duration::from_millis(500);
+const WRITE_DELAY: Duration = Duration::from_millis(500);
 /// A program that is ending may hold its file for a moment still, as while it writes down what it was: so often is looked again, and so far apart.
-const LOOKS: u32 = 20;
-const LOOK_AGAIN: Duration = Duration::from_millis(500);
+const MAX_CHECKS: u32 = 20;
+const CHECK_INTERVAL: Duration = Duration::from_millis(500);
 /// What the names of these files begin with; the number of the process follows.
 const NAME: &str = "unsaved-";
 
@@ -37,7 +37,7 @@ impl RecoveryFile {
 }
 
 /// The recovery file of a window, and the bar that offers those of others.
-pub(super) struct Recovery {
+pub(super) struct Autosave {
     /// The bar.
     pub root: gtk::InfoBar,
     message: gtk::Label,
@@ -48,17 +48,17 @@ pub(super) struct Recovery {
     /// Held while there is a file of this window's.
     lock: RefCell<Option<Lock>>,
     told: Cell<bool>,
-    offered: RefCell<Option<Left>>,
+    offered: RefCell<Option<LeftoverFile>>,
 }
 
-/// What a program that is gone has left, held from all others.
-struct Left {
+/// A recovery file of a program that has ended, locked against others.
+struct LeftoverFile {
     path: PathBuf,
     unsaved: RecoveryFile,
     lock: Lock,
 }
 
-/// Says to other programs that a file has somebody who looks after it. The system takes the lock away with the program that held it, however that ended.
+/// Lock that shows other programs that this recovery file is in use. The system releases it with the program, however that ends.
 struct Lock {
     path: PathBuf,
     /// Never read; the lock lives as long as it does.
@@ -72,21 +72,21 @@ impl Lock {
         let file = std::fs::OpenOptions::new().create(true).append(true).open(&path).ok()?;
         match file.try_lock() {
             Err(TryLockError::WouldBlock) => None,
-            // Where a file system knows no locks, whoever comes first takes it.
+            // On a file system without locks the first program takes it.
             Ok(()) | Err(TryLockError::Error(_)) => Some(Self { path, _file: file }),
         }
     }
 }
 
-impl Recovery {
+impl Autosave {
     /// Nothing written, nothing offered.
     pub(super) fn new() -> Self {
         static NEXT: AtomicU32 = AtomicU32::new(0);
         let builder = ui::builder(ui::RECOVERY_BAR);
         let name = format!("{NAME}{}-{}.yaml", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
         Self {
-            root: part(&builder, "root"),
-            message: part(&builder, "message"),
+            root: object(&builder, "root"),
+            message: object(&builder, "message"),
             path: folder().join(name),
             gathering: Cell::default(),
             changed: Cell::default(),
@@ -118,14 +118,14 @@ impl Recovery {
 
     /// Offers what a program that ended without saving has left.
     pub(super) fn offer(&self, window: &Rc<Window>) {
-        self.look(&Rc::downgrade(window), LOOKS);
+        self.look(&Rc::downgrade(window), MAX_CHECKS);
     }
 
     fn look(&self, window: &Weak<Window>, looks: u32) {
         let Some(left) = left_behind(&folder()) else {
             if looks > 1 && has_others(&folder(), &self.path) {
                 let window = window.clone();
-                glib::timeout_add_local_once(LOOK_AGAIN, move || {
+                glib::timeout_add_local_once(CHECK_INTERVAL, move || {
                     if let Some(of) = window.upgrade() {
                         of.recovery.look(&window, looks - 1);
                     }
@@ -157,7 +157,7 @@ impl Recovery {
             return;
         }
         let weak = Rc::downgrade(window);
-        glib::idle_add_local_once(move || write_down(&weak));
+        glib::idle_add_local_once(move || write_recovery_file(&weak));
     }
 
     fn write(&self, unsaved: &RecoveryFile) {
@@ -175,7 +175,7 @@ impl Recovery {
         }
     }
 
-    /// All is saved, or was let go by a hand.
+    /// Everything is saved, or was discarded by the user.
     pub(super) fn clear(&self) {
         self.changed.set(false);
         if let Some(lock) = self.lock.take() {
@@ -185,23 +185,23 @@ impl Recovery {
 }
 
 /// Writes down what is not saved, and again a moment later where it changed meanwhile.
-fn write_down(weak: &Weak<Window>) {
+fn write_recovery_file(weak: &Weak<Window>) {
     let Some(window) = weak.upgrade() else { return };
-    match window.look(|session| RecoveryFile::of(session)) {
+    match window.read(|session| RecoveryFile::of(session)) {
         Some(unsaved) => window.recovery.write(&unsaved),
         None => window.recovery.clear(),
     }
     let weak = weak.clone();
-    glib::timeout_add_local_once(GATHER, move || {
+    glib::timeout_add_local_once(WRITE_DELAY, move || {
         let Some(window) = weak.upgrade() else { return };
         if window.recovery.changed.get() {
-            return write_down(&weak);
+            return write_recovery_file(&weak);
         }
         window.recovery.gathering.set(false);
     });
 }
 
-impl Left {
+impl LeftoverFile {
     /// It was brought back, or is not wanted.
     fn forget(self) {
         forget_files(&self.path, &self.lock);
@@ -209,9 +209,9 @@ impl Left {
 }
 
 /// Opens the files that were open, and puts the muscles that were not saved into them. What was left is kept until they are there.
-fn restore(window: &Rc<Window>, left: Left) {
+fn restore(window: &Rc<Window>, left: LeftoverFile) {
     let Some(muscles) = left.unsaved.muscle_files() else { return };
-    document_loader::open_carrying(window, left.unsaved.files.clone(), muscles, move || left.forget());
+    document_loader::open_with_state(window, left.unsaved.files.clone(), muscles, move || left.forget());
 }
 
 /// A file that cannot be removed is offered again; nothing is lost by that.
@@ -238,7 +238,7 @@ fn has_others(folder: &Path, own: &Path) -> bool {
 }
 
 /// The newest file of a program that no longer runs.
-fn left_behind(folder: &Path) -> Option<Left> {
+fn left_behind(folder: &Path) -> Option<LeftoverFile> {
     let dated = |path: PathBuf| Some((std::fs::metadata(&path).ok()?.modified().ok()?, path));
     let mut left: Vec<_> = all(folder).into_iter().filter_map(dated).collect();
     left.sort();
@@ -246,7 +246,7 @@ fn left_behind(folder: &Path) -> Option<Left> {
         let unsaved = RecoveryFile::read(&path)?;
         let lock = Lock::of(&path)?;
         // Another window may have brought it back meanwhile.
-        path.exists().then_some(Left { path, unsaved, lock })
+        path.exists().then_some(LeftoverFile { path, unsaved, lock })
     })
 }
 

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use super::drawing_area::{PaintWidget, rgb, write_on};
+use super::drawing_area::{PaintWidget, rgb, write_with_background};
 use super::session::Session;
 use crate::render::Background;
 
@@ -38,7 +38,7 @@ pub(super) fn write_all(session: &mut Session, canvas: &PaintWidget, snapshot: &
             Background::Transparent => display.palette.background.0,
         });
         let color = if display.selected == Some(node) { display.palette.selected } else { display.palette.bone };
-        let written = write_on(canvas, snapshot, name, (x, y), 0.8, &rgb(color), &ground.with_alpha(0.8));
+        let written = write_with_background(canvas, snapshot, name, (x, y), 0.8, &rgb(color), &ground.with_alpha(0.8));
         taken.push((x, x + written, y));
     }
 }

@@ -20,7 +20,7 @@ use crate::tr;
 /// One action a command; those that are on or off have a state.
 pub(super) fn make_actions() -> HashMap<Command, gio::SimpleAction> {
     let probe = Session::default();
-    let make = |command: Command| match switch_state(command, &probe) {
+    let make = |command: Command| match flag_state(command, &probe) {
         Some(_) => gio::SimpleAction::new_stateful(command.id(), None, &false.to_variant()),
         None if has_window_state(command) => gio::SimpleAction::new_stateful(command.id(), None, &false.to_variant()),
         None => gio::SimpleAction::new(command.id(), None),
@@ -43,7 +43,7 @@ pub(super) fn connect(window: &Rc<Window>) {
 /// Shows in the actions what is on and what can be done.
 pub(super) fn show_states(window: &Rc<Window>, session: &Session, actions: &HashMap<Command, gio::SimpleAction>) {
     for (command, action) in actions {
-        if let Some(on) = switch_state(*command, session).or_else(|| window_state(window, *command)) {
+        if let Some(on) = flag_state(*command, session).or_else(|| window_state(window, *command)) {
             action.set_state(&on.to_variant());
         }
         action.set_enabled(is_possible(window, *command, session));
@@ -69,7 +69,7 @@ fn shading_of(command: Command) -> Option<Shading> {
     }
 }
 
-fn colours_of(command: Command) -> Option<ColorScheme> {
+fn color_scheme_of(command: Command) -> Option<ColorScheme> {
     match command {
         Command::ColoursSystem => Some(ColorScheme::System),
         Command::ColoursLight => Some(ColorScheme::Light),
@@ -78,8 +78,8 @@ fn colours_of(command: Command) -> Option<ColorScheme> {
     }
 }
 
-fn switch_state(command: Command, session: &Session) -> Option<bool> {
-    if let Some(switch) = command.switch() {
+fn flag_state(command: Command, session: &Session) -> Option<bool> {
+    if let Some(switch) = command.display_flag() {
         return Some(*switch(&mut session.display().clone()));
     }
     if let Some(tool) = tool_of(command) {
@@ -107,7 +107,7 @@ fn switch_state(command: Command, session: &Session) -> Option<bool> {
 fn has_window_state(command: Command) -> bool {
     use Command as C;
     matches!(command, C::Tree | C::Panel | C::Fullscreen | C::FrameTimes | C::Sheet | C::Curves | C::SmoothCamera)
-        || colours_of(command).is_some()
+        || color_scheme_of(command).is_some()
 }
 
 fn window_state(window: &Rc<Window>, command: Command) -> Option<bool> {
@@ -119,7 +119,7 @@ fn window_state(window: &Rc<Window>, command: Command) -> Option<bool> {
         Command::Sheet => Some(window.settings.borrow().sheet == SheetPage::Keys),
         Command::Curves => Some(window.settings.borrow().sheet == SheetPage::Curves),
         Command::SmoothCamera => Some(window.settings.borrow().smooth_camera),
-        _ => colours_of(command).map(|colours| window.settings.borrow().colours == colours),
+        _ => color_scheme_of(command).map(|colours| window.settings.borrow().colours == colours),
     }
 }
 
@@ -162,8 +162,8 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
 /// Does it.
 pub(super) fn perform(window: &Rc<Window>, command: Command) {
     use Command as C;
-    if let Some(switch) = command.switch() {
-        return window.act(|session| {
+    if let Some(switch) = command.display_flag() {
+        return window.update(|session| {
             session.change_display(|display| {
                 let on = switch(display);
                 *on = !*on;
@@ -171,17 +171,17 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         });
     }
     if let Some(tool) = tool_of(command) {
-        return window.act(|session| session.set_tool(tool));
+        return window.update(|session| session.set_tool(tool));
     }
     if let Some(shading) = shading_of(command) {
-        return window.act(|session| session.change_display(|display| display.shading = shading));
+        return window.update(|session| session.change_display(|display| display.shading = shading));
     }
-    if let Some(colours) = colours_of(command) {
+    if let Some(colours) = color_scheme_of(command) {
         window.settings.borrow_mut().colours = colours;
         appearance::choose(colours);
         return window.show_states();
     }
-    let look = |view: ViewDirection| window.act(|session| session.change_camera(|eye| eye.look_from(view)));
+    let look = |view: ViewDirection| window.update(|session| session.change_camera(|eye| eye.look_from(view)));
     match command {
         C::Open => document_loader::choose(window),
         C::CompareFile => compare_file::choose(window),
@@ -225,15 +225,15 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
             window.viewport.show_times(shown);
             window.show_states();
         }
-        C::TimeCloser => window.look_at_time(|track| track.zoom(1.5, track.time)),
-        C::TimeWider => window.look_at_time(|track| track.zoom(1.0 / 1.5, track.time)),
-        C::TimeWhole => window.look_at_time(|track| track.range = track.whole),
+        C::TimeCloser => window.change_visible_range(|track| track.zoom(1.5, track.time)),
+        C::TimeWider => window.change_visible_range(|track| track.zoom(1.0 / 1.5, track.time)),
+        C::TimeWhole => window.change_visible_range(|track| track.range = track.whole),
         C::Sheet => unfold(window, SheetPage::Keys),
         C::Curves => unfold(window, SheetPage::Curves),
         C::SmoothCamera => {
             let smooth = !window.settings.borrow().smooth_camera;
             window.settings.borrow_mut().smooth_camera = smooth;
-            window.act(|session| session.set_eased(smooth && appearance::animates()));
+            window.update(|session| session.set_eased(smooth && appearance::animates()));
             window.show_states();
         }
         C::Menu => window.menu.popup(),
@@ -242,7 +242,7 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         C::About => about::about(window),
         C::Fly => window.viewport.toggle_flight(window),
         C::NewMuscle | C::DuplicateMuscle | C::DeleteMuscle => window.change_muscles(command),
-        in_session => window.act(|session| change_session(in_session, session)),
+        in_session => window.update(|session| change_session(in_session, session)),
     }
 }
 

@@ -164,9 +164,9 @@ commands! {
         PreviousKey = "previous-key" ["Up"],
         /// Next key.
         NextKey = "next-key" ["Down"],
-        /// A closer look at the timeline.
+        /// Zooms the timeline in.
         TimeCloser = "time-closer" ["<Control>plus"],
-        /// A wider look.
+        /// Zooms the timeline out.
         TimeWider = "time-wider" ["<Control>minus"],
         /// All of the timeline.
         TimeWhole = "time-whole" ["<Control>0"],
@@ -272,13 +272,13 @@ commands! {
         CullBackFaces = "cull-back-faces" [],
         /// Anti-aliasing.
         SmoothEdges = "smooth-edges" [],
-        /// The look "clean".
+        /// The display preset "clean".
         PresetClean = "preset-clean" [],
-        /// The look "skeleton".
+        /// The display preset "skeleton".
         PresetSkeleton = "preset-skeleton" [],
-        /// The look "inspection".
+        /// The display preset "inspection".
         PresetInspection = "preset-inspection" [],
-        /// The look "print".
+        /// The display preset "print".
         PresetPrint = "preset-print" [],
         /// Flat shading.
         Flat = "flat" [],
@@ -367,7 +367,7 @@ impl Command {
     }
 
     /// The switch of the display that it turns, if it is one.
-    pub fn switch(self) -> Option<fn(&mut crate::render::Display) -> &mut bool> {
+    pub fn display_flag(self) -> Option<fn(&mut crate::render::Display) -> &mut bool> {
         super::settings::DISPLAY_FLAGS.iter().find(|(name, _)| *name == self.id()).map(|(_, switch)| *switch)
     }
 }
@@ -394,7 +394,7 @@ mod tests {
     #[test]
     fn every_switch_of_the_display_is_a_command() {
         for (name, _) in crate::app::settings::DISPLAY_FLAGS {
-            assert!(Command::from_id(name).is_some_and(|command| command.switch().is_some()), "{name}");
+            assert!(Command::from_id(name).is_some_and(|command| command.display_flag().is_some()), "{name}");
         }
     }
 }

@@ -25,8 +25,8 @@ pub(super) fn choose(window: &Rc<Window>) {
 /// Compares what is open with a file.
 pub(super) fn open(window: &Rc<Window>, path: PathBuf) {
     let name = path.display().to_string();
-    document_loader::read_apart(window, path, move |window, document| {
-        window.act(|session| session.compare(Some(CompareTarget::File(Box::new(document), name))));
+    document_loader::read_in_background(window, path, move |window, document| {
+        window.update(|session| session.compare(Some(CompareTarget::File(Box::new(document), name))));
         document_loader::watch(window);
     });
 }
@@ -38,13 +38,13 @@ pub(super) fn read_again(window: &Rc<Window>, path: &Path) {
         let wanted = path.clone();
         let read = gio::spawn_blocking(move || Document::open(&[wanted], &Progress::default())).await;
         if let Ok(Ok(document)) = read
-            && window.look(|session| session.compared_file()).as_ref() == Some(&path)
+            && window.read(|session| session.compared_file()).as_ref() == Some(&path)
         {
-            let news = window.look(|session| match session.compare_target() {
+            let news = window.read(|session| match session.compare_target() {
                 Some(CompareTarget::File(old, _)) => reload_summary::what_changed(old, &document),
                 _ => String::new(),
             });
-            window.act(|session| session.replace_compared_file(document));
+            window.update(|session| session.replace_compared_file(document));
             let file = onion_skin_panel::file_name(&path.display().to_string());
             window.viewport.toast(&tr!("app-compared-again", file = file, news = news), None);
         }

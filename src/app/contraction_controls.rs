@@ -9,7 +9,7 @@ use gtk4 as gtk;
 
 use super::commands::Command;
 use super::session::{ChangeSet, JointAxis, Session, UndoStep};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::scene::NodeId;
 use crate::tr;
@@ -32,16 +32,16 @@ pub(super) struct ContractionControls {
 impl ContractionControls {
     /// Those of a panel.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
-        let (joint, axis): (gtk::DropDown, gtk::DropDown) = (part(builder, "joint"), part(builder, "joint_axis"));
+        let (joint, axis): (gtk::DropDown, gtk::DropDown) = (object(builder, "joint"), object(builder, "joint_axis"));
         ui::narrow(&joint, 12);
         let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
         axis.set_model(Some(&ui::words(&names)));
         Self {
-            contraction: part(builder, "contraction"),
-            flexion: part(builder, "flexion"),
+            contraction: object(builder, "contraction"),
+            flexion: object(builder, "flexion"),
             joint,
             axis,
-            on_top: part(builder, "on_top"),
+            on_top: object(builder, "on_top"),
             bones: Rc::default(),
             builder: builder.clone(),
         }
@@ -52,12 +52,12 @@ impl ContractionControls {
         self.contraction.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.set_contraction_undoable(slider.value()))
+            move |slider| window.update(|session| session.set_contraction_undoable(slider.value()))
         ));
         self.flexion.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.set_angle_undoable(slider.value()))
+            move |slider| window.update(|session| session.set_angle_undoable(slider.value()))
         ));
         for list in [&self.joint, &self.axis] {
             let (joint, axis, bones) = (self.joint.downgrade(), self.axis.downgrade(), self.bones.clone());
@@ -68,7 +68,7 @@ impl ContractionControls {
                     let (Some(joint), Some(axis)) = (joint.upgrade(), axis.upgrade()) else { return };
                     let bone = (joint.selected() as usize).checked_sub(1).and_then(|row| bones.borrow().get(row).copied());
                     let axis = AXES.get(axis.selected() as usize).copied().unwrap_or_default();
-                    window.act(|session| {
+                    window.update(|session| {
                         // Another axis of the joint that was found is a choice too.
                         let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Hinge);
                         let chosen = bone.or_else(found).map(|node| (node, axis));
@@ -80,14 +80,14 @@ impl ContractionControls {
         self.on_top.connect_toggled(glib::clone!(
             #[weak]
             window,
-            move |on_top| window.act(|session| {
+            move |on_top| window.update(|session| {
                 session.undoable(tr!("app-edit-on-top"), UndoStep::New, |session| session.set_on_top(on_top.is_active()));
             })
         ));
-        part::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::release_undoable)
+            move |_| window.update(Session::release_undoable)
         ));
     }
 
@@ -98,8 +98,8 @@ impl ContractionControls {
         }
         let (there, bend, contraction) = (session.document().muscle_count() > 0, session.angle_slider(), session.contraction());
         let (text, show) = (
-            |id: &str, value: String| part::<gtk::Label>(&self.builder, id).set_text(&value),
-            |id: &str, shown: bool| part::<gtk::Widget>(&self.builder, id).set_visible(shown),
+            |id: &str, value: String| object::<gtk::Label>(&self.builder, id).set_text(&value),
+            |id: &str, shown: bool| object::<gtk::Widget>(&self.builder, id).set_visible(shown),
         );
         show("sliders", there || bend.is_some());
         for id in ["contraction_label", "contraction", "contraction_value"] {
@@ -123,7 +123,7 @@ impl ContractionControls {
         if of_clip {
             self.on_top.set_active(session.is_on_top());
             self.on_top.set_visible(!session.document().clips.is_empty());
-            part::<gtk::Button>(&self.builder, "joint_release").set_sensitive(bend.is_manual);
+            object::<gtk::Button>(&self.builder, "joint_release").set_sensitive(bend.is_manual);
             let row = |node: NodeId| self.bones.borrow().iter().position(|bone| *bone == node).map_or(0, |row| row as u32 + 1);
             let (bone, axis) = session.chosen_joint().map_or((0, JointAxis::Hinge), |(node, axis)| (row(node), axis));
             self.joint.set_selected(bone);

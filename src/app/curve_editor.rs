@@ -15,7 +15,7 @@ use super::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRo
 use super::settings::SheetPage;
 use super::timeline::{self, hold_while};
 use super::timeline_ruler::Track;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::scene::NodeId;
 use crate::tr;
@@ -27,8 +27,8 @@ const ROW: i32 = 22;
 /// A click as near as this to a key goes to the key, logical pixels.
 const NEAR: f64 = 6.0;
 
-/// What the rows and both pages paint from.
-struct Shown {
+/// Data that the rows and both pages are painted from.
+struct EditorState {
     track: Rc<RefCell<Track>>,
     track_canvas: PaintWidget,
     rows: RefCell<Arc<Vec<SheetRow>>>,
@@ -36,7 +36,7 @@ struct Shown {
     pointer: Cell<Option<f64>>,
 }
 
-impl Shown {
+impl EditorState {
     /// Where the track starts in a canvas below it, and how wide it is.
     fn axis(&self, canvas: &PaintWidget) -> (f64, f64) {
         let left = self.track_canvas.translate_coordinates(canvas, 0.0, 0.0).map_or(0.0, |(x, _)| x);
@@ -63,11 +63,11 @@ pub(super) struct Sheet {
     values: gtk::Label,
     curves: PaintWidget,
     cursors: [PaintWidget; 2],
-    shown: Rc<Shown>,
+    shown: Rc<EditorState>,
     graphs: RefCell<Vec<Graph>>,
     /// The row whose curves are shown.
     moved: Cell<Option<AnimatedItem>>,
-    /// The kind that a hand chose.
+    /// The kind that the user chose.
     kind: Cell<Option<GraphKind>>,
     page: Cell<SheetPage>,
 }
@@ -76,7 +76,7 @@ impl Sheet {
     /// An empty one, below this track.
     pub(super) fn new(track: Rc<RefCell<Track>>, track_canvas: &PaintWidget) -> Self {
         let builder = ui::builder(ui::SHEET);
-        let shown = Rc::new(Shown {
+        let shown = Rc::new(EditorState {
             track,
             track_canvas: track_canvas.clone(),
             rows: RefCell::default(),
@@ -86,13 +86,13 @@ impl Sheet {
         let cursor = |overlay: &str| {
             let canvas = PaintWidget::new(0, 0);
             canvas.set_can_target(false);
-            part::<gtk::Overlay>(&builder, overlay).add_overlay(&canvas);
+            object::<gtk::Overlay>(&builder, overlay).add_overlay(&canvas);
             let shown = shown.clone();
             canvas.set_painter(move |canvas, snapshot, width, height| paint_cursor(&shown, canvas, snapshot, width, height));
             canvas
         };
         let curves = PaintWidget::named(&tr!("app-do-curves"), 100, 100);
-        part::<gtk::Overlay>(&builder, "curves_overlay").set_child(Some(&curves));
+        object::<gtk::Overlay>(&builder, "curves_overlay").set_child(Some(&curves));
         let painted = shown.clone();
         curves.set_painter(move |canvas, snapshot, width, height| {
             painted.plot.borrow().paint(canvas, snapshot, (width, height), &painted.track.borrow(), painted.axis(canvas));
@@ -100,19 +100,19 @@ impl Sheet {
         let selection = gtk::SingleSelection::new(None::<gio::ListModel>);
         selection.set_autoselect(false);
         selection.set_can_unselect(true);
-        let list: gtk::ListView = part(&builder, "list");
+        let list: gtk::ListView = object(&builder, "list");
         list.set_model(Some(&selection));
-        ui::narrow(&part(&builder, "row"), 24);
+        ui::narrow(&object(&builder, "row"), 24);
         Self {
-            root: part(&builder, "root"),
-            stack: part(&builder, "stack"),
+            root: object(&builder, "root"),
+            stack: object(&builder, "stack"),
             list,
-            scroller: part(&builder, "scroller"),
-            nothing: part(&builder, "nothing"),
+            scroller: object(&builder, "scroller"),
+            nothing: object(&builder, "nothing"),
             selection,
-            row: part(&builder, "row"),
-            graph: part(&builder, "graph"),
-            values: part(&builder, "values"),
+            row: object(&builder, "row"),
+            graph: object(&builder, "graph"),
+            values: object(&builder, "values"),
             cursors: [cursor("keys_overlay"), cursor("curves_overlay")],
             curves,
             shown,
@@ -123,7 +123,7 @@ impl Sheet {
         }
     }
 
-    /// Lets hands choose rows and graphs, and seek.
+    /// Connects selection of rows and graphs, and seeking.
     pub(super) fn connect(&self, window: &Rc<Window>) {
         self.list.set_factory(Some(&factory(window, &self.shown)));
         self.selection.connect_selected_notify(glib::clone!(
@@ -264,7 +264,7 @@ impl Sheet {
         let names: Vec<String> = graphs.iter().map(|graph| kind_name(graph.kind)).collect();
         self.graph.set_model(Some(&ui::words(&names)));
         self.graph.set_sensitive(!names.is_empty());
-        // What a hand chose before, else the first that shows anything happen.
+        // The user's previous choice, else the first graph that changes.
         let chosen = graphs.iter().position(|graph| Some(graph.kind) == self.kind.get());
         let kept = chosen.or_else(|| graphs.iter().position(Graph::moves)).unwrap_or(0);
         self.graphs.replace(graphs);
@@ -318,7 +318,7 @@ impl Sheet {
     }
 }
 
-/// A row was chosen by hand: its node is selected everywhere, and its curves are shown.
+/// The user selected a row: its node is selected everywhere, and its curves are shown.
 fn choose(window: &Rc<Window>, place: u32) {
     if place == gtk::INVALID_LIST_POSITION {
         return;
@@ -330,7 +330,7 @@ fn choose(window: &Rc<Window>, place: u32) {
         }
     });
     match node {
-        Some(node) => window.act(|session| session.select(Some(node))),
+        Some(node) => window.update(|session| session.select(Some(node))),
         None => window.sheet(|sheet, session| sheet.choose(session, place as usize)),
     }
 }
@@ -348,7 +348,7 @@ fn kind_name(kind: GraphKind) -> String {
     })
 }
 
-fn factory(window: &Rc<Window>, shown: &Rc<Shown>) -> gtk::SignalListItemFactory {
+fn factory(window: &Rc<Window>, shown: &Rc<EditorState>) -> gtk::SignalListItemFactory {
     let factory = gtk::SignalListItemFactory::new();
     let weak = Rc::downgrade(window);
     let shown = shown.clone();
@@ -388,7 +388,7 @@ fn factory(window: &Rc<Window>, shown: &Rc<Shown>) -> gtk::SignalListItemFactory
 }
 
 /// A drag over a canvas goes to the moment under it; near a key of its row, to the key.
-fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<Shown>, item: Option<glib::WeakRef<gtk::ListItem>>) {
+fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<EditorState>, item: Option<glib::WeakRef<gtk::ListItem>>) {
     let drag = gtk::GestureDrag::new();
     let (shown, weak) = (shown.clone(), Rc::downgrade(window));
     let seek = move |gesture: &gtk::GestureDrag, x: f64| {
@@ -403,7 +403,7 @@ fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<Shown>, it
                 time = *key;
             }
         }
-        window.act(|session| session.time(|cursor| cursor.seek(time)));
+        window.update(|session| session.time(|cursor| cursor.seek(time)));
     };
     let begin = seek.clone();
     drag.connect_drag_begin(move |gesture, x, _| begin(gesture, x));
@@ -416,7 +416,7 @@ fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<Shown>, it
     canvas.add_controller(drag);
 }
 
-fn paint_row(shown: &Shown, place: usize, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+fn paint_row(shown: &EditorState, place: usize, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let (rows, track) = (shown.rows.borrow(), shown.track.borrow());
     let Some(row) = rows.get(place) else { return };
     let (left, track_width) = shown.axis(canvas);
@@ -452,7 +452,7 @@ fn paint_row(shown: &Shown, place: usize, canvas: &PaintWidget, snapshot: &gtk::
 }
 
 /// The present moment and the pointer, over both pages.
-fn paint_cursor(shown: &Shown, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+fn paint_cursor(shown: &EditorState, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let track = shown.track.borrow();
     if track.range.1 <= track.range.0 {
         return;

@@ -9,7 +9,7 @@ use gtk4 as gtk;
 use super::onion_skin_panel::GhostsPanel;
 use super::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};
 use super::settings::SHADINGS;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::document::Skinning;
 use crate::tr;
@@ -50,31 +50,31 @@ impl DisplayPanel {
         let builder = ui::builder(ui::DISPLAY_PANEL);
         let list = |id: &str, keys: &[&str]| {
             let words: Vec<String> = keys.iter().map(|key| tr!(key)).collect();
-            let list: gtk::DropDown = part(&builder, id);
+            let list: gtk::DropDown = object(&builder, id);
             list.set_model(Some(&ui::words(&words)));
             list
         };
         let ghosts = GhostsPanel::new();
-        part::<gtk::Box>(&builder, "ghosts_slot").append(&ghosts.root);
+        object::<gtk::Box>(&builder, "ghosts_slot").append(&ghosts.root);
         Self {
-            root: part(&builder, "root"),
+            root: object(&builder, "root"),
             ghosts,
             shading: list("shading", &["app-do-flat", "app-do-gouraud", "app-do-phong"]),
             skinning: list("skinning", &["app-skinning-linear", "app-skinning-dual"]),
-            ambient: part(&builder, "ambient"),
-            ambient_value: part(&builder, "ambient_value"),
-            light: part(&builder, "light_position"),
-            light_yaw: part(&builder, "light_yaw"),
-            light_pitch: part(&builder, "light_pitch"),
+            ambient: object(&builder, "ambient"),
+            ambient_value: object(&builder, "ambient_value"),
+            light: object(&builder, "light_position"),
+            light_yaw: object(&builder, "light_yaw"),
+            light_pitch: object(&builder, "light_pitch"),
             grid_cell: {
-                let list: gtk::DropDown = part(&builder, "grid_cell");
+                let list: gtk::DropDown = object(&builder, "grid_cell");
                 let words: Vec<String> = CELLS.iter().map(|cell| cell_name(*cell)).collect();
                 list.set_model(Some(&ui::words(&words)));
                 list
             },
             backdrop: list("backdrop", &["app-backdrop-theme", "app-backdrop-white", "app-backdrop-grey", "app-backdrop-black"]),
-            line_width: part(&builder, "line_width"),
-            line_width_value: part(&builder, "line_width_value"),
+            line_width: object(&builder, "line_width"),
+            line_width_value: object(&builder, "line_width_value"),
         }
     }
 
@@ -86,7 +86,7 @@ impl DisplayPanel {
             window,
             move |list| {
                 if let Some((_, shading)) = SHADINGS.get(list.selected() as usize) {
-                    window.act(|session| session.change_display(|display| display.shading = *shading));
+                    window.update(|session| session.change_display(|display| display.shading = *shading));
                 }
             }
         ));
@@ -95,25 +95,25 @@ impl DisplayPanel {
             window,
             move |list| {
                 let skinning = if list.selected() == 1 { Skinning::DualQuaternion } else { Skinning::Linear };
-                window.act(|session| session.set_skinning(skinning));
+                window.update(|session| session.set_skinning(skinning));
             }
         ));
         self.ambient.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.change_display(|display| display.ambient = slider.value() as f32))
+            move |slider| window.update(|session| session.change_display(|display| display.ambient = slider.value() as f32))
         ));
         self.line_width.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |slider| window.act(|session| session.change_display(|display| display.line_width = slider.value() as f32))
+            move |slider| window.update(|session| session.change_display(|display| display.line_width = slider.value() as f32))
         ));
         self.grid_cell.connect_selected_notify(glib::clone!(
             #[weak]
             window,
             move |list| {
                 if let Some(cell) = CELLS.get(list.selected() as usize) {
-                    window.act(|session| session.change_display(|display| display.grid_cell = *cell));
+                    window.update(|session| session.change_display(|display| display.grid_cell = *cell));
                 }
             }
         ));
@@ -122,7 +122,7 @@ impl DisplayPanel {
             window,
             move |list| {
                 if let Some(backdrop) = BackgroundPreset::ALL.get(list.selected() as usize) {
-                    window.act(|session| session.set_backdrop(*backdrop));
+                    window.update(|session| session.set_backdrop(*backdrop));
                 }
             }
         ));
@@ -133,7 +133,7 @@ impl DisplayPanel {
                 window,
                 move |_| {
                     let aim = LightDirection { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
-                    window.act(|session| {
+                    window.update(|session| {
                         session.undoable(tr!("app-edit-light"), UndoStep::near(0), |session| session.set_light(aim));
                     });
                 }

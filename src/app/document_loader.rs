@@ -22,16 +22,16 @@ use crate::muscle::MuscleFile;
 use crate::view::{self, Opened};
 use crate::{input, limits, tr};
 
-/// Files that can be opened, by their ending.
-const ENDINGS: [&str; 4] = ["dae", "zae", "yaml", "yml"];
+/// Extensions of files that can be opened.
+const EXTENSIONS: [&str; 4] = ["dae", "zae", "yaml", "yml"];
 /// Reading that is done within this time shows no progress.
-const PATIENCE: Duration = Duration::from_millis(150);
+const PROGRESS_DELAY: Duration = Duration::from_millis(150);
 /// How long a file must rest after a change before it is read again.
 const SETTLED: Duration = Duration::from_millis(300);
 
 /// What is being read and watched.
 #[derive(Default)]
-pub(super) struct Files {
+pub(super) struct DocumentLoader {
     reading: RefCell<Option<Arc<Progress>>>,
     /// What is being read is to take the place of what is open, not the same files again.
     replaces: Cell<bool>,
@@ -42,7 +42,7 @@ pub(super) struct Files {
     written: RefCell<Option<(PathBuf, String)>>,
     failed: Cell<bool>,
     /// Muscles that are put into what is being read, and what is done then.
-    carried: RefCell<Option<Carried>>,
+    carried: RefCell<Option<CarriedState>>,
     asking: Cell<bool>,
     /// The session file that what is open came from, or was saved to.
     session_file: RefCell<Option<PathBuf>>,
@@ -55,7 +55,7 @@ pub(super) struct Files {
 }
 
 /// Muscle files that go over to the scene that is being read.
-struct Carried {
+struct CarriedState {
     muscles: Vec<MuscleFile>,
     then: Box<dyn FnOnce()>,
 }
@@ -70,7 +70,7 @@ fn is_newest(reading: &RefCell<Option<Arc<Progress>>>, progress: &Arc<Progress>)
     reading.borrow().as_ref().is_some_and(|reading| Arc::ptr_eq(reading, progress))
 }
 
-impl Files {
+impl DocumentLoader {
     /// Whether something is being read.
     pub(super) fn is_loading(&self) -> bool {
         self.reading.borrow().is_some() || self.apart.borrow().is_some()
@@ -82,7 +82,7 @@ impl Files {
     }
 
     /// Says what was written to a file that may be watched.
-    pub(super) fn wrote(&self, path: PathBuf, text: String) {
+    pub(super) fn note_own_write(&self, path: PathBuf, text: String) {
         self.written.replace(Some((path, text)));
     }
 
@@ -126,37 +126,37 @@ impl Files {
 pub(super) fn guard(window: &Rc<Window>) -> OverwriteGuard {
     let files = &window.files;
     let (names, table) = (files.session_names.borrow().clone(), files.table.borrow().clone());
-    window.look(|session| session.guard()).and(names).and(files.session_file()).and(table)
+    window.read(|session| session.guard()).and(names).and(files.session_file()).and(table)
 }
 
 /// Opens files side by side into one scene. What is open stays until they are read; whatever was being read is given up.
-pub(super) fn open(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode) {
+pub(super) fn open(window: &Rc<Window>, paths: Vec<PathBuf>, load_mode: LoadMode) {
     if paths.is_empty() {
         return;
     }
-    saving::ask_first(window, move |window| open_now(window, paths, arrival, None));
+    saving::confirm_unsaved(window, move |window| open_now(window, paths, load_mode, None));
 }
 
 /// Tries once more to open files that could not be; what was to be done with them then is still to be done.
-pub(super) fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode) {
-    saving::ask_first(window, move |window| {
+pub(super) fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, load_mode: LoadMode) {
+    saving::confirm_unsaved(window, move |window| {
         let (hang, carried) = (window.files.hang.get(), window.files.carried.take());
-        open_now(window, paths, arrival, carried);
+        open_now(window, paths, load_mode, carried);
         window.files.hang.set(hang);
     });
 }
 
 /// Opens files (none: the built-in scene) and puts muscles that are not saved into them; `then` runs once they are there.
-pub(super) fn open_carrying(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<MuscleFile>, then: impl FnOnce() + 'static) {
-    saving::ask_first(window, move |window| {
-        let carried = Carried { muscles, then: Box::new(then) };
+pub(super) fn open_with_state(window: &Rc<Window>, paths: Vec<PathBuf>, muscles: Vec<MuscleFile>, then: impl FnOnce() + 'static) {
+    saving::confirm_unsaved(window, move |window| {
+        let carried = CarriedState { muscles, then: Box::new(then) };
         if paths.is_empty() {
             window.files.stop();
             window.start_page(false);
-            window.give_looks_back();
+            window.restore_view_settings();
             window.files.came_from(None);
-            window.viewport.hush();
-            window.act(|session| {
+            window.viewport.hide_notice();
+            window.update(|session| {
                 session.show(Document::built_in(), LoadMode::New);
                 session.set_carried_files(carried.muscles);
             });
@@ -171,9 +171,9 @@ fn open_dropped(window: &Rc<Window>, dropped: Vec<PathBuf>) {
     if dropped.is_empty() {
         return;
     }
-    let clips = if dropped.iter().all(|path| brings_no_clip(path)) { window.look(|session| session.clip_files()) } else { Vec::new() };
+    let clips = if dropped.iter().all(|path| brings_no_clip(path)) { window.read(|session| session.clip_files()) } else { Vec::new() };
     let paths: Vec<PathBuf> = clips.into_iter().chain(dropped).collect();
-    saving::ask_first(window, move |window| {
+    saving::confirm_unsaved(window, move |window| {
         open_now(window, paths, LoadMode::New, None);
         window.files.hang.set(true);
     });
@@ -186,13 +186,13 @@ fn brings_no_clip(path: &Path) -> bool {
     is_muscles && parse().is_some_and(|file| file.clip.is_none())
 }
 
-fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode, carried: Option<Carried>) {
+fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, load_mode: LoadMode, carried: Option<CarriedState>) {
     window.files.stop();
     window.files.hang.set(false);
     window.files.carried.replace(carried);
     let progress = Arc::new(Progress::default());
     window.files.reading.replace(Some(progress.clone()));
-    window.files.replaces.set(arrival == LoadMode::New);
+    window.files.replaces.set(load_mode == LoadMode::New);
     show_progress(window, &paths, &progress);
     let window = window.clone();
     glib::spawn_future_local(async move {
@@ -204,18 +204,18 @@ fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, arrival: LoadMode, carried
         window.files.reading.replace(None);
         window.viewport.loading(None);
         match read {
-            _ if progress.is_cancelled() => window.act(|session| session.touch()),
-            Ok(Ok(opened)) => arrived(&window, opened, &paths, arrival),
-            Ok(Err(error)) => refused(&window, &error, paths, arrival),
+            _ if progress.is_cancelled() => window.update(|session| session.touch()),
+            Ok(Ok(opened)) => show_loaded(&window, opened, &paths, load_mode),
+            Ok(Err(error)) => refused(&window, &error, paths, load_mode),
             // The reader is made not to panic; should it, what is open is still worth more than the program's life.
-            Err(_) => refused(&window, &unexpected(&paths), paths, arrival),
+            Err(_) => refused(&window, &unexpected(&paths), paths, load_mode),
         }
     });
 }
 
-/// Reads a file off the interface thread, with progress and Cancel, and hands the document on; what is open stays as it is, and what is being opened
+/// Reads a file off the interface thread, with progress and Cancel, and passes the document on; what is open stays as it is, and what is being opened
 /// goes on.
-pub(super) fn read_apart(window: &Rc<Window>, path: PathBuf, then: impl FnOnce(&Rc<Window>, Document) + 'static) {
+pub(super) fn read_in_background(window: &Rc<Window>, path: PathBuf, then: impl FnOnce(&Rc<Window>, Document) + 'static) {
     cancel(&window.files.apart);
     let progress = Arc::new(Progress::default());
     window.files.apart.replace(Some(progress.clone()));
@@ -231,13 +231,13 @@ pub(super) fn read_apart(window: &Rc<Window>, path: PathBuf, then: impl FnOnce(&
         window.files.apart.replace(None);
         window.viewport.loading(None);
         match read {
-            _ if progress.is_cancelled() => window.act(|session| session.touch()),
+            _ if progress.is_cancelled() => window.update(|session| session.touch()),
             Ok(Ok(document)) => {
                 window.error_bar.hide();
                 then(&window, document);
             }
-            Ok(Err(error)) => tell_refusal(&window, &error, None),
-            Err(_) => tell_refusal(&window, &unexpected(&paths), None),
+            Ok(Err(error)) => show_open_error(&window, &error, None),
+            Err(_) => show_open_error(&window, &unexpected(&paths), None),
         }
     });
 }
@@ -251,7 +251,7 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
     let names = paths.iter().filter_map(|path| path.file_name()).map(|name| name.to_string_lossy()).collect::<Vec<_>>().join(", ");
     let text = tr!("app-loading", file = names);
     let (weak, mine) = (Rc::downgrade(window), progress.clone());
-    glib::timeout_add_local_once(PATIENCE, move || {
+    glib::timeout_add_local_once(PROGRESS_DELAY, move || {
         glib::timeout_add_local(Duration::from_millis(60), move || {
             let Some(window) = weak.upgrade() else { return glib::ControlFlow::Break };
             let files = &window.files;
@@ -266,22 +266,22 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
     });
 }
 
-fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: LoadMode) {
+fn show_loaded(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], load_mode: LoadMode) {
     let Opened { document, session: saved, compared } = opened;
     window.error_bar.hide();
     window.start_page(false);
-    window.viewport.hush();
+    window.viewport.hide_notice();
     window.files.failed.set(false);
-    let news = (arrival == LoadMode::Again).then(|| window.look(|session| reload_summary::what_changed(session.document(), &document)));
+    let news = (load_mode == LoadMode::Again).then(|| window.read(|session| reload_summary::what_changed(session.document(), &document)));
     let warnings = document.diagnostics.len();
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
-    if arrival == LoadMode::New {
-        window.give_looks_back();
+    if load_mode == LoadMode::New {
+        window.restore_view_settings();
         let session = saved.as_ref().zip(paths.first());
         window.files.came_from(session.map(|(saved, file)| (file.clone(), saved.all_files(file.parent().unwrap_or(Path::new(""))))));
     }
     match &saved {
-        Some(saved) => window.borrow_looks(|session| {
+        Some(saved) => window.use_session_view_settings(|session| {
             session.show_session(document, saved);
             if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
                 session.compare(Some(CompareTarget::File(Box::new(other), path.display().to_string())));
@@ -291,10 +291,10 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Load
                 }
             }
         }),
-        None => window.act(|session| session.show(document, arrival)),
+        None => window.update(|session| session.show(document, load_mode)),
     }
     if let Some(carried) = window.files.carried.take() {
-        window.act(|session| session.set_carried_files(carried.muscles));
+        window.update(|session| session.set_carried_files(carried.muscles));
         (carried.then)();
     }
     watch(window);
@@ -319,13 +319,13 @@ fn arrived(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], arrival: Load
     }
 }
 
-fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, arrival: LoadMode) {
+fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, load_mode: LoadMode) {
     window.files.failed.set(true);
-    tell_refusal(window, error, Some((paths, arrival)));
+    show_open_error(window, error, Some((paths, load_mode)));
 }
 
 /// Says why a file cannot be opened; with the files, offers to try again.
-fn tell_refusal(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathBuf>, LoadMode)>) {
+fn show_open_error(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathBuf>, LoadMode)>) {
     let name = Path::new(&error.file).file_name().map_or_else(|| error.file.clone(), |name| name.to_string_lossy().into_owned());
     let place = match (error.line, error.column) {
         (Some(line), Some(column)) => tr!("app-at-line-column", line = line.to_string(), column = column.to_string()),
@@ -333,14 +333,14 @@ fn tell_refusal(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathB
         _ => String::new(),
     };
     let message = if place.is_empty() { error.message.clone() } else { format!("{place}: {}", error.message) };
-    let kept = if window.look(|session| session.is_empty()) { String::new() } else { format!("\n{}", tr!("app-kept")) };
+    let kept = if window.read(|session| session.is_empty()) { String::new() } else { format!("\n{}", tr!("app-kept")) };
     window.error_bar.show(Trouble { headline: tr!("app-refused", file = name), message, details: format!("{error}{kept}"), again });
-    window.act(|session| session.touch());
+    window.update(|session| session.touch());
 }
 
 /// Watches the files: when one is written again, all are read again; the one that is compared with, for itself.
 pub(super) fn watch(window: &Rc<Window>) {
-    let (paths, compared) = window.look(|session| (session.files(), session.compared_file()));
+    let (paths, compared) = window.read(|session| (session.files(), session.compared_file()));
     let make = |path: PathBuf, again: fn(&Rc<Window>, &Path)| {
         let monitor = gio::File::for_path(&path).monitor_file(gio::FileMonitorFlags::WATCH_MOVES, gio::Cancellable::NONE).ok()?;
         let (weak, changes) = (Rc::downgrade(window), Rc::new(Cell::new(0_u32)));
@@ -370,7 +370,7 @@ pub(super) fn watch(window: &Rc<Window>) {
 
 /// Reads the open files again, and the one that is compared with.
 pub(super) fn reload(window: &Rc<Window>) {
-    if let Some(path) = window.look(|session| session.compared_file()) {
+    if let Some(path) = window.read(|session| session.compared_file()) {
         compare_file::read_again(window, &path);
     }
     reload_own(window);
@@ -378,7 +378,7 @@ pub(super) fn reload(window: &Rc<Window>) {
 
 /// Reads the open files again. Muscles that are not saved stay as they are; where their file has changed too, a person says which of both is to be.
 fn reload_own(window: &Rc<Window>) {
-    let (paths, unsaved, both) = window.look(|session| {
+    let (paths, unsaved, both) = window.read(|session| {
         let unsaved = session.is_unsaved();
         (session.files(), unsaved, unsaved && session.is_changed_outside())
     });
@@ -390,14 +390,14 @@ fn reload_own(window: &Rc<Window>) {
         return open_now(window, paths, LoadMode::Again, None);
     }
     let mine = move |window: &Rc<Window>| {
-        let muscles = window.look(|session| session.document().muscle_files().cloned().collect());
-        Some(Carried { muscles, then: Box::new(|| ()) })
+        let muscles = window.read(|session| session.document().muscle_files().cloned().collect());
+        Some(CarriedState { muscles, then: Box::new(|| ()) })
     };
     if !both {
         return open_now(window, paths, LoadMode::Again, mine(window));
     }
     window.files.asking.set(true);
-    saving::ask_which(window, move |window, keep| {
+    saving::confirm_conflict(window, move |window, keep| {
         window.files.asking.set(false);
         match keep {
             Some(true) => open_now(window, paths, LoadMode::Again, mine(window)),
@@ -409,17 +409,17 @@ fn reload_own(window: &Rc<Window>) {
 
 /// Closes the files; the start page comes up. With nothing open the window closes.
 pub(super) fn close(window: &Rc<Window>) {
-    saving::ask_first(window, close_now);
+    saving::confirm_unsaved(window, close_now);
 }
 
 fn close_now(window: &Rc<Window>) {
-    if window.look(|session| session.is_empty()) && !window.files.is_loading() {
+    if window.read(|session| session.is_empty()) && !window.files.is_loading() {
         window.widget.close();
         return;
     }
     forget(window);
-    window.give_looks_back();
-    window.act(|session| session.show(Document::default(), LoadMode::New));
+    window.restore_view_settings();
+    window.update(|session| session.show(Document::default(), LoadMode::New));
 }
 
 /// Stops reading and watching, and takes the message away.
@@ -432,13 +432,13 @@ pub(super) fn forget(window: &Rc<Window>) {
     window.files.monitors.replace(Vec::new());
     window.files.came_from(None);
     window.viewport.loading(None);
-    window.viewport.hush();
+    window.viewport.hide_notice();
     window.error_bar.hide();
 }
 
 /// Opens the next (or previous) file of the folder, by name.
 pub(super) fn neighbour(window: &Rc<Window>, by: isize) {
-    let main = window.look(|session| title_bar::sources(session.document()).first().and_then(|source| source.path.clone()));
+    let main = window.read(|session| title_bar::sources(session.document()).first().and_then(|source| source.path.clone()));
     let Some(open_now) = main.and_then(|path| std::path::absolute(path).ok()) else { return };
     let Some(entries) = open_now.parent().and_then(|folder| std::fs::read_dir(folder).ok()) else { return };
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(|path| is_ours(path) && path.is_file()).collect();
@@ -452,7 +452,7 @@ pub(super) fn neighbour(window: &Rc<Window>, by: isize) {
 }
 
 fn is_ours(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ENDINGS.iter().any(|ours| ending.eq_ignore_ascii_case(ours)))
+    path.extension().is_some_and(|ending| EXTENSIONS.iter().any(|ours| ending.eq_ignore_ascii_case(ours)))
 }
 
 /// Lets the user choose files to open.
@@ -460,7 +460,7 @@ pub(super) fn choose(window: &Rc<Window>) {
     ask_for_files(window, &tr!("app-choose-title"), true, |window, paths| open(window, paths, LoadMode::New));
 }
 
-/// Lets the user choose files, one or several, and hands them on.
+/// Lets the user choose files, one or several, and opens them.
 pub(super) fn ask_for_files(window: &Rc<Window>, title: &str, several: bool, then: impl Fn(&Rc<Window>, Vec<PathBuf>) + 'static) {
     let dialog = gtk::FileChooserNative::new(
         Some(title),
@@ -472,7 +472,7 @@ pub(super) fn ask_for_files(window: &Rc<Window>, title: &str, several: bool, the
     dialog.set_select_multiple(several);
     let ours = gtk::FileFilter::new();
     ours.set_name(Some(&tr!("app-choose-ours")));
-    for ending in ENDINGS {
+    for ending in EXTENSIONS {
         ours.add_pattern(&format!("*.{ending}"));
         ours.add_pattern(&format!("*.{}", ending.to_uppercase()));
     }
@@ -541,7 +541,7 @@ pub(super) fn accept_drops(window: &Rc<Window>) {
             window.files.stop();
             window.files.reading.replace(None);
             window.viewport.loading(None);
-            window.act(|session| session.touch());
+            window.update(|session| session.touch());
         }
     ));
 }

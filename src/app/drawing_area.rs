@@ -147,7 +147,7 @@ pub(super) enum Align {
 }
 
 /// Writes a letter or two such that what is seen of them has its middle at a point.
-pub(super) fn write_amid(canvas: &PaintWidget, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
+pub(super) fn write_centered(canvas: &PaintWidget, snapshot: &gtk::Snapshot, text: &str, (x, y): (f64, f64), size: f64, color: &gdk::RGBA) {
     let layout = canvas.create_pango_layout(Some(&*shown_lines(text)));
     let attributes = gtk::pango::AttrList::new();
     attributes.insert(gtk::pango::AttrFloat::new_scale(size));
@@ -164,7 +164,7 @@ pub(super) fn write_amid(canvas: &PaintWidget, snapshot: &gtk::Snapshot, text: &
 }
 
 /// Writes text as [`write`] does, on a ground that keeps it legible over anything; returns its width.
-pub(super) fn write_on(
+pub(super) fn write_with_background(
     canvas: &PaintWidget,
     snapshot: &gtk::Snapshot,
     text: &str,

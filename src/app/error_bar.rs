@@ -9,7 +9,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::session::LoadMode;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{document_loader, ui};
 
 /// The bar.
@@ -42,13 +42,13 @@ impl ErrorBar {
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::ERROR_BAR);
         Self {
-            root: part(&builder, "root"),
-            headline: part(&builder, "headline"),
-            message: part(&builder, "message"),
-            details: part(&builder, "details"),
-            more: part(&builder, "more"),
-            retry: part(&builder, "retry"),
-            close: part(&builder, "close"),
+            root: object(&builder, "root"),
+            headline: object(&builder, "headline"),
+            message: object(&builder, "message"),
+            details: object(&builder, "details"),
+            more: object(&builder, "more"),
+            retry: object(&builder, "retry"),
+            close: object(&builder, "close"),
             again: RefCell::new(None),
         }
     }
@@ -85,9 +85,9 @@ impl ErrorBar {
 
     /// Shows what went wrong, until it is closed or something opens.
     pub(super) fn show(&self, trouble: Trouble) {
-        ui::say(&self.headline, &trouble.headline);
-        ui::say(&self.message, &trouble.message);
-        ui::say(&self.details, &trouble.details);
+        ui::set_label(&self.headline, &trouble.headline);
+        ui::set_label(&self.message, &trouble.message);
+        ui::set_label(&self.details, &trouble.details);
         self.more.set_active(false);
         self.more.set_visible(!trouble.details.is_empty());
         self.retry.set_visible(trouble.again.is_some());

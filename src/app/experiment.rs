@@ -12,7 +12,7 @@ use super::error_bar::Trouble;
 use super::format;
 use super::muscle_panel::Unit;
 use super::ui;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use crate::input;
 use crate::limits;
 use crate::muscle::literature_data;
@@ -47,12 +47,12 @@ pub(super) fn show(window: &Rc<Window>, muscle: MuscleId) {
 
 impl Experiment {
     fn root(&self) -> gtk::Window {
-        part(&self.builder, "root")
+        object(&self.builder, "root")
     }
 
     fn connect(self: &Rc<Self>, window: &Rc<Window>) {
         for (id, model) in [("fit", Model::Growth), ("poses", Model::Poses)] {
-            part::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
+            object::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
                 #[strong(rename_to = experiment)]
                 self,
                 #[weak]
@@ -60,7 +60,7 @@ impl Experiment {
                 move |_| {
                     let table = experiment.data.borrow().0.clone();
                     let mut result = Ok(());
-                    window.act(|session| result = session.fit_muscle(experiment.muscle, &table, model));
+                    window.update(|session| result = session.fit_muscle(experiment.muscle, &table, model));
                     match result {
                         Ok(()) => experiment.refresh(&window),
                         Err(error) => experiment.say(&error.to_string()),
@@ -68,7 +68,7 @@ impl Experiment {
                 }
             ));
         }
-        part::<gtk::Button>(&self.builder, "open").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "open").connect_clicked(glib::clone!(
             #[strong(rename_to = experiment)]
             self,
             #[weak]
@@ -139,23 +139,23 @@ impl Experiment {
 
     /// Says why there are no tables.
     fn say(&self, why: &str) {
-        let label = part::<gtk::Label>(&self.builder, "trouble");
-        ui::say(&label, why);
+        let label = object::<gtk::Label>(&self.builder, "trouble");
+        ui::set_label(&label, why);
         label.set_visible(!why.is_empty());
-        part::<gtk::Box>(&self.builder, "tables").set_visible(why.is_empty());
+        object::<gtk::Box>(&self.builder, "tables").set_visible(why.is_empty());
     }
 
     fn refresh(&self, window: &Rc<Window>) {
         let data = self.data.borrow();
         let (table, name) = &*data;
-        let told = window.look(|session| {
+        let told = window.read(|session| {
             let document = session.document();
             let (rig, index) = document.muscle(self.muscle)?;
             let found = compare(rig, index, table).and_then(|comparison| Ok((comparison, fit(rig, index, table)?)));
             Some((rig.name(index).to_owned(), Unit::of_rig(document, rig), found))
         });
         let Some((muscle, unit, found)) = told else { return self.root().close() };
-        part::<gtk::Label>(&self.builder, "title").set_text(&tr!("app-experiment-title", muscle = muscle, file = name.as_str()));
+        object::<gtk::Label>(&self.builder, "title").set_text(&tr!("app-experiment-title", muscle = muscle, file = name.as_str()));
         match found {
             Ok((comparison, fits)) => {
                 self.say("");
@@ -167,13 +167,13 @@ impl Experiment {
 
     fn show_tables(&self, found: &Comparison, fits: &Fits, unit: &Unit) {
         let length = unit.length.as_str();
-        part::<gtk::Label>(&self.builder, "radii_title").set_text(&tr!("app-experiment-radii", unit = length));
-        fill(&part(&self.builder, "radii"), &radii(found, unit));
+        object::<gtk::Label>(&self.builder, "radii_title").set_text(&tr!("app-experiment-radii", unit = length));
+        fill(&object(&self.builder, "radii"), &radii(found, unit));
         let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
         let (from, to) = (format::number(from, 0), format::number(to, 0));
         let title = tr!("cli-compare-growth", from = from.clone(), to = to.clone(), unit = length);
-        part::<gtk::Label>(&self.builder, "growth_title").set_text(&title);
-        fill(&part(&self.builder, "growth"), &growth(found));
+        object::<gtk::Label>(&self.builder, "growth_title").set_text(&title);
+        fill(&object(&self.builder, "growth"), &growth(found));
         let mut why = Vec::new();
         if found.growth_ratio.is_finite() {
             why.push(tr!("cli-compare-ratio", from = from, to = to, ratio = format::number(found.growth_ratio, 1)));
@@ -183,10 +183,10 @@ impl Experiment {
         if least > 0.0 && most > least * 1.01 {
             why.push(tr!("cli-compare-explained", spread = format::number((most / least - 1.0) * 100.0, 0)));
         }
-        part::<gtk::Label>(&self.builder, "why").set_text(&why.join("\n"));
-        part::<gtk::Label>(&self.builder, "rms_title").set_text(&tr!("cli-rms-title", unit = length));
+        object::<gtk::Label>(&self.builder, "why").set_text(&why.join("\n"));
+        object::<gtk::Label>(&self.builder, "rms_title").set_text(&tr!("cli-rms-title", unit = length));
         let rows = [("cli-rms-own", fits.own), ("cli-rms-fitted", fits.fitted), ("cli-rms-poses", fits.poses)];
-        fill(&part(&self.builder, "rms"), &rows.map(|(key, rms)| vec![tr!(key), format::number(rms, 2)]));
+        fill(&object(&self.builder, "rms"), &rows.map(|(key, rms)| vec![tr!(key), format::number(rms, 2)]));
     }
 }
 

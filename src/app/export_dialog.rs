@@ -11,8 +11,8 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::export_job::{Job, Kind, MotionSource, Options};
-use super::window::{Window, part};
+use super::export_job::{ExportJob, ExportKind, ExportOptions, MotionSource};
+use super::window::{Window, object};
 use super::{document_loader, format, save_as, ui};
 use crate::export::ExportError;
 use crate::export::pipeline::ExportProgress;
@@ -29,7 +29,7 @@ struct Dialog {
     work: RefCell<Option<Arc<ExportProgress>>>,
     /// What glTF cannot hold of the document, once that is known.
     losses: RefCell<Option<Vec<String>>>,
-    /// Whether somebody is finding it out.
+    /// Whether it is being computed.
     looking: Cell<bool>,
     /// Whether there is no `ffmpeg`, which films are made by.
     no_ffmpeg: Cell<bool>,
@@ -52,7 +52,7 @@ pub(super) fn show(window: &Rc<Window>) {
         let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
         dialog.part::<gtk::DropDown>(id).set_model(Some(&ui::words(&labels)));
     };
-    list("kind", Kind::ALL.iter().map(|kind| kind.label()).collect());
+    list("kind", ExportKind::ALL.iter().map(|kind| kind.label()).collect());
     list("course", MotionSource::ALL.iter().map(|course| course.label()).collect());
     let scale = window.viewport.scale().max(1);
     let (width, height) = window.viewport.size();
@@ -72,7 +72,7 @@ pub(super) fn show(window: &Rc<Window>) {
 
 impl Dialog {
     fn part<T: IsA<glib::Object>>(&self, id: &str) -> T {
-        part(&self.builder, id)
+        object(&self.builder, id)
     }
 
     fn spin(&self, id: &str) -> gtk::SpinButton {
@@ -119,12 +119,12 @@ impl Dialog {
         root.add_controller(keys);
     }
 
-    fn options(&self) -> Options {
+    fn options(&self) -> ExportOptions {
         let chosen = |id: &str| self.part::<gtk::DropDown>(id).selected() as usize;
         let (width, height) = (self.spin("width").value().max(1.0), self.spin("height").value().max(1.0));
         let on_screen = f64::from(self.window.viewport.size().0.max(1));
-        Options {
-            kind: Kind::ALL.get(chosen("kind")).copied().unwrap_or(Kind::Picture),
+        ExportOptions {
+            kind: ExportKind::ALL.get(chosen("kind")).copied().unwrap_or(ExportKind::Picture),
             course: MotionSource::ALL.get(chosen("course")).copied().unwrap_or(MotionSource::Whole),
             sweep: (self.spin("from").value(), self.spin("to").value()),
             size: (width as u32, height as u32),
@@ -146,7 +146,7 @@ impl Dialog {
     fn show_choice(self: &Rc<Self>) {
         let options = self.options();
         let (drawn, film) = (options.kind.is_drawn(), options.kind.is_film());
-        let over_time = options.kind.table().is_some() && self.window.look(|session| session.state().clip.is_some());
+        let over_time = options.kind.table().is_some() && self.window.read(|session| session.state().clip.is_some());
         for (ids, shown) in [
             (&["size_label", "size_box", "transparent", "helps"][..], drawn),
             (&["course_label", "course"], film),
@@ -156,7 +156,7 @@ impl Dialog {
         ] {
             ids.iter().for_each(|id| self.part::<gtk::Widget>(id).set_visible(shown));
         }
-        let summary = self.window.look(|session| options.check(session)).map(|sequence| match options.kind {
+        let summary = self.window.read(|session| options.check(session)).map(|sequence| match options.kind {
             _ if film => tr!(
                 "app-export-frames",
                 count = sequence.count,
@@ -166,8 +166,8 @@ impl Dialog {
             ),
             _ if drawn => tr!("app-export-one", width = options.size.0.to_string(), height = options.size.1.to_string()),
             kind if kind.is_scene() => tr!("app-export-scene"),
-            Kind::Joints(_) => tr!("app-export-joints"),
-            Kind::Muscles(_) => {
+            ExportKind::Joints(_) => tr!("app-export-joints"),
+            ExportKind::Muscles(_) => {
                 if over_time {
                     tr!("app-export-muscles-clip")
                 } else {
@@ -186,8 +186,8 @@ impl Dialog {
         self.show_losses(options.kind);
     }
 
-    /// Lists what glTF cannot hold of the document, so that nobody is surprised afterwards. Found out beside the interface, when it is first asked for.
-    fn show_losses(self: &Rc<Self>, kind: Kind) {
+    /// Lists what glTF cannot express of the document. Computed off the interface thread, when it is first requested.
+    fn show_losses(self: &Rc<Self>, kind: ExportKind) {
         let scroller = self.part::<gtk::Widget>("losses_box");
         scroller.set_visible(false);
         if !kind.is_scene() {
@@ -196,13 +196,13 @@ impl Dialog {
         if let Some(losses) = &*self.losses.borrow() {
             scroller.set_visible(!losses.is_empty());
             let lines: Vec<&str> = losses.iter().map(String::as_str).collect();
-            ui::say(&self.part("losses"), &format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
+            ui::set_label(&self.part("losses"), &format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
             return;
         }
         if self.looking.replace(true) {
             return;
         }
-        let document = self.window.look(|session| session.document().clone());
+        let document = self.window.read(|session| session.document().clone());
         let dialog = self.clone();
         glib::spawn_future_local(async move {
             let found = gio::spawn_blocking(move || {
@@ -217,7 +217,7 @@ impl Dialog {
     }
 
     fn say(&self, text: &str) {
-        ui::say(&self.part("summary"), text);
+        ui::set_label(&self.part("summary"), text);
     }
 
     fn ask_where(self: &Rc<Self>) {
@@ -228,15 +228,15 @@ impl Dialog {
         let there = folder.clone().unwrap_or_default();
         let name = document_loader::guard(window).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
         let name = save_as::name_of(&kind.completed(Path::new(&name)));
-        let (asked, dialog) = (save_as::Asked { title: tr!("app-export-title"), name, folder }, self.clone());
+        let (asked, dialog) = (save_as::FileDialogOptions { title: tr!("app-export-title"), name, folder }, self.clone());
         save_as::choose(&self.part("root"), asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
     }
 
     /// Completes the name, refuses files that are open, and asks about those that are there and that the chooser did not ask about.
-    fn prepare(self: &Rc<Self>, options: Options, chosen: PathBuf) {
+    fn prepare(self: &Rc<Self>, options: ExportOptions, chosen: PathBuf) {
         let file = options.kind.completed(&chosen);
         let guard = document_loader::guard(&self.window);
-        let job = match self.window.look(|session| Job::new(session, options, guard.clone())) {
+        let job = match self.window.read(|session| ExportJob::new(session, options, guard.clone())) {
             Ok(job) => job,
             Err(cannot) => return self.say(&cannot.to_string()),
         };
@@ -250,7 +250,7 @@ impl Dialog {
     }
 
     /// Runs the export beside the interface.
-    fn start(self: &Rc<Self>, job: Job, kind: Kind, file: PathBuf) {
+    fn start(self: &Rc<Self>, job: ExportJob, kind: ExportKind, file: PathBuf) {
         let (count, work) = (job.count(), Arc::new(ExportProgress::default()));
         self.work.replace(Some(work.clone()));
         self.show_running(true);
@@ -276,7 +276,7 @@ impl Dialog {
     }
 
     fn show_running(&self, running: bool) {
-        ui::allow(&self.part::<gtk::Grid>("choices"), !running);
+        ui::set_sensitive(&self.part::<gtk::Grid>("choices"), !running);
         self.part::<gtk::Button>("export").set_sensitive(!running);
         self.part::<gtk::ProgressBar>("bar").set_visible(running);
         self.part::<gtk::ProgressBar>("bar").set_fraction(0.0);

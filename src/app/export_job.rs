@@ -21,7 +21,7 @@ use crate::view::{CameraFollow, SceneOverlays};
 
 /// The kinds of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum ExportKind {
     /// One PNG.
     Picture,
     /// GIF.
@@ -50,7 +50,7 @@ pub(super) enum Kind {
     Joints(tables::TableFormat),
 }
 
-impl Kind {
+impl ExportKind {
     /// All kinds, in the order of the list.
     pub(super) const ALL: [Self; 19] = [
         Self::Picture,
@@ -207,9 +207,9 @@ impl MotionSource {
 
 /// What is set in the dialog.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Options {
+pub(super) struct ExportOptions {
     /// The kind of file.
-    pub kind: Kind,
+    pub kind: ExportKind,
     /// What moves.
     pub course: MotionSource,
     /// Ends of a sweep.
@@ -252,7 +252,7 @@ impl std::fmt::Display for ExportRefusal {
     }
 }
 
-impl Options {
+impl ExportOptions {
     /// The pictures that it makes, one where it makes none.
     ///
     /// # Errors
@@ -261,7 +261,7 @@ impl Options {
         if let Some((of, _)) = self.kind.table() {
             TableError::check(of, session.document(), &session.state(), self.fps).map_err(ExportRefusal::Table)?;
         }
-        if self.kind == Kind::Gif && self.fps > gif::MOST_FPS {
+        if self.kind == ExportKind::Gif && self.fps > gif::MOST_FPS {
             return Err(ExportRefusal::GifRate);
         }
         self.sequence(session).map_err(ExportRefusal::Film)
@@ -294,7 +294,7 @@ impl Options {
 }
 
 /// One export, independent of the window.
-pub(super) struct Job {
+pub(super) struct ExportJob {
     document: Document,
     /// What accompanies it, with its frame rate.
     company: (SceneOverlays, f64),
@@ -303,16 +303,16 @@ pub(super) struct Job {
     eye: CameraController,
     along: Option<CameraFollow>,
     display: Display,
-    options: Options,
+    options: ExportOptions,
     guard: OverwriteGuard,
 }
 
-impl Job {
+impl ExportJob {
     /// Takes what the session shows. None of the files that `guard` holds is replaced.
     ///
     /// # Errors
-    /// As [`Options::check`].
-    pub(super) fn new(session: &mut Session, options: Options, guard: OverwriteGuard) -> Result<Self, ExportRefusal> {
+    /// As [`ExportOptions::check`].
+    pub(super) fn new(session: &mut Session, options: ExportOptions, guard: OverwriteGuard) -> Result<Self, ExportRefusal> {
         let sequence = options.check(session)?;
         let (_, _, _, mut display) = session.picture();
         display.scale = options.scale;
@@ -345,7 +345,7 @@ impl Job {
 
     /// The files that would be written to `file`, a completed name, and beside it.
     pub(super) fn files(&self, file: &Path) -> Vec<PathBuf> {
-        match numbered(file).filter(|_| self.options.kind == Kind::Pictures) {
+        match numbered(file).filter(|_| self.options.kind == ExportKind::Pictures) {
             Some(pattern) => OutputTarget::Pictures(pattern).files(&self.sequence).collect(),
             None => self.options.kind.first_files(file),
         }
@@ -357,19 +357,19 @@ impl Job {
     /// [`ExportError`]; then everything is as it was.
     pub(super) fn run(self, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
         let target = match self.options.kind {
-            Kind::Picture => OutputTarget::Picture(file.to_owned()),
-            Kind::Gif => OutputTarget::Gif(file.to_owned()),
-            Kind::Apng => OutputTarget::Apng(file.to_owned()),
-            Kind::Mp4 => OutputTarget::Video(file.to_owned(), video::VideoFormat::Mp4),
-            Kind::Webm => OutputTarget::Video(file.to_owned(), video::VideoFormat::Webm),
-            Kind::Pictures => numbered(file).map_or_else(|| OutputTarget::Picture(file.to_owned()), OutputTarget::Pictures),
-            Kind::Obj => return self.surface(SurfaceFormat::Obj, file),
-            Kind::Ply => return self.surface(SurfaceFormat::Ply, file),
-            Kind::Stl => return self.surface(SurfaceFormat::Stl, file),
-            Kind::Glb => return self.scene(GltfContainer::Binary, file, work),
-            Kind::Gltf => return self.scene(GltfContainer::Text, file, work),
-            Kind::Muscles(form) => return self.table(TableSubject::Muscles, form, file, work),
-            Kind::Joints(form) => return self.table(TableSubject::Joints, form, file, work),
+            ExportKind::Picture => OutputTarget::Picture(file.to_owned()),
+            ExportKind::Gif => OutputTarget::Gif(file.to_owned()),
+            ExportKind::Apng => OutputTarget::Apng(file.to_owned()),
+            ExportKind::Mp4 => OutputTarget::Video(file.to_owned(), video::VideoFormat::Mp4),
+            ExportKind::Webm => OutputTarget::Video(file.to_owned(), video::VideoFormat::Webm),
+            ExportKind::Pictures => numbered(file).map_or_else(|| OutputTarget::Picture(file.to_owned()), OutputTarget::Pictures),
+            ExportKind::Obj => return self.surface(SurfaceFormat::Obj, file),
+            ExportKind::Ply => return self.surface(SurfaceFormat::Ply, file),
+            ExportKind::Stl => return self.surface(SurfaceFormat::Stl, file),
+            ExportKind::Glb => return self.scene(GltfContainer::Binary, file, work),
+            ExportKind::Gltf => return self.scene(GltfContainer::Text, file, work),
+            ExportKind::Muscles(form) => return self.table(TableSubject::Muscles, form, file, work),
+            ExportKind::Joints(form) => return self.table(TableSubject::Joints, form, file, work),
         };
         let Self { document, company: (company, rate), sequence, eye, along, display, options, guard, .. } = self;
         let note = note(&document, &eye);
@@ -443,19 +443,29 @@ mod tests {
     use super::*;
     use std::fs;
 
-    fn options(kind: Kind, course: MotionSource) -> Options {
-        Options { kind, course, sweep: (0.0, 90.0), size: (48, 32), scale: 1.0, fps: 4.0, duration: 1.0, transparent: false, helps: false }
+    fn options(kind: ExportKind, course: MotionSource) -> ExportOptions {
+        ExportOptions {
+            kind,
+            course,
+            sweep: (0.0, 90.0),
+            size: (48, 32),
+            scale: 1.0,
+            fps: 4.0,
+            duration: 1.0,
+            transparent: false,
+            helps: false,
+        }
     }
 
     #[test]
     fn every_kind_makes_its_file_from_what_is_shown() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let mut session = Session::new(Document::built_in());
-        for kind in Kind::ALL.into_iter().filter(|kind| !matches!(kind, Kind::Mp4 | Kind::Webm | Kind::Joints(_))) {
+        for kind in ExportKind::ALL.into_iter().filter(|kind| !matches!(kind, ExportKind::Mp4 | ExportKind::Webm | ExportKind::Joints(_))) {
             assert!(!kind.label().starts_with("app-export"), "{kind:?} has no name");
             let file = kind.completed(&folder.path().join(format!("50%d.{}", kind.ending())));
             assert_eq!(kind.completed(&file), file);
-            let job = Job::new(&mut session, options(kind, MotionSource::Elbow), OverwriteGuard::default()).expect("the arm bends");
+            let job = ExportJob::new(&mut session, options(kind, MotionSource::Elbow), OverwriteGuard::default()).expect("the arm bends");
             assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
             job.run(&file, &ExportProgress::default()).expect("written");
             let first = kind.first_files(&file).remove(0);
@@ -467,12 +477,15 @@ mod tests {
     #[test]
     fn what_does_not_move_is_refused() {
         let session = Session::new(Document::default());
-        assert_eq!(options(Kind::Gif, MotionSource::Contraction).sequence(&session), Err(SequenceError::NoMuscle));
-        assert_eq!(options(Kind::Gif, MotionSource::Elbow).sequence(&session), Err(SequenceError::NoElbow));
+        assert_eq!(options(ExportKind::Gif, MotionSource::Contraction).sequence(&session), Err(SequenceError::NoMuscle));
+        assert_eq!(options(ExportKind::Gif, MotionSource::Elbow).sequence(&session), Err(SequenceError::NoElbow));
         let table = |kind| options(kind, MotionSource::Whole).check(&session);
-        assert_eq!(table(Kind::Joints(tables::TableFormat::Csv)), Err(ExportRefusal::Table(TableError::NoJoint)));
-        assert_eq!(table(Kind::Muscles(tables::TableFormat::Json)), Err(ExportRefusal::Table(TableError::NoMuscle)));
-        assert_eq!(Options { fps: 60.0, ..options(Kind::Gif, MotionSource::Whole) }.check(&session), Err(ExportRefusal::GifRate));
+        assert_eq!(table(ExportKind::Joints(tables::TableFormat::Csv)), Err(ExportRefusal::Table(TableError::NoJoint)));
+        assert_eq!(table(ExportKind::Muscles(tables::TableFormat::Json)), Err(ExportRefusal::Table(TableError::NoMuscle)));
+        assert_eq!(
+            ExportOptions { fps: 60.0, ..options(ExportKind::Gif, MotionSource::Whole) }.check(&session),
+            Err(ExportRefusal::GifRate)
+        );
         for course in MotionSource::ALL {
             assert!(!course.label().starts_with("app-export"), "{course:?} has no name");
         }

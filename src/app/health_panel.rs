@@ -7,7 +7,7 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::session::{ChangeSet, Session};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, SourceKind};
@@ -29,14 +29,14 @@ impl HealthPanel {
     /// A panel of nothing.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::HEALTH_PANEL);
-        let list: gtk::ListView = part(&builder, "list");
+        let list: gtk::ListView = object(&builder, "list");
         list.set_factory(Some(&factory()));
         Self {
-            root: part(&builder, "root"),
-            summary: part(&builder, "summary"),
-            facts: part(&builder, "facts"),
-            copy: part(&builder, "copy"),
-            scroller: part(&builder, "scroller"),
+            root: object(&builder, "root"),
+            summary: object(&builder, "summary"),
+            facts: object(&builder, "facts"),
+            copy: object(&builder, "copy"),
+            scroller: object(&builder, "scroller"),
             list,
         }
     }
@@ -49,7 +49,7 @@ impl HealthPanel {
             move |list, position| {
                 let item = list.model().and_then(|model| model.item(position)).and_downcast::<glib::BoxedAnyObject>();
                 let Some(item) = item else { return };
-                window.act(|session| {
+                window.update(|session| {
                     let node = node_named(session.document(), &item.borrow::<Diagnostic>().element);
                     if node.is_some() {
                         session.select(node);
@@ -61,7 +61,7 @@ impl HealthPanel {
             #[weak]
             window,
             move |button| {
-                let text = window.look(|session| report(session.document()));
+                let text = window.read(|session| report(session.document()));
                 button.clipboard().set_text(&text);
                 window.viewport.toast(&tr!("app-copied"), None);
             }
@@ -84,7 +84,7 @@ impl HealthPanel {
         self.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
         self.scroller.set_visible(!document.diagnostics.is_empty());
         self.copy.set_sensitive(!document.diagnostics.is_empty());
-        ui::say(&self.facts, &facts(document));
+        ui::set_label(&self.facts, &facts(document));
     }
 }
 
@@ -187,13 +187,13 @@ fn factory() -> gtk::SignalListItemFactory {
             };
             icon.set_icon_name(Some(name));
             icon.set_tooltip_text(Some(&tip));
-            ui::say(&message, &finding.message);
+            ui::set_label(&message, &finding.message);
             let mut where_it_is: Vec<String> = Vec::new();
             if let Some(line) = finding.line {
                 where_it_is.push(tr!("app-line", line = line.to_string()));
             }
             where_it_is.extend([finding.element.clone(), finding.code.to_owned()].into_iter().filter(|part| !part.is_empty()));
-            ui::say(&place, &where_it_is.join(" · "));
+            ui::set_label(&place, &where_it_is.join(" · "));
         }
     });
     factory

@@ -8,21 +8,21 @@ use gtk4 as gtk;
 
 use super::session::Session;
 use super::ui;
-use super::window::{Window, part};
+use super::window::{Window, object};
 
 /// A few words and a button.
-pub(super) struct Held {
+pub(super) struct HeldJointBanner {
     /// Both; hidden while no joint is held.
     pub root: gtk::Box,
     label: gtk::Label,
     release: gtk::Button,
 }
 
-impl Held {
+impl HeldJointBanner {
     /// Hidden until a joint is held.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::HELD);
-        Self { root: part(&builder, "root"), label: part(&builder, "label"), release: part(&builder, "release") }
+        Self { root: object(&builder, "root"), label: object(&builder, "label"), release: object(&builder, "release") }
     }
 
     /// Lets the button release the joint.
@@ -33,7 +33,7 @@ impl Held {
             move |_| {
                 // Else the keyboard goes from the button that is hidden to the next widget.
                 window.viewport.take_focus();
-                window.act(Session::release_undoable);
+                window.update(Session::release_undoable);
             }
         ));
     }

@@ -1,4 +1,4 @@
-//! The inspector under the scene tree: where the selection is, what it is made of, why its vertices are where they are; and it turns joints by hand.
+//! The inspector under the scene tree: transform and contents of the selection, influences of the picked vertex, and joint overrides.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -11,7 +11,7 @@ use gtk4 as gtk;
 use super::inspector_text::{self, Space};
 use super::plot_view;
 use super::session::{ChangeSet, Matrices, Session, UndoStep};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{drawing_area::PaintWidget, format, material_preview, ui};
 use crate::document::{Skinning, angle_at};
 use crate::i18n;
@@ -30,7 +30,7 @@ pub(super) struct Inspector {
     pub root: gtk::Box,
     builder: gtk::Builder,
     space: gtk::DropDown,
-    /// The space that a hand chose.
+    /// The space that the user chose.
     wanted: Rc<Cell<Space>>,
     transform: [[gtk::Label; 3]; 3],
     matrix: [[gtk::Label; 4]; 4],
@@ -52,7 +52,7 @@ impl Inspector {
     /// An inspector of nothing.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::INSPECTOR);
-        let transform: gtk::Grid = part(&builder, "transform");
+        let transform: gtk::Grid = object(&builder, "transform");
         let labels = std::array::from_fn(|row| {
             let key = ["app-position", "app-rotation", "app-scale"][row];
             let name = gtk::Label::builder().label(tr!(key)).xalign(0.0).css_classes(["small"]).build();
@@ -63,7 +63,7 @@ impl Inspector {
                 label
             })
         });
-        let grid: gtk::Grid = part(&builder, "matrix");
+        let grid: gtk::Grid = object(&builder, "matrix");
         let matrix = std::array::from_fn(|row| {
             std::array::from_fn(|column| {
                 let label = number_label();
@@ -71,7 +71,7 @@ impl Inspector {
                 label
             })
         });
-        let turns: gtk::Grid = part(&builder, "turns");
+        let turns: gtk::Grid = object(&builder, "turns");
         let scales = std::array::from_fn(|row| turn_scale(&turns, row));
         let turn_values = std::array::from_fn(|row| {
             let label = gtk::Label::builder().xalign(1.0).width_chars(7).css_classes(["numeric", "small"]).build();
@@ -80,10 +80,10 @@ impl Inspector {
         });
         let (plot, curve) = (PaintWidget::new(200, 130), Rc::new(RefCell::new(Plot::default())));
         plot.set_hexpand(true);
-        part::<gtk::Box>(&builder, "angle_slot").append(&plot);
-        let space: gtk::DropDown = part(&builder, "space");
-        let (dual, root) = (part(&builder, "dual"), part(&builder, "root"));
-        let corners = ["angle_from", "angle_corner", "angle_to"].map(|id| part::<gtk::DropDown>(&builder, id));
+        object::<gtk::Box>(&builder, "angle_slot").append(&plot);
+        let space: gtk::DropDown = object(&builder, "space");
+        let (dual, root) = (object(&builder, "dual"), object(&builder, "root"));
+        let corners = ["angle_from", "angle_corner", "angle_to"].map(|id| object::<gtk::DropDown>(&builder, id));
         corners.iter().for_each(|list| ui::narrow(list, 12));
         let joints = Rc::default();
         Self {
@@ -103,22 +103,22 @@ impl Inspector {
         }
     }
 
-    /// Lets hands choose, copy and turn.
+    /// Connects the input of the widgets.
     pub(super) fn connect(&self, window: &Rc<Window>) {
         let wanted = self.wanted.clone();
         self.space.connect_selected_notify(glib::clone!(
             #[weak]
             window,
-            move |list| window.act(|session| {
+            move |list| window.update(|session| {
                 wanted.set(Space::ALL.get(list.selected() as usize).copied().unwrap_or(Space::World));
                 session.refresh_probe();
             })
         ));
-        part::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
             #[weak]
             window,
             move |button| {
-                let text = window.look(inspector_text::report);
+                let text = window.read(inspector_text::report);
                 button.clipboard().set_text(&text);
                 window.viewport.toast(&tr!("app-copied"), None);
             }
@@ -127,14 +127,14 @@ impl Inspector {
             scale.connect_value_changed(glib::clone!(
                 #[weak]
                 window,
-                move |scale| window.act(|session| turn(session, axis, scale.value()))
+                move |scale| window.update(|session| turn(session, axis, scale.value()))
             ));
         }
         for (id, all) in [("reset", false), ("reset_all", true)] {
-            part::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
+            object::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
                 #[weak]
                 window,
-                move |_| window.act(|session| {
+                move |_| window.update(|session| {
                     let node = session.selected();
                     if all || node.is_some() {
                         session.reset_joint_overrides(node.filter(|_| !all));
@@ -147,7 +147,7 @@ impl Inspector {
             window,
             move |dual| {
                 let skinning = if dual.is_active() { Skinning::DualQuaternion } else { Skinning::Linear };
-                window.act(|session| session.set_skinning(skinning));
+                window.update(|session| session.set_skinning(skinning));
             }
         ));
         for list in &self.corners {
@@ -158,15 +158,15 @@ impl Inspector {
                 move |_| {
                     let chosen = corners.each_ref().map(|list| joints.borrow().get(list.selected() as usize).copied());
                     if let [Some(from), Some(corner), Some(to)] = chosen {
-                        window.act(|session| session.choose_angle(Some([from, corner, to])));
+                        window.update(|session| session.choose_angle(Some([from, corner, to])));
                     }
                 }
             ));
         }
-        part::<gtk::Button>(&self.builder, "angle_own").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "angle_own").connect_clicked(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(|session| session.choose_angle(None))
+            move |_| window.update(|session| session.choose_angle(None))
         ));
         let curve = self.curve.clone();
         self.plot.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&curve.borrow(), canvas, snapshot, width, height));
@@ -201,7 +201,7 @@ impl Inspector {
             move |_, _, x, _| {
                 let time = curve.borrow().x_at(x, f64::from(plot.width()));
                 if let Some(time) = time {
-                    window.act(|session| session.time(|cursor| cursor.seek(time)));
+                    window.update(|session| session.time(|cursor| cursor.seek(time)));
                 }
             }
         ));
@@ -231,10 +231,10 @@ impl Inspector {
             self.show_curve(session, node);
         }
         self.show_transform(session, node);
-        self.show_turns(session, node);
+        self.show_joint_overrides(session, node);
         self.show_angle(session, node);
         self.show_vertex(session);
-        let distance: gtk::Label = part(&self.builder, "distance");
+        let distance: gtk::Label = object(&self.builder, "distance");
         let pinned = session.probed_point();
         distance.set_visible(pinned[1].is_some());
         distance.set_text(&inspector_text::distance(pinned));
@@ -243,17 +243,17 @@ impl Inspector {
     fn show_kind(&self, session: &Session, node: NodeId) {
         let scene = &session.document().scene;
         let shown = scene.graph.node(node);
-        let name: gtk::Label = part(&self.builder, "name");
+        let name: gtk::Label = object(&self.builder, "name");
         let text = i18n::shown(&shown.name);
         name.set_text(&text);
         name.set_tooltip_text(Some(&text));
         let is_joint = shown.kind == NodeKind::Joint;
-        part::<gtk::Box>(&self.builder, "hand").set_visible(is_joint);
+        object::<gtk::Box>(&self.builder, "hand").set_visible(is_joint);
         let instance = shown.contents.iter().find_map(|content| if let Content::Mesh(mesh) = content { Some(mesh) } else { None });
-        part::<gtk::Box>(&self.builder, "mesh").set_visible(instance.is_some());
+        object::<gtk::Box>(&self.builder, "mesh").set_visible(instance.is_some());
         let Some(instance) = instance else { return };
-        part::<gtk::Label>(&self.builder, "mesh_facts").set_text(&i18n::shown_lines(&inspector_text::mesh(scene, instance)));
-        let materials: gtk::Box = part(&self.builder, "materials");
+        object::<gtk::Label>(&self.builder, "mesh_facts").set_text(&i18n::shown_lines(&inspector_text::mesh(scene, instance)));
+        let materials: gtk::Box = object(&self.builder, "materials");
         while let Some(child) = materials.first_child() {
             materials.remove(&child);
         }
@@ -289,7 +289,7 @@ impl Inspector {
         }
     }
 
-    /// The matrix in the space that a hand chose, where the node has one there; else in the world. The list names what there is.
+    /// The matrix in the chosen space, where the node has one there; else in the world. The list names what there is.
     fn choose_space(&self, matrices: &Matrices) -> DMat4 {
         let there: Vec<Space> = Space::ALL.into_iter().filter(|space| space.of(matrices).is_some()).collect();
         if self.space.model().map_or(0, |list| list.n_items() as usize) != there.len() {
@@ -302,14 +302,14 @@ impl Inspector {
         self.wanted.get().of(matrices).unwrap_or(matrices.world)
     }
 
-    fn show_turns(&self, session: &Session, node: NodeId) {
+    fn show_joint_overrides(&self, session: &Session, node: NodeId) {
         let degrees = session.document().joint_override(node);
         for ((scale, label), value) in self.turns.iter().zip(&self.turn_values).zip(degrees.to_array()) {
             ui::show_value(&scale.adjustment(), value);
             label.set_text(&format!("{}°", format::number(value, 1)));
         }
-        part::<gtk::Button>(&self.builder, "reset").set_sensitive(degrees != DVec3::ZERO);
-        part::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.document().joint_overrides().is_empty());
+        object::<gtk::Button>(&self.builder, "reset").set_sensitive(degrees != DVec3::ZERO);
+        object::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.document().joint_overrides().is_empty());
         self.dual.set_active(session.state().skinning == Skinning::DualQuaternion);
     }
 
@@ -336,9 +336,9 @@ impl Inspector {
     fn show_angle(&self, session: &mut Session, node: NodeId) {
         let bones = session.angle_bones(node);
         let is_joint = session.document().scene.graph.node(node).kind == NodeKind::Joint;
-        part::<gtk::Box>(&self.builder, "angle").set_visible(bones.is_some() || is_joint);
-        let told: gtk::Label = part(&self.builder, "angle_value");
-        part::<gtk::Button>(&self.builder, "angle_own").set_sensitive(session.chosen_angle().is_some());
+        object::<gtk::Box>(&self.builder, "angle").set_visible(bones.is_some() || is_joint);
+        let told: gtk::Label = object(&self.builder, "angle_value");
+        object::<gtk::Button>(&self.builder, "angle_own").set_sensitive(session.chosen_angle().is_some());
         let Some(bones) = bones else {
             told.set_text(&tr!("app-angle-end"));
             self.corners.iter().for_each(|list| list.set_selected(gtk::INVALID_LIST_POSITION));
@@ -358,10 +358,10 @@ impl Inspector {
 
     fn show_vertex(&self, session: &mut Session) {
         let told = session.vertex_influences();
-        part::<gtk::Box>(&self.builder, "vertex").set_visible(told.is_some());
+        object::<gtk::Box>(&self.builder, "vertex").set_visible(told.is_some());
         let Some(told) = told else { return };
-        part::<gtk::Label>(&self.builder, "vertex_title").set_text(&tr!("app-vertex", number = told.point));
-        let grid: gtk::Grid = part(&self.builder, "shares");
+        object::<gtk::Label>(&self.builder, "vertex_title").set_text(&tr!("app-vertex", number = told.point));
+        let grid: gtk::Grid = object(&self.builder, "shares");
         let rows = inspector_text::shares(&told, MOST);
         // The cells are used again: while a clip plays only their text changes.
         for (row, texts) in rows.iter().enumerate() {
@@ -375,20 +375,20 @@ impl Inspector {
                     grid.attach(&label, column as i32, row as i32, 1, 1);
                     label
                 });
-                ui::say(&label, text);
+                ui::set_label(&label, text);
             }
         }
         while grid.child_at(0, rows.len() as i32).is_some() {
             grid.remove_row(rows.len() as i32);
         }
-        part::<gtk::Label>(&self.builder, "vertex_note").set_text(&i18n::shown_lines(&inspector_text::vertex_note(&told)));
+        object::<gtk::Label>(&self.builder, "vertex_note").set_text(&i18n::shown_lines(&inspector_text::vertex_note(&told)));
     }
 }
 
 /// A slider that turns about one axis, in its row of the grid.
 fn turn_scale(grid: &gtk::Grid, row: usize) -> gtk::Scale {
     let builder = ui::builder(ui::TURN);
-    let scale: gtk::Scale = part(&builder, ["turn_x", "turn_y", "turn_z"][row]);
+    let scale: gtk::Scale = object(&builder, ["turn_x", "turn_y", "turn_z"][row]);
     let name = gtk::Label::builder().label(["X", "Y", "Z"][row]).build();
     grid.attach(&name, 0, row as i32, 1, 1);
     grid.attach(&scale, 1, row as i32, 1, 1);

@@ -58,7 +58,7 @@ pub(super) fn connect(window: &Rc<Window>) {
         window,
         move |widget| {
             if !widget.is_active() {
-                window.viewport.let_go();
+                window.viewport.release_flight_keys();
             }
         }
     ));
@@ -97,8 +97,8 @@ fn leave_box(window: &Rc<Window>, key: gdk::Key) -> bool {
 /// Esc leaves what has been begun, whatever has the focus; else it sends away what has come up over the scene, but not from under a menu or a text that is
 /// being typed, which have an Esc of their own; at last it takes the selection away. Whether there was any of that.
 fn leave(window: &Rc<Window>) -> bool {
-    if window.look(|session| session.picking().is_some()) {
-        window.act(|session| {
+    if window.read(|session| session.picking().is_some()) {
+        window.update(|session| {
             session.stop_picking();
         });
         return true;
@@ -113,9 +113,9 @@ fn leave(window: &Rc<Window>) -> bool {
     if window.leave_start_page() {
         return true;
     }
-    let selected = window.look(|session| session.selected().is_some());
+    let selected = window.read(|session| session.selected().is_some());
     if selected {
-        window.act(|session| session.select(None));
+        window.update(|session| session.select(None));
     }
     selected
 }

@@ -13,10 +13,10 @@ use super::drawing_area::PaintWidget;
 use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;
-use super::save_as::{self, Wanted};
+use super::save_as::{self, SaveRequest};
 use super::session::{ChangeSet, MeasureAxis, Measurement, Session, csv};
 use super::ui;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
 use crate::muscle::literature_data;
@@ -60,7 +60,7 @@ impl MeasurePanel {
     /// A panel of no muscle.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::MEASURE_PANEL);
-        let slot: gtk::Box = part(&builder, "slot");
+        let slot: gtk::Box = object(&builder, "slot");
         let plots = std::array::from_fn(|_| {
             let (canvas, plot) = (PaintWidget::new(200, 170), Rc::new(RefCell::new(Plot::default())));
             let painted = plot.clone();
@@ -69,7 +69,7 @@ impl MeasurePanel {
             (canvas, plot)
         });
         Self {
-            root: part(&builder, "root"),
+            root: object(&builder, "root"),
             builder,
             plots,
             readings: RefCell::default(),
@@ -88,8 +88,8 @@ impl MeasurePanel {
                     let place = plot.borrow().x_at(x, f64::from(canvas.width()));
                     let Some(place) = place else { return };
                     match window.measure.against() {
-                        MeasureAxis::Angle => window.act(|session| session.set_angle_undoable(place)),
-                        MeasureAxis::Time => window.act(|session| session.time(|playback| playback.seek(place))),
+                        MeasureAxis::Angle => window.update(|session| session.set_angle_undoable(place)),
+                        MeasureAxis::Time => window.update(|session| session.time(|playback| playback.seek(place))),
                     }
                 }
             };
@@ -117,7 +117,7 @@ impl MeasurePanel {
             motion.connect_leave(move |_| leave(None));
             canvas.add_controller(motion);
         }
-        part::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
             #[weak]
             window,
             move |button| {
@@ -125,13 +125,13 @@ impl MeasurePanel {
                 window.viewport.toast(&tr!("app-copied"), None);
             }
         ));
-        part::<gtk::Button>(&self.builder, "save").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "save").connect_clicked(glib::clone!(
             #[weak]
             window,
             move |_| save(&window)
         ));
-        let again = |window: &Rc<Window>| window.act(Session::show_selected_muscle);
-        part::<gtk::CheckButton>(&self.builder, "published").connect_toggled(glib::clone!(
+        let again = |window: &Rc<Window>| window.update(Session::show_selected_muscle);
+        object::<gtk::CheckButton>(&self.builder, "published").connect_toggled(glib::clone!(
             #[weak]
             window,
             move |_| again(&window)
@@ -141,26 +141,26 @@ impl MeasurePanel {
             window,
             move |_| again(&window)
         ));
-        part::<gtk::Button>(&self.builder, "experiment").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "experiment").connect_clicked(glib::clone!(
             #[weak]
             window,
             move |_| {
                 let muscle = window.measure.muscle.get();
-                if let Some(muscle) = window.look(|session| session.muscle_on_joint(muscle)) {
+                if let Some(muscle) = window.read(|session| session.muscle_on_joint(muscle)) {
                     experiment::show(&window, muscle);
                 }
             }
         ));
-        part::<gtk::Label>(&self.builder, "sources").set_text(&format!(
+        object::<gtk::Label>(&self.builder, "sources").set_text(&format!(
             "{}\n{}",
             literature_data::MURRAY_2000.source,
             literature_data::ARM26.source
         ));
-        // Measuring waits until somebody looks.
+        // Measuring waits until the panel is visible.
         self.root.connect_map(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::show_selected_muscle)
+            move |_| window.update(Session::show_selected_muscle)
         ));
     }
 
@@ -202,7 +202,7 @@ impl MeasurePanel {
     }
 
     fn axis(&self) -> gtk::DropDown {
-        part(&self.builder, "axis")
+        object(&self.builder, "axis")
     }
 
     /// What goes right.
@@ -219,7 +219,7 @@ impl MeasurePanel {
         {
             self.axis().set_selected(other as u32);
         }
-        part::<gtk::Box>(&self.builder, "axes").set_visible(there == [true; 2]);
+        object::<gtk::Box>(&self.builder, "axes").set_visible(there == [true; 2]);
         there.contains(&true)
     }
 
@@ -227,18 +227,18 @@ impl MeasurePanel {
         let found = self.offer(session);
         let against = self.against();
         let document = session.document();
-        part::<gtk::Button>(&self.builder, "experiment").set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
+        object::<gtk::Button>(&self.builder, "experiment").set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
         let muscle = document.muscle(self.muscle.get()).filter(|_| found);
-        part::<gtk::Label>(&self.builder, "none").set_visible(muscle.is_none());
-        part::<gtk::Box>(&self.builder, "plots").set_visible(muscle.is_some());
+        object::<gtk::Label>(&self.builder, "none").set_visible(muscle.is_none());
+        object::<gtk::Box>(&self.builder, "plots").set_visible(muscle.is_some());
         let Some((rig, index)) = muscle else { return };
         let readings = session.measure(self.muscle.get(), against);
-        ui::say(&part(&self.builder, "name"), rig.name(index));
+        ui::set_label(&object(&self.builder, "name"), rig.name(index));
         let (across, hint) = match against {
             MeasureAxis::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
             MeasureAxis::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
         };
-        part::<gtk::Label>(&self.builder, "hint").set_text(&hint);
+        object::<gtk::Label>(&self.builder, "hint").set_text(&hint);
         let unit = Unit::of_rig(document, rig);
         for ((canvas, plot), (key, read, least_span)) in self.plots.iter().zip(QUANTITIES) {
             let mut plot = plot.borrow_mut();
@@ -253,10 +253,10 @@ impl MeasurePanel {
         // The published figures are of a flexor of the elbow.
         let comparable = against == MeasureAxis::Angle && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
         for id in ["published", "sources"] {
-            part::<gtk::Widget>(&self.builder, id).set_visible(comparable);
+            object::<gtk::Widget>(&self.builder, id).set_visible(comparable);
         }
         if comparable
-            && part::<gtk::CheckButton>(&self.builder, "published").is_active()
+            && object::<gtk::CheckButton>(&self.builder, "published").is_active()
             && let Some((_, plot)) = self.plots.get(PUBLISHED)
         {
             // Centimetres to the file's unit.
@@ -273,7 +273,7 @@ impl MeasurePanel {
 
     /// The plots as a page to keep, without the pointer.
     fn page(&self) -> Page {
-        let name = part::<gtk::Label>(&self.builder, "name").text().to_string();
+        let name = object::<gtk::Label>(&self.builder, "name").text().to_string();
         let shown = self.plots.iter().filter(|(canvas, _)| canvas.get_visible());
         let plots = shown.map(|(_, plot)| Plot { pointer: None, color: ON_PAPER, reference_color: 0x5B_6B82, ..plot.borrow().clone() });
         Page { sections: vec![(name, plots.collect())] }
@@ -292,7 +292,7 @@ impl MeasurePanel {
 /// Asks where to and saves the table or the plots.
 fn save(window: &Rc<Window>) {
     let (title, name) = (tr!("app-measure-save-title"), "measure.csv".to_owned());
-    save_as::ask(window, Wanted { title, name, folder: None, endings: &["csv", "svg", "png"], own: None }, |window, output| {
+    save_as::ask(window, SaveRequest { title, name, folder: None, endings: &["csv", "svg", "png"], own: None }, |window, output| {
         let path = output.file();
         let written = window
             .measure

@@ -8,7 +8,7 @@ use gtk4 as gtk;
 
 use super::commands::Command;
 use super::session::{Session, file_cameras};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{recent, ui};
 use crate::i18n::shown;
 use crate::tr;
@@ -19,14 +19,14 @@ const LOOK_THROUGH: &str = "look-through";
 /// Puts the menus into the header.
 pub(super) fn connect(window: &Rc<Window>, builder: &gtk::Builder) {
     window.menu.set_menu_model(Some(&main_menu()));
-    part::<gtk::MenuButton>(builder, "display_menu").set_menu_model(Some(&display_menu()));
+    object::<gtk::MenuButton>(builder, "display_menu").set_menu_model(Some(&display_menu()));
     let look = gio::SimpleAction::new(LOOK_THROUGH, Some(glib::VariantTy::UINT32));
     look.connect_activate(glib::clone!(
         #[weak]
         window,
         move |_, place| {
             let Some(place) = place.and_then(glib::Variant::get::<u32>) else { return };
-            window.act(|session| {
+            window.update(|session| {
                 if let Some((node, camera)) = file_cameras(&session.document().scene).get(place as usize).copied() {
                     session.change_camera(|eye| eye.look_through(node, camera));
                 }
@@ -34,7 +34,7 @@ pub(super) fn connect(window: &Rc<Window>, builder: &gtk::Builder) {
         }
     ));
     window.widget.add_action(&look);
-    recent_menu(window, &part(builder, "recent"));
+    recent_menu(window, &object(builder, "recent"));
 }
 
 fn section(menu: &gio::Menu, commands: &[Command]) {

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`session`] | what is open and how it is looked at; no widgets |
 //! | [`commands`], `shortcuts`, `command_dispatch` | the one table of commands, their keys, and what they do |
-//! | `window` | puts the parts together and hands changes round |
+//! | `window` | assembles the panels and distributes changes to them |
 //! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
 //! | `document_loader`, `recent`, `screenshot` | opening off the interface thread, watching, recent files, pictures |
 //!
@@ -89,10 +89,10 @@ use crate::tr;
 pub const APPLICATION_ID: &str = "io.github.sinew.Sinew";
 
 /// Whether the program was ended from outside.
-static STOPPED: AtomicBool = AtomicBool::new(false);
+static TERMINATED: AtomicBool = AtomicBool::new(false);
 
 /// The exit code of a program that was ended from outside, as shells have it.
-const ENDED: u8 = 130;
+const EXIT_TERMINATED: u8 = 130;
 
 /// Opens the window with these files; none = the built-in biceps. Returns when the window is closed: 1 where there is no display.
 pub fn run(files: Vec<PathBuf>) -> ExitCode {
@@ -101,7 +101,7 @@ pub fn run(files: Vec<PathBuf>) -> ExitCode {
         eprintln!("{}", tr!("app-no-display"));
         return ExitCode::FAILURE;
     }
-    begin_anew();
+    restart();
     if !has_fonts() {
         eprintln!("{}", tr!("app-no-fonts"));
         return ExitCode::FAILURE;
@@ -122,17 +122,17 @@ pub fn run(files: Vec<PathBuf>) -> ExitCode {
     // An export that is still running on another thread ends with the program; it leaves no half file.
     cleanup_temp_files();
     match code {
-        _ if STOPPED.load(Ordering::Relaxed) => ExitCode::from(ENDED),
+        _ if TERMINATED.load(Ordering::Relaxed) => ExitCode::from(EXIT_TERMINATED),
         0 => ExitCode::SUCCESS,
         _ => ExitCode::FAILURE,
     }
 }
 
-/// Ends the program in order when it is told to from outside.
+/// Ends the program in order on a termination signal.
 fn end_on_signals() {
     // Where the system has no such thing the program just ends.
     let _ = ctrlc::set_handler(|| {
-        STOPPED.store(true, Ordering::Relaxed);
+        TERMINATED.store(true, Ordering::Relaxed);
         glib::idle_add_once(|| {
             if let Some(application) = gio::Application::default() {
                 application.quit();
@@ -153,8 +153,8 @@ fn has_fonts() -> bool {
     context.load_font(&gtk::pango::FontDescription::from_string("Sans 10")).is_some()
 }
 
-/// Begins the program anew where GTK would draw in software; returns only where that cannot be, or need not.
-fn begin_anew() {
+/// Restarts the program where GTK would draw in software; returns where that is impossible or unnecessary.
+fn restart() {
     #[cfg(unix)]
     if let Some(mut command) = renderer::command().filter(|_| renderer::is_wrong()) {
         use std::os::unix::process::CommandExt;

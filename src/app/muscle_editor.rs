@@ -20,7 +20,7 @@ pub(super) struct Editor {
     pub window: Weak<Window>,
     /// The muscle that is shown.
     pub shown: Rc<Cell<u32>>,
-    /// Where it is told why a change is not made.
+    /// Where the reason for a rejected change is shown.
     pub refused: gtk::Label,
 }
 
@@ -40,10 +40,10 @@ impl Editor {
     pub(super) fn tell(&self, change: impl FnOnce(&mut Session) -> Result<(), EditError>) -> bool {
         let Some(window) = self.window.upgrade() else { return false };
         let mut result = Ok(());
-        window.act(|session| result = change(session));
+        window.update(|session| result = change(session));
         self.refused.set_visible(result.is_err());
         if let Err(error) = &result {
-            ui::say(&self.refused, &error.to_string());
+            ui::set_label(&self.refused, &error.to_string());
         }
         result.is_ok()
     }
@@ -55,14 +55,14 @@ impl Editor {
             let (rig, index) = session.document().muscle(id)?;
             rig.spec(index).cloned()
         };
-        self.window.upgrade()?.try_look(spec)?
+        self.window.upgrade()?.try_read(spec)?
     }
 }
 
 /// Marks an entry whose text a person changed since it was shown.
 const TYPED: &str = "typed";
 
-/// Lets an entry take what was typed into it, with Enter and when the hand goes elsewhere. `take` marks with the class `error` what cannot be taken.
+/// Commits the text of an entry with Enter and when it loses the focus. `take` marks rejected text with the class `error`.
 pub(super) fn connect_entry(entry: &gtk::Entry, take: impl Fn(&gtk::Entry) + 'static) {
     let commit = Rc::new(move |entry: &gtk::Entry| {
         take(entry);
@@ -99,7 +99,7 @@ pub(super) fn show_as_before(entry: &gtk::Entry) {
     entry.remove_css_class("error");
 }
 
-/// Shows a text in an entry. What somebody is typing stays while something else changes, and so does what was refused, unless all is `anew`.
+/// Shows a text in an entry. Text that is being edited stays while something else changes, and so does rejected text, unless `anew`.
 pub(super) fn show_text(entry: &gtk::Entry, text: &str, anew: bool) {
     let typing = entry.has_css_class(TYPED) && entry.state_flags().contains(gtk::StateFlags::FOCUS_WITHIN);
     let text = &*shown(text);

@@ -17,7 +17,7 @@ use super::profile_plot::{ProfilePlot, Shape};
 use super::profile_table::ProfileTable;
 use super::session::{AttachResult, ChangeSet, Session, UndoStep};
 use super::via_points_editor::ViaPointsEditor;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
 use crate::muscle::presets::{PRESETS, Preset};
@@ -147,9 +147,9 @@ impl MusclePanel {
         let builder = ui::builder(ui::MUSCLE_PANEL);
         let bones = Bones::new();
         let profile = ProfilePlot::new();
-        part::<gtk::Box>(&builder, "profile_slot").append(&profile.canvas);
+        object::<gtk::Box>(&builder, "profile_slot").append(&profile.canvas);
         let ledger = rows(
-            &part(&builder, "ledger"),
+            &object(&builder, "ledger"),
             &[
                 "app-length",
                 "app-rest-length",
@@ -163,23 +163,23 @@ impl MusclePanel {
             ],
         );
         let quadratic =
-            rows(&part(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
+            rows(&object(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
         Self {
-            root: part(&builder, "root"),
+            root: object(&builder, "root"),
             joint: ContractionControls::new(&builder),
             ends: AttachmentsEditor::new(&builder, &bones),
             way: ViaPointsEditor::new(&builder, &bones),
             bones,
-            name: part(&builder, "name"),
-            which: part(&builder, "which"),
+            name: object(&builder, "name"),
+            which: object(&builder, "which"),
             shown: Rc::default(),
             profile,
-            nodes: ProfileTable::new(&part(&builder, "nodes")),
+            nodes: ProfileTable::new(&object(&builder, "nodes")),
             ledger,
             quadratic,
             solved: RefCell::default(),
-            fields: FIELDS.map(|id| part(&builder, id)),
-            refused: part(&builder, "refused"),
+            fields: FIELDS.map(|id| object(&builder, id)),
+            refused: object(&builder, "refused"),
             builder,
         }
     }
@@ -193,7 +193,7 @@ impl MusclePanel {
             window,
             move |list| {
                 if list.selected() != gtk::INVALID_LIST_POSITION {
-                    window.act(|session| session.show_muscle(MuscleId(list.selected())));
+                    window.update(|session| session.show_muscle(MuscleId(list.selected())));
                 }
             }
         ));
@@ -219,7 +219,7 @@ impl MusclePanel {
     }
 
     fn connect_edits(&self, editor: &Editor) {
-        let (delete, own) = (part::<gtk::Button>(&self.builder, "delete_node"), editor.clone());
+        let (delete, own) = (object::<gtk::Button>(&self.builder, "delete_node"), editor.clone());
         let name_node = move |node: usize| delete.set_label(&tr!("app-node-delete-number", node = node + 1));
         self.nodes.connect(move |edit| own.edit(&edit, UndoStep::New), name_node);
         let own = editor.clone();
@@ -228,7 +228,7 @@ impl MusclePanel {
         });
         for (id, edit) in [("add_node", Edit::AddNode as fn(usize) -> Edit), ("delete_node", Edit::DeleteNode)] {
             let (own, current) = (editor.clone(), self.nodes.at_hand());
-            part::<gtk::Button>(&self.builder, id).connect_clicked(move |_| {
+            object::<gtk::Button>(&self.builder, id).connect_clicked(move |_| {
                 own.edit(&edit(current()), UndoStep::New);
             });
         }
@@ -246,21 +246,21 @@ impl MusclePanel {
             }
         });
         let own = editor.clone();
-        part::<gtk::Button>(&self.builder, "fit_length").connect_clicked(move |_| {
+        object::<gtk::Button>(&self.builder, "fit_length").connect_clicked(move |_| {
             let id = own.id();
             own.tell(|session| session.fit_length(id, UndoStep::New));
         });
         let own = editor.clone();
-        part::<gtk::ColorButton>(&self.builder, "colour").connect_color_set(move |button| {
+        object::<gtk::ColorButton>(&self.builder, "colour").connect_color_set(move |button| {
             let color = button.rgba();
             let byte = |part: f32| (part * 255.0).round().clamp(0.0, 255.0) as u8;
             own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), UndoStep::New);
         });
         let weak = editor.window.clone();
-        part::<gtk::Button>(&self.builder, "hang").connect_clicked(move |_| {
+        object::<gtk::Button>(&self.builder, "hang").connect_clicked(move |_| {
             if let Some(window) = weak.upgrade() {
-                let file = window.look(|session| session.shown_file());
-                hang(&window, file);
+                let file = window.read(|session| session.shown_file());
+                attach_to_skeleton(&window, file);
             }
         });
         self.connect_menus(editor);
@@ -280,11 +280,11 @@ impl MusclePanel {
             button.insert_action_group(group, Some(&actions));
             menu
         };
-        let button: gtk::MenuButton = part(&self.builder, "new_muscle");
+        let button: gtk::MenuButton = object(&self.builder, "new_muscle");
         button.set_menu_model(Some(&list(&button, "new", |editor, preset| {
             editor.tell(|session| session.new_muscle(preset));
         })));
-        let button: gtk::MenuButton = part(&self.builder, "muscle_menu");
+        let button: gtk::MenuButton = object(&self.builder, "muscle_menu");
         let ready = list(&button, "ready", |own, preset| {
             let id = own.id();
             own.tell(|session| session.apply_preset(id, preset));
@@ -311,7 +311,7 @@ impl MusclePanel {
             self.joint.refresh(session, changes);
         }
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::SELECTION) {
-            self.refresh_hang(session);
+            self.refresh_attachment(session);
         }
         if changes.any(ChangeSet::HISTORY) {
             self.refused.set_visible(false);
@@ -325,17 +325,17 @@ impl MusclePanel {
             | ChangeSet::JOINT_OVERRIDES
             | ChangeSet::PICKING;
         if changes.any(moves) && self.root.is_mapped() || changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE) {
-            self.refresh_ledger(session, changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE));
+            self.refresh_solver_report(session, changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE));
         }
     }
 
     /// Offers to hang muscles that are on an arm of their own on the clip that is open with them.
-    fn refresh_hang(&self, session: &Session) {
+    fn refresh_attachment(&self, session: &Session) {
         let joint = session.shown_file().and_then(|place| session.joint_to_attach_to(place));
-        part::<gtk::Widget>(&self.builder, "hang_box").set_visible(joint.is_some());
+        object::<gtk::Widget>(&self.builder, "hang_box").set_visible(joint.is_some());
         if let Some(joint) = joint {
             let name = &session.document().scene.graph.node(joint.node).name;
-            let button: gtk::Button = part(&self.builder, "hang");
+            let button: gtk::Button = object(&self.builder, "hang");
             button.set_label(&tr!("app-hang", joint = name.clone()));
             if let Some(label) = button.child().and_downcast::<gtk::Label>() {
                 label.set_ellipsize(gtk::pango::EllipsizeMode::Middle);
@@ -351,12 +351,12 @@ impl MusclePanel {
         self.which.set_model(Some(&ui::words(&names)));
         self.which.set_visible(names.len() > 1);
         self.which.set_selected(if there { session.shown_muscle().0 } else { gtk::INVALID_LIST_POSITION });
-        part::<gtk::Label>(&self.builder, "none").set_visible(!there);
-        part::<gtk::Widget>(&self.builder, "details").set_visible(there);
-        part::<gtk::Widget>(&self.builder, "muscle_menu").set_visible(there);
+        object::<gtk::Label>(&self.builder, "none").set_visible(!there);
+        object::<gtk::Widget>(&self.builder, "details").set_visible(there);
+        object::<gtk::Widget>(&self.builder, "muscle_menu").set_visible(there);
     }
 
-    fn refresh_ledger(&self, session: &mut Session, anew: bool) {
+    fn refresh_solver_report(&self, session: &mut Session, anew: bool) {
         let drive = session.drive();
         let id = session.shown_muscle();
         session.frame();
@@ -384,14 +384,14 @@ impl MusclePanel {
         let [a, b, c] = solved.quadratic;
         let [taken, other] = solved.roots;
         set_all(&self.quadratic, &[a, b, c, solved.discriminant, taken, other].map(|value| format::significant(value, 7)));
-        part::<gtk::Label>(&self.builder, "held").set_visible(solved.held);
-        let (alone, why) = (part::<gtk::Label>(&self.builder, "alone"), session.standalone_reason());
+        object::<gtk::Label>(&self.builder, "held").set_visible(solved.held);
+        let (alone, why) = (object::<gtk::Label>(&self.builder, "alone"), session.standalone_reason());
         alone.set_visible(why.is_some());
         if let Some(why) = why.filter(|why| alone.text() != *why) {
             alone.set_text(&why);
         }
         let sign = |value: f64| if value < 0.0 { '−' } else { '+' };
-        part::<gtk::Label>(&self.builder, "equation").set_text(&format!(
+        object::<gtk::Label>(&self.builder, "equation").set_text(&format!(
             "{} δ² {} {} δ {} {} = 0",
             format::significant(a, 5),
             sign(b),
@@ -408,8 +408,8 @@ impl MusclePanel {
             unit: unit.length.clone(),
             growth: spec.profile.growth().to_vec(),
         });
-        part::<gtk::Label>(&self.builder, "limits").set_text(&limits(&ledger, &unit.length));
-        part::<gtk::Label>(&self.builder, "root_why").set_text(&tr!(match ledger.taken {
+        object::<gtk::Label>(&self.builder, "limits").set_text(&limits(&ledger, &unit.length));
+        object::<gtk::Label>(&self.builder, "root_why").set_text(&tr!(match ledger.taken {
             Root::Larger => "app-root-larger",
             Root::Smaller => "app-root-smaller",
             Root::Double => "app-root-double",
@@ -417,34 +417,34 @@ impl MusclePanel {
         for (field, entry) in self.fields.iter().enumerate() {
             let text = field_text(spec, field);
             show_text(entry, &text, anew);
-            part::<gtk::Label>(&self.builder, &format!("{}_unit", FIELDS[field])).set_text(&unit.length);
+            object::<gtk::Label>(&self.builder, &format!("{}_unit", FIELDS[field])).set_text(&unit.length);
             if anew {
                 entry.set_tooltip_text(Some(&format!("{}, {}", tr!(FIELD_NAMES[field]), unit.length)));
             }
         }
         let [red, green, blue] = spec.color.unwrap_or([0xB8, 0x32, 0x2E]).map(|part| f32::from(part) / 255.0);
-        part::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
+        object::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
         show_text(&self.name, &spec.name, anew);
         if anew {
             self.bones.list(session, id);
         }
         self.ends.show(session, id, &unit.length, anew);
         self.way.show(session, id, &unit.length, anew);
-        part::<gtk::Widget>(&self.builder, "fit_length").set_sensitive(rig.is_attached(index));
+        object::<gtk::Widget>(&self.builder, "fit_length").set_sensitive(rig.is_attached(index));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
 }
 
 /// Hangs the muscles of all files that are on an arm of their own on the clip that is open with them; whether there were any.
 pub(super) fn hang_all(window: &Rc<Window>) -> bool {
-    let files = window.look(|session| session.document().muscle_files().count());
-    hang(window, 0..files)
+    let files = window.read(|session| session.document().muscle_files().count());
+    attach_to_skeleton(window, 0..files)
 }
 
 /// Hangs the muscles of these files on the clip, and says where they went.
-fn hang(window: &Rc<Window>, files: impl IntoIterator<Item = usize>) -> bool {
+fn attach_to_skeleton(window: &Rc<Window>, files: impl IntoIterator<Item = usize>) -> bool {
     let mut hung: Option<AttachResult> = None;
-    window.act(|session| {
+    window.update(|session| {
         for new in files.into_iter().filter_map(|place| session.attach_to_skeleton(place)) {
             let before = hung.take().map_or(0, |hung| hung.muscles);
             hung = Some(AttachResult { muscles: before + new.muscles, ..new });

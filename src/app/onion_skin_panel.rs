@@ -8,11 +8,11 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::session::{ChangeSet, CompareTarget, ComparisonState, Session};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::tr;
 
-/// Ghosts and comparison.
+/// Panel of onion skins and comparison.
 pub(super) struct GhostsPanel {
     /// The whole.
     pub root: gtk::Box,
@@ -30,21 +30,21 @@ impl GhostsPanel {
     /// One that is not connected yet.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::GHOSTS);
-        ui::narrow(&part(&builder, "with"), 18);
+        ui::narrow(&object(&builder, "with"), 18);
         Self {
-            root: part(&builder, "root"),
-            before: part(&builder, "before"),
-            after: part(&builder, "after"),
-            step: part(&builder, "step"),
-            with: part(&builder, "with"),
-            shifts: part(&builder, "shifts"),
-            aside: part(&builder, "aside"),
-            later: part(&builder, "later"),
-            found: part(&builder, "found"),
+            root: object(&builder, "root"),
+            before: object(&builder, "before"),
+            after: object(&builder, "after"),
+            step: object(&builder, "step"),
+            with: object(&builder, "with"),
+            shifts: object(&builder, "shifts"),
+            aside: object(&builder, "aside"),
+            later: object(&builder, "later"),
+            found: object(&builder, "found"),
         }
     }
 
-    /// Lets hands choose.
+    /// Connects the input of the widgets.
     pub(super) fn connect(&self, window: &Rc<Window>) {
         for number in [&self.before, &self.after, &self.step] {
             let [before, after, step] = [&self.before, &self.after, &self.step].map(gtk::SpinButton::clone);
@@ -53,7 +53,7 @@ impl GhostsPanel {
                 window,
                 move |_| {
                     let [before, after, step] = [&before, &after, &step].map(|number| number.value_as_int().max(0) as u32);
-                    window.act(|session| {
+                    window.update(|session| {
                         session.change_onion_skin_settings(|ghosts| (ghosts.before, ghosts.after, ghosts.step) = (before, after, step));
                     });
                 }
@@ -64,7 +64,7 @@ impl GhostsPanel {
             number.connect_value_changed(glib::clone!(
                 #[weak]
                 window,
-                move |_| window.act(|session| session.set_compare_offsets(later.value(), aside.value()))
+                move |_| window.update(|session| session.set_compare_offsets(later.value(), aside.value()))
             ));
         }
         self.with.connect_selected_notify(glib::clone!(
@@ -72,7 +72,7 @@ impl GhostsPanel {
             window,
             move |list| {
                 let chosen = list.selected();
-                window.act(|session| choose(session, chosen));
+                window.update(|session| choose(session, chosen));
             }
         ));
     }

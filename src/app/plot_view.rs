@@ -10,9 +10,9 @@ use crate::plot::{Anchor, Canvas, Color, Plot, Stroke};
 /// Paints a plot over the whole canvas.
 pub(super) fn paint(plot: &Plot, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let text = canvas.text_color();
-    let mut ink = Shapes { context: cairo(snapshot, width, height), text, texts: Vec::new() };
-    plot.draw(&mut ink, width, height);
-    let Shapes { context, texts, .. } = ink;
+    let mut cairo_canvas = CairoCanvas { context: cairo(snapshot, width, height), text, texts: Vec::new() };
+    plot.draw(&mut cairo_canvas, width, height);
+    let CairoCanvas { context, texts, .. } = cairo_canvas;
     // The shapes are handed over when their context ends; text goes on top.
     drop(context);
     for (text, (x, y), anchor, color) in texts {
@@ -26,13 +26,13 @@ pub(super) fn paint(plot: &Plot, canvas: &PaintWidget, snapshot: &gtk::Snapshot,
 }
 
 /// Draws shapes at once and keeps texts for later.
-struct Shapes {
+struct CairoCanvas {
     context: Context,
     text: RGBA,
     texts: Vec<(String, (f64, f64), Anchor, RGBA)>,
 }
 
-impl Shapes {
+impl CairoCanvas {
     fn color(&self, color: Color) -> RGBA {
         match color {
             Color::Text => self.text,
@@ -42,7 +42,7 @@ impl Shapes {
 }
 
 // Cairo fails only where memory is gone, and the next change draws again.
-impl Canvas for Shapes {
+impl Canvas for CairoCanvas {
     fn rectangle(&mut self, [x, y, width, height]: [f64; 4], color: Color, opacity: f64) {
         set_color(&self.context, &self.color(color), opacity);
         self.context.rectangle(x, y, width, height);

@@ -38,9 +38,9 @@ pub(super) struct Shape {
     pub growth: Vec<f64>,
 }
 
-/// A handle in the hand.
+/// A profile node that is being dragged.
 #[derive(Debug, Clone, Copy)]
-struct Grip {
+struct NodeHandle {
     node: usize,
     radius: f64,
     growth: f64,
@@ -55,7 +55,7 @@ pub(super) struct ProfilePlot {
     /// Where it is drawn.
     pub canvas: PaintWidget,
     shape: Rc<RefCell<Shape>>,
-    grip: Rc<Cell<Option<Grip>>>,
+    grip: Rc<Cell<Option<NodeHandle>>>,
 }
 
 impl ProfilePlot {
@@ -65,7 +65,7 @@ impl ProfilePlot {
         canvas.set_hexpand(true);
         let shape = Rc::new(RefCell::new(Shape::default()));
         let pointer = Rc::new(Cell::new(None::<f64>));
-        let grip = Rc::new(Cell::new(None::<Grip>));
+        let grip = Rc::new(Cell::new(None::<NodeHandle>));
         let (painted, at, held) = (shape.clone(), pointer.clone(), grip.clone());
         canvas.set_painter(move |canvas, snapshot, width, height| {
             painted.borrow().paint(canvas, snapshot, width, height, at.get(), held.get())
@@ -148,11 +148,11 @@ impl Shape {
     }
 
     /// The handle nearest to a place.
-    fn grip(&self, x: f64, y: f64, width: f64, height: f64) -> Option<Grip> {
+    fn grip(&self, x: f64, y: f64, width: f64, height: f64) -> Option<NodeHandle> {
         let scale = self.scale(width, height);
         let node = self.near(x, scale, width)?;
         let side = if y > (height - 18.0) / 2.0 { -1.0 } else { 1.0 };
-        Some(Grip { node, radius: *self.rest.get(node)?, growth: *self.growth.get(node)?, scale, side })
+        Some(NodeHandle { node, radius: *self.rest.get(node)?, growth: *self.growth.get(node)?, scale, side })
     }
 
     fn near(&self, x: f64, scale: f64, width: f64) -> Option<usize> {
@@ -160,7 +160,15 @@ impl Shape {
         (0..self.now.len()).min_by(|a, b| (places(*a) - x).abs().total_cmp(&(places(*b) - x).abs()))
     }
 
-    fn paint(&self, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64, pointer: Option<f64>, grip: Option<Grip>) {
+    fn paint(
+        &self,
+        canvas: &PaintWidget,
+        snapshot: &gtk::Snapshot,
+        width: f64,
+        height: f64,
+        pointer: Option<f64>,
+        grip: Option<NodeHandle>,
+    ) {
         if self.now.len() < 2 {
             return;
         }

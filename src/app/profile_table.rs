@@ -7,18 +7,18 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::window::part;
+use super::window::object;
 use super::{format, ui};
 use crate::muscle::{Edit, Profile};
 use crate::tr;
 
 /// Hears of a change that was typed; answers whether it was taken.
 type Typed = Box<dyn Fn(Edit) -> bool>;
-/// Hears of the node that is at hand.
+/// Receives the current node.
 type Chosen = Box<dyn Fn(usize)>;
 
 /// A cell on screen.
-struct Shown {
+struct TableCell {
     widget: gtk::Widget,
     row: u32,
     column: usize,
@@ -30,7 +30,7 @@ struct Shown {
 #[derive(Default)]
 struct Values {
     columns: RefCell<[Vec<f64>; 3]>,
-    cells: RefCell<Vec<Shown>>,
+    cells: RefCell<Vec<TableCell>>,
     typed: RefCell<Option<Typed>>,
     chosen: RefCell<Option<Chosen>>,
     current: Cell<usize>,
@@ -57,13 +57,13 @@ impl ProfileTable {
         table
     }
 
-    /// Sets who hears of what is typed, and of the node at hand.
+    /// Sets the callbacks for edits and for the current node.
     pub(super) fn connect(&self, typed: impl Fn(Edit) -> bool + 'static, chosen: impl Fn(usize) + 'static) {
         self.values.typed.replace(Some(Box::new(typed)));
         self.values.chosen.replace(Some(Box::new(chosen)));
     }
 
-    /// Tells the node at hand: the one whose cell was entered last.
+    /// The current node: the one whose cell was focused last.
     pub(super) fn at_hand(&self) -> impl Fn() -> usize + 'static {
         let values = self.values.clone();
         move || values.current.get()
@@ -83,7 +83,7 @@ impl ProfileTable {
                 let (row, shown) = (item.position(), values.text(item.position(), column));
                 show(&widget, &shown);
                 explain(&widget, row, column);
-                values.cells.borrow_mut().push(Shown { widget, row, column, shown });
+                values.cells.borrow_mut().push(TableCell { widget, row, column, shown });
             }
         });
         let values = Rc::downgrade(&self.values);
@@ -101,7 +101,7 @@ impl ProfileTable {
         let mut cells = std::mem::take(&mut *self.values.cells.borrow_mut());
         for cell in &mut cells {
             let text = self.values.text(cell.row, cell.column);
-            // What somebody is typing stays, unless the value changed meanwhile.
+            // Text that is being edited stays, unless the value changed meanwhile.
             if text != cell.shown {
                 show(&cell.widget, &text);
                 cell.shown = text;
@@ -157,7 +157,7 @@ impl Values {
             let label = gtk::Label::builder().xalign(1.0).hexpand(true).css_classes(["numeric"]).build();
             return label.upcast();
         }
-        let entry: gtk::Entry = part(&ui::builder(ui::NODE_CELL), if column == 1 { "radius" } else { "growth" });
+        let entry: gtk::Entry = object(&ui::builder(ui::NODE_CELL), if column == 1 { "radius" } else { "growth" });
         let values = Rc::downgrade(self);
         entry.connect_activate(move |entry| {
             if let Some(values) = values.upgrade() {

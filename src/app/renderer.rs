@@ -11,7 +11,7 @@ use gtk::gdk;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-/// GTK's own variable. Whoever sets it has chosen.
+/// GTK's own variable; where the user sets it, it is respected.
 const VARIABLE: &str = "GSK_RENDERER";
 /// GTK before this version always let GL go before cairo, however slow.
 const CHOOSES: (u32, u32) = (4, 14);
@@ -28,7 +28,7 @@ pub(super) fn choose() {
     }
 }
 
-/// Whether GTK, which has started, would draw in software where cairo does better. Then the program is to be begun anew with [`command`].
+/// Whether GTK, which has started, would draw in software where cairo does better. Then the program is to be restarted with [`command`].
 pub(super) fn is_wrong() -> bool {
     if std::env::var_os(VARIABLE).is_some() || !cfg!(target_os = "linux") {
         return false;

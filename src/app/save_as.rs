@@ -16,8 +16,8 @@ use crate::export::guard::{Output, is_same};
 use crate::i18n::shown;
 use crate::tr;
 
-/// What is to be saved.
-pub(super) struct Wanted {
+/// A file to be saved.
+pub(super) struct SaveRequest {
     /// The title of the dialog.
     pub title: String,
     /// The name to start from.
@@ -32,8 +32,8 @@ pub(super) struct Wanted {
 
 /// Asks for a place; `then` gets it unless the person thinks better of it. A file that is open, or belongs to one that is, is refused, whatever the
 /// file dialog was answered.
-pub(super) fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Window>, &Output) + 'static) {
-    let Wanted { title, name, folder, endings, own } = wanted;
+pub(super) fn ask(window: &Rc<Window>, wanted: SaveRequest, then: impl FnOnce(&Rc<Window>, &Output) + 'static) {
+    let SaveRequest { title, name, folder, endings, own } = wanted;
     let folder = folder.or_else(|| usual_folder(window));
     let its = own.clone();
     let is_own = move |file: &Path| its.as_deref().is_some_and(|own| is_same(own, file));
@@ -44,7 +44,7 @@ pub(super) fn ask(window: &Rc<Window>, wanted: Wanted, then: impl FnOnce(&Rc<Win
         document_loader::guard(window).free_name(&there, &name, |file| vec![file.to_owned()])
     };
     let complete = move |chosen: &Path| if is_own(chosen) { chosen.to_owned() } else { with_extension(chosen, endings) };
-    let asked = Asked { title, name, folder };
+    let asked = FileDialogOptions { title, name, folder };
     choose(
         window.widget.upcast_ref(),
         asked,
@@ -72,8 +72,8 @@ pub(super) fn usual_folder(window: &Rc<Window>) -> Option<PathBuf> {
     window.settings.borrow().folder.clone().filter(|folder| folder.is_dir())
 }
 
-/// What a file dialog starts from.
-pub(super) struct Asked {
+/// Initial state of a file dialog.
+pub(super) struct FileDialogOptions {
     /// The title of the dialog.
     pub title: String,
     /// The name to start from.
@@ -82,11 +82,11 @@ pub(super) struct Asked {
     pub folder: Option<PathBuf>,
 }
 
-/// Asks for a file to write; `then` gets it unless the person thinks better of it. What is typed is completed before the dialog looks whether such a
+/// Asks for a file to write; `then` gets it unless the dialog is cancelled. What is typed is completed before the dialog looks whether such a
 /// file is there: it asks about what will be written. For that the dialog is GTK's own; another one would ask before anybody could complete the name.
 pub(super) fn choose(
     parent: &gtk::Window,
-    asked: Asked,
+    asked: FileDialogOptions,
     complete: impl Fn(&Path) -> PathBuf + 'static,
     then: impl FnOnce(PathBuf) + 'static,
 ) {
@@ -161,7 +161,7 @@ pub(super) fn ask_to_replace(parent: &gtk::Window, files: Vec<PathBuf>, then: im
 
 /// The name of the first open file with another ending, else the program's.
 pub(super) fn name_like_open(window: &Rc<Window>, ending: &str) -> String {
-    let stem = window.look(|session| session.files().first().and_then(|path| Some(path.file_stem()?.to_string_lossy().into_owned())));
+    let stem = window.read(|session| session.files().first().and_then(|path| Some(path.file_stem()?.to_string_lossy().into_owned())));
     format!("{}.{ending}", stem.unwrap_or_else(|| "sinew".into()))
 }
 

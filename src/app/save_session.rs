@@ -5,7 +5,7 @@ use std::path::Path;
 use std::rc::Rc;
 
 use super::recent;
-use super::save_as::{self, Wanted};
+use super::save_as::{self, SaveRequest};
 use super::window::Window;
 use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
@@ -17,14 +17,14 @@ pub(super) fn save(window: &Rc<Window>) {
     let own = window.files.session_file();
     let name = own.as_deref().map_or_else(|| save_as::name_like_open(window, "session.yaml"), save_as::name_of);
     let folder = own.as_deref().and_then(Path::parent).map(Path::to_path_buf);
-    let wanted = Wanted { title: tr!("app-session-title"), name, folder, endings: &["yaml", "yml"], own };
+    let wanted = SaveRequest { title: tr!("app-session-title"), name, folder, endings: &["yaml", "yml"], own };
     save_as::ask(window, wanted, write);
 }
 
 fn write(window: &Rc<Window>, output: &Output) {
     let path = output.file();
     let folder = path.parent().unwrap_or(Path::new(""));
-    let text = window.look(|session| session.session_state(folder).to_yaml());
+    let text = window.read(|session| session.session_state(folder).to_yaml());
     let written = text
         .map_err(|error| reason(&error, Doing::Writing))
         .and_then(|text| write_atomic(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));

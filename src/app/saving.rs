@@ -9,7 +9,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::save_as::{self, Wanted};
+use super::save_as::{self, SaveRequest};
 use super::window::Window;
 use super::{document_loader, samples};
 use crate::export::atomic_file::write_atomic;
@@ -18,7 +18,7 @@ use crate::{input, limits, tr};
 
 /// Saves the muscle files that changed, each over the file it came from; one that has none asks for a name. `then` runs once all are saved.
 pub(super) fn save(window: &Rc<Window>, then: impl FnOnce() + 'static) {
-    let (unsaved, first) = window.look(|session| (session.unsaved_files(), session.document().muscle_file_path(0).map(Path::to_path_buf)));
+    let (unsaved, first) = window.read(|session| (session.unsaved_files(), session.document().muscle_file_path(0).map(Path::to_path_buf)));
     // With nothing changed there is still something to save where no file has it yet.
     let wanted = if unsaved.is_empty() && first.is_none() { vec![0] } else { unsaved };
     save_each(window, wanted, Box::new(then));
@@ -26,7 +26,7 @@ pub(super) fn save(window: &Rc<Window>, then: impl FnOnce() + 'static) {
 
 fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()>) {
     let Some(index) = wanted.pop() else { return then() };
-    let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
+    let path = window.read(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
     match path {
         // A demo is written anew when it is opened again.
         Some(path) if !path.starts_with(samples::folder()) => match document_loader::guard(window).without(Some(&path)).output(&path) {
@@ -46,16 +46,16 @@ fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()
 
 /// Asks where to and saves the first file that changed, else the first.
 pub(super) fn save_as(window: &Rc<Window>) {
-    let index = window.look(|session| session.unsaved_files().first().copied().unwrap_or(0));
+    let index = window.read(|session| session.unsaved_files().first().copied().unwrap_or(0));
     choose(window, index, || ());
 }
 
 fn choose(window: &Rc<Window>, index: usize, then: impl FnOnce() + 'static) {
-    let path = window.look(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
+    let path = window.read(|session| session.document().muscle_file_path(index).map(Path::to_path_buf));
     let name = path.as_deref().map_or_else(|| "muscle.yaml".into(), save_as::name_of);
     let own = path.filter(|path| !path.starts_with(samples::folder()));
     let folder = own.as_deref().and_then(Path::parent).map(Path::to_path_buf);
-    let wanted = Wanted { title: tr!("app-save-title"), name, folder, endings: &["yaml", "yml"], own };
+    let wanted = SaveRequest { title: tr!("app-save-title"), name, folder, endings: &["yaml", "yml"], own };
     save_as::ask(window, wanted, move |window, output| {
         if write(window, index, output) {
             then();
@@ -67,17 +67,17 @@ fn choose(window: &Rc<Window>, index: usize, then: impl FnOnce() + 'static) {
 fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
     let path = output.file().to_owned();
     let Some((file, source)) =
-        window.look(|session| Some((session.file_for(index, &path)?, session.document().muscle_file_path(index).map(Path::to_path_buf))))
+        window.read(|session| Some((session.file_for(index, &path)?, session.document().muscle_file_path(index).map(Path::to_path_buf))))
     else {
         return false;
     };
     let original = source.and_then(|source| input::read_text(&source, limits::YAML_BYTES).ok()).unwrap_or_default();
     let saved = file.to_yaml_keeping(&original);
-    window.files.wrote(path.clone(), saved.text.clone());
+    window.files.note_own_write(path.clone(), saved.text.clone());
     match write_atomic(output, |out| out.write_all(saved.text.as_bytes())) {
         Ok(()) => {
             window.error_bar.hide();
-            window.act(|session| session.mark_saved(index, path.clone(), file));
+            window.update(|session| session.mark_saved(index, path.clone(), file));
             document_loader::watch(window);
             let key = if saved.comments_lost { "app-saved-without-comments" } else { "app-saved" };
             window.viewport.toast(&tr!(key, file = save_as::name_of(&path)), Some(path));
@@ -92,7 +92,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
 
 /// Asks which of two versions of a muscle file is to be: the one in the window (`Some(true)`), or the one that another program wrote. `None` where no
 /// answer is given.
-pub(super) fn ask_which(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>, Option<bool>) + 'static) {
+pub(super) fn confirm_conflict(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>, Option<bool>) + 'static) {
     let dialog = gtk::MessageDialog::builder()
         .transient_for(&window.widget)
         .modal(true)
@@ -123,8 +123,8 @@ pub(super) fn ask_which(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>, Opti
 }
 
 /// Does `then`; where something is not saved, asks first whether to save it, to let it go, or to stay.
-pub(super) fn ask_first(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>) + 'static) {
-    if !window.look(|session| session.is_unsaved()) {
+pub(super) fn confirm_unsaved(window: &Rc<Window>, then: impl FnOnce(&Rc<Window>) + 'static) {
+    if !window.read(|session| session.is_unsaved()) {
         return then(window);
     }
     let dialog = gtk::MessageDialog::builder()

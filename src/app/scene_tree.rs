@@ -13,7 +13,7 @@ use super::icons;
 use super::session::{ChangeSet, Session};
 use super::tree_model::{Row, path_to, search, steps};
 use super::ui;
-use super::window::{Window, part};
+use super::window::{Window, object};
 use crate::i18n::shown;
 use crate::scene::{NodeId, Scene};
 use crate::tr;
@@ -34,7 +34,7 @@ pub(super) struct SceneTree {
     nothing: gtk::Label,
     selection: RefCell<gtk::SingleSelection>,
     rows: Rc<RefCell<Vec<Row>>>,
-    /// How far it is scrolled while a hand has just chosen the row at this position, until the list has another height.
+    /// How far it is scrolled after the user has just selected the row at this position, until the list has another height.
     chosen: Rc<Cell<Option<(f64, u32)>>>,
     window: RefCell<std::rc::Weak<Window>>,
 }
@@ -44,11 +44,11 @@ impl SceneTree {
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::SCENE_TREE);
         Self {
-            root: part(&builder, "root"),
-            list: part(&builder, "list"),
-            search: part(&builder, "search"),
-            scroller: part(&builder, "scroller"),
-            nothing: part(&builder, "nothing"),
+            root: object(&builder, "root"),
+            list: object(&builder, "list"),
+            search: object(&builder, "search"),
+            scroller: object(&builder, "scroller"),
+            nothing: object(&builder, "nothing"),
             selection: RefCell::new(gtk::SingleSelection::new(None::<gio::ListModel>)),
             rows: Rc::default(),
             chosen: Rc::default(),
@@ -56,7 +56,7 @@ impl SceneTree {
         }
     }
 
-    /// Lets hands select, search and hide.
+    /// Connects selection, search and visibility toggles.
     pub(super) fn connect(&self, window: &Rc<Window>) {
         self.window.replace(Rc::downgrade(window));
         self.list.set_factory(Some(&factory(window)));
@@ -74,7 +74,7 @@ impl SceneTree {
         self.search.connect_search_changed(glib::clone!(
             #[weak]
             window,
-            move |_| window.act(Session::refresh_tree)
+            move |_| window.update(Session::refresh_tree)
         ));
         self.search.connect_stop_search(glib::clone!(
             #[weak]
@@ -90,7 +90,7 @@ impl SceneTree {
             move |list, position| {
                 let node = list.model().and_then(|model| model.item(position)).and_then(|item| node_of(&item));
                 if let Some(node) = node {
-                    window.act(|session| session.centre_on(node));
+                    window.update(|session| session.centre_on(node));
                 }
             }
         ));
@@ -157,9 +157,9 @@ impl SceneTree {
         selection.connect_selected_item_notify(move |selection| {
             if let Some(window) = window.upgrade() {
                 let node = selection.selected_item().and_then(|item| node_of(&item));
-                match node.filter(|_| window.look_if_free(|session| session.picking().is_some())) {
+                match node.filter(|_| window.read_if_free(|session| session.picking().is_some())) {
                     Some(bone) => window.pick_end(|session| session.pick_bone(bone)),
-                    None => window.act(|session| session.select(node)),
+                    None => window.update(|session| session.select(node)),
                 }
             }
         });
@@ -241,7 +241,7 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         icon.set_valign(gtk::Align::Center);
         // Names of a skeleton begin alike and differ at their ends.
         let label = gtk::Label::builder().xalign(0.0).hexpand(true).ellipsize(gtk::pango::EllipsizeMode::Middle).build();
-        let eye: gtk::ToggleButton = part(&ui::builder(ui::TREE_EYE), "eye");
+        let eye: gtk::ToggleButton = object(&ui::builder(ui::TREE_EYE), "eye");
         content.append(&icon);
         content.append(&label);
         content.append(&eye);
@@ -254,7 +254,7 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
             if let (Some(window), Some(node)) = (weak.upgrade(), node) {
                 let visible = !eye.is_active();
                 show_eye(eye, visible);
-                window.act(|session| session.set_visible(node, visible));
+                window.update(|session| session.set_visible(node, visible));
             }
         });
     });

@@ -7,7 +7,7 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use super::export_job::note;
-use super::save_as::{self, Wanted};
+use super::save_as::{self, SaveRequest};
 use super::window::Window;
 use crate::export::png::{self, SOFTWARE};
 use crate::render::{Background, Framebuffer};
@@ -15,18 +15,18 @@ use crate::sequence::FrameSpec;
 use crate::tr;
 
 /// A picture with what made it.
-struct Picture {
+struct ScreenshotImage {
     pixels: Framebuffer,
     transparent: bool,
     note: String,
 }
 
 /// The picture as it is on the screen, without what stands over it.
-fn take(window: &Rc<Window>, transparent: bool) -> Picture {
+fn take(window: &Rc<Window>, transparent: bool) -> ScreenshotImage {
     let scale = window.viewport.scale();
     let (width, height) = window.viewport.size();
     let (width, height) = ((width * scale).max(1), (height * scale).max(1));
-    window.look(|session| {
+    window.read(|session| {
         let note = note(session.document(), session.camera_controller())(&FrameSpec { state: session.state(), turntable: 0.0 });
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;
@@ -36,12 +36,12 @@ fn take(window: &Rc<Window>, transparent: bool) -> Picture {
         }
         let pixels =
             window.viewport.with_renderer(|renderer| renderer.draw(scene, frame, &camera, &display, width as u32, height as u32).clone());
-        Picture { pixels, transparent, note }
+        ScreenshotImage { pixels, transparent, note }
     })
 }
 
 /// The picture as the clipboard takes it.
-fn texture(picture: &Picture) -> gdk::Texture {
+fn texture(picture: &ScreenshotImage) -> gdk::Texture {
     let Framebuffer { width, height, pixels } = &picture.pixels;
     let opaque = if picture.transparent { 0 } else { 0xFF00_0000 };
     let bytes: Vec<u8> = pixels.iter().flat_map(|pixel| (pixel | opaque).to_ne_bytes()).collect();
@@ -61,7 +61,7 @@ pub(super) fn copy(window: &Rc<Window>) {
 pub(super) fn save(window: &Rc<Window>, transparent: bool) {
     let picture = take(window, transparent);
     let name = save_as::name_like_open(window, "png");
-    let wanted = Wanted { title: tr!("app-picture-title"), name, folder: None, endings: &["png"], own: None };
+    let wanted = SaveRequest { title: tr!("app-picture-title"), name, folder: None, endings: &["png"], own: None };
     save_as::ask(window, wanted, move |window, output| {
         let path = output.file();
         let notes = [("Software", SOFTWARE), ("Comment", picture.note.as_str())];

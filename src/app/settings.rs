@@ -1,4 +1,4 @@
-//! Where the settings are kept, and how the looks among them go into a session and come from it.
+//! Location of the settings, and the view settings that are copied to and from a session.
 
 use std::path::PathBuf;
 
@@ -12,7 +12,7 @@ impl Settings {
         gtk4::glib::user_config_dir().join("sinew").join("settings.yaml")
     }
 
-    /// Puts the remembered looks into a session.
+    /// Applies the view settings to a session.
     pub fn apply(&self, session: &mut Session) {
         let shading = SHADINGS.iter().find(|(name, _)| *name == self.shading).map_or(Shading::Gouraud, |(_, shading)| *shading);
         let samples = if self.smooth_edges { Samples::Four } else { Samples::One };
@@ -29,8 +29,8 @@ impl Settings {
         session.set_tool(Tool::Navigate);
     }
 
-    /// Takes the looks of a session over.
-    pub fn take(&mut self, session: &Session) {
+    /// Captures the view settings of a session.
+    pub fn capture(&mut self, session: &Session) {
         let mut display = session.display().clone();
         self.shading = SHADINGS.iter().find(|(_, shading)| *shading == display.shading).map_or("gouraud", |(name, _)| name).into();
         self.smooth_edges = display.samples == Samples::Four;
@@ -40,7 +40,7 @@ impl Settings {
     }
 }
 
-/// What a user's own looks are while a session file's are shown.
+/// The user's view settings while a session file's are shown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SavedViewSettings {
     own: Settings,
@@ -48,13 +48,13 @@ pub struct SavedViewSettings {
 }
 
 impl SavedViewSettings {
-    /// The looks before the session file came and those that it brought.
+    /// The view settings before the session file was opened, and those of the file.
     pub fn new(own: Settings, file: Settings) -> Self {
         Self { own, file }
     }
 
-    /// The user's own looks where `now` is shown: what the file brought is not theirs, what they changed since is.
-    pub fn among(&self, now: &Settings) -> Settings {
+    /// The user's view settings, where `now` is shown: values of the file are not the user's, later changes are.
+    pub fn merged_into(&self, now: &Settings) -> Settings {
         fn own<T: PartialEq + Clone>(now: &T, file: &T, own: &T) -> T {
             if now == file { own.clone() } else { now.clone() }
         }
@@ -94,7 +94,7 @@ mod tests {
             display.samples = Samples::One;
         });
         let mut settings = Settings { width: 1000, colours: ColorScheme::Dark, folder: Some("/tmp/ü".into()), ..Settings::default() };
-        settings.take(&session);
+        settings.capture(&session);
         settings.save(&path).expect("saved");
         let (loaded, notice) = Settings::load(&path);
         assert_eq!((&loaded, notice), (&settings, None));
@@ -108,11 +108,11 @@ mod tests {
         let own = Settings { line_width: 2.0, shown: vec!["grid".into(), "mesh".into()], ..Settings::default() };
         let file = Settings { line_width: 1.0, shading: "flat".into(), shown: vec!["bones".into(), "mesh".into()], ..own.clone() };
         let held = SavedViewSettings::new(own.clone(), file.clone());
-        let back = held.among(&file);
+        let back = held.merged_into(&file);
         assert_eq!((back.line_width, back.shading.as_str()), (2.0, "gouraud"));
         assert!(back.shown.contains(&"grid".into()) && back.shown.contains(&"mesh".into()) && back.shown.len() == 2, "{:?}", back.shown);
         let touched = Settings { shading: "phong".into(), shown: vec!["bones".into(), "axes".into()], ..file };
-        let back = held.among(&touched);
+        let back = held.merged_into(&touched);
         assert_eq!(back.shading, "phong");
         let has = |name: &str| back.shown.iter().any(|shown| shown == name);
         assert!(has("grid") && has("axes") && !has("mesh") && !has("bones"), "{:?}", back.shown);

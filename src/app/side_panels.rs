@@ -6,7 +6,7 @@ use gtk::gdk;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::window::part;
+use super::window::object;
 
 /// Below this width of the window there is room for one side panel only: the tree with the inspector, or the right one.
 const ROOM_FOR_BOTH: i32 = 1000;
@@ -15,9 +15,9 @@ const ROOM_FOR_BOTH: i32 = 1000;
 pub(super) struct Sides {
     tree: gtk::Box,
     panel: gtk::Box,
-    /// The tree was folded for want of room, not by a hand.
+    /// The tree was folded for lack of room, not by the user.
     tree_gave_way: Cell<bool>,
-    /// The right panel was folded for want of room, not by a hand.
+    /// The right panel was folded for lack of room, not by the user.
     panel_gave_way: Cell<bool>,
 }
 
@@ -25,8 +25,8 @@ impl Sides {
     /// Those of a window.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
         Self {
-            tree: part(builder, "tree_slot"),
-            panel: part(builder, "panel_slot"),
+            tree: object(builder, "tree_slot"),
+            panel: object(builder, "panel_slot"),
             tree_gave_way: Cell::new(false),
             panel_gave_way: Cell::new(false),
         }

@@ -11,7 +11,7 @@ use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::error_bar::Trouble;
 use super::samples::{self, DEMOS, Demo};
 use super::session::{LoadMode, Session};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{document_loader, recent, saving, ui};
 use crate::document::Document;
 use crate::export::ExportError;
@@ -36,13 +36,13 @@ impl StartPage {
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::START);
         let pictures = DEMOS.iter().map(|_| PaintWidget::new(PICTURE.0, PICTURE.1)).collect();
-        Self { root: part(&builder, "root"), builder, pictures, drawn_for: Cell::default(), wanted: Cell::default() }
+        Self { root: object(&builder, "root"), builder, pictures, drawn_for: Cell::default(), wanted: Cell::default() }
     }
 
     /// Lets the buttons work; recent files are listed anew whenever the page appears.
     pub(super) fn connect(&self, window: &Rc<Window>) {
         self.root.set_visible(false);
-        let flow: gtk::FlowBox = part(&self.builder, "demos");
+        let flow: gtk::FlowBox = object(&self.builder, "demos");
         for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
             let card = gtk::Box::new(gtk::Orientation::Vertical, 6);
             let name = gtk::Label::builder().label(tr!(demo.name)).wrap(true).justify(gtk::Justification::Center).max_width_chars(16);
@@ -62,12 +62,12 @@ impl StartPage {
                 child.set_focusable(false);
             }
         }
-        part::<gtk::Button>(&self.builder, "back").connect_clicked(glib::clone!(
+        object::<gtk::Button>(&self.builder, "back").connect_clicked(glib::clone!(
             #[weak]
             window,
             move |_| window.start_page(false)
         ));
-        let slot: gtk::Box = part(&self.builder, "recent_slot");
+        let slot: gtk::Box = object(&self.builder, "recent_slot");
         self.root.connect_map(glib::clone!(
             #[weak]
             window,
@@ -82,15 +82,15 @@ impl StartPage {
 
     /// Gives the keyboard to the page.
     pub(super) fn take_focus(&self) {
-        part::<gtk::Button>(&self.builder, "open").grab_focus();
+        object::<gtk::Button>(&self.builder, "open").grab_focus();
     }
 
     /// Shows the page where it belongs: wanted, or nothing is open and nothing on its way.
     pub(super) fn refresh(&self, session: &Session, is_loading: bool) {
         let empty = session.is_empty() && !is_loading;
         self.root.set_visible(empty || self.wanted.get());
-        part::<gtk::Button>(&self.builder, "back").set_visible(!session.is_empty());
-        part::<gtk::Label>(&self.builder, "title").set_text(&tr!(if session.is_empty() { "app-start-title" } else { "app-start-more" }));
+        object::<gtk::Button>(&self.builder, "back").set_visible(!session.is_empty());
+        object::<gtk::Label>(&self.builder, "title").set_text(&tr!(if session.is_empty() { "app-start-title" } else { "app-start-more" }));
         if self.root.is_visible() && self.drawn_for.replace(Some(session.theme())) != Some(session.theme()) {
             for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
                 draw(*demo, picture, session.theme());
@@ -123,11 +123,11 @@ fn draw(demo: Demo, canvas: &PaintWidget, theme: Theme) {
 pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
     match demo.unpack(&samples::folder()) {
         Ok(Some(path)) => document_loader::open(window, vec![path], LoadMode::New),
-        Ok(None) => saving::ask_first(window, |window| {
+        Ok(None) => saving::confirm_unsaved(window, |window| {
             window.start_page(false);
             document_loader::forget(window);
-            window.give_looks_back();
-            window.act(|session| session.show(Document::built_in(), LoadMode::New));
+            window.restore_view_settings();
+            window.update(|session| session.show(Document::built_in(), LoadMode::New));
         }),
         Err(error) => window.error_bar.show(Trouble {
             headline: tr!("app-demo-unwritten", folder = samples::folder().display().to_string()),

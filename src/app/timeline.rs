@@ -16,7 +16,7 @@ use super::drawing_area::PaintWidget;
 use super::icons::{self, Glyph};
 use super::session::{ChangeSet, RangeMark, Session};
 use super::timeline_ruler::{Track, frame_of};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::animation::LoopMode;
 use crate::tr;
@@ -24,14 +24,14 @@ use crate::tr;
 /// The frame rates to choose from, beside the one that the keys tell.
 const RATES: [f64; 9] = [12.0, 15.0, 24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 120.0];
 
-/// How much closer one looks by a notch of the wheel.
-const CLOSER: f64 = 1.25;
+/// Zoom factor of one wheel notch.
+const ZOOM_STEP: f64 = 1.25;
 /// A menu of more clips than this can be searched.
 const MANY: usize = 12;
 
 /// What a drag on the track moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Grip {
+enum RulerDrag {
     /// The present moment.
     Seek,
     /// A mark.
@@ -64,7 +64,7 @@ impl Timeline {
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::TIMELINE);
         let canvas = PaintWidget::new(160, 72);
-        let over_track: gtk::Overlay = part(&builder, "track");
+        let over_track: gtk::Overlay = object(&builder, "track");
         over_track.set_child(Some(&canvas));
         for (id, glyph) in [
             ("previous_key", Glyph::PreviousKey),
@@ -73,14 +73,14 @@ impl Timeline {
             ("frame_forward", Glyph::FrameForward),
             ("unfold", Glyph::Sheet),
         ] {
-            part::<gtk::Button>(&builder, id).set_child(Some(&icons::image(glyph)));
+            object::<gtk::Button>(&builder, id).set_child(Some(&icons::image(glyph)));
         }
         let track = Rc::new(RefCell::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() }));
         let painted = track.clone();
         canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
-        let root: gtk::Box = part(&builder, "root");
+        let root: gtk::Box = object(&builder, "root");
         // Exporters make clip names that are longer than the window is wide.
-        ui::narrow(&part(&builder, "clip"), 12);
+        ui::narrow(&object(&builder, "clip"), 12);
         let sheet = Sheet::new(track.clone(), &canvas);
         root.append(&sheet.root);
         Self {
@@ -89,19 +89,19 @@ impl Timeline {
             over_track,
             canvas,
             track,
-            time: part(&builder, "time"),
-            seconds: part(&builder, "seconds"),
-            frame: part(&builder, "frame"),
-            speed: part(&builder, "speed"),
-            clip: part(&builder, "clip"),
-            rate: part(&builder, "rate"),
-            play_image: part(&builder, "play_image"),
-            loop_mode: part(&builder, "loop_mode"),
+            time: object(&builder, "time"),
+            seconds: object(&builder, "seconds"),
+            frame: object(&builder, "frame"),
+            speed: object(&builder, "speed"),
+            clip: object(&builder, "clip"),
+            rate: object(&builder, "rate"),
+            play_image: object(&builder, "play_image"),
+            loop_mode: object(&builder, "loop_mode"),
         }
     }
 
     /// Shows another part of the clip.
-    pub(super) fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
+    pub(super) fn change_visible_range(&self, look: impl FnOnce(&mut Track)) {
         look(&mut self.track.borrow_mut());
         self.canvas.queue_draw();
         self.sheet.draw_anew();
@@ -117,7 +117,7 @@ impl Timeline {
         self.time.upcast_ref::<gtk::Widget>() == widget
     }
 
-    /// Lets hands seek and choose.
+    /// Connects seeking and the controls.
     pub(super) fn connect(&self, window: &Rc<Window>) {
         self.connect_track(window);
         self.sheet.connect(window);
@@ -126,7 +126,7 @@ impl Timeline {
             window,
             move |list| {
                 let chosen = (list.selected() as usize).checked_sub(1).and_then(|place| RATES.get(place));
-                window.act(|session| session.choose_rate(chosen.copied()));
+                window.update(|session| session.choose_rate(chosen.copied()));
             }
         ));
         for (widget, of_frame) in [(&self.seconds, false), (&self.frame, true)] {
@@ -135,7 +135,7 @@ impl Timeline {
                 window,
                 move |number| {
                     let value = number.value();
-                    window.act(|session| {
+                    window.update(|session| {
                         let rate = session.frame_rate();
                         session.time(|time| time.seek(if of_frame { value / rate } else { value }));
                     });
@@ -145,7 +145,7 @@ impl Timeline {
         self.time.connect_value_changed(glib::clone!(
             #[weak]
             window,
-            move |scale| window.act(|session| session.time(|time| time.seek(scale.value())))
+            move |scale| window.update(|session| session.time(|time| time.seek(scale.value())))
         ));
         self.speed.connect_value_changed(glib::clone!(
             #[weak]
@@ -154,7 +154,7 @@ impl Timeline {
                 let speed = number.value();
                 // Zero lies on the way from forwards to backwards and is passed over.
                 if speed.abs() >= *crate::animation::Playback::SPEED.start() {
-                    window.act(|session| session.time(|time| time.speed = speed));
+                    window.update(|session| session.time(|time| time.speed = speed));
                 }
             }
         ));
@@ -164,7 +164,7 @@ impl Timeline {
             move |list| {
                 let chosen = list.selected();
                 if chosen != gtk::INVALID_LIST_POSITION {
-                    window.act(|session| session.set_clip(Some(chosen as usize)));
+                    window.update(|session| session.set_clip(Some(chosen as usize)));
                 }
             }
         ));
@@ -173,7 +173,7 @@ impl Timeline {
     fn connect_track(&self, window: &Rc<Window>) {
         let drag = gtk::GestureDrag::new();
         let track = self.track.clone();
-        let grip = Rc::new(Cell::new(Grip::Seek));
+        let grip = Rc::new(Cell::new(RulerDrag::Seek));
         drag.connect_drag_begin(glib::clone!(
             #[weak]
             window,
@@ -191,11 +191,11 @@ impl Timeline {
                 let mark = track.borrow().mark_at(x, y, width);
                 let shift = gesture.current_event_state().contains(gdk::ModifierType::SHIFT_MASK);
                 grip.set(match mark {
-                    Some(mark) => Grip::Mark(mark),
-                    None if shift => Grip::Range,
-                    None => Grip::Seek,
+                    Some(mark) => RulerDrag::Mark(mark),
+                    None if shift => RulerDrag::Range,
+                    None => RulerDrag::Seek,
                 });
-                if grip.get() == Grip::Seek {
+                if grip.get() == RulerDrag::Seek {
                     seek(&window, &track, gesture, x);
                 }
             }
@@ -213,10 +213,10 @@ impl Timeline {
                 let moment = |x: f64| track.borrow().time_at(x, f64::from(canvas.width()));
                 let (from, to) = (moment(x), moment(x + dx));
                 match grip.get() {
-                    Grip::Seek => seek(&window, &track, gesture, x + dx),
-                    Grip::Mark(mark) => window.act(|session| session.set_mark(mark, to)),
-                    Grip::Range if dx.abs() > 3.0 => window.act(|session| session.set_marks(from, to)),
-                    Grip::Range => {}
+                    RulerDrag::Seek => seek(&window, &track, gesture, x + dx),
+                    RulerDrag::Mark(mark) => window.update(|session| session.set_mark(mark, to)),
+                    RulerDrag::Range if dx.abs() > 3.0 => window.update(|session| session.set_marks(from, to)),
+                    RulerDrag::Range => {}
                 }
             }
         ));
@@ -256,7 +256,7 @@ impl Timeline {
                     track.pointer.map(|x| track.time_at(x, width))
                 };
                 if look_about(&window, controller.current_event_state(), dy, about) == glib::Propagation::Proceed {
-                    window.act(|session| session.step_frames(if dy > 0.0 { 1 } else { -1 }));
+                    window.update(|session| session.step_frames(if dy > 0.0 { 1 } else { -1 }));
                 }
                 glib::Propagation::Stop
             }
@@ -315,14 +315,14 @@ impl Timeline {
             for (widget, per_second, step) in [(&self.seconds, 1.0, 1.0 / rate), (&self.frame, rate, 1.0)] {
                 widget.set_range(playback.start * per_second, playback.end * per_second);
                 widget.set_increments(step, per_second);
-                ui::allow(widget, moves);
+                ui::set_sensitive(widget, moves);
             }
             // A clip that starts between two frames still shows the frame it starts in.
             self.frame.set_range(frame_of(playback.start, rate), frame_of(playback.end, rate));
             self.time.set_range(playback.start, playback.end.max(playback.start + 1e-9));
             self.time.set_increments(1.0 / rate, 1.0);
             self.time.set_sensitive(moves);
-            ui::allow(&self.speed, moves);
+            ui::set_sensitive(&self.speed, moves);
             self.speed.set_value(playback.speed);
             self.play_image.set_icon_name(Some(if playback.playing {
                 "media-playback-pause-symbolic"
@@ -369,26 +369,26 @@ impl Timeline {
     }
 }
 
-/// The wheel over a time axis: with Ctrl it looks closer at a moment, with Shift it slides what is shown.
+/// The wheel over a time axis: with Ctrl it zooms around the pointer, with Shift it scrolls.
 pub(super) fn look_about(window: &Rc<Window>, held: gdk::ModifierType, notches: f64, about: Option<f64>) -> glib::Propagation {
     if held.contains(gdk::ModifierType::CONTROL_MASK) {
-        window.look_at_time(|track| track.zoom(CLOSER.powf(-notches), about.unwrap_or(track.time)));
+        window.change_visible_range(|track| track.zoom(ZOOM_STEP.powf(-notches), about.unwrap_or(track.time)));
     } else if held.contains(gdk::ModifierType::SHIFT_MASK) {
-        window.look_at_time(|track| track.slide(0.1 * notches));
+        window.change_visible_range(|track| track.slide(0.1 * notches));
     } else {
         return glib::Propagation::Proceed;
     }
     glib::Propagation::Stop
 }
 
-/// While a hand holds the present moment it stays in the hand; what plays goes on from where it is let go.
+/// While the user drags the cursor, playback does not move it; after the release playback continues from there.
 pub(super) fn hold_while(drag: &gtk::GestureDrag, window: &Rc<Window>) {
     let hold = |held: bool| {
         let weak = Rc::downgrade(window);
         move || {
             if let Some(window) = weak.upgrade() {
-                // A widget that goes away with what was open lets go too; the session has forgotten the hand then.
-                window.try_look(|session| session.hold_time(held));
+                // A widget that is destroyed with its document releases too; the session has already ended the drag then.
+                window.try_read(|session| session.hold_time(held));
             }
         }
     };
@@ -408,5 +408,5 @@ fn seek(window: &Rc<Window>, track: &Rc<RefCell<Track>>, gesture: &gtk::GestureD
         track.pointer = Some(x);
         track.time_at(x, f64::from(canvas.width()))
     };
-    window.act(|session| session.time(|cursor| cursor.seek(time)));
+    window.update(|session| session.time(|cursor| cursor.seek(time)));
 }

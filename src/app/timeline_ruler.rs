@@ -3,7 +3,7 @@
 use gtk::cairo::Context;
 use gtk4 as gtk;
 
-use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write, write_amid};
+use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write, write_centered};
 use super::format;
 use super::session::RangeMark;
 
@@ -18,7 +18,7 @@ const FRAMES: [f64; 13] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0,
 /// Keys nearer than this are drawn as ticks, not as diamonds.
 const DENSE: f64 = 9.0;
 
-/// Frames that are shown at the closest look.
+/// Frames that are visible at the highest zoom.
 const FEWEST: f64 = 4.0;
 
 /// Side of the tab of a mark, logical pixels.
@@ -149,7 +149,7 @@ impl Track {
             context.rectangle(x, TOP, TAB, TAB);
             fill(&context);
             drop(context);
-            write_amid(canvas, snapshot, letter, (x + TAB / 2.0, TOP + TAB / 2.0), 0.75, &rgb(0xFF_FFFF));
+            write_centered(canvas, snapshot, letter, (x + TAB / 2.0, TOP + TAB / 2.0), 0.75, &rgb(0xFF_FFFF));
         }
     }
 

@@ -5,7 +5,7 @@ use gtk4 as gtk;
 
 use super::commands::Command;
 use super::session::Session;
-use super::window::part;
+use super::window::object;
 use super::{format, memory_usage};
 use crate::document::{Document, Missing, Source, SourceKind};
 use crate::i18n::{shown, shown_lines};
@@ -35,11 +35,11 @@ pub(super) fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, sess
         let what = words.iter().filter(|(what, _)| lacks(*what)).map(|(_, key)| tr!(key)).collect::<Vec<_>>().join(", ");
         if lacks(Missing::Animation) { tr!("app-missing-still", what = what) } else { tr!("app-missing", what = what) }
     };
-    let heading = part::<gtk::Label>(builder, "title");
+    let heading = object::<gtk::Label>(builder, "title");
     heading.set_text(&title);
     heading.set_tooltip_text(Some(&*shown_lines(&names.join("\n"))).filter(|_| names.len() > 1));
     window.set_title(Some(&title));
-    let label = part::<gtk::Label>(builder, "subtitle");
+    let label = object::<gtk::Label>(builder, "subtitle");
     label.set_text(&subtitle);
     label.set_tooltip_text(Some(&subtitle));
     label.set_visible(!subtitle.is_empty());
@@ -79,16 +79,16 @@ pub(super) fn name_steps(builder: &gtk::Builder, session: &Session) {
             Some(step) => tr!("app-step", what = command.label(), step = step, key = command.key_label()),
             None => command.tooltip(),
         };
-        part::<gtk::Button>(builder, id).set_tooltip_text(Some(&text));
+        object::<gtk::Button>(builder, id).set_tooltip_text(Some(&text));
     }
 }
 
 /// Says in the status line how many triangles are drawn and how much memory the program takes.
 pub(super) fn tell_size(builder: &gtk::Builder, triangles: u64) {
     let text = tr!("app-status-triangles", count = triangles, shown = format::group_digits(triangles));
-    part::<gtk::Label>(builder, "status_triangles").set_text(&text);
+    object::<gtk::Label>(builder, "status_triangles").set_text(&text);
     if let Some(megabytes) = memory_usage::resident() {
-        part::<gtk::Label>(builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));
+        object::<gtk::Label>(builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));
     }
 }
 

@@ -59,7 +59,7 @@ pub(super) fn builder(text: &str) -> Builder {
 pub(super) fn numbered(text: &str, number: usize) -> Builder {
     let builder = Builder::from_string(&translate(text, number));
     for object in &builder.objects() {
-        hush(object);
+        hide_tooltip_while_open(object);
         let_scroll(object);
         if let Some(number) = object.downcast_ref::<SpinButton>() {
             speak_numbers(number);
@@ -72,8 +72,8 @@ pub(super) fn numbered(text: &str, number: usize) -> Builder {
     builder
 }
 
-/// Writes a text of any origin on a label; what came from a file is [`shown_lines`].
-pub(super) fn say(label: &Label, text: &str) {
+/// Sets the text of a label; text that came from a file is [`shown_lines`].
+pub(super) fn set_label(label: &Label, text: &str) {
     label.set_text(&shown_lines(text));
 }
 
@@ -83,11 +83,11 @@ pub(super) fn words<T: AsRef<str>>(names: &[T]) -> StringList {
     StringList::new(&names.iter().map(AsRef::as_ref).collect::<Vec<_>>())
 }
 
-/// A widget of a class that GTK or this program has, with the name that those are told who do not see it. GTK before 4.10 takes such names from `.ui` texts only.
+/// A widget of a class that GTK or this program has, with its accessible name. GTK before 4.10 takes such names from `.ui` texts only.
 pub(super) fn named<T: IsA<Object>>(class: &str, name: &str) -> T {
     let label = format!("<accessibility><property name=\"label\">{}</property></accessibility>", markup_escape_text(&shown(name)));
     let builder = Builder::from_string(&format!("<interface><object class=\"{class}\" id=\"named\">{label}</object></interface>"));
-    super::window::part(&builder, "named")
+    super::window::object(&builder, "named")
 }
 
 /// Lets a list be as narrow as there is room: its button shortens the name that is chosen to some `chars` characters; its rows show names in full.
@@ -121,9 +121,9 @@ pub(super) fn narrow(list: &DropDown, chars: i32) {
     list.set_expression(Some(PropertyExpression::new(StringObject::static_type(), Expression::NONE, "string")));
 }
 
-/// Lets a widget be worked or not. One that has the keyboard, or holds what has it, loses it first: GTK takes it from a text without telling the text, whose
+/// Sets whether a widget is sensitive. One that has the keyboard, or holds what has it, loses it first: GTK takes it from a text without telling the text, whose
 /// cursor then blinks on and complains.
-pub(super) fn allow(widget: &impl IsA<Widget>, may: bool) {
+pub(super) fn set_sensitive(widget: &impl IsA<Widget>, may: bool) {
     if !may
         && let Some(root) = widget.root()
         && root.focus().is_some_and(|focus| focus == *widget.upcast_ref::<Widget>() || focus.is_ancestor(widget))
@@ -141,7 +141,7 @@ pub(super) fn show_value(adjustment: &gtk4::Adjustment, value: f64) {
     }
 }
 
-/// Scrolls a list to a row, once whoever is told of a change of its rows has been told. A list that is not seen has nowhere to scroll.
+/// Scrolls a list to a row, after its listeners have handled a change of its rows. A list that is not seen has nowhere to scroll.
 pub(super) fn scroll_to(list: &ListView, row: u32) {
     let list = list.downgrade();
     idle_add_local_once(move || {
@@ -198,7 +198,7 @@ fn let_scroll(object: &Object) {
 
 /// Takes the tooltip away while what it belongs to is unfolded. A popover inherits it, and GTK before 4.10 asks the surface of one that has closed
 /// before its half second was over.
-fn hush(object: &Object) {
+fn hide_tooltip_while_open(object: &Object) {
     if let Some(button) = object.downcast_ref::<MenuButton>() {
         if let Some(toggle) = button.first_child().and_downcast::<ToggleButton>() {
             let button = button.downgrade();

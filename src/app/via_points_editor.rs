@@ -9,7 +9,7 @@ use gtk4 as gtk;
 use super::attachment_field::{AttachmentField, Bones, connect_pick, show_pick};
 use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::session::{PickTarget, Session, UndoStep};
-use super::window::part;
+use super::window::object;
 use super::{format, ui};
 use crate::muscle::edit::VIA;
 use crate::muscle::{AttachmentPoint, Edit, Wrap};
@@ -54,17 +54,17 @@ impl ViaPointsEditor {
         Self {
             builder: builder.clone(),
             bones: bones.clone(),
-            list: part(builder, "via_list"),
-            rows: Rows { rows: Rc::default(), add: part(builder, "via_add") },
-            pick: part(builder, "via_pick_new"),
+            list: object(builder, "via_list"),
+            rows: Rows { rows: Rc::default(), add: object(builder, "via_add") },
+            pick: object(builder, "via_pick_new"),
             ball: AttachmentField::new(builder, "wrap", AttachmentPoint::Wrap, bones),
-            fields: FIELDS.map(|(id, _)| part(builder, id)),
-            refused: ["via_refused", "wrap_refused"].map(|id| part(builder, id)),
+            fields: FIELDS.map(|(id, _)| object(builder, id)),
+            refused: ["via_refused", "wrap_refused"].map(|id| object(builder, id)),
             editor: RefCell::default(),
         }
     }
 
-    /// Lets hands add, choose, pick and type. What is refused is told beside the widget that it was asked of.
+    /// Connects the input of the widgets. A rejected change is reported beside its widget.
     pub(super) fn connect(&self, editor: &Editor) {
         let [of_via, of_wrap] = self.refused.clone().map(|refused| Editor { refused, ..editor.clone() });
         let own = of_via.clone();
@@ -79,7 +79,7 @@ impl ViaPointsEditor {
             let own = of_wrap.clone();
             connect_entry(entry, move |entry| typed(&own, field, entry));
         }
-        part::<gtk::Button>(&self.builder, "wrap_flip").connect_clicked(move |_| {
+        object::<gtk::Button>(&self.builder, "wrap_flip").connect_clicked(move |_| {
             let id = of_wrap.id();
             of_wrap.tell(|session| session.flip_wrap(id));
         });
@@ -95,7 +95,7 @@ impl ViaPointsEditor {
         let Some((rig, index)) = session.document().muscle(id) else { return };
         let Some(spec) = rig.spec(index) else { return };
         let (held, has_ends) = (rig.is_attached(index), spec.origin.is_some());
-        let show = |id: &str, shown: bool| part::<gtk::Widget>(&self.builder, id).set_visible(shown);
+        let show = |id: &str, shown: bool| object::<gtk::Widget>(&self.builder, id).set_visible(shown);
         show("way_no_ends", !has_ends);
         show("via_buttons", has_ends);
         show("wrap", has_ends);
@@ -106,7 +106,7 @@ impl ViaPointsEditor {
         self.rows.add.set_sensitive(held && spec.via.len() < VIA);
         self.pick.set_sensitive(held && spec.via.len() < VIA);
         show_pick(&self.pick, session, id, PickTarget::NewVia);
-        let heading = part::<gtk::Label>(&self.builder, "via_heading");
+        let heading = object::<gtk::Label>(&self.builder, "via_heading");
         heading.set_text(&if unit.is_empty() || spec.via.is_empty() { tr!("app-via") } else { tr!("app-via-unit", unit = unit) });
         self.ball.show(session, id, anew);
         for id in ["wrap_centre_label", "wrap_radius_label", "wrap_radius", "wrap_side_label", "wrap_side", "wrap_flip"] {
@@ -114,7 +114,7 @@ impl ViaPointsEditor {
         }
         for id in ["wrap_unit", "wrap_radius_unit"] {
             show(id, spec.wrap.is_some());
-            part::<gtk::Label>(&self.builder, id).set_text(unit);
+            object::<gtk::Label>(&self.builder, id).set_text(unit);
         }
         for (field, entry) in self.fields.iter().enumerate() {
             show_text(entry, &spec.wrap.as_ref().map_or_else(String::new, |wrap| field_text(wrap, field)), anew);
@@ -145,7 +145,7 @@ impl Rows {
         let builder = ui::numbered(ui::VIA_POINT, number + 1);
         let place = AttachmentField::new(&builder, "via", AttachmentPoint::Via(number), bones);
         place.connect(editor);
-        let button = |id: &str| part::<gtk::Button>(&builder, id);
+        let button = |id: &str| object::<gtk::Button>(&builder, id);
         let (up, down, delete) = (button("via_up"), button("via_down"), button("via_delete"));
         // A point that moves takes the keyboard with it.
         for (arrow, swapped, goes_to) in [(&up, number.checked_sub(1), number.wrapping_sub(1)), (&down, Some(number), number + 1)] {
@@ -165,7 +165,7 @@ impl Rows {
                 rows.focus(number, |row| &row.delete);
             }
         });
-        ViaRow { root: part(&builder, "via"), place, up, down, delete }
+        ViaRow { root: object(&builder, "via"), place, up, down, delete }
     }
 
     /// Gives the keyboard to a button of a row; where that is no longer there, to the last row's, else to the button that adds one.

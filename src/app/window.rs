@@ -1,4 +1,4 @@
-//! The main window: puts the parts together and hands changes round.
+//! The main window: assembles the panels and distributes changes to them.
 
 use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
@@ -9,15 +9,15 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::autosave::Recovery;
+use super::autosave::Autosave;
 use super::commands::Command;
 use super::curve_editor::Sheet;
 use super::display_panel::DisplayPanel;
-use super::document_loader::Files;
+use super::document_loader::DocumentLoader;
 use super::empty_state::EmptyState;
 use super::error_bar::ErrorBar;
 use super::health_panel::HealthPanel;
-use super::held_joint_banner::Held;
+use super::held_joint_banner::HeldJointBanner;
 use super::inspector::Inspector;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
@@ -49,11 +49,11 @@ pub(super) struct Window {
     /// Errors.
     pub error_bar: ErrorBar,
     /// What is not saved, kept from crashes.
-    pub recovery: Recovery,
+    pub recovery: Autosave,
     /// The main menu's button.
     pub menu: gtk::MenuButton,
     /// Opening, watching.
-    pub files: Files,
+    pub files: DocumentLoader,
     /// Keys to commands.
     pub keys: Keys,
     session: RefCell<Session>,
@@ -61,7 +61,7 @@ pub(super) struct Window {
     ticking: Cell<bool>,
     page_turned: Cell<bool>,
     sides: Sides,
-    /// The user's own looks while those of a session file are shown.
+    /// The user's view settings while those of a session file are shown.
     own_looks: RefCell<Option<SavedViewSettings>>,
     actions: HashMap<Command, gio::SimpleAction>,
     builder: gtk::Builder,
@@ -74,7 +74,7 @@ pub(super) struct Window {
     inspector: Inspector,
     bare: EmptyState,
     /// Over the picture and over the timeline.
-    held: [Held; 2],
+    held: [HeldJointBanner; 2],
     start: StartPage,
 }
 
@@ -82,7 +82,7 @@ pub(super) struct Window {
 ///
 /// # Panics
 /// Where the file lacks it: the files are compiled in, and the first start of the window would show the slip.
-pub(super) fn part<T: IsA<glib::Object>>(builder: &gtk::Builder, id: &str) -> T {
+pub(super) fn object<T: IsA<glib::Object>>(builder: &gtk::Builder, id: &str) -> T {
     builder.object(id).unwrap_or_else(|| panic!("the .ui file has no {id}"))
 }
 
@@ -92,7 +92,7 @@ impl Window {
         appearance::load_style();
         let (settings, notice) = Settings::load(&Settings::path());
         let builder = ui::builder(ui::WINDOW);
-        let widget: gtk::ApplicationWindow = part(&builder, "window");
+        let widget: gtk::ApplicationWindow = object(&builder, "window");
         widget.set_application(Some(application));
         let (width, height) = side_panels::on_screen(settings.width, settings.height);
         widget.set_default_size(width, height);
@@ -110,9 +110,9 @@ impl Window {
             settings: RefCell::new(settings),
             viewport: Viewport::new(),
             error_bar: ErrorBar::new(),
-            recovery: Recovery::new(),
-            menu: part(&builder, "menu"),
-            files: Files::default(),
+            recovery: Autosave::new(),
+            menu: object(&builder, "menu"),
+            files: DocumentLoader::default(),
             keys: Keys::default(),
             session: RefCell::new(session),
             refreshing: Cell::new(false),
@@ -129,11 +129,11 @@ impl Window {
             health: HealthPanel::new(),
             inspector: Inspector::new(),
             bare: EmptyState::new(),
-            held: std::array::from_fn(|_| Held::new()),
+            held: std::array::from_fn(|_| HeldJointBanner::new()),
             start: StartPage::new(),
             builder,
         });
-        window.put_together();
+        window.assemble();
         // Reading has begun before anything is shown, or the start page would flash.
         if !files.is_empty() {
             document_loader::open(&window, files, LoadMode::New);
@@ -149,11 +149,11 @@ impl Window {
         window.widget.present();
     }
 
-    fn put_together(self: &Rc<Self>) {
-        let slot = |id: &str| part::<gtk::Box>(&self.builder, id);
+    fn assemble(self: &Rc<Self>) {
+        let slot = |id: &str| object::<gtk::Box>(&self.builder, id);
         slot("error_slot").append(&self.error_bar.root);
         slot("error_slot").append(&self.recovery.root);
-        let left: gtk::Paned = part(&self.builder, "tree_paned");
+        let left: gtk::Paned = object(&self.builder, "tree_paned");
         left.set_start_child(Some(&self.tree.root));
         left.set_end_child(Some(&self.inspector.root));
         slot("viewport_slot").append(&self.viewport.root);
@@ -165,7 +165,7 @@ impl Window {
         self.timeline.over_track().add_overlay(&over_timeline.root);
         self.held.iter().for_each(|held| held.connect(self));
         self.viewport.root.add_overlay(&self.start.root);
-        let stack: gtk::Stack = part(&self.builder, "stack");
+        let stack: gtk::Stack = object(&self.builder, "stack");
         stack.add_titled(&self.muscle.root, Some("muscle"), &tr!("app-page-muscle"));
         stack.add_titled(&self.display.root, Some("display"), &tr!("app-page-display"));
         stack.add_titled(&self.measure.root, Some("measure"), &tr!("app-page-measure"));
@@ -198,15 +198,15 @@ impl Window {
             #[strong(rename_to = window)]
             self,
             move |_| {
-                if window.look(|session| session.is_unsaved()) {
-                    saving::ask_first(&window, |window| {
-                        window.remember();
+                if window.read(|session| session.is_unsaved()) {
+                    saving::confirm_unsaved(&window, |window| {
+                        window.save_settings();
                         window.files.stop();
                         window.widget.destroy();
                     });
                     return glib::Propagation::Stop;
                 }
-                window.remember();
+                window.save_settings();
                 window.files.stop();
                 glib::Propagation::Proceed
             }
@@ -224,7 +224,7 @@ impl Window {
     }
 
     /// Does something to the session and shows what came of it. Nothing happens while widgets are being refreshed: their signals are echoes.
-    pub(super) fn act(self: &Rc<Self>, change: impl FnOnce(&mut Session)) {
+    pub(super) fn update(self: &Rc<Self>, change: impl FnOnce(&mut Session)) {
         if self.refreshing.get() {
             return;
         }
@@ -233,17 +233,17 @@ impl Window {
     }
 
     /// Looks at the session.
-    pub(super) fn look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> T {
+    pub(super) fn read<T>(&self, look: impl FnOnce(&mut Session) -> T) -> T {
         look(&mut self.session.borrow_mut())
     }
 
     /// Looks at the session, unless widgets are being refreshed: what one that goes away meanwhile still tells is about what is no longer open.
-    pub(super) fn try_look<T>(&self, look: impl FnOnce(&mut Session) -> T) -> Option<T> {
+    pub(super) fn try_read<T>(&self, look: impl FnOnce(&mut Session) -> T) -> Option<T> {
         self.session.try_borrow_mut().ok().map(|mut session| look(&mut session))
     }
 
     /// Asks the session something, unless widgets are being refreshed: then no.
-    pub(super) fn look_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
+    pub(super) fn read_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
         !self.refreshing.get() && ask(&self.session.borrow())
     }
 
@@ -268,8 +268,8 @@ impl Window {
                 self.held.iter().for_each(|held| held.refresh(session));
             }
             if changes.any(ChangeSet::DOCUMENT) {
-                menus::list_cameras(&part(&self.builder, "camera_menu"), session);
-                self.turn_page(session);
+                menus::list_cameras(&object(&self.builder, "camera_menu"), session);
+                self.show_page(session);
                 self.bare.refresh(session);
             }
             if changes.any(ChangeSet::DOCUMENT | ChangeSet::SURROUNDINGS) {
@@ -286,11 +286,11 @@ impl Window {
             }
             if changes.any(ChangeSet::SELECTION | ChangeSet::DOCUMENT) {
                 let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
-                ui::say(&part(&self.builder, "status_selection"), &name.unwrap_or_default());
+                ui::set_label(&object(&self.builder, "status_selection"), &name.unwrap_or_default());
             }
             if changes.any(ChangeSet::PICTURE) {
                 let compared = session.compared().map(|compared| onion_skin_panel::difference(session, &compared));
-                ui::say(&part(&self.builder, "status_compared"), &compared.unwrap_or_default());
+                ui::set_label(&object(&self.builder, "status_compared"), &compared.unwrap_or_default());
             }
             command_dispatch::show_states(self, session, &self.actions);
         }
@@ -303,7 +303,7 @@ impl Window {
             | ChangeSet::EDIT
             | ChangeSet::DRIVE;
         if changes.any(moves) {
-            self.viewport.point_again(self);
+            self.viewport.refresh_hover(self);
         }
         if self.session.borrow().is_moving() {
             self.tick();
@@ -322,7 +322,7 @@ impl Window {
             let now = clock.frame_time();
             let seconds = last.replace(Some(now)).map_or(0.0, |before| (now - before) as f64 * 1e-6);
             let flying = window.viewport.fly(&window, seconds);
-            window.act(|session| session.advance(seconds));
+            window.update(|session| session.advance(seconds));
             if flying || window.session.borrow().is_moving() {
                 glib::ControlFlow::Continue
             } else {
@@ -346,9 +346,9 @@ impl Window {
         }
     }
 
-    /// Shows another part of the clip on the timeline.
-    pub(super) fn look_at_time(&self, look: impl FnOnce(&mut Track)) {
-        self.timeline.look_at_time(look);
+    /// Changes the visible range of the timeline.
+    pub(super) fn change_visible_range(&self, look: impl FnOnce(&mut Track)) {
+        self.timeline.change_visible_range(look);
     }
 
     /// Whether a widget is the timeline.
@@ -357,13 +357,13 @@ impl Window {
     }
 
     /// Starts the clock for something that the session does not know of, such as a key held in flight.
-    pub(super) fn wake(self: &Rc<Self>) {
+    pub(super) fn request_tick(self: &Rc<Self>) {
         self.tick();
     }
 
     /// A scene without a muscle has nothing on the muscle page, so the display page comes up in its place, and goes again with it.
-    fn turn_page(&self, session: &Session) {
-        let stack: gtk::Stack = part(&self.builder, "stack");
+    fn show_page(&self, session: &Session) {
+        let stack: gtk::Stack = object(&self.builder, "stack");
         let (page, has_muscle) = (stack.visible_child_name(), session.document().driven_rig().is_some());
         if has_muscle && self.page_turned.take() {
             stack.set_visible_child_name("muscle");
@@ -380,7 +380,7 @@ impl Window {
 
     /// Says where the pointer is in the world.
     pub(super) fn show_position(&self, text: &str) {
-        ui::say(&part(&self.builder, "status_position"), text);
+        ui::set_label(&object(&self.builder, "status_position"), text);
     }
 
     /// Whether the tree and the right panel are shown.
@@ -405,7 +405,7 @@ impl Window {
     pub(super) fn start_page(self: &Rc<Self>, wanted: bool) {
         let was_there = self.start.root.is_visible();
         self.start.want(wanted);
-        self.act(Session::touch);
+        self.update(Session::touch);
         // The keyboard goes with what is seen.
         if wanted {
             self.start.take_focus();
@@ -443,27 +443,27 @@ impl Window {
         self.muscle.change(self, command);
     }
 
-    /// `settings` with the looks that are the user's own: what a session file brought is left out.
-    fn looks_of_user(&self, settings: &Settings) -> Settings {
+    /// `settings` with the user's view settings instead of those of a session file.
+    fn user_view_settings(&self, settings: &Settings) -> Settings {
         let mut now = settings.clone();
-        now.take(&self.session.borrow());
-        self.own_looks.borrow().as_ref().map_or(now.clone(), |held| held.among(&now))
+        now.capture(&self.session.borrow());
+        self.own_looks.borrow().as_ref().map_or(now.clone(), |held| held.merged_into(&now))
     }
 
-    /// Something else is about to be shown: the looks that a session file brought go with it.
-    pub(super) fn give_looks_back(self: &Rc<Self>) {
-        let own = self.looks_of_user(&self.settings.borrow());
+    /// Restores the user's view settings before another document is shown.
+    pub(super) fn restore_view_settings(self: &Rc<Self>) {
+        let own = self.user_view_settings(&self.settings.borrow());
         if self.own_looks.take().is_some() {
-            self.act(|session| own.apply(session));
+            self.update(|session| own.apply(session));
         }
     }
 
-    /// Lets a session file's looks come; the user's own are kept aside.
-    pub(super) fn borrow_looks(self: &Rc<Self>, show: impl FnOnce(&mut Session)) {
-        let own = self.looks_of_user(&self.settings.borrow());
-        self.act(show);
+    /// Applies the view settings of a session file and keeps the user's for later.
+    pub(super) fn use_session_view_settings(self: &Rc<Self>, show: impl FnOnce(&mut Session)) {
+        let own = self.user_view_settings(&self.settings.borrow());
+        self.update(show);
         let mut file = own.clone();
-        file.take(&self.session.borrow());
+        file.capture(&self.session.borrow());
         self.own_looks.replace(Some(SavedViewSettings::new(own, file)));
     }
 
@@ -473,7 +473,7 @@ impl Window {
     }
 
     /// Writes down what is remembered. A folder that cannot be written is no reason not to close.
-    fn remember(&self) {
+    fn save_settings(&self) {
         self.recovery.clear();
         let mut settings = self.settings.borrow_mut();
         if !self.widget.is_maximized() && !self.widget.is_fullscreen() {
@@ -482,10 +482,10 @@ impl Window {
         }
         settings.maximised = self.widget.is_maximized();
         (settings.tree_shown, settings.panel_shown) = self.sides.wanted();
-        if let Some(page) = part::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
+        if let Some(page) = object::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }
-        *settings = self.looks_of_user(&settings);
+        *settings = self.user_view_settings(&settings);
         if let Err(error) = settings.save(&Settings::path()) {
             eprintln!("{}", tr!("app-settings-unsaved", reason = reason(&error, Doing::Writing)));
         }

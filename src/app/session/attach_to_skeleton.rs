@@ -45,7 +45,7 @@ impl Session {
             on_arm.muscles.iter().map(|muscle| MuscleSpec { origin: None, insertion: None, via: Vec::new(), wrap: None, ..muscle.clone() });
         let scale = self.bones_scale(&joint);
         let loose = MuscleFile { form: Form::Rich, arm: None, scale, muscles: loose.collect(), ..on_arm.clone() };
-        // Only a file that is in the scene without its arm has axes to lay a muscle in; what it looks like meanwhile nobody sees.
+        // Only a file that is in the scene without its arm has axes to lay a muscle in; its intermediate state is not drawn.
         let mut files = before.clone();
         files[place] = loose;
         let (drive, selected) = (self.state.drive, self.display.selected);

@@ -8,14 +8,14 @@ use crate::view::file_camera;
 /// Seconds that a jump of the camera takes.
 const ANIMATION_SECONDS: f64 = 0.15;
 
-/// A camera that flies: looks anywhere, moves where it looks.
+/// A fly camera: rotates freely and moves along its view direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FlyCamera {
     /// Where the eye is, metres.
     pub eye: Vec3,
     /// Degrees round +Y, as the orbit's.
     pub yaw: f32,
-    /// Degrees that the eye looks *down*, −90 to 90, as the orbit's.
+    /// Degrees below the horizon, −90 to 90, as the orbit's.
     pub pitch: f32,
     /// Metres a second.
     pub speed: f32,
@@ -41,7 +41,7 @@ impl FlyCamera {
     }
 }
 
-/// Through which camera one looks.
+/// The active camera.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Viewpoint {
     /// Round the model.
@@ -78,12 +78,12 @@ impl CameraController {
         &self.orbit
     }
 
-    /// Through which camera one looks.
+    /// The active camera.
     pub fn viewpoint(&self) -> Viewpoint {
         self.viewpoint
     }
 
-    /// Changes the orbit at once: a hand is on it. A jump under way ends; flight and file cameras are left.
+    /// Changes the orbit at once, for interaction. An animation ends; flight and file cameras are left.
     pub fn change(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
         self.animation = None;
         self.viewpoint = Viewpoint::Orbit;
@@ -108,7 +108,7 @@ impl CameraController {
         }
     }
 
-    /// Moves the orbit, and a jump under way, by metres of the world; a hand is on neither.
+    /// Moves the orbit, and the target of an animation, by metres of the world; this is no interaction.
     pub fn move_by(&mut self, offset: Vec3) {
         self.orbit.target += offset;
         if let Some(jump) = &mut self.animation {

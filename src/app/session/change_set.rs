@@ -41,7 +41,7 @@ impl ChangeSet {
     pub const EDIT: Self = Self(1 << 15);
     /// What a click in the picture pointed at: the vertex explained, the two points between which is measured.
     pub const PROBE: Self = Self(1 << 16);
-    /// Joints turned by hand.
+    /// Joint overrides.
     pub const JOINT_OVERRIDES: Self = Self(1 << 17);
     /// Ghosts, paths, and what is compared.
     pub const OVERLAYS: Self = Self(1 << 18);

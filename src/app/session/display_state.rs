@@ -161,7 +161,7 @@ impl Session {
         self.changed(ChangeSet::SURROUNDINGS);
     }
 
-    /// Changes the eye. What a hand makes of a camera of the file goes on from where that camera looks.
+    /// Changes the camera. Navigation from a camera of the file continues from that camera's view.
     pub fn change_camera(&mut self, change: impl FnOnce(&mut CameraController)) {
         if let Viewpoint::File(node, camera) = self.camera.viewpoint() {
             self.frame();
@@ -175,7 +175,7 @@ impl Session {
         self.changed(ChangeSet::CAMERA);
     }
 
-    /// The picture's width over its height. A view that no hand has touched is fitted anew.
+    /// Sets the picture's aspect ratio, width / height. A camera that was not moved is fitted again.
     pub fn set_aspect(&mut self, aspect: f32) {
         if aspect.is_finite() && aspect > 0.0 && aspect != self.aspect {
             self.aspect = aspect;
@@ -187,7 +187,7 @@ impl Session {
         }
     }
 
-    /// Fits everything into the picture, and into that of another size too until a hand is on the camera.
+    /// Fits everything into the picture, and again after a change of its size until the camera is moved.
     pub fn fit(&mut self) {
         let (bounds, aspect) = (self.motion_bounds(), self.aspect);
         self.ground = Some(bounds);
@@ -255,7 +255,7 @@ impl Session {
         }
     }
 
-    /// Where the light comes from, as angles: where a hand put it, else beside the camera.
+    /// Direction to the light: the user's, else beside the camera.
     pub fn light_direction(&self) -> LightDirection {
         self.light.unwrap_or_else(|| LightDirection::beside_camera(self.camera.orbit().yaw))
     }

@@ -6,7 +6,7 @@ use super::{ChangeSet, Session};
 use crate::scene::{NodeId, NodeKind};
 use crate::view::CameraFollow;
 
-/// What the camera goes along with, and where that was when it was last looked at.
+/// The node that the camera follows, and its last position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Follow {
     node: NodeId,
@@ -15,12 +15,12 @@ pub(super) struct Follow {
 }
 
 impl Session {
-    /// What the camera goes along with.
+    /// The node that the camera follows.
     pub fn followed(&self) -> Option<NodeId> {
         self.follow.map(|follow| follow.node)
     }
 
-    /// The same for films: the camera as it stands now, and what it goes along with from here.
+    /// The same for exports: the followed node and its position at this pose.
     pub fn camera_follow(&mut self) -> Option<CameraFollow> {
         let node = self.followed()?;
         Some(CameraFollow { node, reference: self.frame().position(node) })
@@ -53,7 +53,7 @@ impl Session {
         self.changed(ChangeSet::CAMERA);
     }
 
-    /// The scene was posed anew: where time has moved what is followed, the camera moves as far.
+    /// Moves the camera by the displacement of the followed node after time has changed.
     pub(super) fn update_follow(&mut self) {
         let Some(follow) = &mut self.follow else { return };
         let (here, time) = (self.frame.position(follow.node), self.playback.time);
@@ -88,7 +88,7 @@ mod tests {
             assert!((off(&mut session) - before).length() < 1e-4, "at {time}");
         }
         assert!((place(&mut session) - there).length() > 0.1, "it swings");
-        // The model moved by hand is no time that goes by.
+        // Moving the model does not advance time.
         let eye = session.picture().2.eye;
         session.change_model(|model| model.translate(glam::DVec3::X));
         assert_eq!(session.picture().2.eye, eye);

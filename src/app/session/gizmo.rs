@@ -19,7 +19,7 @@ const RING_SEGMENTS: usize = 64;
 const SNAP_DEGREES: f64 = 15.0;
 const SNAP_SCALE: f64 = 0.1;
 
-/// What can be taken by a hand.
+/// The parts of a gizmo that can be dragged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GizmoHandle {
     /// The axis, ring or box of X, Y or Z.

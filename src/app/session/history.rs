@@ -19,7 +19,7 @@ pub(super) struct Snapshot {
     pub hidden: Vec<NodeId>,
     /// What the muscle files say.
     pub files: Vec<MuscleFile>,
-    /// Joints turned by hand.
+    /// Joint overrides.
     pub joint_overrides: Vec<JointOverride>,
     /// Elbow angle and contraction.
     pub drive: MuscleState,

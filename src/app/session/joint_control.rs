@@ -35,7 +35,7 @@ pub(super) struct JointController {
 }
 
 impl JointController {
-    /// The muscles of the document changed: what joint they cross is to be asked anew.
+    /// Drops the cached joint that the muscles cross, because the muscles changed.
     pub(super) fn muscles_changed(&mut self) {
         self.joint = OnceCell::new();
     }
@@ -56,7 +56,7 @@ pub struct SliderState {
     pub value: f64,
     /// Where it can go.
     pub range: RangeInclusive<f64>,
-    /// Whether a hand bends the joint of a clip; then the clip can have it back.
+    /// Whether the joint of a clip is controlled manually; then it can be released.
     pub is_manual: bool,
 }
 
@@ -156,7 +156,7 @@ impl Session {
             let value = self.state.joint_rotation.map_or(0.0, |turn| turn.degrees);
             return Some(SliderState { value, range: low - high..=high - low, is_manual: by_hand });
         }
-        // A clip may bend a joint farther than a hand can.
+        // A clip may bend a joint beyond the range of the slider.
         let value = self.joint_angle()?;
         Some(SliderState { value, range: low..=high, is_manual: by_hand })
     }
@@ -226,7 +226,7 @@ impl Session {
         rig.driven_by(index, &joint, &self.document.scene, &self.frame.world)
     }
 
-    /// The contraction of the muscle that is shown, per cent; `None` where neither an arm, nor the joint, nor a hand alone sets it.
+    /// The contraction of the muscle that is shown, per cent; `None` where neither an arm, nor the joint, nor the slider sets it.
     pub fn contraction(&mut self) -> Option<f64> {
         if self.contracts_freely() {
             return Some(self.state.drive.contraction);
@@ -246,12 +246,12 @@ impl Session {
         let Some(present) = self.joint_angle() else { return };
         let Some(MuscleState { flexion, .. }) = self.driving().map(|driving| driving.at_contraction(per_cent)) else { return };
         let turned = self.state.joint_rotation.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
-        // What the clip does by itself. The angle in the pose is known but for whole turns, and a hand may bend the joint past half of one.
+        // What the clip does by itself. The angle in the pose is known but for whole turns, and the user may bend the joint past half of one.
         let own = (present - turned + 180.0).rem_euclid(360.0) - 180.0;
         self.set_joint_angle(if self.joint.on_top { flexion - own } else { flexion });
     }
 
-    /// The joint that was turned, to find it again in the same file read anew.
+    /// The controlled joint, to find it again after a reload.
     pub(super) fn joint_for_reload(&self) -> Option<(String, Option<JointAxis>, Option<f64>)> {
         let joint = self.joint.joint.get().copied().flatten()?;
         let name = self.document.scene.graph.node(joint.node).name.clone();

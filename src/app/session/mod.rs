@@ -1,5 +1,5 @@
 //! What is open and how it is looked at: document, moment, selection, camera, light, switches. No widgets: the window shows a
-//! session and hands it what the user does, and the session says what changed.
+//! session and passes user actions to it, and the session returns what changed.
 
 mod attach_to_skeleton;
 mod camera_controller;
@@ -77,7 +77,7 @@ pub struct Session {
     document: Document,
     state: PoseState,
     playback: Playback,
-    /// Whether a hand holds the present moment.
+    /// Whether the user drags the time cursor.
     time_held: bool,
     frame_rate: f64,
     /// The frame rate that a person chose; `None` = the one that the keys tell.
@@ -294,7 +294,7 @@ impl Session {
         clips.filter_map(|source| source.path.clone()).collect()
     }
 
-    /// Whether there is nothing to look at.
+    /// Whether there is nothing to draw.
     pub fn is_empty(&self) -> bool {
         self.document.sources.is_empty() && self.document.scene.graph.is_empty()
     }
@@ -325,7 +325,7 @@ impl Session {
         &self.frame
     }
 
-    /// Milliseconds that posing has taken since this was last asked, whoever wanted the scene posed.
+    /// Milliseconds spent on posing since the last call.
     pub fn take_posing_ms(&mut self) -> f64 {
         std::mem::take(&mut self.posing_ms)
     }

@@ -3,7 +3,7 @@
 use super::{BackgroundPreset, Session};
 use crate::render::{Display, Samples, Shading};
 
-/// A look for a purpose.
+/// A display preset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Preset {
     /// The model as its author sees it.
@@ -17,7 +17,7 @@ pub enum Preset {
 }
 
 impl Session {
-    /// Takes the look of a preset. Line widths, the grid's cell and the colours of the window stay.
+    /// Applies a display preset. Line widths, the grid's cell and the colours of the window stay.
     pub fn take_preset(&mut self, preset: Preset) {
         use Preset as P;
         let (skeleton, inspection, print) = (preset == P::Skeleton, preset == P::Inspection, preset == P::Print);

@@ -22,7 +22,7 @@ pub(super) struct ProbedPoint {
 pub(super) struct Probe {
     last: [Option<ProbedPoint>; 2],
     vertex: Option<(usize, u32)>,
-    /// Three bones chosen by hand for the joint angle.
+    /// The three bones that the user chose for the joint angle.
     angle: Option<[NodeId; 3]>,
 }
 
@@ -118,17 +118,17 @@ impl Session {
         })
     }
 
-    /// The three bones whose angle is told while `node` is selected: those chosen by hand, else the node's own.
+    /// The three bones whose angle is shown while `node` is selected: those that the user chose, else the node's own.
     pub fn angle_bones(&self, node: NodeId) -> Option<[NodeId; 3]> {
         self.probe.angle.or_else(|| self.own_angle_bones(node))
     }
 
-    /// The three bones that were chosen by hand.
+    /// The three bones that the user chose.
     pub fn chosen_angle(&self) -> Option<[NodeId; 3]> {
         self.probe.angle
     }
 
-    /// Chooses the three bones whose angle is told, the corner in the middle; `None` = those of the selected joint.
+    /// Chooses the three bones whose angle is shown, the corner in the middle; `None` = those of the selected joint.
     pub fn choose_angle(&mut self, bones: Option<[NodeId; 3]>) {
         let count = self.document.scene.graph.len();
         self.probe.angle = bones.filter(|bones| bones.iter().all(|bone| bone.index() < count));
@@ -150,7 +150,7 @@ impl Session {
         Some([above, node, below])
     }
 
-    /// Turns a joint by hand, degrees about its own axes. Within [`Session::undoable`] undo takes it back.
+    /// Sets the override of a joint, degrees about its own axes. Within [`Session::undoable`] undo takes it back.
     pub fn override_joint(&mut self, node: NodeId, degrees: DVec3) {
         let before = self.document.joint_override(node);
         self.document.set_joint_override(node, degrees);
@@ -159,7 +159,7 @@ impl Session {
         }
     }
 
-    /// Takes back what was turned by hand: of one node, or of all.
+    /// Removes the joint override of one node, or all overrides.
     pub fn reset_joint_overrides(&mut self, node: Option<NodeId>) {
         let kept: Vec<JointOverride> = match node {
             Some(node) => self.document.joint_overrides().iter().copied().filter(|turn| turn.node != node).collect(),

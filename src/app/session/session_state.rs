@@ -20,7 +20,7 @@ impl Session {
         };
         let document = self.document();
         let mut looks = Settings::default();
-        looks.take(self);
+        looks.capture(self);
         let orbit = self.camera_controller().orbit();
         let model = self.model();
         SessionState {
@@ -121,7 +121,7 @@ impl Session {
         if let Some(compared) = &saved.compared {
             let with = compared.target_within(self.document());
             if with.is_some() {
-                // Aside is to the right as one looks; then the eye's reach is that of both.
+                // The offset points to the right of the view; the camera is fitted to both poses.
                 self.set_comparison(with);
                 self.apply_saved_comparison(compared);
                 match saved.camera {

@@ -155,7 +155,7 @@ impl Session {
 
     /// Plays, or stops.
     pub fn toggle_playing(&mut self) {
-        // Should a hand have been lost with the widget that it was on, what plays must not stand still.
+        // If a drag ended with its destroyed widget, playback must not stay held.
         self.time_held = false;
         self.time(|time| if time.playing { time.pause() } else { time.play() });
     }
@@ -192,7 +192,7 @@ impl Session {
         });
     }
 
-    /// Takes the present moment into a hand, or lets it go: meanwhile the clock does not move it.
+    /// Holds the cursor during a drag, or releases it: while it is held, playback does not move it.
     pub fn hold_time(&mut self, held: bool) {
         self.time_held = held;
     }

@@ -169,7 +169,7 @@ mod tests {
     use crate::muscle::Edit;
     use crate::scene::MuscleId;
 
-    /// What a hand does.
+    /// An edit of the user.
     #[derive(Debug, Clone, Copy)]
     enum Deed {
         Bend(f64),

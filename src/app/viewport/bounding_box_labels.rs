@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{PaintWidget, rgb, write_on};
+use crate::app::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::app::format;
 use crate::app::session::Session;
 use crate::render::Background;
@@ -33,7 +33,7 @@ pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::
         let text = format!("{} {}\u{2009}{unit}", ["X", "Y", "Z"][axis], format::significant(length, DIGITS));
         let half = text.chars().count() as f64 * 3.0;
         let at = (f64::from(place.x) - half, f64::from(place.y) - 9.0);
-        write_on(canvas, snapshot, &text, at, 0.85, &rgb(display.palette.axes[axis]), &ground.with_alpha(0.8));
+        write_with_background(canvas, snapshot, &text, at, 0.85, &rgb(display.palette.axes[axis]), &ground.with_alpha(0.8));
     }
 }
 

@@ -1,8 +1,8 @@
 //! A surface as a source that cairo borrows instead of copying.
 //!
 //! A surface that was painted from is copied before it is drawn into again, because the painting may have been recorded and cairo keeps its word that a
-//! recording shows what was there. A raster source has no such promise: whoever replays the recording asks for the surface. So the owner must not draw into
-//! a surface that is lent; the number of references tells, and `ImageSurface::data` refuses where there is more than one.
+//! recording shows what was there. A raster source has no such promise: the surface is requested when the recording is replayed. So the owner must not draw into
+//! a surface that is in use; the number of references tells, and `ImageSurface::data` refuses where there is more than one.
 
 use std::ffi::c_int;
 
@@ -73,7 +73,7 @@ unsafe extern "C" fn copy(
 }
 
 unsafe extern "C" fn finish(_: *mut ffi::cairo_pattern_t, lent: *mut ffi::cairo_surface_t) {
-    // SAFETY: the reference of this pattern, which nobody asks after this.
+    // SAFETY: the reference of this pattern, which is not used after this.
     unsafe { ffi::cairo_surface_destroy(lent) }
 }
 

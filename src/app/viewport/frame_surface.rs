@@ -16,7 +16,7 @@ use crate::render::{Renderer, Stats};
 const FRAMES: usize = 30;
 
 /// The kept surfaces and what draws into them.
-pub(super) struct Screen {
+pub(super) struct FrameSurface {
     /// The rasterizer.
     pub renderer: Renderer,
     /// Whether the surface shows the session as it is.
@@ -30,7 +30,7 @@ pub(super) struct Screen {
     times: VecDeque<Instant>,
 }
 
-impl Screen {
+impl FrameSurface {
     /// An empty one.
     pub(super) fn new() -> Self {
         Self {

@@ -25,7 +25,7 @@ const AT_REST: Duration = Duration::from_millis(120);
 
 /// What a drag does, decided when it begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Grip {
+enum DragAction {
     Orbit,
     Pan,
     Zoom,
@@ -36,10 +36,10 @@ enum Grip {
     Dot,
 }
 
-/// What the hands hold.
+/// State of pointer and keyboard input.
 #[derive(Default)]
 pub(super) struct ViewportInput {
-    grip: Cell<Option<Grip>>,
+    grip: Cell<Option<DragAction>>,
     last: Cell<(f64, f64)>,
     moved: Cell<bool>,
     pointer: Cell<Option<(f64, f64)>>,
@@ -81,7 +81,7 @@ impl ViewportInput {
     /// Flies, or lands.
     pub(super) fn toggle_flight(&self, window: &Rc<Window>) {
         self.held.borrow_mut().clear();
-        window.act(|session| session.change_camera(|eye| if eye.flying().is_some() { eye.exit_fly() } else { eye.fly() }));
+        window.update(|session| session.change_camera(|eye| if eye.flying().is_some() { eye.exit_fly() } else { eye.fly() }));
     }
 
     /// Lets go of a drag that turned out to be none: the first of two fingers had begun it.
@@ -90,15 +90,15 @@ impl ViewportInput {
         self.moved.set(true);
     }
 
-    /// Lets go of all keys of flight: nobody tells of those that are released elsewhere.
-    pub(super) fn let_go(&self) {
+    /// Releases all keys of flight, because keys that are released elsewhere send no event.
+    pub(super) fn release_flight_keys(&self) {
         self.held.borrow_mut().clear();
         self.pace.set((false, false));
     }
 
     /// Takes a key in flight; whether it was one of flight's.
     pub(super) fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gdk::Key, pressed: bool) -> bool {
-        if !window.look(|session| matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))) {
+        if !window.read(|session| matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))) {
             return false;
         }
         let (fast, slow) = self.pace.get();
@@ -112,7 +112,7 @@ impl ViewportInput {
                 } else {
                     self.held.borrow_mut().remove(&letter)
                 };
-                window.wake();
+                window.request_tick();
             }
             _ => return false,
         }
@@ -125,8 +125,8 @@ impl ViewportInput {
             return false;
         }
         // A flight that ended otherwise than by landing left its keys held.
-        if !window.look(|session| matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))) {
-            self.let_go();
+        if !window.read(|session| matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))) {
+            self.release_flight_keys();
             return false;
         }
         let held = self.held.borrow();
@@ -134,7 +134,7 @@ impl ViewportInput {
         let direction = Vec3::new(along('d', 'a'), along('e', 'q'), along('w', 's'));
         let (fast, slow) = self.pace.get();
         let pace = if fast { 4.0 } else { 1.0 } / if slow { 4.0 } else { 1.0 };
-        window.act(|session| {
+        window.update(|session| {
             session.change_camera(|eye| {
                 if let Some(fly) = eye.flying() {
                     fly.move_by(direction * pace, seconds.min(0.1) as f32);
@@ -160,50 +160,50 @@ fn connect_drag(window: &Rc<Window>, canvas: &PaintWidget) {
         #[weak]
         window,
         move |gesture, x, y| {
-            let hands = &window.viewport.hands;
+            let input = &window.viewport.input;
             window.viewport.take_focus();
             let state = gesture.current_event_state();
             let shift = state.contains(gdk::ModifierType::SHIFT_MASK);
             let control = state.contains(gdk::ModifierType::CONTROL_MASK);
             let (tool, flying) =
-                window.look(|session| (session.tool(), matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))));
+                window.read(|session| (session.tool(), matches!(session.camera_controller().viewpoint(), Viewpoint::Fly(_))));
             let (point, size) = (DVec2::new(x, y), picture_size(&window));
             let handle = if gesture.current_button() == gdk::BUTTON_PRIMARY && !shift && !flying {
-                window.look(|session| session.with_gizmo(size, |handles| handles.handle_at(point))).flatten()
+                window.read(|session| session.with_gizmo(size, |handles| handles.handle_at(point))).flatten()
             } else {
                 None
             };
             let plain = gesture.current_button() == gdk::BUTTON_PRIMARY && !shift && !control && !flying;
             let dot = if plain { dot_at(&window, point) } else { None };
-            hands.dot.set(dot.map(|dot| dot.attachment));
-            hands.dragged.set(dot.map(|dot| AttachmentDrag {
-                muscle: window.look(|session| session.shown_muscle()),
+            input.dot.set(dot.map(|dot| dot.attachment));
+            input.dragged.set(dot.map(|dot| AttachmentDrag {
+                muscle: window.read(|session| session.shown_muscle()),
                 handle: dot,
                 from: point,
             }));
             let grip = match gesture.current_button() {
-                _ if dot.is_some() => Grip::Dot,
-                _ if handle.is_some() => Grip::Model,
+                _ if dot.is_some() => DragAction::Dot,
+                _ if handle.is_some() => DragAction::Model,
                 gdk::BUTTON_SECONDARY if shift => {
-                    window.act(Session::reset_light);
+                    window.update(Session::reset_light);
                     return;
                 }
-                gdk::BUTTON_SECONDARY => Grip::Light,
-                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if flying => Grip::Look,
-                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if shift => Grip::Pan,
-                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if control => Grip::Zoom,
-                gdk::BUTTON_PRIMARY if tool != Tool::Navigate => Grip::Model,
-                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE => Grip::Orbit,
+                gdk::BUTTON_SECONDARY => DragAction::Light,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if flying => DragAction::Look,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if shift => DragAction::Pan,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE if control => DragAction::Zoom,
+                gdk::BUTTON_PRIMARY if tool != Tool::Navigate => DragAction::Model,
+                gdk::BUTTON_PRIMARY | gdk::BUTTON_MIDDLE => DragAction::Orbit,
                 _ => return,
             };
-            if grip == Grip::Model {
-                let start = window.look(|session| *session.model());
-                hands.handle.set(handle);
-                hands.model.set(Some(ModelDrag { handle: handle.unwrap_or(GizmoHandle::Free), start, from: point }));
+            if grip == DragAction::Model {
+                let start = window.read(|session| *session.model());
+                input.handle.set(handle);
+                input.model.set(Some(ModelDrag { handle: handle.unwrap_or(GizmoHandle::Free), start, from: point }));
             }
-            hands.grip.set(Some(grip));
-            hands.last.set((0.0, 0.0));
-            hands.moved.set(false);
+            input.grip.set(Some(grip));
+            input.last.set((0.0, 0.0));
+            input.moved.set(false);
         }
     ));
     drag.connect_drag_update(glib::clone!(
@@ -215,9 +215,9 @@ fn connect_drag(window: &Rc<Window>, canvas: &PaintWidget) {
         #[weak]
         window,
         move |_, _, _| {
-            let hands = &window.viewport.hands;
-            if hands.grip.replace(None).is_some() && hands.moved.get() {
-                window.act(|session| session.change_display(|display| display.light_marker = false));
+            let input = &window.viewport.input;
+            if input.grip.replace(None).is_some() && input.moved.get() {
+                window.update(|session| session.change_display(|display| display.light_marker = false));
                 window.viewport.invalidate();
             }
         }
@@ -231,7 +231,7 @@ fn dot_at(window: &Rc<Window>, place: DVec2) -> Option<Dot> {
         return None;
     }
     let size = picture_size(window);
-    window.look(|session| if session.tool() == Tool::Navigate { session.attachment_handle_at(place, size) } else { None })
+    window.read(|session| if session.tool() == Tool::Navigate { session.attachment_handle_at(place, size) } else { None })
 }
 
 /// Logical width and height of the picture.
@@ -241,42 +241,42 @@ fn picture_size(window: &Rc<Window>) -> DVec2 {
 }
 
 fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
-    let hands = &window.viewport.hands;
-    let Some(grip) = hands.grip.get() else { return };
+    let input = &window.viewport.input;
+    let Some(grip) = input.grip.get() else { return };
     // A click that trembles is no drag.
     let mut step = UndoStep::Same;
-    if !hands.moved.get() {
+    if !input.moved.get() {
         if x.abs().max(y.abs()) < 4.0 {
             return;
         }
-        hands.moved.set(true);
+        input.moved.set(true);
         step = UndoStep::New;
     }
-    let (last_x, last_y) = hands.last.replace((x, y));
+    let (last_x, last_y) = input.last.replace((x, y));
     let (dx, dy) = (x - last_x, y - last_y);
     let height = f64::from(window.viewport.size().1.max(1));
     let (degrees_x, degrees_y) = (dx as f32 * DEGREES, dy as f32 * DEGREES);
-    window.act(|session| match grip {
-        Grip::Orbit => session.change_camera(|eye| eye.change(|orbit| orbit.orbit(-degrees_x, degrees_y))),
-        Grip::Pan => session.change_camera(|eye| eye.change(|orbit| zoom_gestures::pan(orbit, (dx, dy), height))),
-        Grip::Zoom => session.change_camera(|eye| eye.change(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
-        Grip::Look => session.change_camera(|eye| {
+    window.update(|session| match grip {
+        DragAction::Orbit => session.change_camera(|eye| eye.change(|orbit| orbit.orbit(-degrees_x, degrees_y))),
+        DragAction::Pan => session.change_camera(|eye| eye.change(|orbit| zoom_gestures::pan(orbit, (dx, dy), height))),
+        DragAction::Zoom => session.change_camera(|eye| eye.change(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
+        DragAction::Look => session.change_camera(|eye| {
             if let Some(fly) = eye.flying() {
                 fly.rotate(-degrees_x * 0.6, degrees_y * 0.6);
             }
         }),
-        Grip::Light => {
+        DragAction::Light => {
             session.undoable(tr!("app-edit-light"), step, |session| session.rotate_light(degrees_x, -degrees_y));
             session.change_display(|display| display.light_marker = true);
         }
-        Grip::Model => {
-            if let Some(drag) = hands.model.get() {
+        DragAction::Model => {
+            if let Some(drag) = input.model.get() {
                 let (what, to) = (tr!(session.tool().edit()), drag.from + DVec2::new(x, y));
                 session.undoable(what, step, |session| session.drag_model(&drag, to, picture_size(window), snap));
             }
         }
-        Grip::Dot => {
-            if let Some(drag) = hands.dragged.get() {
+        DragAction::Dot => {
+            if let Some(drag) = input.dragged.get() {
                 // Where the end cannot be it stays where it was.
                 let _ = session.drag_attachment(&drag, drag.from + DVec2::new(x, y), picture_size(window), step);
             }
@@ -292,26 +292,26 @@ fn connect_clicks(window: &Rc<Window>, canvas: &PaintWidget) {
         window,
         move |gesture, presses, x, y| {
             let plain = !gesture.current_event_state().intersects(gdk::ModifierType::SHIFT_MASK | gdk::ModifierType::CONTROL_MASK);
-            if window.viewport.hands.moved.get() || !plain {
+            if window.viewport.input.moved.get() || !plain {
                 return;
             }
             let height = f64::from(window.viewport.size().1);
             if let Some(view) =
-                window.look(|session| orientation_gizmo::hit(&session.picture().2, x, y, height)).filter(|_| !window.look(|s| s.is_empty()))
+                window.read(|session| orientation_gizmo::hit(&session.picture().2, x, y, height)).filter(|_| !window.read(|s| s.is_empty()))
             {
-                return window.act(|session| session.change_camera(|eye| eye.look_from(view)));
+                return window.update(|session| session.change_camera(|eye| eye.look_from(view)));
             }
-            if window.look(|session| session.picking().is_some()) {
+            if window.read(|session| session.picking().is_some()) {
                 return window.pick_end(|session| {
                     let pick = window.viewport.pick(session, x, y);
                     session.pick_at(pick)
                 });
             }
             // A click on a dot is for the dot.
-            if window.viewport.hands.dot.get().is_some() {
+            if window.viewport.input.dot.get().is_some() {
                 return;
             }
-            window.act(|session| {
+            window.update(|session| {
                 let pick = window.viewport.pick(session, x, y);
                 let place = pick.map(|pick| pick.point);
                 session.point_at(pick);
@@ -330,20 +330,20 @@ fn connect_pointer(window: &Rc<Window>, canvas: &PaintWidget) {
         #[weak]
         window,
         move |_, x, y| {
-            let hands = &window.viewport.hands;
+            let input = &window.viewport.input;
             // GTK repeats the last place when something under a still pointer changes.
-            if hands.pointer.replace(Some((x, y))) == Some((x, y)) || hands.is_dragging() {
+            if input.pointer.replace(Some((x, y))) == Some((x, y)) || input.is_dragging() {
                 return;
             }
-            let (size, before) = (picture_size(&window), hands.handle.get());
-            hands.handle.set(window.look(|session| session.with_gizmo(size, |handles| handles.handle_at(DVec2::new(x, y)))).flatten());
-            let (dot_before, dot) = (hands.dot.get(), dot_at(&window, DVec2::new(x, y)).map(|dot| dot.attachment));
-            hands.dot.set(dot);
+            let (size, before) = (picture_size(&window), input.handle.get());
+            input.handle.set(window.read(|session| session.with_gizmo(size, |handles| handles.handle_at(DVec2::new(x, y)))).flatten());
+            let (dot_before, dot) = (input.dot.get(), dot_at(&window, DVec2::new(x, y)).map(|dot| dot.attachment));
+            input.dot.set(dot);
             if dot != dot_before {
                 window.viewport.draw_over();
             }
             // Over the axes in the corner, and when it leaves them, what stands over the picture looks different.
-            if hands.handle.get() != before || x < 100.0 && y > size.y - 100.0 {
+            if input.handle.get() != before || x < 100.0 && y > size.y - 100.0 {
                 window.viewport.draw_over();
             }
             point(&window, x, y);
@@ -353,8 +353,8 @@ fn connect_pointer(window: &Rc<Window>, canvas: &PaintWidget) {
         #[weak]
         window,
         move |_| {
-            window.viewport.hands.pointer.set(None);
-            window.act(|session| session.hover(None));
+            window.viewport.input.pointer.set(None);
+            window.update(|session| session.hover(None));
             window.show_position("");
         }
     ));
@@ -364,7 +364,7 @@ fn connect_pointer(window: &Rc<Window>, canvas: &PaintWidget) {
 /// Highlights what is under the pointer, and says what and where it is.
 fn point(window: &Rc<Window>, x: f64, y: f64) {
     let mut text = String::new();
-    window.act(|session| {
+    window.update(|session| {
         let found = window.viewport.pick(session, x, y);
         session.hover(found.map(|pick| pick.node));
         if let Some(pick) = found {
@@ -376,30 +376,30 @@ fn point(window: &Rc<Window>, x: f64, y: f64) {
     window.show_position(&text);
 }
 
-/// Something else is under a pointer that rests: what was said of it is no longer true, and is said anew once the picture rests too.
-pub(super) fn point_again(window: &Rc<Window>) {
-    let hands = &window.viewport.hands;
-    if hands.pointer.get().is_none() {
+/// The scene changed under a resting pointer: the hover text is outdated and is shown again once the picture rests too.
+pub(super) fn refresh_hover(window: &Rc<Window>) {
+    let input = &window.viewport.input;
+    if input.pointer.get().is_none() {
         return;
     }
     window.show_position("");
-    hands.pictures.set(hands.pictures.get().wrapping_add(1));
+    input.pictures.set(input.pictures.get().wrapping_add(1));
     // One wait at a time, however many pictures go by.
-    if !hands.waiting.replace(true) {
+    if !input.waiting.replace(true) {
         wait_for_rest(window);
     }
 }
 
 fn wait_for_rest(window: &Rc<Window>) {
-    let (weak, number) = (Rc::downgrade(window), window.viewport.hands.pictures.get());
+    let (weak, number) = (Rc::downgrade(window), window.viewport.input.pictures.get());
     glib::timeout_add_local_once(AT_REST, move || {
         let Some(window) = weak.upgrade() else { return };
-        let hands = &window.viewport.hands;
-        if hands.pictures.get() != number {
+        let input = &window.viewport.input;
+        if input.pictures.get() != number {
             return wait_for_rest(&window);
         }
-        hands.waiting.set(false);
-        if let Some((x, y)) = hands.pointer.get().filter(|_| !hands.is_dragging()) {
+        input.waiting.set(false);
+        if let Some((x, y)) = input.pointer.get().filter(|_| !input.is_dragging()) {
             point(&window, x, y);
         }
     });

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{PaintWidget, rgb, write_on};
+use crate::app::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::app::onion_skin_panel::file_name;
 use crate::app::session::{COMPARED_TINT, CompareTarget, Session, top_of};
 use crate::app::{format, title_bar};
@@ -32,7 +32,7 @@ pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::
             Some(place) => (f64::from(place.x), (f64::from(place.y) - 26.0).clamp(6.0, (height - 30.0).max(6.0))),
             None => (width / 2.0, 12.0 + row as f64 * 22.0),
         };
-        write_on(canvas, snapshot, name, (x - half, y), 1.0, &color, &ground);
+        write_with_background(canvas, snapshot, name, (x - half, y), 1.0, &color, &ground);
     }
 }
 

@@ -1,4 +1,4 @@
-//! Where the light is while a hand moves it: a line from the model towards it, and a sun at the edge where it stands outside of the picture.
+//! Light gizmo while the light is dragged: a line from the model towards it, and a sun at the edge where it lies outside of the picture.
 
 use glam::{DVec2, Vec2, Vec3};
 use gtk::cairo::LineCap;
@@ -27,7 +27,7 @@ pub(super) fn draw(session: &mut Session, snapshot: &gtk::Snapshot, width: f64, 
         Some(to) => to,
         None => from + beside(&camera, light - middle) * size.length(),
     };
-    let shown = held_within(from, to, size);
+    let shown = clamped_to(from, to, size);
     let context = cairo(snapshot, width, height);
     context.set_line_cap(LineCap::Round);
     let along = (shown - from).normalize_or_zero();
@@ -73,7 +73,7 @@ fn beside(camera: &Camera, direction: Vec3) -> DVec2 {
 }
 
 /// The point of a way from inside the picture that is farthest along and still within its margins.
-fn held_within(from: DVec2, to: DVec2, size: DVec2) -> DVec2 {
+fn clamped_to(from: DVec2, to: DVec2, size: DVec2) -> DVec2 {
     let (low, high) = (DVec2::splat(MARGIN), (size - MARGIN).max(DVec2::splat(MARGIN)));
     let from = from.clamp(low, high);
     let way = to - from;
@@ -97,12 +97,12 @@ mod tests {
     fn a_sun_outside_the_picture_is_held_at_the_edge_on_its_way() {
         let size = DVec2::new(600.0, 400.0);
         let middle = size / 2.0;
-        assert_eq!(held_within(middle, DVec2::new(310.0, 120.0), size), DVec2::new(310.0, 120.0));
-        assert_eq!(held_within(middle, DVec2::new(300.0, -1000.0), size), DVec2::new(300.0, MARGIN));
-        let corner = held_within(middle, DVec2::new(9000.0, 6000.0), size);
+        assert_eq!(clamped_to(middle, DVec2::new(310.0, 120.0), size), DVec2::new(310.0, 120.0));
+        assert_eq!(clamped_to(middle, DVec2::new(300.0, -1000.0), size), DVec2::new(300.0, MARGIN));
+        let corner = clamped_to(middle, DVec2::new(9000.0, 6000.0), size);
         assert!((corner.x <= 576.0 + 1e-9) && (corner.y <= 376.0 + 1e-9) && (corner.x > 570.0 || corner.y > 370.0), "{corner}");
         // On the line still.
         assert!(((corner - middle).normalize() - DVec2::new(8700.0, 5800.0).normalize()).length() < 1e-9);
-        assert!(held_within(middle, middle, DVec2::ZERO).is_finite());
+        assert!(clamped_to(middle, middle, DVec2::ZERO).is_finite());
     }
 }

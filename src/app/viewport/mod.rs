@@ -23,21 +23,21 @@ use gtk::prelude::*;
 use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
-use self::frame_surface::Screen;
+use self::frame_surface::FrameSurface;
 use self::transform_fields::TransformFields;
 use super::bone_names;
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::icons::{self, Glyph};
 use super::session::{ChangeSet, PickTarget, Session, Tool, Viewpoint};
-use super::window::{Window, part};
+use super::window::{Window, object};
 use super::{format, ui};
 use crate::muscle::AttachmentPoint;
 use crate::render::{Pick, Renderer, Stats};
 use crate::tr;
 
-/// Milliseconds over which a frame is drawn coarsely while a hand is on it.
+/// Frame time, milliseconds, above which frames are drawn coarsely while the user interacts.
 const HEAVY_MS: f64 = 14.0;
-/// How long a hand must rest before a coarse picture is drawn in full.
+/// Time without interaction after which a coarse picture is drawn in full.
 const REST: Duration = Duration::from_millis(120);
 
 /// The picture with what stands over it.
@@ -45,10 +45,10 @@ pub(super) struct Viewport {
     /// The whole.
     pub root: gtk::Overlay,
     canvas: PaintWidget,
-    screen: Rc<RefCell<Screen>>,
+    screen: Rc<RefCell<FrameSurface>>,
     builder: gtk::Builder,
     numbers: TransformFields,
-    hands: input::ViewportInput,
+    input: input::ViewportInput,
     toasts: Rc<Cell<u32>>,
     toast_file: Rc<RefCell<Option<PathBuf>>>,
     /// Whether what is said in passing is about the program, not about what is open.
@@ -59,7 +59,7 @@ impl Viewport {
     /// An empty one; [`Viewport::connect`] brings it to life.
     pub(super) fn new() -> Self {
         let builder = ui::builder(ui::VIEWPORT);
-        let root: gtk::Overlay = part(&builder, "root");
+        let root: gtk::Overlay = object(&builder, "root");
         let canvas = PaintWidget::named(&tr!("app-viewport"), 150, 150);
         canvas.set_focusable(true);
         canvas.add_css_class("scene");
@@ -68,22 +68,22 @@ impl Viewport {
         for (id, glyph) in
             [("tool_navigate", Glyph::Navigate), ("tool_move", Glyph::Move), ("tool_rotate", Glyph::Rotate), ("tool_scale", Glyph::Scale)]
         {
-            part::<gtk::ToggleButton>(&builder, id).set_child(Some(&icons::image(glyph)));
+            object::<gtk::ToggleButton>(&builder, id).set_child(Some(&icons::image(glyph)));
         }
         Self {
             root,
             canvas,
-            screen: Rc::new(RefCell::new(Screen::new())),
+            screen: Rc::new(RefCell::new(FrameSurface::new())),
             numbers: TransformFields::new(&builder),
             builder,
-            hands: input::ViewportInput::default(),
+            input: input::ViewportInput::default(),
             toasts: Rc::default(),
             toast_file: Rc::default(),
             toast_stays: Cell::default(),
         }
     }
 
-    /// Connects painter, hands and buttons.
+    /// Connects painter, input and buttons.
     pub(super) fn connect(&self, window: &Rc<Window>) {
         let weak = Rc::downgrade(window);
         let screen = self.screen.clone();
@@ -95,7 +95,7 @@ impl Viewport {
         let weak = Rc::downgrade(window);
         self.canvas.set_resized(move |width, height| {
             if let Some(window) = weak.upgrade() {
-                window.act(|session| session.set_aspect(width as f32 / height.max(1) as f32));
+                window.update(|session| session.set_aspect(width as f32 / height.max(1) as f32));
                 window.viewport.invalidate();
                 window.viewport.fit_later(width);
             }
@@ -105,7 +105,7 @@ impl Viewport {
         self.show_times(window.settings.borrow().frame_times);
         let file = self.toast_file.clone();
         let weak = Rc::downgrade(window);
-        part::<gtk::Button>(&self.builder, "toast_folder").connect_clicked(move |button| {
+        object::<gtk::Button>(&self.builder, "toast_folder").connect_clicked(move |button| {
             let file = file.borrow().as_deref().and_then(|file| std::path::absolute(file).ok());
             let Some(folder) = file.as_deref().and_then(std::path::Path::parent) else { return };
             let (uri, weak) = (gio::File::for_path(folder).uri(), weak.clone());
@@ -138,7 +138,7 @@ impl Viewport {
         if changes.any(ChangeSet::TOOL | ChangeSet::DOCUMENT | ChangeSet::PICKING) {
             let name = if session.picking().is_some() { Some("crosshair") } else { None };
             self.canvas.set_cursor_from_name(name);
-            part::<gtk::Box>(&self.builder, "tools").set_visible(!session.is_empty());
+            object::<gtk::Box>(&self.builder, "tools").set_visible(!session.is_empty());
         }
     }
 
@@ -197,24 +197,24 @@ impl Viewport {
 
     /// Says for a while what a drag does.
     pub(super) fn hint(&self, text: &str) {
-        let label: gtk::Label = part(&self.builder, "hint");
-        ui::say(&label, text);
+        let label: gtk::Label = object(&self.builder, "hint");
+        ui::set_label(&label, text);
         label.set_visible(!text.is_empty());
     }
 
     /// Whether frame times stand over the picture.
     pub(super) fn show_times(&self, shown: bool) {
-        part::<gtk::Label>(&self.builder, "times").set_visible(shown);
+        object::<gtk::Label>(&self.builder, "times").set_visible(shown);
         self.invalidate();
     }
 
     /// Says something in passing; with the file that was written, offers its folder.
     pub(super) fn toast(&self, text: &str, file: Option<PathBuf>) {
-        ui::say(&part(&self.builder, "toast_label"), text);
-        part::<gtk::Button>(&self.builder, "toast_folder").set_visible(file.is_some());
+        ui::set_label(&object(&self.builder, "toast_label"), text);
+        object::<gtk::Button>(&self.builder, "toast_folder").set_visible(file.is_some());
         self.toast_file.replace(file);
         self.toast_stays.set(false);
-        let revealer: gtk::Revealer = part(&self.builder, "toast");
+        let revealer: gtk::Revealer = object(&self.builder, "toast");
         revealer.set_can_target(true);
         revealer.set_reveal_child(true);
         let (number, toasts) = (self.toasts.get().wrapping_add(1), self.toasts.clone());
@@ -233,12 +233,12 @@ impl Viewport {
         self.toast_stays.set(true);
     }
 
-    /// Takes away what was said in passing about what is no longer open.
-    pub(super) fn hush(&self) {
+    /// Hides notices about documents that are no longer open.
+    pub(super) fn hide_notice(&self) {
         if !self.toast_stays.get() {
             self.toasts.set(self.toasts.get().wrapping_add(1));
-            part::<gtk::Label>(&self.builder, "toast_label").set_text("");
-            let revealer: gtk::Revealer = part(&self.builder, "toast");
+            object::<gtk::Label>(&self.builder, "toast_label").set_text("");
+            let revealer: gtk::Revealer = object(&self.builder, "toast");
             revealer.set_reveal_child(false);
             revealer.set_can_target(false);
         }
@@ -246,47 +246,47 @@ impl Viewport {
 
     /// Shows how far reading is; `None` = nothing is being read.
     pub(super) fn loading(&self, state: Option<(&str, f64)>) {
-        part::<gtk::Box>(&self.builder, "loading").set_visible(state.is_some());
+        object::<gtk::Box>(&self.builder, "loading").set_visible(state.is_some());
         if let Some((text, part_done)) = state {
-            ui::say(&part(&self.builder, "loading_label"), text);
-            let bar: gtk::ProgressBar = part(&self.builder, "loading_bar");
+            ui::set_label(&object(&self.builder, "loading_label"), text);
+            let bar: gtk::ProgressBar = object(&self.builder, "loading_bar");
             if part_done > 0.0 { bar.set_fraction(part_done.min(1.0)) } else { bar.pulse() }
         }
     }
 
     /// The button that stops reading.
     pub(super) fn cancel_button(&self) -> gtk::Button {
-        part(&self.builder, "loading_cancel")
+        object(&self.builder, "loading_cancel")
     }
 
     /// Marks the place where files can be dropped.
     pub(super) fn drop_here(&self, shown: bool) {
-        part::<gtk::Label>(&self.builder, "drop_here").set_visible(shown);
+        object::<gtk::Label>(&self.builder, "drop_here").set_visible(shown);
     }
 
     /// Flies, or lands.
     pub(super) fn toggle_flight(&self, window: &Rc<Window>) {
-        self.hands.toggle_flight(window);
+        self.input.toggle_flight(window);
     }
 
-    /// Lets go of all keys of flight.
-    pub(super) fn let_go(&self) {
-        self.hands.let_go();
+    /// Releases all keys of flight.
+    pub(super) fn release_flight_keys(&self) {
+        self.input.release_flight_keys();
     }
 
-    /// Says anew what is under a pointer that rests, where that is another thing now.
-    pub(super) fn point_again(&self, window: &Rc<Window>) {
-        input::point_again(window);
+    /// Updates the hover text of a resting pointer after the scene changed under it.
+    pub(super) fn refresh_hover(&self, window: &Rc<Window>) {
+        input::refresh_hover(window);
     }
 
     /// Takes a key in flight; whether it was one of flight's.
     pub(super) fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
-        self.hands.flight_key(window, letter, key, pressed)
+        self.input.flight_key(window, letter, key, pressed)
     }
 
     /// Flies on for `seconds`; whether a key is held.
     pub(super) fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
-        self.hands.fly(window, seconds)
+        self.input.fly(window, seconds)
     }
 }
 
@@ -328,20 +328,20 @@ fn hint(session: &Session) -> String {
 }
 
 /// Draws what is stale and shows it.
-fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+fn paint(window: &Rc<Window>, screen: &Rc<RefCell<FrameSurface>>, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
     let scale = canvas.scale_factor();
     let (pixel_width, pixel_height) = (width as i32 * scale, height as i32 * scale);
     let was_fresh = screen.borrow().is_fresh(pixel_width, pixel_height);
     if !was_fresh {
         // Most frames were posed before they are painted: the panels show the moment too.
-        let pose_ms = window.look(|session| {
+        let pose_ms = window.read(|session| {
             session.frame();
             session.take_posing_ms()
         });
         let begun = Instant::now();
         let mut screen = screen.borrow_mut();
-        let coarse = screen.full_ms > HEAVY_MS && window.viewport.hands.is_dragging();
-        let drawn = window.look(|session| screen.draw(session, pixel_width, pixel_height, scale, coarse));
+        let coarse = screen.full_ms > HEAVY_MS && window.viewport.input.is_dragging();
+        let drawn = window.read(|session| screen.draw(session, pixel_width, pixel_height, scale, coarse));
         let total_ms = pose_ms + begun.elapsed().as_secs_f64() * 1e3;
         if let Some(stats) = drawn {
             if !coarse {
@@ -363,12 +363,12 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<Screen>>, canvas: &PaintWidget
     let context = cairo_over(snapshot, width, height);
     screen.borrow().show(&context, scale);
     drop(context);
-    window.look(|session| {
+    window.read(|session| {
         if session.bone_names() {
             bone_names::write_all(session, canvas, snapshot, width, height);
         }
         if !session.is_empty() {
-            let hands = &window.viewport.hands;
+            let hands = &window.viewport.input;
             orientation_gizmo::draw(session, canvas, snapshot, height, hands.pointer());
             legend::draw(session, canvas, snapshot, width, height);
             bounding_box_labels::draw(session, canvas, snapshot, width, height);
@@ -391,7 +391,7 @@ fn draw_in_full_when_at_rest(weak: &Weak<Window>) {
     let weak = weak.clone();
     glib::timeout_add_local_once(REST, move || {
         if let Some(window) = weak.upgrade()
-            && !window.viewport.hands.is_dragging()
+            && !window.viewport.input.is_dragging()
         {
             window.viewport.invalidate();
         }
@@ -401,7 +401,7 @@ fn draw_in_full_when_at_rest(weak: &Weak<Window>) {
 /// Frame times and counts.
 fn tell(window: &Rc<Window>, pose_ms: f64, total_ms: f64, stats: Stats) {
     window.show_stats(stats.triangles);
-    let label: gtk::Label = part(&window.viewport.builder, "times");
+    let label: gtk::Label = object(&window.viewport.builder, "times");
     if label.is_visible() {
         let rate = window.viewport.screen.borrow().rate();
         label.set_text(&tr!(

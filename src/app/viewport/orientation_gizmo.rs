@@ -4,7 +4,7 @@ use gtk::cairo::LineCap;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_amid};
+use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
 use crate::app::session::Session;
 use crate::scene::{Camera, ViewDirection};
 use glam::{DVec2, Vec3};
@@ -71,7 +71,7 @@ pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::
         ignore(context.fill());
         drop(context);
         if let Some(name) = name {
-            write_amid(canvas, snapshot, name, (tip.x, tip.y), 0.75, &rgb(0x10_1010));
+            write_centered(canvas, snapshot, name, (tip.x, tip.y), 0.75, &rgb(0x10_1010));
         }
     }
 }

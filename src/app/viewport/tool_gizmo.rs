@@ -5,7 +5,7 @@ use gtk::cairo::{Context, LineCap, LineJoin};
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_amid};
+use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
 use crate::app::session::{Gizmo, GizmoHandle, Tool};
 
 /// Paints them; `lit` is under the pointer or held.
@@ -50,7 +50,7 @@ pub(super) fn draw(handles: &Gizmo, colors: [u32; 3], lit: Option<GizmoHandle>, 
         for (axis, name) in ["X", "Y", "Z"].into_iter().enumerate() {
             if let Some(tip) = handles.tip(axis) {
                 let out = tip + (tip - middle).normalize_or(DVec2::Y) * 18.0;
-                write_amid(canvas, snapshot, name, (out.x, out.y), 0.8, &rgb(colors[axis]));
+                write_centered(canvas, snapshot, name, (out.x, out.y), 0.8, &rgb(colors[axis]));
             }
         }
     }

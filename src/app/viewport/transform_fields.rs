@@ -10,7 +10,7 @@ use gtk4 as gtk;
 
 use crate::app::session::{ModelTransform, Tool, UndoStep};
 use crate::app::ui;
-use crate::app::window::{Window, part};
+use crate::app::window::{Window, object};
 use crate::tr;
 
 /// Room right of the numbers, logical pixels.
@@ -35,11 +35,11 @@ impl TransformFields {
     /// From the viewport's `.ui` file.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
         Self {
-            root: part(builder, "numbers"),
-            label: part(builder, "numbers_label"),
-            boxes: ["number_x", "number_y", "number_z"].map(|id| part(builder, id)),
-            axes: ["axis_x", "axis_y", "axis_z"].map(|id| part(builder, id)),
-            letter: part(builder, "letter_x"),
+            root: object(builder, "numbers"),
+            label: object(builder, "numbers_label"),
+            boxes: ["number_x", "number_y", "number_z"].map(|id| object(builder, id)),
+            axes: ["axis_x", "axis_y", "axis_z"].map(|id| object(builder, id)),
+            letter: object(builder, "letter_x"),
             tool: Rc::default(),
         }
     }
@@ -53,7 +53,7 @@ impl TransformFields {
                 window,
                 move |_| {
                     let [x, y, z] = boxes.each_ref().map(gtk::SpinButton::value);
-                    window.act(|session| {
+                    window.update(|session| {
                         let change = |model: &mut ModelTransform| match tool.get() {
                             Tool::Navigate => {}
                             Tool::Move => model.translation = DVec3::new(x, y, z),

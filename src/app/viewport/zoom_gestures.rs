@@ -17,12 +17,12 @@ const NOTCH: f64 = 1.12;
 
 /// Two fingers on the picture: how far apart they are against when they came down, and where their middle was last.
 #[derive(Default)]
-struct Fingers {
+struct PinchState {
     spread: Cell<f64>,
     middle: Cell<Option<(f64, f64)>>,
 }
 
-impl Fingers {
+impl PinchState {
     /// The fingers come down.
     fn begin(&self) {
         self.spread.set(1.0);
@@ -56,22 +56,22 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
         glib::Propagation::Proceed,
         move |controller, _, dy| {
             let to_pointer = controller.current_event_state().contains(gdk::ModifierType::CONTROL_MASK);
-            let point = if to_pointer { window.viewport.hands.pointer() } else { None };
+            let point = if to_pointer { window.viewport.input.pointer() } else { None };
             let size = size(&window);
-            window.act(|session| session.change_camera(|eye| zoom(eye, NOTCH.powf(-dy) as f32, point, size)));
+            window.update(|session| session.change_camera(|eye| zoom(eye, NOTCH.powf(-dy) as f32, point, size)));
             glib::Propagation::Stop
         }
     ));
     canvas.add_controller(wheel);
     let pinch = gtk::GestureZoom::new();
-    let fingers = Rc::new(Fingers::default());
+    let fingers = Rc::new(PinchState::default());
     pinch.connect_begin(glib::clone!(
         #[weak]
         window,
         #[strong]
         fingers,
         move |_, _| {
-            window.viewport.hands.drop_drag();
+            window.viewport.input.drop_drag();
             fingers.begin();
         }
     ));
@@ -81,7 +81,7 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
         move |gesture, scale| {
             let (middle, size) = (gesture.bounding_box_center(), size(&window));
             let (way, factor) = (fingers.shift(middle), fingers.factor(scale));
-            window.act(|session| {
+            window.update(|session| {
                 session.change_camera(|eye| {
                     if eye.flying().is_none() {
                         eye.change(|orbit| pan(orbit, way, size.1));
@@ -99,7 +99,7 @@ fn size(window: &Rc<Window>) -> (f64, f64) {
     (f64::from(width), f64::from(height.max(1)))
 }
 
-/// Moves the picture with a hand that went this way; logical pixels of a picture of this height.
+/// Pans by a pointer movement, logical pixels of a picture of this height.
 pub(super) fn pan(orbit: &mut OrbitCamera, (dx, dy): (f64, f64), height: f64) {
     orbit.pan((-dx / height) as f32, (dy / height) as f32);
 }
@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn a_pinch_grows_the_picture_by_what_the_fingers_spread() {
-        let fingers = Fingers::default();
+        let fingers = PinchState::default();
         for scales in [&[1.1, 1.5, 1.2, 2.0][..], &[0.9, 0.0, f64::NAN, f64::INFINITY, 0.5]] {
             fingers.begin();
             let grown: f32 = scales.iter().map(|scale| fingers.factor(*scale)).product();
@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn two_fingers_move_the_picture_by_the_way_of_their_middle() {
-        let fingers = Fingers::default();
+        let fingers = PinchState::default();
         for way in [&[(10.0, 20.0), (13.0, 18.0), (20.0, 18.0)][..], &[(500.0, 1.0), (490.0, 41.0)]] {
             fingers.begin();
             let sum = way.iter().map(|place| fingers.shift(Some(*place))).fold((0.0, 0.0), |sum, by| (sum.0 + by.0, sum.1 + by.1));
