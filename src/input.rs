@@ -4,15 +4,16 @@ use std::fs::{self, File};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use crate::system::{Doing, reason};
-use crate::tr;
+use crate::message;
+use crate::message::{Message, ToMessage};
+use crate::system::{Doing, SystemError};
 
 /// Why a file is not read.
-#[derive(Debug, thiserror::Error)]
-#[error("{}", self.sentence())]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.message())]
 pub enum Refused {
-    /// What the system says.
-    Io(#[from] io::Error),
+    /// The operating system refused.
+    Io(SystemError),
     /// It is a folder.
     Folder,
     /// It is a pipe, a device or a socket: to read it might wait or never end.
@@ -23,25 +24,33 @@ pub enum Refused {
     NotText(u32),
 }
 
-impl Refused {
-    fn sentence(&self) -> String {
+impl ToMessage for Refused {
+    fn message(&self) -> Message {
         match self {
-            Self::Io(error) => match error.kind() {
-                io::ErrorKind::NotFound => tr!("document-not-found"),
-                io::ErrorKind::PermissionDenied => tr!("document-permission"),
-                io::ErrorKind::IsADirectory => tr!("document-folder"),
-                _ => tr!("document-io", reason = reason(error, Doing::Reading)),
+            Self::Io(error) => match error.kind {
+                io::ErrorKind::NotFound => message!("document-not-found"),
+                io::ErrorKind::PermissionDenied => message!("document-permission"),
+                io::ErrorKind::IsADirectory => message!("document-folder"),
+                _ => message!("document-io", reason = error.message()),
             },
-            Self::Folder => tr!("document-folder"),
-            Self::NotRegular => tr!("document-not-regular"),
-            Self::TooLarge(limit) => tr!("document-too-large", limit = limit >> 20),
-            Self::NotText(_) => tr!("document-not-text"),
+            Self::Folder => message!("document-folder"),
+            Self::NotRegular => message!("document-not-regular"),
+            Self::TooLarge(limit) => message!("document-too-large", limit = limit >> 20),
+            Self::NotText(_) => message!("document-not-text"),
         }
     }
+}
 
+impl From<io::Error> for Refused {
+    fn from(error: io::Error) -> Self {
+        Self::Io(SystemError::new(&error, Doing::Reading))
+    }
+}
+
+impl Refused {
     /// Whether there is no such file.
     pub fn is_missing(&self) -> bool {
-        matches!(self, Self::Io(error) if error.kind() == io::ErrorKind::NotFound)
+        matches!(self, Self::Io(error) if error.kind == io::ErrorKind::NotFound)
     }
 }
 

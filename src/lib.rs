@@ -39,6 +39,7 @@ pub mod export;
 pub mod i18n;
 pub mod input;
 pub mod limits;
+pub mod message;
 pub mod muscle;
 pub mod plot;
 pub mod render;

@@ -1,8 +1,9 @@
-//! What the system says where it refuses, for people: the one place where its errors become texts.
+//! Errors of the operating system as messages: the one place where they get their words.
 
 use std::io;
 
-use crate::tr;
+use crate::message;
+use crate::message::{Message, ToMessage};
 
 /// What is being done with a file: the same refusal means something else where it is read than where it is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -13,9 +14,31 @@ pub enum Doing {
     Writing,
 }
 
-/// Why the system refused, in the user's language where people meet that kind of refusal, else in the system's own words. It ends a sentence, whose
-/// full stop it leaves to it.
-pub fn reason(error: &io::Error, doing: Doing) -> String {
+/// An error of the operating system that can be kept and compared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SystemError {
+    /// Its kind.
+    pub kind: io::ErrorKind,
+    reason: Message,
+}
+
+impl SystemError {
+    /// An error that came while a file was read or written.
+    pub fn new(error: &io::Error, doing: Doing) -> Self {
+        Self { kind: error.kind(), reason: reason(error, doing) }
+    }
+}
+
+impl ToMessage for SystemError {
+    /// As [`reason`].
+    fn message(&self) -> Message {
+        self.reason.clone()
+    }
+}
+
+/// Why the operating system refused: a message of the catalogue for the kinds that people meet, else the system's own words. It is the end of a sentence,
+/// without a full stop.
+pub fn reason(error: &io::Error, doing: Doing) -> Message {
     let key = match error.kind() {
         // A message of our own or of a library, inside an error of the system's.
         _ if error.get_ref().is_some() => None,
@@ -39,7 +62,7 @@ pub fn reason(error: &io::Error, doing: Doing) -> String {
         io::ErrorKind::TimedOut => Some("io-slow"),
         _ => error.raw_os_error().and_then(by_number),
     };
-    key.map_or_else(|| plain(&error.to_string()), |key| tr!(key))
+    key.map_or_else(|| Message::verbatim(plain(&error.to_string())), |key| message!(key))
 }
 
 /// The kinds that the standard library has no name for.
@@ -83,12 +106,13 @@ pub fn plain(words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::i18n::Sentence;
 
     #[test]
     fn no_refusal_comes_with_its_number() {
         for number in 0..=140 {
             for doing in [Doing::Reading, Doing::Writing] {
-                let said = reason(&io::Error::from_raw_os_error(number), doing);
+                let said = reason(&io::Error::from_raw_os_error(number), doing).sentence();
                 assert!(
                     !said.is_empty() && !said.contains("os error") && !said.ends_with('.') && !said.contains("io-"),
                     "{number}: {said}"
@@ -103,12 +127,12 @@ mod tests {
         // ENOENT, EACCES, ENOTDIR, EISDIR, EROFS, ENOSPC, EDQUOT, ENOMEM, ENAMETOOLONG, EFBIG, EMFILE, ELOOP, ETXTBSY, EEXIST, EIO, EPIPE, ETIMEDOUT.
         let numbers = [2, 13, 20, 21, 30, 28, 122, 12, 36, 27, 24, 40, 26, 17, 5, 32, 110];
         let said: std::collections::BTreeSet<String> =
-            numbers.iter().map(|number| reason(&io::Error::from_raw_os_error(*number), Doing::Reading)).collect();
+            numbers.iter().map(|number| reason(&io::Error::from_raw_os_error(*number), Doing::Reading).sentence()).collect();
         assert_eq!(said.len(), numbers.len(), "{said:?}");
         // Not the system's own words, which know one language.
         for number in numbers {
             let error = io::Error::from_raw_os_error(number);
-            assert_ne!(reason(&error, Doing::Reading), plain(&error.to_string()));
+            assert_ne!(reason(&error, Doing::Reading), Message::verbatim(plain(&error.to_string())));
         }
         assert_ne!(reason(&io::ErrorKind::NotFound.into(), Doing::Writing), reason(&io::ErrorKind::NotFound.into(), Doing::Reading));
     }
@@ -118,6 +142,6 @@ mod tests {
         assert_eq!(plain("while reading: Not a directory (os error 20); given up."), "while reading: Not a directory; given up");
         assert_eq!(plain("odd (os error "), "odd (os error");
         assert_eq!(plain("and so on..."), "and so on...");
-        assert_eq!(reason(&io::Error::other("our own words."), Doing::Reading), "our own words");
+        assert_eq!(reason(&io::Error::other("our own words."), Doing::Reading), Message::verbatim("our own words"));
     }
 }

@@ -14,6 +14,7 @@ use gtk4 as gtk;
 use super::session::Session;
 use super::window::{Window, object};
 use super::{document_loader, ui};
+use crate::i18n::Sentence;
 use crate::muscle::MuscleFile;
 use crate::tr;
 use crate::view::RecoveryFile;
@@ -170,7 +171,7 @@ impl Autosave {
         match unsaved.write(&self.path) {
             Ok(()) => {}
             // Once is enough: the folder will not get writable by being complained about.
-            Err(reason) if !self.told.replace(true) => eprintln!("{}", tr!("app-recovery-unwritten", reason = reason)),
+            Err(error) if !self.told.replace(true) => eprintln!("{}", tr!("app-recovery-unwritten", reason = error.sentence())),
             Err(_) => {}
         }
     }

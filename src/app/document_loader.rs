@@ -16,8 +16,11 @@ use super::session::{CompareTarget, LoadMode};
 use super::window::Window;
 use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
 use crate::collada::Progress;
+use crate::document::OpenErrorKind;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::OverwriteGuard;
+use crate::i18n::{self, Sentence};
+use crate::message::{Location, SourceName};
 use crate::muscle::MuscleFile;
 use crate::view::{self, Opened};
 use crate::{input, limits, tr};
@@ -243,8 +246,8 @@ pub(super) fn read_in_background(window: &Rc<Window>, path: PathBuf, then: impl 
 }
 
 fn unexpected(paths: &[PathBuf]) -> OpenError {
-    let file = paths.first().map(|path| path.display().to_string()).unwrap_or_default();
-    OpenError { file, line: None, column: None, message: tr!("app-reader-broke") }
+    let file = paths.first().map_or(SourceName::Unknown, |path| SourceName::of_argument(path));
+    OpenError::whole(&file, OpenErrorKind::ReaderFailed)
 }
 
 fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress>) {
@@ -326,15 +329,23 @@ fn refused(window: &Rc<Window>, error: &OpenError, paths: Vec<PathBuf>, load_mod
 
 /// Says why a file cannot be opened; with the files, offers to try again.
 fn show_open_error(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<PathBuf>, LoadMode)>) {
-    let name = Path::new(&error.file).file_name().map_or_else(|| error.file.clone(), |name| name.to_string_lossy().into_owned());
-    let place = match (error.line, error.column) {
+    let Location { file, line, column } = &error.location;
+    let file = i18n::source_name(file);
+    let name = Path::new(&file).file_name().map_or_else(|| file.clone(), |name| name.to_string_lossy().into_owned());
+    let place = match (line, column) {
         (Some(line), Some(column)) => tr!("app-at-line-column", line = line.to_string(), column = column.to_string()),
         (Some(line), None) => tr!("app-at-line", line = line.to_string()),
         _ => String::new(),
     };
-    let message = if place.is_empty() { error.message.clone() } else { format!("{place}: {}", error.message) };
+    let what = error.kind.sentence();
+    let message = if place.is_empty() { what } else { format!("{place}: {what}") };
     let kept = if window.read(|session| session.is_empty()) { String::new() } else { format!("\n{}", tr!("app-kept")) };
-    window.error_bar.show(Trouble { headline: tr!("app-refused", file = name), message, details: format!("{error}{kept}"), again });
+    window.error_bar.show(Trouble {
+        headline: tr!("app-refused", file = name),
+        message,
+        details: format!("{}{kept}", error.sentence()),
+        again,
+    });
     window.update(|session| session.touch());
 }
 

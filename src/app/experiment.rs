@@ -13,6 +13,7 @@ use super::format;
 use super::muscle_panel::Unit;
 use super::ui;
 use super::window::{Window, object};
+use crate::i18n::Sentence;
 use crate::input;
 use crate::limits;
 use crate::muscle::literature_data;
@@ -193,7 +194,7 @@ impl Experiment {
 /// A table of measured radii and its name.
 fn read(path: &Path) -> Result<(Table, String), String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let text = input::read_text(path, limits::YAML_BYTES).map_err(|refused| refused.to_string())?;
+    let text = input::read_text(path, limits::YAML_BYTES).map_err(|refused| refused.sentence())?;
     let table = Table::parse(&text).map_err(|error| format!("{name}:{}:{}: {}", error.line, error.column, error.message))?;
     Ok((table, name))
 }

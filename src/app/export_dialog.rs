@@ -17,6 +17,7 @@ use super::{document_loader, format, save_as, ui};
 use crate::export::ExportError;
 use crate::export::pipeline::ExportProgress;
 use crate::export::{gltf, video};
+use crate::i18n::Sentence;
 use crate::tr;
 
 /// How often the bar moves.
@@ -206,7 +207,7 @@ impl Dialog {
         let dialog = self.clone();
         glib::spawn_future_local(async move {
             let found = gio::spawn_blocking(move || {
-                gltf::unsupported_features(&document).iter().map(|loss| format!("• {loss}")).collect::<Vec<_>>()
+                gltf::unsupported_features(&document).iter().map(|loss| format!("• {}", loss.sentence())).collect::<Vec<_>>()
             })
             .await;
             if let Ok(found) = found {
@@ -242,7 +243,7 @@ impl Dialog {
         };
         let written = job.files(&file);
         if let Some(error) = written.iter().find_map(|file| guard.output(file).err()) {
-            return self.say(&error.to_string());
+            return self.say(&error.sentence());
         }
         let unasked = written.into_iter().filter(|file| *file != chosen).collect();
         let dialog = self.clone();
@@ -269,7 +270,7 @@ impl Dialog {
                     dialog.part::<gtk::Window>("root").close();
                 }
                 Ok(Err(ExportError::Cancelled)) => dialog.say(&tr!("export-cancelled")),
-                Ok(Err(error)) => dialog.say(&error.to_string()),
+                Ok(Err(error)) => dialog.say(&error.sentence()),
                 Err(_) => dialog.say(&tr!("app-export-broke")),
             }
         });

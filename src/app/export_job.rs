@@ -13,6 +13,7 @@ use crate::export::pipeline::ExportProgress;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, Table, TableError, TableSubject};
 use crate::export::{gif, video};
+use crate::i18n::{self, Sentence};
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
 use crate::sequence::{self, FilePattern, FrameSpec, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions, SequenceRenderer};
@@ -246,7 +247,7 @@ impl std::fmt::Display for ExportRefusal {
             Self::Film(SequenceError::TooMany) => tr!("app-export-too-many", limit = sequence::MAX_FRAMES),
             Self::Film(SequenceError::NoElbow) => tr!("app-export-no-elbow"),
             Self::Film(SequenceError::NoMuscle) => tr!("app-export-no-muscle"),
-            Self::Table(why) => why.to_string(),
+            Self::Table(why) => why.sentence(),
             Self::GifRate => tr!("app-export-gif-fps", limit = gif::MOST_FPS),
         })
     }
@@ -392,7 +393,7 @@ impl ExportJob {
     fn table(&self, of: TableSubject, form: tables::TableFormat, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
         // The document is the one that was checked, so nothing is refused now.
         match Table::measure(of, &self.document, &self.state, self.options.fps) {
-            Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE),
+            Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE, i18n::sentence),
             _ => Err(ExportError::Cancelled),
         }
     }
@@ -425,7 +426,7 @@ fn with_number(file: &Path) -> PathBuf {
 pub(super) fn note<'a>(document: &'a Document, eye: &CameraController) -> impl Fn(&FrameSpec) -> String + Sync + use<'a> {
     let orbit = *eye.orbit();
     move |shot| {
-        let files: Vec<&str> = document.sources.iter().map(|source| source.name.as_str()).collect();
+        let files: Vec<String> = document.sources.iter().map(|source| source.name.to_string()).collect();
         let mut text = format!("File: {}", files.join(", "));
         if let Some(clip) = shot.state.clip.and_then(|index| document.clips.get(index)) {
             text.push_str(&format!("; clip: {}; time: {} s", clip.name, shot.state.time));

@@ -10,7 +10,9 @@ use super::session::{ChangeSet, Session};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::diagnostics::{Diagnostic, Severity};
+use crate::document::Finding;
 use crate::document::{Document, SourceKind};
+use crate::i18n;
 use crate::scene::{Content, Deformer, Node, NodeId, Scene};
 use crate::tr;
 
@@ -50,7 +52,7 @@ impl HealthPanel {
                 let item = list.model().and_then(|model| model.item(position)).and_downcast::<glib::BoxedAnyObject>();
                 let Some(item) = item else { return };
                 window.update(|session| {
-                    let node = node_named(session.document(), &item.borrow::<Diagnostic>().element);
+                    let node = node_named(session.document(), &item.borrow::<Diagnostic<Finding>>().element);
                     if node.is_some() {
                         session.select(node);
                     }
@@ -78,8 +80,8 @@ impl HealthPanel {
         let items: Vec<_> = document.diagnostics.iter().cloned().map(glib::BoxedAnyObject::new).collect();
         store.extend_from_slice(&items);
         self.list.set_model(Some(&gtk::NoSelection::new(Some(store))));
-        let count = |severity| document.diagnostics.iter().filter(|finding| finding.severity == severity).count();
-        let counts = [("app-health-warnings", count(Severity::Warning)), ("app-health-notes", count(Severity::Note))];
+        let count = |severity| document.diagnostics.iter().filter(|finding| finding.severity() == severity).count();
+        let counts = [("app-health-warnings", count(Severity::Warning)), ("app-health-notes", count(Severity::Info))];
         let told: Vec<String> = counts.into_iter().filter(|(_, count)| *count > 0).map(|(key, count)| tr!(key, count = count)).collect();
         self.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
         self.scroller.set_visible(!document.diagnostics.is_empty());
@@ -90,14 +92,14 @@ impl HealthPanel {
 
 /// All findings, one a line.
 fn report(document: &Document) -> String {
-    document.diagnostics.iter().map(|finding| format!("{finding}\n")).collect()
+    document.diagnostics.iter().map(|finding| format!("{}\n", i18n::finding_line(finding))).collect()
 }
 
 /// What the files say of themselves.
 fn facts(document: &Document) -> String {
     let mut lines = Vec::new();
     for source in &document.sources {
-        lines.push(source.name.clone());
+        lines.push(i18n::source_name(&source.name));
         match &source.kind {
             SourceKind::Collada(asset) => {
                 let unit = format::trim_trailing_zeros(asset.unit_metres, 4);
@@ -175,24 +177,24 @@ fn factory() -> gtk::SignalListItemFactory {
     factory.connect_bind(|_, item| {
         let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
         let (Some(boxed), Some(row)) = (item.item().and_downcast::<glib::BoxedAnyObject>(), item.child()) else { return };
-        let finding = boxed.borrow::<Diagnostic>();
+        let finding = boxed.borrow::<Diagnostic<Finding>>();
         let icon = row.first_child().and_downcast::<gtk::Image>();
         let words = row.last_child();
         let message = words.as_ref().and_then(|words| words.first_child()).and_downcast::<gtk::Label>();
         let place = words.as_ref().and_then(|words| words.last_child()).and_downcast::<gtk::Label>();
         if let (Some(icon), Some(message), Some(place)) = (icon, message, place) {
-            let (name, tip) = match finding.severity {
+            let (name, tip) = match finding.severity() {
                 Severity::Warning => ("dialog-warning-symbolic", tr!("app-warning")),
-                Severity::Note => ("dialog-information-symbolic", tr!("app-note")),
+                Severity::Info => ("dialog-information-symbolic", tr!("app-note")),
             };
             icon.set_icon_name(Some(name));
             icon.set_tooltip_text(Some(&tip));
-            ui::set_label(&message, &finding.message);
+            ui::set_label(&message, &i18n::finding(&finding));
             let mut where_it_is: Vec<String> = Vec::new();
             if let Some(line) = finding.line {
                 where_it_is.push(tr!("app-line", line = line.to_string()));
             }
-            where_it_is.extend([finding.element.clone(), finding.code.to_owned()].into_iter().filter(|part| !part.is_empty()));
+            where_it_is.extend([finding.element.clone(), finding.code().to_owned()].into_iter().filter(|part| !part.is_empty()));
             ui::set_label(&place, &where_it_is.join(" · "));
         }
     });

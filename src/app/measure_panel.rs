@@ -19,6 +19,7 @@ use super::ui;
 use super::window::{Window, object};
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
+use crate::i18n::Sentence;
 use crate::muscle::literature_data;
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
@@ -283,7 +284,7 @@ impl MeasurePanel {
     fn bytes(&self, path: &Path) -> Result<Vec<u8>, String> {
         match extension(path).as_str() {
             "svg" => Ok(self.page().svg().into_bytes()),
-            "png" => self.page().png(PICTURE_SCALE).map_err(|error| error.to_string()),
+            "png" => self.page().png(PICTURE_SCALE).map_err(|error| error.sentence()),
             _ => Ok(csv(&self.readings.borrow()).into_bytes()),
         }
     }
@@ -297,7 +298,7 @@ fn save(window: &Rc<Window>) {
         let written = window
             .measure
             .bytes(path)
-            .and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.to_string()));
+            .and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.sentence()));
         match written {
             Ok(()) => save_as::done(window, path),
             Err(message) => save_as::failed(window, path, message),

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers};
+use crate::export::ExportError;
 use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::render::{Background, Display, Palette, Renderer, Theme};
@@ -38,13 +39,13 @@ impl Demo {
     /// Writes its files into `folder`, where they are not there already, and names the one to open; `None` for the built-in scene.
     ///
     /// # Errors
-    /// Whatever the file system says.
-    pub(super) fn unpack(&self, folder: &Path) -> std::io::Result<Option<PathBuf>> {
+    /// [`ExportError`].
+    pub(super) fn unpack(&self, folder: &Path) -> Result<Option<PathBuf>, ExportError> {
         for (name, bytes) in self.files {
             let path = folder.join(name);
             if std::fs::read(&path).ok().as_deref() != Some(*bytes) {
-                std::fs::create_dir_all(folder)?;
-                write_atomic(&Output::of_program(&path), |file| file.write_all(bytes)).map_err(std::io::Error::other)?;
+                std::fs::create_dir_all(folder).map_err(|error| ExportError::io(folder, error))?;
+                write_atomic(&Output::of_program(&path), |file| file.write_all(bytes))?;
             }
         }
         Ok(self.files.first().map(|(name, _)| folder.join(name)))
@@ -101,7 +102,7 @@ mod tests {
             assert!(pixels.chunks(64).any(|row| row.iter().any(|pixel| pixel != &row[0])), "{}", demo.name);
             let Some(path) = demo.unpack(folder.path()).expect("unpacked") else { continue };
             let document = Document::open(&[path], &Progress::default()).expect("opened");
-            assert!(document.diagnostics.iter().all(|finding| finding.code != "clip-not-opened"), "{}", demo.name);
+            assert!(document.diagnostics.iter().all(|finding| finding.code() != "clip-not-opened"), "{}", demo.name);
         }
     }
 

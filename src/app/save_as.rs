@@ -13,6 +13,7 @@ use super::error_bar::Trouble;
 use super::window::Window;
 use crate::export::file_extension::with_extension;
 use crate::export::guard::{Output, is_same};
+use crate::i18n::Sentence;
 use crate::i18n::shown;
 use crate::tr;
 
@@ -56,7 +57,7 @@ pub(super) fn ask(window: &Rc<Window>, wanted: SaveRequest, then: impl FnOnce(&R
                 let path = complete(&chosen);
                 let output = match document_loader::guard(&window).without(own.as_deref()).output(&path) {
                     Ok(output) => output,
-                    Err(error) => return failed(&window, &path, error.to_string()),
+                    Err(error) => return failed(&window, &path, error.sentence()),
                 };
                 // The dialog asked about the name that it showed.
                 let unasked = if path == chosen { Vec::new() } else { vec![path] };

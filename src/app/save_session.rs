@@ -9,7 +9,7 @@ use super::save_as::{self, SaveRequest};
 use super::window::Window;
 use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
-use crate::system::{Doing, reason};
+use crate::i18n::Sentence;
 use crate::tr;
 
 /// Asks where to and saves what is open and how it is looked at. Of the files that are open, only the session file itself may be replaced.
@@ -26,8 +26,8 @@ fn write(window: &Rc<Window>, output: &Output) {
     let folder = path.parent().unwrap_or(Path::new(""));
     let text = window.read(|session| session.session_state(folder).to_yaml());
     let written = text
-        .map_err(|error| reason(&error, Doing::Writing))
-        .and_then(|text| write_atomic(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string()));
+        .map_err(|error| error.sentence())
+        .and_then(|text| write_atomic(output, |file| file.write_all(text.as_bytes())).map_err(|error| error.sentence()));
     match written {
         Ok(()) => {
             window.error_bar.hide();

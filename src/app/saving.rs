@@ -14,6 +14,7 @@ use super::window::Window;
 use super::{document_loader, samples};
 use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
+use crate::i18n::Sentence;
 use crate::{input, limits, tr};
 
 /// Saves the muscle files that changed, each over the file it came from; one that has none asks for a name. `then` runs once all are saved.
@@ -35,7 +36,7 @@ fn save_each(window: &Rc<Window>, mut wanted: Vec<usize>, then: Box<dyn FnOnce()
                     save_each(window, wanted, then);
                 }
             }
-            Err(error) => save_as::failed(window, &path, error.to_string()),
+            Err(error) => save_as::failed(window, &path, error.sentence()),
         },
         _ => {
             let again = window.clone();
@@ -84,7 +85,7 @@ fn write(window: &Rc<Window>, index: usize, output: &Output) -> bool {
             true
         }
         Err(error) => {
-            save_as::failed(window, &path, error.to_string());
+            save_as::failed(window, &path, error.sentence());
             false
         }
     }

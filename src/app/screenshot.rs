@@ -10,6 +10,7 @@ use super::export_job::note;
 use super::save_as::{self, SaveRequest};
 use super::window::Window;
 use crate::export::png::{self, SOFTWARE};
+use crate::i18n::Sentence;
 use crate::render::{Background, Framebuffer};
 use crate::sequence::FrameSpec;
 use crate::tr;
@@ -67,7 +68,7 @@ pub(super) fn save(window: &Rc<Window>, transparent: bool) {
         let notes = [("Software", SOFTWARE), ("Comment", picture.note.as_str())];
         match png::save(output, &picture.pixels, picture.transparent, &notes) {
             Ok(()) => save_as::done(window, path),
-            Err(error) => save_as::failed(window, path, error.to_string()),
+            Err(error) => save_as::failed(window, path, error.sentence()),
         }
     });
 }

@@ -14,7 +14,7 @@ use super::session::{LoadMode, Session};
 use super::window::{Window, object};
 use super::{document_loader, recent, saving, ui};
 use crate::document::Document;
-use crate::export::ExportError;
+use crate::i18n::Sentence;
 use crate::render::Theme;
 use crate::tr;
 
@@ -131,7 +131,7 @@ pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
         }),
         Err(error) => window.error_bar.show(Trouble {
             headline: tr!("app-demo-unwritten", folder = samples::folder().display().to_string()),
-            message: ExportError::io(&samples::folder(), error).to_string(),
+            message: error.sentence(),
             details: String::new(),
             again: None,
         }),

@@ -8,7 +8,7 @@ use super::session::Session;
 use super::window::object;
 use super::{format, memory_usage};
 use crate::document::{Document, Missing, Source, SourceKind};
-use crate::i18n::{shown, shown_lines};
+use crate::i18n::{self, shown, shown_lines};
 use crate::tr;
 
 /// Names what is open in the header bar and in the title of the window, with what it lacks.
@@ -55,8 +55,8 @@ pub(super) fn sources(document: &Document) -> Vec<&Source> {
 /// Their names.
 fn names(document: &Document) -> Vec<String> {
     let name = |source: &Source| match &source.path {
-        Some(path) => path.file_name().map_or_else(|| source.name.clone(), |name| name.to_string_lossy().into_owned()),
-        None => source.name.clone(),
+        Some(path) => path.file_name().map_or_else(|| i18n::source_name(&source.name), |name| name.to_string_lossy().into_owned()),
+        None => i18n::source_name(&source.name),
     };
     sources(document).into_iter().map(name).collect()
 }

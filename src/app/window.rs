@@ -33,9 +33,9 @@ use super::tree_model::Row;
 use super::viewport::Viewport;
 use super::{appearance, command_dispatch, document_loader, key_controller, menus, onion_skin_panel, saving, side_panels, title_bar, ui};
 use crate::document::Document;
+use crate::i18n::Sentence;
 use crate::muscle::EditError;
 use crate::scene::NodeId;
-use crate::system::{Doing, reason};
 use crate::tr;
 
 /// The main window.
@@ -141,7 +141,7 @@ impl Window {
         appearance::follow(&window);
         window.refresh();
         if let Some(notice) = notice {
-            window.viewport.notice(&notice);
+            window.viewport.notice(&notice.sentence());
         }
         window.recovery.offer(&window);
         // Newer GTK gives the keyboard to the first widget that takes it, which is the search of the tree; there keys would be letters.
@@ -487,7 +487,7 @@ impl Window {
         }
         *settings = self.user_view_settings(&settings);
         if let Err(error) = settings.save(&Settings::path()) {
-            eprintln!("{}", tr!("app-settings-unsaved", reason = reason(&error, Doing::Writing)));
+            eprintln!("{}", tr!("app-settings-unsaved", reason = error.sentence()));
         }
     }
 }

@@ -9,8 +9,8 @@ use super::files;
 use super::output::{Failure, display_name, print_json, print_result};
 use crate::collada::Progress;
 use crate::diagnostics::{Diagnostic, Severity};
-use crate::document::{Document, Images, OpenError, OpenOptions};
-use crate::i18n::shown;
+use crate::document::{Document, Finding, Images, OpenError, OpenOptions};
+use crate::i18n::{self, Sentence, shown};
 use crate::tr;
 
 /// One file's report.
@@ -41,17 +41,17 @@ pub(super) struct FindingReport {
     message: String,
 }
 
-impl From<&Diagnostic> for FindingReport {
-    fn from(finding: &Diagnostic) -> Self {
+impl From<&Diagnostic<Finding>> for FindingReport {
+    fn from(found: &Diagnostic<Finding>) -> Self {
         Self {
-            code: finding.code,
-            severity: match finding.severity {
-                Severity::Note => "note",
+            code: found.code(),
+            severity: match found.severity() {
+                Severity::Info => "note",
                 Severity::Warning => "warning",
             },
-            line: finding.line,
-            element: finding.element.clone(),
-            message: finding.message.clone(),
+            line: found.line,
+            element: found.element.clone(),
+            message: i18n::finding(found),
         }
     }
 }
@@ -65,30 +65,34 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     } else {
         print_result(&listing(&opened))?;
     }
-    let refused: Vec<_> = opened.iter().filter_map(|(_, result)| result.as_ref().err().map(ToString::to_string)).collect();
+    let refused: Vec<_> = opened.iter().filter_map(|(_, result)| result.as_ref().err().map(Sentence::sentence)).collect();
     if refused.is_empty() { Ok(()) } else { Err(Failure::Files(refused)) }
 }
 
-fn open(file: &Path) -> Result<Vec<Diagnostic>, OpenError> {
+fn open(file: &Path) -> Result<Vec<Diagnostic<Finding>>, OpenError> {
     Document::open_with(&[file], OpenOptions { images: Images::Test }, &Progress::default()).map(|document| document.diagnostics)
 }
 
-fn report(name: &str, result: &Result<Vec<Diagnostic>, OpenError>) -> FileReport {
+fn report(name: &str, result: &Result<Vec<Diagnostic<Finding>>, OpenError>) -> FileReport {
     FileReport {
         file: name.to_owned(),
         usable: result.is_ok(),
-        error: result.as_ref().err().map(|error| Refusal { line: error.line, column: error.column, message: error.message.clone() }),
+        error: result.as_ref().err().map(|error| Refusal {
+            line: error.location.line,
+            column: error.location.column,
+            message: error.kind.sentence(),
+        }),
         findings: result.iter().flatten().map(FindingReport::from).collect(),
     }
 }
 
 /// The findings of the usable files, one a line; a refused file's line goes to standard error.
-fn listing(opened: &[(String, Result<Vec<Diagnostic>, OpenError>)]) -> String {
+fn listing(opened: &[(String, Result<Vec<Diagnostic<Finding>>, OpenError>)]) -> String {
     let mut text = String::new();
     for (name, result) in opened {
         match result {
             Ok(findings) if findings.is_empty() => text.push_str(&format!("{name}: {}\n", tr!("cli-check-clean"))),
-            Ok(findings) => findings.iter().for_each(|finding| text.push_str(&format!("{}\n", shown(&finding.to_string())))),
+            Ok(findings) => findings.iter().for_each(|finding| text.push_str(&format!("{}\n", shown(&i18n::finding_line(finding))))),
             Err(_) => {}
         }
     }

@@ -12,7 +12,8 @@ use super::measured;
 use super::output::{Failure, display_name};
 use super::text_table::columns;
 use crate::document::Document;
-use crate::export::tables::{MuscleRow, csv_cell, unit, unit_for_people};
+use crate::export::tables::{MuscleRow, csv_cell, unit, unit_label};
+use crate::i18n::Sentence;
 use crate::i18n::decimal;
 use crate::muscle::MuscleRig;
 use crate::muscle::parameter_fit::{Fits, fit};
@@ -115,7 +116,7 @@ impl Comparison {
             if !text.is_empty() {
                 text.push('\n');
             }
-            let unit = unit_for_people(&self.unit);
+            let unit = unit_label(&self.unit).sentence();
             let _ = writeln!(text, "{}", tr!("cli-compare-title", name = muscle.name.clone(), unit = unit.clone()));
             text.push_str(&columns(&muscle.rows(&self.unit)));
             let growth = &muscle.growth;
@@ -197,7 +198,7 @@ impl Compared {
         let mut rms = vec![tr!("cli-compare-rms")];
         rms.extend(self.samples.iter().flat_map(|pair| [String::new(), decimal(pair.rms, 2)]));
         // Millilitres say more than cubic millimetres.
-        let (scale, name) = if unit == "mm" { (1e-3, tr!("cli-unit-ml")) } else { (1.0, unit_for_people(unit) + "³") };
+        let (scale, name) = if unit == "mm" { (1e-3, tr!("cli-unit-ml")) } else { (1.0, unit_label(unit).sentence() + "³") };
         let mut volumes = vec![tr!("cli-compare-volume", unit = name)];
         volumes.extend(self.samples.iter().flat_map(|pair| [pair.model.volume, pair.measured_volume].map(|v| decimal(v * scale, 0))));
         rows.extend([rms, volumes]);

@@ -12,6 +12,8 @@ use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions};
 use crate::export::gltf::{GltfContainer, save};
 use crate::export::guard::OverwriteGuard;
+use crate::i18n;
+use crate::i18n::Sentence;
 use crate::tr;
 
 /// Runs the subcommand.
@@ -24,12 +26,12 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let guard = OverwriteGuard::of_files(&files);
     guard.output(&out)?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
-    print_verbose(document.diagnostics.iter());
+    print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let target = guard.and(document.files()).output(&out)?;
     allow_overwriting(given, std::iter::once(out.clone()))?;
     install_interrupt_handler();
     for loss in save(&target, form, &document)? {
-        print_notice(&format!("{}: {loss}", output_name(&out)));
+        print_notice(&format!("{}: {}", output_name(&out), loss.sentence()));
     }
     Ok(())
 }

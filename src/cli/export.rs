@@ -14,6 +14,7 @@ use crate::document::{Document, Images, OpenOptions, PoseBuffers};
 use crate::export::guard::OverwriteGuard;
 use crate::export::mtl;
 use crate::export::surface::{self, SurfaceFormat};
+use crate::i18n;
 use crate::scene::Frame;
 use crate::tr;
 
@@ -31,7 +32,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let guard = OverwriteGuard::of_files(&files);
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
     let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
-    print_verbose(document.diagnostics.iter());
+    print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let guard = guard.and(document.files());
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
     allow_overwriting(given, outs())?;

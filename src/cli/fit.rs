@@ -16,7 +16,8 @@ use crate::document::{Document, Images, OpenOptions, SourceKind};
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
 use crate::export::guard::OverwriteGuard;
-use crate::export::tables::{unit_for_people, unit_name};
+use crate::export::tables::{unit_label, unit_name};
+use crate::i18n::Sentence;
 use crate::i18n::decimal;
 use crate::muscle::parameter_fit::{Fitted, Model, fitted_file};
 use crate::muscle::validation::Table;
@@ -71,7 +72,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let unit = unit_name(file.unit_metres);
     let growth = match fitted.file.muscles.first_mut() {
         Some(muscle) => {
-            let rms = format!("{} {}", decimal(misfit, 2), unit_for_people(&unit));
+            let rms = format!("{} {}", decimal(misfit, 2), unit_label(&unit).sentence());
             muscle.source = tr!("cli-fit-source", table = file_name(csv), rms = rms);
             muscle.profile.growth().to_vec()
         }
@@ -85,7 +86,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         let model = if model == Model::Poses { "poses" } else { "growth" };
         print_json(&Report { file: output_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
     } else {
-        print_result(rms_lines(rms.own_growth, rms.fitted_growth, rms.measured_poses, &unit_for_people(&unit)).trim_start())
+        print_result(rms_lines(rms.own_growth, rms.fitted_growth, rms.measured_poses, &unit_label(&unit).sentence()).trim_start())
     }
 }
 

@@ -10,7 +10,8 @@ use super::files;
 use super::output::{Failure, display_name, print_json, print_result};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, SourceKind};
-use crate::export::tables::{unit_for_people, unit_name};
+use crate::export::tables::{unit_label, unit_name};
+use crate::i18n::Sentence;
 use crate::i18n::{self, decimal};
 use crate::scene::{Content, Deformer, MeshId, MeshInstance, NodeKind};
 use crate::tr;
@@ -180,7 +181,7 @@ impl Info {
                 nodes = muscle.nodes,
                 length = number(muscle.rest_length),
                 volume = number(muscle.volume),
-                unit = unit_for_people(&unit_name(self.unit_metres))
+                unit = unit_label(&unit_name(self.unit_metres)).sentence()
             );
             rows.push((tr!("cli-info-muscle"), value));
         }

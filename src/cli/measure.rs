@@ -18,9 +18,8 @@ use super::{files, joints, value};
 use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseState};
 use crate::export::guard::OverwriteGuard;
-use crate::export::tables::{
-    JointTable, MuscleTable, PLOT_SCALE, Table, TableError, TableFormat, TableSubject, even_times, unit_for_people,
-};
+use crate::export::tables::{JointTable, MuscleTable, PLOT_SCALE, Table, TableError, TableFormat, TableSubject, even_times, unit_label};
+use crate::i18n::Sentence;
 use crate::i18n::{self, decimal};
 use crate::sequence::DEFAULT_FPS;
 use crate::tr;
@@ -44,7 +43,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         return sheet.answer(&Table::Joints(table.map_err(|error| table_failure(error, &file))?));
     }
     if document.muscle_count() == 0 {
-        return Err(Failure::file(&file, TableError::NoMuscle));
+        return Err(Failure::file(&file, TableError::NoMuscle.sentence()));
     }
     if let Some(csv) = value::<PathBuf>(given, "compare") {
         let comparison = Comparison::of(&document, &file, &csv)?;
@@ -112,7 +111,7 @@ impl Sheet<'_> {
         let target = self.guard.output(out)?;
         allow_overwriting(self.given, std::iter::once(out.to_owned()))?;
         install_interrupt_handler();
-        table.save(&target, form, value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE))?;
+        table.save(&target, form, value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE), i18n::sentence)?;
         print_verbose([tr!("cli-export-written", out = output_name(out))]);
         Ok(())
     }
@@ -138,8 +137,8 @@ fn times(given: &ArgMatches, document: &Document, file: &Path) -> Result<(PoseSt
 fn table_failure(why: TableError, file: &Path) -> Failure {
     match why {
         TableError::NoClip => Failure::usage(tr!("cli-measure-no-clip", file = display_name(file))),
-        TableError::TooLong => Failure::usage(why.to_string()),
-        TableError::NoMuscle | TableError::NoJoint => Failure::file(file, why),
+        TableError::TooLong => Failure::usage(why.sentence()),
+        TableError::NoMuscle | TableError::NoJoint => Failure::file(file, why.sentence()),
     }
 }
 
@@ -156,7 +155,7 @@ fn print_angles_out_of_range(document: &Document, angles: &[f64], file: &Path) {
 
 /// A table a muscle, for people.
 fn text(table: &MuscleTable) -> String {
-    let unit = &unit_for_people(&table.unit);
+    let unit = &unit_label(&table.unit).sentence();
     let mut text = String::new();
     for muscle in &table.muscles {
         if !text.is_empty() {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::output::{Failure, display_name};
+use crate::i18n::Sentence;
 use crate::input::{self, Refused};
 use crate::muscle::validation::Table;
 use crate::{limits, tr};
@@ -20,6 +21,6 @@ pub(super) fn read(file: &Path) -> Result<Table, Failure> {
 fn text(file: &Path) -> Result<String, Failure> {
     input::read_argument(file, limits::YAML_BYTES).and_then(input::text).map_err(|refused| match refused {
         Refused::NotText(_) => Failure::file(file, tr!("cli-table-not-text")),
-        refused => Failure::file(file, refused),
+        refused => Failure::file(file, refused.sentence()),
     })
 }

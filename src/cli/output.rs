@@ -9,7 +9,7 @@ use clap::ArgMatches;
 
 use crate::document::OpenError;
 use crate::export::ExportError;
-use crate::i18n;
+use crate::i18n::{self, Sentence};
 use crate::sequence::FilePattern;
 use crate::system::{Doing, reason};
 
@@ -62,7 +62,7 @@ impl Failure {
 
 impl From<OpenError> for Failure {
     fn from(error: OpenError) -> Self {
-        Self::Files(vec![one_line(&error.to_string())])
+        Self::Files(vec![one_line(&error.sentence())])
     }
 }
 
@@ -74,7 +74,7 @@ impl From<ExportError> for Failure {
         if let ExportError::Held { file } = &error {
             return Self::Usage(crate::tr!("cli-out-is-input", out = output_name(file)));
         }
-        Self::Files(vec![one_line(&error.to_string())])
+        Self::Files(vec![one_line(&error.sentence())])
     }
 }
 
@@ -160,7 +160,7 @@ pub(super) fn print_result(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(i18n::shown_lines(text).as_bytes()).and_then(|()| out.flush()).map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
-        _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = reason(&error, Doing::Writing))]),
+        _ => Failure::Files(vec![crate::tr!("cli-stdout-failed", reason = reason(&error, Doing::Writing).sentence())]),
     })
 }
 

@@ -14,6 +14,7 @@ use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
 use crate::export::guard::OverwriteGuard;
+use crate::i18n;
 use crate::limits;
 use crate::muscle::MuscleRig;
 use crate::render::{Background, Display, Samples, Shading};
@@ -49,7 +50,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let opened = view::open(&files, OpenOptions::default(), &Progress::default())?;
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
     let Opened { document, session: saved, compared } = opened;
-    print_verbose(document.diagnostics.iter());
+    print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let moment = Moment::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
     let state = moment.over(start, &document, first)?;

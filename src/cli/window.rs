@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::output::Failure;
+use crate::i18n::Sentence;
 use crate::system::{Doing, reason};
 use crate::tr;
 
@@ -41,8 +42,12 @@ fn run_program(mut command: std::process::Command, program: &Path) -> ExitCode {
     use std::os::unix::process::CommandExt;
     // Returns only where it fails.
     let error = command.exec();
-    Failure::Files(vec![tr!("cli-window-not-started", program = program.display().to_string(), reason = reason(&error, Doing::Reading))])
-        .report()
+    Failure::Files(vec![tr!(
+        "cli-window-not-started",
+        program = program.display().to_string(),
+        reason = reason(&error, Doing::Reading).sentence()
+    )])
+    .report()
 }
 
 #[cfg(not(unix))]
@@ -52,7 +57,7 @@ fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
         Err(error) => Failure::Files(vec![tr!(
             "cli-window-not-started",
             program = program.display().to_string(),
-            reason = reason(&error, Doing::Reading)
+            reason = reason(&error, Doing::Reading).sentence()
         )])
         .report(),
     }

@@ -25,7 +25,7 @@ pub(super) fn is_archive(bytes: &[u8]) -> bool {
 }
 
 fn refused(message: String) -> ReadError {
-    ReadError { line: None, message }
+    ReadError::new(None, message)
 }
 
 /// The refusal of an archive that unpacks to more than the limit.

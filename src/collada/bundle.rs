@@ -7,8 +7,9 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::image::plain_uri;
 use super::lookup::last_segment;
-use super::{ReadError, decode_text, diagnostic_codes, xml};
-use crate::diagnostics::Diagnostic;
+use super::{Finding, ReadError, decode_text, diagnostic_codes, xml};
+use crate::diagnostics::{Diagnostic, Severity};
+use crate::i18n::Sentence;
 use crate::tr;
 
 /// Longest text or attribute that is looked at for a reference, bytes.
@@ -46,7 +47,7 @@ pub(super) struct Bundle {
     /// All files of the archive by their path; empty for a plain document.
     pub files: BTreeMap<String, usize>,
     /// What was wrong with documents that are not among `parts`.
-    pub findings: Vec<Diagnostic>,
+    pub findings: Vec<Diagnostic<Finding>>,
 }
 
 impl Bundle {
@@ -88,15 +89,9 @@ impl Bundle {
                 }
                 Err(error) => {
                     let line = error.line.map(|line| line + decoded.lines_before);
-                    self.findings.push(Diagnostic {
-                        file: path,
-                        ..Diagnostic::warning(
-                            diagnostic_codes::EXTERNAL_REFERENCE,
-                            line,
-                            "",
-                            tr!("collada-part-broken", reason = error.message),
-                        )
-                    });
+                    let message = tr!("collada-part-broken", reason = error.sentence());
+                    let finding = Finding { code: diagnostic_codes::EXTERNAL_REFERENCE, severity: Severity::Warning, message };
+                    self.findings.push(Diagnostic::new(finding, line, "").in_file(path));
                 }
             }
         }
@@ -154,15 +149,12 @@ fn root(text: &str, room: usize) -> Result<usize, ReadError> {
     let parsed = xml::parse(&surveyed)?;
     let root = parsed.document.root_element();
     if root.tag_name().name() != "COLLADA" {
-        return Err(ReadError {
-            line: None,
-            message: tr!("collada-not-collada", element = super::context::shortened(root.tag_name().name())),
-        });
+        return Err(ReadError::new(None, tr!("collada-not-collada", element = super::context::shortened(root.tag_name().name()))));
     }
     let start = parsed.lists.place(root.range().start);
     // Entities are declared before the root, and would be lost.
     if text.get(..start).is_some_and(|head| head.contains("<!ENTITY")) {
-        return Err(ReadError { line: None, message: tr!("collada-part-entities") });
+        return Err(ReadError::new(None, tr!("collada-part-entities")));
     }
     Ok(start)
 }

@@ -86,7 +86,7 @@ impl<'a> Context<'a> {
     /// Where somebody asked to stop.
     pub(super) fn check_cancelled(&self) -> Step<()> {
         if self.progress.cancelled.load(Ordering::Relaxed) {
-            return Err(ReadError { line: None, message: tr!("collada-cancelled") });
+            return Err(ReadError::new(None, tr!("collada-cancelled")));
         }
         Ok(())
     }
@@ -206,7 +206,7 @@ impl<'a> Context<'a> {
             Err(comma) => {
                 let start = element.first_child().map_or(element.range().start, |text| text.range().start);
                 let line = Some(self.report.line_of(self.lists.place(start) + comma.at));
-                Err(ReadError { line, message: tr!("collada-comma", element = describe(element), entry = comma.entry) })
+                Err(ReadError::new(line, tr!("collada-comma", element = describe(element), entry = comma.entry)))
             }
         }
     }

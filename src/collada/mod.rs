@@ -53,7 +53,8 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use crate::animation::Clip;
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, DiagnosticKind, Severity};
+use crate::message::{Message, ToMessage};
 use crate::scene::Scene;
 use crate::{limits, tr};
 
@@ -96,19 +97,70 @@ pub struct Loaded {
     /// The clips, at least one where anything moves.
     pub clips: Vec<Clip>,
     /// Oddities, in file order.
-    pub findings: Vec<Diagnostic>,
+    pub findings: Vec<Diagnostic<Finding>>,
     /// Image files inside a `.zae`, by their path in the archive.
     pub archived: Vec<(PathBuf, Vec<u8>)>,
 }
 
 /// Why a file could not be read at all.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{message}")]
+#[error("{}", self.message())]
 pub struct ReadError {
     /// Line from 1, where one can be named.
     pub line: Option<u32>,
-    /// One sentence in the user's language: what is wrong, with which element.
-    pub message: String,
+    /// What is wrong.
+    pub kind: ReadErrorKind,
+}
+
+/// What is wrong with a document that could not be read.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ReadErrorKind {
+    /// In words.
+    Words(String),
+}
+
+impl ReadError {
+    fn new(line: Option<u32>, words: String) -> Self {
+        Self { line, kind: ReadErrorKind::Words(words) }
+    }
+}
+
+impl ToMessage for ReadError {
+    fn message(&self) -> Message {
+        self.kind.message()
+    }
+}
+
+impl ToMessage for ReadErrorKind {
+    fn message(&self) -> Message {
+        match self {
+            Self::Words(words) => Message::verbatim(words),
+        }
+    }
+}
+
+/// What the reader found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    pub(super) code: &'static str,
+    pub(super) severity: Severity,
+    pub(super) message: String,
+}
+
+impl ToMessage for Finding {
+    fn message(&self) -> Message {
+        Message::verbatim(&self.message)
+    }
+}
+
+impl DiagnosticKind for Finding {
+    fn code(&self) -> &'static str {
+        self.code
+    }
+
+    fn severity(&self) -> Severity {
+        self.severity
+    }
 }
 
 /// A hand on the reader: how far it is, and a way to stop it.
@@ -140,7 +192,7 @@ impl Progress {
 pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
     progress.set(0.0);
     if bytes.len() as u64 > limits::FILE_BYTES {
-        return Err(ReadError { line: None, message: tr!("collada-too-large", limit = limits::FILE_BYTES >> 20) });
+        return Err(ReadError::new(None, tr!("collada-too-large", limit = limits::FILE_BYTES >> 20)));
     }
     if archive::is_archive(bytes) {
         return archive::read(bytes, name, progress);
@@ -171,7 +223,7 @@ fn read_document(bytes: &[u8], name: &str, mut bundle: Bundle, progress: &Progre
     let root = parsed.document.root_element();
     if root.tag_name().name() != "COLLADA" {
         let message = tr!("collada-not-collada", element = context::shortened(root.tag_name().name()));
-        return Err(ReadError { line: Some(report.line(root)), message });
+        return Err(ReadError::new(Some(report.line(root)), message));
     }
     if let Some(named) = &decoded.misfit {
         report.warn_file(diagnostic_codes::ENCODING, tr!("collada-encoding", named = named.as_str()));

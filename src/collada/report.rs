@@ -8,7 +8,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::bundle::Stretch;
 use super::list_extraction::Shortened;
-use super::{El, diagnostic_codes};
+use super::{El, Finding, diagnostic_codes};
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::{limits, tr};
 
@@ -37,7 +37,7 @@ pub(super) struct Report<'a> {
     parts: Vec<Stretch>,
     /// Where each line ends; made when the first line is asked for.
     line_ends: OnceCell<Vec<u32>>,
-    findings: Vec<Diagnostic>,
+    findings: Vec<Diagnostic<Finding>>,
     /// What was said of which element, so that nothing is said twice of what is read twice.
     said: FxHashSet<(ElementId, &'static str, String)>,
     /// Where in `findings` what is told once a file stands, and how often it was met since.
@@ -82,7 +82,7 @@ impl<'a> Report<'a> {
     }
 
     /// Takes in what was found before there was a document.
-    pub(super) fn bring(&mut self, findings: Vec<Diagnostic>) {
+    pub(super) fn bring(&mut self, findings: Vec<Diagnostic<Finding>>) {
         self.findings.extend(findings);
     }
 
@@ -93,19 +93,14 @@ impl<'a> Report<'a> {
 
     /// Something that was put right.
     pub(super) fn note(&mut self, element: El<'_>, code: &'static str, message: String) {
-        self.add(Some(element), code, Severity::Note, message);
+        self.add(Some(element), code, Severity::Info, message);
     }
 
     /// Something that was put right at a byte of the whole document.
     pub(super) fn note_at(&mut self, at: usize, code: &'static str, message: String) {
-        self.findings.push(Diagnostic {
-            code,
-            severity: Severity::Note,
-            file: self.part(at).map_or_else(String::new, |part| part.path.clone()),
-            line: Some(self.line_of(at)),
-            element: String::new(),
-            message,
-        });
+        let file = self.part(at).map_or_else(String::new, |part| part.path.clone());
+        let finding = Finding { code, severity: Severity::Info, message };
+        self.findings.push(Diagnostic::new(finding, Some(self.line_of(at)), "").in_file(file));
     }
 
     /// A `count` that says another number than the data hold; told once for all lists of a mesh, a controller or an animation.
@@ -144,21 +139,21 @@ impl<'a> Report<'a> {
         let part = element.and_then(|element| self.part(self.document.place(element.range().start)));
         let file = part.map_or_else(String::new, |part| part.path.clone());
         let element = element.map_or_else(String::new, describe);
-        self.findings.push(Diagnostic { code, severity, file, line, element, message });
+        self.findings.push(Diagnostic::new(Finding { code, severity, message }, line, element).in_file(file));
     }
 
     /// All findings, in file order.
-    pub(super) fn finish(&mut self) -> Vec<Diagnostic> {
+    pub(super) fn finish(&mut self) -> Vec<Diagnostic<Finding>> {
         for (at, more) in std::mem::take(&mut self.once).into_values().filter(|(_, more)| *more > 0) {
             if let Some(finding) = self.findings.get_mut(at) {
-                finding.message.push(' ');
-                finding.message.push_str(&tr!("collada-more-places", count = more));
+                finding.more_places = more;
             }
         }
         if self.dropped > 0 {
             let message = tr!("collada-more-findings", count = self.dropped, limit = limits::FINDINGS);
             self.dropped = 0;
-            self.findings.push(Diagnostic::note(diagnostic_codes::MORE_FINDINGS, None, "", message));
+            let finding = Finding { code: diagnostic_codes::MORE_FINDINGS, severity: Severity::Info, message };
+            self.findings.push(Diagnostic::new(finding, None, ""));
         }
         self.findings.sort_by(|a, b| (&a.file, a.line.unwrap_or(u32::MAX)).cmp(&(&b.file, b.line.unwrap_or(u32::MAX))));
         std::mem::take(&mut self.findings)

@@ -77,14 +77,14 @@ pub(super) fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, R
     let signs = if text.len() < 16 << 20 { 0 } else { memchr_iter(b'=', text.as_bytes()).count().saturating_sub(survey.attributes) };
     let reserved = survey.idle_tags * NODE_BYTES + signs * ATTRIBUTE_BYTES;
     if tree > budget || reserved > 3 * budget {
-        return Err(ReadError { line: None, message: tr!("collada-too-many-elements", count = survey.nodes) });
+        return Err(ReadError::new(None, tr!("collada-too-many-elements", count = survey.nodes)));
     }
     if survey.entities > 0 {
         let uses = memchr_iter(b'&', text.as_bytes()).count();
         // The parser lets one use lead to 255 others.
         let grown = survey.entities.saturating_mul(uses).saturating_mul(if survey.nested_entities { 256 } else { 1 });
         if grown > limits::ENTITY_BYTES {
-            return Err(ReadError { line: None, message: tr!("collada-entities", limit = limits::ENTITY_BYTES >> 20) });
+            return Err(ReadError::new(None, tr!("collada-entities", limit = limits::ENTITY_BYTES >> 20)));
         }
     }
     // An entity could stand for the end of a list.
@@ -129,21 +129,21 @@ fn refused(error: &roxmltree::Error, text: &str) -> ReadError {
     let (line, column) = (Some(position.row), position.col);
     match error {
         Error::UnexpectedCloseTag(expected, actual, _) => {
-            ReadError { line, message: tr!("collada-xml-close-tag", expected = expected.as_str(), actual = actual.as_str()) }
+            ReadError::new(line, tr!("collada-xml-close-tag", expected = expected.as_str(), actual = actual.as_str()))
         }
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
             // Cut short is seen at the end, and the last line with anything on it is where to look.
             let end = text.trim_end().len();
-            ReadError { line: Some(line_at(text.as_bytes(), end)), message: tr!("collada-xml-cut-short") }
+            ReadError::new(Some(line_at(text.as_bytes(), end)), tr!("collada-xml-cut-short"))
         }
-        Error::NoRootNode => ReadError { line: None, message: tr!("collada-not-xml") },
-        Error::UnknownEntityReference(name, _) => ReadError { line, message: tr!("collada-xml-unknown-entity", name = name.as_str()) },
-        Error::EntityReferenceLoop(_) => ReadError { line, message: tr!("collada-xml-entity-loop") },
-        Error::UnknownNamespace(prefix, _) => ReadError { line, message: tr!("collada-xml-unknown-prefix", prefix = prefix.as_str()) },
-        Error::DuplicatedAttribute(name, _) => ReadError { line, message: tr!("collada-xml-repeated-attribute", name = name.as_str()) },
-        Error::NodesLimitReached => ReadError { line: None, message: tr!("collada-too-many-elements", count = 0) },
-        _ if position.row == 1 && position.col == 1 => ReadError { line, message: tr!("collada-not-xml") },
-        _ => ReadError { line, message: tr!("collada-xml", column = column) },
+        Error::NoRootNode => ReadError::new(None, tr!("collada-not-xml")),
+        Error::UnknownEntityReference(name, _) => ReadError::new(line, tr!("collada-xml-unknown-entity", name = name.as_str())),
+        Error::EntityReferenceLoop(_) => ReadError::new(line, tr!("collada-xml-entity-loop")),
+        Error::UnknownNamespace(prefix, _) => ReadError::new(line, tr!("collada-xml-unknown-prefix", prefix = prefix.as_str())),
+        Error::DuplicatedAttribute(name, _) => ReadError::new(line, tr!("collada-xml-repeated-attribute", name = name.as_str())),
+        Error::NodesLimitReached => ReadError::new(None, tr!("collada-too-many-elements", count = 0)),
+        _ if position.row == 1 && position.col == 1 => ReadError::new(line, tr!("collada-not-xml")),
+        _ => ReadError::new(line, tr!("collada-xml", column = column)),
     }
 }
 
@@ -189,12 +189,12 @@ fn survey(text: &str) -> Result<Survey, ReadError> {
                         Some(length)
                     }
                     Ok(None) => None,
-                    Err(message) => return Err(ReadError { line: Some(line_at(bytes, at)), message }),
+                    Err(message) => return Err(ReadError::new(Some(line_at(bytes, at)), message)),
                 }
             }
         };
         if depth > limits::DEPTH {
-            return Err(ReadError { line: Some(line_at(bytes, at)), message: tr!("collada-too-deep", limit = limits::DEPTH) });
+            return Err(ReadError::new(Some(line_at(bytes, at)), tr!("collada-too-deep", limit = limits::DEPTH)));
         }
         match skipped {
             Some(length) => at += length,
@@ -293,7 +293,10 @@ mod tests {
         let text = format!("<a>\n{}", "<b>".repeat(1_000_000));
         let error = parse(&text).err();
         assert_eq!(error.as_ref().and_then(|error| error.line), Some(2));
-        assert!(error.is_some_and(|error| error.message.contains("1000") || error.message.contains("1,000")));
+        assert!(error.is_some_and(|error| {
+            let said = crate::i18n::Sentence::sentence(&error);
+            said.contains("1000") || said.contains("1,000")
+        }));
     }
 
     #[test]

@@ -1,46 +1,80 @@
 //! Why a file could not be opened.
 
-use std::fmt::Write;
+use super::foreign::UnsupportedFormat;
+use crate::collada::ReadErrorKind;
+use crate::input::Refused;
+use crate::message::{Location, Message, SourceName, ToMessage};
+use crate::muscle::config::ConfigErrorKind;
+use crate::yaml::YamlErrorKind;
+use crate::{limits, message};
 
-/// Why a file could not be used. Displays as one line: `file:line:column: what`.
+/// Why a file could not be used, and where in it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{}", self.sentence())]
+#[error("{}", self.message())]
 pub struct OpenError {
-    /// The file, as the user named it.
-    pub file: String,
-    /// Line from 1.
-    pub line: Option<u32>,
-    /// Column from 1.
-    pub column: Option<u32>,
-    /// What is wrong and what would be right, in the user's language.
-    pub message: String,
+    /// The place in the file.
+    pub location: Location,
+    /// What is wrong.
+    pub kind: OpenErrorKind,
+}
+
+/// What is wrong with a file that could not be used.
+#[derive(Debug, Clone, PartialEq)]
+pub enum OpenErrorKind {
+    /// It could not be read.
+    Refused(Refused),
+    /// It has more than so many bytes, the limit of its format.
+    TooLarge(u64),
+    /// It is empty.
+    Empty,
+    /// It is of another format.
+    UnsupportedFormat(UnsupportedFormat),
+    /// It is not UTF-8 text.
+    NotText,
+    /// It is no COLLADA that can be used.
+    Collada(ReadErrorKind),
+    /// It is no muscle file that can be used.
+    Muscles(ConfigErrorKind),
+    /// It is no session that can be used.
+    Session(YamlErrorKind),
+    /// The session names so many files, more than [`limits::SESSION_FILES`].
+    TooManyFiles(usize),
+    /// With its muscles the surfaces would have more vertices than [`limits::MUSCLE_VERTICES`].
+    TooMuchSurface,
+    /// Opening was cancelled.
+    Cancelled,
+    /// The reader stopped at an error of its own.
+    ReaderFailed,
 }
 
 impl OpenError {
     /// An error about the file as a whole.
-    pub fn whole(file: &str, message: String) -> Self {
-        Self { file: file.to_owned(), line: None, column: None, message }
-    }
-
-    fn sentence(&self) -> String {
-        let mut text = self.file.clone();
-        for number in [self.line, self.column].into_iter().flatten() {
-            // Writing to a string cannot fail.
-            let _ = write!(text, ":{number}");
-        }
-        let _ = write!(text, ": {}", self.message);
-        text
+    pub fn whole(file: &SourceName, kind: OpenErrorKind) -> Self {
+        Self { location: Location::file(file.clone()), kind }
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+impl ToMessage for OpenError {
+    fn message(&self) -> Message {
+        self.kind.message().at(self.location.clone())
+    }
+}
 
-    #[test]
-    fn a_place_stands_before_the_sentence() {
-        let error = OpenError { file: "arm.yaml".into(), line: Some(3), column: Some(7), message: "Too short.".into() };
-        assert_eq!(error.to_string(), "arm.yaml:3:7: Too short.");
-        assert_eq!(OpenError::whole("a.dae", "Empty.".into()).to_string(), "a.dae: Empty.");
+impl ToMessage for OpenErrorKind {
+    fn message(&self) -> Message {
+        match self {
+            Self::Refused(refused) => refused.message(),
+            Self::TooLarge(limit) => message!("document-too-large", limit = limit >> 20),
+            Self::Empty => message!("document-empty"),
+            Self::UnsupportedFormat(foreign) => foreign.message(),
+            Self::NotText => message!("document-not-text"),
+            Self::Collada(error) => error.message(),
+            Self::Muscles(error) => error.message(),
+            Self::Session(error) => error.message(),
+            Self::TooManyFiles(count) => message!("document-too-many-files", count = count, limit = limits::SESSION_FILES),
+            Self::TooMuchSurface => message!("document-too-much-surface", limit = limits::MUSCLE_VERTICES),
+            Self::Cancelled => message!("document-cancelled"),
+            Self::ReaderFailed => message!("app-reader-broke"),
+        }
     }
 }

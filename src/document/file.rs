@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
-use super::OpenError;
+use super::{OpenError, OpenErrorKind};
 use crate::input::{self, Refused};
-use crate::{limits, tr};
+use crate::limits;
+use crate::message::SourceName;
 
 /// What a file holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,11 +27,11 @@ impl Format {
 }
 
 /// Reads a regular file, or standard input for `-`, of at most `limit` bytes.
-pub(super) fn read(path: &Path, name: &str, limit: u64) -> Result<Vec<u8>, OpenError> {
-    let refuse = |refused: Refused| OpenError::whole(name, refused.to_string());
+pub(super) fn read(path: &Path, name: &SourceName, limit: u64) -> Result<Vec<u8>, OpenError> {
+    let refuse = |refused: Refused| OpenError::whole(name, OpenErrorKind::Refused(refused));
     let bytes = input::read_argument(path, limit).map_err(refuse)?;
     if bytes.iter().all(u8::is_ascii_whitespace) {
-        return Err(OpenError::whole(name, tr!("document-empty")));
+        return Err(OpenError::whole(name, OpenErrorKind::Empty));
     }
     Ok(bytes)
 }
@@ -69,15 +70,15 @@ mod tests {
     #[test]
     fn what_is_no_regular_file_is_refused() {
         let folder = tempfile::tempdir().expect("a folder");
-        assert!(read(folder.path(), "folder", 10).is_err());
-        assert!(read(&folder.path().join("none"), "none", 10).is_err());
+        assert!(read(folder.path(), &"folder".into(), 10).is_err());
+        assert!(read(&folder.path().join("none"), &"none".into(), 10).is_err());
         let file = folder.path().join("long");
         std::fs::write(&file, "0123456789abc").expect("written");
-        assert!(read(&file, "long", 10).is_err());
-        assert_eq!(read(&file, "long", 13).expect("fits"), b"0123456789abc");
+        assert!(read(&file, &"long".into(), 10).is_err());
+        assert_eq!(read(&file, &"long".into(), 13).expect("fits"), b"0123456789abc");
         std::fs::write(&file, " \n").expect("written");
-        assert!(read(&file, "blank", 10).is_err());
+        assert!(read(&file, &"blank".into(), 10).is_err());
         #[cfg(unix)]
-        assert!(read(Path::new("/dev/zero"), "zero", 10).is_err());
+        assert!(read(Path::new("/dev/zero"), &"zero".into(), 10).is_err());
     }
 }

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::tr;
+use crate::message;
+use crate::message::{Message, ToMessage};
 
 /// How much of a file is looked at.
 const HEADER_BYTES: usize = 4096;
@@ -127,7 +128,7 @@ const ROOT_ELEMENTS: &[(&str, &str)] = &[
 
 /// What a file is that is not read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum UnsupportedFormat {
+pub enum UnsupportedFormat {
     /// A format with a name.
     Named(&'static str),
     /// A table of numbers, which other commands take.
@@ -181,14 +182,13 @@ impl UnsupportedFormat {
     }
 }
 
-impl UnsupportedFormat {
-    /// Says so, and what is read instead.
-    pub(super) fn sentence(self) -> String {
+impl ToMessage for UnsupportedFormat {
+    fn message(&self) -> Message {
         match self {
-            Self::Named(format) => tr!("document-foreign", format = format),
-            Self::Table => tr!("document-table"),
-            Self::Session => tr!("document-session"),
-            Self::Unknown => tr!("document-unknown"),
+            Self::Named(format) => message!("document-foreign", format = *format),
+            Self::Table => message!("document-table"),
+            Self::Session => message!("document-session"),
+            Self::Unknown => message!("document-unknown"),
         }
     }
 }

@@ -7,9 +7,10 @@ use image::error::LimitErrorKind;
 use image::{ColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
 
 use super::image_scaler::{BitDepth, PixelFormat, ScaledImage};
+use crate::message::Message;
 use crate::scene::Pixels;
 use crate::system::{Doing, plain, reason};
-use crate::{limits, tr};
+use crate::{limits, message};
 
 /// What an image is read from.
 pub(super) trait Stream: BufRead + Seek {}
@@ -25,10 +26,10 @@ pub(super) struct ImageHeader {
 }
 
 /// Why there is no picture.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum ImageReadError {
     /// The file is none, or a broken one: what the decoder said.
-    Broken(String),
+    Broken(Message),
     /// The system gave no memory for it.
     Memory,
 }
@@ -38,7 +39,7 @@ impl From<ImageError> for ImageReadError {
         match error {
             ImageError::Limits(limit) if limit.kind() == LimitErrorKind::InsufficientMemory => Self::Memory,
             ImageError::IoError(error) => error.into(),
-            error => Self::Broken(plain(&error.to_string())),
+            error => Self::Broken(Message::verbatim(plain(&error.to_string()))),
         }
     }
 }
@@ -54,7 +55,7 @@ impl From<png::DecodingError> for ImageReadError {
         match error {
             png::DecodingError::LimitsExceeded => Self::Memory,
             png::DecodingError::IoError(error) => error.into(),
-            error => Self::Broken(plain(&error.to_string())),
+            error => Self::Broken(Message::verbatim(plain(&error.to_string()))),
         }
     }
 }
@@ -103,10 +104,10 @@ pub(super) fn read_header(stream: Box<dyn Stream + '_>, path: &Path) -> Result<I
     };
     let side = header.size[0].max(header.size[1]);
     if side > limits::IMAGE_SIDE {
-        return Err(ImageReadError::Broken(tr!("document-image-side", limit = limits::IMAGE_SIDE)));
+        return Err(ImageReadError::Broken(message!("document-image-side", limit = limits::IMAGE_SIDE)));
     }
     if header.size.contains(&0) {
-        return Err(ImageReadError::Broken(tr!("document-image-no-pixels")));
+        return Err(ImageReadError::Broken(message!("document-image-no-pixels")));
     }
     Ok(header)
 }
@@ -156,15 +157,15 @@ pub(super) fn decode(stream: Box<dyn Stream + '_>, path: &Path, header: &ImageHe
         png_rows(reader.into_inner(), header, &mut scaled)?;
     } else {
         let decoder = reader.into_decoder()?;
-        let pixel_format = pixel_format(decoder.color_type()).ok_or_else(|| ImageReadError::Broken(tr!("document-image-colours")))?;
+        let pixel_format = pixel_format(decoder.color_type()).ok_or_else(|| ImageReadError::Broken(message!("document-image-colours")))?;
         if decoder.dimensions() != header.size.into() {
-            return Err(ImageReadError::Broken(tr!("document-image-no-pixels")));
+            return Err(ImageReadError::Broken(message!("document-image-no-pixels")));
         }
         let mut bytes = try_allocate(usize::try_from(decoder.total_bytes()).map_err(|_| ImageReadError::Memory)?)?;
         decoder.read_image(&mut bytes)?;
         scaled.rows(&bytes, pixel_format);
     }
-    scaled.finish().ok_or_else(|| ImageReadError::Broken(tr!("document-image-no-pixels")))
+    scaled.finish().ok_or_else(|| ImageReadError::Broken(message!("document-image-no-pixels")))
 }
 
 fn try_allocate(bytes: usize) -> Result<Vec<u8>, ImageReadError> {
@@ -177,7 +178,7 @@ fn try_allocate(bytes: usize) -> Result<Vec<u8>, ImageReadError> {
 fn png_rows(stream: Box<dyn Stream + '_>, header: &ImageHeader, scaled: &mut ScaledImage) -> Result<(), ImageReadError> {
     let mut reader = png_decoder(stream).read_info()?;
     if [reader.info().width, reader.info().height] != header.size {
-        return Err(ImageReadError::Broken(tr!("document-image-no-pixels")));
+        return Err(ImageReadError::Broken(message!("document-image-no-pixels")));
     }
     let (color, depth) = reader.output_color_type();
     let channels = match color {
@@ -185,7 +186,7 @@ fn png_rows(stream: Box<dyn Stream + '_>, header: &ImageHeader, scaled: &mut Sca
         png::ColorType::GrayscaleAlpha => 2,
         png::ColorType::Rgb => 3,
         png::ColorType::Rgba => 4,
-        png::ColorType::Indexed => return Err(ImageReadError::Broken(tr!("document-image-colours"))),
+        png::ColorType::Indexed => return Err(ImageReadError::Broken(message!("document-image-colours"))),
     };
     let depth = if depth == png::BitDepth::Sixteen { BitDepth::Big } else { BitDepth::Byte };
     let pixel_format = PixelFormat { channels, depth };

@@ -3,13 +3,15 @@
 use std::collections::HashMap;
 use std::fs::{self, File};
 use std::hash::{BuildHasher, Hasher};
-use std::io::{self, BufRead, BufReader};
+use std::io::{BufRead, BufReader};
 use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
+use super::image_decoder::ImageReadError;
 use super::image_decoder::{Stream, in_memory};
 use crate::limits;
-use crate::tr;
+use crate::message;
+use crate::message::SourceName;
 
 /// A folder of many thousands of files is not searched to its end.
 const ENTRIES: usize = 10_000;
@@ -17,8 +19,8 @@ const ENTRIES: usize = 10_000;
 /// The images of one file.
 #[derive(Debug)]
 pub(super) struct FileImages {
-    /// The file, as messages name it.
-    pub name: String,
+    /// The file.
+    pub name: SourceName,
     /// Where it lies.
     pub folder: PathBuf,
     /// Image files in it, by their path.
@@ -63,12 +65,12 @@ impl ImageLocation<'_> {
     }
 
     /// Its bytes.
-    pub(super) fn stream(&self) -> io::Result<Box<dyn Stream + '_>> {
+    pub(super) fn stream(&self) -> Result<Box<dyn Stream + '_>, ImageReadError> {
         match self {
             Self::Archived { bytes, .. } => Ok(in_memory(bytes)),
             Self::Disk(path) => {
                 if self.length() > limits::IMAGE_BYTES {
-                    return Err(io::Error::other(tr!("document-too-large", limit = limits::IMAGE_BYTES >> 20)));
+                    return Err(ImageReadError::Broken(message!("document-too-large", limit = limits::IMAGE_BYTES >> 20)));
                 }
                 Ok(Box::new(BufReader::with_capacity(1 << 16, File::open(path)?)))
             }
@@ -197,7 +199,7 @@ impl<'f, T> SharedImages<'f, T> {
     }
 }
 
-fn hash(location: &ImageLocation<'_>, mut hasher: impl Hasher) -> io::Result<u64> {
+fn hash(location: &ImageLocation<'_>, mut hasher: impl Hasher) -> Result<u64, ImageReadError> {
     let mut stream = location.stream()?;
     loop {
         let piece = stream.fill_buf()?;
@@ -210,7 +212,7 @@ fn hash(location: &ImageLocation<'_>, mut hasher: impl Hasher) -> io::Result<u64
     }
 }
 
-fn same(a: &ImageLocation<'_>, b: &ImageLocation<'_>) -> io::Result<bool> {
+fn same(a: &ImageLocation<'_>, b: &ImageLocation<'_>) -> Result<bool, ImageReadError> {
     let (mut a, mut b) = (a.stream()?, b.stream()?);
     loop {
         let (one, other) = (a.fill_buf()?, b.fill_buf()?);

@@ -10,17 +10,14 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::image_budget::{self, ImageDemand};
 use super::image_decoder::{self, ImageHeader, ImageReadError};
+use super::image_finding::ImageFinding;
 use super::image_paths::{FileImages, ImageLocation, ImageLocator, SharedImages};
-use super::{Document, Images};
-use crate::collada::{Progress, diagnostic_codes};
+use super::{Document, Finding, Images};
+use crate::collada::Progress;
 use crate::diagnostics::Diagnostic;
+use crate::limits;
+use crate::message::SourceName;
 use crate::scene::{Image, Pixels, Scene, TextureRef};
-use crate::{limits, tr};
-
-/// Code of the finding that an image isn't there.
-pub(super) const MISSING: &str = "image-missing";
-/// Code of the finding that an image could not be decoded.
-pub(super) const BROKEN: &str = "image-broken";
 
 /// The images of the files that were read so far, which are looked for when all files are there.
 #[derive(Debug, Default)]
@@ -44,8 +41,8 @@ impl FoundImage<'_> {
 
 impl PendingImages {
     /// Keeps for later what a file has: its images in the scene, and image files inside of it.
-    pub(super) fn add(&mut self, name: &str, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>, images: Range<usize>) {
-        self.files.push(FileImages { name: name.to_owned(), folder: folder.to_owned(), archived, images });
+    pub(super) fn add(&mut self, name: &SourceName, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>, images: Range<usize>) {
+        self.files.push(FileImages { name: name.clone(), folder: folder.to_owned(), archived, images });
     }
 
     /// Finds the images beside their files, or in them, and decodes them if asked to. What is odd becomes a finding of its file.
@@ -68,9 +65,7 @@ impl PendingImages {
                 continue;
             };
             if picture.head.decoding > limits::IMAGE_DECODING_BYTES {
-                diagnostics.about(scene, picture, diagnostic_codes::LIMIT_REACHED, |uri, [width, height]| {
-                    tr!("document-image-decoding", uri = uri, width = width, height = height, limit = limits::IMAGE_DECODING_BYTES >> 20)
-                });
+                diagnostics.about(scene, picture, |uri, size| ImageFinding::DecodingTooLarge { uri, size });
                 continue;
             }
             let readable = match what {
@@ -85,24 +80,10 @@ impl PendingImages {
                 reduced.add(&picture.images, size);
             }
         }
-        let limit = budget >> 20;
-        diagnostics.tally(scene, &left_out, |uri, [width, height], _, count| {
-            tr!("document-image-no-room", uri = uri, width = width, height = height, limit = limit, count = count)
-        });
-        diagnostics.tally(scene, &reduced, |uri, [width, height], [columns, rows], count| {
-            tr!(
-                "document-image-reduced",
-                uri = uri,
-                width = width,
-                height = height,
-                columns = columns,
-                rows = rows,
-                limit = limit,
-                count = count
-            )
-        });
+        diagnostics.tally(scene, &left_out, |uri, size, _, count| ImageFinding::NoRoom { uri, size, count, budget });
+        diagnostics.tally(scene, &reduced, |uri, size, drawn, count| ImageFinding::Reduced { uri, size, drawn, count, budget });
         let memory = std::mem::take(&mut diagnostics.memory);
-        diagnostics.tally(scene, &memory, |uri, _, _, count| tr!("document-image-memory", uri = uri, count = count));
+        diagnostics.tally(scene, &memory, |uri, _, _, count| ImageFinding::NoMemory { uri, count });
         diagnostics.into(document);
     }
 
@@ -123,11 +104,11 @@ impl PendingImages {
                     None => missing.add(number, index, &image.uri),
                 }
             }
-            diagnostics.each(scene, missing, MISSING, |uri, count| tr!("document-image-missing", uri = uri, count = count));
+            diagnostics.each(scene, missing, |uri, count| ImageFinding::Missing { uri, count });
         }
         let mut pictures = Vec::new();
         for (place, images) in sharing.shared() {
-            let header = place.stream().map_err(ImageReadError::from).and_then(|stream| image_decoder::read_header(stream, place.path()));
+            let header = place.stream().and_then(|stream| image_decoder::read_header(stream, place.path()));
             let refusal = match header {
                 Ok(head) => {
                     pictures.push(FoundImage { place, head, images });
@@ -263,26 +244,24 @@ impl AffectedImages {
 /// Findings about images, by file. One cause is told once, however many images it concerns.
 struct ImageDiagnostics<'f> {
     files: &'f [FileImages],
-    findings: Vec<Vec<Diagnostic>>,
+    findings: Vec<Vec<Diagnostic<Finding>>>,
     /// Pictures that the system gave no memory for.
     memory: AffectedImages,
 }
 
 impl ImageDiagnostics<'_> {
-    fn of(&mut self, file: usize, image: &Image, code: &'static str, message: String) {
+    fn of(&mut self, file: usize, image: &Image, finding: ImageFinding) {
         let element = format!("<image> {:?}", if image.id.is_empty() { &image.name } else { &image.id });
-        let mut finding = Diagnostic::warning(code, image.line, element, message);
         if let (Some(of_file), Some(findings)) = (self.files.get(file), self.findings.get_mut(file)) {
-            of_file.name.clone_into(&mut finding.file);
-            findings.push(finding);
+            findings.push(Diagnostic::new(Finding::Image(finding), image.line, element).in_file(of_file.name.clone()));
         }
     }
 
     /// Tells of each file that images name, with how many do, where the first of them stands.
-    fn each(&mut self, scene: &Scene, named: Grouped, code: &'static str, message: impl Fn(&str, usize) -> String) {
+    fn each(&mut self, scene: &Scene, named: Grouped, finding: impl Fn(String, usize) -> ImageFinding) {
         for (file, images) in named.groups {
             if let Some(image) = images.first().and_then(|first| scene.images.get(*first)) {
-                self.of(file, image, code, message(&image.uri, images.len()));
+                self.of(file, image, finding(image.uri.clone(), images.len()));
             }
         }
     }
@@ -291,7 +270,7 @@ impl ImageDiagnostics<'_> {
     fn refused(&mut self, scene: &Scene, images: &[(usize, usize)], refusal: &ImageReadError) {
         let reason = match refusal {
             ImageReadError::Memory => return self.memory.add(images, [0, 0]),
-            ImageReadError::Broken(reason) => reason.as_str(),
+            ImageReadError::Broken(reason) => reason,
         };
         let mut named = Grouped::default();
         for (file, index) in images {
@@ -299,25 +278,24 @@ impl ImageDiagnostics<'_> {
                 named.add(*file, *index, &image.uri);
             }
         }
-        self.each(scene, named, BROKEN, |uri, count| tr!("document-image-broken", uri = uri, reason = reason, count = count));
+        self.each(scene, named, |uri, count| ImageFinding::Broken { uri, count, reason: reason.clone() });
     }
 
-    /// Tells what a limit did to all pictures together, where the first one stands; `message` gets its name, its size and the one that it is given.
-    fn tally(&mut self, scene: &Scene, tally: &AffectedImages, message: impl Fn(&str, [u32; 2], [u32; 2], usize) -> String) {
+    /// Tells what a limit did to all pictures together, where the first one stands; `finding` gets its name, its size and the one that it is given.
+    fn tally(&mut self, scene: &Scene, tally: &AffectedImages, finding: impl Fn(String, [u32; 2], [u32; 2], usize) -> ImageFinding) {
         if let Some(((file, index), given)) = tally.first
             && let Some(image) = scene.images.get(index)
         {
-            let message = message(&image.uri, image.size.unwrap_or_default(), given, tally.count);
-            self.of(file, image, diagnostic_codes::LIMIT_REACHED, message);
+            self.of(file, image, finding(image.uri.clone(), image.size.unwrap_or_default(), given, tally.count));
         }
     }
 
     /// Tells it once of a picture, where its first image stands.
-    fn about(&mut self, scene: &Scene, picture: &FoundImage<'_>, code: &'static str, message: impl Fn(&str, [u32; 2]) -> String) {
+    fn about(&mut self, scene: &Scene, picture: &FoundImage<'_>, finding: impl Fn(String, [u32; 2]) -> ImageFinding) {
         if let Some((file, index)) = picture.images.first()
             && let Some(image) = scene.images.get(*index)
         {
-            self.of(*file, image, code, message(&image.uri, picture.head.size));
+            self.of(*file, image, finding(image.uri.clone(), picture.head.size));
         }
     }
 
@@ -331,15 +309,12 @@ impl ImageDiagnostics<'_> {
             findings.sort_by_key(|finding| finding.line);
             findings.truncate(limits::FINDINGS);
             if let Some(last) = findings.last().filter(|_| more > 0) {
-                let message = tr!("collada-more-findings", count = more, limit = limits::FINDINGS);
-                let note =
-                    Diagnostic { file: last.file.clone(), ..Diagnostic::note(diagnostic_codes::MORE_FINDINGS, last.line, "", message) };
-                findings.push(note);
+                findings.push(Diagnostic::new(Finding::Image(ImageFinding::More(more)), last.line, "").in_file(last.file.clone()));
             }
             document.diagnostics.extend(findings);
         }
         let sources = &document.sources;
-        let place = |finding: &Diagnostic| (sources.iter().position(|source| source.name == finding.file), finding.line);
+        let place = |finding: &Diagnostic<Finding>| (sources.iter().position(|source| source.name == finding.file), finding.line);
         document.diagnostics.sort_by_cached_key(place);
     }
 }
@@ -347,10 +322,15 @@ impl ImageDiagnostics<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collada::diagnostic_codes;
     use crate::document::{Source, SourceKind};
+    use crate::i18n;
     use crate::scene::{ImageId, Material, Paint, WrapMode};
     use std::fs;
     use std::io::Cursor;
+
+    const MISSING: &str = "image-missing";
+    const BROKEN: &str = "image-broken";
 
     fn png_of(width: u32, height: u32, color: [u8; 4]) -> Vec<u8> {
         let mut bytes = Cursor::new(Vec::new());
@@ -385,7 +365,7 @@ mod tests {
 
     fn load(document: &mut Document, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>) {
         let mut pending = PendingImages::default();
-        pending.add("a.dae", folder, archived, 0..document.scene.images.len());
+        pending.add(&"a.dae".into(), folder, archived, 0..document.scene.images.len());
         pending.load(document, Images::Decode, &Progress::default());
     }
 
@@ -412,7 +392,7 @@ mod tests {
             let mut document = document(&[uri]);
             load(&mut document, folder.path(), Vec::new());
             assert_eq!(document.diagnostics.len(), 1);
-            assert_eq!((document.diagnostics[0].code, document.diagnostics[0].line), (code, Some(7)));
+            assert_eq!((document.diagnostics[0].code(), document.diagnostics[0].line), (code, Some(7)));
             assert!(document.scene.images[0].pixels.is_none());
         }
     }
@@ -426,11 +406,11 @@ mod tests {
         let broken = |what: Images| {
             let mut document = document(&["whole.png", "cut.png", "cut.png"]);
             let mut pending = PendingImages::default();
-            pending.add("a.dae", folder.path(), Vec::new(), 0..3);
+            pending.add(&"a.dae".into(), folder.path(), Vec::new(), 0..3);
             pending.load(&mut document, what, &Progress::default());
             let kept = document.scene.images.iter().filter(|image| image.pixels.is_some()).count();
             assert_eq!(kept, usize::from(what == Images::Decode));
-            assert!(document.diagnostics.iter().all(|finding| finding.code == BROKEN && finding.element.contains("skin")));
+            assert!(document.diagnostics.iter().all(|finding| finding.code() == BROKEN && finding.element.contains("skin")));
             document.diagnostics.len()
         };
         assert_eq!([Images::Locate, Images::Test, Images::Decode].map(broken), [0, 1, 1]);
@@ -446,12 +426,12 @@ mod tests {
         second.name = "b.dae".into();
         document.sources.push(second);
         let mut pending = PendingImages::default();
-        pending.add("a.dae", folder.path(), Vec::new(), 0..6);
+        pending.add(&"a.dae".into(), folder.path(), Vec::new(), 0..6);
         // Another file names it for itself.
-        pending.add("b.dae", folder.path(), Vec::new(), 6..8);
+        pending.add(&"b.dae".into(), folder.path(), Vec::new(), 6..8);
         pending.load(&mut document, Images::Decode, &Progress::default());
         let diagnostics: Vec<_> =
-            document.diagnostics.iter().map(|finding| (finding.file.as_str(), finding.code, finding.message.as_str())).collect();
+            document.diagnostics.iter().map(|finding| (finding.file.to_string(), finding.code(), i18n::finding(finding))).collect();
         for (file, code, parts) in [
             ("a.dae", MISSING, &["\"none.png\"", "3 <image>"][..]),
             ("a.dae", MISSING, &["\"other.png\" was"]),
@@ -459,7 +439,7 @@ mod tests {
             ("b.dae", MISSING, &["\"none.png\"", "2 <image>"]),
         ] {
             let is_it =
-                |(of, what, text): &&(&str, &str, &str)| *of == file && *what == code && parts.iter().all(|part| text.contains(part));
+                |(of, what, text): &&(String, &str, String)| *of == file && *what == code && parts.iter().all(|part| text.contains(part));
             assert_eq!(diagnostics.iter().filter(is_it).count(), 1, "{file} {code} {parts:?}: {diagnostics:?}");
         }
         assert_eq!(diagnostics.len(), 4, "{diagnostics:?}");
@@ -500,8 +480,8 @@ mod tests {
         second.name = "b.dae".into();
         document.sources.push(second);
         let mut pending = PendingImages::default();
-        pending.add("a.dae", folder.path(), Vec::new(), 0..2);
-        pending.add("b.dae", folder.path(), Vec::new(), 2..4);
+        pending.add(&"a.dae".into(), folder.path(), Vec::new(), 0..2);
+        pending.add(&"b.dae".into(), folder.path(), Vec::new(), 2..4);
         pending.load(&mut document, Images::Decode, &Progress::default());
         let taken: usize = document.scene.images.iter().map(|image| image.pixels.as_ref().map_or(0, |pixels| pixels.rgba.len())).sum();
         assert!((taken + taken * 4 / 3) as u64 <= limits::IMAGES_BYTES);
@@ -511,11 +491,11 @@ mod tests {
         }
         // One limit is told once.
         let [diagnostics] = &document.diagnostics[..] else { panic!("{:?}", document.diagnostics) };
-        assert_eq!((diagnostics.code, diagnostics.file.as_str()), (diagnostic_codes::LIMIT_REACHED, "a.dae"));
+        assert_eq!((diagnostics.code(), diagnostics.file.path()), (diagnostic_codes::LIMIT_REACHED, Some("a.dae")));
         assert!(
-            ["4 images", "k0.png", "4096 × 4096", "2048 × 2048"].iter().all(|part| diagnostics.message.contains(part)),
+            ["4 images", "k0.png", "4096 × 4096", "2048 × 2048"].iter().all(|part| i18n::finding(diagnostics).contains(part)),
             "{}",
-            diagnostics.message
+            i18n::finding(diagnostics)
         );
         // Looking at the heads alone tells the same.
         let diagnostics = std::mem::take(&mut document.diagnostics);

@@ -5,8 +5,10 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 
 use super::Document;
+use super::Finding;
 use crate::animation::{Channel, ChannelTarget, Clip};
 use crate::collada::Loaded;
+use crate::message::SourceName;
 use crate::scene::{
     CameraId, Content, Deformer, ImageId, LightId, Material, MaterialBinding, MaterialId, MeshId, MorphId, NodeId, Scene, SkinId,
 };
@@ -103,12 +105,15 @@ impl IdOffsets {
 }
 
 /// Appends `loaded` to the document and returns its root node.
-pub(super) fn append(document: &mut Document, loaded: Loaded, name: &str) -> Option<NodeId> {
+pub(super) fn append(document: &mut Document, loaded: Loaded, name: &SourceName) -> Option<NodeId> {
     let Loaded { mut scene, clips, findings, .. } = loaded;
-    document.diagnostics.extend(findings.into_iter().map(|mut finding| {
+    document.diagnostics.extend(findings.into_iter().map(|found| {
         // A document inside an archive is named behind it.
-        finding.file = if finding.file.is_empty() { name.to_owned() } else { format!("{name}/{}", finding.file) };
-        finding
+        let file = match found.file.path() {
+            None => name.clone(),
+            Some(part) => SourceName::from(format!("{name}/{part}")),
+        };
+        found.map(Finding::Collada).in_file(file)
     }));
     if is_empty(&document.scene) && document.clips.is_empty() {
         // The first one stays as it is, and is not held twice on the way.

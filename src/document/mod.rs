@@ -8,9 +8,11 @@ mod built_in;
 mod deform;
 mod error;
 mod file;
+mod finding;
 mod foreign;
 mod image_budget;
 mod image_decoder;
+mod image_finding;
 mod image_paths;
 mod image_scaler;
 mod images;
@@ -33,7 +35,10 @@ mod skinning;
 mod vertex_influences;
 
 pub use angle::angle_at;
-pub use error::OpenError;
+pub use error::{OpenError, OpenErrorKind};
+pub use finding::Finding;
+pub use foreign::UnsupportedFormat;
+pub use image_finding::ImageFinding;
 pub use joint_angles::{JointSample, JointTrack};
 pub use joint_override::JointOverride;
 pub use muscle_samples::MuscleSample;
@@ -51,14 +56,15 @@ use crate::animation::Clip;
 use crate::collada::Asset;
 use crate::diagnostics::Diagnostic;
 use crate::i18n;
+use crate::message::SourceName;
 use crate::muscle::{Joint, MuscleFile, MuscleRig, MuscleState, Turn};
 use crate::scene::{Content, MuscleId, NodeId, NodeKind, Scene};
 
 /// Where a document's parts came from.
 #[derive(Debug, Clone)]
 pub struct Source {
-    /// The name that messages use: the path as the user gave it.
-    pub name: String,
+    /// What it was read from.
+    pub name: SourceName,
     /// The file; `None` for standard input and the built-in scene.
     pub path: Option<PathBuf>,
     /// The root of its nodes.
@@ -97,7 +103,7 @@ pub struct Document {
     /// All clips.
     pub clips: Vec<Clip>,
     /// All findings, by file and line.
-    pub diagnostics: Vec<Diagnostic>,
+    pub diagnostics: Vec<Diagnostic<Finding>>,
     /// How much of the scene is not muscles'.
     scene_baseline: muscle_sources::SceneBaseline,
     /// Joint overrides, ascending by node.

@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 
 use glam::DMat4;
 
+use super::Finding;
 use super::arm_placement::ArmPlacer;
 use super::{Document, Source, SourceKind};
 use crate::animation::Pose;
-use crate::diagnostics::Diagnostic;
+use crate::message::SourceName;
 use crate::muscle::{MuscleFile, MuscleRig};
 use crate::scene::{Bounds, MuscleId, TransformOp};
-use crate::tr;
 
 /// Moments of a clip at which muscles on its bones are looked at, the first clips alone, and the most nodes posed for that at all moments of one.
 const CLIP_SAMPLES: usize = 32;
@@ -49,8 +49,8 @@ impl Document {
         for source in &mut self.sources {
             let SourceKind::Muscles(file, rig) = &mut source.kind else { continue };
             let title = match &source.path {
-                Some(path) => path.file_stem().map_or_else(|| source.name.clone(), |stem| stem.to_string_lossy().into_owned()),
-                None => source.name.clone(),
+                Some(path) => path.file_stem().map_or_else(|| source.name.to_string(), |stem| stem.to_string_lossy().into_owned()),
+                None => source.name.to_string(),
             };
             **rig = MuscleRig::build(file, &title, &mut self.scene, first);
             if let (Some(arm), Some(root)) = (file.arm, rig.root)
@@ -66,8 +66,8 @@ impl Document {
             let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
             rig.attach_moving(&self.scene, &self.clips);
             rig.look_over(&moments);
-            self.diagnostics.retain(|finding| finding.file != source.name || !finding.code.starts_with("muscle-"));
-            self.diagnostics.extend(rig.findings().iter().cloned().map(|finding| Diagnostic { file: source.name.clone(), ..finding }));
+            self.diagnostics.retain(|found| found.file != source.name || !matches!(found.finding, Finding::Muscle(_)));
+            self.diagnostics.extend(rig.findings().iter().cloned().map(|found| found.map(Finding::Muscle).in_file(source.name.clone())));
         }
         self.bump_revision();
     }
@@ -115,7 +115,7 @@ impl Document {
         let count = self.muscle_files().count();
         for number in count..files.len() {
             let kind = SourceKind::Muscles(Box::default(), Box::default());
-            let name = if number == 0 { tr!("document-new-muscles") } else { tr!("document-new-muscles-number", number = number + 1) };
+            let name = SourceName::New(number);
             self.sources.push(Source { name, path: None, root: None, kind });
         }
         let mut seen = 0;
@@ -147,7 +147,7 @@ impl Document {
 
     /// Says that muscle file `index` is kept at `path` from now on.
     pub fn set_muscle_file_path(&mut self, index: usize, path: PathBuf) {
-        let name = path.display().to_string();
+        let name = SourceName::from(path.display().to_string());
         let Some(source) = self.muscle_sources_mut().nth(index) else { return };
         let before = std::mem::replace(&mut source.name, name.clone());
         source.path = Some(path);

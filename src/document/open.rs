@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use super::file::{self, Format};
 use super::foreign::UnsupportedFormat;
 use super::images::PendingImages;
-use super::{Document, OpenError, Source, SourceKind, merge};
+use super::{Document, Finding, OpenError, OpenErrorKind, Source, SourceKind, merge};
 use crate::collada::{self, Progress};
 use crate::diagnostics::Diagnostic;
+use crate::message::{Location, SourceName};
 use crate::muscle::MuscleFile;
-use crate::{input, limits, tr};
+use crate::{input, limits};
 
 /// What to do about the images that a file names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -53,8 +54,8 @@ impl Document {
         document.add_named_clips(&mut images, progress);
         images.load(&mut document, options.images, progress);
         if progress.is_cancelled() {
-            let name = files.last().map_or_else(String::new, |path| path.as_ref().display().to_string());
-            return Err(OpenError::whole(&name, tr!("document-cancelled")));
+            let name = files.last().map_or(SourceName::Unknown, |path| SourceName::of_argument(path.as_ref()));
+            return Err(OpenError::whole(&name, OpenErrorKind::Cancelled));
         }
         document.place_muscles();
         Ok(document)
@@ -71,10 +72,8 @@ impl Document {
             }
             let name = source.name.clone();
             if let Err(error) = self.add_file(&path, images, progress) {
-                let message = tr!("document-clip-not-opened", error = error.to_string());
-                let mut finding = Diagnostic::warning("clip-not-opened", None, path.display().to_string(), message);
-                finding.file = name;
-                self.diagnostics.push(finding);
+                let finding = Finding::ClipNotOpened(Box::new(error));
+                self.diagnostics.push(Diagnostic::new(finding, None, path.display().to_string()).in_file(name));
             }
         }
     }
@@ -105,14 +104,14 @@ impl Document {
     }
 
     fn add_file(&mut self, path: &Path, images: &mut PendingImages, progress: &Progress) -> Result<(), OpenError> {
-        let name = if path.as_os_str() == "-" { tr!("document-standard-input") } else { path.display().to_string() };
+        let name = SourceName::of_argument(path);
         let bytes = file::read(path, &name, limits::FILE_BYTES)?;
         if let Some(foreign) = UnsupportedFormat::of(path, &bytes) {
-            return Err(OpenError::whole(&name, foreign.sentence()));
+            return Err(OpenError::whole(&name, OpenErrorKind::UnsupportedFormat(foreign)));
         }
         let format = file::format(path, &bytes);
         if bytes.len() as u64 > format.limit() {
-            return Err(OpenError::whole(&name, tr!("document-too-large", limit = format.limit() >> 20)));
+            return Err(OpenError::whole(&name, OpenErrorKind::TooLarge(format.limit())));
         }
         match format {
             Format::Collada => self.add_collada(bytes, &name, path, images, progress),
@@ -123,44 +122,40 @@ impl Document {
     fn add_collada(
         &mut self,
         bytes: Vec<u8>,
-        name: &str,
+        name: &SourceName,
         path: &Path,
         images: &mut PendingImages,
         progress: &Progress,
     ) -> Result<(), OpenError> {
-        let mut loaded = collada::read(&bytes, name, progress).map_err(|error| OpenError {
-            file: name.to_owned(),
-            line: error.line,
-            column: None,
-            message: error.message,
+        let mut loaded = collada::read(&bytes, &name.to_string(), progress).map_err(|error| OpenError {
+            location: Location { file: name.clone(), line: error.line, column: None },
+            kind: OpenErrorKind::Collada(error.kind),
         })?;
         drop(bytes);
         let asset = loaded.asset.clone();
         let (first, archived) = (self.scene.images.len(), std::mem::take(&mut loaded.archived));
         let root = merge::append(self, loaded, name);
         images.add(name, path.parent().unwrap_or(Path::new("")), archived, first..self.scene.images.len());
-        self.sources.push(Source { name: name.to_owned(), path: real_path(path), root, kind: SourceKind::Collada(asset) });
+        self.sources.push(Source { name: name.clone(), path: real_path(path), root, kind: SourceKind::Collada(asset) });
         Ok(())
     }
 }
 
 /// Adds a muscle file to the document; [`Document::place_muscles`] puts it into the scene.
-pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &str, path: &Path) -> Result<(), OpenError> {
+pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &SourceName, path: &Path) -> Result<(), OpenError> {
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let line = bytes.get(..error.valid_up_to()).map(input::line_after);
-        OpenError { file: name.to_owned(), line, column: None, message: tr!("document-not-text") }
+        OpenError { location: Location { file: name.clone(), line, column: None }, kind: OpenErrorKind::NotText }
     })?;
     let file = MuscleFile::parse(text).map_err(|error| OpenError {
-        file: name.to_owned(),
-        line: error.line,
-        column: error.column,
-        message: error.message,
+        location: Location { file: name.clone(), line: error.line, column: error.column },
+        kind: OpenErrorKind::Muscles(error.kind),
     })?;
     if !MuscleFile::can_be_drawn(document.muscle_files().chain([&file])) {
-        return Err(OpenError::whole(name, tr!("document-too-much-surface", limit = limits::MUSCLE_VERTICES)));
+        return Err(OpenError::whole(name, OpenErrorKind::TooMuchSurface));
     }
     document.sources.push(Source {
-        name: name.to_owned(),
+        name: name.clone(),
         path: real_path(path),
         root: None,
         kind: SourceKind::Muscles(Box::new(file), Box::default()),

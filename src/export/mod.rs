@@ -25,15 +25,16 @@ pub mod video;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::message::{Location, Message, ToMessage};
 use crate::plot::PlotError;
 use crate::system::{Doing, reason};
-use crate::{limits, tr};
+use crate::{limits, message};
 
-/// Why a file could not be written. Displays as one line: `file: what`.
+/// Why a file could not be written.
 #[derive(Debug, thiserror::Error)]
+#[error("{}", self.message())]
 pub enum ExportError {
     /// The folder, the disk or the file system refused.
-    #[error("{}: {}", .file.display(), tr!("export-not-written", reason = reason(.source, Doing::Writing)))]
     Io {
         /// The file that was to be written.
         file: PathBuf,
@@ -41,19 +42,16 @@ pub enum ExportError {
         source: io::Error,
     },
     /// The target is there and is no ordinary file.
-    #[error("{}: {}", .file.display(), tr!("export-not-a-file"))]
     NotAFile {
         /// The target.
         file: PathBuf,
     },
     /// The target is one of the files that are open or that the result is made from.
-    #[error("{}: {}", .file.display(), tr!("export-held"))]
     Held {
         /// The target.
         file: PathBuf,
     },
     /// The picture does not fit the format.
-    #[error("{}: {}", .file.display(), tr!("export-too-large", limit = .limit))]
     TooLarge {
         /// The file that was to be written.
         file: PathBuf,
@@ -61,22 +59,18 @@ pub enum ExportError {
         limit: u32,
     },
     /// Converting the document would take more memory than [`limits::CONVERTED_BYTES`].
-    #[error("{}: {}", .file.display(), tr!("export-too-much", limit = limits::CONVERTED_BYTES >> 20))]
     TooMuch {
         /// The file that was to be written.
         file: PathBuf,
     },
     /// Somebody asked to stop.
-    #[error("{}", tr!("export-cancelled"))]
     Cancelled,
     /// The program that makes films is not installed.
-    #[error("{}: {}", .file.display(), tr!("export-no-ffmpeg"))]
     NoEncoder {
         /// The file that was to be written.
         file: PathBuf,
     },
     /// The program that makes films has nothing for this kind of film.
-    #[error("{}: {}", .file.display(), tr!("export-no-codec", names = .names.as_str()))]
     NoCodec {
         /// The file that was to be written.
         file: PathBuf,
@@ -84,7 +78,6 @@ pub enum ExportError {
         names: String,
     },
     /// A plot could not be drawn.
-    #[error("{}: {}", .file.display(), .why)]
     Plot {
         /// The file that was to be written.
         file: PathBuf,
@@ -92,12 +85,11 @@ pub enum ExportError {
         why: PlotError,
     },
     /// The program that makes films gave up.
-    #[error("{}: {}", .file.display(), tr!("export-encoder-failed", reason = .reason.as_str()))]
     EncoderFailed {
         /// The file that was to be written.
         file: PathBuf,
-        /// Its last words.
-        reason: String,
+        /// Its last words, or what the system said.
+        reason: Message,
     },
 }
 
@@ -108,6 +100,24 @@ impl ExportError {
         match source.downcast::<Self>() {
             Ok(own) => own,
             Err(source) => Self::Io { file: file.to_owned(), source },
+        }
+    }
+}
+
+impl ToMessage for ExportError {
+    fn message(&self) -> Message {
+        let about = |file: &Path, message: Message| message.at(Location::file(file.display().to_string()));
+        match self {
+            Self::Io { file, source } => about(file, message!("export-not-written", reason = reason(source, Doing::Writing))),
+            Self::NotAFile { file } => about(file, message!("export-not-a-file")),
+            Self::Held { file } => about(file, message!("export-held")),
+            Self::TooLarge { file, limit } => about(file, message!("export-too-large", limit = limit)),
+            Self::TooMuch { file } => about(file, message!("export-too-much", limit = limits::CONVERTED_BYTES >> 20)),
+            Self::Cancelled => message!("export-cancelled"),
+            Self::NoEncoder { file } => about(file, message!("export-no-ffmpeg")),
+            Self::NoCodec { file, names } => about(file, message!("export-no-codec", names = names)),
+            Self::Plot { file, why } => about(file, why.message()),
+            Self::EncoderFailed { file, reason } => about(file, message!("export-encoder-failed", reason = reason.clone())),
         }
     }
 }

@@ -8,6 +8,7 @@ use std::thread::JoinHandle;
 use super::ExportError;
 use super::atomic_file::PendingFile;
 use super::guard::Output;
+use crate::message::Message;
 use crate::system::{Doing, reason};
 
 /// The video formats.
@@ -174,7 +175,9 @@ impl VideoWriter {
             return ExportError::Io { file: self.target.clone(), source: io::ErrorKind::StorageFull.into() };
         }
         let last = said.lines().rev().find(|line| !line.trim().is_empty()).map(|line| line.trim().to_owned());
-        let reason = last.unwrap_or_else(|| status.map_or_else(|error| reason(&error, Doing::Reading), |status| status.to_string()));
+        let reason = last
+            .map(Message::verbatim)
+            .unwrap_or_else(|| status.map_or_else(|error| reason(&error, Doing::Reading), |status| Message::verbatim(status.to_string())));
         ExportError::EncoderFailed { file: self.target.clone(), reason }
     }
 }

@@ -4,6 +4,7 @@ use std::sync::OnceLock;
 
 use glam::{DMat4, DVec3};
 
+use super::Finding;
 use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
 use super::joint_dof::{FoundBy, Joint};
@@ -78,12 +79,12 @@ impl MuscleRig {
     /// names. A bone that is not there is a finding, and its muscle lies on its own. May be called again when the scene has changed.
     ///
     /// The scene's rest pose is where the joint's angle is 0.
-    pub fn attach(&mut self, scene: &Scene) -> Vec<Diagnostic> {
+    pub fn attach(&mut self, scene: &Scene) -> Vec<Diagnostic<Finding>> {
         self.attach_moving(scene, &[])
     }
 
     /// [`MuscleRig::attach`] to a scene that these clips move. Where the file names no joint, what they bend tells more about it than the rest pose does.
-    pub fn attach_moving(&mut self, scene: &Scene, clips: &[Clip]) -> Vec<Diagnostic> {
+    pub fn attach_moving(&mut self, scene: &Scene, clips: &[Clip]) -> Vec<Diagnostic<Finding>> {
         if self.arm.is_some() {
             return Vec::new();
         }
@@ -115,7 +116,7 @@ impl MuscleRig {
                     muscle.rescale(1.0);
                     muscle.line = None;
                     let message = tr!("muscle-bone-not-found", bone = bone);
-                    self.findings.push(Diagnostic::warning("muscle-bone-not-found", None, muscle.spec.name.clone(), message));
+                    self.findings.push(Diagnostic::new(Finding { code: "muscle-bone-not-found", message }, None, muscle.spec.name.clone()));
                 }
             }
         }
@@ -132,7 +133,7 @@ impl MuscleRig {
         if let Some(joint) = &self.joint {
             let Some(node) = find_bone(graph, self.root, &joint.bone) else {
                 let message = tr!("muscle-joint-not-found", bone = joint.bone.clone());
-                self.findings.push(Diagnostic::warning("muscle-joint-not-found", None, joint.bone.clone(), message));
+                self.findings.push(Diagnostic::new(Finding { code: "muscle-joint-not-found", message }, None, joint.bone.clone()));
                 return None;
             };
             return Some(Joint::of_file(scene, node, joint));
@@ -214,7 +215,7 @@ impl MuscleRig {
                 }
                 Err(error) => tr!("muscle-poses-do-not-fit", error = error.to_string()),
             };
-            self.findings.push(Diagnostic::warning("muscle-poses-not-placed", None, muscle.spec.name.clone(), message));
+            self.findings.push(Diagnostic::new(Finding { code: "muscle-poses-not-placed", message }, None, muscle.spec.name.clone()));
         }
     }
 }

@@ -125,3 +125,29 @@ pub struct Sample {
     /// The solution at that angle.
     pub solved: Solved,
 }
+
+use crate::diagnostics::{DiagnosticKind, Severity};
+use crate::message::{Message, ToMessage};
+
+/// What was found about a muscle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    code: &'static str,
+    message: String,
+}
+
+impl ToMessage for Finding {
+    fn message(&self) -> Message {
+        Message::verbatim(&self.message)
+    }
+}
+
+impl DiagnosticKind for Finding {
+    fn code(&self) -> &'static str {
+        self.code
+    }
+
+    fn severity(&self) -> Severity {
+        Severity::Warning
+    }
+}

@@ -2,12 +2,12 @@
 
 use glam::DVec3;
 
-use super::Solved;
 use super::line_of_action::{Frames, Line};
 use super::measure::moment_arm;
 use super::muscle_rig::{Muscle, MuscleRig};
 use super::profile::SHORTEST;
 use super::revolute_joint::RevoluteJoint;
+use super::{Finding, Solved};
 use crate::diagnostics::Diagnostic;
 use crate::i18n::decimal;
 use crate::scene::{Graph, NodeId, NodeKind};
@@ -74,7 +74,8 @@ impl MuscleRig {
     pub(crate) fn look_over(&mut self, moments: &[(f64, Vec<glam::DMat4>)]) {
         let mut findings = Vec::new();
         for (index, muscle) in self.muscles.iter().enumerate() {
-            if !self.is_attached(index) || self.findings.iter().any(|finding| finding.element == muscle.spec.name && is_short(finding.code))
+            if !self.is_attached(index)
+                || self.findings.iter().any(|finding| finding.element == muscle.spec.name && is_short(finding.code()))
             {
                 continue;
             }
@@ -123,12 +124,12 @@ struct Said<'a> {
     /// In a unit of the file.
     millimetres: f64,
     on_arm: bool,
-    findings: &'a mut Vec<Diagnostic>,
+    findings: &'a mut Vec<Diagnostic<Finding>>,
 }
 
 impl Said<'_> {
     fn say(&mut self, code: &'static str, message: String) {
-        self.findings.push(Diagnostic::warning(code, None, self.muscle.spec.name.clone(), message));
+        self.findings.push(Diagnostic::new(Finding { code, message }, None, self.muscle.spec.name.clone()));
     }
 
     fn mm(&self, length: f64) -> String {

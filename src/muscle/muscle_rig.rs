@@ -5,6 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3, Vec3};
 
+use super::Finding;
 use super::arm::{Arm, ArmNodes};
 use super::centerline::Path;
 use super::config::{JointSpec, MuscleSpec, Tendon};
@@ -35,7 +36,7 @@ pub struct MuscleRig {
     /// The node of that joint.
     pub(super) turning: Option<Joint>,
     pub(super) span: Option<Span>,
-    pub(super) findings: Vec<Diagnostic>,
+    pub(super) findings: Vec<Diagnostic<Finding>>,
     /// See [`WorldFrames::ride`].
     pub(super) ride: Option<Vec<f64>>,
     /// Metres a unit of the file.
@@ -138,7 +139,7 @@ impl MuscleRig {
     }
 
     /// Oddities seen while building and attaching: bones that are not there, a muscle bent tighter than it is thick.
-    pub fn findings(&self) -> &[Diagnostic] {
+    pub fn findings(&self) -> &[Diagnostic<Finding>] {
         &self.findings
     }
 

@@ -3,7 +3,8 @@
 use super::raster::{Fonts, PixmapCanvas};
 use super::svg::SvgCanvas;
 use super::{Anchor, Canvas, Color, Plot, Stroke};
-use crate::{limits, tr};
+use crate::message::{Message, ToMessage};
+use crate::{limits, message};
 
 /// Size of a plot on the page and the room about it, logical pixels.
 const WIDTH: f64 = 400.0;
@@ -25,19 +26,27 @@ pub struct Page {
 
 /// Why a page could not be drawn to pixels.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.message())]
 pub enum PlotError {
     /// There is no font on the machine; SVG needs none.
-    #[error("{}", tr!("plot-no-font"))]
     NoFont,
     /// The picture would be too large.
-    #[error("{}", tr!("plot-too-large"))]
     TooLarge,
     /// The system gave no memory for it.
-    #[error("{}", tr!("plot-memory"))]
     Memory,
     /// Packing failed.
-    #[error("{0}")]
     Png(String),
+}
+
+impl ToMessage for PlotError {
+    fn message(&self) -> Message {
+        match self {
+            Self::NoFont => message!("plot-no-font"),
+            Self::TooLarge => message!("plot-too-large"),
+            Self::Memory => message!("plot-memory"),
+            Self::Png(words) => Message::verbatim(words),
+        }
+    }
 }
 
 impl Page {

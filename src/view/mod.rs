@@ -14,6 +14,7 @@ mod onion_skin_settings;
 mod open;
 mod overlays;
 mod recovery_file;
+mod save_error;
 mod session_file;
 mod settings;
 
@@ -28,5 +29,6 @@ pub use onion_skin_settings::OnionSkinSettings;
 pub use open::{Opened, guard_of, open};
 pub use overlays::{PoseContext, SceneOverlays};
 pub use recovery_file::RecoveryFile;
+pub use save_error::SaveError;
 pub use session_file::{SavedCamera, SavedComparison, SavedModel, SavedNode, SavedRotation, SessionError, SessionState, saved_node};
 pub use settings::{ColorScheme, Settings, SheetPage};

@@ -7,6 +7,7 @@ use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::OverwriteGuard;
 use crate::input;
+use crate::message::{Location, SourceName};
 
 /// What was opened.
 #[derive(Debug)]
@@ -45,7 +46,10 @@ pub fn open<P: AsRef<Path>>(paths: &[P], options: OpenOptions, progress: &Progre
         None => return plain(),
         Some(Ok(session)) => session,
         Some(Err(error)) => {
-            return Err(OpenError { file: path.display().to_string(), line: error.line, column: None, message: error.message });
+            return Err(OpenError {
+                location: Location { file: SourceName::of_argument(path), line: error.line, column: None },
+                kind: error.kind,
+            });
         }
     };
     let folder = path.parent().unwrap_or(Path::new(""));

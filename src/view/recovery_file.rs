@@ -1,14 +1,11 @@
 //! Recovery file for unsaved muscles.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use crate::export::atomic_file::write_atomic;
-use crate::export::guard::Output;
+use super::save_error::{self, SaveError};
 use crate::muscle::MuscleFile;
-use crate::system::{Doing, reason};
 use crate::yaml::{self, YamlError};
 use crate::{input, limits};
 
@@ -50,21 +47,17 @@ impl RecoveryFile {
     /// As YAML.
     ///
     /// # Errors
-    /// What the writer says; names and texts can always be written, unless a path is no Unicode.
-    pub fn to_yaml(&self) -> std::io::Result<String> {
-        yaml::to_text(self).map_err(std::io::Error::other)
+    /// [`YamlError`]; names and texts can always be written, unless a path is no Unicode.
+    pub fn to_yaml(&self) -> Result<String, YamlError> {
+        yaml::to_text(self)
     }
 
     /// Writes the file.
     ///
     /// # Errors
-    /// Whatever stands in the way; the old file stays then.
-    pub fn write(&self, path: &Path) -> Result<(), String> {
-        let text = self.to_yaml().map_err(|error| reason(&error, Doing::Writing))?;
-        if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(|error| reason(&error, Doing::Writing))?;
-        }
-        write_atomic(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(|error| error.to_string())
+    /// [`SaveError`]; the old file stays then.
+    pub fn write(&self, path: &Path) -> Result<(), SaveError> {
+        save_error::write(path, &self.to_yaml()?)
     }
 }
 

@@ -7,11 +7,12 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::{BackgroundPreset, DISPLAY_FLAGS, LightDirection, ModelTransform, OnionSkinSettings, SHADINGS};
+use crate::document::OpenErrorKind;
 use crate::document::{Document, PoseBuffers, PoseState, Skinning};
 use crate::render::{Display, Samples, Shading, Theme};
 use crate::scene::{Bounds, Frame, NodeId, OrbitCamera};
 use crate::yaml::{self, Node, Value, YamlError};
-use crate::{i18n, input, limits, tr};
+use crate::{i18n, input, limits};
 
 /// The key that tells a session file from a muscle file.
 const KEY: &str = "sinew_session";
@@ -168,13 +169,13 @@ pub struct SavedRotation {
 pub struct SessionError {
     /// Line from 1, where it is known.
     pub line: Option<u32>,
-    /// The message.
-    pub message: String,
+    /// What is wrong.
+    pub kind: OpenErrorKind,
 }
 
 impl From<YamlError> for SessionError {
     fn from(error: YamlError) -> Self {
-        Self { line: error.place.map(|place| place.line), message: error.message }
+        Self { line: error.place.map(|place| place.line), kind: OpenErrorKind::Session(error.kind) }
     }
 }
 
@@ -205,8 +206,7 @@ impl SessionState {
             let saved = yaml::from_text::<SessionFile>(text, limits::YAML_BYTES)?.sinew_session;
             let files = saved.files.len();
             if files > limits::SESSION_FILES {
-                let message = tr!("document-too-many-files", count = files, limit = limits::SESSION_FILES);
-                return Err(SessionError { line: None, message });
+                return Err(SessionError { line: None, kind: OpenErrorKind::TooManyFiles(files) });
             }
             Ok(saved)
         })
@@ -215,9 +215,9 @@ impl SessionState {
     /// As YAML.
     ///
     /// # Errors
-    /// What the writer says; numbers and names of a session can always be written.
-    pub fn to_yaml(&self) -> std::io::Result<String> {
-        yaml::to_text(&SessionFile { sinew_session: self.clone() }).map_err(std::io::Error::other)
+    /// [`YamlError`]; numbers and names of a session can always be written.
+    pub fn to_yaml(&self) -> Result<String, YamlError> {
+        yaml::to_text(&SessionFile { sinew_session: self.clone() })
     }
 
     /// The files, seen from where the program runs; `folder` is that of the session file.

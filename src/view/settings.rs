@@ -1,17 +1,17 @@
 //! Settings that are kept between starts: a small YAML file in the user's config folder. This module holds the data; the window's `settings` says where the
 //! file is and applies it to a session.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use super::BackgroundPreset;
-use crate::export::atomic_file::write_atomic;
-use crate::export::guard::Output;
+use super::save_error::{self, SaveError};
+use crate::message;
+use crate::message::{Message, ToMessage};
 use crate::render::Display;
 use crate::yaml::{self, YamlError};
-use crate::{input, limits, tr};
+use crate::{input, limits};
 
 /// Colour scheme of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
@@ -129,16 +129,16 @@ impl Default for Settings {
 }
 
 impl Settings {
-    /// Reads the file. A missing one is the defaults; a broken one too, with a sentence for the user.
-    pub fn load(path: &Path) -> (Self, Option<String>) {
+    /// Reads the file. A missing one is the defaults; a broken one too, with a message for the user.
+    pub fn load(path: &Path) -> (Self, Option<Message>) {
         let text = match input::read_text(path, limits::YAML_BYTES) {
             Ok(text) => text,
             Err(refused) if refused.is_missing() => return (Self::default(), None),
-            Err(refused) => return (Self::default(), Some(broken(path, &refused.to_string()))),
+            Err(refused) => return (Self::default(), Some(broken(path, refused.message()))),
         };
         match Self::parse(&text) {
             Ok(settings) => (settings, None),
-            Err(error) => (Self::default(), Some(broken(path, &error.to_string()))),
+            Err(error) => (Self::default(), Some(broken(path, error.message()))),
         }
     }
 
@@ -153,20 +153,17 @@ impl Settings {
     /// As YAML.
     ///
     /// # Errors
-    /// What the writer says; settings can always be written.
-    pub fn to_yaml(&self) -> std::io::Result<String> {
-        yaml::to_text(self).map_err(std::io::Error::other)
+    /// [`YamlError`]; settings can always be written.
+    pub fn to_yaml(&self) -> Result<String, YamlError> {
+        yaml::to_text(self)
     }
 
     /// Writes the file by way of a temporary one.
     ///
     /// # Errors
-    /// Whatever the file system says; the old file stays then.
-    pub fn save(&self, path: &Path) -> std::io::Result<()> {
-        let folder = path.parent().unwrap_or(Path::new("."));
-        std::fs::create_dir_all(folder)?;
-        let text = self.to_yaml()?;
-        write_atomic(&Output::of_program(path), |file| file.write_all(text.as_bytes())).map_err(std::io::Error::other)
+    /// [`SaveError`]; the old file stays then.
+    pub fn save(&self, path: &Path) -> Result<(), SaveError> {
+        save_error::write(path, &self.to_yaml()?)
     }
 
     fn clamped(mut self) -> Self {
@@ -181,8 +178,8 @@ impl Settings {
     }
 }
 
-fn broken(path: &Path, reason: &str) -> String {
-    tr!("app-settings-broken", file = path.display().to_string(), reason = reason.lines().next().unwrap_or_default().to_owned())
+fn broken(path: &Path, reason: Message) -> Message {
+    message!("app-settings-broken", file = path, reason = reason)
 }
 
 #[cfg(test)]

@@ -16,21 +16,43 @@ pub use scalar::Scalar;
 pub use tree::{Node, Place, Value, read};
 pub use write::{quoted, to_text};
 
+use crate::message::{Message, ToMessage};
 use crate::tr;
 
-/// Why a text cannot be used: one sentence, and where.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
+/// Why a text cannot be used, and where.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.message())]
 pub struct YamlError {
     /// Where; `None` for the text as a whole.
     pub place: Option<Place>,
-    /// The sentence, in the user's language.
-    pub message: String,
+    /// What is wrong.
+    pub kind: YamlErrorKind,
+}
+
+/// What is wrong with a YAML text.
+#[derive(Debug, Clone, PartialEq)]
+pub enum YamlErrorKind {
+    /// In words.
+    Words(String),
 }
 
 impl YamlError {
     fn at(place: Option<Place>, message: String) -> Self {
-        Self { place, message }
+        Self { place, kind: YamlErrorKind::Words(message) }
+    }
+}
+
+impl ToMessage for YamlError {
+    fn message(&self) -> Message {
+        self.kind.message()
+    }
+}
+
+impl ToMessage for YamlErrorKind {
+    fn message(&self) -> Message {
+        match self {
+            Self::Words(words) => Message::verbatim(words),
+        }
     }
 }
 

@@ -66,8 +66,8 @@ fn write(kind: &str, document: &Document, guard: &OverwriteGuard, out: &Path) ->
         "obj" => SurfaceFormat::Obj.save(&output, &document.scene, &frame),
         "stl" => SurfaceFormat::Stl.save(&output, &document.scene, &frame),
         "glb" => gltf::save(&output, GltfContainer::Binary, document).map(drop),
-        "csv" => table().save(&output, tables::TableFormat::Csv, 1.0),
-        "svg" => table().save(&output, tables::TableFormat::Svg, 1.0),
+        "csv" => table().save(&output, tables::TableFormat::Csv, 1.0, sinew::i18n::sentence),
+        "svg" => table().save(&output, tables::TableFormat::Svg, 1.0, sinew::i18n::sentence),
         _ => write_atomic(&output, |file| std::io::Write::write_all(file, b"sinew_session: {}\n")),
     }
 }

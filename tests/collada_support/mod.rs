@@ -28,7 +28,7 @@ pub(crate) fn load_clean(text: &str) -> Loaded {
 
 /// The codes of all findings, in file order.
 pub(crate) fn codes(loaded: &Loaded) -> Vec<&'static str> {
-    loaded.findings.iter().map(|finding| finding.code).collect()
+    loaded.findings.iter().map(|finding| finding.code()).collect()
 }
 
 /// A whole document: `body` between an asset (metres, Y up) and the scene named `s`.

@@ -113,7 +113,7 @@ fn a_file_that_cannot_be_used_is_named_with_its_place() {
         assert!(text.starts_with(&path.display().to_string()), "{text}");
         assert_eq!(text.lines().count(), 1, "{text}");
         if line.is_some() {
-            assert_eq!(error.line, line, "{text}");
+            assert_eq!(error.location.line, line, "{text}");
         }
     }
     let missing = Document::open(&[folder.path().join("none.dae")], &Progress::default()).expect_err("no such file");

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use sinew::collada::{Loaded, Progress, ReadError, read};
 use sinew::diagnostics::Severity;
+use sinew::i18n::Sentence;
 
 fn documents(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
@@ -36,7 +37,7 @@ fn load(path: &Path) -> Result<Loaded, ReadError> {
         match &result {
             Ok(loaded) => {
                 for finding in &loaded.findings {
-                    println!("{}: {finding}", path.display());
+                    println!("{}: {}", path.display(), sinew::i18n::finding_line(finding));
                 }
             }
             Err(error) => println!("{}: refused: {:?}: {error}", path.display(), error.line),
@@ -55,7 +56,7 @@ fn models_that_programs_wrote_are_read_as_they_are_meant() {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let loaded = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
         let warnings: Vec<_> =
-            loaded.findings.iter().filter(|finding| finding.severity == Severity::Warning).map(|finding| finding.code).collect();
+            loaded.findings.iter().filter(|finding| finding.severity() == Severity::Warning).map(|finding| finding.code()).collect();
         match name.as_str() {
             "malformed_p_negative_index.dae" => assert_eq!(warnings, ["index-out-of-range"], "{name}"),
             "missing_visual_scene.dae" => assert_eq!(warnings, ["no-scene-named", "broken-reference"], "{name}"),
@@ -78,7 +79,7 @@ fn the_conformance_suite_is_read_or_refused_with_a_reason() {
         match load(&path) {
             Ok(_) => read += 1,
             Err(error) => {
-                assert!(!error.message.is_empty());
+                assert!(!error.sentence().is_empty());
                 refused += 1;
             }
         }

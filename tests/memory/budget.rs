@@ -32,7 +32,7 @@ fn open_within_bounds(folder: &Path, what: &str, text: &str) -> Document {
 }
 
 fn reached_limit(document: &Document) -> bool {
-    document.diagnostics.iter().any(|finding| finding.code == "limit-reached")
+    document.diagnostics.iter().any(|finding| finding.code() == "limit-reached")
 }
 
 fn hung(document: &Document) -> usize {

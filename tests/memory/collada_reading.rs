@@ -4,6 +4,7 @@
 
 use crate::build::*;
 use sinew::collada::{Progress, read};
+use sinew::i18n::Sentence;
 
 /// Peak and present size of this process, bytes.
 fn sizes() -> Option<(usize, usize)> {
@@ -40,7 +41,7 @@ fn check_bytes(what: &str, bytes: &[u8]) {
         "{what}: {} MB of file, {} MB taken, {:?}",
         bytes.len() >> 20,
         taken >> 20,
-        result.as_ref().map(|loaded| codes(loaded)).map_err(|e| e.message.clone())
+        result.as_ref().map(|loaded| codes(loaded)).map_err(|e| e.sentence())
     );
     assert!(taken <= allowed, "{what}: {} MB of file took {} MB", bytes.len() >> 20, taken >> 20);
 }

@@ -3,6 +3,7 @@
 
 use crate::counting::{allocations, peak};
 use proptest::prelude::*;
+use sinew::i18n::Sentence;
 use sinew::limits;
 use sinew::muscle::MuscleFile;
 use sinew::view::{RecoveryFile, SessionState, Settings};
@@ -13,12 +14,13 @@ const MEMORY: usize = 64 << 20;
 
 /// All four readers on a text; what each says of it, `None` where it takes it.
 fn refusals(text: &str) -> [Option<String>; 4] {
-    let session = SessionState::parse(text).map_or_else(|| Some("no session".to_owned()), |read| read.err().map(|error| error.message));
+    let session =
+        SessionState::parse(text).map_or_else(|| Some("no session".to_owned()), |read| read.err().map(|error| error.kind.sentence()));
     [
         session,
-        MuscleFile::parse(text).err().map(|error| error.message),
-        Settings::parse(text).err().map(|error| error.message),
-        RecoveryFile::parse(text).err().map(|error| error.message),
+        MuscleFile::parse(text).err().map(|error| error.sentence()),
+        Settings::parse(text).err().map(|error| error.sentence()),
+        RecoveryFile::parse(text).err().map(|error| error.sentence()),
     ]
 }
 
@@ -117,7 +119,7 @@ pub(crate) fn limits_are_named() {
     }
     let many = format!("sinew_session:\n  files: [{}]", "a.dae,".repeat(limits::SESSION_FILES + 1));
     let error = SessionState::parse(&many).expect("a session").expect_err("too many files");
-    assert!(error.message.contains("101") && error.message.contains("100"), "{}", error.message);
+    assert!(error.kind.sentence().contains("101") && error.kind.sentence().contains("100"), "{}", error.kind.sentence());
     let fits = format!("sinew_session:\n  files: [{}]", "a.dae,".repeat(limits::SESSION_FILES));
     assert!(SessionState::parse(&fits).expect("a session").is_ok());
 }

@@ -80,6 +80,42 @@ fn every_message_takes_the_same_arguments_in_both_languages() {
     }
 }
 
+/// The messages that a source looks up by their names, each with what stands behind its name in the call.
+fn looked_up(source: &str) -> impl Iterator<Item = (&str, &str)> {
+    ["tr!(", "message!("].into_iter().flat_map(|call| source.split(call).skip(1)).filter_map(|rest| {
+        let (key, rest) = rest.trim_start().strip_prefix('"')?.split_once('"')?;
+        let mut depth = 1_usize;
+        let mut in_text = false;
+        let end = rest.char_indices().find(|(_, letter)| {
+            match letter {
+                '"' => in_text = !in_text,
+                '(' | '[' | '{' if !in_text => depth += 1,
+                ')' | ']' | '}' if !in_text => depth -= 1,
+                _ => {}
+            }
+            depth == 0
+        });
+        Some((key, &rest[..end?.0]))
+    })
+}
+
+#[test]
+fn every_argument_of_a_message_is_given() {
+    let catalogue = messages("en");
+    let mut missing = BTreeSet::new();
+    for file in files(&root().join("src"), "rs") {
+        let text = fs::read_to_string(&file).expect("readable");
+        for (key, given) in looked_up(&text) {
+            let Some(message) = catalogue.get(key) else { continue };
+            let is_given = |name: &&str| given.contains(&format!("{name} = "));
+            missing.extend(
+                arguments(message).into_iter().filter(|name| !is_given(name)).map(|name| format!("{name} of {key} in {}", file.display())),
+            );
+        }
+    }
+    assert!(missing.is_empty(), "not given: {missing:#?}");
+}
+
 #[test]
 fn every_name_that_the_sources_look_up_is_in_the_catalogue() {
     let catalogue = messages("en");
@@ -87,9 +123,10 @@ fn every_name_that_the_sources_look_up_is_in_the_catalogue() {
     for file in files(&root().join("src"), "rs") {
         let text = fs::read_to_string(&file).expect("readable");
         let text = text.replace("include_str!(", "");
-        let looked_up = text.split("tr!(").skip(1).filter_map(|rest| rest.trim_start().strip_prefix('"')?.split('"').next());
         missing.extend(
-            looked_up.filter(|key| !catalogue.contains_key(*key) && *key != "key").map(|key| format!("{key} in {}", file.display())),
+            looked_up(&text)
+                .filter(|(key, _)| !catalogue.contains_key(*key) && *key != "key")
+                .map(|(key, _)| format!("{key} in {}", file.display())),
         );
     }
     for file in files(&root().join("resources"), "ui").into_iter().chain(files(&root().join("src"), "ui")) {

@@ -130,7 +130,7 @@ collada-no-common-profile = The effect has no common profile; a neutral material
 collada-transparency-inverted = By the letter the material would be invisible; its transparency is taken the other way round.
 collada-bad-light = The light has no kind that is known; left out.
 collada-bad-camera = The camera has no projection; left out.
-collada-more-places = { $count ->
+finding-more-places = { $count ->
     [one] The same once more in this file.
    *[other] The same { $count } times more in this file.
 }

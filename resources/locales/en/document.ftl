@@ -1,4 +1,5 @@
 # Opening files.
+message-verbatim = { $words }
 document-not-found = There is no such file.
 document-permission = You may not read this file.
 document-folder = This is a folder, not a file.

@@ -136,7 +136,7 @@ collada-no-common-profile = У эффекта нет общего профиля
 collada-transparency-inverted = Если читать буквально, материал был бы невидим; прозрачность понята наоборот.
 collada-bad-light = Вид источника света неизвестен; пропущен.
 collada-bad-camera = У камеры нет проекции; пропущена.
-collada-more-places = { $count ->
+finding-more-places = { $count ->
     [one] То же ещё { $count } раз в этом файле.
     [few] То же ещё { $count } раза в этом файле.
    *[other] То же ещё { $count } раз в этом файле.

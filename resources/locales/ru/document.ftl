@@ -1,4 +1,5 @@
 # Открытие файлов.
+message-verbatim = { $words }
 document-not-found = Такого файла нет.
 document-permission = Нет права на чтение этого файла.
 document-folder = Это папка, а не файл.

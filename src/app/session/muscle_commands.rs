@@ -304,7 +304,7 @@ mod tests {
             let mut session = clip();
             session.new_muscle(Preset::by_id(id).unwrap()).unwrap();
             assert_eq!(session.document().muscle_files().map(|file| file.scale).collect::<Vec<_>>(), [Some(1.0)]);
-            let found: Vec<&str> = session.document().diagnostics.iter().map(|finding| finding.code).collect();
+            let found: Vec<&str> = session.document().diagnostics.iter().map(|finding| finding.code()).collect();
             let wrong = ["muscle-wrap-inert", "moment-arm-changes-sign", "muscle-path-jumps", "muscle-too-short"];
             assert!(!found.iter().any(|code| wrong.contains(code)), "{id}: {found:?}");
             let joint = session.joint().unwrap();

@@ -8,6 +8,7 @@ use crate::app::onion_skin_panel::file_name;
 use crate::app::session::{COMPARED_TINT, CompareTarget, Session, top_of};
 use crate::app::{format, title_bar};
 use crate::document::Skinning;
+use crate::i18n;
 use crate::tr;
 
 /// Names the two that are compared: over each where they stand side by side, else one below the other at the upper edge.
@@ -37,7 +38,7 @@ pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::
 }
 
 fn names(session: &Session) -> Option<[String; 2]> {
-    let own_path = || title_bar::sources(session.document()).first().map(|source| source.name.clone());
+    let own_path = || title_bar::sources(session.document()).first().map(|source| i18n::source_name(&source.name));
     let own = || own_path().map_or_else(|| tr!("app-name"), |path| file_name(&path));
     let ahead = |name: String, later: f64| {
         if later == 0.0 { name } else { tr!("app-compare-ahead", name = name, seconds = format::number(later, 2)) }

@@ -12,6 +12,10 @@ use crate::animation::{Channel, ChannelTarget, Clip, Curve, Interpolation, Pose}
 use crate::document::{Document, PoseState};
 use crate::scene::{MorphId, NodeId, TransformOp, compose};
 
+/// Names of the animations that files have for muscles without a clip; they do not depend on the language of the user.
+const BEND_NAME: &str = "Elbow angle";
+const CONTRACT_NAME: &str = "Contraction";
+
 /// Seconds that the arm takes to bend.
 const BEND_SECONDS: f64 = 2.0;
 /// Keys that a bend is looked at first.
@@ -44,8 +48,8 @@ impl AnimationRange {
         if document.clips.is_empty() {
             let Some(rig) = document.driven_rig() else { return Vec::new() };
             let (name, kind) = match rig.flexion_range() {
-                Some(range) => (crate::tr!("gltf-bend"), AnimationSource::Bend([*range.start(), *range.end()])),
-                None => (crate::tr!("gltf-contract"), AnimationSource::Contract),
+                Some(range) => (BEND_NAME.to_owned(), AnimationSource::Bend([*range.start(), *range.end()])),
+                None => (CONTRACT_NAME.to_owned(), AnimationSource::Contract),
             };
             return vec![Self { name, span: (0.0, BEND_SECONDS), shift: 0.0, kind }];
         }

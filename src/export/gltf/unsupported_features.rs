@@ -1,6 +1,7 @@
 //! Features of a document that glTF cannot express.
 
-use crate::tr;
+use crate::message;
+use crate::message::{Message, ToMessage};
 
 /// Something that was left out or only comes close.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
@@ -44,16 +45,16 @@ pub enum UnsupportedFeature {
     },
 }
 
-impl std::fmt::Display for UnsupportedFeature {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&match self {
-            Self::Shear { node } => tr!("gltf-shear", node = node.as_str()),
-            Self::Mixed { mesh } => tr!("gltf-mixed", mesh = mesh.as_str()),
-            Self::Colours { clip } => tr!("gltf-colours", clip = clip.as_str()),
-            Self::Image { name } => tr!("gltf-image", name = name.as_str()),
-            Self::AmbientLight { name } => tr!("gltf-ambient", name = name.as_str()),
-            Self::Shapes { kept } => tr!("gltf-shapes", count = *kept),
-            Self::Moved { clip, milliseconds } => tr!("gltf-moved", clip = clip.as_str(), milliseconds = *milliseconds),
-        })
+impl ToMessage for UnsupportedFeature {
+    fn message(&self) -> Message {
+        match self {
+            Self::Shear { node } => message!("gltf-shear", node = node),
+            Self::Mixed { mesh } => message!("gltf-mixed", mesh = mesh),
+            Self::Colours { clip } => message!("gltf-colours", clip = clip),
+            Self::Image { name } => message!("gltf-image", name = name),
+            Self::AmbientLight { name } => message!("gltf-ambient", name = name),
+            Self::Shapes { kept } => message!("gltf-shapes", count = kept),
+            Self::Moved { clip, milliseconds } => message!("gltf-moved", clip = clip, milliseconds = milliseconds),
+        }
     }
 }

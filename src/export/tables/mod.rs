@@ -10,12 +10,13 @@ use std::path::Path;
 use super::guard::Output;
 use super::{ExportError, atomic_file::write_atomic};
 use crate::document::{Document, PoseState};
+use crate::message::{Message, ToMessage};
 use crate::muscle::MuscleRig;
-use crate::{i18n, limits, tr};
+use crate::{i18n, limits, message};
 
 pub use joints::{JointRow, JointRows, JointTable};
 pub use muscles::{MuscleRow, MuscleRows, MuscleTable, unit, unit_name};
-pub use plots::unit_for_people;
+pub use plots::{Translate, unit_label};
 
 /// What a table is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,7 +70,7 @@ impl Table {
     /// [`TableError`].
     pub fn measure(of: TableSubject, document: &Document, state: &PoseState, fps: f64) -> Result<Self, TableError> {
         TableError::check(of, document, state, fps)?;
-        let file = document.sources.iter().map(|source| source.name.as_str()).collect::<Vec<_>>().join(", ");
+        let file = document.sources.iter().map(|source| source.name.to_string()).collect::<Vec<_>>().join(", ");
         let times = times(document, state, fps);
         match (of, times) {
             (TableSubject::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
@@ -83,14 +84,14 @@ impl Table {
         }
     }
 
-    /// Writes it to `file` atomically; a plot in pixels `scale` times its logical size.
+    /// Writes it to `file` atomically; a plot with the words of `say`, in pixels `scale` times its logical size.
     ///
     /// # Errors
     /// [`ExportError`] where the file cannot be written, or a plot in pixels cannot be drawn.
-    pub fn save(&self, file: &Output, form: TableFormat, scale: f64) -> Result<(), ExportError> {
+    pub fn save(&self, file: &Output, form: TableFormat, scale: f64, say: Translate) -> Result<(), ExportError> {
         let drawn = match form {
-            TableFormat::Png => self.page().png(scale).map_err(|why| ExportError::Plot { file: file.file().to_owned(), why })?,
-            TableFormat::Svg => self.page().svg().into_bytes(),
+            TableFormat::Png => self.page(say).png(scale).map_err(|why| ExportError::Plot { file: file.file().to_owned(), why })?,
+            TableFormat::Svg => self.page(say).svg().into_bytes(),
             TableFormat::Csv | TableFormat::Json => Vec::new(),
         };
         write_atomic(file, |out| match (form, self) {
@@ -153,14 +154,14 @@ impl TableError {
     }
 }
 
-impl std::fmt::Display for TableError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(&match self {
-            Self::NoClip => tr!("table-no-clip"),
-            Self::NoMuscle => tr!("table-no-muscle"),
-            Self::NoJoint => tr!("table-no-joint"),
-            Self::TooLong => tr!("table-too-long", limit = limits::TABLE_ROWS),
-        })
+impl ToMessage for TableError {
+    fn message(&self) -> Message {
+        match self {
+            Self::NoClip => message!("table-no-clip"),
+            Self::NoMuscle => message!("table-no-muscle"),
+            Self::NoJoint => message!("table-no-joint"),
+            Self::TooLong => message!("table-too-long", limit = limits::TABLE_ROWS),
+        }
     }
 }
 

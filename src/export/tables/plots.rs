@@ -1,8 +1,12 @@
 //! Tables as plots.
 
 use super::{JointRow, JointTable, MuscleRow, MuscleRows, MuscleTable, Table};
+use crate::message;
+use crate::message::Message;
 use crate::plot::{Curve, Page, Plot};
-use crate::tr;
+
+/// Makes a sentence of a message, in the user's language.
+pub type Translate = fn(&Message) -> String;
 
 /// Colours that people with any colour vision tell apart (M. Okabe, K. Ito: Color Universal Design, 2008), without the light yellow.
 const COLORS: [u32; 7] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9, 0x000000];
@@ -12,10 +16,10 @@ const LEVEL: f64 = 0.02;
 
 impl Table {
     /// The table as curves, at most seven to a plot: more could not be told apart.
-    pub fn page(&self) -> Page {
+    pub fn page(&self, say: Translate) -> Page {
         match self {
-            Self::Muscles(table) => table.page(),
-            Self::Joints(table) => table.page(),
+            Self::Muscles(table) => table.page(say),
+            Self::Joints(table) => table.page(say),
         }
     }
 }
@@ -35,18 +39,18 @@ fn plot(up: String, across: String, curves: Vec<(String, Vec<(f64, f64)>)>, leas
 
 impl MuscleTable {
     /// Length, moment arm, largest radius and volume of each muscle: over the angle or the time, or, for a muscle on no arm, over its length.
-    fn page(&self) -> Page {
+    fn page(&self, say: Translate) -> Page {
         type Pick = fn(&MuscleRow) -> Option<f64>;
         let shown: Vec<&MuscleRows> = self.muscles.iter().take(COLORS.len()).collect();
-        let unit = unit_for_people(&self.unit);
+        let unit = unit_label(&self.unit);
         let rows = || shown.iter().flat_map(|muscle| &muscle.samples);
         let any = |pick: Pick| rows().any(|row| pick(row).is_some());
         let (across, at): (String, Pick) = if self.is_over_time() {
-            (tr!("cli-measure-time"), |row| row.time)
+            (say(&message!("cli-measure-time")), |row| row.time)
         } else if any(|row| row.angle) {
-            (tr!("cli-measure-angle"), |row| row.angle)
+            (say(&message!("cli-measure-angle")), |row| row.angle)
         } else {
-            (tr!("cli-measure-length", unit = unit.clone()), |row| Some(row.length))
+            (say(&message!("cli-measure-length", unit = unit.clone())), |row| Some(row.length))
         };
         let panel = |up: String, pick: Pick, least_span: f64| {
             let point = |row: &MuscleRow| (at(row).unwrap_or(f64::NAN), pick(row).unwrap_or(f64::NAN));
@@ -55,21 +59,21 @@ impl MuscleTable {
         };
         let mut plots = Vec::new();
         if self.is_over_time() || any(|row| row.angle) {
-            plots.push(panel(tr!("cli-measure-length", unit = unit.clone()), |row| Some(row.length), 0.0));
+            plots.push(panel(say(&message!("cli-measure-length", unit = unit.clone())), |row| Some(row.length), 0.0));
         }
         if any(|row| row.moment_arm) {
-            plots.push(panel(tr!("cli-measure-moment-arm", unit = unit.clone()), |row| row.moment_arm, 0.0));
+            plots.push(panel(say(&message!("cli-measure-moment-arm", unit = unit.clone())), |row| row.moment_arm, 0.0));
         }
-        plots.push(panel(tr!("cli-measure-largest", unit = unit.clone()), |row| Some(row.largest_radius), 0.0));
+        plots.push(panel(say(&message!("cli-measure-largest", unit = unit.clone())), |row| Some(row.largest_radius), 0.0));
         let most = rows().map(|row| row.volume).fold(0.0, f64::max);
-        plots.push(panel(tr!("cli-measure-volume", unit = unit), |row| Some(row.volume), most * LEVEL));
-        Page { sections: vec![(title(&self.file, shown.len(), self.muscles.len()), plots)] }
+        plots.push(panel(say(&message!("cli-measure-volume", unit = unit)), |row| Some(row.volume), most * LEVEL));
+        Page { sections: vec![(title(&self.file, shown.len(), self.muscles.len(), say), plots)] }
     }
 }
 
 impl JointTable {
     /// Flexion and turn over time, of the joints that move most where there are many.
-    fn page(&self) -> Page {
+    fn page(&self, say: Translate) -> Page {
         let span = |samples: &[JointRow], pick: fn(&JointRow) -> Option<f64>| {
             let values = || samples.iter().filter_map(pick);
             (values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)).max(0.0)
@@ -83,25 +87,25 @@ impl JointTable {
         let panel = |up: String, pick: fn(&JointRow) -> Option<f64>| {
             let point = |row: &JointRow| (row.time, pick(row).unwrap_or(f64::NAN));
             let curves = shown.iter().map(|joint| (joint.name.clone(), joint.samples.iter().map(point).collect()));
-            plot(up, tr!("cli-measure-time"), curves.collect(), 0.0)
+            plot(up, say(&message!("cli-measure-time")), curves.collect(), 0.0)
         };
-        let plots = vec![panel(tr!("plot-flexion"), |row| row.flexion), panel(tr!("plot-turn"), |row| row.turn)];
-        Page { sections: vec![(title(&format!("{}: {}", self.file, self.clip), shown.len(), self.joints.len()), plots)] }
+        let plots = vec![panel(say(&message!("plot-flexion")), |row| row.flexion), panel(say(&message!("plot-turn")), |row| row.turn)];
+        Page { sections: vec![(title(&format!("{}: {}", self.file, self.clip), shown.len(), self.joints.len(), say), plots)] }
     }
 }
 
-fn title(what: &str, shown: usize, all: usize) -> String {
-    if shown < all { tr!("plot-some", what = what, shown = shown, all = all) } else { what.to_owned() }
+fn title(what: &str, shown: usize, all: usize, say: Translate) -> String {
+    if shown < all { say(&message!("plot-some", what = what, shown = shown, all = all)) } else { what.to_owned() }
 }
 
-/// A unit in the user's language.
-pub fn unit_for_people(unit: &str) -> String {
+/// A unit as people write it.
+pub fn unit_label(unit: &str) -> Message {
     match unit {
-        "mm" => tr!("cli-unit-mm"),
-        "cm" => tr!("cli-unit-cm"),
-        "m" => tr!("cli-unit-m"),
-        "in" => tr!("cli-unit-in"),
-        other => other.to_owned(),
+        "mm" => message!("cli-unit-mm"),
+        "cm" => message!("cli-unit-cm"),
+        "m" => message!("cli-unit-m"),
+        "in" => message!("cli-unit-in"),
+        other => Message::verbatim(other),
     }
 }
 
@@ -115,7 +119,7 @@ mod tests {
     fn an_arm_is_plotted_over_its_angle() {
         let document = Document::built_in();
         let table = Table::measure(TableSubject::Muscles, &document, &document.start_state(), 25.0).expect("a muscle on an arm");
-        let page = table.page();
+        let page = table.page(crate::i18n::sentence);
         let [(_, plots)] = &page.sections[..] else { panic!("one section") };
         assert_eq!(plots.len(), 4);
         for plot in plots {
@@ -135,7 +139,7 @@ mod tests {
                 .into(),
         };
         let table = JointTable { file: "f".into(), clip: "c".into(), joints: (0..20).map(joint).collect() };
-        let page = table.page();
+        let page = table.page(crate::i18n::sentence);
         let (title, plots) = &page.sections[0];
         let names: Vec<&str> =
             std::iter::once(&plots[1].name).chain(plots[1].more_curves.iter().map(|curve| &curve.name)).map(String::as_str).collect();

@@ -32,32 +32,65 @@ mod yaml;
 pub use lossless_save::Saved;
 pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 
+use crate::message::{Message, ToMessage};
 use crate::tr;
-use crate::yaml::YamlError;
+use crate::yaml::{YamlError, YamlErrorKind};
 use decode::{At, Complaint};
 
-/// Why a YAML file could not be used: one sentence that says where and what would be right.
+/// Why a YAML file could not be used, and where.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{message}")]
+#[error("{}", self.message())]
 pub struct ConfigError {
     /// Line from 1.
     pub line: Option<u32>,
     /// Column from 1.
     pub column: Option<u32>,
-    /// The sentence, in the user's language, with the remedy.
-    pub message: String,
+    /// What is wrong.
+    pub kind: ConfigErrorKind,
+}
+
+/// What is wrong with a muscle file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ConfigErrorKind {
+    /// The text is no YAML that can be read.
+    Yaml(YamlErrorKind),
+    /// In words.
+    Words(String),
+}
+
+impl ToMessage for ConfigError {
+    fn message(&self) -> Message {
+        self.kind.message()
+    }
+}
+
+impl ToMessage for ConfigErrorKind {
+    fn message(&self) -> Message {
+        match self {
+            Self::Yaml(error) => error.message(),
+            Self::Words(words) => Message::verbatim(words),
+        }
+    }
 }
 
 impl ConfigError {
     fn at(place: Option<(usize, usize)>, message: String) -> Self {
         let number = |n: usize| u32::try_from(n).ok();
-        Self { line: place.and_then(|(line, _)| number(line)), column: place.and_then(|(_, column)| number(column)), message }
+        Self {
+            line: place.and_then(|(line, _)| number(line)),
+            column: place.and_then(|(_, column)| number(column)),
+            kind: ConfigErrorKind::Words(message),
+        }
     }
 }
 
 impl From<YamlError> for ConfigError {
     fn from(error: YamlError) -> Self {
-        Self { line: error.place.map(|place| place.line), column: error.place.map(|place| place.column), message: error.message }
+        Self {
+            line: error.place.map(|place| place.line),
+            column: error.place.map(|place| place.column),
+            kind: ConfigErrorKind::Yaml(error.kind),
+        }
     }
 }
 
