@@ -6,11 +6,10 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::export::gltf;
 use sinew::export::guard::OverwriteGuard;
-use sinew::export::pipeline::ExportProgress;
+use sinew::progress::Progress;
 use sinew::render::Display;
 use sinew::scene::ViewDirection;
 use sinew::sequence::{self, Direction, FittedOrbit, OutputTarget, Sequence, SequenceOptions, SequenceRenderer};
@@ -38,7 +37,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let target = OutputTarget::of(out)?;
     let begun = Instant::now();
     let mut studio = SequenceRenderer::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
-    sequence::save(&mut studio, SIZE, (&target, &OverwriteGuard::default()), &|_| String::new(), &ExportProgress::default()).ok()?;
+    sequence::save(&mut studio, SIZE, (&target, &OverwriteGuard::default()), &|_| String::new(), &Progress::default()).ok()?;
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }
 

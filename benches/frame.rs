@@ -5,8 +5,8 @@ mod support;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
-use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState};
+use sinew::progress::Progress;
 use sinew::render::{Display, Renderer, Samples};
 use sinew::scene::{Frame, OrbitCamera};
 

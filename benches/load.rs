@@ -13,7 +13,8 @@ use std::path::{Path, PathBuf};
 
 use glam::{DMat4, DVec3};
 use sinew::animation::Pose;
-use sinew::collada::{Progress, read};
+use sinew::collada::read;
+use sinew::progress::Progress;
 
 const JOINTS: usize = 70;
 const KEYS: usize = 200;

@@ -7,8 +7,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
-use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
+use sinew::progress::Progress;
 use sinew::scene::{
     Content, Deformer, Frame, Influence, Mesh, MeshId, MeshInstance, Node, NodeKind, Scene, Skin, SkinId, SkinJoint, Transform,
 };

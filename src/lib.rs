@@ -8,6 +8,8 @@
 //! | [`i18n`] | the translation catalogue (English, Russian) | nothing |
 //! | [`diagnostics`] | findings: what a reader saw and what it did about it | nothing |
 //! | [`limits`] | every bound on what input may ask for, in one place | nothing |
+//! | [`message`] | what libraries tell people, without a language: keys, parameters, places | nobody |
+//! | [`progress`] | how far a long task is, and a way to stop it | nobody |
 //! | [`system`] | messages for people about failed system calls | `i18n` |
 //! | [`input`] | reads files from outside: regular ones, within a size limit | `system` |
 //! | [`yaml`] | the one reader of YAML, within bounds | `i18n`, `limits` |
@@ -42,6 +44,7 @@ pub mod limits;
 pub mod message;
 pub mod muscle;
 pub mod plot;
+pub mod progress;
 pub mod render;
 pub mod scene;
 pub mod sequence;

@@ -9,8 +9,8 @@ use gtk4 as gtk;
 use super::session::CompareTarget;
 use super::window::Window;
 use super::{document_loader, onion_skin_panel, reload_summary};
-use crate::collada::Progress;
 use crate::document::Document;
+use crate::progress::Progress;
 use crate::tr;
 
 /// Asks for a file and compares what is open with it.

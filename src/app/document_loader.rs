@@ -4,7 +4,6 @@ use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use gtk::prelude::*;
@@ -15,13 +14,13 @@ use super::error_bar::Trouble;
 use super::session::{CompareTarget, LoadMode};
 use super::window::Window;
 use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
-use crate::collada::Progress;
 use crate::document::OpenErrorKind;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::OverwriteGuard;
 use crate::i18n::{self, Sentence};
 use crate::message::{Location, SourceName};
 use crate::muscle::MuscleFile;
+use crate::progress::Progress;
 use crate::view::{self, Opened};
 use crate::{input, limits, tr};
 
@@ -65,7 +64,7 @@ struct CarriedState {
 
 fn cancel(reading: &RefCell<Option<Arc<Progress>>>) {
     if let Some(progress) = &*reading.borrow() {
-        progress.cancelled.store(true, Ordering::Relaxed);
+        progress.cancel();
     }
 }
 
@@ -259,7 +258,7 @@ fn show_progress(window: &Rc<Window>, paths: &[PathBuf], progress: &Arc<Progress
             let Some(window) = weak.upgrade() else { return glib::ControlFlow::Break };
             let files = &window.files;
             if is_newest(&files.reading, &mine) || is_newest(&files.apart, &mine) {
-                let part = f64::from(mine.permille.load(Ordering::Relaxed)) / 1000.0;
+                let part = f64::from(mine.share());
                 window.viewport.loading(Some((&text, part)));
                 glib::ControlFlow::Continue
             } else {

@@ -4,7 +4,6 @@ use std::cell::{Cell, RefCell};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use gtk::prelude::*;
@@ -15,9 +14,9 @@ use super::export_job::{ExportJob, ExportKind, ExportOptions, MotionSource};
 use super::window::{Window, object};
 use super::{document_loader, format, save_as, ui};
 use crate::export::ExportError;
-use crate::export::pipeline::ExportProgress;
 use crate::export::{gltf, video};
 use crate::i18n::Sentence;
+use crate::progress::Progress;
 use crate::tr;
 
 /// How often the bar moves.
@@ -27,7 +26,7 @@ const PULSE: Duration = Duration::from_millis(80);
 struct Dialog {
     builder: gtk::Builder,
     window: Rc<Window>,
-    work: RefCell<Option<Arc<ExportProgress>>>,
+    work: RefCell<Option<Arc<Progress>>>,
     /// What glTF cannot hold of the document, once that is known.
     losses: RefCell<Option<Vec<String>>>,
     /// Whether it is being computed.
@@ -103,7 +102,7 @@ impl Dialog {
         let dialog = self.clone();
         root.connect_close_request(move |_| {
             if let Some(work) = &*dialog.work.borrow() {
-                work.cancelled.store(true, Ordering::Relaxed);
+                work.cancel();
                 return glib::Propagation::Stop;
             }
             glib::Propagation::Proceed
@@ -252,7 +251,7 @@ impl Dialog {
 
     /// Runs the export beside the interface.
     fn start(self: &Rc<Self>, job: ExportJob, kind: ExportKind, file: PathBuf) {
-        let (count, work) = (job.count(), Arc::new(ExportProgress::default()));
+        let (count, work) = (job.count(), Arc::new(Progress::default()));
         self.work.replace(Some(work.clone()));
         self.show_running(true);
         self.watch(count, &work);
@@ -283,14 +282,14 @@ impl Dialog {
         self.part::<gtk::ProgressBar>("bar").set_fraction(0.0);
     }
 
-    fn watch(self: &Rc<Self>, count: usize, work: &Arc<ExportProgress>) {
+    fn watch(self: &Rc<Self>, count: usize, work: &Arc<Progress>) {
         let (dialog, work) = (self.clone(), work.clone());
         glib::timeout_add_local(PULSE, move || {
             if dialog.work.borrow().is_none() {
                 return glib::ControlFlow::Break;
             }
             let bar = dialog.part::<gtk::ProgressBar>("bar");
-            let done = work.done.load(Ordering::Relaxed);
+            let done = work.steps();
             if count > 1 {
                 bar.set_fraction(done as f64 / count as f64);
                 dialog.say(&tr!("cli-progress", done = done, count = count));

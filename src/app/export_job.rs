@@ -9,11 +9,11 @@ use crate::export::file_extension::with_extension;
 use crate::export::gltf::{self, GltfContainer};
 use crate::export::guard::OverwriteGuard;
 use crate::export::mtl;
-use crate::export::pipeline::ExportProgress;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, Table, TableError, TableSubject};
 use crate::export::{gif, video};
 use crate::i18n::{self, Sentence};
+use crate::progress::Progress;
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
 use crate::sequence::{self, FilePattern, FrameSpec, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions, SequenceRenderer};
@@ -356,7 +356,7 @@ impl ExportJob {
     ///
     /// # Errors
     /// [`ExportError`]; then everything is as it was.
-    pub(super) fn run(self, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
+    pub(super) fn run(self, file: &Path, work: &Progress) -> Result<(), ExportError> {
         let target = match self.options.kind {
             ExportKind::Picture => OutputTarget::Picture(file.to_owned()),
             ExportKind::Gif => OutputTarget::Gif(file.to_owned()),
@@ -385,12 +385,12 @@ impl ExportJob {
         sequence::save(&mut studio, options.size, (&target, &guard), &note, work)
     }
 
-    fn scene(&self, form: GltfContainer, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
+    fn scene(&self, form: GltfContainer, file: &Path, work: &Progress) -> Result<(), ExportError> {
         let (pending, _) = gltf::prepare(&self.guard.output(file)?, form, &self.document)?;
         if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.commit() }
     }
 
-    fn table(&self, of: TableSubject, form: tables::TableFormat, file: &Path, work: &ExportProgress) -> Result<(), ExportError> {
+    fn table(&self, of: TableSubject, form: tables::TableFormat, file: &Path, work: &Progress) -> Result<(), ExportError> {
         // The document is the one that was checked, so nothing is refused now.
         match Table::measure(of, &self.document, &self.state, self.options.fps) {
             Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE, i18n::sentence),
@@ -468,7 +468,7 @@ mod tests {
             assert_eq!(kind.completed(&file), file);
             let job = ExportJob::new(&mut session, options(kind, MotionSource::Elbow), OverwriteGuard::default()).expect("the arm bends");
             assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
-            job.run(&file, &ExportProgress::default()).expect("written");
+            job.run(&file, &Progress::default()).expect("written");
             let first = kind.first_files(&file).remove(0);
             assert!(fs::metadata(&first).is_ok_and(|found| found.len() > 100), "{}", first.display());
         }

@@ -219,7 +219,7 @@ mod tests {
     #[test]
     fn a_finding_about_what_hangs_on_a_node_leads_there() {
         let text = include_str!("../../tests/fuzz/seeds/collada/everything.dae");
-        let loaded = crate::collada::read(text.as_bytes(), "everything.dae", &crate::collada::Progress::default()).expect("it is read");
+        let loaded = crate::collada::read(text.as_bytes(), "everything.dae", &crate::progress::Progress::default()).expect("it is read");
         let mut document = Document::default();
         document.scene = loaded.scene;
         let named = |element: &str| node_named(&document, element).map(|id| document.scene.graph.node(id).contents.len());

@@ -99,7 +99,7 @@ fn keyed<'a>(document: &Document, clip: &'a Clip) -> Vec<(String, &'a Channel)> 
 mod tests {
     use super::super::session::Session;
     use super::*;
-    use crate::collada::Progress;
+    use crate::progress::Progress;
     use crate::scene::{Node, NodeId};
 
     fn clip() -> Document {

@@ -3,11 +3,11 @@
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use crate::collada::Progress;
 use crate::document::{Document, PoseBuffers};
 use crate::export::ExportError;
 use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
+use crate::progress::Progress;
 use crate::render::{Background, Display, Palette, Renderer, Theme};
 use crate::scene::{Frame, OrbitCamera, ViewDirection};
 

@@ -95,7 +95,7 @@ pub(super) fn tell_size(builder: &gtk::Builder, triangles: u64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collada::Progress;
+    use crate::progress::Progress;
 
     #[test]
     fn the_title_names_the_clip_first_and_counts_the_rest() {

@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use super::files;
 use super::output::{Failure, display_name, print_json, print_result};
-use crate::collada::Progress;
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, Finding, Images, OpenError, OpenOptions};
 use crate::i18n::{self, Sentence, shown};
+use crate::progress::Progress;
 use crate::tr;
 
 /// One file's report.

@@ -8,12 +8,12 @@ use super::export::allow_overwriting;
 use super::output::{Failure, output_name, print_notice, print_verbose, refuse_number_pattern, wrong_extension};
 use super::progress::install_interrupt_handler;
 use super::{files, value};
-use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions};
 use crate::export::gltf::{GltfContainer, save};
 use crate::export::guard::OverwriteGuard;
 use crate::i18n;
 use crate::i18n::Sentence;
+use crate::progress::Progress;
 use crate::tr;
 
 /// Runs the subcommand.

@@ -9,12 +9,12 @@ use super::output::{Failure, is_quiet, output_name, print_prompt, print_verbose,
 use super::pose_options::Moment;
 use super::progress::install_interrupt_handler;
 use super::{files, value};
-use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseBuffers};
 use crate::export::guard::OverwriteGuard;
 use crate::export::mtl;
 use crate::export::surface::{self, SurfaceFormat};
 use crate::i18n;
+use crate::progress::Progress;
 use crate::scene::Frame;
 use crate::tr;
 

@@ -11,7 +11,6 @@ use super::export::allow_overwriting;
 use super::output::{Failure, display_name, output_name, print_json, print_result, refuse_number_pattern, wrong_extension};
 use super::progress::install_interrupt_handler;
 use super::{files, measured, value};
-use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, SourceKind};
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
@@ -22,6 +21,7 @@ use crate::i18n::decimal;
 use crate::muscle::parameter_fit::{Fitted, Model, fitted_file};
 use crate::muscle::validation::Table;
 use crate::muscle::{MuscleFile, MuscleRig};
+use crate::progress::Progress;
 use crate::tr;
 
 /// What was fitted; the names are a contract.

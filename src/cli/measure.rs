@@ -15,12 +15,12 @@ use super::pose_options::unknown_clip;
 use super::progress::install_interrupt_handler;
 use super::text_table::columns;
 use super::{files, joints, value};
-use crate::collada::Progress;
 use crate::document::{Document, Images, OpenOptions, PoseState};
 use crate::export::guard::OverwriteGuard;
 use crate::export::tables::{JointTable, MuscleTable, PLOT_SCALE, Table, TableError, TableFormat, TableSubject, even_times, unit_label};
 use crate::i18n::Sentence;
 use crate::i18n::{self, decimal};
+use crate::progress::Progress;
 use crate::sequence::DEFAULT_FPS;
 use crate::tr;
 

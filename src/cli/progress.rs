@@ -8,21 +8,21 @@ use std::time::Duration;
 use super::output::{EXIT_CANCELLED, Failure, is_quiet};
 use crate::export::ExportError;
 use crate::export::atomic_file::cleanup_temp_files;
-use crate::export::pipeline::ExportProgress;
+use crate::progress::Progress;
 use crate::tr;
 
 /// Interval between updates of the progress line.
 const PRINT_INTERVAL: Duration = Duration::from_millis(100);
 
 /// The export that Ctrl+C cancels.
-static CURRENT: Mutex<Option<Arc<ExportProgress>>> = Mutex::new(None);
+static CURRENT: Mutex<Option<Arc<Progress>>> = Mutex::new(None);
 
 /// Runs an export of `count` frames. A terminal shows the progress; Ctrl+C or a termination signal cancels it without leaving partial files.
 ///
 /// # Errors
 /// What the work returns.
-pub(super) fn run_with_progress(count: usize, run: impl FnOnce(&ExportProgress) -> Result<(), ExportError>) -> Result<(), Failure> {
-    let progress = Arc::new(ExportProgress::default());
+pub(super) fn run_with_progress(count: usize, run: impl FnOnce(&Progress) -> Result<(), ExportError>) -> Result<(), Failure> {
+    let progress = Arc::new(Progress::default());
     *CURRENT.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&progress));
     install_interrupt_handler();
     let shown = count > 1 && !is_quiet() && io::stderr().is_terminal();
@@ -44,7 +44,7 @@ pub(super) fn run_with_progress(count: usize, run: impl FnOnce(&ExportProgress) 
 pub(super) fn install_interrupt_handler() {
     // Where the system has no such thing the program just ends.
     let _ = ctrlc::set_handler(|| match &*CURRENT.lock().unwrap_or_else(PoisonError::into_inner) {
-        Some(progress) => progress.cancelled.store(true, Ordering::Relaxed),
+        Some(progress) => progress.cancel(),
         None => {
             cleanup_temp_files();
             Failure::Cancelled.report();
@@ -54,10 +54,10 @@ pub(super) fn install_interrupt_handler() {
     });
 }
 
-fn print_progress(progress: &ExportProgress, count: usize, finished: &AtomicBool) {
+fn print_progress(progress: &Progress, count: usize, finished: &AtomicBool) {
     let mut out = io::stderr();
     while !finished.load(Ordering::Relaxed) {
-        let line = tr!("cli-progress", done = progress.done.load(Ordering::Relaxed), count = count);
+        let line = tr!("cli-progress", done = progress.steps(), count = count);
         // A terminal that is gone is nothing to stop for.
         let _ = write!(out, "\r\x1b[K{line}").and_then(|()| out.flush());
         std::thread::park_timeout(PRINT_INTERVAL);

@@ -10,13 +10,13 @@ use super::export::allow_overwriting;
 use super::output::{Failure, display_name, output_name, print_error, print_verbose, refuse_number_pattern, wrong_extension};
 use super::pose_options::Moment;
 use super::{files, progress, value};
-use crate::collada::Progress;
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
 use crate::export::guard::OverwriteGuard;
 use crate::i18n;
 use crate::limits;
 use crate::muscle::MuscleRig;
+use crate::progress::Progress;
 use crate::render::{Background, Display, Samples, Shading};
 use crate::scene::{Bounds, Frame, OrbitCamera, ViewDirection};
 use crate::sequence::{

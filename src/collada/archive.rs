@@ -8,7 +8,8 @@ use zip::ZipArchive;
 
 use super::bundle::{Bundle, normal};
 use super::lookup::percent_decoded;
-use super::{Loaded, Progress, ReadError, read_document};
+use super::{Loaded, ReadError, read_document};
+use crate::progress::Progress;
 use crate::{limits, tr};
 
 /// Endings of files that textures may use.

@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::sync::atomic::Ordering;
 
 use glam::{DMat4, DVec3};
 use roxmltree::NodeId;
@@ -15,8 +14,9 @@ use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
 use super::parallel_lists::Ahead;
 use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
-use super::{El, Progress, ReadError, diagnostic_codes};
+use super::{El, ReadError, diagnostic_codes};
 pub(super) use crate::i18n::shortened;
+use crate::progress::Progress;
 use crate::scene::affine;
 use crate::{limits, tr};
 
@@ -78,14 +78,14 @@ impl<'a> Context<'a> {
     /// # Errors
     /// Where somebody asked to stop.
     pub(super) fn advance(&self, part: f32) -> Step<()> {
-        self.progress.set(part);
+        self.progress.set_share(part);
         self.check_cancelled()
     }
 
     /// # Errors
     /// Where somebody asked to stop.
     pub(super) fn check_cancelled(&self) -> Step<()> {
-        if self.progress.cancelled.load(Ordering::Relaxed) {
+        if self.progress.is_cancelled() {
             return Err(ReadError::new(None, tr!("collada-cancelled")));
         }
         Ok(())

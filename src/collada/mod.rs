@@ -50,11 +50,11 @@ mod xml;
 
 use std::borrow::Cow;
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
 use crate::animation::Clip;
 use crate::diagnostics::{Diagnostic, DiagnosticKind, Severity};
 use crate::message::{Message, ToMessage};
+use crate::progress::Progress;
 use crate::scene::Scene;
 use crate::{limits, tr};
 
@@ -163,34 +163,13 @@ impl DiagnosticKind for Finding {
     }
 }
 
-/// A hand on the reader: how far it is, and a way to stop it.
-#[derive(Debug, Default)]
-pub struct Progress {
-    /// Thousandths done.
-    pub permille: AtomicU32,
-    /// Set to stop.
-    pub cancelled: AtomicBool,
-}
-
-impl Progress {
-    /// Whether somebody asked to stop.
-    pub fn is_cancelled(&self) -> bool {
-        self.cancelled.load(Ordering::Relaxed)
-    }
-
-    /// Says how much is done, 0 to 1.
-    pub fn set(&self, part: f32) {
-        self.permille.store((part.clamp(0.0, 1.0) * 1000.0) as u32, Ordering::Relaxed);
-    }
-}
-
 /// Reads a document from its bytes, a `.dae` or a `.zae`, told apart by content. `name` is the file's name: it stands in messages, on the root node, and
 /// tells references to the file itself from those to other files.
 ///
 /// # Errors
 /// [`ReadError`] where nothing of the file can be shown: not XML, not COLLADA, a limit broken, cancelled.
 pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
-    progress.set(0.0);
+    progress.set_share(0.0);
     if bytes.len() as u64 > limits::FILE_BYTES {
         return Err(ReadError::new(None, tr!("collada-too-large", limit = limits::FILE_BYTES >> 20)));
     }

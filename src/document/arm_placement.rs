@@ -41,9 +41,9 @@ impl ArmPlacer {
 
 #[cfg(test)]
 mod tests {
-    use crate::collada::Progress;
     use crate::document::{Document, PoseBuffers, PoseState};
     use crate::muscle::MuscleState;
+    use crate::progress::Progress;
     use crate::scene::{Bounds, Content, Frame, NodeId};
 
     /// The boxes round what each file shows, with the elbow bent by this many degrees.

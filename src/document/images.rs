@@ -13,10 +13,10 @@ use super::image_decoder::{self, ImageHeader, ImageReadError};
 use super::image_finding::ImageFinding;
 use super::image_paths::{FileImages, ImageLocation, ImageLocator, SharedImages};
 use super::{Document, Finding, Images};
-use crate::collada::Progress;
 use crate::diagnostics::Diagnostic;
 use crate::limits;
 use crate::message::SourceName;
+use crate::progress::Progress;
 use crate::scene::{Image, Pixels, Scene, TextureRef};
 
 /// The images of the files that were read so far, which are looked for when all files are there.

@@ -6,10 +6,11 @@ use super::file::{self, Format};
 use super::foreign::UnsupportedFormat;
 use super::images::PendingImages;
 use super::{Document, Finding, OpenError, OpenErrorKind, Source, SourceKind, merge};
-use crate::collada::{self, Progress};
+use crate::collada;
 use crate::diagnostics::Diagnostic;
 use crate::message::{Location, SourceName};
 use crate::muscle::MuscleFile;
+use crate::progress::Progress;
 use crate::{input, limits};
 
 /// What to do about the images that a file names.

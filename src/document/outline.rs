@@ -55,8 +55,8 @@ impl Document {
 
 #[cfg(test)]
 mod tests {
-    use crate::collada::Progress;
     use crate::document::{Document, PoseBuffers};
+    use crate::progress::Progress;
     use crate::scene::{Frame, NodeId};
 
     #[test]

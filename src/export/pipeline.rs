@@ -5,41 +5,26 @@
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, channel};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use super::ExportError;
+use crate::progress::Progress;
 use crate::render::Framebuffer;
 
 /// Most memory of all pictures together, bytes.
 const MEMORY_LIMIT: usize = 256 << 20;
 
-/// Progress of an export, and its cancellation.
-#[derive(Debug, Default)]
-pub struct ExportProgress {
-    /// Number of frames written.
-    pub done: AtomicUsize,
-    /// Set to cancel: the export ends with [`ExportError::Cancelled`] and leaves no files.
-    pub cancelled: AtomicBool,
-}
-
-impl ExportProgress {
-    /// Whether the export was cancelled.
-    pub fn is_cancelled(&self) -> bool {
-        self.cancelled.load(Ordering::Relaxed)
-    }
-
-    /// A writer to `out` that fails with [`ExportError::Cancelled`] inside once the export is cancelled.
-    pub fn cancellable<W: Write>(&self, out: W) -> impl Write {
-        CancellableWriter { out, progress: self }
-    }
+/// A writer to `out` that fails with [`ExportError::Cancelled`] inside once `progress` is cancelled.
+pub fn cancellable<W: Write>(out: W, progress: &Progress) -> impl Write {
+    CancellableWriter { out, progress }
 }
 
 struct CancellableWriter<'a, W> {
     out: W,
-    progress: &'a ExportProgress,
+    progress: &'a Progress,
 }
 
 impl<W: Write> Write for CancellableWriter<'_, W> {
@@ -59,7 +44,7 @@ impl<W: Write> Write for CancellableWriter<'_, W> {
 /// The first that `convert` or `write` returns; [`ExportError::Cancelled`] (inside the [`io::Error`]) when `progress` was cancelled.
 pub fn run<C, T: Send>(
     (count, size, threads): (usize, (u32, u32), usize),
-    progress: &ExportProgress,
+    progress: &Progress,
     mut draw: impl FnMut(usize, &mut Framebuffer),
     converter: impl Fn() -> C + Sync,
     convert: impl Fn(&mut C, usize, &Framebuffer) -> io::Result<T> + Sync,
@@ -116,7 +101,7 @@ pub fn run<C, T: Send>(
                         result = made.and_then(&mut write);
                         match &result {
                             Ok(()) => {
-                                progress.done.fetch_add(1, Ordering::Relaxed);
+                                progress.step();
                             }
                             Err(_) => failed_flag.store(true, Ordering::Relaxed),
                         }
@@ -167,7 +152,7 @@ mod tests {
             *made += 1;
             Ok(picture.pixels[0])
         };
-        run((count, (2, 2), threads), &ExportProgress::default(), draw, || 0, convert, &mut write)
+        run((count, (2, 2), threads), &Progress::default(), draw, || 0, convert, &mut write)
     }
 
     #[test]
@@ -196,10 +181,10 @@ mod tests {
 
     #[test]
     fn nothing_is_written_after_a_cancellation() {
-        let (progress, mut out) = (ExportProgress::default(), Vec::new());
-        let mut guarded = progress.cancellable(&mut out);
+        let (progress, mut out) = (Progress::default(), Vec::new());
+        let mut guarded = cancellable(&mut out, &progress);
         guarded.write_all(b"one").expect("memory is writable");
-        progress.cancelled.store(true, Ordering::Relaxed);
+        progress.cancel();
         let error = guarded.write_all(b"two").expect_err("stopped");
         assert!(matches!(ExportError::io(std::path::Path::new("x"), error), ExportError::Cancelled));
         drop(guarded);
@@ -208,10 +193,14 @@ mod tests {
 
     #[test]
     fn it_stops_when_asked() {
-        let progress = ExportProgress::default();
-        let draw = |index: usize, _: &mut Framebuffer| progress.cancelled.store(index >= 3, Ordering::Relaxed);
+        let progress = Progress::default();
+        let draw = |index: usize, _: &mut Framebuffer| {
+            if index >= 3 {
+                progress.cancel();
+            }
+        };
         let result = run((1000, (1, 1), 2), &progress, draw, || (), |_, _, _| Ok(()), |()| Ok(()));
         assert!(matches!(ExportError::io(std::path::Path::new("x"), result.expect_err("stopped")), ExportError::Cancelled));
-        assert!(progress.done.load(Ordering::Relaxed) < 10);
+        assert!(progress.steps() < 10);
     }
 }

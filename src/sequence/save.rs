@@ -7,10 +7,11 @@ use super::{FilePattern, FrameSpec, Sequence, SequenceRenderer};
 use crate::export::atomic_file::{prepare, write_atomic};
 use crate::export::color_quantizer::ColorSampler;
 use crate::export::guard::{Output, OverwriteGuard};
-use crate::export::pipeline::{self, ExportProgress};
+use crate::export::pipeline;
 use crate::export::png::{Compression, SOFTWARE};
 use crate::export::video::{self, VideoFormat};
 use crate::export::{ExportError, apng, gif, png};
+use crate::progress::Progress;
 use crate::render::Framebuffer;
 
 /// Number of frames from which the palette of a GIF is computed.
@@ -65,7 +66,7 @@ pub fn save(
     size: (u32, u32),
     (target, guard): (&OutputTarget, &OverwriteGuard),
     note: &(dyn Fn(&FrameSpec) -> String + Sync),
-    progress: &ExportProgress,
+    progress: &Progress,
 ) -> Result<(), ExportError> {
     let result = write(renderer, size, (target, guard), note, progress);
     // Any error after a cancellation is its consequence.
@@ -77,7 +78,7 @@ fn write(
     size: (u32, u32),
     (target, guard): (&OutputTarget, &OverwriteGuard),
     note: &(dyn Fn(&FrameSpec) -> String + Sync),
-    progress: &ExportProgress,
+    progress: &Progress,
 ) -> Result<(), ExportError> {
     match target {
         OutputTarget::Picture(file) => {
@@ -85,8 +86,10 @@ fn write(
             let spec = renderer.draw(0, &mut picture);
             let (alpha, comment) = (renderer.is_transparent(), note(&spec));
             let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
-            write_atomic(&guard.output(file)?, |out| png::encode(progress.cancellable(out), &picture, alpha, &notes, Compression::Small))?;
-            progress.done.store(1, std::sync::atomic::Ordering::Relaxed);
+            write_atomic(&guard.output(file)?, |out| {
+                png::encode(pipeline::cancellable(out, progress), &picture, alpha, &notes, Compression::Small)
+            })?;
+            progress.step();
             Ok(())
         }
         OutputTarget::Pictures(pattern) => save_pictures(renderer, size, (pattern, guard), note, progress),
@@ -116,7 +119,7 @@ fn save_pictures(
     size: (u32, u32),
     (pattern, guard): (&FilePattern, &OverwriteGuard),
     note: &(dyn Fn(&FrameSpec) -> String + Sync),
-    progress: &ExportProgress,
+    progress: &Progress,
 ) -> Result<(), ExportError> {
     let (alpha, sequence, document) = (renderer.is_transparent(), renderer.sequence, renderer.document());
     let mut pending = Vec::new();
@@ -124,9 +127,9 @@ fn save_pictures(
         let comment = note(&sequence.frame_spec(document, index));
         let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
         let file = pattern.file(index);
-        let prepared = guard
-            .output(&file)
-            .and_then(|file| prepare(&file, |out| png::encode(progress.cancellable(out), picture, alpha, &notes, Compression::Quick)));
+        let prepared = guard.output(&file).and_then(|file| {
+            prepare(&file, |out| png::encode(pipeline::cancellable(out, progress), picture, alpha, &notes, Compression::Quick))
+        });
         prepared.map_err(std::io::Error::other)
     };
     run_pipeline(
@@ -144,7 +147,7 @@ fn save_pictures(
     pending.into_iter().try_for_each(|file| file.commit())
 }
 
-fn save_gif(renderer: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output, progress: &ExportProgress) -> Result<(), ExportError> {
+fn save_gif(renderer: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output, progress: &Progress) -> Result<(), ExportError> {
     let count = renderer.sequence.count;
     let tries = count.min(PALETTE_SAMPLES);
     let mut sampler = ColorSampler::new(tries);
@@ -170,7 +173,7 @@ fn save_gif(renderer: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output
 fn run_pipeline<C, T: Send>(
     renderer: &mut SequenceRenderer<'_>,
     size: (u32, u32),
-    progress: &ExportProgress,
+    progress: &Progress,
     converter: impl Fn() -> C + Sync,
     convert: impl Fn(&mut C, usize, &Framebuffer) -> std::io::Result<T> + Sync,
     write: impl FnMut(T) -> std::io::Result<()> + Send,

@@ -34,7 +34,7 @@ impl CameraFollow {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collada::Progress;
+    use crate::progress::Progress;
     use crate::scene::OrbitCamera;
     use crate::view::saved_node;
 

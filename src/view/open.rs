@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use super::SessionState;
-use crate::collada::Progress;
 use crate::document::{Document, OpenError, OpenOptions};
 use crate::export::guard::OverwriteGuard;
 use crate::input;
 use crate::message::{Location, SourceName};
+use crate::progress::Progress;
 
 /// What was opened.
 #[derive(Debug)]

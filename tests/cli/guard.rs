@@ -9,7 +9,6 @@ use std::process::Stdio;
 
 use crate::support::{arg, call, config, folder, models, run, sinew, sinew_ru};
 use proptest::prelude::*;
-use sinew::collada::Progress;
 use sinew::document::{Document, OpenOptions, PoseBuffers};
 use sinew::export::atomic_file::write_atomic;
 use sinew::export::gltf::{self, GltfContainer};
@@ -17,6 +16,7 @@ use sinew::export::guard::{OverwriteGuard, is_same};
 use sinew::export::surface::SurfaceFormat;
 use sinew::export::tables::{self, Table, TableSubject};
 use sinew::export::{ExportError, png};
+use sinew::progress::Progress;
 use sinew::render::Framebuffer;
 use sinew::scene::Frame;
 use sinew::view;

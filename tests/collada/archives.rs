@@ -4,7 +4,8 @@ use std::io::{Cursor, Write};
 use std::path::PathBuf;
 
 use glam::Vec3;
-use sinew::collada::{Loaded, Progress, ReadError, read};
+use sinew::collada::{Loaded, ReadError, read};
+use sinew::progress::Progress;
 use zip::write::SimpleFileOptions;
 
 use crate::build::*;

@@ -1,7 +1,8 @@
 //! Headers, encodings, references, numbers: the document as a whole.
 
 use glam::DVec3;
-use sinew::collada::{Progress, read};
+use sinew::collada::read;
+use sinew::progress::Progress;
 
 use crate::build::*;
 
@@ -259,8 +260,8 @@ fn what_is_no_collada_is_refused_plainly() {
 fn reading_stops_when_asked_and_says_how_far_it_is() {
     let progress = Progress::default();
     read(document(&shown()).as_bytes(), "test.dae", &progress).expect("readable");
-    assert_eq!(progress.permille.load(std::sync::atomic::Ordering::Relaxed), 1000);
-    progress.cancelled.store(true, std::sync::atomic::Ordering::Relaxed);
+    assert_eq!(progress.share(), 1.0);
+    progress.cancel();
     assert!(read(document(&shown()).as_bytes(), "test.dae", &progress).is_err());
 }
 

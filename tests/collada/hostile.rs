@@ -2,7 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use sinew::collada::{Progress, read};
+use sinew::collada::read;
+use sinew::progress::Progress;
 
 use crate::build::*;
 

@@ -3,8 +3,9 @@
 
 use glam::{DMat4, DVec3, Vec3};
 use sinew::animation::Pose;
-use sinew::collada::{Loaded, Progress, ReadError, read};
+use sinew::collada::{Loaded, ReadError, read};
 use sinew::document::{Document, PoseBuffers, PoseState};
+use sinew::progress::Progress;
 use sinew::scene::{Content, Deformer, Frame, Graph, Mesh, MeshInstance, Node, NodeId};
 
 /// Reads `text` as the file `test.dae`.

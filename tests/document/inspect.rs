@@ -3,8 +3,8 @@
 
 use crate::support::models;
 use glam::{DMat4, DVec3};
-use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning, angle_at};
+use sinew::progress::Progress;
 use sinew::scene::{Frame, NodeId};
 
 struct WorldMesh {

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use glam::Vec3;
-use sinew::collada::Progress;
 use sinew::document::{Document, Missing, PoseBuffers, SourceKind};
+use sinew::progress::Progress;
 use sinew::scene::{Content, Deformer, Frame};
 
 fn config(name: &str) -> PathBuf {

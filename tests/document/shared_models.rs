@@ -6,9 +6,10 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use sinew::collada::{Loaded, Progress, ReadError, read};
+use sinew::collada::{Loaded, ReadError, read};
 use sinew::diagnostics::Severity;
 use sinew::i18n::Sentence;
+use sinew::progress::Progress;
 
 fn documents(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();

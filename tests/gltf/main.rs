@@ -12,10 +12,10 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use glam::DVec3;
-use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState};
 use sinew::export::gltf::{GltfContainer, save};
 use sinew::export::guard::Output;
+use sinew::progress::Progress;
 use sinew::scene::Frame;
 
 use expected::Expected;

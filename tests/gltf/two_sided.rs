@@ -1,10 +1,10 @@
 //! Surfaces whose two sides look different, as two faces that lie on each other.
 
 use serde_json::Value;
-use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::export::gltf::{GltfContainer, save};
 use sinew::export::guard::Output;
+use sinew::progress::Progress;
 
 use crate::reader::Glb;
 use crate::support;

@@ -8,11 +8,11 @@ use crate::build::*;
 use crate::counting::peak;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
-use sinew::collada::Progress;
 use sinew::document::{Document, Images, OpenOptions};
 use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::guard::Output;
 use sinew::limits;
+use sinew::progress::Progress;
 use sinew::scene::Content;
 
 /// Opens `text` as a file and looks at no picture.

@@ -3,8 +3,9 @@
 //! The peak is that of the whole process, which Linux lets a process reset; elsewhere there is nothing to measure with.
 
 use crate::build::*;
-use sinew::collada::{Progress, read};
+use sinew::collada::read;
 use sinew::i18n::Sentence;
+use sinew::progress::Progress;
 
 /// Peak and present size of this process, bytes.
 fn sizes() -> Option<(usize, usize)> {

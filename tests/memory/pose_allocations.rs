@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::counting::allocations;
-use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
+use sinew::progress::Progress;
 use sinew::scene::Frame;
 
 pub(crate) fn posing_again_allocates_nothing() {

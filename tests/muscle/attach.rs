@@ -4,10 +4,10 @@ use std::path::Path;
 
 use glam::{DMat4, DVec3};
 use sinew::animation::Pose;
-use sinew::collada::Progress;
 use sinew::diagnostics::Diagnostic;
 use sinew::document::{Document, PoseBuffers};
 use sinew::muscle::{MuscleFile, MuscleRig};
+use sinew::progress::Progress;
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
 /// A hip and a knee in centimetres under a Z-up root, the shank turned by `angle` about X.

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use glam::{DMat4, DQuat, DVec3};
-use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers, PoseState};
 use sinew::muscle::{FoundBy, Joint, MuscleFile, MuscleRig};
+use sinew::progress::Progress;
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform};
 
 /// A body of joints: name, parent, place in the world, all with axes of their own.

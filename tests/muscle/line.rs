@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use proptest::prelude::*;
 use sinew::animation::Pose;
-use sinew::collada::Progress;
 use sinew::document::Document;
 use sinew::muscle::presets::{PRESETS, Preset};
 use sinew::muscle::{MuscleFile, MuscleRig};
+use sinew::progress::Progress;
 use sinew::scene::{MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
 /// A muscle file alone in a scene.

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use proptest::prelude::*;
-use sinew::collada::Progress;
 use sinew::document::{Document, Images, OpenOptions};
 use sinew::muscle::{Anchor, MuscleFile, Profile, Tendon};
+use sinew::progress::Progress;
 
 const SHIPPED: [&str; 7] = [
     include_str!("../../configs/biceps.yaml"),

@@ -6,11 +6,11 @@ use crate::render_support::models::square;
 use crate::render_support::{World, camera_at, plain};
 use glam::{Mat4, Vec2};
 use proptest::prelude::*;
-use sinew::collada::Progress;
 use sinew::document::{Document, PoseBuffers};
 use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::guard::Output;
 use sinew::export::surface::SurfaceFormat;
+use sinew::progress::Progress;
 use sinew::render::Renderer;
 use sinew::scene::{Frame, Material, Paint, TextureTransform, WrapMode};
 

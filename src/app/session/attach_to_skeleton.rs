@@ -75,8 +75,8 @@ impl Session {
 mod tests {
     use super::*;
     use crate::app::session::tests::ends;
-    use crate::collada::Progress;
     use crate::document::Document;
+    use crate::progress::Progress;
     use crate::scene::{MuscleId, NodeId, NodeKind};
 
     fn both(clip: &str, muscles: &str) -> Session {

@@ -1,8 +1,8 @@
 use super::*;
 use crate::animation::Clip;
-use crate::collada::Progress;
 use crate::muscle::AttachmentPoint;
 use crate::muscle::presets::Preset;
+use crate::progress::Progress;
 use crate::scene::Node;
 use glam::DVec3;
 

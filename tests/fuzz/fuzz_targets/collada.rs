@@ -2,8 +2,9 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
+use sinew::progress::Progress;
 use sinew::animation::Pose;
-use sinew::collada::{Progress, read};
+use sinew::collada::read;
 
 fuzz_target!(|bytes: &[u8]| {
     let Ok(loaded) = read(bytes, "fuzz.dae", &Progress::default()) else { return };
