@@ -119,6 +119,11 @@ pub fn decimal(value: f64, digits: usize) -> Value {
     Value::Decimal { value, digits }
 }
 
+/// A text from a file as a message quotes it: its first 79 letters where it has more than 80.
+pub fn shortened(text: &str) -> String {
+    if text.chars().count() <= 80 { text.to_owned() } else { text.chars().take(79).chain(['…']).collect() }
+}
+
 /// A message of the catalogue: `message!("collada-count-mismatch", said = said, found = found)`.
 ///
 /// Values are texts, numbers, paths or messages.

@@ -9,12 +9,13 @@ pub mod quantity;
 mod sentence;
 mod visible;
 
+pub use crate::message::shortened;
 pub use catalogue::{Language, language, message, set_language, translated};
 /// The value type of a message argument.
 pub use fluent_bundle::FluentValue;
 pub use number::{decimal, localise_decimal_mark};
 pub use sentence::{Sentence, finding, finding_line, sentence, source_name};
-pub use visible::{is_unsafe, json as visible_json, shortened, shown, shown_lines};
+pub use visible::{is_unsafe, json as visible_json, shown, shown_lines};
 
 /// Looks a message up in the catalogue: `tr!("open-failed", file = name, line = 3)`.
 ///

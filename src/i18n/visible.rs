@@ -34,11 +34,6 @@ fn clean(text: &str, stays: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(text.chars().map(instead).collect())
 }
 
-/// A text from a file as a message quotes it: its first 79 letters where it has more than 80.
-pub fn shortened(text: &str) -> String {
-    if text.chars().count() <= 80 { text.to_owned() } else { text.chars().take(79).chain(['…']).collect() }
-}
-
 /// JSON whose strings say the same with nothing in them that a terminal would obey; only strings can hold such letters.
 pub fn json(text: &str) -> Cow<'_, str> {
     let bad = |letter: char| is_unsafe(letter) && letter != '\n';
