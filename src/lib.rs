@@ -19,7 +19,7 @@
 //! | [`muscle`] | the volume-conserving profile, the arm, the surface, the YAML | `scene` |
 //! | [`collada`] | the reader of `.dae` and `.zae` | `scene`, `animation` |
 //! | [`render`] | the rasterizer | `scene` |
-//! | [`document`] | any file to a [`document::SvgCanvas`]; `Document::pose` makes a frame | all of the above but `render` |
+//! | [`document`] | any file to a [`document::Document`]; `Document::pose` makes a frame | all of the above but `render` |
 //! | [`export`] | pictures, videos and surfaces as files; glTF of whole documents | `scene`, `render`, `document` |
 //! | [`plot`] | quantities as curves, on a widget, as SVG and as PNG | `i18n` |
 //! | [`view`] | how a document is shown, without a window: session files, display presets, onion skins and comparisons | `document`, `render` |
@@ -27,7 +27,7 @@
 //! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `sequence`, `view` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
 //!
-//! There is one way to make a picture: [`document::SvgCanvas::pose`] fills a [`scene::Frame`], and
+//! There is one way to make a picture: [`document::Document::pose`] fills a [`scene::Frame`], and
 //! [`render::Renderer::draw`] turns it into pixels. The window, the command line, the tests and the benches all call these two.
 
 pub mod animation;

@@ -9,7 +9,7 @@ use super::channel_target::{Aim, Aims, Miss};
 use super::context::{Context, Step, children, id_of, name_of, shortened};
 use super::material::encoded;
 use super::source::{Arrays, inputs, name_list};
-use super::{El, diagnostic_codes};
+use super::{El, Finding};
 use crate::animation::{Channel, ChannelTarget, Clip, Curve, Interpolation, Keys, Tangents};
 use crate::tr;
 
@@ -84,7 +84,7 @@ fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
         }
         let name = name_of(element, || tr!("collada-clip-number", number = clips.len() + 1));
         if channels.is_empty() {
-            context.report.warn(element, diagnostic_codes::EMPTY_CLIP, tr!("collada-empty-clip"));
+            context.report.report(element, Finding::EmptyClip);
             continue;
         }
         let keys = span(&channels);
@@ -113,15 +113,11 @@ impl Reader {
             // Of a document that others take parts from, whatever they leave is still.
             Err(_) if context.lookup.roots().iter().skip(1).any(|part| element.ancestors().any(|above| above == *part)) => return Ok(()),
             Err(Miss::Unknown) => {
-                context.report.warn(element, diagnostic_codes::UNKNOWN_TARGET, tr!("collada-unknown-target", target = shortened(address)));
+                context.report.report(element, Finding::UnknownTarget(shortened(address)));
                 return Ok(());
             }
             Err(Miss::Unsupported) => {
-                context.report.note(
-                    element,
-                    diagnostic_codes::UNSUPPORTED_TARGET,
-                    tr!("collada-unsupported-target", target = shortened(address)),
-                );
+                context.report.report(element, Finding::UnsupportedTarget(shortened(address)));
                 return Ok(());
             }
         };
@@ -164,7 +160,7 @@ impl Reader {
             None => None,
         };
         let (Some(times), Some(values)) = (times, values) else {
-            context.report.warn(sampler, diagnostic_codes::BAD_CURVE, tr!("collada-bad-sampler"));
+            context.report.report(sampler, Finding::BadSampler);
             return Ok(None);
         };
         // Where the two disagree, one of the counts is wrong: all that both have data for are keys.
@@ -174,12 +170,11 @@ impl Reader {
             times.available.min(values.available).min(times.count.max(values.count))
         };
         if times.count != values.count {
-            let message = tr!("collada-key-counts", times = times.count, values = values.count);
-            context.report.warn(sampler, diagnostic_codes::COUNT_MISMATCH, message);
+            context.report.report(sampler, Finding::KeyCountMismatch { times: times.count, values: values.count });
         }
         let dimension = values.width();
         if count == 0 || (matrix && dimension != 16) {
-            context.report.warn(sampler, diagnostic_codes::BAD_CURVE, tr!("collada-bad-sampler"));
+            context.report.report(sampler, Finding::BadSampler);
             return Ok(None);
         }
         if !context.spend(sampler, count.saturating_mul(dimension).saturating_mul(KEY_BYTES) / 4) {
@@ -206,15 +201,15 @@ impl Reader {
             }
             let fits = |tangents: &Tangents| [dimension, dimension + 1, 2 * dimension].contains(&tangents.stride);
             if !(fits(&keys.in_tangents) && fits(&keys.out_tangents)) {
-                context.report.warn(sampler, diagnostic_codes::MISSING_TANGENTS, tr!("collada-missing-tangents"));
+                context.report.report(sampler, Finding::MissingTangents);
             }
         }
         if keys.times.iter().chain(&keys.values).any(|value| !value.is_finite()) {
-            context.report.warn(sampler, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite-keys"));
+            context.report.report(sampler, Finding::KeysNotFinite);
         }
         let curve = Curve::new(keys);
         if curve.is_sheared() {
-            context.report.warn(sampler, diagnostic_codes::SHEARED_KEYS, tr!("collada-sheared-keys"));
+            context.report.report(sampler, Finding::ShearedKeys);
         }
         Ok((!curve.times.is_empty()).then_some(curve))
     }
@@ -256,11 +251,7 @@ fn interpolation<'a>(context: &mut Context<'a>, source: El<'a>, count: usize) ->
         })
         .collect();
     if let Some(name) = unsupported {
-        context.report.warn(
-            source,
-            diagnostic_codes::UNSUPPORTED_INTERPOLATION,
-            tr!("collada-unsupported-interpolation", name = shortened(&name)),
-        );
+        context.report.report(source, Finding::UnsupportedInterpolation(shortened(&name)));
     }
     modes
 }
@@ -273,8 +264,7 @@ fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curv
     let color = aim.wanted == 4 && curve.dimension == 3;
     let lone = aim.lone.filter(|_| curve.dimension == 1);
     if curve.dimension < aim.wanted && !color && !weights && lone.is_none() {
-        let message = tr!("collada-key-size", found = curve.dimension, wanted = aim.wanted);
-        context.report.warn(element, diagnostic_codes::BAD_CURVE, message);
+        context.report.report(element, Finding::KeySize { found: curve.dimension, wanted: aim.wanted });
         return;
     }
     let size = CHANNEL_BYTES + if weights { curve.times.len() * 16 } else { 0 };

@@ -8,9 +8,9 @@ use zip::ZipArchive;
 
 use super::bundle::{Bundle, normal};
 use super::lookup::percent_decoded;
-use super::{Loaded, ReadError, read_document};
+use super::{Loaded, ReadError, ReadErrorKind, read_document};
+use crate::limits;
 use crate::progress::Progress;
-use crate::{limits, tr};
 
 /// Endings of files that textures may use.
 const IMAGES: [&str; 9] = ["png", "jpg", "jpeg", "tga", "bmp", "tif", "tiff", "gif", "jpe"];
@@ -25,23 +25,14 @@ pub(super) fn is_archive(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04") || bytes.starts_with(b"PK\x05\x06")
 }
 
-fn refused(message: String) -> ReadError {
-    ReadError::new(None, message)
-}
-
-/// The refusal of an archive that unpacks to more than the limit.
-pub(super) fn too_large() -> ReadError {
-    refused(tr!("collada-archive-large", limit = limits::ARCHIVE_BYTES_PER_BYTE))
-}
-
 /// Reads the document that the archive's manifest names, with the documents that it refers to and the images beside it.
 ///
 /// # Errors
 /// [`ReadError`] where the archive is broken, unpacks to more than the limit, or has no document.
 pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
-    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| refused(tr!("collada-archive-broken")))?;
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| ReadErrorKind::ArchiveBroken)?;
     if archive.len() > limits::ARCHIVE_FILES {
-        return Err(refused(tr!("collada-archive-files", limit = limits::ARCHIVE_FILES)));
+        return Err(ReadErrorKind::ArchiveFiles.into());
     }
     // By name without a leading `./`, so that references find them.
     let mut entries = BTreeMap::new();
@@ -53,7 +44,7 @@ pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Load
     let mut room = (bytes.len() * (limits::ARCHIVE_BYTES_PER_BYTE - 1) + limits::ARCHIVE_BYTES) as u64;
     let (path, index) = match named_root(&mut archive, &entries, &mut room)? {
         Some(found) => found,
-        None => first_document(&entries).ok_or_else(|| refused(tr!("collada-archive-empty")))?,
+        None => first_document(&entries).ok_or_else(|| ReadErrorKind::ArchiveEmpty)?,
     };
     let document = unpack(&mut archive, index, &mut room)?;
     let mut archived = Vec::new();
@@ -69,7 +60,7 @@ pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Load
         // Unpacked once here and held once more in the whole.
         bundle.gather(&first.text, beside, |index| {
             let bytes = unpack(&mut archive, index, &mut room)?;
-            room = room.checked_sub(bytes.len() as u64).ok_or_else(too_large)?;
+            room = room.checked_sub(bytes.len() as u64).ok_or(ReadErrorKind::ArchiveTooLarge)?;
             Ok(bytes)
         })?;
     }
@@ -95,7 +86,7 @@ fn named_root(archive: &mut Archive<'_>, entries: &BTreeMap<String, usize>, room
     let path = url.split('#').next().unwrap_or_default();
     let found = [normal(path), normal(&percent_decoded(path))].into_iter().find_map(|path| Some((path.clone(), *entries.get(&path)?)));
     match found {
-        None if !path.is_empty() => Err(refused(tr!("collada-archive-root", path = super::context::shortened(path)))),
+        None if !path.is_empty() => Err(ReadErrorKind::ArchiveRootMissing(super::context::shortened(path)).into()),
         found => Ok(found),
     }
 }
@@ -107,16 +98,16 @@ fn first_document(entries: &BTreeMap<String, usize>) -> Option<(String, usize)> 
 }
 
 fn unpack(archive: &mut Archive<'_>, index: usize, room: &mut u64) -> Result<Vec<u8>, ReadError> {
-    let broken = |_| refused(tr!("collada-archive-broken"));
+    let broken = |_| ReadErrorKind::ArchiveBroken;
     let open = |archive: &mut Archive<'_>, sink: &mut dyn Write| {
-        let file = archive.by_index(index).map_err(|_| refused(tr!("collada-archive-broken")))?;
+        let file = archive.by_index(index).map_err(|_| ReadErrorKind::ArchiveBroken)?;
         std::io::copy(&mut file.take(*room + 1), sink).map_err(broken)
     };
     // What the archive says about sizes may be a lie: only what comes out counts, and it is counted before anything is kept.
     let length = open(archive, &mut std::io::sink())?;
-    let left = room.checked_sub(length).ok_or_else(too_large)?;
+    let left = room.checked_sub(length).ok_or(ReadErrorKind::ArchiveTooLarge)?;
     let mut bytes = Vec::new();
-    bytes.try_reserve_exact(usize::try_from(length).unwrap_or(usize::MAX)).map_err(|_| too_large())?;
+    bytes.try_reserve_exact(usize::try_from(length).unwrap_or(usize::MAX)).map_err(|_| ReadErrorKind::ArchiveTooLarge)?;
     open(archive, &mut bytes)?;
     *room = left;
     Ok(bytes)

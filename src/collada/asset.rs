@@ -3,8 +3,7 @@
 use glam::{DMat3, DMat4, DVec3};
 
 use super::context::{Context, Step, child, children, text_of};
-use super::{Asset, El, diagnostic_codes};
-use crate::tr;
+use super::{Asset, El, Finding};
 
 /// Reads what the file says of itself.
 ///
@@ -14,7 +13,7 @@ pub(super) fn read(context: &mut Context<'_>) -> Step<Asset> {
     let root = context.root;
     let version = root.attribute("version").unwrap_or_default().trim().to_owned();
     if !(version.starts_with("1.4") || version.starts_with("1.5")) {
-        context.report.note(root, diagnostic_codes::UNKNOWN_VERSION, tr!("collada-unknown-version", version = version.as_str()));
+        context.report.report(root, Finding::UnknownVersion(version.clone()));
     }
     let mut asset = Asset { version, authoring_tool: String::new(), up_axis: "Y_UP".to_owned(), unit_metres: 1.0 };
     let Some(element) = child(root, "asset") else { return Ok(asset) };
@@ -54,7 +53,7 @@ fn local(context: &mut Context<'_>, asset: El<'_>) -> Local {
     {
         match context.attribute(element, key) {
             Some(unit) if unit > 0.0 => local.unit = Some(unit),
-            _ => context.report.warn(element, diagnostic_codes::BAD_UNIT, tr!("collada-bad-unit", value = super::context::shortened(text))),
+            _ => context.report.report(element, Finding::BadUnit(super::context::shortened(text))),
         }
     }
     if let Some(element) = child(asset, "up_axis") {
@@ -64,11 +63,7 @@ fn local(context: &mut Context<'_>, asset: El<'_>) -> Local {
             "Y_UP" => Some("Y_UP"),
             "Z_UP" => Some("Z_UP"),
             _ => {
-                context.report.warn(
-                    element,
-                    diagnostic_codes::BAD_UP_AXIS,
-                    tr!("collada-bad-up-axis", value = super::context::shortened(text.trim())),
-                );
+                context.report.report(element, Finding::BadUpAxis(super::context::shortened(text.trim())));
                 None
             }
         };

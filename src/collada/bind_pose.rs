@@ -2,9 +2,8 @@
 
 use glam::{DMat3, DMat4, DQuat};
 
-use crate::i18n::decimal;
+use super::Finding;
 use crate::scene::{Graph, NodeId, Skin};
-use crate::tr;
 
 /// Sizes that differ by less are the same: a hundredth, as rounded matrices have it.
 const SIZE: f64 = 0.01;
@@ -35,12 +34,12 @@ pub(super) struct Bound<'b> {
 }
 
 impl Bound<'_> {
-    /// What does not meet at rest, where the nodes are at `rest`, as a sentence; `None` where all does.
+    /// What does not meet at rest, where the nodes are at `rest`; `None` where all does.
     ///
     /// A rest pose may be any pose, so turned joints prove nothing, and a rig that is scaled as a whole takes its skin along. What no pose explains is size
     /// in an inverse bind matrix that no node gives back, and a mesh beneath the same scaled or turned node as its joints, which goes along with it on
     /// paper and not in the skin (Blender's armatures).
-    pub(super) fn mismatch(&self, graph: &Graph, rest: &[DMat4]) -> Option<String> {
+    pub(super) fn mismatch(&self, graph: &Graph, rest: &[DMat4]) -> Option<Finding> {
         let at = |node: NodeId| rest.get(node.index()).copied();
         let bound = || {
             let joints = self.skin.joints.iter().zip(self.joints).zip(self.used);
@@ -56,7 +55,7 @@ impl Bound<'_> {
             (off(size(&joint.inverse_bind)) && off(made) && off(made * bind_shape)).then_some((joint, made))
         });
         if let Some((joint, made)) = scaled.max_by(|(_, a), (_, b)| a.ln().abs().total_cmp(&b.ln().abs())) {
-            return Some(tr!("collada-bind-scale", skin = self.skin.name.as_str(), joint = joint.name.as_str(), factor = factor(made)));
+            return Some(Finding::BindPoseScaled { skin: self.skin.name.clone(), joint: joint.name.clone(), factor: made });
         }
         let (joint, node, posed) = bound().next()?;
         let above = at(common(graph, self.node, node)?)?;
@@ -66,14 +65,13 @@ impl Bound<'_> {
         }
         let (here, drawn) = (at(self.node)?, posed * self.skin.bind_shape);
         let made = size(&drawn) / size(&here);
-        let (skin, joint) = (self.skin.name.as_str(), joint.name.as_str());
+        let (skin, joint) = (self.skin.name.clone(), joint.name.clone());
         if off(made) {
-            return Some(tr!("collada-bind-node-scale", skin = skin, joint = joint, factor = factor(made)));
+            return Some(Finding::BindPoseScaledByNode { skin, joint, factor: made });
         }
         let angle = turned(&drawn, &here);
         let at_bind = bound().all(|(_, _, other)| turned(&other, &posed) <= TURN);
-        (at_bind && angle.is_finite() && angle > TURN)
-            .then(|| tr!("collada-bind-node-turn", skin = skin, joint = joint, angle = decimal(angle, 0)))
+        (at_bind && angle.is_finite() && angle > TURN).then(|| Finding::BindPoseTurned { skin, joint, angle })
     }
 }
 
@@ -102,12 +100,4 @@ fn common(graph: &Graph, a: NodeId, b: NodeId) -> Option<NodeId> {
         }
     }
     None
-}
-
-/// A factor with three digits that count.
-fn factor(value: f64) -> String {
-    let before = value.abs().max(1e-9).log10().floor() as i32;
-    let digits = (2 - before).clamp(0, 9) as usize;
-    let text = decimal(value, digits);
-    if text.contains(['.', ',']) { text.trim_end_matches('0').trim_end_matches(['.', ',']).to_owned() } else { text }
 }

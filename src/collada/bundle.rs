@@ -7,10 +7,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use super::image::plain_uri;
 use super::lookup::last_segment;
-use super::{Finding, ReadError, decode_text, diagnostic_codes, xml};
-use crate::diagnostics::{Diagnostic, Severity};
-use crate::i18n::Sentence;
-use crate::tr;
+use super::{Finding, ReadError, ReadErrorKind, decode_text, xml};
+use crate::diagnostics::Diagnostic;
 
 /// Longest text or attribute that is looked at for a reference, bytes.
 const LONGEST: usize = 4096;
@@ -89,9 +87,7 @@ impl Bundle {
                 }
                 Err(error) => {
                     let line = error.line.map(|line| line + decoded.lines_before);
-                    let message = tr!("collada-part-broken", reason = error.sentence());
-                    let finding = Finding { code: diagnostic_codes::EXTERNAL_REFERENCE, severity: Severity::Warning, message };
-                    self.findings.push(Diagnostic::new(finding, line, "").in_file(path));
+                    self.findings.push(Diagnostic::new(Finding::BrokenPart(error.kind), line, "").in_file(path));
                 }
             }
         }
@@ -149,12 +145,12 @@ fn root(text: &str, room: usize) -> Result<usize, ReadError> {
     let parsed = xml::parse(&surveyed)?;
     let root = parsed.document.root_element();
     if root.tag_name().name() != "COLLADA" {
-        return Err(ReadError::new(None, tr!("collada-not-collada", element = super::context::shortened(root.tag_name().name()))));
+        return Err(ReadErrorKind::NotCollada(super::context::shortened(root.tag_name().name())).into());
     }
     let start = parsed.lists.place(root.range().start);
     // Entities are declared before the root, and would be lost.
     if text.get(..start).is_some_and(|head| head.contains("<!ENTITY")) {
-        return Err(ReadError::new(None, tr!("collada-part-entities")));
+        return Err(ReadErrorKind::PartWithEntities.into());
     }
     Ok(start)
 }

@@ -14,11 +14,10 @@ use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
 use super::parallel_lists::Ahead;
 use super::report::{Report, describe};
 use super::xml::Parsed as Tree;
-use super::{El, ReadError, diagnostic_codes};
-pub(super) use crate::i18n::shortened;
+use super::{El, Finding, ReadError, ReadErrorKind};
+pub(super) use crate::message::shortened;
 use crate::progress::Progress;
 use crate::scene::affine;
-use crate::{limits, tr};
 
 /// The result of a step that may end the reading.
 pub(super) type Step<T> = Result<T, ReadError>;
@@ -86,7 +85,7 @@ impl<'a> Context<'a> {
     /// Where somebody asked to stop.
     pub(super) fn check_cancelled(&self) -> Step<()> {
         if self.progress.is_cancelled() {
-            return Err(ReadError::new(None, tr!("collada-cancelled")));
+            return Err(ReadErrorKind::Cancelled.into());
         }
         Ok(())
     }
@@ -99,7 +98,7 @@ impl<'a> Context<'a> {
         }
         if !self.said_budget {
             self.said_budget = true;
-            self.report.warn(element, diagnostic_codes::LIMIT_REACHED, tr!("collada-limit-reached"));
+            self.report.report(element, Finding::SceneTooLarge);
         }
         false
     }
@@ -112,7 +111,7 @@ impl<'a> Context<'a> {
     /// Says once that instances are left out because drawing them would take too much.
     pub(super) fn say_once_drawn(&mut self, element: El<'_>) {
         if !std::mem::replace(&mut self.said_drawn, true) {
-            self.report.warn(element, diagnostic_codes::LIMIT_REACHED, tr!("collada-limit-drawn", limit = limits::INSTANCES_BYTES >> 20));
+            self.report.report(element, Finding::InstancesTooLarge);
         }
     }
 
@@ -128,16 +127,16 @@ impl<'a> Context<'a> {
             Url::Here { document, id } => {
                 let found = self.lookup.in_document(from, document, &id, tags);
                 if found.is_none() {
-                    let message = match self.lookup.in_document(from, document, &id, &[]) {
-                        Some(other) => tr!("collada-wrong-reference", target = shortened(url), tag = other.tag_name().name()),
-                        None => tr!("collada-broken-reference", target = shortened(url)),
+                    let finding = match self.lookup.in_document(from, document, &id, &[]) {
+                        Some(other) => Finding::WrongReference { target: shortened(url), tag: other.tag_name().name().to_owned() },
+                        None => Finding::BrokenReference(shortened(url)),
                     };
-                    self.report.warn(from, diagnostic_codes::BROKEN_REFERENCE, message);
+                    self.report.report(from, finding);
                 }
                 found
             }
             Url::External(file) => {
-                self.report.warn(from, diagnostic_codes::EXTERNAL_REFERENCE, tr!("collada-external-reference", file = shortened(&file)));
+                self.report.report(from, Finding::ExternalReference(shortened(&file)));
                 None
             }
         }
@@ -199,14 +198,14 @@ impl<'a> Context<'a> {
                     self.decimal_comma(element, &entry);
                 }
                 if let Some(first) = parsed.first_bad {
-                    self.report.warn(element, diagnostic_codes::BAD_NUMBER, tr!("collada-bad-number", count = parsed.bad, first = first));
+                    self.report.report(element, Finding::BadNumbers { count: parsed.bad, first });
                 }
                 Ok(parsed.values)
             }
             Err(comma) => {
                 let start = element.first_child().map_or(element.range().start, |text| text.range().start);
-                let line = Some(self.report.line_of(self.lists.place(start) + comma.at));
-                Err(ReadError::new(line, tr!("collada-comma", element = describe(element), entry = comma.entry)))
+                let line = self.report.line_of(self.lists.place(start) + comma.at);
+                Err(ReadError::in_line(line, ReadErrorKind::CommaSeparated { element: describe(element), entry: comma.entry }))
             }
         }
     }
@@ -214,7 +213,7 @@ impl<'a> Context<'a> {
     /// Tells that numbers have decimal commas, once a file.
     pub(super) fn decimal_comma(&mut self, element: El<'_>, entry: &str) {
         if !std::mem::replace(&mut self.said_comma, true) {
-            self.report.note(element, diagnostic_codes::DECIMAL_COMMA, tr!("collada-decimal-comma", entry = shortened(entry)));
+            self.report.report(element, Finding::DecimalComma(shortened(entry)));
         }
     }
 
@@ -235,12 +234,11 @@ impl<'a> Context<'a> {
     pub(super) fn exactly<const N: usize>(&mut self, element: El<'a>) -> Step<Option<[f64; N]>> {
         let values: Vec<f64> = self.reals(element, N)?;
         let Ok(values) = <[f64; N]>::try_from(values.as_slice()) else {
-            let message = tr!("collada-bad-transform", wanted = N, found = values.len());
-            self.report.warn(element, diagnostic_codes::BAD_TRANSFORM, message);
+            self.report.report(element, Finding::BadTransform { wanted: N, found: values.len() });
             return Ok(None);
         };
         if !values.iter().all(|value| value.is_finite()) {
-            self.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite"));
+            self.report.report(element, Finding::NotFinite);
             return Ok(None);
         }
         Ok(Some(values))
@@ -253,7 +251,7 @@ impl<'a> Context<'a> {
     pub(super) fn matrix(&mut self, element: El<'a>) -> Step<Option<DMat4>> {
         let Some(rows) = self.exactly::<16>(element)? else { return Ok(None) };
         if !ends_upright(&rows) {
-            self.report.warn(element, diagnostic_codes::BAD_TRANSFORM, tr!("collada-bottom-row"));
+            self.report.report(element, Finding::BottomRow);
         }
         Ok(Some(from_rows(&rows)))
     }
@@ -261,7 +259,7 @@ impl<'a> Context<'a> {
     /// Whether a value is `finite`; tells where it is not.
     pub(super) fn finite(&mut self, element: El<'a>, finite: bool) -> bool {
         if !finite {
-            self.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite"));
+            self.report.report(element, Finding::NotFinite);
         }
         finite
     }

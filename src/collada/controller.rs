@@ -11,9 +11,8 @@ use super::morph::{self, MorphTargets, SkinnedShape};
 use super::nodes::Tree;
 use super::skin::{self, JointNames};
 use super::source::Arrays;
-use super::{Asset, El, asset, diagnostic_codes};
+use super::{Asset, El, Finding, asset};
 use crate::scene::{MorphId, Scene, SkinId};
-use crate::tr;
 
 /// One step of a chain, from the mesh outwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,7 +87,7 @@ impl<'a> Controllers<'a> {
             if layer.tag_name().name() == "skin" {
                 if links.iter().any(|link| matches!(link, Link::Skin(_))) {
                     // Joints place a mesh in the world; a second set of them has nothing left to place.
-                    context.report.warn(layer, diagnostic_codes::SECOND_SKIN, tr!("collada-second-skin"));
+                    context.report.report(layer, Finding::SecondSkin);
                     continue;
                 }
                 let points = sources.scene.meshes.get(placed.mesh.index()).map_or(0, |mesh| mesh.source_count as usize);
@@ -157,11 +156,11 @@ pub(super) fn layers<'a>(context: &mut Context<'a>, controller: El<'a>) -> Optio
     let mut next = controller;
     loop {
         let Some(layer) = child(next, "skin").or_else(|| child(next, "morph")) else {
-            context.report.warn(next, diagnostic_codes::BAD_SKIN, tr!("collada-empty-controller"));
+            context.report.report(next, Finding::EmptyController);
             return None;
         };
         if layers.contains(&layer) {
-            context.report.warn(layer, diagnostic_codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
+            context.report.report(layer, Finding::ReferenceCycle);
             return None;
         }
         if !context.spend(layer, 64 * (layers.len() + 1)) {

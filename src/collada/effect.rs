@@ -6,9 +6,8 @@ use glam::{Vec2, Vec3, Vec4};
 
 use super::context::{Context, Step, child, children, text_of};
 use super::image::Images;
-use super::{El, diagnostic_codes};
+use super::{El, Finding};
 use crate::scene::{Paint, Scene, ShadingModel, TextureRef, TextureTransform, WrapMode};
-use crate::tr;
 
 /// The parameters that hold in one effect, by sid: an element with the value inside.
 pub(super) type Params<'a> = HashMap<&'a str, El<'a>>;
@@ -41,7 +40,7 @@ impl<'a> Effect<'a> {
             })
         });
         let Some((shader, model)) = shader else {
-            context.report.warn(effect, diagnostic_codes::NO_COMMON_PROFILE, tr!("collada-no-common-profile"));
+            context.report.report(effect, Finding::NoCommonProfile);
             return None;
         };
         let mut params = Params::new();
@@ -114,11 +113,7 @@ impl<'a> Effect<'a> {
             None => context.lookup.by_id(texture, name, &["image"]).map(|image| images.place(context, scene, image)),
         };
         let Some(image) = image else {
-            context.report.warn(
-                texture,
-                diagnostic_codes::TEXTURE_NOT_FOUND,
-                tr!("collada-texture-not-found", name = super::context::shortened(name)),
-            );
+            context.report.report(texture, Finding::TextureNotFound(super::context::shortened(name)));
             return Ok(None);
         };
         let wrap = |tag| sampler.and_then(|sampler| child(sampler, tag)).map_or(WrapMode::Repeat, |wrap| wrap_mode(&text_of(wrap)));
@@ -165,7 +160,7 @@ fn placed<'a>(context: &mut Context<'a>, texture: El<'a>, used: &mut TextureRef)
     let is_maya = |technique: &El<'a>| technique.attribute("profile").is_some_and(|profile| profile.to_ascii_uppercase().contains("MAYA"));
     let Some(technique) = techniques.find(is_maya) else { return Ok(()) };
     let default = TextureTransform::default();
-    let mut number = |tag, otherwise: f32| Ok(context.number(technique, tag)?.map_or(otherwise, |value| value as f32));
+    let mut number = |tag, otherwise: f32| context.number(technique, tag).map(|value| value.map_or(otherwise, |value| value as f32));
     let placing = TextureTransform {
         repeat: Vec2::new(number("repeatU", default.repeat.x)?, number("repeatV", default.repeat.y)?),
         offset: Vec2::new(number("offsetU", default.offset.x)?, number("offsetV", default.offset.y)?),

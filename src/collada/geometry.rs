@@ -13,7 +13,7 @@ use super::primitive::{self, Shape};
 use super::source::{Accessor, Arrays, Input, inputs};
 use super::triangulate::Triangulator;
 use super::vertex_dedup::{Builder, Layout, Stream};
-use super::{Asset, El, asset, diagnostic_codes};
+use super::{Asset, El, Finding, asset};
 use crate::scene::{Mesh, MeshId, Part, Scene, smooth_normals};
 use crate::{limits, tr};
 
@@ -85,7 +85,7 @@ impl Geometries {
         context.check_cancelled()?;
         let geometry = self.read(context, asset, element)?;
         if geometry.as_ref().is_some_and(|geometry| geometry.empty) {
-            context.report.warn(element, diagnostic_codes::NO_FACES, tr!("collada-no-faces"));
+            context.report.report(element, Finding::NoFaces);
         }
         let placed = geometry.map(|mut geometry| {
             let id = MeshId(scene.meshes.len() as u32);
@@ -122,7 +122,7 @@ impl Geometries {
         let Some(mesh) = child(element, "mesh") else {
             let kind = element.children().find(|child| ["convex_mesh", "spline", "brep"].contains(&child.tag_name().name()));
             let tag = kind.map_or("?", |kind| kind.tag_name().name());
-            context.report.warn(element, diagnostic_codes::UNSUPPORTED_GEOMETRY, tr!("collada-unsupported-geometry", kind = tag));
+            context.report.report(element, Finding::UnsupportedGeometry(tag.to_owned()));
             return Ok(None);
         };
         let mut raws = Vec::new();
@@ -137,11 +137,11 @@ impl Geometries {
         sets.sort_unstable();
         sets.dedup();
         if sets.len() > limits::UV_SETS {
-            context.report.note(mesh, diagnostic_codes::TOO_MANY_UV_SETS, tr!("collada-too-many-uv-sets", limit = limits::UV_SETS));
+            context.report.report(mesh, Finding::TooManyUvSets);
             sets.truncate(limits::UV_SETS);
         }
         let Some(points) = self.points(context, mesh, &raws)? else {
-            context.report.warn(mesh, diagnostic_codes::NO_POSITIONS, tr!("collada-no-positions"));
+            context.report.report(mesh, Finding::NoPositions);
             return Ok(None);
         };
         // Maya puts the hint here, others into the effect.
@@ -199,7 +199,7 @@ impl Geometries {
 
     fn layout<'a>(&mut self, context: &mut Context<'a>, raw: &RawLayout<'a>, sets: &[u32]) -> Step<Option<Layout>> {
         let Some(position) = self.stream(context, raw.position, 3)? else {
-            context.report.warn(raw.element, diagnostic_codes::NO_POSITIONS, tr!("collada-no-positions"));
+            context.report.report(raw.element, Finding::NoPositions);
             return Ok(None);
         };
         let normal = self.optional(context, raw.normal, 3)?;
@@ -224,7 +224,7 @@ impl Geometries {
         if let (Some((_, source)), Some(Stream { values, .. })) = (at, &stream)
             && values.available == 0
         {
-            context.report.note(source, diagnostic_codes::INDEX_OUT_OF_RANGE, tr!("collada-empty-list"));
+            context.report.report(source, Finding::EmptyList);
             return Ok(None);
         }
         Ok(stream)
@@ -295,7 +295,7 @@ fn finish(context: &mut Context<'_>, element: El<'_>, mesh: &mut Mesh, points: &
     }
     mesh.source_count = u32::try_from(points.count.max(used)).unwrap_or(u32::MAX);
     if mesh.positions.iter().any(|position| !position.is_finite()) {
-        context.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite-points"));
+        context.report.report(element, Finding::PointsNotFinite);
     }
     if mesh.normals.iter().any(|normal| normal.is_nan()) {
         let mut computed = Vec::new();

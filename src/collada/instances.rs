@@ -13,9 +13,9 @@ use super::light_camera::LightsAndCameras;
 use super::material::Materials;
 use super::nodes::{Instance, Tree};
 use super::skin::JointFinder;
-use super::{Asset, El, diagnostic_codes};
+use super::{Asset, El, Finding};
+use crate::limits;
 use crate::scene::{Content, Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, NodeId, NodeKind, Part, Scene, SkinId, SkinnedTarget};
-use crate::{limits, tr};
 
 /// What a binding of one part or joint takes, roughly, for the budget.
 const BINDING_BYTES: usize = 64;
@@ -231,12 +231,12 @@ impl<'a> Libraries<'_, 'a> {
         let lost: Vec<&str> =
             skin.joints.iter().zip(&joints).filter(|(_, node)| node.is_none()).map(|(joint, _)| joint.name.as_str()).collect();
         if let Some(first) = lost.first() {
-            let message = tr!("collada-joint-not-found", count = lost.len(), first = super::context::shortened(first));
-            context.report.warn(instance.element, diagnostic_codes::JOINT_NOT_FOUND, message);
+            let finding = Finding::JointsNotFound { count: lost.len(), first: super::context::shortened(first) };
+            context.report.report(instance.element, finding);
         }
         let bound = Bound { skin, used: &names.used, joints: &joints, node: instance.node };
-        if let Some(message) = bound.mismatch(&scene.graph, &self.rest) {
-            context.report.warn(instance.element, diagnostic_codes::BIND_POSE_MISMATCH, message);
+        if let Some(finding) = bound.mismatch(&scene.graph, &self.rest) {
+            context.report.report(instance.element, finding);
         }
         // Exporters that know no joints write plain nodes; what moves a skin is a bone.
         for joint in joints.iter().flatten() {
@@ -266,8 +266,7 @@ impl<'a> Libraries<'_, 'a> {
             None => self.dress(context, scene, element, parts, key),
         };
         if let Some(first) = dressed.unbound {
-            let message = tr!("collada-unbound-material", symbol = super::context::shortened(&first));
-            context.report.note(element, diagnostic_codes::UNBOUND_MATERIAL, message);
+            context.report.report(element, Finding::UnboundMaterial(super::context::shortened(&first)));
         }
         MeshInstance { mesh: placed.mesh, deformers, materials: dressed.materials, skinned_targets: Vec::new() }
     }

@@ -5,7 +5,7 @@ use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child, id_of, name_of};
-use super::{El, diagnostic_codes};
+use super::{El, Finding};
 use crate::scene::{CameraId, FileCamera, Light, LightId, LightKind, Projection, Scene};
 use crate::tr;
 
@@ -59,7 +59,7 @@ fn read_light<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Lig
     let kinds = ["ambient", "directional", "point", "spot"];
     let technique = child(element, "technique_common");
     let Some(source) = technique.and_then(|technique| technique.children().find(|child| kinds.contains(&child.tag_name().name()))) else {
-        context.report.warn(element, diagnostic_codes::BAD_LIGHT_OR_CAMERA, tr!("collada-bad-light"));
+        context.report.report(element, Finding::BadLight);
         return Ok(None);
     };
     let mut color = Vec3::ONE;
@@ -87,7 +87,7 @@ fn read_camera<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Fi
     let source = technique
         .and_then(|technique| technique.children().find(|child| matches!(child.tag_name().name(), "perspective" | "orthographic")));
     let Some(source) = source else {
-        context.report.warn(element, diagnostic_codes::BAD_LIGHT_OR_CAMERA, tr!("collada-bad-camera"));
+        context.report.report(element, Finding::BadCamera);
         return Ok(None);
     };
     let positive = |value: Option<f64>| value.filter(|value| *value > 0.0);

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use super::context::{Context, Step, child, children, id_of, name_of, text_of};
 use super::effect::Effect;
 use super::image::Images;
-use super::{El, asset, diagnostic_codes};
+use super::{El, Finding, asset};
 use crate::animation::MaterialSlot;
 use crate::scene::{AlphaSource, Material, MaterialId, Paint, Scene, ShadingModel};
 use crate::tr;
@@ -164,11 +164,7 @@ fn opacity<'a>(
         }
         if amount == 0.0 {
             material.opacity = 1.0;
-            context.report.note(
-                element.unwrap_or(effect.shader),
-                diagnostic_codes::TRANSPARENCY_INVERTED,
-                tr!("collada-transparency-inverted"),
-            );
+            context.report.report(element.unwrap_or(effect.shader), Finding::TransparencyInverted);
             return Ok(Opacity::line(1.0, -1.0));
         }
         material.opacity = amount;
@@ -180,11 +176,7 @@ fn opacity<'a>(
     let line = if inverse { (1.0, -f64::from(share)) } else { (0.0, f64::from(share)) };
     let opacity = (line.0 + line.1 * f64::from(amount)).clamp(0.0, 1.0) as f32;
     if opacity < 1.0 / 512.0 {
-        context.report.note(
-            element.unwrap_or(effect.shader),
-            diagnostic_codes::TRANSPARENCY_INVERTED,
-            tr!("collada-transparency-inverted"),
-        );
+        context.report.report(element.unwrap_or(effect.shader), Finding::TransparencyInverted);
         material.opacity = 1.0;
         // An animation of it is read the other way round as well.
         return Ok(if inverse { Opacity::line(0.0, 1.0) } else { Opacity::line(1.0, -1.0) });

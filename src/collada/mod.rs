@@ -27,6 +27,8 @@ mod controller;
 mod decode_text;
 pub mod diagnostic_codes;
 mod effect;
+mod error;
+mod finding;
 mod geometry;
 mod image;
 mod instances;
@@ -48,15 +50,17 @@ mod undeclared_prefixes;
 mod vertex_dedup;
 mod xml;
 
+pub use error::{ReadError, ReadErrorKind};
+pub use finding::Finding;
+
 use std::borrow::Cow;
 use std::path::PathBuf;
 
 use crate::animation::Clip;
-use crate::diagnostics::{Diagnostic, DiagnosticKind, Severity};
-use crate::message::{Message, ToMessage};
+use crate::diagnostics::Diagnostic;
+use crate::limits;
 use crate::progress::Progress;
 use crate::scene::Scene;
-use crate::{limits, tr};
 
 use bundle::Bundle;
 use channel_target::Aims;
@@ -102,67 +106,6 @@ pub struct Loaded {
     pub archived: Vec<(PathBuf, Vec<u8>)>,
 }
 
-/// Why a file could not be read at all.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{}", self.message())]
-pub struct ReadError {
-    /// Line from 1, where one can be named.
-    pub line: Option<u32>,
-    /// What is wrong.
-    pub kind: ReadErrorKind,
-}
-
-/// What is wrong with a document that could not be read.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ReadErrorKind {
-    /// In words.
-    Words(String),
-}
-
-impl ReadError {
-    fn new(line: Option<u32>, words: String) -> Self {
-        Self { line, kind: ReadErrorKind::Words(words) }
-    }
-}
-
-impl ToMessage for ReadError {
-    fn message(&self) -> Message {
-        self.kind.message()
-    }
-}
-
-impl ToMessage for ReadErrorKind {
-    fn message(&self) -> Message {
-        match self {
-            Self::Words(words) => Message::verbatim(words),
-        }
-    }
-}
-
-/// What the reader found.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    pub(super) code: &'static str,
-    pub(super) severity: Severity,
-    pub(super) message: String,
-}
-
-impl ToMessage for Finding {
-    fn message(&self) -> Message {
-        Message::verbatim(&self.message)
-    }
-}
-
-impl DiagnosticKind for Finding {
-    fn code(&self) -> &'static str {
-        self.code
-    }
-
-    fn severity(&self) -> Severity {
-        self.severity
-    }
-}
-
 /// Reads a document from its bytes, a `.dae` or a `.zae`, told apart by content. `name` is the file's name: it stands in messages, on the root node, and
 /// tells references to the file itself from those to other files.
 ///
@@ -171,7 +114,7 @@ impl DiagnosticKind for Finding {
 pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
     progress.set_share(0.0);
     if bytes.len() as u64 > limits::FILE_BYTES {
-        return Err(ReadError::new(None, tr!("collada-too-large", limit = limits::FILE_BYTES >> 20)));
+        return Err(ReadErrorKind::TooLarge.into());
     }
     if archive::is_archive(bytes) {
         return archive::read(bytes, name, progress);
@@ -201,15 +144,14 @@ fn read_document(bytes: &[u8], name: &str, mut bundle: Bundle, progress: &Progre
     report.bring(bundle.findings);
     let root = parsed.document.root_element();
     if root.tag_name().name() != "COLLADA" {
-        let message = tr!("collada-not-collada", element = context::shortened(root.tag_name().name()));
-        return Err(ReadError::new(Some(report.line(root)), message));
+        let kind = ReadErrorKind::NotCollada(context::shortened(root.tag_name().name()));
+        return Err(ReadError::in_line(report.line(root), kind));
     }
     if let Some(named) = &decoded.misfit {
-        report.warn_file(diagnostic_codes::ENCODING, tr!("collada-encoding", named = named.as_str()));
+        report.report_file(Finding::WrongEncoding(named.clone()));
     }
     for undeclared in &surveyed.undeclared {
-        let message = tr!("collada-undeclared-prefix", prefix = context::shortened(&undeclared.prefix));
-        report.note_at(parsed.lists.place(undeclared.at), diagnostic_codes::UNDECLARED_PREFIX, message);
+        report.report_at(parsed.lists.place(undeclared.at), Finding::UndeclaredPrefix(context::shortened(&undeclared.prefix)));
     }
     let ahead = Ahead::of(root, parsed.lists);
     let mut context = Context::new(&parsed, &ahead, report, paths, &bundle.files, progress);
@@ -245,7 +187,7 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
     let clips = animation::read(context, &Aims::new(&tree, &materials, &lights, &controllers))?;
     // Last, so that a flood of them keeps nothing else from being told.
     for repeated in context.lookup.repeated() {
-        context.report.note(repeated, diagnostic_codes::REPEATED_ID, tr!("collada-repeated-id"));
+        context.report.report(repeated, Finding::RepeatedId);
     }
     context.advance(1.0)?;
     Ok(Loaded { asset, scene, clips, findings: context.report.finish(), archived: images.embedded })
@@ -259,11 +201,7 @@ fn skipped_libraries(context: &mut Context<'_>) {
         let has_content =
             |library: &El<'_>| library.children().any(|child| child.is_element() && !matches!(child.tag_name().name(), "asset" | "extra"));
         if has_content(&library) {
-            context.report.warn(
-                library,
-                diagnostic_codes::UNSUPPORTED_ELEMENT,
-                tr!("collada-unsupported-element", element = library.tag_name().name()),
-            );
+            context.report.report(library, Finding::UnsupportedElement(library.tag_name().name().to_owned()));
         }
     }
 }

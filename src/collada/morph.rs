@@ -9,7 +9,7 @@ use super::controller::Sources;
 use super::geometry::Geometry;
 use super::morph_target::Shape;
 use super::source::{Accessor, Arrays, NameList, inputs, name_list};
-use super::{El, diagnostic_codes};
+use super::{El, Finding};
 use crate::scene::{Morph, MorphMethod, MorphTarget};
 use crate::tr;
 
@@ -90,7 +90,7 @@ pub(super) fn read<'a>(
     let count = morph.targets.len();
     let weights: Vec<Option<f64>> = (0..count).map(|place| lists.written(place)).collect();
     if weights.contains(&None) {
-        context.report.warn(element, diagnostic_codes::BAD_MORPH, tr!("collada-morph-weights"));
+        context.report.report(element, Finding::MorphWeightsMissing);
     }
     context.finite(element, weights.iter().flatten().all(|weight| weight.is_finite()));
     morph.weights = (0..count).map(|place| lists.weight(place)).collect();
@@ -126,7 +126,7 @@ impl<'a> Lists<'a> {
             }
         }
         let Some(names) = targets.and_then(|targets| name_list(context, targets)) else {
-            context.report.warn(element, diagnostic_codes::BAD_MORPH, tr!("collada-bad-morph"));
+            context.report.report(element, Finding::MorphWithoutTargets);
             return Ok(None);
         };
         let method = match element.attribute("method") {
@@ -183,13 +183,12 @@ fn extra_weights(element: El<'_>) -> Option<El<'_>> {
 /// What weight 1 of a target adds to each vertex of the base.
 fn deltas(context: &mut Context<'_>, element: El<'_>, base: &Geometry, shape: &Shape, method: MorphMethod) -> MorphTarget {
     if shape.points().len() != base.points.len() {
-        let message = tr!(
-            "collada-morph-target",
-            target = shape.geometry.mesh.name.as_str(),
-            found = shape.points().len(),
-            wanted = base.points.len()
-        );
-        context.report.warn(element, diagnostic_codes::MORPH_TARGET_MISMATCH, message);
+        let finding = Finding::MorphTargetMismatch {
+            target: shape.geometry.mesh.name.clone(),
+            found: shape.points().len(),
+            wanted: base.points.len(),
+        };
+        context.report.report(element, finding);
         return MorphTarget::default();
     }
     let relative = method == MorphMethod::Relative;

@@ -9,9 +9,9 @@ use super::controller::{Sources, layers};
 use super::geometry::Geometry;
 use super::morph::Lists;
 use super::source::Arrays;
-use super::{El, diagnostic_codes};
+use super::{El, Finding};
+use crate::limits;
 use crate::scene::MorphMethod;
-use crate::{limits, tr};
 
 /// The shape of a morph target.
 #[derive(Clone)]
@@ -60,13 +60,13 @@ impl Shape {
         match sources.geometries.shapes.get(&target.id()) {
             Some(Known::Shape(known)) => return Ok(known.clone()),
             Some(Known::BeingRead) => {
-                context.report.warn(target, diagnostic_codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
+                context.report.report(target, Finding::ReferenceCycle);
                 return Ok(None);
             }
             None => {}
         }
         if depth >= limits::MORPH_DEPTH {
-            context.report.warn(target, diagnostic_codes::LIMIT_REACHED, tr!("collada-morph-depth", limit = limits::MORPH_DEPTH));
+            context.report.report(target, Finding::MorphsTooDeep);
             return Ok(None);
         }
         sources.geometries.shapes.insert(target.id(), Known::BeingRead);
@@ -124,13 +124,12 @@ impl Shape {
                 let Some(target) = lists.element(context, layer, name) else { continue };
                 let Some(shape) = Self::read(context, arrays, sources, target, depth)? else { continue };
                 if shape.points().len() != before.len() {
-                    let message = tr!(
-                        "collada-morph-target",
-                        target = shape.geometry.mesh.name.as_str(),
-                        found = shape.points().len(),
-                        wanted = before.len()
-                    );
-                    context.report.warn(layer, diagnostic_codes::MORPH_TARGET_MISMATCH, message);
+                    let finding = Finding::MorphTargetMismatch {
+                        target: shape.geometry.mesh.name.clone(),
+                        found: shape.points().len(),
+                        wanted: before.len(),
+                    };
+                    context.report.report(layer, finding);
                     continue;
                 }
                 let relative = lists.method == MorphMethod::Relative;

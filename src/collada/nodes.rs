@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child, children, id_of, name_of, text_of, vector};
 use super::lookup::Url;
-use super::{Asset, El, asset, diagnostic_codes};
+use super::{Asset, El, Finding, asset};
 use crate::scene::{Graph, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 use crate::{limits, tr};
 
@@ -125,7 +125,7 @@ impl<'a> Tree<'a> {
             "instance_node" => {
                 let Some(target) = context.follow(element, "url", &["node"]) else { return Ok(()) };
                 if self.is_inside(&scene.graph, parent, target) {
-                    context.report.warn(element, diagnostic_codes::REFERENCE_CYCLE, tr!("collada-reference-cycle"));
+                    context.report.report(element, Finding::ReferenceCycle);
                     return Ok(());
                 }
                 (target, target.parent().and_then(|around| asset::space(context, asset, around)))
@@ -134,11 +134,7 @@ impl<'a> Tree<'a> {
         };
         let in_bounds = depth <= limits::DEPTH && scene.graph.len() < limits::NODES;
         if !in_bounds {
-            context.report.warn(
-                element,
-                diagnostic_codes::LIMIT_REACHED,
-                tr!("collada-limit-nodes", nodes = limits::NODES, depth = limits::DEPTH),
-            );
+            context.report.report(element, Finding::TooManyNodes);
         }
         if !in_bounds || !context.spend(element, NODE_BYTES) {
             todo.clear();
@@ -196,7 +192,7 @@ impl<'a> Tree<'a> {
                 let in_library = |element: &El<'a>| element.tag_name().name() == "node";
                 let top = node.ancestors().take_while(in_library).last().unwrap_or(node);
                 if !tops.contains(&top) && context.spend(skeleton, 8 * tops.len()) {
-                    context.report.warn(skeleton, diagnostic_codes::SKELETON_NOT_IN_SCENE, tr!("collada-skeleton-not-in-scene"));
+                    context.report.report(skeleton, Finding::SkeletonNotInScene);
                     tops.push(top);
                 }
             }
@@ -372,7 +368,7 @@ fn scene_element<'a>(context: &mut Context<'a>) -> Option<El<'a>> {
         return Some(found);
     }
     let first = children(root, "library_visual_scenes").find_map(|library| child(library, "visual_scene"))?;
-    context.report.warn(first, diagnostic_codes::NO_SCENE_NAMED, tr!("collada-no-scene-named"));
+    context.report.report(first, Finding::NoSceneNamed);
     Some(first)
 }
 
@@ -384,8 +380,8 @@ fn loose_parts<'a>(context: &mut Context<'a>) -> Vec<El<'a>> {
         parts = all("library_geometries", "geometry").collect();
     }
     match parts.first() {
-        Some(first) => context.report.warn(*first, diagnostic_codes::NO_SCENE, tr!("collada-no-scene")),
-        None => context.report.warn(context.root, diagnostic_codes::NO_SCENE, tr!("collada-nothing-to-show")),
+        Some(first) => context.report.report(*first, Finding::NoScene),
+        None => context.report.report(context.root, Finding::NothingToShow),
     }
     parts
 }

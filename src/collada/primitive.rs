@@ -4,8 +4,7 @@ use super::context::{Context, Step, child, children};
 use super::source::number_attribute;
 use super::triangulate::Triangulator;
 use super::vertex_dedup::{Builder, Layout};
-use super::{El, diagnostic_codes};
-use crate::tr;
+use super::{El, Finding};
 use glam::Vec3;
 
 /// How the corners of a primitive make faces.
@@ -117,27 +116,19 @@ pub(super) fn read<'a>(
     let lacks = builder.lacks;
     let said = number_attribute(element, "count").filter(|said| *said != faces && trouble.incomplete == 0);
     if trouble.out_of_range > 0 {
-        context.report.warn(element, diagnostic_codes::INDEX_OUT_OF_RANGE, tr!("collada-index-out-of-range", count = trouble.out_of_range));
+        context.report.report(element, Finding::FacesOutOfRange(trouble.out_of_range));
     }
     if trouble.incomplete > 0 {
-        context.report.warn(
-            element,
-            diagnostic_codes::INCOMPLETE_PRIMITIVE,
-            tr!("collada-incomplete-primitive", count = trouble.incomplete),
-        );
+        context.report.report(element, Finding::IncompleteFaces(trouble.incomplete));
     }
     if trouble.too_complex > 0 {
-        context.report.warn(
-            element,
-            diagnostic_codes::POLYGON_TOO_COMPLEX,
-            tr!("collada-polygon-too-complex", count = trouble.too_complex),
-        );
+        context.report.report(element, Finding::PolygonsTooComplex(trouble.too_complex));
     }
     if lacks.out_of_range > 0 {
-        context.report.warn(element, diagnostic_codes::INDEX_OUT_OF_RANGE, tr!("collada-values-out-of-range", count = lacks.out_of_range));
+        context.report.report(element, Finding::AttributesOutOfRange(lacks.out_of_range));
     }
     if lacks.not_finite > 0 {
-        context.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite-values", count = lacks.not_finite));
+        context.report.report(element, Finding::AttributesNotFinite(lacks.not_finite));
     }
     context.check_cancelled()?;
     let told = trouble.out_of_range + trouble.incomplete + trouble.too_complex > 0;

@@ -9,8 +9,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::bundle::Stretch;
 use super::list_extraction::Shortened;
 use super::{El, Finding, diagnostic_codes};
-use crate::diagnostics::{Diagnostic, Severity};
-use crate::{limits, tr};
+use crate::diagnostics::{Diagnostic, DiagnosticKind};
+use crate::limits;
+use crate::message::ToMessage;
 
 /// Findings that have one cause however many elements they are met at, as long as they say the same: they are told once, with how often.
 const ONCE: [&str; 13] = [
@@ -39,9 +40,9 @@ pub(super) struct Report<'a> {
     line_ends: OnceCell<Vec<u32>>,
     findings: Vec<Diagnostic<Finding>>,
     /// What was said of which element, so that nothing is said twice of what is read twice.
-    said: FxHashSet<(ElementId, &'static str, String)>,
+    said: FxHashSet<(ElementId, String)>,
     /// Where in `findings` what is told once a file stands, and how often it was met since.
-    once: FxHashMap<(&'static str, String), (usize, usize)>,
+    once: FxHashMap<String, (usize, usize)>,
     /// The entries of the libraries of which a wrong count was told.
     counts: FxHashSet<ElementId>,
     dropped: usize,
@@ -86,20 +87,19 @@ impl<'a> Report<'a> {
         self.findings.extend(findings);
     }
 
-    /// Something that may make the picture differ from what the author meant.
-    pub(super) fn warn(&mut self, element: El<'_>, code: &'static str, message: String) {
-        self.add(Some(element), code, Severity::Warning, message);
+    /// Something about an element.
+    pub(super) fn report(&mut self, element: El<'_>, finding: Finding) {
+        self.add(Some(element), finding);
     }
 
-    /// Something that was put right.
-    pub(super) fn note(&mut self, element: El<'_>, code: &'static str, message: String) {
-        self.add(Some(element), code, Severity::Info, message);
+    /// Something about the file as a whole.
+    pub(super) fn report_file(&mut self, finding: Finding) {
+        self.add(None, finding);
     }
 
-    /// Something that was put right at a byte of the whole document.
-    pub(super) fn note_at(&mut self, at: usize, code: &'static str, message: String) {
+    /// Something at a byte of the whole document, however often the same was reported.
+    pub(super) fn report_at(&mut self, at: usize, finding: Finding) {
         let file = self.part(at).map_or_else(String::new, |part| part.path.clone());
-        let finding = Finding { code, severity: Severity::Info, message };
         self.findings.push(Diagnostic::new(finding, Some(self.line_of(at)), "").in_file(file));
     }
 
@@ -108,23 +108,20 @@ impl<'a> Report<'a> {
         let in_library = |above: &El<'_>| above.parent().is_some_and(|parent| parent.tag_name().name().starts_with("library_"));
         let entry = element.ancestors().find(in_library).unwrap_or(element);
         if self.counts.insert(entry.id()) {
-            self.warn(element, diagnostic_codes::COUNT_MISMATCH, tr!("collada-count-mismatch", said = said, found = found));
+            self.report(element, Finding::CountMismatch { said, found });
         }
     }
 
-    /// A warning about the file as a whole.
-    pub(super) fn warn_file(&mut self, code: &'static str, message: String) {
-        self.add(None, code, Severity::Warning, message);
-    }
-
-    fn add(&mut self, element: Option<El<'_>>, code: &'static str, severity: Severity, message: String) {
+    fn add(&mut self, element: Option<El<'_>>, finding: Finding) {
+        // Two findings say the same where their messages are equal, with numbers as they are shown.
+        let message = finding.message().to_string();
         if let Some(element) = element
             && self.findings.len() < limits::FINDINGS
-            && !self.said.insert((element.id(), code, message.clone()))
+            && !self.said.insert((element.id(), message.clone()))
         {
             return;
         }
-        if let Some(told) = self.once.get_mut(&(code, message.clone())) {
+        if let Some(told) = self.once.get_mut(&message) {
             told.1 += 1;
             return;
         }
@@ -132,14 +129,14 @@ impl<'a> Report<'a> {
             self.dropped += 1;
             return;
         }
-        if ONCE.contains(&code) {
-            self.once.insert((code, message.clone()), (self.findings.len(), 0));
+        if ONCE.contains(&finding.code()) {
+            self.once.insert(message, (self.findings.len(), 0));
         }
         let line = element.map(|element| self.line(element));
         let part = element.and_then(|element| self.part(self.document.place(element.range().start)));
         let file = part.map_or_else(String::new, |part| part.path.clone());
         let element = element.map_or_else(String::new, describe);
-        self.findings.push(Diagnostic::new(Finding { code, severity, message }, line, element).in_file(file));
+        self.findings.push(Diagnostic::new(finding, line, element).in_file(file));
     }
 
     /// All findings, in file order.
@@ -150,9 +147,7 @@ impl<'a> Report<'a> {
             }
         }
         if self.dropped > 0 {
-            let message = tr!("collada-more-findings", count = self.dropped, limit = limits::FINDINGS);
-            self.dropped = 0;
-            let finding = Finding { code: diagnostic_codes::MORE_FINDINGS, severity: Severity::Info, message };
+            let finding = Finding::More(std::mem::take(&mut self.dropped));
             self.findings.push(Diagnostic::new(finding, None, ""));
         }
         self.findings.sort_by(|a, b| (&a.file, a.line.unwrap_or(u32::MAX)).cmp(&(&b.file, b.line.unwrap_or(u32::MAX))));

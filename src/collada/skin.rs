@@ -7,7 +7,7 @@ use glam::DMat4;
 use super::context::{Context, Step, child, ends_upright, from_rows, name_of};
 use super::nodes::{Key, Tree};
 use super::source::{Arrays, Input, NameKind, inputs, name_list};
-use super::{El, diagnostic_codes};
+use super::{El, Finding};
 use crate::scene::{Graph, Influence, NodeId, Skin, SkinJoint};
 use crate::tr;
 
@@ -44,7 +44,7 @@ pub(super) fn read<'a>(
         skin.bind_shape = context.matrix(matrix)?.unwrap_or(DMat4::IDENTITY);
     }
     let Some(weights) = child(element, "vertex_weights") else {
-        context.report.warn(element, diagnostic_codes::BAD_SKIN, tr!("collada-bad-skin", what = "vertex_weights"));
+        context.report.report(element, Finding::SkinWithout("vertex_weights".to_owned()));
         return Ok(None);
     };
     let Some(kind) = joints(context, arrays, tree, element, weights, &mut skin)? else { return Ok(None) };
@@ -82,7 +82,7 @@ fn joints<'a>(
         None => None,
     };
     let Some(list) = list else {
-        context.report.warn(element, diagnostic_codes::BAD_SKIN, tr!("collada-bad-skin", what = "JOINT"));
+        context.report.report(element, Finding::SkinWithout("JOINT".to_owned()));
         return Ok(None);
     };
     let matrices = match matrices {
@@ -100,16 +100,16 @@ fn joints<'a>(
         None => said.unwrap_or(names.len()),
     };
     if matrices.is_none() {
-        context.report.warn(element, diagnostic_codes::BAD_SKIN, tr!("collada-no-inverse-bind"));
+        context.report.report(element, Finding::SkinWithoutInverseBind);
     }
     if names.len() > count
         && let Some(joined) = rejoin(&names, count, |name| tree.knows(name))
     {
         names = joined;
-        context.report.note(element, diagnostic_codes::JOINT_NAMES_REJOINED, tr!("collada-joint-names-rejoined"));
+        context.report.report(element, Finding::JointNamesRejoined);
     }
     if names.len() != count {
-        context.report.warn(element, diagnostic_codes::COUNT_MISMATCH, tr!("collada-joint-count", names = names.len(), matrices = count));
+        context.report.report(element, Finding::JointCountMismatch { names: names.len(), matrices: count });
         // A matrix that has no name moves nothing.
         names.truncate(count);
     }
@@ -130,10 +130,10 @@ fn joints<'a>(
         skin.joints.push(SkinJoint { name, inverse_bind });
     }
     if bad {
-        context.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite"));
+        context.report.report(element, Finding::NotFinite);
     }
     if tilted {
-        context.report.warn(element, diagnostic_codes::BAD_TRANSFORM, tr!("collada-bottom-row"));
+        context.report.report(element, Finding::BottomRow);
     }
     Ok(Some(list.kind))
 }
@@ -244,7 +244,7 @@ fn influences<'a>(
         None => None,
     };
     let (Some(joint_at), Some(weight_at), Some(weights)) = (joint_at, weight_at, weights) else {
-        context.report.warn(element, diagnostic_codes::BAD_SKIN, tr!("collada-no-weights"));
+        context.report.report(element, Finding::SkinWithoutWeights);
         skin.offsets = vec![0; points + 1];
         return Ok(());
     };
@@ -258,11 +258,7 @@ fn influences<'a>(
         None => Vec::new(),
     };
     if counts.len() != points {
-        context.report.warn(
-            element,
-            diagnostic_codes::SKIN_POINTS_MISMATCH,
-            tr!("collada-skin-points", found = counts.len(), wanted = points),
-        );
+        context.report.report(element, Finding::SkinPointsMismatch { found: counts.len(), wanted: points });
     }
     let mut pairs = pairs.chunks_exact(stride);
     let (mut out_of_range, mut not_finite, mut unnormalised, mut missing) = (0, 0, 0, 0usize);
@@ -309,16 +305,16 @@ fn influences<'a>(
     let last = skin.offsets.last().copied().unwrap_or(0);
     skin.offsets.resize(points + 1, last);
     if out_of_range > 0 {
-        context.report.warn(element, diagnostic_codes::INDEX_OUT_OF_RANGE, tr!("collada-influences-out-of-range", count = out_of_range));
+        context.report.report(element, Finding::InfluencesOutOfRange(out_of_range));
     }
     if not_finite > 0 {
-        context.report.warn(element, diagnostic_codes::NOT_FINITE, tr!("collada-not-finite-weights", count = not_finite));
+        context.report.report(element, Finding::WeightsNotFinite(not_finite));
     }
     if missing > 0 {
-        context.report.warn(element, diagnostic_codes::COUNT_MISMATCH, tr!("collada-influences-missing", count = missing));
+        context.report.report(element, Finding::InfluencesMissing(missing));
     }
     if unnormalised > 0 {
-        context.report.warn(element, diagnostic_codes::WEIGHTS_NOT_NORMALISED, tr!("collada-weights-not-normalised", count = unnormalised));
+        context.report.report(element, Finding::WeightsNotNormalised(unnormalised));
     }
     Ok(())
 }

@@ -8,8 +8,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::context::{Context, Step, child, children};
 use super::numbers::{Real, names};
-use super::{El, diagnostic_codes};
-use crate::tr;
+use super::{El, Finding};
 
 /// The tags of arrays that hold numbers, and of those that hold names.
 const NUMBER_ARRAYS: [&str; 2] = ["float_array", "int_array"];
@@ -124,11 +123,7 @@ impl<T: Real> Arrays<T> {
         if let (Some(small), Some(accessor)) = (layout.small, accessor)
             && self.said_stride.insert(accessor.id())
         {
-            context.report.warn(
-                accessor,
-                diagnostic_codes::COUNT_MISMATCH,
-                tr!("collada-stride-mismatch", said = small, found = layout.stride),
-            );
+            context.report.report(accessor, Finding::StrideMismatch { said: small, found: layout.stride });
         }
         Ok(Some(Accessor {
             data,

@@ -7,10 +7,10 @@ use std::ops::Range;
 
 use memchr::{memchr, memchr_iter, memchr3, memmem};
 
-use super::ReadError;
 use super::list_extraction::{LONG, Shortened, holds_list, is_plain};
 use super::undeclared_prefixes::{self, Undeclared};
-use crate::{limits, tr};
+use super::{ReadError, ReadErrorKind};
+use crate::limits;
 
 /// What the tree takes per node and per attribute, bytes: sizes in roxmltree 0.21, rounded up.
 const NODE_BYTES: usize = 80;
@@ -69,7 +69,7 @@ pub(super) fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, R
     let mut survey = survey(text)?;
     let mut budget = text.len().saturating_mul(limits::READ_BYTES_PER_BYTE) + limits::READ_BYTES;
     if let Some(room) = room {
-        let left = room.checked_sub(numbers_in(text) * limits::BYTES_PER_NUMBER).ok_or_else(super::archive::too_large)?;
+        let left = room.checked_sub(numbers_in(text) * limits::BYTES_PER_NUMBER).ok_or(ReadErrorKind::ArchiveTooLarge)?;
         budget = budget.min(left);
     }
     let tree = survey.nodes * NODE_BYTES + survey.attributes * ATTRIBUTE_BYTES;
@@ -77,14 +77,14 @@ pub(super) fn look_at(text: &str, room: Option<usize>) -> Result<Surveyed<'_>, R
     let signs = if text.len() < 16 << 20 { 0 } else { memchr_iter(b'=', text.as_bytes()).count().saturating_sub(survey.attributes) };
     let reserved = survey.idle_tags * NODE_BYTES + signs * ATTRIBUTE_BYTES;
     if tree > budget || reserved > 3 * budget {
-        return Err(ReadError::new(None, tr!("collada-too-many-elements", count = survey.nodes)));
+        return Err(ReadErrorKind::TooManyElements(survey.nodes).into());
     }
     if survey.entities > 0 {
         let uses = memchr_iter(b'&', text.as_bytes()).count();
         // The parser lets one use lead to 255 others.
         let grown = survey.entities.saturating_mul(uses).saturating_mul(if survey.nested_entities { 256 } else { 1 });
         if grown > limits::ENTITY_BYTES {
-            return Err(ReadError::new(None, tr!("collada-entities", limit = limits::ENTITY_BYTES >> 20)));
+            return Err(ReadErrorKind::EntitiesTooLarge.into());
         }
     }
     // An entity could stand for the end of a list.
@@ -122,29 +122,29 @@ pub(super) fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<Parsed<'a>, ReadEr
     Ok(Parsed { document, lists: &surveyed.shortened, budget: surveyed.budget - surveyed.tree })
 }
 
-/// The parser's error in the user's language.
+/// The parser's error, with the place where the user will look for it.
 fn refused(error: &roxmltree::Error, text: &str) -> ReadError {
     use roxmltree::Error;
     let position = error.pos();
-    let (line, column) = (Some(position.row), position.col);
-    match error {
+    let kind = match error {
         Error::UnexpectedCloseTag(expected, actual, _) => {
-            ReadError::new(line, tr!("collada-xml-close-tag", expected = expected.as_str(), actual = actual.as_str()))
+            ReadErrorKind::WrongCloseTag { expected: expected.clone(), actual: actual.clone() }
         }
         Error::UnclosedRootNode | Error::UnexpectedEndOfStream => {
             // Cut short is seen at the end, and the last line with anything on it is where to look.
             let end = text.trim_end().len();
-            ReadError::new(Some(line_at(text.as_bytes(), end)), tr!("collada-xml-cut-short"))
+            return ReadError::in_line(line_at(text.as_bytes(), end), ReadErrorKind::CutShort);
         }
-        Error::NoRootNode => ReadError::new(None, tr!("collada-not-xml")),
-        Error::UnknownEntityReference(name, _) => ReadError::new(line, tr!("collada-xml-unknown-entity", name = name.as_str())),
-        Error::EntityReferenceLoop(_) => ReadError::new(line, tr!("collada-xml-entity-loop")),
-        Error::UnknownNamespace(prefix, _) => ReadError::new(line, tr!("collada-xml-unknown-prefix", prefix = prefix.as_str())),
-        Error::DuplicatedAttribute(name, _) => ReadError::new(line, tr!("collada-xml-repeated-attribute", name = name.as_str())),
-        Error::NodesLimitReached => ReadError::new(None, tr!("collada-too-many-elements", count = 0)),
-        _ if position.row == 1 && position.col == 1 => ReadError::new(line, tr!("collada-not-xml")),
-        _ => ReadError::new(line, tr!("collada-xml", column = column)),
-    }
+        Error::NoRootNode => return ReadErrorKind::NotXml.into(),
+        Error::NodesLimitReached => return ReadErrorKind::TooManyElements(0).into(),
+        Error::UnknownEntityReference(name, _) => ReadErrorKind::UnknownEntity(name.clone()),
+        Error::EntityReferenceLoop(_) => ReadErrorKind::EntityLoop,
+        Error::UnknownNamespace(prefix, _) => ReadErrorKind::UnknownPrefix(prefix.clone()),
+        Error::DuplicatedAttribute(name, _) => ReadErrorKind::RepeatedAttribute(name.clone()),
+        _ if position.row == 1 && position.col == 1 => ReadErrorKind::NotXml,
+        _ => ReadErrorKind::Xml(position.col),
+    };
+    ReadError::in_line(position.row, kind)
 }
 
 /// One pass over the tags. Where the document is not well-formed it stops, and the parser says what is wrong.
@@ -189,12 +189,12 @@ fn survey(text: &str) -> Result<Survey, ReadError> {
                         Some(length)
                     }
                     Ok(None) => None,
-                    Err(message) => return Err(ReadError::new(Some(line_at(bytes, at)), message)),
+                    Err(kind) => return Err(ReadError::in_line(line_at(bytes, at), kind)),
                 }
             }
         };
         if depth > limits::DEPTH {
-            return Err(ReadError::new(Some(line_at(bytes, at)), tr!("collada-too-deep", limit = limits::DEPTH)));
+            return Err(ReadError::in_line(line_at(bytes, at), ReadErrorKind::TooDeep));
         }
         match skipped {
             Some(length) => at += length,
@@ -205,7 +205,7 @@ fn survey(text: &str) -> Result<Survey, ReadError> {
 }
 
 /// A start tag: its length and whether it closes itself; `None` where it doesn't end.
-fn tag(rest: &[u8], survey: &mut Survey) -> Result<Option<(usize, bool)>, String> {
+fn tag(rest: &[u8], survey: &mut Survey) -> Result<Option<(usize, bool)>, ReadErrorKind> {
     let mut at = 0;
     let mut attributes = 0;
     loop {
@@ -219,13 +219,13 @@ fn tag(rest: &[u8], survey: &mut Survey) -> Result<Option<(usize, bool)>, String
         }
         attributes += 1;
         if attributes > limits::XML_ATTRIBUTES {
-            return Err(tr!("collada-too-many-attributes", limit = limits::XML_ATTRIBUTES));
+            return Err(ReadErrorKind::TooManyAttributes);
         }
         if let Some(name) = rest.get(start..at).and_then(declared_prefix)
             && !survey.prefixes.contains(&name)
         {
             if survey.prefixes.len() >= limits::XML_PREFIXES {
-                return Err(tr!("collada-too-many-prefixes", limit = limits::XML_PREFIXES));
+                return Err(ReadErrorKind::TooManyPrefixes);
             }
             survey.prefixes.push(name);
         }
