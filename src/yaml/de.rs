@@ -6,54 +6,53 @@ use serde::de::value::StrDeserializer;
 use serde::de::{self, DeserializeSeed, Deserializer, Expected, IntoDeserializer, MapAccess, SeqAccess, Unexpected, Visitor};
 use serde::forward_to_deserialize_any;
 
-use super::{Node, Scalar, Value, YamlError};
-use crate::tr;
+use super::{Node, Scalar, Value, ValueKind, YamlError, YamlErrorKind};
+use crate::i18n::shortened;
 
 /// Largest whole number below which every one is exact.
 const EXACT: f64 = 9_007_199_254_740_992.0;
 
 impl de::Error for YamlError {
     fn custom<T: Display>(message: T) -> Self {
-        Self::at(None, message.to_string())
+        Self::whole(YamlErrorKind::Foreign(message.to_string()))
     }
 
     fn invalid_type(found: Unexpected<'_>, _: &dyn Expected) -> Self {
-        Self::at(None, unfitting(found))
+        Self::whole(YamlErrorKind::Unfitting(kind_of(found)))
     }
 
     fn invalid_value(found: Unexpected<'_>, _: &dyn Expected) -> Self {
-        Self::at(None, unfitting(found))
+        Self::whole(YamlErrorKind::Unfitting(kind_of(found)))
     }
 
     fn invalid_length(count: usize, _: &dyn Expected) -> Self {
-        Self::at(None, tr!("document-yaml-wrong-count", count = count))
+        Self::whole(YamlErrorKind::WrongCount(count))
     }
 
-    fn unknown_variant(variant: &str, expected: &'static [&'static str]) -> Self {
-        Self::at(None, tr!("document-yaml-unknown-word", word = crate::i18n::shortened(variant), known = expected.join(", ")))
+    fn unknown_variant(variant: &str, known: &'static [&'static str]) -> Self {
+        Self::whole(YamlErrorKind::UnknownWord { word: shortened(variant), known })
     }
 
     fn missing_field(field: &'static str) -> Self {
-        Self::at(None, tr!("document-yaml-missing-key", key = field))
+        Self::whole(YamlErrorKind::MissingKey(field))
     }
 
     fn duplicate_field(field: &'static str) -> Self {
-        Self::at(None, tr!("document-yaml-repeated-key", key = field))
+        Self::whole(YamlErrorKind::RepeatedKey(field))
     }
 }
 
-/// That a value is of the wrong kind.
-fn unfitting(found: Unexpected<'_>) -> String {
-    let found = match found {
-        Unexpected::Bool(_) => tr!("muscle-yaml-found-bool"),
-        Unexpected::Unsigned(_) | Unexpected::Signed(_) | Unexpected::Float(_) => tr!("muscle-yaml-found-number"),
-        Unexpected::Char(_) | Unexpected::Str(_) | Unexpected::Bytes(_) => tr!("muscle-yaml-found-text"),
-        Unexpected::Unit | Unexpected::Option => tr!("muscle-yaml-found-nothing"),
-        Unexpected::Seq => tr!("muscle-yaml-found-list"),
-        Unexpected::Map | Unexpected::StructVariant => tr!("muscle-yaml-found-map"),
-        _ => tr!("muscle-yaml-found-tag"),
-    };
-    tr!("document-yaml-unfitting", found = found)
+/// What `serde` found, as errors call it.
+fn kind_of(found: Unexpected<'_>) -> ValueKind {
+    match found {
+        Unexpected::Bool(_) => ValueKind::Bool,
+        Unexpected::Unsigned(_) | Unexpected::Signed(_) | Unexpected::Float(_) => ValueKind::Number,
+        Unexpected::Char(_) | Unexpected::Str(_) | Unexpected::Bytes(_) => ValueKind::Text,
+        Unexpected::Unit | Unexpected::Option => ValueKind::Null,
+        Unexpected::Seq => ValueKind::List,
+        Unexpected::Map | Unexpected::StructVariant => ValueKind::Map,
+        _ => ValueKind::Tagged,
+    }
 }
 
 impl Node {

@@ -1,45 +1,64 @@
-//! What the parser says of the slips that people make, and the key of how a person would say it.
+//! From the parser's English sentences to [`SyntaxReason`].
 
-use crate::tr;
+use super::SyntaxReason::{self, *};
 
 /// Beginnings or parts of the parser's sentences, the particular ones first.
-const REASONS: [(&str, &str); 27] = [
-    ("mapping values are not allowed", "document-yaml-reason-colon"),
-    ("illegal placement of ':'", "document-yaml-reason-colon"),
-    ("simple key expect", "document-yaml-reason-no-colon"),
-    ("did not find expected key", "document-yaml-reason-key"),
-    ("mapping keys are not allowed", "document-yaml-reason-key"),
-    ("parsing a flow sequence", "document-yaml-reason-list"),
-    ("parsing a flow mapping", "document-yaml-reason-map"),
-    ("misplaced bracket", "document-yaml-reason-bracket"),
-    ("did not find expected '-'", "document-yaml-reason-dash"),
-    ("block sequence entries are not allowed", "document-yaml-reason-dash-here"),
-    ("is only valid inside a block", "document-yaml-reason-dash-here"),
-    ("tab", "document-yaml-reason-character"),
-    ("unexpected character", "document-yaml-reason-character"),
-    ("cannot start with '-'", "document-yaml-reason-character"),
-    ("unprintable character", "document-yaml-reason-control"),
-    ("byte order mark", "document-yaml-reason-control"),
-    ("found unexpected end of stream", "document-yaml-reason-end"),
-    ("unexpected eof", "document-yaml-reason-end"),
-    ("escape", "document-yaml-reason-escape"),
-    ("hexadecimal", "document-yaml-reason-escape"),
-    ("unknown anchor", "document-yaml-reason-anchor"),
-    ("anchor", "document-yaml-reason-anchor-here"),
-    ("indentation", "document-yaml-reason-indentation"),
-    ("indented", "document-yaml-reason-indentation"),
-    ("directive", "document-yaml-reason-directive"),
-    ("tag", "document-yaml-reason-tag"),
-    ("expected <document", "document-yaml-reason-after"),
+const REASONS: [(&str, SyntaxReason); 27] = [
+    ("mapping values are not allowed", Colon),
+    ("illegal placement of ':'", Colon),
+    ("simple key expect", NoColon),
+    ("did not find expected key", Key),
+    ("mapping keys are not allowed", Key),
+    ("parsing a flow sequence", List),
+    ("parsing a flow mapping", Map),
+    ("misplaced bracket", Bracket),
+    ("did not find expected '-'", NoDash),
+    ("block sequence entries are not allowed", Dash),
+    ("is only valid inside a block", Dash),
+    ("tab", Character),
+    ("unexpected character", Character),
+    ("cannot start with '-'", Character),
+    ("unprintable character", Control),
+    ("byte order mark", Control),
+    ("found unexpected end of stream", End),
+    ("unexpected eof", End),
+    ("escape", Escape),
+    ("hexadecimal", Escape),
+    ("unknown anchor", UnknownAnchor),
+    ("anchor", Anchor),
+    ("indentation", Indentation),
+    ("indented", Indentation),
+    ("directive", Directive),
+    ("tag", Tag),
+    ("expected <document", AfterEnd),
 ];
 
-/// The sentence for what the parser says.
-pub(super) fn sentence(info: &str) -> String {
-    let known = REASONS.iter().find(|(theirs, _)| info.contains(theirs));
-    tr!("document-yaml-syntax", reason = tr!(known.map_or("document-yaml-reason-content", |(_, key)| key)))
+/// What the parser means by its sentence `info`.
+pub(super) fn reason(info: &str) -> SyntaxReason {
+    REASONS.iter().find(|(theirs, _)| info.contains(theirs)).map_or(Value, |(_, reason)| *reason)
 }
 
-/// Whether the parser speaks of a colon that is out of place.
-pub(super) fn is_about_colon(info: &str) -> bool {
-    REASONS.iter().find(|(theirs, _)| info.contains(theirs)).is_some_and(|(_, key)| *key == "document-yaml-reason-colon")
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::yaml::{YamlErrorKind, read};
+
+    #[test]
+    fn slips_of_the_hand_have_their_reasons() {
+        for (text, reason) in [
+            ("a: b: c", Colon),
+            ("a: 1\nb\nc: 2", NoColon),
+            ("a: 1\n b: 2\n  - c", Colon),
+            ("a:\n  - 1\n  b: 2", NoDash),
+            ("a: [1, 2\nb: 3", List),
+            ("a: {b: 1\nc: [", Map),
+            ("a: - 1", Dash),
+            ("a:\n\t- 1", Character),
+            ("a: \"b", End),
+            ("a: 1\n- c", Key),
+            ("a: [", Value),
+        ] {
+            assert_eq!(read(text, 100).expect_err(text).kind, YamlErrorKind::Syntax(reason), "{text:?}");
+        }
+    }
 }

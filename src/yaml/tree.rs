@@ -5,8 +5,9 @@ use std::rc::Rc;
 use rustc_hash::FxHashMap;
 use saphyr_parser::{Event, Marker, Parser, ScalarStyle, Span, Tag};
 
-use super::{Scalar, YamlError, reasons, too_large};
-use crate::{limits, tr};
+use super::reasons::reason;
+use super::{Scalar, SyntaxReason, YamlError, YamlErrorKind};
+use crate::limits;
 
 /// Line and column, both from 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,7 +96,7 @@ struct Reading<'t> {
 /// [`YamlError`] for what is not YAML, for a second document, and for what goes beyond a bound of [`limits`].
 pub fn read(text: &str, bytes: u64) -> Result<Node, YamlError> {
     if text.len() as u64 > bytes {
-        return Err(too_large(bytes));
+        return Err(YamlError::whole(YamlErrorKind::TooLarge(bytes)));
     }
     look_over(text, bytes)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -105,14 +106,14 @@ pub fn read(text: &str, bytes: u64) -> Result<Node, YamlError> {
     while let Some(event) = parser.next_event() {
         let (event, span) = event.map_err(|error| {
             let before = text.char_indices().nth(error.marker().index()).map_or(text, |(end, _)| text.get(..end).unwrap_or(text));
-            YamlError::at(Some(Place::of(error.marker())), refusal(error.info(), before))
+            YamlError::at(Place::of(error.marker()), refusal(error.info(), before))
         })?;
         let place = Place::of(&span.start);
         match event {
             Event::DocumentStart(_) => {
                 documents += 1;
                 if documents > 1 {
-                    return Err(YamlError::at(Some(place), tr!("document-yaml-several-documents")));
+                    return Err(YamlError::at(place, YamlErrorKind::SeveralDocuments));
                 }
             }
             Event::StreamEnd => break,
@@ -135,12 +136,12 @@ fn look_over(text: &str, bytes: u64) -> Result<(), YamlError> {
             b'%' if before == b'\n' => directives += 1,
             _ => {}
         }
-        let place = Some(Place { line, column: 1 });
+        let place = Place { line, column: 1 };
         if signs > most {
-            return Err(YamlError::at(place, tr!("document-yaml-too-many-values", limit = limits::YAML_VALUES)));
+            return Err(YamlError::at(place, YamlErrorKind::TooManyValues));
         }
         if directives > limits::YAML_DIRECTIVES {
-            return Err(YamlError::at(place, reasons::sentence("directive")));
+            return Err(YamlError::at(place, YamlErrorKind::Syntax(SyntaxReason::Directive)));
         }
         before = byte;
     }
@@ -148,16 +149,16 @@ fn look_over(text: &str, bytes: u64) -> Result<(), YamlError> {
 }
 
 /// The parser has a bound of its own on brackets, which is beyond ours but met earlier where many stand on one line.
-fn refusal(info: &str, before: &str) -> String {
+fn refusal(info: &str, before: &str) -> YamlErrorKind {
     if info.contains("recursion limit") {
-        return tr!("document-yaml-too-deep", limit = limits::YAML_DEPTH);
+        return YamlErrorKind::TooDeep;
     }
     // A colon out of place inside brackets most often stands behind one that was not closed.
-    match unclosed(before) {
-        Some(']') if reasons::is_about_colon(info) => reasons::sentence("parsing a flow sequence"),
-        Some('}') if reasons::is_about_colon(info) => reasons::sentence("parsing a flow mapping"),
-        _ => reasons::sentence(info),
-    }
+    YamlErrorKind::Syntax(match (reason(info), unclosed(before)) {
+        (SyntaxReason::Colon, Some(']')) => SyntaxReason::List,
+        (SyntaxReason::Colon, Some('}')) => SyntaxReason::Map,
+        (reason, _) => reason,
+    })
 }
 
 /// The bracket that is missing at the end of a text; brackets in quotes and comments count too, which matters for the wording of an error alone.
@@ -206,7 +207,7 @@ impl Reading<'_> {
             Event::Alias(anchor) => {
                 // What is not closed yet has no entry: an alias of it would be inside itself.
                 let Some((node, amount)) = self.anchors.get(&anchor) else {
-                    return Err(YamlError::at(Some(place), tr!("document-yaml-alias-in-itself")));
+                    return Err(YamlError::at(place, YamlErrorKind::AliasInItself));
                 };
                 let (value, amount) = (node.value.clone(), *amount);
                 self.count(amount, place)?;
@@ -232,17 +233,17 @@ impl Reading<'_> {
 
     /// Adds to what there is and holds it against the bounds.
     fn count(&mut self, amount: Amount, place: Place) -> Result<(), YamlError> {
-        let refuse = |message| Err(YamlError::at(Some(place), message));
+        let refuse = |kind| Err(YamlError::at(place, kind));
         self.total.values = self.total.values.saturating_add(amount.values);
         self.total.text = self.total.text.saturating_add(amount.text);
         if self.open.len().saturating_add(amount.depth) > limits::YAML_DEPTH {
-            return refuse(tr!("document-yaml-too-deep", limit = limits::YAML_DEPTH));
+            return refuse(YamlErrorKind::TooDeep);
         }
         if self.total.values > limits::YAML_VALUES {
-            return refuse(tr!("document-yaml-too-many-values", limit = limits::YAML_VALUES));
+            return refuse(YamlErrorKind::TooManyValues);
         }
         if self.total.text > limits::YAML_TEXT {
-            return refuse(tr!("document-yaml-too-much-text", limit = limits::YAML_TEXT >> 20));
+            return refuse(YamlErrorKind::TooMuchText);
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::YamlError;
+use super::{YamlError, YamlErrorKind};
 use crate::i18n::{is_unsafe, visible_json};
 
 /// A value as YAML with a line end.
@@ -15,12 +15,17 @@ use crate::i18n::{is_unsafe, visible_json};
 /// # Errors
 /// [`YamlError`] for what has no form in YAML, such as paths that are no Unicode.
 pub fn to_text(value: &impl Serialize) -> Result<String, YamlError> {
-    let text = serde_yaml::to_string(value).map_err(|error| YamlError::at(None, error.to_string()))?;
+    let text = serde_yaml::to_string(value).map_err(|error| foreign(error.to_string()))?;
     if !text.chars().any(|letter| is_unsafe(letter) && letter != '\n') {
         return Ok(text);
     }
-    let text = serde_json::to_string_pretty(value).map_err(|error| YamlError::at(None, error.to_string()))?;
+    let text = serde_json::to_string_pretty(value).map_err(|error| foreign(error.to_string()))?;
     Ok(visible_json(&text).into_owned() + "\n")
+}
+
+/// What a library of serialization says.
+fn foreign(words: String) -> YamlError {
+    YamlError::whole(YamlErrorKind::Foreign(words))
 }
 
 /// Text in double quotes, with everything escaped that YAML does not take as it is, or that would act on whoever looks at the file.

@@ -47,13 +47,13 @@ impl<'a> At<'a> {
 
     fn wrong(&self, wanted: &str) -> Complaint {
         let found = match self.value {
-            Yaml::Null => tr!("muscle-yaml-found-nothing"),
-            Yaml::Bool => tr!("muscle-yaml-found-bool"),
-            Yaml::Number(_) => tr!("muscle-yaml-found-number"),
-            Yaml::Text(_) => tr!("muscle-yaml-found-text"),
-            Yaml::List(_) => tr!("muscle-yaml-found-list"),
-            Yaml::Map(_) => tr!("muscle-yaml-found-map"),
-            Yaml::Tagged => tr!("muscle-yaml-found-tag"),
+            Yaml::Null => tr!("document-yaml-found-nothing"),
+            Yaml::Bool => tr!("document-yaml-found-bool"),
+            Yaml::Number(_) => tr!("document-yaml-found-number"),
+            Yaml::Text(_) => tr!("document-yaml-found-text"),
+            Yaml::List(_) => tr!("document-yaml-found-list"),
+            Yaml::Map(_) => tr!("document-yaml-found-map"),
+            Yaml::Tagged => tr!("document-yaml-found-tag"),
         };
         self.complain(tr!("muscle-yaml-wrong-type", name = self.name(), wanted = message_of(wanted), found = found))
     }

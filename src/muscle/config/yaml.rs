@@ -75,29 +75,3 @@ pub(super) fn locate(text: &str, path: &[Step]) -> Option<(usize, usize)> {
     }
     Some((node.place.line as usize, node.place.column as usize))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::tr;
-
-    #[test]
-    fn slips_of_the_hand_are_told_in_the_users_language() {
-        for (text, key) in [
-            ("a: b: c", "document-yaml-reason-colon"),
-            ("a: 1\nb\nc: 2", "document-yaml-reason-no-colon"),
-            ("a: 1\n b: 2\n  - c", "document-yaml-reason-colon"),
-            ("a:\n  - 1\n  b: 2", "document-yaml-reason-dash"),
-            ("a: [1, 2\nb: 3", "document-yaml-reason-list"),
-            ("a: {b: 1\nc: [", "document-yaml-reason-map"),
-            ("a: - 1", "document-yaml-reason-dash-here"),
-            ("a:\n\t- 1", "document-yaml-reason-character"),
-            ("a: \"b", "document-yaml-reason-end"),
-            ("a: 1\n- c", "document-yaml-reason-key"),
-            ("a: [", "document-yaml-reason-content"),
-        ] {
-            let error = read(text).expect_err(text);
-            assert!(error.to_string().contains(&tr!(key)), "{text:?}: {error}");
-        }
-    }
-}
