@@ -24,7 +24,8 @@ use std::ops::RangeInclusive;
 
 use super::Solved;
 use super::measured_shapes::{Pose, Poses};
-use crate::{limits, tr};
+use crate::message::{Message, ToMessage};
+use crate::{limits, message, tr};
 
 /// How far from rest a length may grow at all, as a factor; profiles that could go on for ever stop here.
 const REACH: f64 = 100.0;
@@ -84,6 +85,25 @@ pub enum ProfileError {
     /// Two poses, this and the next in the order of the lengths, at one length.
     #[error("{}", tr!("muscle-poses-coincide"))]
     PosesCoincide(usize),
+}
+
+impl ToMessage for ProfileError {
+    fn message(&self) -> Message {
+        match self {
+            Self::TooFewNodes(count) => message!("muscle-too-few-nodes", count = count),
+            Self::TooManyNodes(count) => message!("muscle-too-many-nodes", count = count, limit = limits::MUSCLE_NODES),
+            Self::LengthsDiffer { radii, growth } => message!("muscle-lengths-differ", radii = radii, growth = growth),
+            Self::BadRadius(node) => message!("muscle-bad-radius", node = node + 1),
+            Self::BadGrowth(node) => message!("muscle-bad-growth", node = node + 1),
+            Self::BadLength => message!("muscle-bad-length"),
+            Self::NoRadius => message!("muscle-no-radius"),
+            Self::NoGrowth => message!("muscle-no-growth"),
+            Self::TooManyPoses(count) => message!("muscle-too-many-poses", count = count, limit = limits::MUSCLE_POSES),
+            Self::PoseNodes { pose, nodes, wanted } => message!("muscle-pose-nodes", pose = pose + 1, nodes = nodes, wanted = wanted),
+            Self::PoseLength(pose) => message!("muscle-pose-length", pose = pose + 1),
+            Self::PosesCoincide(_) => message!("muscle-poses-coincide"),
+        }
+    }
 }
 
 /// What sets a limit of the length.

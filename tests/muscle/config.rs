@@ -1,8 +1,13 @@
 //! Muscle files: what is read, what is refused and where, and that what is written reads back the same.
 
 use proptest::prelude::*;
-use sinew::muscle::{Form, MuscleFile, MuscleRig};
+use sinew::i18n::{Language, Sentence};
+use sinew::muscle::config::{ConfigErrorKind as Kind, ValueName, WantedKind};
+use sinew::muscle::{Form, MuscleFile, MuscleRig, ProfileError};
 use sinew::scene::{MuscleId, Scene};
+use sinew::yaml::{SyntaxReason, ValueKind, YamlErrorKind};
+
+use crate::in_each_language;
 
 const SHIPPED: [&str; 5] = [
     include_str!("../../configs/biceps.yaml"),
@@ -79,65 +84,115 @@ fn units_are_names_or_metres() {
     }
 }
 
-#[test]
-fn bad_files_are_refused_with_place_and_remedy() {
-    // Text, line, column (0 = any), and words that the message must hold.
-    let table: Vec<(String, u32, u32, &[&str])> = vec![
-        (String::new(), 1, 1, &["empty", "muscle_config"]),
-        ("# only a comment\n".into(), 1, 1, &["empty"]),
-        ("[1, 2]\n".into(), 1, 1, &["file", "list"]),
-        ("muscle_config: [\n".into(), 2, 0, &["not valid YAML"]),
-        (report("len: 250.0", "len: 250.0\n  length: 3"), 5, 3, &["length", "len"]),
-        (report("radiuses", "radius"), 2, 3, &["radius", "did you mean “radiuses”"]),
-        (report("carcass_config", "carcas_config"), 5, 1, &["did you mean “carcass_config”"]),
-        (report("len: 250.0", "len: long"), 4, 8, &["len", "number", "text"]),
-        (report("len: 250.0", "len: \"250,5\""), 4, 8, &["250.5", "point"]),
-        (report("len: 250.0", "len: -1"), 4, 8, &["len", "above 0"]),
-        (report("len: 250.0", "len: 0"), 4, 8, &["above 0"]),
-        (report("len: 250.0", "len: .inf"), 4, 8, &["infinite"]),
-        (report("  len: 250.0\n", ""), 2, 3, &["missing", "len"]),
-        (report("[5.0, 9.0, 5.0]", "[5.0, -9.0, 5.0]"), 2, 19, &["radiuses 2", "-9"]),
-        (report("[5.0, 9.0, 5.0]", "[5.0, .nan, 5.0]"), 2, 19, &["not a number"]),
-        (report("[5.0, 9.0, 5.0]", "[5.0, true, 5.0]"), 2, 19, &["number", "true"]),
-        (report("[5.0, 9.0, 5.0]", "{a: 1}"), 2, 13, &["list"]),
-        (report("[5.0, 9.0, 5.0]", "[5.0, 9.0]"), 3, 15, &["2 radii", "3 growth"]),
-        (report("[0.0, 1.0, 0.0]", "[0.0, 0.0, 0.0]"), 3, 15, &["growth", "0"]),
-        (report("[5.0, 9.0, 5.0]", "[0, 0, 0]"), 2, 13, &["radii are 0"]),
-        (report("[[30.0, 230.0], [30.0, 120.0]]", "[[30.0, 230.0]]"), 6, 9, &["two rods"]),
-        (report("[[30.0, 230.0], [30.0, 120.0]]", "[[30.0], [30.0, 120.0]]"), 6, 10, &["2 numbers", "1"]),
-        (report("230.0", "-230.0"), 6, 17, &["0 or more"]),
-        (report("230.0", "0"), 6, 10, &["elbow"]),
-        (report("thickness: 5.0", "thickness: 0"), 7, 14, &["thickness", "above 0"]),
-        (report("thickness: 5.0", "thickness: 5.0\n---\na: 1"), 8, 1, &["second document"]),
-        (report("len: 250.0", "len: !big 250.0"), 4, 8, &["number", "tag"]),
-        ("muscle_config:\n  radiuses: [1.0]\n  grow_mults: [1.0]\n  len: 5\n".into(), 2, 13, &["at least 2 nodes"]),
-        (rich("unit: cm", "unit: parsec"), 1, 7, &["parsec", "mm"]),
-        (rich("unit: cm", "unit: -2"), 1, 7, &["above 0"]),
-        (rich("upper: 33", "uper: 33"), 2, 7, &["did you mean “upper”"]),
-        (rich("bone: forearm", "bone: fore arm"), 9, 23, &["forearm", "upper arm"]),
-        (rich("    insertion: {bone: forearm, offset: [0, -5, 0]}\n", ""), 4, 0, &["origin", "insertion"]),
-        (rich("    length: 30\n", "    color: red\n    length: 30\n"), 5, 12, &["colour", "#B8322E"]),
+/// What errors call a value.
+fn name(key: &'static str, items: &[usize]) -> ValueName {
+    ValueName { key: Some(key), items: items.to_vec() }
+}
+
+/// Texts that are refused, with line, column (0 = any) and what is wrong.
+fn refused() -> Vec<(String, u32, u32, Kind)> {
+    use {ValueKind as Found, WantedKind as Wanted};
+    const MUSCLE: &[&str] = &["radiuses", "grow_mults", "len"];
+    let wrong = |name, wanted, found| Kind::WrongType { name, wanted, found };
+    let unknown = |key: &str, near, known| Kind::UnknownKey { key: key.to_owned(), near, known };
+    vec![
+        (String::new(), 1, 1, Kind::Empty),
+        ("# only a comment\n".into(), 1, 1, Kind::Empty),
+        ("[1, 2]\n".into(), 1, 1, wrong(ValueName { key: None, items: Vec::new() }, Wanted::Map, Found::List)),
+        ("muscle_config: [\n".into(), 2, 0, Kind::Yaml(YamlErrorKind::Syntax(SyntaxReason::Value))),
+        (report("len: 250.0", "len: 250.0\n  length: 3"), 5, 3, unknown("length", None, MUSCLE)),
+        (report("radiuses", "radius"), 2, 3, unknown("radius", Some("radiuses"), MUSCLE)),
+        (
+            report("carcass_config", "carcas_config"),
+            5,
+            1,
+            unknown("carcas_config", Some("carcass_config"), &["muscle_config", "carcass_config"]),
+        ),
+        (report("len: 250.0", "len: long"), 4, 8, wrong(name("len", &[]), Wanted::Number, Found::Text)),
+        (report("len: 250.0", "len: \"250,5\""), 4, 8, Kind::NumberAsText { name: name("len", &[]), text: "250,5".into() }),
+        (report("len: 250.0", "len: -1"), 4, 8, Kind::NotPositive { name: name("len", &[]), value: -1.0 }),
+        (report("len: 250.0", "len: 0"), 4, 8, Kind::NotPositive { name: name("len", &[]), value: 0.0 }),
+        (report("len: 250.0", "len: .inf"), 4, 8, Kind::NotFinite(name("len", &[]))),
+        (report("  len: 250.0\n", ""), 2, 3, Kind::MissingKey { key: "len", name: name("muscle_config", &[]) }),
+        (report("[5.0, 9.0, 5.0]", "[5.0, -9.0, 5.0]"), 2, 19, Kind::Negative { name: name("radiuses", &[2]), value: -9.0 }),
+        (report("[5.0, 9.0, 5.0]", "[5.0, .nan, 5.0]"), 2, 19, Kind::NotFinite(name("radiuses", &[2]))),
+        (report("[5.0, 9.0, 5.0]", "[5.0, true, 5.0]"), 2, 19, wrong(name("radiuses", &[2]), Wanted::Number, Found::Bool)),
+        (report("[5.0, 9.0, 5.0]", "{a: 1}"), 2, 13, wrong(name("radiuses", &[]), Wanted::List, Found::Map)),
+        (report("[5.0, 9.0, 5.0]", "[5.0, 9.0]"), 3, 15, Kind::Profile(ProfileError::LengthsDiffer { radii: 2, growth: 3 })),
+        (report("[0.0, 1.0, 0.0]", "[0.0, 0.0, 0.0]"), 3, 15, Kind::Profile(ProfileError::NoGrowth)),
+        (report("[5.0, 9.0, 5.0]", "[0, 0, 0]"), 2, 13, Kind::Profile(ProfileError::NoRadius)),
+        (report("[[30.0, 230.0], [30.0, 120.0]]", "[[30.0, 230.0]]"), 6, 9, Kind::NotTwoRods(1)),
+        (
+            report("[[30.0, 230.0], [30.0, 120.0]]", "[[30.0], [30.0, 120.0]]"),
+            6,
+            10,
+            Kind::WrongCount { name: name("data", &[1]), wanted: 2, found: 1 },
+        ),
+        (report("230.0", "-230.0"), 6, 17, Kind::Negative { name: name("data", &[1, 2]), value: -230.0 }),
+        (report("230.0", "0"), 6, 10, Kind::AttachedAtElbow(name("data", &[1]))),
+        (report("thickness: 5.0", "thickness: 0"), 7, 14, Kind::NotPositive { name: name("thickness", &[]), value: 0.0 }),
+        (report("thickness: 5.0", "thickness: 5.0\n---\na: 1"), 8, 1, Kind::Yaml(YamlErrorKind::SeveralDocuments)),
+        (report("len: 250.0", "len: !big 250.0"), 4, 8, wrong(name("len", &[]), Wanted::Number, Found::Tagged)),
+        ("muscle_config:\n  radiuses: [1.0]\n  grow_mults: [1.0]\n  len: 5\n".into(), 2, 13, Kind::Profile(ProfileError::TooFewNodes(1))),
+        (rich("unit: cm", "unit: parsec"), 1, 7, Kind::UnknownUnit("parsec".into())),
+        (rich("unit: cm", "unit: -2"), 1, 7, Kind::NotPositive { name: name("unit", &[]), value: -2.0 }),
+        (rich("upper: 33", "uper: 33"), 2, 7, unknown("uper", Some("upper"), &["upper", "forearm", "thickness", "flexion"])),
+        (rich("bone: forearm", "bone: fore arm"), 9, 23, Kind::UnknownArmBone { bone: "fore arm".into(), near: "forearm" }),
+        (rich("    insertion: {bone: forearm, offset: [0, -5, 0]}\n", ""), 4, 0, Kind::OneEnd(name("muscles", &[1]))),
+        (rich("    length: 30\n", "    color: red\n    length: 30\n"), 5, 12, Kind::BadColor("red".into())),
         (
             rich("    length: 30\n", "    wrap: {bone: upper arm, radius: 1, side: [0, 0, 0]}\n    length: 30\n"),
             5,
             46,
-            &["side", "direction"],
+            Kind::NoDirection(name("side", &[])),
         ),
-        (rich("thickness: 1}", "thickness: 1, flexion: [90, 10]}"), 2, 0, &["least", "greatest"]),
-        ("unit: mm\nmuscles: []\n".into(), 2, 10, &["at least one"]),
-        ("unit: mm\n".into(), 1, 1, &["missing", "muscles"]),
-    ];
-    sinew::i18n::set_language(sinew::i18n::Language::English);
-    for (text, line, column, words) in table {
+        (
+            rich("thickness: 1}", "thickness: 1, flexion: [90, 10]}"),
+            2,
+            0,
+            Kind::BadRange { name: name("flexion", &[]), least: 0.0, most: 180.0 },
+        ),
+        ("unit: mm\nmuscles: []\n".into(), 2, 10, Kind::NoMuscles),
+        ("unit: mm\n".into(), 1, 1, Kind::MissingKey { key: "muscles", name: ValueName { key: None, items: Vec::new() } }),
+    ]
+}
+
+#[test]
+fn bad_files_are_refused_with_place_and_kind() {
+    for (text, line, column, kind) in refused() {
         let error = MuscleFile::parse(&text).expect_err(&text);
-        assert_eq!(error.line, Some(line), "{error}\n{text}");
+        assert_eq!((error.line, &error.kind), (Some(line), &kind), "{text}");
         if column > 0 {
             assert_eq!(error.column, Some(column), "{error}\n{text}");
         }
-        for word in words {
-            assert!(error.message.contains(word), "“{word}” is not in: {}\n{text}", error.message);
-        }
     }
+}
+
+#[test]
+fn errors_are_sentences_with_the_remedy_in_both_languages() {
+    let words = |text: String, english: &'static str, russian: &'static str| (text, english, russian);
+    let examples = [
+        words(report("radiuses", "radius"), "did you mean “radiuses”", "«radiuses»"),
+        words(report("len: 250.0", "len: \"250,5\""), "write the number as 250.5", "250.5"),
+        words(report("[5.0, 9.0, 5.0]", "[5.0, -9.0, 5.0]"), "“radiuses 2” is -9; it must be 0 or more.", "«radiuses 2»"),
+        words("[1, 2]\n".into(), "“the file” should be", "«файл»"),
+        words(report("[5.0, 9.0, 5.0]", "[5.0, 9.0]"), "2 radii but 3 growth multipliers", "2"),
+        words(rich("unit: cm", "unit: parsec"), "Unknown unit “parsec”; write mm", "«parsec»"),
+        words(rich("    length: 30\n", "    color: red\n    length: 30\n"), "#B8322E", "#B8322E"),
+    ];
+    in_each_language(|language| {
+        for (text, ..) in refused() {
+            let said = MuscleFile::parse(&text).expect_err(&text).sentence();
+            assert!(!said.contains("muscle-") && !said.contains("yaml-") && !said.contains("{ $"), "{said}");
+            assert!(said.ends_with('.'), "{said}");
+            assert_eq!(said.chars().any(|letter| ('а'..='я').contains(&letter)), language == Language::Russian, "{said}");
+        }
+        for (text, english, russian) in &examples {
+            let said = MuscleFile::parse(text).expect_err(text).sentence();
+            let words = if language == Language::English { english } else { russian };
+            assert!(said.contains(words), "“{words}” is not in: {said}\n{text}");
+        }
+    });
 }
 
 #[test]

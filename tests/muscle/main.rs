@@ -11,3 +11,17 @@ mod pappus;
 mod profile;
 mod save;
 mod schema;
+
+use std::sync::{Mutex, PoisonError};
+
+use sinew::i18n::{Language, set_language};
+
+/// Runs what looks at sentences with each language in turn, which all tests of this program share.
+fn in_each_language(mut check: impl FnMut(Language)) {
+    static LANGUAGE: Mutex<()> = Mutex::new(());
+    let _alone = LANGUAGE.lock().unwrap_or_else(PoisonError::into_inner);
+    for language in Language::ALL {
+        set_language(language);
+        check(language);
+    }
+}

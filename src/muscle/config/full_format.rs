@@ -2,22 +2,24 @@
 
 use glam::DVec3;
 
-use super::decode::{At, Complaint, nearest};
+use super::decode::{At, nearest};
+use super::error::{ConfigErrorKind, DecodeError};
 use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
-use crate::i18n::shortened;
+use crate::limits;
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
 use crate::muscle::edit::VIA;
 use crate::muscle::profile::{Profile, ProfileError};
-use crate::{limits, tr};
 
 /// Keys at the top of the richer form; one of them makes a file a richer one.
 pub(super) const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "scale", "muscles"];
 /// The value of `scale` that lets muscles scale with the bones.
 pub(super) const WITH_BONES: &str = "with bones";
+/// Ids of the bones of the arm.
+pub(super) const ARM_BONES: &[&str] = &[UPPER_ARM, FOREARM];
 /// Units by name, in metres.
 pub(super) const UNITS: [(&str, f64); 4] = [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("in", 0.0254)];
 
-pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
+pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, DecodeError> {
     let map = root.map(KEYS)?;
     let mut file = MuscleFile { form: Form::Rich, ..MuscleFile::default() };
     if let Some(at) = map.get("unit") {
@@ -28,61 +30,61 @@ pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
     }
     if let Some(at) = map.get("arm") {
         if file.clip.is_some() {
-            return Err(at.complain(tr!("muscle-arm-and-clip")));
+            return Err(at.error(ConfigErrorKind::ArmAndClip));
         }
         file.arm = Some(arm(&at)?);
     }
     if let Some(at) = map.get("joint") {
         if file.arm.is_some() {
-            return Err(at.complain(tr!("muscle-arm-and-joint")));
+            return Err(at.error(ConfigErrorKind::ArmAndJoint));
         }
         file.joint = Some(joint(&at)?);
     }
     if let Some(at) = map.get("scale") {
         if file.arm.is_some() {
-            return Err(at.complain(tr!("muscle-arm-and-scale")));
+            return Err(at.error(ConfigErrorKind::ArmAndScale));
         }
         file.scale = Some(scale(&at)?);
     }
     let list = map.need("muscles")?;
     let items = list.items()?;
     if items.is_empty() {
-        return Err(list.complain(tr!("muscle-no-muscles")));
+        return Err(list.error(ConfigErrorKind::NoMuscles));
     }
     if items.len() > limits::MUSCLES {
-        return Err(list.complain(tr!("muscle-too-many-muscles", count = items.len(), limit = limits::MUSCLES)));
+        return Err(list.error(ConfigErrorKind::TooManyMuscles(items.len())));
     }
     let mut vertices = 0_usize;
     for at in &items {
         let muscle = muscle(at, file.arm.is_some())?;
         vertices = vertices.saturating_add(muscle.vertices());
         if vertices > limits::MUSCLE_VERTICES {
-            return Err(at.complain(tr!("muscle-too-much-surface", limit = limits::MUSCLE_VERTICES)));
+            return Err(at.error(ConfigErrorKind::TooMuchSurface));
         }
         file.muscles.push(muscle);
     }
     Ok(file)
 }
 
-fn unit(at: &At<'_>) -> Result<f64, Complaint> {
+fn unit(at: &At<'_>) -> Result<f64, DecodeError> {
     match at.text() {
         Ok(text) => {
             let found = UNITS.iter().find(|(name, _)| *name == text);
-            found.map(|(_, metres)| *metres).ok_or_else(|| at.complain(tr!("muscle-unknown-unit", unit = shortened(text))))
+            found.map(|(_, metres)| *metres).ok_or_else(|| at.error(ConfigErrorKind::UnknownUnit(text.to_owned())))
         }
         Err(_) => at.positive(false),
     }
 }
 
-fn scale(at: &At<'_>) -> Result<f64, Complaint> {
+fn scale(at: &At<'_>) -> Result<f64, DecodeError> {
     match at.text() {
         Ok(WITH_BONES) => Ok(1.0),
-        Ok(_) => Err(at.complain(tr!("muscle-bad-scale", known = WITH_BONES))),
+        Ok(_) => Err(at.error(ConfigErrorKind::BadScale)),
         Err(_) => at.positive(false),
     }
 }
 
-fn arm(at: &At<'_>) -> Result<Arm, Complaint> {
+fn arm(at: &At<'_>) -> Result<Arm, DecodeError> {
     let map = at.map(&["upper", "forearm", "thickness", "flexion"])?;
     let flexion = match map.get("flexion") {
         Some(at) => Some(range(&at, 0.0, 180.0)?),
@@ -96,7 +98,7 @@ fn arm(at: &At<'_>) -> Result<Arm, Complaint> {
     })
 }
 
-fn joint(at: &At<'_>) -> Result<JointSpec, Complaint> {
+fn joint(at: &At<'_>) -> Result<JointSpec, DecodeError> {
     let map = at.map(&["bone", "axis", "range"])?;
     let range = match map.get("range") {
         Some(at) => range(&at, -360.0, 360.0)?,
@@ -105,30 +107,30 @@ fn joint(at: &At<'_>) -> Result<JointSpec, Complaint> {
     Ok(JointSpec { bone: map.need("bone")?.text()?.to_owned(), axis: direction(&map.need("axis")?)?, range })
 }
 
-fn range(at: &At<'_>, least: f64, most: f64) -> Result<[f64; 2], Complaint> {
+fn range(at: &At<'_>, least: f64, most: f64) -> Result<[f64; 2], DecodeError> {
     let [low, high] = at.some_numbers::<2>()?;
     if least <= low && low < high && high <= most {
         return Ok([low, high]);
     }
-    Err(at.complain(tr!("muscle-bad-range", name = at.name(), least = least, most = most)))
+    Err(at.error(ConfigErrorKind::BadRange { name: at.name(), least, most }))
 }
 
-fn direction(at: &At<'_>) -> Result<DVec3, Complaint> {
+fn direction(at: &At<'_>) -> Result<DVec3, DecodeError> {
     let direction = DVec3::from_array(at.some_numbers::<3>()?);
     if direction.try_normalize().is_none() {
-        return Err(at.complain(tr!("muscle-no-direction", name = at.name())));
+        return Err(at.error(ConfigErrorKind::NoDirection(at.name())));
     }
     Ok(direction)
 }
 
-fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, Complaint> {
+fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, DecodeError> {
     let map =
         at.map(&["name", "color", "source", "length", "radii", "growth", "poses", "origin", "via", "wrap", "insertion", "tendons"])?;
     let length = map.need("length")?;
     let mut spec = match map.get("poses") {
         Some(poses) => {
             if let Some(at) = map.get("radii").or_else(|| map.get("growth")) {
-                return Err(at.complain(tr!("muscle-poses-and-radii")));
+                return Err(at.error(ConfigErrorKind::PosesAndRadii));
             }
             posed(&poses, &length)?
         }
@@ -149,17 +151,17 @@ fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, Complaint> {
         if end == 0 { spec.origin = anchor } else { spec.insertion = anchor }
     }
     if spec.origin.is_some() != spec.insertion.is_some() {
-        return Err(at.complain(tr!("muscle-one-end", name = at.name())));
+        return Err(at.error(ConfigErrorKind::OneEnd(at.name())));
     }
     for key in ["via", "wrap"] {
         if let (Some(at), None) = (map.get(key), &spec.origin) {
-            return Err(at.complain(tr!("muscle-no-ends", name = key)));
+            return Err(at.error(ConfigErrorKind::WithoutEnds(key)));
         }
     }
     if let Some(at) = map.get("via") {
         let points = at.items()?;
         if points.len() > VIA {
-            return Err(at.complain(tr!("muscle-too-many-via", limit = VIA, count = points.len())));
+            return Err(at.error(ConfigErrorKind::TooManyViaPoints(points.len())));
         }
         spec.via = points.iter().map(|point| anchor(point, on_arm)).collect::<Result<_, _>>()?;
     }
@@ -180,32 +182,32 @@ fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, Complaint> {
     Ok(spec)
 }
 
-fn radii(at: &At<'_>) -> Result<Vec<f64>, Complaint> {
+fn radii(at: &At<'_>) -> Result<Vec<f64>, DecodeError> {
     at.items()?.iter().map(|item| item.positive(true)).collect()
 }
 
-fn grown(radii_at: &At<'_>, growth: &At<'_>, length: &At<'_>) -> Result<Profile, Complaint> {
+fn grown(radii_at: &At<'_>, growth: &At<'_>, length: &At<'_>) -> Result<Profile, DecodeError> {
     Profile::new(radii(radii_at)?, growth.numbers()?, length.positive(false)?).map_err(|error| {
         let at = match error {
             ProfileError::LengthsDiffer { .. } | ProfileError::NoGrowth | ProfileError::BadGrowth(_) => growth,
             ProfileError::BadLength => length,
             _ => radii_at,
         };
-        at.complain(error.to_string())
+        at.error(ConfigErrorKind::Profile(error))
     })
 }
 
-fn posed(at: &At<'_>, length: &At<'_>) -> Result<MuscleSpec, Complaint> {
+fn posed(at: &At<'_>, length: &At<'_>) -> Result<MuscleSpec, DecodeError> {
     let items = at.items()?;
     if items.is_empty() {
-        return Err(at.complain(tr!("muscle-no-poses")));
+        return Err(at.error(ConfigErrorKind::NoPoses));
     }
     let pose = |at: &At<'_>| {
         let map = at.map(&["angle", "length", "radii"])?;
         let place = match (map.get("angle"), map.get("length")) {
             (Some(angle), None) => PoseAt::Angle(angle.number()?),
             (None, Some(length)) => PoseAt::Length(length.positive(false)?),
-            _ => return Err(at.complain(tr!("muscle-pose-place"))),
+            _ => return Err(at.error(ConfigErrorKind::PosePlace)),
         };
         Ok(PoseSpec { at: place, radii: radii(&map.need("radii")?)? })
     };
@@ -216,35 +218,34 @@ fn posed(at: &At<'_>, length: &At<'_>) -> Result<MuscleSpec, Complaint> {
             ProfileError::PoseNodes { pose, .. } | ProfileError::PoseLength(pose) => items.get(pose).unwrap_or(at),
             _ => at,
         };
-        at.complain(error.to_string())
+        at.error(ConfigErrorKind::Profile(error))
     })?;
     Ok(MuscleSpec { poses, ..MuscleSpec::new(profile) })
 }
 
-fn anchor(at: &At<'_>, on_arm: bool) -> Result<Anchor, Complaint> {
+fn anchor(at: &At<'_>, on_arm: bool) -> Result<Anchor, DecodeError> {
     let map = at.map(&["bone", "offset"])?;
     Ok(Anchor { bone: bone(&map.need("bone")?, on_arm)?, offset: offset(map.get("offset"))? })
 }
 
-fn offset(at: Option<At<'_>>) -> Result<DVec3, Complaint> {
+fn offset(at: Option<At<'_>>) -> Result<DVec3, DecodeError> {
     at.map_or(Ok(DVec3::ZERO), |at| at.some_numbers::<3>().map(DVec3::from_array))
 }
 
-fn bone(at: &At<'_>, on_arm: bool) -> Result<String, Complaint> {
-    const BONES: &[&str] = &[UPPER_ARM, FOREARM];
+fn bone(at: &At<'_>, on_arm: bool) -> Result<String, DecodeError> {
     let name = at.text()?;
-    if on_arm && !BONES.contains(&name) {
-        let near = nearest(name, BONES).unwrap_or(UPPER_ARM);
-        return Err(at.complain(tr!("muscle-unknown-arm-bone", bone = shortened(name), near = near, known = BONES.join(", "))));
+    if on_arm && !ARM_BONES.contains(&name) {
+        let near = nearest(name, ARM_BONES).unwrap_or(UPPER_ARM);
+        return Err(at.error(ConfigErrorKind::UnknownArmBone { bone: name.to_owned(), near }));
     }
     Ok(name.to_owned())
 }
 
-fn color(at: &At<'_>) -> Result<[u8; 3], Complaint> {
+fn color(at: &At<'_>) -> Result<[u8; 3], DecodeError> {
     let text = at.text()?;
     let parsed = text.strip_prefix('#').filter(|digits| digits.len() == 6 && digits.bytes().all(|byte| byte.is_ascii_hexdigit()));
     match parsed.and_then(|digits| u32::from_str_radix(digits, 16).ok()) {
         Some(number) => Ok([(number >> 16) as u8, (number >> 8) as u8, number as u8]),
-        None => Err(at.complain(tr!("muscle-bad-color", text = shortened(text)))),
+        None => Err(at.error(ConfigErrorKind::BadColor(text.to_owned()))),
     }
 }

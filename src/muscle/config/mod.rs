@@ -21,6 +21,7 @@
 //! already, so that its comments stay.
 
 mod decode;
+mod error;
 mod full_format;
 mod lossless_save;
 mod short_format;
@@ -29,70 +30,12 @@ mod spec;
 mod write;
 mod yaml;
 
+pub use error::{ConfigError, ConfigErrorKind, ValueName, WantedKind};
 pub use lossless_save::Saved;
 pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 
-use crate::message::{Message, ToMessage};
-use crate::tr;
-use crate::yaml::{YamlError, YamlErrorKind};
-use decode::{At, Complaint};
-
-/// Why a YAML file could not be used, and where.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{}", self.message())]
-pub struct ConfigError {
-    /// Line from 1.
-    pub line: Option<u32>,
-    /// Column from 1.
-    pub column: Option<u32>,
-    /// What is wrong.
-    pub kind: ConfigErrorKind,
-}
-
-/// What is wrong with a muscle file.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ConfigErrorKind {
-    /// The text is no YAML that can be read.
-    Yaml(YamlErrorKind),
-    /// In words.
-    Words(String),
-}
-
-impl ToMessage for ConfigError {
-    fn message(&self) -> Message {
-        self.kind.message()
-    }
-}
-
-impl ToMessage for ConfigErrorKind {
-    fn message(&self) -> Message {
-        match self {
-            Self::Yaml(error) => error.message(),
-            Self::Words(words) => Message::verbatim(words),
-        }
-    }
-}
-
-impl ConfigError {
-    fn at(place: Option<(usize, usize)>, message: String) -> Self {
-        let number = |n: usize| u32::try_from(n).ok();
-        Self {
-            line: place.and_then(|(line, _)| number(line)),
-            column: place.and_then(|(_, column)| number(column)),
-            kind: ConfigErrorKind::Words(message),
-        }
-    }
-}
-
-impl From<YamlError> for ConfigError {
-    fn from(error: YamlError) -> Self {
-        Self {
-            line: error.place.map(|place| place.line),
-            column: error.place.map(|place| place.column),
-            kind: ConfigErrorKind::Yaml(error.kind),
-        }
-    }
-}
+use decode::At;
+use error::DecodeError;
 
 impl MuscleFile {
     /// Reads YAML: the report's form or the richer one.
@@ -103,10 +46,10 @@ impl MuscleFile {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let tree = yaml::read(text)?;
         if tree == yaml::Yaml::Null {
-            return Err(ConfigError::at(Some((1, 1)), tr!("muscle-yaml-empty")));
+            return Err(ConfigError::at(Some((1, 1)), ConfigErrorKind::Empty));
         }
         let root = At::root(&tree);
         let file = if full_format::KEYS.iter().any(|key| root.has(key)) { full_format::decode(&root) } else { short_format::decode(&root) };
-        file.map_err(|Complaint { path, message }| ConfigError::at(yaml::locate(text, &path), message))
+        file.map_err(|DecodeError { path, kind }| ConfigError::at(yaml::locate(text, &path), kind))
     }
 }

@@ -2,16 +2,16 @@
 
 use glam::DVec3;
 
-use super::decode::{At, Complaint};
+use super::decode::At;
+use super::error::{ConfigErrorKind, DecodeError};
 use super::spec::{Anchor, Form, MuscleFile, MuscleSpec};
 use crate::muscle::arm::{Arm, FOREARM, UPPER_ARM};
 use crate::muscle::profile::{Profile, ProfileError};
-use crate::tr;
 
 /// Keys at the top of the report's form.
 pub(super) const KEYS: &[&str] = &["muscle_config", "carcass_config"];
 
-pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
+pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, DecodeError> {
     let map = root.map(KEYS)?;
     let mut muscle = muscle(&map.need("muscle_config")?)?;
     let arm = match map.get("carcass_config") {
@@ -21,7 +21,7 @@ pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, Complaint> {
     Ok(MuscleFile { form: Form::Report, arm, muscles: vec![muscle], ..MuscleFile::default() })
 }
 
-fn muscle(at: &At<'_>) -> Result<MuscleSpec, Complaint> {
+fn muscle(at: &At<'_>) -> Result<MuscleSpec, DecodeError> {
     let map = at.map(&["radiuses", "grow_mults", "len"])?;
     let radii_at = map.need("radiuses")?;
     let radii = radii_at.items()?.iter().map(|item| item.positive(true)).collect::<Result<Vec<f64>, _>>()?;
@@ -34,28 +34,28 @@ fn muscle(at: &At<'_>) -> Result<MuscleSpec, Complaint> {
             ProfileError::BadLength => &length,
             _ => &radii_at,
         };
-        at.complain(error.to_string())
+        at.error(ConfigErrorKind::Profile(error))
     })?;
     Ok(MuscleSpec::new(profile))
 }
 
-fn arm(at: &At<'_>, muscle: &mut MuscleSpec) -> Result<Arm, Complaint> {
+fn arm(at: &At<'_>, muscle: &mut MuscleSpec) -> Result<Arm, DecodeError> {
     let map = at.map(&["data", "thickness"])?;
     let data = map.need("data")?;
     let rods = data.items()?;
-    let [first, second] = rods.as_slice() else { return Err(data.complain(tr!("muscle-carcass-two-rods", found = rods.len()))) };
-    let rod = |at: &At<'_>| -> Result<[f64; 2], Complaint> {
+    let [first, second] = rods.as_slice() else { return Err(data.error(ConfigErrorKind::NotTwoRods(rods.len()))) };
+    let rod = |at: &At<'_>| -> Result<[f64; 2], DecodeError> {
         let [a, b] = at.some_numbers::<2>()?;
         let items = at.items()?;
         for (item, or_zero) in items.iter().zip([true, true]) {
             item.positive(or_zero)?;
         }
-        if a + b > 0.0 { Ok([a, b]) } else { Err(at.complain(tr!("muscle-rod-no-length", name = at.name()))) }
+        if a + b > 0.0 { Ok([a, b]) } else { Err(at.error(ConfigErrorKind::RodWithoutLength(at.name()))) }
     };
     let ([free, above], [below, rest]) = (rod(first)?, rod(second)?);
     for (length, at) in [(above, first), (below, second)] {
         if length == 0.0 {
-            return Err(at.complain(tr!("muscle-attached-at-elbow", name = at.name())));
+            return Err(at.error(ConfigErrorKind::AttachedAtElbow(at.name())));
         }
     }
     let thickness = map.need("thickness")?.positive(false)?;
