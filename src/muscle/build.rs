@@ -115,8 +115,7 @@ impl MuscleRig {
                 Err(bone) => {
                     muscle.rescale(1.0);
                     muscle.line = None;
-                    let message = tr!("muscle-bone-not-found", bone = bone);
-                    self.findings.push(Diagnostic::new(Finding { code: "muscle-bone-not-found", message }, None, muscle.spec.name.clone()));
+                    self.findings.push(Diagnostic::new(Finding::BoneNotFound { bone }, None, muscle.spec.name.clone()));
                 }
             }
         }
@@ -132,8 +131,8 @@ impl MuscleRig {
         let graph = &scene.graph;
         if let Some(joint) = &self.joint {
             let Some(node) = find_bone(graph, self.root, &joint.bone) else {
-                let message = tr!("muscle-joint-not-found", bone = joint.bone.clone());
-                self.findings.push(Diagnostic::new(Finding { code: "muscle-joint-not-found", message }, None, joint.bone.clone()));
+                let bone = joint.bone.clone();
+                self.findings.push(Diagnostic::new(Finding::JointNotFound { bone: bone.clone() }, None, bone));
                 return None;
             };
             return Some(Joint::of_file(scene, node, joint));
@@ -203,7 +202,7 @@ impl MuscleRig {
         for muscle in self.muscles.iter_mut().filter(|muscle| muscle.spec.poses.iter().any(|pose| matches!(pose.at, PoseAt::Angle(_)))) {
             let found = hinge.as_ref().zip(muscle.line.as_ref());
             let length_at = |angle: f64| found.map(|(hinge, line)| (line.length(&hinge.at(angle)) - muscle.fixed()) / muscle.scale);
-            let message = match MuscleSpec::posed(&muscle.spec.poses, muscle.spec.profile.rest_length(), length_at) {
+            let finding = match MuscleSpec::posed(&muscle.spec.poses, muscle.spec.profile.rest_length(), length_at) {
                 Ok(profile) => {
                     let whole = profile.is_posed();
                     muscle.shape = profile.scaled(muscle.scale);
@@ -211,11 +210,11 @@ impl MuscleRig {
                     if whole {
                         continue;
                     }
-                    tr!("muscle-poses-no-joint")
+                    Finding::PosesWithoutJoint
                 }
-                Err(error) => tr!("muscle-poses-do-not-fit", error = error.to_string()),
+                Err(error) => Finding::PosesDoNotFit(error),
             };
-            self.findings.push(Diagnostic::new(Finding { code: "muscle-poses-not-placed", message }, None, muscle.spec.name.clone()));
+            self.findings.push(Diagnostic::new(finding, None, muscle.spec.name.clone()));
         }
     }
 }

@@ -28,7 +28,7 @@
 //! | `parameter_fit` | growth parameters fitted to measured radii |
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
 //! | `scaling` | muscles that scale with their bones |
-//! | `muscle_findings` | diagnostics of a muscle over the range of its joint |
+//! | `muscle_findings`, `finding` | diagnostics of a muscle over the range of its joint; what they are and how they are said |
 //! | `muscle_rig` | muscles in a scene: solving, centrelines, surfaces, measuring |
 //! | `config` | YAML |
 
@@ -42,6 +42,7 @@ pub mod config;
 mod csv_table;
 mod driving;
 pub mod edit;
+mod finding;
 mod joint_dof;
 mod line_of_action;
 pub mod literature_data;
@@ -71,6 +72,7 @@ pub use centerline::{Cursor, Path, Station};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
 pub use driving::Driving;
 pub use edit::{Edit, EditError};
+pub use finding::{Finding, FoundAt, LinePoint, MomentArmAt};
 pub(crate) use joint_dof::rotation;
 pub use joint_dof::{FoundBy, Joint, Turn};
 pub use measured_shapes::Pose;
@@ -124,30 +126,4 @@ pub struct Sample {
     pub moment_arm: f64,
     /// The solution at that angle.
     pub solved: Solved,
-}
-
-use crate::diagnostics::{DiagnosticKind, Severity};
-use crate::message::{Message, ToMessage};
-
-/// What was found about a muscle.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    code: &'static str,
-    message: String,
-}
-
-impl ToMessage for Finding {
-    fn message(&self) -> Message {
-        Message::verbatim(&self.message)
-    }
-}
-
-impl DiagnosticKind for Finding {
-    fn code(&self) -> &'static str {
-        self.code
-    }
-
-    fn severity(&self) -> Severity {
-        Severity::Warning
-    }
 }

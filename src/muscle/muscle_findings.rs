@@ -7,11 +7,9 @@ use super::measure::moment_arm;
 use super::muscle_rig::{Muscle, MuscleRig};
 use super::profile::SHORTEST;
 use super::revolute_joint::RevoluteJoint;
-use super::{Finding, Solved};
+use super::{Finding, FoundAt, LinePoint, MomentArmAt, Solved};
 use crate::diagnostics::Diagnostic;
-use crate::i18n::decimal;
 use crate::scene::{Graph, NodeId, NodeKind};
-use crate::tr;
 
 /// Angles at which all muscles of a file together are looked at, and the most and the fewest for one: so opening stays quick however many there are.
 const ANGLES: usize = 2400;
@@ -74,16 +72,14 @@ impl MuscleRig {
     pub(crate) fn look_over(&mut self, moments: &[(f64, Vec<glam::DMat4>)]) {
         let mut findings = Vec::new();
         for (index, muscle) in self.muscles.iter().enumerate() {
-            if !self.is_attached(index)
-                || self.findings.iter().any(|finding| finding.element == muscle.spec.name && is_short(finding.code()))
-            {
+            if !self.is_attached(index) || self.findings.iter().any(|found| found.element == muscle.spec.name && is_short(&found.finding)) {
                 continue;
             }
             let Some(line) = &muscle.line else { continue };
             let lengths = moments.iter().map(|(time, world)| (*time, line.length(&self.frames(world))));
             let Some((time, length)) = lengths.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
             let mut said = Said { muscle, millimetres: 1e3 * self.unit, on_arm: false, findings: &mut findings };
-            said.short(length, &tr!("muscle-at-time", time = decimal(time, 2)));
+            said.short(length, FoundAt::Time(time));
         }
         self.findings.append(&mut findings);
     }
@@ -110,8 +106,8 @@ impl MuscleRig {
     }
 }
 
-fn is_short(code: &str) -> bool {
-    ["muscle-ends-coincide", "muscle-shorter-than-tendons", "muscle-too-short"].contains(&code)
+fn is_short(finding: &Finding) -> bool {
+    matches!(finding, Finding::EndsCoincide | Finding::ShorterThanTendons | Finding::TooShort { .. })
 }
 
 fn between(range: [f64; 2], step: usize, steps: usize) -> f64 {
@@ -128,25 +124,23 @@ struct Said<'a> {
 }
 
 impl Said<'_> {
-    fn say(&mut self, code: &'static str, message: String) {
-        self.findings.push(Diagnostic::new(Finding { code, message }, None, self.muscle.spec.name.clone()));
+    fn say(&mut self, finding: Finding) {
+        self.findings.push(Diagnostic::new(finding, None, self.muscle.spec.name.clone()));
     }
 
-    fn mm(&self, length: f64) -> String {
-        decimal(length * self.millimetres, 1)
+    fn mm(&self, length: f64) -> f64 {
+        length * self.millimetres
     }
 
     /// Says that a line of this length, the shortest of all, leaves too little for the belly.
-    fn short(&mut self, length: f64, place: &str) {
+    fn short(&mut self, length: f64, at: FoundAt) {
         let (rest, fixed) = (self.muscle.shape.rest_length(), self.muscle.fixed());
         if length <= 1e-9 * rest {
-            self.say("muscle-ends-coincide", tr!("muscle-ends-coincide"));
+            self.say(Finding::EndsCoincide);
         } else if length <= fixed {
-            self.say("muscle-shorter-than-tendons", tr!("muscle-shorter-than-tendons"));
+            self.say(Finding::ShorterThanTendons);
         } else if length - fixed < SHORTEST * rest * (1.0 - 1e-9) {
-            let per_cent = |share: f64| decimal(100.0 * share, 0);
-            let share = per_cent((length - fixed) / rest);
-            self.say("muscle-too-short", tr!("muscle-too-short", share = share, place = place.to_owned(), least = per_cent(SHORTEST)));
+            self.say(Finding::TooShort { share: (length - fixed) / rest, at });
         }
     }
 }
@@ -163,7 +157,7 @@ fn check(
     let beyond = asked.map(|angle| (angle, line.length(&hinge.at(angle))));
     let all = looks.iter().map(|look| (look.angle, look.length)).chain(beyond);
     if let Some((angle, length)) = all.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        said.short(length, &at(angle));
+        said.short(length, FoundAt::Angle(angle));
     }
     tight(&mut said, hinge, line, looks);
     inert(&mut said, hinge, line, looks);
@@ -173,19 +167,13 @@ fn check(
     let every = looks.len().div_ceil(13).max(1);
     let worst = looks.iter().step_by(every).filter_map(|look| Some((look.angle, pierced(&said, hinge, line, *look, limbs)?)));
     if let Some((angle, found)) = worst.max_by(|a, b| a.1.share.total_cmp(&b.1.share)).filter(|(_, found)| found.share > PIERCED) {
-        let (share, place) = (decimal(100.0 * found.share, 0), at(angle));
-        let bone = names.get(found.bone).cloned().unwrap_or_default();
-        if found.through {
-            said.say("muscle-through-bone", tr!("muscle-through-bone", bone = bone, share = share, place = place));
+        let (share, bone) = (found.share, names.get(found.bone).cloned().unwrap_or_default());
+        said.say(if found.through {
+            Finding::ThroughBone { bone, share, angle }
         } else {
-            let radius = said.mm(found.radius);
-            said.say("muscle-too-thick", tr!("muscle-too-thick", bone = bone, share = share, place = place, radius = radius));
-        }
+            Finding::TooThick { bone, share, angle, radius: said.mm(found.radius) }
+        });
     }
-}
-
-fn at(angle: f64) -> String {
-    tr!("muscle-at-angle", angle = decimal(angle, 1))
 }
 
 /// Says where the belly is bent tighter than it is thick: there the surface would fold into itself.
@@ -203,7 +191,7 @@ fn tight(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]
         })
     };
     if looks.iter().step_by(every).any(&mut folds) {
-        said.say("muscle-bent-too-tight", tr!("muscle-bent-too-tight"));
+        said.say(Finding::BentTooTight);
     }
 }
 
@@ -218,21 +206,17 @@ fn inert(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]
     });
     let deepest = depths.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, depth)| *depth > 1e-6 * pulley.radius);
     if let Some((number, angle, depth)) = deepest {
-        let (depth, place) = (said.mm(depth), at(angle));
-        let message = if number == 0 {
-            tr!("muscle-wrap-inside-origin", depth = depth, place = place)
-        } else if number == line.via.len() + 1 {
-            tr!("muscle-wrap-inside-insertion", depth = depth, place = place)
-        } else {
-            tr!("muscle-wrap-inside-via", number = number, depth = depth, place = place)
+        let point = match number.checked_sub(1) {
+            None => LinePoint::Origin,
+            Some(via) if via < line.via.len() => LinePoint::Via(via),
+            Some(_) => LinePoint::Insertion,
         };
-        said.say("muscle-wrap-inert", message);
+        said.say(Finding::InsideWrapSphere { point, depth: said.mm(depth), angle });
         return;
     }
     let turns = hinge.range[1] - hinge.range[0] >= TURNS;
     if turns && !looks.iter().any(|look| line.legs(&hinge.at(look.angle)).any(|leg| leg.contact.is_some())) {
-        let (low, high) = (decimal(hinge.range[0], 1), decimal(hinge.range[1], 1));
-        said.say("muscle-wrap-inert", tr!("muscle-wrap-never", low = low, high = high));
+        said.say(Finding::WrapSphereNotTouched { range: hinge.range });
     }
 }
 
@@ -243,14 +227,8 @@ fn signs(said: &mut Said<'_>, looks: &[Look]) {
     let small = SMALL * said.muscle.shape.rest_length();
     if least.arm < -small && most.arm > small {
         let (first, second) = if least.angle < most.angle { (least, most) } else { (most, least) };
-        let message = tr!(
-            "muscle-arm-changes-sign",
-            first = said.mm(first.arm),
-            from = decimal(first.angle, 1),
-            second = said.mm(second.arm),
-            to = decimal(second.angle, 1)
-        );
-        said.say("moment-arm-changes-sign", message);
+        let [first, second] = [first, second].map(|look| MomentArmAt { angle: look.angle, moment_arm: said.mm(look.arm) });
+        said.say(Finding::MomentArmChangesSign { first, second });
     }
 }
 
@@ -271,8 +249,7 @@ fn jumps(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]
         Some((to.angle, (to.length - from.length).abs()))
     });
     if let Some((angle, jump)) = found.max_by(|a, b| a.1.total_cmp(&b.1)) {
-        let jump = said.mm(jump);
-        said.say("muscle-path-jumps", tr!("muscle-path-jumps", jump = jump, place = at(angle)));
+        said.say(Finding::PathJumps { jump: said.mm(jump), angle });
     }
 }
 

@@ -6,7 +6,7 @@ use glam::{DMat4, DVec3};
 use sinew::animation::Pose;
 use sinew::diagnostics::Diagnostic;
 use sinew::document::{Document, PoseBuffers};
-use sinew::muscle::{MuscleFile, MuscleRig};
+use sinew::muscle::{Finding, MuscleFile, MuscleRig};
 use sinew::progress::Progress;
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
@@ -33,8 +33,8 @@ const MUSCLE: &str = "unit: mm\njoint: {bone: shank, axis: [2, 0, 0], range: [-3
     radii: [5, 20, 5]\n    growth: [0, 1, 0]\n    origin: {bone: thigh, offset: [0, 0, -30]}\n    insertion: {bone: SHANK, offset: [0, 0, -60]}\n";
 
 /// Between two points on the bones' axes a line bends the joint one way or the other, on either side of the straight leg, and nothing else is odd.
-fn only_turns(findings: &[Diagnostic]) -> bool {
-    findings.iter().all(|finding| finding.code == "moment-arm-changes-sign")
+fn only_turns(findings: &[Diagnostic<Finding>]) -> bool {
+    findings.iter().all(|finding| finding.code() == "moment-arm-changes-sign")
 }
 
 fn world(scene: &Scene) -> Vec<DMat4> {
@@ -83,9 +83,9 @@ fn a_bone_that_is_missing_is_a_finding_and_the_muscle_lies_on_its_own() {
     let file = MuscleFile::parse(&MUSCLE.replace("SHANK", "calf").replace("bone: shank", "bone: ankle")).unwrap();
     let mut rig = MuscleRig::build(&file, "muscles", &mut scene, MuscleId(0));
     let findings = rig.attach(&scene);
-    let codes: Vec<&str> = findings.iter().map(|finding| finding.code).collect();
+    let codes: Vec<&str> = findings.iter().map(Diagnostic::code).collect();
     assert_eq!(codes, ["muscle-bone-not-found", "muscle-joint-not-found"]);
-    assert!(findings[0].message.contains("calf") && findings[0].element == "Hamstring");
+    assert_eq!((&findings[0].finding, findings[0].element.as_str()), (&Finding::BoneNotFound { bone: "calf".to_owned() }, "Hamstring"));
     let solved = rig.solve(0, rig.at_flexion(0.0), &world(&scene));
     assert!((solved.length - 350.0).abs() < 1e-9);
     // Attached again to a scene that has it, all is well.
@@ -133,7 +133,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     // One for which no arc of this length is wide enough is told.
     let thicker = yaml.replace("[5, 8, 5]", "[5, 300, 5]");
     let findings = MuscleRig::build(&MuscleFile::parse(&thicker).unwrap(), "muscles", &mut scene, MuscleId(2)).attach(&scene);
-    assert!(findings.iter().any(|finding| finding.code == "muscle-bent-too-tight"), "{findings:?}");
+    assert!(findings.iter().any(|finding| finding.code() == "muscle-bent-too-tight"), "{findings:?}");
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn biceps_and_triceps_follow_the_shipped_clip() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl-muscles.yaml");
     let document = Document::open(&[&path], &Progress::default()).unwrap();
     assert_eq!(document.sources.len(), 2, "the clip that the file names is opened too");
-    assert!(!document.diagnostics.iter().any(|finding| finding.code.starts_with("muscle-")), "{:?}", document.diagnostics);
+    assert!(!document.diagnostics.iter().any(|finding| finding.code().starts_with("muscle-")), "{:?}", document.diagnostics);
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let mut lengths = Vec::new();
     for time in [0.05, 1.0, 2.0] {

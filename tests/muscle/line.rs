@@ -6,10 +6,13 @@ use glam::{DMat3, DMat4, DQuat, DVec3};
 use proptest::prelude::*;
 use sinew::animation::Pose;
 use sinew::document::Document;
+use sinew::i18n::{Sentence, finding_line};
 use sinew::muscle::presets::{PRESETS, Preset};
 use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::progress::Progress;
 use sinew::scene::{MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
+
+use crate::in_each_language;
 
 /// A muscle file alone in a scene.
 fn alone(yaml: &str) -> MuscleRig {
@@ -57,8 +60,8 @@ fn every_shipped_muscle_keeps_the_sign_of_its_moment_arm_and_has_no_jump() {
         let odd: Vec<String> = document
             .diagnostics
             .iter()
-            .filter(|finding| finding.code.contains("muscle") || finding.code.contains("moment"))
-            .map(ToString::to_string)
+            .filter(|finding| finding.code().contains("muscle") || finding.code().contains("moment"))
+            .map(finding_line)
             .collect();
         assert!(odd.is_empty(), "{odd:?}");
         for (rig, _) in document.rigs() {
@@ -290,9 +293,9 @@ fn slack_tendons_end_where_they_are_attached() {
     assert!(positions.iter().all(|at| at.x.abs() < 0.09 && at.z.abs() < 0.04));
 }
 
-/// Codes and messages of a file's findings.
+/// Codes and sentences of a file's findings.
 fn said(yaml: &str) -> Vec<(&'static str, String)> {
-    alone(yaml).findings().iter().map(|finding| (finding.code, format!("{}: {}", finding.element, finding.message))).collect()
+    alone(yaml).findings().iter().map(|found| (found.code(), format!("{}: {}", found.element, found.finding.sentence()))).collect()
 }
 
 #[test]
@@ -346,12 +349,14 @@ fn what_is_wrong_over_the_range_of_the_joint_is_said_with_muscle_and_angle() {
             "muscle-path-jumps",
         ),
     ];
-    for (yaml, code) in cases {
-        let found = said(&yaml);
-        let message = found.iter().find(|(found, _)| *found == code).unwrap_or_else(|| panic!("{code}: {found:?}\n{yaml}"));
-        assert!(message.1.starts_with("Odd: "), "{message:?}");
-        assert!(message.1.contains('°') || code == "muscle-shorter-than-tendons", "{message:?}");
-    }
+    in_each_language(|_| {
+        for (yaml, code) in &cases {
+            let found = said(yaml);
+            let message = found.iter().find(|(found, _)| found == code).unwrap_or_else(|| panic!("{code}: {found:?}\n{yaml}"));
+            assert!(message.1.starts_with("Odd: ") && message.1.ends_with('.') && !message.1.contains("muscle-"), "{message:?}");
+            assert!(message.1.contains('°') || *code == "muscle-shorter-than-tendons", "{message:?}");
+        }
+    });
     assert_eq!(said(&muscle("[0, -30, 0]", "[0, -47, 0]", thin)), []);
 }
 
