@@ -1,7 +1,8 @@
 //! Headers, encodings, references, numbers: the document as a whole.
 
 use glam::DVec3;
-use sinew::collada::read;
+use sinew::collada::{Finding, ReadErrorKind, read};
+use sinew::i18n::Sentence;
 use sinew::progress::Progress;
 
 use crate::build::*;
@@ -146,12 +147,12 @@ fn urls_are_relative_absolute_or_percent_encoded() {
 fn references_to_other_files_and_to_nothing_are_named() {
     let loaded = load(&document(&shown()).replace("url=\"#g\"", "url=\"parts/wheel.dae#rim\""));
     assert_eq!(codes(&loaded), ["external-reference"]);
-    assert!(loaded.findings[0].message.contains("parts/wheel.dae"), "{}", loaded.findings[0].message);
+    assert_eq!(loaded.findings[0].finding, Finding::ExternalReference("parts/wheel.dae".to_owned()));
     let loaded = load(&document(&shown()).replace("url=\"#g\"", "url=\"#nothing\""));
     assert_eq!(codes(&loaded), ["broken-reference"]);
-    assert!(loaded.findings[0].message.contains("nothing"));
+    assert_eq!(loaded.findings[0].finding, Finding::BrokenReference("#nothing".to_owned()));
     let loaded = load(&document(&shown()).replace("url=\"#g\"", "url=\"#s\""));
-    assert!(loaded.findings[0].message.contains("visual_scene"), "{}", loaded.findings[0].message);
+    assert_eq!(loaded.findings[0].finding, Finding::WrongReference { target: "#s".to_owned(), tag: "visual_scene".to_owned() });
 }
 
 #[test]
@@ -163,7 +164,7 @@ fn ids_that_repeat_are_told_once_and_only_where_a_reference_has_to_choose() {
     let text = document(&(triangle() + &geometries(&twins) + &scene("<node><instance_geometry url=\"#g\"/></node>")));
     let loaded = load(&text);
     assert_eq!(codes(&loaded), ["repeated-id"]);
-    assert!(loaded.findings[0].message.contains('2'), "{}", loaded.findings[0].message);
+    assert_eq!(loaded.findings[0].more_places, 2);
     load_clean(&text.replace("<instance_geometry url=\"#g\"/>", ""));
 }
 
@@ -175,7 +176,7 @@ fn numbers_are_read_however_they_are_written() {
     assert_eq!(codes(&infinite), ["not-finite"]);
     let worded = load(&document(&shown()).replace("0 0 0 1 0 0 0 1 0", "zero 0 0 1 0 0 0 1 0"));
     assert_eq!(codes(&worded), ["bad-number"]);
-    assert!(worded.findings[0].message.contains("zero"));
+    assert_eq!(worded.findings[0].finding, Finding::BadNumbers { count: 1, first: "zero".to_owned() });
 }
 
 #[test]
@@ -209,7 +210,8 @@ fn commas_between_numbers_are_refused_with_their_line() {
             text.lines().position(|line| line.starts_with(entry) || line.contains(&format!(" {entry}"))).expect("it is there") as u32 + 1;
         let error = try_load(&text).expect_err("refused");
         assert_eq!(error.line, Some(line), "{numbers}");
-        assert!(error.message.contains(entry) && error.message.contains("g-p-a"), "{error}");
+        let ReadErrorKind::CommaSeparated { element, entry: found } = &error.kind else { panic!("{error}") };
+        assert!(found == entry && element.contains("g-p-a"), "{error}");
     }
     assert!(try_load(&document(&shown()).replace("<p>0 1 2</p>", "<p>0,1,2</p>")).is_err());
 }
@@ -238,20 +240,22 @@ fn kinematics_and_formulas_are_named() {
     let body = "<library_formulas><formula id=\"f\"/></library_formulas><library_joints><joint id=\"j\"/></library_joints><library_kinematics_models/>";
     let loaded = load(&document(&(body.to_owned() + &shown())));
     assert_eq!(codes(&loaded), ["unsupported-element", "unsupported-element"]);
-    assert!(loaded.findings[0].message.contains("library_formulas"));
+    assert_eq!(loaded.findings[0].finding, Finding::UnsupportedElement("library_formulas".to_owned()));
 }
 
 #[test]
 fn what_is_no_collada_is_refused_plainly() {
-    for (text, part) in [
-        ("", "XML"),
-        ("hello", "XML"),
-        ("<html><body/></html>", "<html>"),
-        ("<COLLADA version=\"1.4.1\"><asset></COLLADA>", "asset"),
-        ("<COLLADA version=\"1.4.1\"><asset>", "cut short"),
+    let wrong_tag = ReadErrorKind::WrongCloseTag { expected: "asset".to_owned(), actual: "COLLADA".to_owned() };
+    for (text, kind, part) in [
+        ("", ReadErrorKind::NotXml, "XML"),
+        ("hello", ReadErrorKind::NotXml, "XML"),
+        ("<html><body/></html>", ReadErrorKind::NotCollada("html".to_owned()), "<html>"),
+        ("<COLLADA version=\"1.4.1\"><asset></COLLADA>", wrong_tag, "asset"),
+        ("<COLLADA version=\"1.4.1\"><asset>", ReadErrorKind::CutShort, "cut short"),
     ] {
         let error = try_load(text).expect_err("refused");
-        assert!(error.message.contains(part), "{text}: {error}");
+        assert_eq!(error.kind, kind, "{text}");
+        assert!(error.sentence().contains(part), "{text}: {error}");
     }
     assert_eq!(load("<COLLADA version=\"1.4.1\"/>").scene.graph.len(), 1);
 }

@@ -1,7 +1,7 @@
 //! `library_materials`, `library_effects`, `library_images`.
 
 use glam::{Vec2, Vec3};
-use sinew::collada::Loaded;
+use sinew::collada::{Finding, Loaded};
 use sinew::diagnostics::Severity;
 use sinew::scene::{AlphaSource, Material, ShadingModel, TextureTransform, WrapMode};
 
@@ -100,7 +100,7 @@ fn what_would_be_invisible_was_written_the_wrong_way_round() {
     ] {
         let loaded = seen(transparent, &format!("<transparency><float>{amount}</float></transparency>"));
         assert_eq!((material(&loaded).opacity, codes(&loaded)), (1.0, vec!["transparency-inverted"]));
-        assert_eq!(loaded.findings[0].severity, Severity::Note);
+        assert_eq!(loaded.findings[0].severity(), Severity::Info);
     }
 }
 
@@ -322,5 +322,5 @@ fn what_is_wrong_with_a_material_that_occurs_often_is_told_once() {
     let text = document(&(triangle().replace("<triangles ", "<triangles material=\"lost\" ") + materials + &scene(&node.repeat(16))));
     let loaded = load(&text);
     assert_eq!(codes(&loaded), ["unbound-material"]);
-    assert!(loaded.findings[0].message.contains("15"), "{}", loaded.findings[0].message);
+    assert_eq!((&loaded.findings[0].finding, loaded.findings[0].more_places), (&Finding::UnboundMaterial("lost".to_owned()), 15));
 }

@@ -1,7 +1,7 @@
 //! `skin`: matrices, weights, and which nodes move it.
 
 use glam::{DMat4, DVec3};
-use sinew::collada::Loaded;
+use sinew::collada::{Finding, Loaded};
 use sinew::scene::{Influence, NodeKind};
 
 use crate::build::*;
@@ -156,7 +156,7 @@ fn joints_that_are_nowhere_are_told() {
     let skin = Skin { joints: "a lost", ..PLAIN };
     let loaded = load(&skin.text(&(BONES.to_owned() + USE)));
     assert_eq!(codes(&loaded), ["joint-not-found"]);
-    assert!(loaded.findings[0].message.contains("lost"));
+    assert_eq!(loaded.findings[0].finding, Finding::JointsNotFound { count: 1, first: "lost".to_owned() });
     assert_eq!(joints(&loaded, 0), [Some(node(&loaded, "bone a")), None]);
 }
 
@@ -403,7 +403,7 @@ fn a_skin_and_bones_that_do_not_meet_at_rest_are_told_with_joint_and_factor() {
     let told = |text: &str| -> Option<String> {
         let loaded = load(text);
         assert!(codes(&loaded).iter().all(|code| *code == "bind-pose-mismatch") && loaded.findings.len() < 2, "{:?}", loaded.findings);
-        loaded.findings.first().map(|finding| finding.message.clone())
+        loaded.findings.first().map(sinew::i18n::finding)
     };
     let size = |factor: f64| DMat4::from_scale(DVec3::splat(factor));
     let apart = |joint: &str| {
