@@ -165,11 +165,11 @@ commands! {
         /// Next key.
         NextKey = "next-key" ["Down"],
         /// Zooms the timeline in.
-        TimeCloser = "time-closer" ["<Control>plus"],
+        TimeCloser = "timeline-zoom-in" ["<Control>plus"],
         /// Zooms the timeline out.
-        TimeWider = "time-wider" ["<Control>minus"],
+        TimeWider = "timeline-zoom-out" ["<Control>minus"],
         /// All of the timeline.
-        TimeWhole = "time-whole" ["<Control>0"],
+        TimeWhole = "timeline-zoom-all" ["<Control>0"],
     }
     Camera {
         /// Fit everything into the picture.
@@ -271,7 +271,7 @@ commands! {
         /// No back faces.
         CullBackFaces = "cull-back-faces" [],
         /// Anti-aliasing.
-        SmoothEdges = "smooth-edges" [],
+        SmoothEdges = "anti-aliasing" [],
         /// The display preset "clean".
         PresetClean = "preset-clean" [],
         /// The display preset "skeleton".
@@ -291,7 +291,7 @@ commands! {
         /// Weights of the selected bone.
         Weights = "weights" ["w"],
         /// The moments before and after this one.
-        Ghosts = "ghosts" ["h"],
+        Ghosts = "onion-skins" ["h"],
         /// Go along with the selection while a clip plays.
         Follow = "follow" ["<Shift>f"],
         /// The path of the selection.

@@ -72,7 +72,7 @@ impl DisplayPanel {
                 list.set_model(Some(&ui::words(&words)));
                 list
             },
-            backdrop: list("backdrop", &["app-backdrop-theme", "app-backdrop-white", "app-backdrop-grey", "app-backdrop-black"]),
+            backdrop: list("backdrop", &["app-background-theme", "app-background-white", "app-background-grey", "app-background-black"]),
             line_width: object(&builder, "line_width"),
             line_width_value: object(&builder, "line_width_value"),
         }

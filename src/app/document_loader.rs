@@ -315,7 +315,7 @@ fn show_loaded(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], load_mode
             if let Some(lost) = wanted {
                 window.viewport.toast(&tr!("app-compared-lost", file = lost.display().to_string()), None);
             } else if warnings > 0 && !hung {
-                window.viewport.toast(&tr!("app-findings", count = warnings), None);
+                window.viewport.toast(&tr!("app-diagnostics-found", count = warnings), None);
             }
         }
     }

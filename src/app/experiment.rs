@@ -103,7 +103,7 @@ impl Experiment {
     /// Asks for another table.
     fn choose(self: &Rc<Self>, window: &Rc<Window>) {
         let dialog = gtk::FileChooserNative::new(
-            Some(&tr!("app-experiment-open")),
+            Some(&tr!("app-validation-choose")),
             Some(&self.root()),
             gtk::FileChooserAction::Open,
             Some(&tr!("app-open")),
@@ -127,7 +127,7 @@ impl Experiment {
                         experiment.refresh(&window);
                     }
                     Err(message) => window.error_bar.show(Trouble {
-                        headline: tr!("app-experiment-unread"),
+                        headline: tr!("app-validation-unread"),
                         message,
                         details: path.display().to_string(),
                         again: None,
@@ -156,7 +156,7 @@ impl Experiment {
             Some((rig.name(index).to_owned(), Unit::of_rig(document, rig), found))
         });
         let Some((muscle, unit, found)) = told else { return self.root().close() };
-        object::<gtk::Label>(&self.builder, "title").set_text(&tr!("app-experiment-title", muscle = muscle, file = name.as_str()));
+        object::<gtk::Label>(&self.builder, "title").set_text(&tr!("app-validation-title", muscle = muscle, file = name.as_str()));
         match found {
             Ok((comparison, fits)) => {
                 self.say("");
@@ -168,7 +168,7 @@ impl Experiment {
 
     fn show_tables(&self, found: &Comparison, fits: &Fits, unit: &Unit) {
         let length = unit.length.as_str();
-        object::<gtk::Label>(&self.builder, "radii_title").set_text(&tr!("app-experiment-radii", unit = length));
+        object::<gtk::Label>(&self.builder, "radii_title").set_text(&tr!("app-validation-radii", unit = length));
         fill(&object(&self.builder, "radii"), &radii(found, unit));
         let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
         let (from, to) = (format::number(from, 0), format::number(to, 0));

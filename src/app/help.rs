@@ -17,11 +17,11 @@ const NAME: &str = "help";
 /// The paragraphs: the names of their headings and of their texts in the catalogue.
 const PARAGRAPHS: [(&str, &str); 7] = [
     ("app-help-open", "app-help-open-text"),
-    ("app-help-look", "app-help-look-text"),
+    ("app-help-navigate", "app-help-navigate-text"),
     ("app-help-time", "app-help-time-text"),
-    ("app-help-inside", "app-help-inside-text"),
+    ("app-help-inspect", "app-help-inspect-text"),
     ("app-help-muscle", "app-help-muscle-text"),
-    ("app-help-keep", "app-help-keep-text"),
+    ("app-help-export", "app-help-export-text"),
     ("app-help-trouble", "app-help-trouble-text"),
 ];
 

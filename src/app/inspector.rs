@@ -400,5 +400,5 @@ fn turn(session: &mut Session, axis: usize, degrees: f64) {
     let Some(node) = session.selected() else { return };
     let mut turns = session.document().joint_override(node);
     turns[axis] = degrees;
-    session.undoable(tr!("app-edit-turn-by-hand"), UndoStep::near(node.0), |session| session.override_joint(node, turns));
+    session.undoable(tr!("app-edit-rotate-joint"), UndoStep::near(node.0), |session| session.override_joint(node, turns));
 }

@@ -139,7 +139,7 @@ pub(super) fn vertex_note(told: &VertexInfluences) -> String {
     if told.influences.is_empty() {
         tr!("app-vertex-rigid")
     } else if apart > 1e-4 {
-        tr!("app-vertex-apart", apart = format::number(apart, 4))
+        tr!("app-vertex-dual-quaternions", apart = format::number(apart, 4))
     } else {
         tr!("app-vertex-note")
     }

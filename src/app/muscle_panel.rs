@@ -158,8 +158,8 @@ impl MusclePanel {
                 "app-rest-volume",
                 "app-volume-error",
                 "app-delta",
-                "app-ledger-arm",
-                "app-ledger-thickest",
+                "app-moment-arm",
+                "app-largest-radius",
             ],
         );
         let quadratic =
@@ -336,7 +336,7 @@ impl MusclePanel {
         if let Some(joint) = joint {
             let name = &session.document().scene.graph.node(joint.node).name;
             let button: gtk::Button = object(&self.builder, "hang");
-            button.set_label(&tr!("app-hang", joint = name.clone()));
+            button.set_label(&tr!("app-attach", joint = name.clone()));
             if let Some(label) = button.child().and_downcast::<gtk::Label>() {
                 label.set_ellipsize(gtk::pango::EllipsizeMode::Middle);
             }
@@ -378,7 +378,7 @@ impl MusclePanel {
             format::significant(solved.volume_error, 2),
             length(solved.delta, 4),
             ledger.moment_arm.map_or_else(|| "–".into(), |arm| length(arm, 2)),
-            tr!("app-ledger-thickest-value", radius = length(ledger.largest_radius, 2), node = ledger.largest_node + 1),
+            tr!("app-largest-radius-value", radius = length(ledger.largest_radius, 2), node = ledger.largest_node + 1),
         ];
         set_all(&self.ledger, &values);
         let [a, b, c] = solved.quadratic;
@@ -450,7 +450,7 @@ fn attach_to_skeleton(window: &Rc<Window>, files: impl IntoIterator<Item = usize
             hung = Some(AttachResult { muscles: before + new.muscles, ..new });
         }
     });
-    let told = hung.map(|AttachResult { muscles, joint }| tr!("app-hung", count = muscles, joint = joint));
+    let told = hung.map(|AttachResult { muscles, joint }| tr!("app-attached", count = muscles, joint = joint));
     if let Some(told) = &told {
         window.viewport.toast(told, None);
     }
@@ -462,7 +462,7 @@ fn limits(ledger: &SolverReport, unit: &str) -> String {
     let cause = |cause: LimitCause| match cause {
         LimitCause::Discriminant => tr!("app-limit-discriminant"),
         LimitCause::Radius(node) => tr!("app-limit-radius", node = node + 1),
-        LimitCause::Reach => tr!("app-limit-reach"),
+        LimitCause::Reach => tr!("app-limit-program"),
         LimitCause::Shortest => tr!("app-limit-shortest"),
     };
     let [short, long] = ledger.limits.map(|limit| (format::with_unit(limit.length, 1, unit), cause(limit.cause)));

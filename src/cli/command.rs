@@ -61,7 +61,7 @@ fn check() -> Command {
 
 fn render() -> Command {
     let view = "cli-heading-view";
-    let look = "cli-heading-look";
+    let look = "cli-heading-appearance";
     page(
         "render",
         "cli-about-render",
@@ -84,20 +84,20 @@ fn render() -> Command {
     .arg(flag("stats", "cli-arg-stats", "cli-heading-output"))
     .arg(flag("force", "cli-arg-force", "cli-heading-output"))
     .args(pose_args())
-    .arg(number("from", "S", arg_parsers::number, "cli-arg-from", "cli-heading-moment").conflicts_with("time"))
-    .arg(number("to", "S", arg_parsers::number, "cli-arg-to", "cli-heading-moment").conflicts_with("time"))
-    .arg(number("duration", "S", arg_parsers::number_within(0.0, 1e6), "cli-arg-duration", "cli-heading-moment").conflicts_with("to"))
+    .arg(number("from", "S", arg_parsers::number, "cli-arg-from", "cli-heading-time").conflicts_with("time"))
+    .arg(number("to", "S", arg_parsers::number, "cli-arg-to", "cli-heading-time").conflicts_with("time"))
+    .arg(number("duration", "S", arg_parsers::number_within(0.0, 1e6), "cli-arg-duration", "cli-heading-time").conflicts_with("to"))
     .arg(
-        option("sweep-angle", "FROM:TO", arg_parsers::span(-360.0, 360.0), "cli-arg-sweep-angle", "cli-heading-moment")
+        option("sweep-angle", "FROM:TO", arg_parsers::span(-360.0, 360.0), "cli-arg-sweep-angle", "cli-heading-time")
             .allow_hyphen_values(true)
             .conflicts_with_all(["angle", "contraction", "sweep-contraction", "from", "to"]),
     )
     .arg(
-        option("sweep-contraction", "FROM:TO", arg_parsers::span(0.0, 100.0), "cli-arg-sweep-contraction", "cli-heading-moment")
+        option("sweep-contraction", "FROM:TO", arg_parsers::span(0.0, 100.0), "cli-arg-sweep-contraction", "cli-heading-time")
             .allow_hyphen_values(true)
             .conflicts_with_all(["angle", "contraction", "from", "to"]),
     )
-    .arg(number("fps", "N", arg_parsers::number_within(0.01, 1000.0), "cli-arg-fps", "cli-heading-moment"))
+    .arg(number("fps", "N", arg_parsers::number_within(0.01, 1000.0), "cli-arg-fps", "cli-heading-time"))
     .arg(choice("camera", &["orbit", "front", "right", "top", "iso"], "cli-arg-camera", view))
     .arg(number("yaw", "DEG", arg_parsers::number, "cli-arg-yaw", view))
     .arg(number("pitch", "DEG", arg_parsers::number_within(-90.0, 90.0), "cli-arg-pitch", view))
@@ -292,7 +292,7 @@ fn verbose() -> Arg {
 
 /// The options that choose a moment, shared by `render` and `export`.
 fn pose_args() -> [Arg; 5] {
-    let heading = "cli-heading-moment";
+    let heading = "cli-heading-time";
     [
         number("time", "S", arg_parsers::number, "cli-arg-time", heading),
         option("clip", "NAME", clap::value_parser!(String), "cli-arg-clip", heading),

@@ -15,7 +15,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         Some("fish") => Shell::Fish,
         Some("bash") => Shell::Bash,
         // The parser lets nothing else through.
-        _ => return Err(Failure::usage(tr!("cli-call-wrong"))),
+        _ => return Err(Failure::usage(tr!("cli-usage-error"))),
     };
     let mut script = Vec::new();
     generate(shell, &mut command(), "sinew", &mut script);

@@ -20,7 +20,7 @@ use crate::tr;
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Required by the parser.
-    let Some(out) = value::<PathBuf>(given, "out") else { return Err(Failure::usage(tr!("cli-call-wrong"))) };
+    let Some(out) = value::<PathBuf>(given, "out") else { return Err(Failure::usage(tr!("cli-usage-error"))) };
     let form = GltfContainer::of(&out).ok_or_else(|| wrong_extension(&out, "cli-convert-ending"))?;
     refuse_number_pattern(&out)?;
     let guard = OverwriteGuard::of_files(&files);

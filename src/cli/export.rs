@@ -23,7 +23,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Both are required by the parser.
     let (Some(file), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
-        return Err(Failure::usage(tr!("cli-call-wrong")));
+        return Err(Failure::usage(tr!("cli-usage-error")));
     };
     let format = SurfaceFormat::of(&out).ok_or_else(|| wrong_extension(&out, "cli-export-ending"))?;
     refuse_number_pattern(&out)?;

@@ -48,7 +48,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // Both are required by the parser.
     let (Some(csv), Some(out)) = (files.first(), value::<PathBuf>(given, "output")) else {
-        return Err(Failure::usage(tr!("cli-call-wrong")));
+        return Err(Failure::usage(tr!("cli-usage-error")));
     };
     if !matches!(extension(&out).as_str(), "yaml" | "yml") {
         return Err(wrong_extension(&out, "cli-fit-ending"));

@@ -11,8 +11,8 @@ pub(super) fn text(table: &JointTable) -> String {
         tr!("cli-joints-name"),
         tr!("cli-joints-flexion-least"),
         tr!("cli-joints-flexion-most"),
-        tr!("cli-joints-turn-least"),
-        tr!("cli-joints-turn-most"),
+        tr!("cli-joints-rotation-least"),
+        tr!("cli-joints-rotation-most"),
     ]];
     for joint in &table.joints {
         let ends = |pick: fn(&JointRow) -> Option<f64>| {

@@ -19,7 +19,7 @@ pub(super) fn first_word(arguments: &[OsString], all: &Command) -> Option<String
     }
     Some(match like(word, all) {
         Some(name) => tr!("cli-command-mistyped", word = word, name = name),
-        None => tr!("cli-command-unheard", word = word),
+        None => tr!("cli-command-unknown", word = word),
     })
 }
 

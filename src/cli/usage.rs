@@ -24,7 +24,7 @@ pub(super) fn sentence(error: &clap::Error) -> String {
         ErrorKind::ArgumentConflict => conflict(error, &option),
         ErrorKind::MissingRequiredArgument => tr!("cli-argument-missing", what = list(error, ContextKind::InvalidArg)),
         ErrorKind::InvalidUtf8 => tr!("cli-value-not-text"),
-        _ => tr!("cli-call-wrong"),
+        _ => tr!("cli-usage-error"),
     }
 }
 

@@ -142,7 +142,7 @@ fn a_dash_is_no_name_to_write_to_and_is_not_taken_for_standard_input() {
     for call in [&["export", arg(&clip), "-o", "-"][..], &["render", arg(&clip), "-o", "-"], &["convert", arg(&clip), "-"]] {
         let ended = sinew(call);
         assert_eq!(ended.code, 2, "{}", ended.err);
-        assert!(ended.err.starts_with("sinew: -: the ending must be"), "{}", ended.err);
+        assert!(ended.err.starts_with("sinew: -: the name must end in"), "{}", ended.err);
     }
 }
 

@@ -296,7 +296,7 @@ fn quiet_and_verbose_say_less_and_more() {
         arguments.extend(more);
         sinew(&arguments)
     };
-    assert!(ended(&[]).err.contains("held at the limit"));
+    assert!(ended(&[]).err.contains("clamped to this range"));
     assert_eq!(ended(&["--quiet"]).well(), "");
     assert!(ended(&["-v"]).err.contains("8 × 8"));
     assert!(ended(&["-v", "-q"]).refused(2).contains("contradict"));

@@ -179,7 +179,7 @@ fn no_command_replaces_what_it_reads() {
         add(&["fit", arg(radii), "--like", arg(muscles), "-o", arg(&aliased(clip, "clip.yaml"))]);
         for words in &calls {
             let said = sinew(words).refused(2);
-            assert!(said.ends_with("is one of the files that are read; choose another name for the result."), "{words:?}: {said}");
+            assert!(said.ends_with("is one of the input files; choose another name for the result."), "{words:?}: {said}");
             sinew_ru(words).refused(2);
         }
         assert!(contents(&files) == before, "{number}");
@@ -210,7 +210,7 @@ fn what_belongs_to_a_compared_file_is_held_as_what_is_open_is() {
                     let turning = (ending == "gif").then_some("--turntable");
                     let words = ["render", arg(&session), "-o", arg(&out), "--size", "16x16"].into_iter().chain(turning);
                     let said = sinew(words).refused(2);
-                    assert!(said.ends_with("is one of the files that are read; choose another name for the result."), "{said}");
+                    assert!(said.ends_with("is one of the input files; choose another name for the result."), "{said}");
                 }
                 for link in ["alias", "second"] {
                     let _ = fs::remove_file(folder.join(format!("{link}.{ending}")));

@@ -14,7 +14,7 @@ fn every_page_is_there_in_both_languages() {
             assert!(english.contains(part), "{page:?} lacks {part}:\n{english}");
         }
         let russian = sinew_ru(&page).well();
-        for part in ["Вызов:\n  sinew", "Примеры:\n  sinew", "--help", "Код завершения: 0"] {
+        for part in ["Вызов:\n  sinew", "Примеры:\n  sinew", "--help", "Код возврата: 0"] {
             assert!(russian.contains(part), "{page:?} lacks {part}:\n{russian}");
         }
         for left in ["Usage", "Options", "default:", "possible values", "Print help", " the ", "cli-", "[OPTIONS]"] {

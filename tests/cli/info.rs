@@ -93,7 +93,7 @@ fn the_text_for_people_speaks_their_language() {
         assert!(english.contains(part), "{part}:\n{english}");
     }
     let russian = sinew_ru(["info", arg(&file)]).well();
-    for part in ["Сетка", "Клип", "0,01 м", "вершин 12", "0,500 с"] {
+    for part in ["Полигональная сетка", "Клип", "0,01 м", "вершин 12", "0,500 с"] {
         assert!(russian.contains(part), "{part}:\n{russian}");
     }
     assert!(!english.contains("cli-") && !russian.contains("cli-") && !english.contains("NUMBER"));
@@ -141,8 +141,8 @@ fn png_file(width: u32, height: u32) -> Vec<u8> {
 fn a_clean_file_has_a_clean_report() {
     let folder = folder();
     let file = models::write(folder.path(), "column.dae", &models::column());
-    assert_eq!(sinew(["check", arg(&file)]).well(), format!("{}: nothing odd.\n", arg(&file)));
-    assert_eq!(sinew_ru(["check", arg(&file)]).well(), format!("{}: ничего необычного.\n", arg(&file)));
+    assert_eq!(sinew(["check", arg(&file)]).well(), format!("{}: no problems.\n", arg(&file)));
+    assert_eq!(sinew_ru(["check", arg(&file)]).well(), format!("{}: проблем нет.\n", arg(&file)));
 }
 
 #[test]

@@ -269,7 +269,7 @@ fn muscles_on_a_clip_are_measured_over_its_time() {
     assert!(csv.starts_with("muscle,time,angle,length,moment_arm,volume,") && csv.lines().count() == 9, "{csv}");
     assert!(sinew(["measure", arg(&file), "--times", "0.5:2:0.5"]).well().contains("time, s"));
     let held = sinew(["measure", arg(&file), "--times", "3:9:3", "--json"]);
-    assert!(held.code == 0 && held.err.contains("held at its ends"), "{}", held.err);
+    assert!(held.code == 0 && held.err.contains("clamped to its ends"), "{}", held.err);
     sinew(["measure", arg(&config("biceps.yaml")), "--times", "0:1:1"]).refused(2);
     assert!(sinew(["measure", arg(&file), "--times", "0:1:1", "--clip", "Jump"]).refused(2).contains("Jump"));
     sinew(["measure", arg(&file), "--clip", "x"]).refused(2);

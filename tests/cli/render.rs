@@ -214,7 +214,7 @@ fn wrong_calls_about_the_file_are_refused() {
     refused(&["--turntable"], 2, ".gif");
     let gif = folder.path().join("x.gif");
     for (options, part) in
-        [(&["--from", "2", "--to", "1"][..], "nothing to draw"), (&["--fps", "60"], "50"), (&["--from", "0", "--to", "1e9"], "100000")]
+        [(&["--from", "2", "--to", "1"][..], "no frame to draw"), (&["--fps", "60"], "50"), (&["--from", "0", "--to", "1e9"], "100000")]
     {
         let mut arguments = vec!["render", arg(&file), "-o", arg(&gif)];
         arguments.extend(options);

@@ -25,12 +25,12 @@ fn what_is_not_there_is_one_sentence_for_every_command() {
     let out = folder.path().join("x.png");
     let out = out.to_str().expect("a plain name");
     let all = "scalar, sse2, avx2, avx512";
-    let unknown = format!("sinew: SINEW_SIMD is \"foo\", which is not an instruction set that Sinew knows: {all}.");
+    let unknown = format!("sinew: SINEW_SIMD is “foo”, which is not an instruction set that Sinew knows: {all}.");
     for call in [&["render", lamp, "-o", out][..], &["info", lamp], &["bench"], &["measure", lamp], &[lamp]] {
         assert_eq!(with("foo", call, "C.UTF-8").refused(2), unknown, "{call:?}");
     }
     assert!(!folder.path().join("x.png").exists());
-    let empty = format!("sinew: The variable SINEW_SIMD is set to nothing; it can name an instruction set ({all}), or not be set.");
+    let empty = format!("sinew: The variable SINEW_SIMD is empty; set it to an instruction set ({all}) or unset it.");
     assert_eq!(with("", &["info", lamp], "C.UTF-8").refused(2), empty);
     // Names are as they are written.
     for name in ["AVX2", " avx2", "avx2,sse2", "0"] {

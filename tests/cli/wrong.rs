@@ -47,8 +47,8 @@ fn a_format_that_is_not_read_is_named() {
     }
     for (name, bytes, part) in [
         ("c.csv", &b"node,deg0\n1,2\n"[..], "is a table"),
-        ("c.dat", b"\0\x01\x02\x03", "does not know"),
-        ("c.txt", b"hello world\n", "does not know"),
+        ("c.dat", b"\0\x01\x02\x03", "is not known"),
+        ("c.txt", b"hello world\n", "is not known"),
     ] {
         let path = folder.path().join(name);
         std::fs::write(&path, bytes).expect("written");
@@ -74,16 +74,16 @@ fn a_mistyped_command_is_told_as_one() {
         (&["measur", "biceps.yaml", "--angles", "0,30"], "measure"),
     ];
     for (words, meant) in mistyped {
-        let expected = format!("sinew: There is neither a file nor a command \"{}\"; did you mean \"{meant}\"?", words[0]);
+        let expected = format!("sinew: There is neither a file nor a command “{}”; did you mean “{meant}”?", words[0]);
         assert_eq!(told(words, 2), expected);
         // Also where a window could be opened.
         let mut command = call(words);
         command.env("DISPLAY", ":4711");
         assert_eq!(run(command, b"").refused(2), expected);
     }
-    assert_eq!(told(&["foo", "bar"], 2), "sinew: There is neither a file nor a command \"foo\"; see sinew --help.");
-    assert_eq!(told(&["help", "rendr"], 2), "sinew: There is no command \"rendr\"; did you mean render?");
-    assert_eq!(told(&["help", "foo"], 2), "sinew: There is no command \"foo\"; see sinew --help.");
+    assert_eq!(told(&["foo", "bar"], 2), "sinew: There is neither a file nor a command “foo”; see sinew --help.");
+    assert_eq!(told(&["help", "rendr"], 2), "sinew: There is no command “rendr”; did you mean render?");
+    assert_eq!(told(&["help", "foo"], 2), "sinew: There is no command “foo”; see sinew --help.");
     // A file may be called so.
     let folder = folder();
     models::write(folder.path(), "rendr", &models::column());
@@ -120,15 +120,15 @@ fn values_that_make_no_sense_are_told_as_values() {
         ("--pitch", "", "is not a number"),
     ] {
         let said = render(&[option, value]);
-        assert!(said.starts_with(&format!("sinew: {option}: \"{value}\"")) && said.contains(part), "{said}");
+        assert!(said.starts_with(&format!("sinew: {option}: “{value}”")) && said.contains(part), "{said}");
     }
     let muscle = config("biceps.yaml");
     for (words, part) in [
-        (&["--sweep", "1e300:1e300:1"][..], "--sweep: \"1e300\" is outside"),
-        (&["--angles", "0,-1e308"], "--angles: \"-1e308\" is outside"),
+        (&["--sweep", "1e300:1e300:1"][..], "--sweep: “1e300” is outside"),
+        (&["--angles", "0,-1e308"], "--angles: “-1e308” is outside"),
         (&["--angles", "0,NaN"], "is not a list of angles"),
-        (&["--sweep", "1:0:1"], "holds no angle"),
-        (&["--sweep", "0:1:1e-300"], "makes more than"),
+        (&["--sweep", "1:0:1"], "contains no angle"),
+        (&["--sweep", "0:1:1e-300"], "gives more than"),
         (&["--clip", "x"], "--times|--joints is missing"),
     ] {
         let said = told(&[&["measure", arg(&muscle)][..], words].concat(), 2);
@@ -144,9 +144,9 @@ fn times_outside_a_movement_are_told_by_its_own_ends() {
     let gif = folder.path().join("out.gif");
     let render = |more: &[&str], code| told(&[&["render", arg(&clip), "-o", arg(&gif), "--size", "8x8"][..], more].concat(), code);
     let late = render(&["--from", "1e308"], 2);
-    assert!(late.contains("the movement ends at 1.5 s") && late.contains("--from 1e308") && !late.contains("--to"), "{late}");
+    assert!(late.contains("the animation ends at 1.5 s") && late.contains("--from 1e308") && !late.contains("--to"), "{late}");
     let early = render(&["--to", "-3"], 2);
-    assert!(early.contains("the movement starts at 0.5 s") && early.contains("--to -3") && !early.contains("--from"), "{early}");
+    assert!(early.contains("the animation starts at 0.5 s") && early.contains("--to -3") && !early.contains("--from"), "{early}");
     assert!(render(&["--from", "1", "--to", "0.75"], 2).contains("--from 1 lies after --to 0.75"));
     assert!(render(&["--from", "-1e308", "--to", "1e308"], 2).contains("more than 100000 frames"));
     // A single moment is held at the ends, as the help says; far outside that is worth a word.
@@ -170,7 +170,7 @@ fn a_pattern_has_one_number() {
     };
     for name in ["a-%d-%d.png", "%04d%2d.png"] {
         let said = told(&render(name).each_ref().map(String::as_str), 2);
-        assert!(said.contains("has two places for a number"), "{said}");
+        assert!(said.contains("has two number patterns"), "{said}");
     }
     sinew(render("a-%d-%%d.png")).well();
     assert!(folder.path().join("a-0-%d.png").is_file());
@@ -206,7 +206,10 @@ fn one_file_has_no_place_for_a_number() {
     for words in &calls {
         let words: Vec<&str> = words.iter().map(String::as_str).collect();
         let said = told(&words, 2);
-        assert!(said.contains("f-%d.") && said.contains("is for numbered pictures") && said.contains("this is one file"), "{said}");
+        assert!(
+            said.contains("f-%d.") && said.contains("is for numbered images") && said.contains("this command writes one file"),
+            "{said}"
+        );
     }
     assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 1, "nothing was written");
 }
@@ -221,7 +224,7 @@ fn what_the_system_refuses_is_told_without_its_numbers() {
     let long = format!("{}.dae", "x".repeat(300));
     for (name, part) in [
         ("column.dae/a.dae", "a part of the path is not a folder."),
-        ("round.dae", "symbolic links lead round in a circle."),
+        ("round.dae", "symbolic links form a cycle."),
         (&long, "the file system does not allow this name."),
     ] {
         let path = at(name);
@@ -253,7 +256,7 @@ fn files_of_the_wrong_kind_are_told_so() {
     let cube = models::write(folder.path(), "cube.dae", &models::cube("1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"));
     let csv = config("biceps-radii.csv");
     let out = folder.path().join("out.yaml");
-    assert!(told(&["measure", arg(&cube), "--joints"], 2).ends_with("has no joint and no clip that would move one; leave --joints out."));
+    assert!(told(&["measure", arg(&cube), "--joints"], 2).ends_with("has no joint and no clip that would move one; remove --joints."));
     let lamp = models::write(
         folder.path(),
         "plate.dae",
@@ -263,16 +266,16 @@ fn files_of_the_wrong_kind_are_told_so() {
             .replace("</instance_controller>", "</instance_geometry>")
             .replace("<skeleton>#lower-bone</skeleton>", ""),
     );
-    assert!(told(&["measure", arg(&lamp), "--joints"], 1).ends_with("There is no joint in this file, so there is nothing to measure."));
+    assert!(told(&["measure", arg(&lamp), "--joints"], 1).ends_with("This file has no joint, so nothing can be measured."));
     let said = told(&["fit", arg(&csv), "--like", arg(&cube), "-o", arg(&out)], 1);
-    assert!(said.starts_with(arg(&cube)) && said.contains("--like takes a muscle file"), "{said}");
+    assert!(said.starts_with(arg(&cube)) && said.contains("--like needs a muscle file"), "{said}");
     assert!(told(&["fit", arg(&csv), "--like", arg(&csv), "-o", arg(&out)], 1).contains("is a table"));
     for (words, part) in [
         (&["info", ""][..], "FILE is empty"),
         (&["render", "-", "-", "-o", "x.png"], "standard input can be read only once"),
         (&["fit", "-", "--like", "-", "-o", "x.yaml"], "standard input can be read only once"),
-        (&["render", arg(&cube), "-o", ".png"], ".png is an ending alone"),
-        (&["fit", arg(&csv), "-o", ".yaml"], ".yaml is an ending alone"),
+        (&["render", arg(&cube), "-o", ".png"], ".png consists of an ending only"),
+        (&["fit", arg(&csv), "-o", ".yaml"], ".yaml consists of an ending only"),
         (&["render", arg(&cube), "-o", "x"], "the ending must be"),
         (&["bench", "--scene", "nosuch", "--seconds", "0.01"], "No scene has “nosuch”"),
     ] {
@@ -308,6 +311,6 @@ fn pictures_for_which_there_is_no_memory_are_refused_in_one_sentence() {
     }
     let plot = out.with_extension("png");
     let said = in_little_memory(150_000, &["measure", arg(&config("atlas-muscles.yaml")), "--plot", arg(&plot), "--scale", "8"]).refused(1);
-    assert!(said.contains("There is not enough memory for a picture of that size"), "{said}");
+    assert!(said.contains("There is not enough memory for an image of this size"), "{said}");
     assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 0);
 }

@@ -251,7 +251,7 @@ fn what_is_no_collada_is_refused_plainly() {
         ("hello", ReadErrorKind::NotXml, "XML"),
         ("<html><body/></html>", ReadErrorKind::NotCollada("html".to_owned()), "<html>"),
         ("<COLLADA version=\"1.4.1\"><asset></COLLADA>", wrong_tag, "asset"),
-        ("<COLLADA version=\"1.4.1\"><asset>", ReadErrorKind::CutShort, "cut short"),
+        ("<COLLADA version=\"1.4.1\"><asset>", ReadErrorKind::CutShort, "truncated"),
     ] {
         let error = try_load(text).expect_err("refused");
         assert_eq!(error.kind, kind, "{text}");

@@ -419,7 +419,7 @@ fn a_skin_and_bones_that_do_not_meet_at_rest_are_told_with_joint_and_factor() {
     let text = |ibm: f64, nodes: String| bound(DMat4::IDENTITY, size(ibm), "1 1 1", &nodes);
     // A scale in the inverse bind matrix that no node has; and one that a node has.
     let message = told(&text(10.0, apart(""))).expect("told");
-    assert!(message.contains("skin") && message.contains("“a”") && message.contains("10 times"), "{message}");
+    assert!(message.contains("skin") && message.contains("“a”") && message.contains("by 10"), "{message}");
     assert_eq!(told(&text(10.0, apart("<scale>0.1 0.1 0.1</scale>"))), None);
     // A rig that is scaled as a whole, or posed, takes its skin along.
     assert_eq!(told(&text(1.0, apart("<scale>3 3 3</scale>"))), None);
@@ -428,7 +428,7 @@ fn a_skin_and_bones_that_do_not_meet_at_rest_are_told_with_joint_and_factor() {
     assert_eq!(told(&text(1.0, beneath("<translate>3 3 3</translate>", "<rotate>0 0 1 20</rotate>"))), None);
     // A mesh beneath the armature that its bones undo: scaled, or turned.
     let message = told(&text(100.0, beneath("<scale>0.01 0.01 0.01</scale>", ""))).expect("told");
-    assert!(message.contains("“a”") && message.contains("100 times"), "{message}");
+    assert!(message.contains("“a”") && message.contains("by 100"), "{message}");
     let turned = bound(DMat4::IDENTITY, DMat4::from_rotation_x(90_f64.to_radians()), "1 1 1", &beneath("<rotate>1 0 0 -90</rotate>", ""));
     let message = told(&turned).expect("told");
     assert!(message.contains("“a”") && message.contains("90°"), "{message}");

@@ -112,7 +112,7 @@ fn a_muscle_taken_away_takes_only_its_own_lines() {
     let mut file = parse(text);
     file.muscles.remove(0);
     let written = saved(&file, text);
-    assert!(written.starts_with("# Every key of the richer form.") && written.contains("- name: Triceps") && !written.contains("Biceps"));
+    assert!(written.starts_with("# Every key of the full format.") && written.contains("- name: Triceps") && !written.contains("Biceps"));
 }
 
 #[test]

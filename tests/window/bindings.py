@@ -34,7 +34,7 @@ def titled(window, text):
 
 
 def test_time(window, slider):
-    play, speed = window.get("button", "Play"), window.get("spin button", "Speed; below 0 plays backwards")
+    play, speed = window.get("button", "Play"), window.get("spin button", "Speed; negative plays backwards")
     slider.set_current_value(0.25)
     window.key("ctrl+Right")
     at_time(slider, "Ctrl+Right goes a second on", 1.25)
@@ -58,7 +58,7 @@ def test_time(window, slider):
         wait("Space stops", lambda: not pressed(play))
     told("keys of time: seconds, first, key, slower, faster, recorded speed, reverse")
 
-    loop = window.get("button", "Loop, once, ping-pong")
+    loop = window.get("button", "Repeat mode")
     seen = [loop.get_description()]
     for _ in range(3):
         window.key("l")
@@ -100,8 +100,8 @@ def test_clips_and_files(window, slider):
 
 
 def test_switches(window):
-    for key, name in (("b", "Bones"), ("j", "Bone names"), ("n", "Smooth normals in lighting"), ("shift+n", "Normals as lines"), ("t", "Materials and textures"),
-                      ("e", "Edges"), ("c", "Ground grid"), ("x", "World axes"), ("m", "Muscles"), ("h", "Neighbouring moments")):
+    for key, name in (("b", "Bones"), ("j", "Bone names"), ("n", "Smooth normals"), ("shift+n", "Show normals"), ("t", "Materials and textures"),
+                      ("e", "Wireframe"), ("c", "Ground grid"), ("x", "World axes"), ("m", "Muscles"), ("h", "Onion skins")):
         box = window.get("check box", name)
         before = pressed(box)
         window.key(key)
@@ -150,7 +150,7 @@ def test_panels(window):
     wait("F9 folds both panels away", lambda: not shown("Scene tree") and not shown("Right panel"))
     window.key("F9")
     wait("and brings them back", lambda: (shown("Scene tree"), shown("Right panel")) == before)
-    for key, words in (("F1", "When something is wrong"), ("ctrl+question", "Both side panels")):
+    for key, words in (("F1", "Problems"), ("ctrl+question", "Both side panels")):
         window.key(key)
         other = wait(f"{key} shows a window", lambda: window.others())[0]
         wait(f"{key} shows: {words}", lambda: window.shows(words))
@@ -168,7 +168,7 @@ def test_panels(window):
 
 def test_pictures(window):
     window.key("ctrl+c")
-    wait("Ctrl+C copies the picture", lambda: window.shows("The picture is copied"))
+    wait("Ctrl+C copies the picture", lambda: window.shows("The image is copied"))
     told("Ctrl+C copies")
     for key in ("F12", "ctrl+F12"):
         path = os.path.join(folder, f"{key}.png")

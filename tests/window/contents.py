@@ -33,15 +33,15 @@ def click(window, name, role="label"):
 def test_inspector():
     window = Window(os.path.join(configs, "curl.dae"))
     wait("the tree lists the bones", lambda: window.count("forearm") == 1)
-    if window.shows("Turn by hand"):
+    if window.shows("Rotate manually"):
         fail("nothing is selected, so there is nothing to inspect")
     click(window, "forearm")
-    wait("the inspector shows a bone", lambda: window.shows("Turn by hand"))
+    wait("the inspector shows a bone", lambda: window.shows("Rotate manually"))
     wait("it tells the joint's angle", lambda: window.shows("upper_arm – forearm – hand: "))
     told("a bone selected in the tree is inspected")
 
     before = still(window)
-    turn = window.get("slider", "Turn about X, degrees")
+    turn = window.get("slider", "Rotation about X, degrees")
     turn.set_current_value(60.0)
     wait("the picture follows the hand", lambda: window.picture() != before)
     angle = next(text for text in labels(window) if text.startswith("upper_arm – forearm – hand: "))
@@ -63,10 +63,10 @@ def test_inspector():
     click(window, "arm")
     wait("a mesh is inspected", lambda: window.shows("triangles, ") and window.shows("Skin: "))
     run("xdotool", "mousemove", 510, 260, "click", 1)
-    wait("a clicked vertex is explained", lambda: any(text.startswith("Why point ") for text in labels(window)) and window.shows("Sum"))
+    wait("a clicked vertex is explained", lambda: any(text.startswith("How vertex ") for text in labels(window)) and window.shows("Sum"))
     wait("a second point is wanted", lambda: window.shows("Click a second point"))
     run("xdotool", "mousemove", 512, 420, "click", 1)
-    wait("two points have a distance", lambda: window.shows("Between the last two clicks: "))
+    wait("two points have a distance", lambda: window.shows("Distance between the last two clicked points: "))
     told("a vertex is explained, and the distance of two points measured")
     window.quit()
 
@@ -90,8 +90,8 @@ def test_session_file():
     window = Window(path)
     slider = window.get("slider", "Time")
     wait("the session's moment is shown", lambda: abs(value(slider) - 1.5) < 1e-6)
-    wait("the session's selection is inspected", lambda: window.shows("Turn by hand"))
-    wait("the session's turn is there", lambda: abs(value(window.get("slider", "Turn about X, degrees")) - 30.0) < 1e-6)
+    wait("the session's selection is inspected", lambda: window.shows("Rotate manually"))
+    wait("the session's turn is there", lambda: abs(value(window.get("slider", "Rotation about X, degrees")) - 30.0) < 1e-6)
     told("a session file opens: clip, moment, selection, a joint turned by hand")
     window.quit()
     with open(path, "w") as file:
@@ -105,17 +105,17 @@ def test_session_file():
 def test_start_page():
     window = Window()
     wait("the built-in biceps is there", lambda: window.find("slider", "Contraction"))
-    if window.shows("Nothing is open"):
+    if window.shows("No file is open"):
         fail("the start page stands over the biceps")
     window.key("alt+Home")
-    wait("Alt+Home brings the start page", lambda: window.shows("Open something else"))
+    wait("Alt+Home brings the start page", lambda: window.shows("Open another file"))
     window.get("button", "Back to the scene").do_action(0)
-    wait("Back takes it away", lambda: not window.shows("Open something else"))
+    wait("Back takes it away", lambda: not window.shows("Open another file"))
     window.key("ctrl+w")
-    wait("with nothing open it comes by itself", lambda: window.shows("Nothing is open"))
-    click(window, "Biceps and triceps on a curling arm")
+    wait("with nothing open it comes by itself", lambda: window.shows("No file is open"))
+    click(window, "Biceps and triceps, arm flexing at the elbow")
     wait("a demo opens", lambda: window.count("forearm") > 0)
-    wait("the page goes", lambda: not window.shows("Nothing is open"))
+    wait("the page goes", lambda: not window.shows("No file is open"))
     told("the start page comes, goes, and opens demos")
     window.quit()
 

@@ -81,7 +81,7 @@ def drop(source_program, open_now, dropped):
     wait("the place where files can be dropped is marked", lambda: window.shows("Drop to open"))
     run("xdotool", "mouseup", 1)
     wait("both files are open", lambda: "curl.dae" in title(window) and "biceps.yaml" in title(window))
-    wait("it is said where the muscle went", lambda: window.shows("The muscle hangs on “forearm” now. Undo puts it back on its arm."))
+    wait("it is said where the muscle went", lambda: window.shows("The muscle is attached to “forearm”. Undo returns it to its arm."))
     press(window.get("button", "Undo"))
     attach = lambda: next((node for node in walk(window) if node.get_name() == "Attach to “forearm” of the clip"), None)
     wait("Undo puts it back on its arm, and a button offers the bones again", lambda: window.shows("Attach to “forearm” of the clip"))
@@ -99,7 +99,7 @@ def test_camera_and_time():
     path = write("filmed.dae", CLIP.replace("<library_animations>", CAMERA + "<library_animations>").replace("</visual_scene>", EYE + "</visual_scene>"))
     window = Window(path)
     slider = window.get("slider", "Time")
-    rates = wait("there is a choice of frame rates", lambda: next((node for node in walk(window) if "Frames a second of the frame numbers" in (node.get_name(), node.get_description())), None))
+    rates = wait("there is a choice of frame rates", lambda: next((node for node in walk(window) if "Frames per second used for frame numbers" in (node.get_name(), node.get_description())), None))
     if rates is None:
         fail("the frame rate can be chosen")
     run("xdotool", "mousemove", 700, 90, "click", 1)

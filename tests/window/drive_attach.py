@@ -45,9 +45,9 @@ def test_attaching():
 
     pick = lambda: next(node for node in walk(window.root) if node.get_name() == "Pick the bone of the insertion")
     click(wait("there is a button to pick a bone", pick))
-    wait("a hint says what to click", lambda: window.shows("Click the bone to which the muscle goes"))
+    wait("a hint says what to click", lambda: window.shows("Click the bone that carries the insertion"))
     window.key("Escape")
-    wait("Esc leaves picking", lambda: not window.shows("Click the bone to which the muscle goes"))
+    wait("Esc leaves picking", lambda: not window.shows("Click the bone that carries the insertion"))
     told("picking says what to do, and Esc leaves it")
 
     # What is not saved outlives the program.

@@ -23,7 +23,7 @@ def dialog(window):
     window.key("ctrl+e")
     found = wait("Ctrl+E opens the dialog", lambda: window.others())[0]
     run("xdotool", "windowfocus", found)
-    wait("the dialog has its list", lambda: window.find("combo box", "File") or window.find("button", "File"))
+    wait("the dialog has its list", lambda: window.find("combo box", "Format") or window.find("button", "Format"))
     return found
 
 
@@ -40,10 +40,10 @@ def sensitive(window, name):
 def choose(window, found, steps):
     """Goes down the list of kinds by so many steps from its top."""
     run("xdotool", "windowfocus", found)
-    node = window.find("combo box", "File") or window.find("button", "File")
+    node = window.find("combo box", "Format") or window.find("button", "Format")
     box = node.get_extents(Atspi.CoordType.WINDOW)
     run("xdotool", "mousemove", "--window", found, box.x + box.width // 2, box.y + box.height // 2, "click", 1)
-    wait("the list unfolds", lambda: window.shows("Numbered pictures"))
+    wait("the list unfolds", lambda: window.shows("Numbered images"))
     run("xdotool", "key", "Home", *["Down"] * steps, "Return")
 
 
@@ -103,7 +103,7 @@ def test_export():
     wait("the clip is open", lambda: window.get("slider", "Time").get_maximum_value() > 1)
 
     found = dialog(window)
-    wait("one picture is offered", lambda: window.shows("One picture of"))
+    wait("one picture is offered", lambda: window.shows("One image of"))
     save_as(window, found, "one.png")
     wait("the picture is there", lambda: files() == ["one.png"])
     wait("the dialog goes when it is done", lambda: not window.others())
@@ -114,11 +114,11 @@ def test_export():
 
     found = dialog(window)
     choose(window, found, 3)
-    wait("numbered pictures are offered", lambda: window.shows("Frames a second"))
+    wait("numbered pictures are offered", lambda: window.shows("Frames per second"))
     # Long enough to be stopped: the model turns for an hour.
-    unfold(window, found, "What moves", "The elbow bends")
+    unfold(window, found, "Motion", "Elbow flexion")
     run("xdotool", "key", "End", "Return")
-    seconds = wait("a turn has a length", lambda: window.find("spin button", "Seconds") or window.find("text", "Seconds"))
+    seconds = wait("a turn has a length", lambda: window.find("spin button", "Duration, s") or window.find("text", "Duration, s"))
     seconds.set_current_value(3600.0)
     save_as(window, found, "turn.png")
     wait("the frames are counted", lambda: window.shows("Frame ") and len(files()) > 2)
@@ -140,7 +140,7 @@ def test_export():
 
     found = dialog(window)
     choose(window, found, 15)
-    wait("joint angles are offered", lambda: window.shows("flexion and turn"))
+    wait("joint angles are offered", lambda: window.shows("flexion and rotation"))
     save_as(window, found, "joints.csv")
     wait("the table is there", lambda: "joints.csv" in files())
     wait("the dialog goes when it is done", lambda: not window.others())

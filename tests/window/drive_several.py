@@ -9,7 +9,7 @@ from drive_hands import click, enter, muscle_page, named, reveal, text, title
 
 def choose(window, item):
     """Chooses from the menu beside the list of muscles."""
-    label = "Copy, delete, put a ready muscle in its place"
+    label = "Duplicate, delete or replace the muscle"
     buttons = lambda: [node for node in walk(window.root) if node.get_name() == label and node.get_role_name().endswith("button")]
     button = wait("there is a menu for the muscle", buttons)[0]
     reveal(button)

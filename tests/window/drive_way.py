@@ -77,7 +77,7 @@ def test_way():
     one, two = text(first("Y")), text(second("Y"))
     if one == two:
         fail("a second via point stands elsewhere")
-    name = "Pass via point 2 earlier, nearer to the origin"
+    name = "Move via point 2 up, towards the origin"
     press(window, name)
     wait("the points change places", lambda: (text(first("Y")), text(second("Y"))) == (two, one))
     # The keyboard goes with the point: to the arrow of the first row that can be pressed.
@@ -98,14 +98,14 @@ def test_way():
     wait("Redo deletes it again", lambda: not shown(window, offset(2, "Y")))
     told("via points are ordered, deleted, undone and redone")
 
-    enter(shown(window, "Radius of the ball")[0], "0")
+    enter(shown(window, "Radius of the wrap sphere")[0], "0")
     wait("a ball without a radius is refused in place", lambda: window.shows("needs a radius above 0"))
-    enter(shown(window, "Radius of the ball")[0], "21.5")
-    radius = lambda: text(shown(window, "Radius of the ball")[0])
+    enter(shown(window, "Radius of the wrap sphere")[0], "21.5")
+    radius = lambda: text(shown(window, "Radius of the wrap sphere")[0])
     wait("a radius is taken", lambda: radius() == "21.50" and not window.shows("needs a radius above 0"))
-    side = lambda: text(shown(window, "Side on which the muscle passes: share along the bone’s X axis")[0])
+    side = lambda: text(shown(window, "Side on which the muscle passes: component along the bone’s X axis")[0])
     wait("the side is shown", lambda: side() == "1.000")
-    press(window, "Pass the ball on its other side")
+    press(window, "Flip wrap side")
     wait("the muscle passes on the other side", lambda: side() in ("−1.000", "-1.000"))
     undo()
     wait("Undo turns it back", lambda: side() == "1.000")
@@ -128,11 +128,11 @@ def test_way():
     muscle_page(window)
     wait("the via point is read again", lambda: (text(first("X")), text(first("Y"))) == ("45.00", "−160.00"))
     wait("the ball is read again", lambda: radius() == "21.50")
-    pick = "Pick the place of a new via point"
+    pick = "Pick the position of a new via point"
     press(window, pick)
-    wait("a hint says what to click", lambda: window.shows("Click the place on a bone that the muscle passes"))
+    wait("a hint says what to click", lambda: window.shows("Click the position of the via point on a bone"))
     window.key("Escape")
-    wait("Esc leaves picking", lambda: not window.shows("Click the place on a bone that the muscle passes"))
+    wait("Esc leaves picking", lambda: not window.shows("Click the position of the via point on a bone"))
     told("what was saved is read again, and a picking left")
 
     press(window, "Delete via point 1")
@@ -142,9 +142,9 @@ def test_way():
     press(window, "Delete via point 1")
     wait("it goes again", lambda: not shown(window, offset(1, "X")))
     press(window, pick)
-    wait("picking begins anew", lambda: window.shows("Click the place on a bone that the muscle passes"))
+    wait("picking begins anew", lambda: window.shows("Click the position of the via point on a bone"))
     # Beside the arm a click changes nothing, so it is looked for from left to right, half-way up its upper rod.
-    x = click_along(window, 250, "Click the place on a bone that the muscle passes")
+    x = click_along(window, 250, "Click the position of the via point on a bone")
     picked = float(wait("a click on the arm puts a via point there", lambda: text(first("X"))).replace("−", "-"))
     drag(x, 250, x + 60, 250)
     wait("its dot is dragged in the picture", lambda: float(text(first("X")).replace("−", "-")) > picked + 10.0)
@@ -152,12 +152,12 @@ def test_way():
     wait("the drag is one step", lambda: float(text(first("X")).replace("−", "-")) == picked)
     told("a via point is picked and dragged in the picture")
 
-    joint = "Pick the bone whose joint the muscle goes round"
-    press(window, "Pass the ball on its other side")
+    joint = "Pick the bone at whose joint the wrap sphere is put"
+    press(window, "Flip wrap side")
     press(window, joint)
-    wait("a hint says what the click is for", lambda: window.shows("Click the bone whose joint the muscle goes round"))
-    click_along(window, 330, "Click the bone whose joint the muscle goes round")
-    wait("a click on a bone is taken", lambda: not window.shows("Click the bone whose joint the muscle goes round"))
+    wait("a hint says what the click is for", lambda: window.shows("Click the bone whose joint the muscle wraps around"))
+    click_along(window, 330, "Click the bone whose joint the muscle wraps around")
+    wait("a click on a bone is taken", lambda: not window.shows("Click the bone whose joint the muscle wraps around"))
     if radius() != "21.50" or "1.000" not in side() or side() == "1.000":
         fail("the ball keeps its radius and its side")
     told("the joint to go round is picked")

@@ -49,7 +49,7 @@ def test_order(window):
         fail(f"these take the keyboard and do not say what they are: {nameless}")
     names = [here[1] for here in seen]
     # Search, tree, tools, picture, right side, timeline, header.
-    places = [names.index(name) for name in ("Move the model", "The scene", "Display", "Meshes", "Play", "Time", "Open", "Main menu")]
+    places = [names.index(name) for name in ("Move the model", "Viewport", "Display", "Meshes", "Play", "Time", "Open", "Main menu")]
     if places != sorted(places):
         fail(f"Tab goes from left to right and down: {names}")
     if press(window, "shift+Tab")[1] != "Main menu":
@@ -105,18 +105,18 @@ def test_leaving(window, broken):
     focus_picture()
     window.key("alt+Home")
     wait("the start page has the keyboard", lambda: described(focused(window))[1] == "Open files")
-    if press(window, "Tab")[1] != "Back to the scene" or press(window, "Tab")[1] != "Measured biceps":
+    if press(window, "Tab")[1] != "Back to the scene" or press(window, "Tab")[1] != "Biceps from measured radii":
         fail("the demos follow the buttons, by name")
     window.key("Escape")
     wait("Esc sends the start page away", lambda: not window.shows("Back to the scene"))
-    wait("the picture has the keyboard again", lambda: described(focused(window))[1] == "The scene")
+    wait("the picture has the keyboard again", lambda: described(focused(window))[1] == "Viewport")
     window.quit()
     window = Window(broken, opens=False)
     wait("what is wrong is said", lambda: window.shows("cannot be opened"))
     window.get("button", "Close this bar")
     window.key("Escape")
     wait("Esc folds the bar away", lambda: not window.shows("cannot be opened"))
-    wait("and an empty tree says why it is", lambda: window.shows("Nothing is open."))
+    wait("and an empty tree says why it is", lambda: window.shows("No file is open."))
     window.quit()
     told("Esc leaves the start page and the bar of errors")
 
@@ -126,7 +126,7 @@ def test_small(path):
     os.environ["LC_ALL"] = "ru_RU.UTF-8"
     window = Window(path)
     run("xdotool", "windowsize", window.window, 800, 600)
-    tools = window.get("button", "Двигать модель")
+    tools = window.get("button", "Переместить модель")
     panel = window.get("page tab", "Мышца")
     focus_picture()
     for key, names in (("g", "XYZ"), ("r", "XYZ"), ("s", "X")):

@@ -37,7 +37,7 @@ def test_russian_numbers(path):
 
 
 def edges(window):
-    return wait("there is a switch for edges", lambda: window.find("check box", "Edges"))
+    return wait("there is a switch for edges", lambda: window.find("check box", "Wireframe"))
 
 
 def test_looks_of_a_session(path):

@@ -14,10 +14,10 @@ STYLES = {"light": "Adwaita", "dark": "Adwaita:dark"}
 VIEWS = {
     "start": ((), None, ("alt+Home",)),
     "muscle": (("biceps.yaml",), ("Muscle", "Мышца"), ("alt+Up",) * 8),
-    "clip": (("walker.dae",), ("Display", "Вид"), ("space",)),
-    "bones": (("walker.dae",), ("Display", "Вид"), ("b", "j", "h")),
-    "measure": (("biceps-human-wrapped.yaml",), ("Measure", "Замеры"), ("alt+Right",) * 12),
-    "health": (("lamp.dae",), ("Health", "Проверка"), ("3",)),
+    "clip": (("walker.dae",), ("Display", "Отображение"), ("space",)),
+    "bones": (("walker.dae",), ("Display", "Отображение"), ("b", "j", "h")),
+    "measure": (("biceps-human-wrapped.yaml",), ("Measure", "Измерения"), ("alt+Right",) * 12),
+    "health": (("lamp.dae",), ("Diagnostics", "Диагностика"), ("3",)),
     "curves": (("curl.dae", "atlas-muscles.yaml"), ("Muscle", "Мышца"), ("shift+k",)),
     "keys": (("lamp.dae",), None, ("ctrl+question",)),
 }

@@ -67,9 +67,9 @@ def test_boxes():
         run("xdotool", "type", "--", typed)
         window.key("Return")
         wait(f"{typed} is taken", lambda: text_of(box) == reads)
-        edges = pressed(window.get("check box", "Edges"))
+        edges = pressed(window.get("check box", "Wireframe"))
         window.key("e")
-        wait("after Enter a letter is a command", lambda: pressed(window.get("check box", "Edges")) != edges)
+        wait("after Enter a letter is a command", lambda: pressed(window.get("check box", "Wireframe")) != edges)
         if text_of(box) != reads:
             fail(f"the box takes the letter: {text_of(box)}")
     at_half = value(slider)
@@ -112,7 +112,7 @@ def test_toast():
     window = Window(one)
     focus_picture()
     window.key("F5")
-    shown = lambda: window.shows("Read again:")
+    shown = lambda: window.shows("Reloaded:")
     wait("a toast says that the file was read again", shown)
     window.key("ctrl+Next")
     wait("the next file is open", lambda: os.path.basename(two) in run("xdotool", "getwindowname", window.window).decode())
@@ -151,7 +151,7 @@ def test_reloading():
     def reloaded(times):
         for _ in range(times):
             window.key("F5")
-            wait("the file is read", lambda: window.shows("Read again:"))
+            wait("the file is read", lambda: window.shows("Reloaded:"))
         still(window)
         with open(f"/proc/{window.process.pid}/status") as file:
             return next(int(line.split()[1]) for line in file if line.startswith("VmRSS"))

@@ -64,7 +64,7 @@ def test_time(window, slider):
 
     focus_picture()
     window.key("k")
-    wait("K unfolds the keys", lambda: window.shows("Keys of each bone"))
+    wait("K unfolds the keys", lambda: window.shows("Keyframes of each bone"))
     row = wait("the node has a row", lambda: next(
         (node for node in walk_rows(window) if node.get_name() == "Node" and at(node)[1] > 600), None))
     x, y = at(row)
@@ -150,7 +150,7 @@ def test_model(window):
     told("tools: move, turn, scale, numbers, reset, undo, redo")
 
     changes(window, "a right drag moves the light", lambda: drag(600, 300, 500, 260, button=3))
-    yaw = wait("the light has numbers", lambda: window.find("spin button", "Direction of the light, °"))
+    yaw = wait("the light has numbers", lambda: window.find("spin button", "Light azimuth, °"))
     before = value(yaw)
     changes(window, "a number moves the light", lambda: yaw.set_current_value((before + 120.0) % 360.0))
     changes(window, "Shift and a right click put it back", lambda: run(
@@ -186,13 +186,13 @@ def test_files_cameras():
     window.get("slider", "Time")
     focus_picture()
     window.get("button", "Inspect").do_action(0)
-    wait("edges are shown", lambda: pressed(window.get("check box", "Edges")))
+    wait("edges are shown", lambda: pressed(window.get("check box", "Wireframe")))
     window.key("k")
-    wait("the keys are unfolded", lambda: window.shows("Keys of each bone"))
+    wait("the keys are unfolded", lambda: window.shows("Keyframes of each bone"))
     window.quit()
     window = Window(path)
-    wait("the look is remembered", lambda: pressed(window.get("check box", "Edges")))
-    if not window.shows("Keys of each bone"):
+    wait("the look is remembered", lambda: pressed(window.get("check box", "Wireframe")))
+    if not window.shows("Keyframes of each bone"):
         fail("the unfolded page is remembered")
     window.quit()
     told("looks and pages are remembered")

@@ -1,5 +1,5 @@
 # render
 
-plot-no-font = There is no font on this machine to write the plot's numbers with; an .svg needs none.
-plot-too-large = The plots make a picture of more than 20 000 pixels to a side; an .svg has no such limit.
-plot-memory = There is not enough memory for a picture of that size; an .svg needs little.
+plot-no-font = No font is installed that could draw the labels of the plot; an .svg needs no font.
+plot-too-large = The image of the plots would have more than 20 000 pixels per side; an .svg has no such limit.
+plot-memory = There is not enough memory for an image of this size; an .svg needs little memory.

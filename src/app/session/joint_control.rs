@@ -202,8 +202,8 @@ impl Session {
         let angle = format!("{}°", format::number(self.joint_angle()?, 0));
         let elbow = self.joint.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
         Some(match elbow {
-            true => tr!("app-held-elbow", angle = angle),
-            false => tr!("app-held-joint", joint = self.document.scene.graph.node(turn.node).name.clone(), angle = angle),
+            true => tr!("app-joint-held-elbow", angle = angle),
+            false => tr!("app-joint-held", joint = self.document.scene.graph.node(turn.node).name.clone(), angle = angle),
         })
     }
 

@@ -103,8 +103,8 @@ impl Session {
         let twisted = self.joint.twisted.filter(|(id, _)| *id == self.shown_muscle);
         let graph = &self.document.scene.graph;
         alone.then(|| match twisted.filter(|(_, node)| node.index() < graph.len()) {
-            Some((_, node)) => tr!("app-alone-twisted", joint = graph.node(node).name.clone()),
-            None => tr!("app-alone"),
+            Some((_, node)) => tr!("app-not-attached-twist", joint = graph.node(node).name.clone()),
+            None => tr!("app-not-attached"),
         })
     }
 
@@ -273,7 +273,7 @@ mod tests {
             let attached = rig.is_attached(index);
             let why = session.standalone_reason();
             assert_eq!(why.is_none(), attached, "{axis}");
-            twisted += usize::from(why.is_some_and(|why| why.contains("forearm") && why != tr!("app-alone")));
+            twisted += usize::from(why.is_some_and(|why| why.contains("forearm") && why != tr!("app-not-attached")));
             session.undo();
         }
         assert_eq!(twisted, 1, "one of a bone's own axes runs along it");

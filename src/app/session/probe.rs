@@ -166,7 +166,7 @@ impl Session {
             None => Vec::new(),
         };
         if kept.len() != self.document.joint_overrides().len() {
-            self.undoable(tr!("app-edit-reset-turns"), UndoStep::New, |session| {
+            self.undoable(tr!("app-edit-reset-rotations"), UndoStep::New, |session| {
                 session.document.set_joint_overrides(&kept);
                 session.changed(ChangeSet::JOINT_OVERRIDES);
             });

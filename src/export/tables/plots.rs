@@ -89,7 +89,7 @@ impl JointTable {
             let curves = shown.iter().map(|joint| (joint.name.clone(), joint.samples.iter().map(point).collect()));
             plot(up, say(&message!("cli-measure-time")), curves.collect(), 0.0)
         };
-        let plots = vec![panel(say(&message!("plot-flexion")), |row| row.flexion), panel(say(&message!("plot-turn")), |row| row.turn)];
+        let plots = vec![panel(say(&message!("plot-flexion")), |row| row.flexion), panel(say(&message!("plot-rotation")), |row| row.turn)];
         Page { sections: vec![(title(&format!("{}: {}", self.file, self.clip), shown.len(), self.joints.len(), say), plots)] }
     }
 }
