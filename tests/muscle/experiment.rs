@@ -1,11 +1,11 @@
-//! The report's experiment: the model beside measured radii, and why the two differ.
+//! The model compared with measured radii (OpenArm 2.0), and why the two differ.
 
 use sinew::muscle::parameter_fit::{Model, fit, fitted_file};
 use sinew::muscle::validation::{CompareError, Table, compare};
 use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::scene::{MuscleId, Scene};
 
-/// Table 4.1 of the biceps report (2020): radii at nine inner nodes, millimetres.
+/// Table 4.1 of Perestoronin (2020), from OpenArm 2.0: radii at nine inner nodes, millimetres.
 const MEASURED: &str = sinew::muscle::literature_data::MEASURED_RADII;
 
 fn rig(yaml: &str) -> MuscleRig {

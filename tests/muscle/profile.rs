@@ -139,7 +139,7 @@ fn what_makes_no_muscle_is_refused() {
     assert!(matches!(Profile::new(vec![1.0; 20_000], vec![1.0; 20_000], 1.0), Err(ProfileError::TooManyNodes(20_000))));
 }
 
-/// Table 4.2 of the biceps report (2020): radii of the nine inner nodes as printed, millimetres, at 0°, 30°, 60° and 90°. Its own solver used
+/// Table 4.2 of Perestoronin (2020): radii of the nine inner nodes as printed, millimetres, at 0°, 30°, 60° and 90°. Its own solver used
 /// slightly wrong coefficients in small steps, so an exact one differs by up to 0.1 mm.
 const REPORT: [[f64; 4]; 9] = [
     [7.6, 7.7, 7.8, 8.0],
