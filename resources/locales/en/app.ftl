@@ -184,7 +184,7 @@ app-mouse-fly-how = W A S D Q E; Shift faster, Alt slower; wheel sets the speed;
 app-mouse-time = On the timeline
 app-mouse-time-how = Shift + drag sets marks A and B; wheel steps by frames; Ctrl + wheel zooms; Shift + wheel scrolls
 
-# Picture
+# Viewport
 app-nothing-drawn = Nothing in this file can be drawn: see Diagnostics.
 app-viewport = Viewport
 app-hint = Drag to orbit · Shift+drag to pan · wheel to zoom · right-drag moves the light
@@ -541,7 +541,7 @@ app-ambient = Ambient light
 app-light-default = The light follows the camera, from the upper left. Right-drag in the viewport moves the light.
 app-light-position = Position: x { $x }, y { $y }, z { $z } m
 
-# Health
+# Diagnostics
 app-health-none = No problems were found.
 app-health-warnings = { $count ->
     [one] { $count } warning

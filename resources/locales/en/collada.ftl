@@ -22,7 +22,7 @@ collada-archive-large = The unpacked archive would exceed the memory limit: { $l
 collada-archive-empty = The archive holds no COLLADA document.
 collada-archive-root = The archive’s manifest names “{ $path }”, which is not in the archive.
 
-# collada: findings
+# collada: diagnostics
 collada-encoding = The bytes are not valid { $named }; the file is read as Windows-1252, so some letters in names may be wrong.
 collada-unknown-version = Version “{ $version }” is unknown; the file is read as 1.4.1.
 collada-bad-unit = The unit “{ $value }” is not a positive number; 1 metre is used.

@@ -184,7 +184,7 @@ app-mouse-fly-how = W A S D Q E; Shift – быстрее, Alt – медлен�
 app-mouse-time = На шкале времени
 app-mouse-time-how = Shift и мышь – метки A и B; колесо – по кадрам; Ctrl и колесо – масштаб; Shift и колесо – прокрутка
 
-# Картинка
+# Область просмотра
 app-nothing-drawn = В этом файле нет ничего, что можно нарисовать, – см. «Диагностика».
 app-viewport = Область просмотра
 app-hint = Мышь вращает камеру · Shift сдвигает · колесо –⁠ масштаб · правая кнопка –⁠ свет
@@ -327,7 +327,7 @@ app-elbow-tip = Угол в локте в градусах; сокращение
 app-elbow-clip-tip = Сгибает этот сустав вручную, в градусах – вместо клипа или поверх него
 app-joint = Сустав
 app-joint-tip = Сустав, который сгибает ползунок
-app-joint-found = { $name } (определён автоматически)
+app-joint-found = { $name } (авто)
 app-joint-angle = Угол
 app-joint-axis = Ось
 app-joint-axis-hinge = ось сгибания
@@ -478,7 +478,7 @@ app-ask-theirs = Перезагрузить файл
 app-ask-mine = Оставить мои изменения
 app-ask-discard = Не сохранять
 
-# Вид
+# Отображение
 app-display-surfaces = Поверхности
 app-display-bones = Кости
 app-display-space = Пространство
@@ -544,7 +544,7 @@ app-ambient = Фоновый свет
 app-light-default = Свет следует за камерой, слева сверху. Правая кнопка мыши в области просмотра перемещает свет.
 app-light-position = Положение, м: x { $x }; y { $y }; z { $z }
 
-# Проверка
+# Диагностика
 app-health-none = Проблем не найдено.
 app-health-warnings = { $count ->
     [one] { $count } предупреждение
@@ -577,7 +577,7 @@ app-facts-nodes = { $nodes ->
        *[other] { $clips } клипов
     }
 
-# Замеры
+# Измерения
 app-page-measure = Измерения
 app-measure-none = Измерять нечего: в этой сцене нет мышцы, которая пересекает локтевой сустав.
 app-measure-hint = Щелчок или протягивание по графику сгибает локоть до этого угла.

@@ -22,7 +22,7 @@ collada-archive-large = Распакованный архив превысил �
 collada-archive-empty = В архиве нет документа COLLADA.
 collada-archive-root = Манифест архива называет «{ $path }», но такого файла в архиве нет.
 
-# collada: замечания
+# collada: диагностика
 collada-encoding = Байты не в кодировке { $named }; файл прочитан как Windows-1252, поэтому буквы в именах могут быть искажены.
 collada-unknown-version = Версия «{ $version }» неизвестна; файл прочитан как 1.4.1.
 collada-bad-unit = Единица «{ $value }» – не положительное число; принят 1 метр.
