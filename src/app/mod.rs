@@ -133,7 +133,8 @@ fn end_on_signals() {
     // Where the system has no such thing the program just ends.
     let _ = ctrlc::set_handler(|| {
         TERMINATED.store(true, Ordering::Relaxed);
-        glib::idle_add_once(|| {
+        // Before the frame clock: while frames take longer than the display's interval, an idle call would wait for ever.
+        glib::MainContext::default().invoke_with_priority(glib::Priority::HIGH, || {
             if let Some(application) = gio::Application::default() {
                 application.quit();
             }
