@@ -8,8 +8,8 @@
 //! | [`i18n`] | the translation catalogue (English, Russian) | nothing |
 //! | [`diagnostics`] | findings: what a reader saw and what it did about it | nothing |
 //! | [`limits`] | every bound on what input may ask for, in one place | nothing |
-//! | [`message`] | what libraries tell people, without a language: keys, parameters, places | nobody |
-//! | [`progress`] | how far a long task is, and a way to stop it | nobody |
+//! | [`message`] | what libraries tell people, without a language: keys, parameters, places | nothing |
+//! | [`progress`] | how far a long task is, and a way to stop it | nothing |
 //! | [`system`] | messages for people about failed system calls | `i18n` |
 //! | [`input`] | reads files from outside: regular ones, within a size limit | `system` |
 //! | [`yaml`] | the one reader of YAML, within bounds | `i18n`, `limits` |
@@ -24,6 +24,7 @@
 //! | [`plot`] | quantities as curves, on a widget, as SVG and as PNG | `i18n` |
 //! | [`view`] | how a document is shown, without a window: session files, display presets, onion skins and comparisons | `document`, `render` |
 //! | [`sequence`] | frame sequences: what moves, and how it becomes files | `document`, `render`, `export`, `view` |
+//! | [`session`] | what is open and how it is looked at, with undo; no widgets | `document`, `render`, `view` |
 //! | [`cli`] | one file a subcommand | `document`, `render`, `export`, `sequence`, `view` |
 //! | `app` | the GTK window, behind the feature `gui` | everything |
 //!
@@ -48,6 +49,7 @@ pub mod progress;
 pub mod render;
 pub mod scene;
 pub mod sequence;
+pub mod session;
 mod simd;
 pub mod system;
 pub mod view;

@@ -7,12 +7,12 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::session::{PickTarget, Session, UndoStep};
 use super::window::object;
 use super::{format, ui};
 use crate::i18n;
 use crate::muscle::{Anchor, AttachmentPoint, Edit};
 use crate::scene::{MuscleId, NodeId};
+use crate::session::{PickTarget, Session, UndoStep};
 use crate::tr;
 
 /// The bones that a muscle can be attached to, as rows of lists: one model for all of them.

@@ -5,10 +5,10 @@ use gtk4 as gtk;
 
 use super::attachment_field::{AttachmentField, Bones};
 use super::muscle_editor::Editor;
-use super::session::Session;
 use super::window::object;
 use crate::muscle::AttachmentPoint;
 use crate::scene::MuscleId;
+use crate::session::Session;
 
 const NAMES: [&str; 2] = ["origin", "insertion"];
 

@@ -11,11 +11,11 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::Session;
 use super::window::{Window, object};
 use super::{document_loader, ui};
 use crate::i18n::Sentence;
 use crate::muscle::MuscleFile;
+use crate::session::Session;
 use crate::tr;
 use crate::view::RecoveryFile;
 
@@ -260,10 +260,10 @@ fn is_ours(name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::session::UndoStep;
     use crate::document::Document;
     use crate::muscle::Edit;
     use crate::scene::MuscleId;
+    use crate::session::UndoStep;
 
     #[test]
     fn what_is_not_saved_is_found_again() {

@@ -4,8 +4,8 @@ use glam::Vec2;
 use gtk4 as gtk;
 
 use super::drawing_area::{PaintWidget, rgb, write_with_background};
-use super::session::Session;
 use crate::render::Background;
+use crate::session::Session;
 
 /// Most names that are written; more would be a grey cloud.
 const MOST: usize = 400;

@@ -8,13 +8,13 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::session::{CompareTarget, PickTarget, Preset, Session, Tool, UndoStep};
 use super::settings::{ColorScheme, SheetPage};
 use super::window::Window;
 use super::{about, appearance, compare_file, document_loader, export_dialog, help, save_session, saving, screenshot};
 use crate::muscle::AttachmentPoint;
 use crate::render::{Samples, Shading};
 use crate::scene::ViewDirection;
+use crate::session::{CompareTarget, PickTarget, Preset, Session, Tool, UndoStep};
 use crate::tr;
 
 /// One action a command; those that are on or off have a state.

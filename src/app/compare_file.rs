@@ -6,11 +6,11 @@ use std::rc::Rc;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::session::CompareTarget;
 use super::window::Window;
 use super::{document_loader, onion_skin_panel, reload_summary};
 use crate::document::Document;
 use crate::progress::Progress;
+use crate::session::CompareTarget;
 use crate::tr;
 
 /// Asks for a file and compares what is open with it.

@@ -8,10 +8,10 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::session::{ChangeSet, JointAxis, Session, UndoStep};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::scene::NodeId;
+use crate::session::{ChangeSet, JointAxis, Session, UndoStep};
 use crate::tr;
 
 /// The axes, in the order of their list.

@@ -11,13 +11,13 @@ use gtk4 as gtk;
 
 use super::curve_plot::{CurvePlot, diamond};
 use super::drawing_area::{PaintWidget, cairo, rgb, set_color};
-use super::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRow};
 use super::settings::SheetPage;
 use super::timeline::{self, hold_while};
 use super::timeline_ruler::Track;
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::scene::NodeId;
+use crate::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRow};
 use crate::tr;
 
 /// Width of the names before the keys, logical pixels.
@@ -293,7 +293,7 @@ impl Sheet {
         let text = match &plot.graph {
             Some(graph) if self.page.get() == SheetPage::Curves => {
                 let unit = if graph.kind == GraphKind::Rotation { "°" } else { "" };
-                let value = |line: &super::session::GraphLine| format!("{} {}{unit}", line.name, format::number(line.value(time), 3));
+                let value = |line: &crate::session::GraphLine| format!("{} {}{unit}", line.name, format::number(line.value(time), 3));
                 let values: Vec<String> = graph.lines.iter().take(12).map(value).collect();
                 tr!(
                     "app-sheet-values",

@@ -5,8 +5,8 @@ use gtk4 as gtk;
 
 use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
 use super::format;
-use super::session::{Graph, GraphLine};
 use super::timeline_ruler::Track;
+use crate::session::{Graph, GraphLine};
 
 /// Room above the highest and below the lowest value, logical pixels.
 const AIR: f64 = 14.0;

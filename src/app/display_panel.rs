@@ -7,12 +7,12 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::onion_skin_panel::GhostsPanel;
-use super::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};
-use super::settings::SHADINGS;
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::document::Skinning;
+use crate::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};
 use crate::tr;
+use crate::view::SHADINGS;
 
 /// Sides of a cell of the grid to choose from, metres; none = after the size of the scene.
 const CELLS: [Option<f32>; 6] = [None, Some(0.001), Some(0.01), Some(0.1), Some(1.0), Some(10.0)];

@@ -11,7 +11,6 @@ use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
 use super::error_bar::Trouble;
-use super::session::{CompareTarget, LoadMode};
 use super::window::Window;
 use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
 use crate::document::OpenErrorKind;
@@ -21,6 +20,7 @@ use crate::i18n::{self, Sentence};
 use crate::message::{Location, SourceName};
 use crate::muscle::MuscleFile;
 use crate::progress::Progress;
+use crate::session::{CompareTarget, LoadMode};
 use crate::view::{self, Opened};
 use crate::{input, limits, tr};
 

@@ -3,7 +3,7 @@
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::Session;
+use crate::session::Session;
 use crate::tr;
 
 /// A few words over an empty picture.

@@ -8,9 +8,9 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::LoadMode;
 use super::window::{Window, object};
 use super::{document_loader, ui};
+use crate::session::LoadMode;
 
 /// The bar.
 pub(super) struct ErrorBar {

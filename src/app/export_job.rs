@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use super::session::{CameraController, Session, Viewpoint};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::export::ExportError;
 use crate::export::file_extension::with_extension;
@@ -17,6 +16,7 @@ use crate::progress::Progress;
 use crate::render::{Background, Display};
 use crate::scene::{Frame, OrbitCamera};
 use crate::sequence::{self, FilePattern, FrameSpec, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions, SequenceRenderer};
+use crate::session::{CameraController, Session, Viewpoint};
 use crate::tr;
 use crate::view::{CameraFollow, SceneOverlays};
 

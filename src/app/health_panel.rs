@@ -6,7 +6,6 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::session::{ChangeSet, Session};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::diagnostics::{Diagnostic, Severity};
@@ -14,6 +13,7 @@ use crate::document::Finding;
 use crate::document::{Document, SourceKind};
 use crate::i18n;
 use crate::scene::{Content, Deformer, Node, NodeId, Scene};
+use crate::session::{ChangeSet, Session};
 use crate::tr;
 
 /// The panel.

@@ -6,9 +6,9 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::Session;
 use super::ui;
 use super::window::{Window, object};
+use crate::session::Session;
 
 /// A few words and a button.
 pub(super) struct HeldJointBanner {

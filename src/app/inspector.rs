@@ -10,13 +10,13 @@ use gtk4 as gtk;
 
 use super::inspector_text::{self, Space};
 use super::plot_view;
-use super::session::{ChangeSet, Matrices, Session, UndoStep};
 use super::window::{Window, object};
 use super::{drawing_area::PaintWidget, format, material_preview, ui};
 use crate::document::{Skinning, angle_at};
 use crate::i18n;
 use crate::plot::Plot;
 use crate::scene::{Content, NodeId, NodeKind};
+use crate::session::{ChangeSet, Matrices, Session, UndoStep};
 use crate::tr;
 
 /// Moments at which the angle over a clip is taken.

@@ -3,9 +3,9 @@
 use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3};
 
 use super::format;
-use super::session::{Matrices, Session};
 use crate::document::VertexInfluences;
 use crate::scene::{Deformer, Material, MeshInstance, Scene};
+use crate::session::{Matrices, Session};
 use crate::tr;
 
 /// Which of a node's matrices is shown.

@@ -14,7 +14,6 @@ use super::experiment;
 use super::muscle_panel::Unit;
 use super::plot_view;
 use super::save_as::{self, SaveRequest};
-use super::session::{ChangeSet, MeasureAxis, Measurement, Session, csv};
 use super::ui;
 use super::window::{Window, object};
 use crate::export::atomic_file::write_atomic;
@@ -24,6 +23,7 @@ use crate::muscle::literature_data;
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
 use crate::scene::{Content, MuscleId};
+use crate::session::{ChangeSet, MeasureAxis, Measurement, Session, csv};
 use crate::tr;
 
 /// A quantity: the key of its name, how it is read, and the least that its axis spans.

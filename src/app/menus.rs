@@ -7,10 +7,10 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::session::{Session, file_cameras};
 use super::window::{Window, object};
 use super::{recent, ui};
 use crate::i18n::shown;
+use crate::session::{Session, file_cameras};
 use crate::tr;
 
 /// The action that looks through a camera of the file, by its place in the list.

@@ -57,7 +57,6 @@ mod save_session;
 mod saving;
 mod scene_tree;
 mod screenshot;
-pub mod session;
 pub mod settings;
 mod shortcuts;
 mod side_panels;

@@ -6,12 +6,12 @@ use std::rc::{Rc, Weak};
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::{Session, UndoStep};
 use super::ui;
 use super::window::Window;
 use crate::i18n::shown;
 use crate::muscle::{Edit, EditError, MuscleSpec};
 use crate::scene::MuscleId;
+use crate::session::{Session, UndoStep};
 
 /// Changes the muscle that is shown.
 #[derive(Clone)]

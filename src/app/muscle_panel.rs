@@ -15,7 +15,6 @@ use super::contraction_controls::ContractionControls;
 use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::profile_plot::{ProfilePlot, Shape};
 use super::profile_table::ProfileTable;
-use super::session::{AttachResult, ChangeSet, Session, UndoStep};
 use super::via_points_editor::ViaPointsEditor;
 use super::window::{Window, object};
 use super::{format, ui};
@@ -24,6 +23,7 @@ use crate::muscle::presets::{PRESETS, Preset};
 use crate::muscle::solver_report::{Root, SolverReport};
 use crate::muscle::{Edit, LimitCause, MuscleRig, MuscleSpec, Solved, Tendon};
 use crate::scene::MuscleId;
+use crate::session::{AttachResult, ChangeSet, Session, UndoStep};
 use crate::tr;
 
 /// The panel.

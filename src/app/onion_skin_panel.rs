@@ -7,9 +7,9 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::session::{ChangeSet, CompareTarget, ComparisonState, Session};
 use super::window::{Window, object};
 use super::{format, ui};
+use crate::session::{ChangeSet, CompareTarget, ComparisonState, Session};
 use crate::tr;
 
 /// Panel of onion skins and comparison.

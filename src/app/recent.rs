@@ -8,10 +8,10 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::samples::DEMOS;
-use super::session::LoadMode;
 use super::window::Window;
 use super::{document_loader, start_page, ui};
 use crate::i18n::shown;
+use crate::session::LoadMode;
 use crate::tr;
 
 /// Most files that are listed.

@@ -97,10 +97,10 @@ fn keyed<'a>(document: &Document, clip: &'a Clip) -> Vec<(String, &'a Channel)> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::session::Session;
     use super::*;
     use crate::progress::Progress;
     use crate::scene::{Node, NodeId};
+    use crate::session::Session;
 
     fn clip() -> Document {
         Document::open(&[concat!(env!("CARGO_MANIFEST_DIR"), "/configs/curl.dae")], &Progress::default()).expect("the demo")

@@ -10,12 +10,12 @@ use gtk4 as gtk;
 
 use super::drawing_area::PaintWidget;
 use super::icons;
-use super::session::{ChangeSet, Session};
 use super::tree_model::{Row, path_to, search, steps};
 use super::ui;
 use super::window::{Window, object};
 use crate::i18n::shown;
 use crate::scene::{NodeId, Scene};
+use crate::session::{ChangeSet, Session};
 use crate::tr;
 
 /// Trees of at most this many nodes are shown unfolded.

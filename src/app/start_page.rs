@@ -10,12 +10,12 @@ use gtk4 as gtk;
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::error_bar::Trouble;
 use super::samples::{self, DEMOS, Demo};
-use super::session::{LoadMode, Session};
 use super::window::{Window, object};
 use super::{document_loader, recent, saving, ui};
 use crate::document::Document;
 use crate::i18n::Sentence;
 use crate::render::Theme;
+use crate::session::{LoadMode, Session};
 use crate::tr;
 
 /// Size of a demo's picture, logical pixels.

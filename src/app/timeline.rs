@@ -14,11 +14,11 @@ use super::commands::Command;
 use super::curve_editor::Sheet;
 use super::drawing_area::PaintWidget;
 use super::icons::{self, Glyph};
-use super::session::{ChangeSet, RangeMark, Session};
 use super::timeline_ruler::{Track, frame_of};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::animation::LoopMode;
+use crate::session::{ChangeSet, RangeMark, Session};
 use crate::tr;
 
 /// The frame rates to choose from, beside the one that the keys tell.

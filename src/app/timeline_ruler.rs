@@ -5,7 +5,7 @@ use gtk4 as gtk;
 
 use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write, write_centered};
 use super::format;
-use super::session::RangeMark;
+use crate::session::RangeMark;
 
 /// Room left of the first and right of the last moment, logical pixels.
 const INSET: f64 = 16.0;

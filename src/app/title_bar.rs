@@ -4,11 +4,11 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::session::Session;
 use super::window::object;
 use super::{format, memory_usage};
 use crate::document::{Document, Missing, Source, SourceKind};
 use crate::i18n::{self, shown, shown_lines};
+use crate::session::Session;
 use crate::tr;
 
 /// Names what is open in the header bar and in the title of the window, with what it lacks.

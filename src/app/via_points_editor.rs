@@ -8,12 +8,12 @@ use gtk4 as gtk;
 
 use super::attachment_field::{AttachmentField, Bones, connect_pick, show_pick};
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::session::{PickTarget, Session, UndoStep};
 use super::window::object;
 use super::{format, ui};
 use crate::muscle::edit::VIA;
 use crate::muscle::{AttachmentPoint, Edit, Wrap};
 use crate::scene::MuscleId;
+use crate::session::{PickTarget, Session, UndoStep};
 use crate::tr;
 
 /// The entries of the ball beside those of its middle, and the digits behind the mark of each: radius, and the side along each axis of the bone.

@@ -22,7 +22,6 @@ use super::inspector::Inspector;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
 use super::scene_tree::SceneTree;
-use super::session::{ChangeSet, LoadMode, Session};
 use super::settings::{SavedViewSettings, Settings};
 use super::shortcuts::Keys;
 use super::side_panels::Sides;
@@ -36,6 +35,7 @@ use crate::document::Document;
 use crate::i18n::Sentence;
 use crate::muscle::EditError;
 use crate::scene::NodeId;
+use crate::session::{ChangeSet, LoadMode, Session};
 use crate::tr;
 
 /// The main window.

@@ -5,8 +5,8 @@ use gtk4 as gtk;
 
 use super::ignore;
 use crate::app::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
-use crate::app::session::{AttachmentHandle, WrapSphereCircle};
 use crate::muscle::AttachmentPoint;
+use crate::session::{AttachmentHandle, WrapSphereCircle};
 use crate::tr;
 
 /// Radius, logical pixels.

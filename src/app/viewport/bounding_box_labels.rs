@@ -5,9 +5,9 @@ use gtk4 as gtk;
 
 use crate::app::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::app::format;
-use crate::app::session::Session;
 use crate::render::Background;
 use crate::scene::{Bounds, Camera};
+use crate::session::Session;
 use crate::tr;
 
 /// Significant digits of a length.

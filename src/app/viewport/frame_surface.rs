@@ -9,8 +9,8 @@ use gtk::cairo::{Context, Filter, Format, ImageSurface, Operator};
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::session::Session;
 use crate::render::{Renderer, Stats};
+use crate::session::Session;
 
 /// How many frames the frame rate is taken over.
 const FRAMES: usize = 30;

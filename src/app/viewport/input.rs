@@ -13,9 +13,9 @@ use gtk4 as gtk;
 use super::{orientation_gizmo, zoom_gestures};
 use crate::app::drawing_area::PaintWidget;
 use crate::app::format;
-use crate::app::session::{AttachmentDrag, AttachmentHandle as Dot, GizmoHandle, ModelDrag, Session, Tool, UndoStep, Viewpoint};
 use crate::app::window::Window;
 use crate::muscle::AttachmentPoint;
+use crate::session::{AttachmentDrag, AttachmentHandle as Dot, GizmoHandle, ModelDrag, Session, Tool, UndoStep, Viewpoint};
 use crate::tr;
 
 /// Degrees that a drag over one logical pixel turns.

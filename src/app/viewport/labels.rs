@@ -5,10 +5,10 @@ use gtk4 as gtk;
 
 use crate::app::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::app::onion_skin_panel::file_name;
-use crate::app::session::{COMPARED_TINT, CompareTarget, Session, top_of};
 use crate::app::{format, title_bar};
 use crate::document::Skinning;
 use crate::i18n;
+use crate::session::{COMPARED_TINT, CompareTarget, Session, top_of};
 use crate::tr;
 
 /// Names the two that are compared: over each where they stand side by side, else one below the other at the upper edge.

@@ -4,8 +4,8 @@ use gtk4 as gtk;
 
 use crate::app::drawing_area::{Align, PaintWidget, cairo, set_color, write};
 use crate::app::format;
-use crate::app::session::Session;
 use crate::render::weight_color;
+use crate::session::Session;
 use crate::tr;
 
 /// Size of the ramp and its distance from the picture's right and lower edge, logical pixels.

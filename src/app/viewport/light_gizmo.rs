@@ -6,8 +6,8 @@ use gtk4 as gtk;
 
 use super::ignore;
 use crate::app::drawing_area::{cairo, rgb, set_color};
-use crate::app::session::Session;
 use crate::scene::Camera;
+use crate::session::Session;
 
 /// How far from the edges the sun stays, logical pixels.
 const MARGIN: f64 = 24.0;

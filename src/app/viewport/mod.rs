@@ -28,11 +28,11 @@ use self::transform_fields::TransformFields;
 use super::bone_names;
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::icons::{self, Glyph};
-use super::session::{ChangeSet, PickTarget, Session, Tool, Viewpoint};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::muscle::AttachmentPoint;
 use crate::render::{Pick, Renderer, Stats};
+use crate::session::{ChangeSet, PickTarget, Session, Tool, Viewpoint};
 use crate::tr;
 
 /// Frame time, milliseconds, above which frames are drawn coarsely while the user interacts.

@@ -5,8 +5,8 @@ use gtk4 as gtk;
 
 use super::ignore;
 use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
-use crate::app::session::Session;
 use crate::scene::{Camera, ViewDirection};
+use crate::session::Session;
 use glam::{DVec2, Vec3};
 
 /// Length of an arm, logical pixels.

@@ -6,7 +6,7 @@ use gtk4 as gtk;
 
 use super::ignore;
 use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
-use crate::app::session::{Gizmo, GizmoHandle, Tool};
+use crate::session::{Gizmo, GizmoHandle, Tool};
 
 /// Paints them; `lit` is under the pointer or held.
 pub(super) fn draw(handles: &Gizmo, colors: [u32; 3], lit: Option<GizmoHandle>, canvas: &PaintWidget, snapshot: &gtk::Snapshot) {

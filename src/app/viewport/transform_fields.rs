@@ -8,9 +8,9 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use crate::app::session::{ModelTransform, Tool, UndoStep};
 use crate::app::ui;
 use crate::app::window::{Window, object};
+use crate::session::{ModelTransform, Tool, UndoStep};
 use crate::tr;
 
 /// Room right of the numbers, logical pixels.

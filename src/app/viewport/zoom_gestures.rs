@@ -8,9 +8,9 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use crate::app::drawing_area::PaintWidget;
-use crate::app::session::CameraController;
 use crate::app::window::Window;
 use crate::scene::OrbitCamera;
+use crate::session::CameraController;
 
 /// What one notch of the wheel zooms.
 const NOTCH: f64 = 1.12;

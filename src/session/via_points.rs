@@ -58,11 +58,11 @@ mod tests {
     use glam::{DVec2, DVec3};
 
     use super::*;
-    use crate::app::session::tests::{biceps, clip};
-    use crate::app::session::{AttachmentDrag, PickTarget};
     use crate::document::Document;
     use crate::muscle::{Anchor, MuscleFile, MuscleSpec};
     use crate::render::Pick;
+    use crate::session::tests::{biceps, clip};
+    use crate::session::{AttachmentDrag, PickTarget};
 
     /// The demo's clip with a ready muscle that goes round nothing.
     fn attached() -> (Session, MuscleId) {

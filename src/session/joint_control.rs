@@ -292,7 +292,7 @@ pub(super) fn bones(document: &Document) -> Vec<NodeId> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::session::tests::{biceps, clip};
+    use crate::session::tests::{biceps, clip};
 
     #[test]
     fn contraction_and_the_joint_of_a_clip_are_one_state() {

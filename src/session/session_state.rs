@@ -4,9 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::{CompareTarget, LoadMode, Session, Viewpoint, file_cameras};
 use crate::animation::LoopMode;
-use crate::app::settings::Settings;
 use crate::document::{Document, Skinning};
-use crate::view::{SavedCamera, SavedComparison, SavedModel, SavedRotation, SessionState, saved_node};
+use crate::view::{SavedCamera, SavedComparison, SavedModel, SavedRotation, SessionState, Settings, saved_node};
 
 /// Loop modes by the names that the file uses.
 const MODES: [(&str, LoopMode); 3] = [("loop", LoopMode::Loop), ("once", LoopMode::Once), ("ping-pong", LoopMode::PingPong)];

@@ -69,7 +69,7 @@ impl Session {
 mod tests {
     use super::super::tests::swinging;
     use super::*;
-    use crate::app::session::LoadMode;
+    use crate::session::LoadMode;
 
     fn place(session: &mut Session) -> Vec3 {
         let hand = session.document().scene.graph.find("hand").expect("a hand");

@@ -25,6 +25,7 @@ mod timeline_state;
 mod tool;
 mod undoable;
 mod via_points;
+mod view_settings;
 
 pub use crate::view::{
     BackgroundPreset, COMPARED_TINT, CompareTarget, DEFAULT_FRAME_RATE, LightDirection, ModelTransform, OnionSkinSettings, file_cameras,
@@ -44,6 +45,7 @@ pub use presets::Preset;
 pub use probe::Matrices;
 pub use timeline_state::RangeMark;
 pub use tool::Tool;
+pub use view_settings::SavedViewSettings;
 
 use std::cell::OnceCell;
 use std::path::{Path, PathBuf};

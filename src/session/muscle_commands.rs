@@ -228,10 +228,10 @@ fn unused_name(file: &MuscleFile, name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::session::JointAxis;
-    use crate::app::session::tests::{biceps, clip, ends};
     use crate::document::Document;
     use crate::muscle::presets::PRESETS;
+    use crate::session::JointAxis;
+    use crate::session::tests::{biceps, clip, ends};
 
     #[test]
     fn a_new_muscle_joins_the_bones_of_the_elbow_and_goes_again() {

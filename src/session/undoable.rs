@@ -165,9 +165,9 @@ mod tests {
 
     use super::super::history::History;
     use super::*;
-    use crate::app::session::tests::{biceps, clip};
     use crate::muscle::Edit;
     use crate::scene::MuscleId;
+    use crate::session::tests::{biceps, clip};
 
     /// An edit of the user.
     #[derive(Debug, Clone, Copy)]

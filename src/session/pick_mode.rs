@@ -214,7 +214,7 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::session::tests::{biceps, clip, ends};
+    use crate::session::tests::{biceps, clip, ends};
 
     #[test]
     fn ends_are_picked_one_after_the_other() {

@@ -74,10 +74,10 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::session::tests::ends;
     use crate::document::Document;
     use crate::progress::Progress;
     use crate::scene::{MuscleId, NodeId, NodeKind};
+    use crate::session::tests::ends;
 
     fn both(clip: &str, muscles: &str) -> Session {
         let config = |name: &str| format!("{}/configs/{name}", env!("CARGO_MANIFEST_DIR"));
