@@ -122,13 +122,13 @@ impl Autosave {
         self.look(&Rc::downgrade(window), MAX_CHECKS);
     }
 
-    fn look(&self, window: &Weak<Window>, looks: u32) {
+    fn look(&self, window: &Weak<Window>, checks: u32) {
         let Some(left) = left_behind(&folder()) else {
-            if looks > 1 && has_others(&folder(), &self.path) {
+            if checks > 1 && has_others(&folder(), &self.path) {
                 let window = window.clone();
                 glib::timeout_add_local_once(CHECK_INTERVAL, move || {
                     if let Some(of) = window.upgrade() {
-                        of.recovery.look(&window, looks - 1);
+                        of.recovery.look(&window, checks - 1);
                     }
                 });
             }

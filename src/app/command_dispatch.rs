@@ -112,8 +112,8 @@ fn has_window_state(command: Command) -> bool {
 
 fn window_state(window: &Rc<Window>, command: Command) -> Option<bool> {
     match command {
-        Command::Tree => Some(window.sides().0),
-        Command::Panel => Some(window.sides().1),
+        Command::Tree => Some(window.shown_side_panels().0),
+        Command::Panel => Some(window.shown_side_panels().1),
         Command::Fullscreen => Some(window.widget.is_fullscreen()),
         Command::FrameTimes => Some(window.settings.borrow().frame_times),
         Command::Sheet => Some(window.settings.borrow().sheet == SheetPage::Keys),
@@ -181,7 +181,7 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         appearance::choose(colours);
         return window.show_states();
     }
-    let look = |view: ViewDirection| window.update(|session| session.change_camera(|eye| eye.look_from(view)));
+    let look_from = |view: ViewDirection| window.update(|session| session.change_camera(|camera| camera.look_from(view)));
     match command {
         C::Open => document_loader::choose(window),
         C::CompareFile => compare_file::choose(window),
@@ -198,19 +198,19 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         C::PictureTransparent => screenshot::save(window, true),
         C::CopyPicture => screenshot::copy(window),
         C::Export => export_dialog::show(window),
-        C::Front => look(ViewDirection::Front),
-        C::Back => look(ViewDirection::Back),
-        C::Right => look(ViewDirection::Right),
-        C::Left => look(ViewDirection::Left),
-        C::Top => look(ViewDirection::Top),
-        C::Bottom => look(ViewDirection::Bottom),
-        C::Iso => look(ViewDirection::Iso),
+        C::Front => look_from(ViewDirection::Front),
+        C::Back => look_from(ViewDirection::Back),
+        C::Right => look_from(ViewDirection::Right),
+        C::Left => look_from(ViewDirection::Left),
+        C::Top => look_from(ViewDirection::Top),
+        C::Bottom => look_from(ViewDirection::Bottom),
+        C::Iso => look_from(ViewDirection::Iso),
         C::Sidebars => {
-            let shown = window.sides() != (false, false);
+            let shown = window.shown_side_panels() != (false, false);
             window.show_side(!shown, !shown);
         }
-        C::Tree => window.show_side(!window.sides().0, window.sides().1),
-        C::Panel => window.show_side(window.sides().0, !window.sides().1),
+        C::Tree => window.show_side(!window.shown_side_panels().0, window.shown_side_panels().1),
+        C::Panel => window.show_side(window.shown_side_panels().0, !window.shown_side_panels().1),
         C::Fullscreen => {
             if window.widget.is_fullscreen() {
                 window.widget.unfullscreen()
@@ -291,13 +291,13 @@ fn change_session(command: Command, session: &mut Session) {
                 session.centre_on(node);
             }
         }
-        C::IsoOpposite => session.change_camera(|eye| {
-            eye.animate_to(|orbit| {
+        C::IsoOpposite => session.change_camera(|camera| {
+            camera.animate_to(|orbit| {
                 let (yaw, pitch) = ViewDirection::Iso.angles();
                 (orbit.yaw, orbit.pitch) = (yaw + 180.0, -pitch);
             });
         }),
-        C::Orthographic => session.change_camera(|eye| eye.animate_to(|orbit| orbit.orthographic = !orbit.orthographic)),
+        C::Orthographic => session.change_camera(|camera| camera.animate_to(|orbit| orbit.orthographic = !orbit.orthographic)),
         C::ResetLight => session.reset_light(),
         C::ResetModel => {
             session.undoable(tr!("app-edit-reset-model"), UndoStep::New, |session| session.change_model(|model| model.reset()));

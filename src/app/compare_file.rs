@@ -40,13 +40,13 @@ pub(super) fn read_again(window: &Rc<Window>, path: &Path) {
         if let Ok(Ok(document)) = read
             && window.read(|session| session.compared_file()).as_ref() == Some(&path)
         {
-            let news = window.read(|session| match session.compare_target() {
+            let summary = window.read(|session| match session.compare_target() {
                 Some(CompareTarget::File(old, _)) => reload_summary::what_changed(old, &document),
                 _ => String::new(),
             });
             window.update(|session| session.replace_compared_file(document));
             let file = onion_skin_panel::file_name(&path.display().to_string());
-            window.viewport.toast(&tr!("app-compared-again", file = file, news = news), None);
+            window.viewport.toast(&tr!("app-compared-again", file = file, news = summary), None);
         }
     });
 }

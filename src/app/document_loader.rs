@@ -53,7 +53,7 @@ pub(super) struct DocumentLoader {
     /// The measured radii that muscles are compared with.
     table: RefCell<Option<PathBuf>>,
     /// Whether muscles on an arm of their own are hung on the clip that they come with.
-    hang: Cell<bool>,
+    attach_after_load: Cell<bool>,
 }
 
 /// Muscle files that go over to the scene that is being read.
@@ -142,9 +142,9 @@ pub(super) fn open(window: &Rc<Window>, paths: Vec<PathBuf>, load_mode: LoadMode
 /// Tries once more to open files that could not be; what was to be done with them then is still to be done.
 pub(super) fn retry(window: &Rc<Window>, paths: Vec<PathBuf>, load_mode: LoadMode) {
     saving::confirm_unsaved(window, move |window| {
-        let (hang, carried) = (window.files.hang.get(), window.files.carried.take());
+        let (attach_after_load, carried) = (window.files.attach_after_load.get(), window.files.carried.take());
         open_now(window, paths, load_mode, carried);
-        window.files.hang.set(hang);
+        window.files.attach_after_load.set(attach_after_load);
     });
 }
 
@@ -177,7 +177,7 @@ fn open_dropped(window: &Rc<Window>, dropped: Vec<PathBuf>) {
     let paths: Vec<PathBuf> = clips.into_iter().chain(dropped).collect();
     saving::confirm_unsaved(window, move |window| {
         open_now(window, paths, LoadMode::New, None);
-        window.files.hang.set(true);
+        window.files.attach_after_load.set(true);
     });
 }
 
@@ -190,7 +190,7 @@ fn brings_no_clip(path: &Path) -> bool {
 
 fn open_now(window: &Rc<Window>, paths: Vec<PathBuf>, load_mode: LoadMode, carried: Option<CarriedState>) {
     window.files.stop();
-    window.files.hang.set(false);
+    window.files.attach_after_load.set(false);
     window.files.carried.replace(carried);
     let progress = Arc::new(Progress::default());
     window.files.reading.replace(Some(progress.clone()));
@@ -274,7 +274,8 @@ fn show_loaded(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], load_mode
     window.start_page(false);
     window.viewport.hide_notice();
     window.files.failed.set(false);
-    let news = (load_mode == LoadMode::Again).then(|| window.read(|session| reload_summary::what_changed(session.document(), &document)));
+    let summary =
+        (load_mode == LoadMode::Again).then(|| window.read(|session| reload_summary::what_changed(session.document(), &document)));
     let warnings = document.diagnostics.len();
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
     if load_mode == LoadMode::New {
@@ -307,14 +308,14 @@ fn show_loaded(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], load_mode
     {
         window.settings.borrow_mut().folder = Some(folder);
     }
-    let hung = window.files.hang.take() && saved.is_none() && muscle_panel::hang_all(window);
-    match news {
-        Some(news) => window.viewport.toast(&news, None),
+    let attached = window.files.attach_after_load.take() && saved.is_none() && muscle_panel::attach_all_to_skeleton(window);
+    match summary {
+        Some(summary) => window.viewport.toast(&summary, None),
         None => {
             paths.iter().for_each(|path| recent::remember(path));
             if let Some(lost) = wanted {
                 window.viewport.toast(&tr!("app-compared-lost", file = lost.display().to_string()), None);
-            } else if warnings > 0 && !hung {
+            } else if warnings > 0 && !attached {
                 window.viewport.toast(&tr!("app-diagnostics-found", count = warnings), None);
             }
         }
@@ -438,7 +439,7 @@ pub(super) fn forget(window: &Rc<Window>) {
     window.files.reading.replace(None);
     window.files.apart.replace(None);
     window.files.carried.replace(None);
-    window.files.hang.set(false);
+    window.files.attach_after_load.set(false);
     window.files.monitors.replace(Vec::new());
     window.files.came_from(None);
     window.viewport.loading(None);

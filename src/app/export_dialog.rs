@@ -46,14 +46,14 @@ pub(super) fn show(window: &Rc<Window>) {
         looking: Cell::new(false),
         no_ffmpeg: Cell::new(false),
     });
-    let root = dialog.part::<gtk::Window>("root");
+    let root = dialog.object::<gtk::Window>("root");
     root.set_transient_for(Some(&window.widget));
     let list = |id: &str, labels: Vec<String>| {
         let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
-        dialog.part::<gtk::DropDown>(id).set_model(Some(&ui::words(&labels)));
+        dialog.object::<gtk::DropDown>(id).set_model(Some(&ui::words(&labels)));
     };
     list("kind", ExportKind::ALL.iter().map(|kind| kind.label()).collect());
-    list("course", MotionSource::ALL.iter().map(|course| course.label()).collect());
+    list("course", MotionSource::ALL.iter().map(|motion| motion.label()).collect());
     let scale = window.viewport.scale().max(1);
     let (width, height) = window.viewport.size();
     dialog.spin("width").set_value(f64::from((width * scale).max(16)));
@@ -71,19 +71,19 @@ pub(super) fn show(window: &Rc<Window>) {
 }
 
 impl Dialog {
-    fn part<T: IsA<glib::Object>>(&self, id: &str) -> T {
+    fn object<T: IsA<glib::Object>>(&self, id: &str) -> T {
         object(&self.builder, id)
     }
 
     fn spin(&self, id: &str) -> gtk::SpinButton {
-        self.part(id)
+        self.object(id)
     }
 
     fn connect(self: &Rc<Self>) {
-        let root = self.part::<gtk::Window>("root");
+        let root = self.object::<gtk::Window>("root");
         for id in ["kind", "course"] {
             let dialog = self.clone();
-            self.part::<gtk::DropDown>(id).connect_selected_notify(move |list| {
+            self.object::<gtk::DropDown>(id).connect_selected_notify(move |list| {
                 if list.widget_name() == "course" {
                     dialog.usual_sweep();
                 }
@@ -95,9 +95,9 @@ impl Dialog {
             self.spin(id).connect_value_changed(move |_| dialog.show_choice());
         }
         let dialog = self.clone();
-        self.part::<gtk::Button>("cancel").connect_clicked(move |_| dialog.part::<gtk::Window>("root").close());
+        self.object::<gtk::Button>("cancel").connect_clicked(move |_| dialog.object::<gtk::Window>("root").close());
         let dialog = self.clone();
-        self.part::<gtk::Button>("export").connect_clicked(move |_| dialog.ask_where());
+        self.object::<gtk::Button>("export").connect_clicked(move |_| dialog.ask_where());
         // A running export is stopped first; the dialog stays to say so.
         let dialog = self.clone();
         root.connect_close_request(move |_| {
@@ -120,24 +120,24 @@ impl Dialog {
     }
 
     fn options(&self) -> ExportOptions {
-        let chosen = |id: &str| self.part::<gtk::DropDown>(id).selected() as usize;
+        let chosen = |id: &str| self.object::<gtk::DropDown>(id).selected() as usize;
         let (width, height) = (self.spin("width").value().max(1.0), self.spin("height").value().max(1.0));
         let on_screen = f64::from(self.window.viewport.size().0.max(1));
         ExportOptions {
             kind: ExportKind::ALL.get(chosen("kind")).copied().unwrap_or(ExportKind::Picture),
-            course: MotionSource::ALL.get(chosen("course")).copied().unwrap_or(MotionSource::Whole),
+            motion: MotionSource::ALL.get(chosen("course")).copied().unwrap_or(MotionSource::Whole),
             sweep: (self.spin("from").value(), self.spin("to").value()),
             size: (width as u32, height as u32),
             scale: (width / on_screen).clamp(0.25, 16.0) as f32,
             fps: self.spin("fps").value(),
             duration: self.spin("duration").value(),
-            transparent: self.part::<gtk::CheckButton>("transparent").is_active(),
-            helps: self.part::<gtk::CheckButton>("helps").is_active(),
+            transparent: self.object::<gtk::CheckButton>("transparent").is_active(),
+            helps: self.object::<gtk::CheckButton>("helps").is_active(),
         }
     }
 
     fn usual_sweep(&self) {
-        let end = if self.options().course == MotionSource::Contraction { 100.0 } else { 130.0 };
+        let end = if self.options().motion == MotionSource::Contraction { 100.0 } else { 130.0 };
         self.spin("from").set_value(0.0);
         self.spin("to").set_value(end);
     }
@@ -151,10 +151,10 @@ impl Dialog {
             (&["size_label", "size_box", "transparent", "helps"][..], drawn),
             (&["course_label", "course"], film),
             (&["fps_label", "fps"], film || over_time),
-            (&["sweep_label", "sweep_box"], film && options.course.is_sweep()),
-            (&["duration_label", "duration"], film && options.course.has_duration()),
+            (&["sweep_label", "sweep_box"], film && options.motion.is_sweep()),
+            (&["duration_label", "duration"], film && options.motion.has_duration()),
         ] {
-            ids.iter().for_each(|id| self.part::<gtk::Widget>(id).set_visible(shown));
+            ids.iter().for_each(|id| self.object::<gtk::Widget>(id).set_visible(shown));
         }
         let summary = self.window.read(|session| options.check(session)).map(|sequence| match options.kind {
             _ if film => tr!(
@@ -181,14 +181,14 @@ impl Dialog {
             Ok(summary) => Ok(summary),
             Err(cannot) => Err(cannot.to_string()),
         };
-        self.part::<gtk::Button>("export").set_sensitive(summary.is_ok());
+        self.object::<gtk::Button>("export").set_sensitive(summary.is_ok());
         self.say(&summary.unwrap_or_else(|trouble| trouble));
         self.show_losses(options.kind);
     }
 
     /// Lists what glTF cannot express of the document. Computed off the interface thread, when it is first requested.
     fn show_losses(self: &Rc<Self>, kind: ExportKind) {
-        let scroller = self.part::<gtk::Widget>("losses_box");
+        let scroller = self.object::<gtk::Widget>("losses_box");
         scroller.set_visible(false);
         if !kind.is_scene() {
             return;
@@ -196,7 +196,7 @@ impl Dialog {
         if let Some(losses) = &*self.losses.borrow() {
             scroller.set_visible(!losses.is_empty());
             let lines: Vec<&str> = losses.iter().map(String::as_str).collect();
-            ui::set_label(&self.part("losses"), &format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
+            ui::set_label(&self.object("losses"), &format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
             return;
         }
         if self.looking.replace(true) {
@@ -217,7 +217,7 @@ impl Dialog {
     }
 
     fn say(&self, text: &str) {
-        ui::set_label(&self.part("summary"), text);
+        ui::set_label(&self.object("summary"), text);
     }
 
     fn ask_where(self: &Rc<Self>) {
@@ -229,7 +229,7 @@ impl Dialog {
         let name = document_loader::guard(window).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
         let name = save_as::name_of(&kind.completed(Path::new(&name)));
         let (asked, dialog) = (save_as::FileDialogOptions { title: tr!("app-export-title"), name, folder }, self.clone());
-        save_as::choose(&self.part("root"), asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
+        save_as::choose(&self.object("root"), asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
     }
 
     /// Completes the name, refuses files that are open, and asks about those that are there and that the chooser did not ask about.
@@ -246,7 +246,7 @@ impl Dialog {
         }
         let unasked = written.into_iter().filter(|file| *file != chosen).collect();
         let dialog = self.clone();
-        save_as::ask_to_replace(&self.part("root"), unasked, move || dialog.start(job, options.kind, file));
+        save_as::ask_to_replace(&self.object("root"), unasked, move || dialog.start(job, options.kind, file));
     }
 
     /// Runs the export beside the interface.
@@ -266,7 +266,7 @@ impl Dialog {
                     let file = kind.first_files(&file).into_iter().next().unwrap_or(file);
                     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
                     dialog.window.viewport.toast(&tr!("app-saved", file = name), Some(file));
-                    dialog.part::<gtk::Window>("root").close();
+                    dialog.object::<gtk::Window>("root").close();
                 }
                 Ok(Err(ExportError::Cancelled)) => dialog.say(&tr!("export-cancelled")),
                 Ok(Err(error)) => dialog.say(&error.sentence()),
@@ -276,10 +276,10 @@ impl Dialog {
     }
 
     fn show_running(&self, running: bool) {
-        ui::set_sensitive(&self.part::<gtk::Grid>("choices"), !running);
-        self.part::<gtk::Button>("export").set_sensitive(!running);
-        self.part::<gtk::ProgressBar>("bar").set_visible(running);
-        self.part::<gtk::ProgressBar>("bar").set_fraction(0.0);
+        ui::set_sensitive(&self.object::<gtk::Grid>("choices"), !running);
+        self.object::<gtk::Button>("export").set_sensitive(!running);
+        self.object::<gtk::ProgressBar>("bar").set_visible(running);
+        self.object::<gtk::ProgressBar>("bar").set_fraction(0.0);
     }
 
     fn watch(self: &Rc<Self>, count: usize, work: &Arc<Progress>) {
@@ -288,7 +288,7 @@ impl Dialog {
             if dialog.work.borrow().is_none() {
                 return glib::ControlFlow::Break;
             }
-            let bar = dialog.part::<gtk::ProgressBar>("bar");
+            let bar = dialog.object::<gtk::ProgressBar>("bar");
             let done = work.steps();
             if count > 1 {
                 bar.set_fraction(done as f64 / count as f64);

@@ -212,7 +212,7 @@ pub(super) struct ExportOptions {
     /// The kind of file.
     pub kind: ExportKind,
     /// What moves.
-    pub course: MotionSource,
+    pub motion: MotionSource,
     /// Ends of a sweep.
     pub sweep: (f64, f64),
     /// Columns and rows.
@@ -278,19 +278,19 @@ impl ExportOptions {
             return Ok(Sequence::single(state));
         }
         let marks = session.playback().play_range();
-        let mut wish = SequenceOptions {
+        let mut options = SequenceOptions {
             fps: Some(self.fps),
-            duration: self.course.has_duration().then_some(self.duration),
+            duration: self.motion.has_duration().then_some(self.duration),
             ..SequenceOptions::default()
         };
-        match self.course {
+        match self.motion {
             MotionSource::Whole => {}
-            MotionSource::Marks => (wish.from, wish.to) = (Some(marks.0), Some(marks.1)),
-            MotionSource::Elbow => wish.motion = Motion::Angle(self.sweep.0, self.sweep.1),
-            MotionSource::Contraction => wish.motion = Motion::Contraction(self.sweep.0, self.sweep.1),
-            MotionSource::Turntable => (wish.motion, wish.turntable) = (Motion::Still, true),
+            MotionSource::Marks => (options.from, options.to) = (Some(marks.0), Some(marks.1)),
+            MotionSource::Elbow => options.motion = Motion::Angle(self.sweep.0, self.sweep.1),
+            MotionSource::Contraction => options.motion = Motion::Contraction(self.sweep.0, self.sweep.1),
+            MotionSource::Turntable => (options.motion, options.turntable) = (Motion::Still, true),
         }
-        Sequence::new(&wish, session.document(), state)
+        Sequence::new(&options, session.document(), state)
     }
 }
 
@@ -298,11 +298,11 @@ impl ExportOptions {
 pub(super) struct ExportJob {
     document: Document,
     /// What accompanies it, with its frame rate.
-    company: (SceneOverlays, f64),
+    overlays: (SceneOverlays, f64),
     state: PoseState,
     sequence: Sequence,
     eye: CameraController,
-    along: Option<CameraFollow>,
+    follow: Option<CameraFollow>,
     display: Display,
     options: ExportOptions,
     guard: OverwriteGuard,
@@ -333,10 +333,10 @@ impl ExportJob {
                 *switch = false;
             }
         }
-        let company = (session.overlays(), session.frame_rate());
+        let overlays = (session.overlays(), session.frame_rate());
         let (document, state, eye) = (session.document().clone(), session.state(), session.camera_controller().clone());
-        let along = session.camera_follow();
-        Ok(Self { document, company, state, sequence, eye, along, display, options, guard })
+        let follow = session.camera_follow();
+        Ok(Self { document, overlays, state, sequence, eye, follow, display, options, guard })
     }
 
     /// How many frames it has.
@@ -372,17 +372,17 @@ impl ExportJob {
             ExportKind::Muscles(form) => return self.table(TableSubject::Muscles, form, file, work),
             ExportKind::Joints(form) => return self.table(TableSubject::Joints, form, file, work),
         };
-        let Self { document, company: (company, rate), sequence, eye, along, display, options, guard, .. } = self;
+        let Self { document, overlays: (overlays, rate), sequence, eye, follow, display, options, guard, .. } = self;
         let note = note(&document, &eye);
-        let look = move |scene: &_, frame: &_, turn: f32| match eye.viewpoint() {
+        let camera_fn = move |scene: &_, frame: &_, turn: f32| match eye.viewpoint() {
             Viewpoint::Orbit => {
                 let camera = OrbitCamera { yaw: eye.orbit().yaw + turn, ..*eye.orbit() }.camera();
-                along.map_or(camera, |along| along.moved(camera, frame))
+                follow.map_or(camera, |follow| follow.moved(camera, frame))
             }
             Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
         };
-        let mut studio = SequenceRenderer::new(&document, sequence, display, None, Box::new(look)).with_overlays(company, rate);
-        sequence::save(&mut studio, options.size, (&target, &guard), &note, work)
+        let mut renderer = SequenceRenderer::new(&document, sequence, display, None, Box::new(camera_fn)).with_overlays(overlays, rate);
+        sequence::save(&mut renderer, options.size, (&target, &guard), &note, work)
     }
 
     fn scene(&self, form: GltfContainer, file: &Path, work: &Progress) -> Result<(), ExportError> {
@@ -425,16 +425,16 @@ fn with_number(file: &Path) -> PathBuf {
 /// What stands in a picture about how it was made.
 pub(super) fn note<'a>(document: &'a Document, eye: &CameraController) -> impl Fn(&FrameSpec) -> String + Sync + use<'a> {
     let orbit = *eye.orbit();
-    move |shot| {
+    move |spec| {
         let files: Vec<String> = document.sources.iter().map(|source| source.name.to_string()).collect();
         let mut text = format!("File: {}", files.join(", "));
-        if let Some(clip) = shot.state.clip.and_then(|index| document.clips.get(index)) {
-            text.push_str(&format!("; clip: {}; time: {} s", clip.name, shot.state.time));
+        if let Some(clip) = spec.state.clip.and_then(|index| document.clips.get(index)) {
+            text.push_str(&format!("; clip: {}; time: {} s", clip.name, spec.state.time));
         }
         if document.driven_rig().is_some() {
-            text.push_str(&format!("; contraction: {} %; elbow: {}°", shot.state.drive.contraction + 0.0, shot.state.drive.flexion + 0.0));
+            text.push_str(&format!("; contraction: {} %; elbow: {}°", spec.state.drive.contraction + 0.0, spec.state.drive.flexion + 0.0));
         }
-        text.push_str(&format!("; camera: yaw {}°, pitch {}°", orbit.yaw + shot.turntable, orbit.pitch));
+        text.push_str(&format!("; camera: yaw {}°, pitch {}°", orbit.yaw + spec.turntable, orbit.pitch));
         text
     }
 }
@@ -444,10 +444,10 @@ mod tests {
     use super::*;
     use std::fs;
 
-    fn options(kind: ExportKind, course: MotionSource) -> ExportOptions {
+    fn options(kind: ExportKind, motion: MotionSource) -> ExportOptions {
         ExportOptions {
             kind,
-            course,
+            motion,
             sweep: (0.0, 90.0),
             size: (48, 32),
             scale: 1.0,
@@ -487,8 +487,8 @@ mod tests {
             ExportOptions { fps: 60.0, ..options(ExportKind::Gif, MotionSource::Whole) }.check(&session),
             Err(ExportRefusal::GifRate)
         );
-        for course in MotionSource::ALL {
-            assert!(!course.label().starts_with("app-export"), "{course:?} has no name");
+        for motion in MotionSource::ALL {
+            assert!(!motion.label().starts_with("app-export"), "{motion:?} has no name");
         }
     }
 }

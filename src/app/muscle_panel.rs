@@ -436,7 +436,7 @@ impl MusclePanel {
 }
 
 /// Hangs the muscles of all files that are on an arm of their own on the clip that is open with them; whether there were any.
-pub(super) fn hang_all(window: &Rc<Window>) -> bool {
+pub(super) fn attach_all_to_skeleton(window: &Rc<Window>) -> bool {
     let files = window.read(|session| session.document().muscle_files().count());
     attach_to_skeleton(window, 0..files)
 }

@@ -60,7 +60,7 @@ pub(super) struct Window {
     refreshing: Cell<bool>,
     ticking: Cell<bool>,
     page_turned: Cell<bool>,
-    sides: Sides,
+    side_panels: Sides,
     /// The user's view settings while those of a session file are shown.
     own_looks: RefCell<Option<SavedViewSettings>>,
     actions: HashMap<Command, gio::SimpleAction>,
@@ -72,7 +72,7 @@ pub(super) struct Window {
     pub(super) measure: MeasurePanel,
     health: HealthPanel,
     inspector: Inspector,
-    bare: EmptyState,
+    empty_state: EmptyState,
     /// Over the picture and over the timeline.
     held: [HeldJointBanner; 2],
     start: StartPage,
@@ -118,7 +118,7 @@ impl Window {
             refreshing: Cell::new(false),
             ticking: Cell::new(false),
             page_turned: Cell::new(false),
-            sides: Sides::new(&builder),
+            side_panels: Sides::new(&builder),
             own_looks: RefCell::default(),
             actions: command_dispatch::make_actions(),
             timeline: Timeline::new(),
@@ -128,7 +128,7 @@ impl Window {
             measure: MeasurePanel::new(),
             health: HealthPanel::new(),
             inspector: Inspector::new(),
-            bare: EmptyState::new(),
+            empty_state: EmptyState::new(),
             held: std::array::from_fn(|_| HeldJointBanner::new()),
             start: StartPage::new(),
             builder,
@@ -158,7 +158,7 @@ impl Window {
         left.set_end_child(Some(&self.inspector.root));
         slot("viewport_slot").append(&self.viewport.root);
         slot("timeline_slot").append(&self.timeline.root);
-        self.viewport.root.add_overlay(&self.bare.root);
+        self.viewport.root.add_overlay(&self.empty_state.root);
         let [over_picture, over_timeline] = &self.held;
         over_picture.root.add_css_class("floating");
         self.viewport.root.add_overlay(&over_picture.root);
@@ -211,12 +211,12 @@ impl Window {
                 glib::Propagation::Proceed
             }
         ));
-        self.sides.keep_width(&stack);
+        self.side_panels.keep_width(&stack);
         self.widget.connect_default_width_notify(glib::clone!(
             #[weak(rename_to = window)]
             self,
             move |widget| {
-                if window.sides.follow(widget) {
+                if window.side_panels.follow(widget) {
                     window.show_states();
                 }
             }
@@ -233,13 +233,13 @@ impl Window {
     }
 
     /// Looks at the session.
-    pub(super) fn read<T>(&self, look: impl FnOnce(&mut Session) -> T) -> T {
-        look(&mut self.session.borrow_mut())
+    pub(super) fn read<T>(&self, read: impl FnOnce(&mut Session) -> T) -> T {
+        read(&mut self.session.borrow_mut())
     }
 
     /// Looks at the session, unless widgets are being refreshed: what one that goes away meanwhile still tells is about what is no longer open.
-    pub(super) fn try_read<T>(&self, look: impl FnOnce(&mut Session) -> T) -> Option<T> {
-        self.session.try_borrow_mut().ok().map(|mut session| look(&mut session))
+    pub(super) fn try_read<T>(&self, read: impl FnOnce(&mut Session) -> T) -> Option<T> {
+        self.session.try_borrow_mut().ok().map(|mut session| read(&mut session))
     }
 
     /// Asks the session something, unless widgets are being refreshed: then no.
@@ -270,7 +270,7 @@ impl Window {
             if changes.any(ChangeSet::DOCUMENT) {
                 menus::list_cameras(&object(&self.builder, "camera_menu"), session);
                 self.show_page(session);
-                self.bare.refresh(session);
+                self.empty_state.refresh(session);
             }
             if changes.any(ChangeSet::DOCUMENT | ChangeSet::SURROUNDINGS) {
                 self.start.refresh(session, self.files.is_loading());
@@ -347,8 +347,8 @@ impl Window {
     }
 
     /// Changes the visible range of the timeline.
-    pub(super) fn change_visible_range(&self, look: impl FnOnce(&mut Track)) {
-        self.timeline.change_visible_range(look);
+    pub(super) fn change_visible_range(&self, read: impl FnOnce(&mut Track)) {
+        self.timeline.change_visible_range(read);
     }
 
     /// Whether a widget is the timeline.
@@ -384,13 +384,13 @@ impl Window {
     }
 
     /// Whether the tree and the right panel are shown.
-    pub(super) fn sides(&self) -> (bool, bool) {
-        self.sides.shown()
+    pub(super) fn shown_side_panels(&self) -> (bool, bool) {
+        self.side_panels.shown()
     }
 
     /// Shows or folds away the tree and the right panel. Where there is no room for both, the one that comes takes the other's place.
     pub(super) fn show_side(self: &Rc<Self>, tree: bool, panel: bool) {
-        self.sides.show(&self.widget, tree, panel);
+        self.side_panels.show(&self.widget, tree, panel);
         self.show_states();
     }
 
@@ -481,7 +481,7 @@ impl Window {
             (settings.width, settings.height) = self.widget.default_size();
         }
         settings.maximised = self.widget.is_maximized();
-        (settings.tree_shown, settings.panel_shown) = self.sides.wanted();
+        (settings.tree_shown, settings.panel_shown) = self.side_panels.wanted();
         if let Some(page) = object::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }

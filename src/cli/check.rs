@@ -19,13 +19,13 @@ struct FileReport {
     file: String,
     usable: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
-    error: Option<Refusal>,
+    error: Option<OpenFailure>,
     findings: Vec<FindingReport>,
 }
 
 /// Why a file could not be used.
 #[derive(Debug, Serialize)]
-struct Refusal {
+struct OpenFailure {
     line: Option<u32>,
     column: Option<u32>,
     message: String,
@@ -77,7 +77,7 @@ fn report(name: &str, result: &Result<Vec<Diagnostic<Finding>>, OpenError>) -> F
     FileReport {
         file: name.to_owned(),
         usable: result.is_ok(),
-        error: result.as_ref().err().map(|error| Refusal {
+        error: result.as_ref().err().map(|error| OpenFailure {
             line: error.location.line,
             column: error.location.column,
             message: error.kind.sentence(),

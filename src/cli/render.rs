@@ -51,12 +51,12 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
     let Opened { document, session: saved, compared } = opened;
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));
-    let moment = Moment::given(given);
+    let pose_state = Moment::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
-    let state = moment.over(start, &document, first)?;
+    let state = pose_state.over(start, &document, first)?;
     let sequence = match target {
         OutputTarget::Picture(_) => single(given, state)?,
-        _ => sequence(given, &moment, &document, state).map_err(|refusal| refused(refusal, given, &display_name(first)))?,
+        _ => sequence(given, &pose_state, &document, state).map_err(|refusal| refused(refusal, given, &display_name(first)))?,
     };
     if matches!(target, OutputTarget::Gif(_)) && sequence.fps > gif::MOST_FPS {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
@@ -123,19 +123,19 @@ fn single(given: &ArgMatches, state: PoseState) -> Result<Sequence, Failure> {
     }
 }
 
-fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: PoseState) -> Result<Sequence, SequenceError> {
+fn sequence(given: &ArgMatches, pose_state: &Moment, document: &Document, state: PoseState) -> Result<Sequence, SequenceError> {
     let sweep = |id| value::<Span>(given, id);
     let has_clip = state.clip.is_some();
     let motion = match (sweep("sweep-angle"), sweep("sweep-contraction")) {
         (Some(Span(from, to)), _) => Motion::Angle(from, to),
         (None, Some(Span(from, to))) => Motion::Contraction(from, to),
-        (None, None) if has_clip && moment.time.is_some() => Motion::Still,
-        (None, None) if !has_clip && moment.fixes_muscles() => Motion::Still,
+        (None, None) if has_clip && pose_state.time.is_some() => Motion::Still,
+        (None, None) if !has_clip && pose_state.fixes_muscles() => Motion::Still,
         (None, None) => Motion::Play,
     };
     let turning = given.get_flag("turntable");
     let seconds = |id| value::<f64>(given, id);
-    let wish = SequenceOptions {
+    let options = SequenceOptions {
         motion,
         from: seconds("from"),
         to: seconds("to"),
@@ -143,7 +143,7 @@ fn sequence(given: &ArgMatches, moment: &Moment, document: &Document, state: Pos
         fps: seconds("fps"),
         turntable: turning,
     };
-    Sequence::new(&wish, document, state)
+    Sequence::new(&options, document, state)
 }
 
 fn refused(refusal: SequenceError, given: &ArgMatches, file: &str) -> Failure {

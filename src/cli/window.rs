@@ -51,7 +51,7 @@ fn run_program(mut command: std::process::Command, program: &Path) -> ExitCode {
 }
 
 #[cfg(not(unix))]
-fn become_it(mut command: std::process::Command, program: &Path) -> ExitCode {
+fn run_program(mut command: std::process::Command, program: &Path) -> ExitCode {
     match command.status() {
         Ok(status) => u8::try_from(status.code().unwrap_or(1)).map_or(ExitCode::FAILURE, ExitCode::from),
         Err(error) => Failure::Files(vec![tr!(

@@ -45,7 +45,7 @@ impl Document {
 
     fn build_muscles(&mut self) {
         let mut first = MuscleId(0);
-        let mut beside = ArmPlacer::new(&self.scene_baseline.bounds);
+        let mut placer = ArmPlacer::new(&self.scene_baseline.bounds);
         for source in &mut self.sources {
             let SourceKind::Muscles(file, rig) = &mut source.kind else { continue };
             let title = match &source.path {
@@ -54,7 +54,7 @@ impl Document {
             };
             **rig = MuscleRig::build(file, &title, &mut self.scene, first);
             if let (Some(arm), Some(root)) = (file.arm, rig.root)
-                && let Some(place) = beside.place(&arm, file)
+                && let Some(place) = placer.place(&arm, file)
             {
                 self.scene.graph.node_mut(root).transform.ops.insert(0, TransformOp::Translate(place));
             }

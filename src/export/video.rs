@@ -118,18 +118,25 @@ impl VideoWriter {
         command.args(["-metadata", &format!("comment={note}"), "-f", kind.container(), "-y"]).arg(pending.file());
         command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
         let mut child = command.spawn().map_err(|_| ExportError::NoEncoder { file: target.file().to_owned() })?;
-        let words = child.stderr.take().and_then(|mut words| {
+        let stderr = child.stderr.take().and_then(|mut stderr| {
             let listening = std::thread::Builder::new().spawn(move || {
                 let mut text = Vec::new();
                 // What was read before it broke off is still worth showing.
-                let _ = words.by_ref().take(1 << 16).read_to_end(&mut text);
-                let _ = io::copy(&mut words, &mut io::sink());
+                let _ = stderr.by_ref().take(1 << 16).read_to_end(&mut text);
+                let _ = io::copy(&mut stderr, &mut io::sink());
                 String::from_utf8_lossy(&text).into_owned()
             });
             listening.ok()
         });
         let pipe = child.stdin.take();
-        Ok(Self { child, pipe, stderr_thread: words, stderr_text: String::new(), pending: Some(pending), target: target.file().to_owned() })
+        Ok(Self {
+            child,
+            pipe,
+            stderr_thread: stderr,
+            stderr_text: String::new(),
+            pending: Some(pending),
+            target: target.file().to_owned(),
+        })
     }
 
     /// Adds a frame, rows of bytes as [`super::apng::rows`] makes them.
@@ -150,7 +157,7 @@ impl VideoWriter {
         let ended = self.child.wait().is_ok_and(|status| status.success());
         self.join_stderr();
         // Some versions tell of a full disk and end well all the same, with a part of the film or nothing.
-        let spoiled = FULL.iter().chain(&SPOILED).any(|words| self.stderr_text.contains(words));
+        let spoiled = FULL.iter().chain(&SPOILED).any(|stderr| self.stderr_text.contains(stderr));
         match self.pending.take() {
             Some(pending) if ended && !spoiled && std::fs::metadata(pending.file()).is_ok_and(|found| found.len() > 0) => pending.commit(),
             _ => Err(self.encoder_error()),
@@ -159,8 +166,8 @@ impl VideoWriter {
 
     /// Takes what `ffmpeg` said, once it has ended.
     fn join_stderr(&mut self) {
-        if let Some(words) = self.stderr_thread.take() {
-            self.stderr_text = words.join().unwrap_or_default();
+        if let Some(stderr) = self.stderr_thread.take() {
+            self.stderr_text = stderr.join().unwrap_or_default();
         }
     }
 
@@ -171,7 +178,7 @@ impl VideoWriter {
         let status = self.child.wait();
         self.join_stderr();
         let said = &self.stderr_text;
-        if FULL.iter().any(|words| said.contains(words)) {
+        if FULL.iter().any(|stderr| said.contains(stderr)) {
             return ExportError::Io { file: self.target.clone(), source: io::ErrorKind::StorageFull.into() };
         }
         let last = said.lines().rev().find(|line| !line.trim().is_empty()).map(|line| line.trim().to_owned());

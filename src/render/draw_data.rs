@@ -117,7 +117,7 @@ pub(super) struct ClippedTriangle {
 }
 
 /// The geometry of an item.
-pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, heat: &'a [glam::Vec4], item: &DrawCall) -> Geometry<'a> {
+pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, weight_colors: &'a [glam::Vec4], item: &DrawCall) -> Geometry<'a> {
     let (first, expanded) = (item.first_vertex, item.expanded);
     match &item.source {
         GeometrySource::Surface { index, triangles } => {
@@ -128,8 +128,8 @@ pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, heat: &'a
                 SurfaceGeometry::Deformed { positions, normals } => (&positions[..], &normals[..], None),
             };
             let triangles = &mesh.triangles[triangles.start as usize..triangles.end as usize];
-            let heat = item.weight_colors.and_then(|from| heat.get(from..)).unwrap_or(&[]);
-            Geometry { positions, normals, transform, triangles, colors: &mesh.colors, weight_colors: heat, first, expanded }
+            let weight_colors = item.weight_colors.and_then(|from| weight_colors.get(from..)).unwrap_or(&[]);
+            Geometry { positions, normals, transform, triangles, colors: &mesh.colors, weight_colors, first, expanded }
         }
         GeometrySource::Bones => Geometry {
             positions: &bones.positions,

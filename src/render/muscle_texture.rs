@@ -81,8 +81,8 @@ impl FiberTexture {
                 let base = f32::from(color[i]);
                 // Furrows are darker and a little more saturated than a mere shadow.
                 let deep = if i == 0 { shade } else { shade * (0.6 + 0.4 * shade) };
-                let flesh = base * deep;
-                let out = flesh + (TENDON[i] * (0.25 + 0.75 * shade) - flesh) * share;
+                let muscle_color = base * deep;
+                let out = muscle_color + (TENDON[i] * (0.25 + 0.75 * shade) - muscle_color) * share;
                 out.clamp(0.0, 255.0) as u32
             };
             0xFF00_0000 | channel(0) << 16 | channel(1) << 8 | channel(2)

@@ -179,7 +179,7 @@ where
     let levels = [a.value(), b.value(), c.value()];
     let gradients = Gradients { right: planes.right, below: planes.below, curved: triangle.curved, levels };
     // Pixel centres inside cannot get values beyond the corners', but for the rounding of steep slopes; samples reach outside.
-    let tame = M == 1 && S::BOUNDED && !triangle.curved && planes.gentle(rect.x1 - rect.x0);
+    let in_range = M == 1 && S::BOUNDED && !triangle.curved && planes.is_well_conditioned(rect.x1 - rect.x0);
     let right = map(planes.right, always!(|slope: f32| l.splat(slope)));
     let retreat = if triangle.away { planes.retreat(map(triangle.screen, always!(|corner: ScreenVertex| corner.q))) } else { 0.0 };
     // From the nearness at the centre to the depth of each sample.
@@ -268,7 +268,7 @@ where
                             unsafe { plane.blend(l, s, here, covered[s], color) };
                         }
                     } else {
-                        let packed = super::tile_buffer::pack(l, color, tame);
+                        let packed = super::tile_buffer::pack(l, color, in_range);
                         for s in 0..M {
                             // SAFETY: as for reading.
                             unsafe { plane.set_color(l, s, here, covered[s], packed) };

@@ -190,7 +190,7 @@ impl<const K: usize> AttributePlanes<K> {
 
     /// Whether stepping over `width` pixels in `f32` keeps every attribute but the nearness within a quarter of what it should be.
     #[inline(always)]
-    pub(super) fn gentle(&self, width: i32) -> bool {
+    pub(super) fn is_well_conditioned(&self, width: i32) -> bool {
         let mut steepest = 0.0f32;
         for slope in &self.right[1..] {
             steepest = steepest.max(slope.abs());

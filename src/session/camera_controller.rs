@@ -92,7 +92,7 @@ impl CameraController {
 
     /// Jumps to what `change` makes of the orbit, eased where that is wanted.
     pub fn animate_to(&mut self, change: impl FnOnce(&mut OrbitCamera)) {
-        let mut to = self.animation.map_or(self.orbit, |jump| jump.to);
+        let mut to = self.animation.map_or(self.orbit, |animation| animation.to);
         change(&mut to);
         self.viewpoint = Viewpoint::Orbit;
         if self.animated {
@@ -111,19 +111,19 @@ impl CameraController {
     /// Moves the orbit, and the target of an animation, by metres of the world; this is no interaction.
     pub fn move_by(&mut self, offset: Vec3) {
         self.orbit.target += offset;
-        if let Some(jump) = &mut self.animation {
-            jump.from.target += offset;
-            jump.to.target += offset;
+        if let Some(animation) = &mut self.animation {
+            animation.from.target += offset;
+            animation.to.target += offset;
         }
     }
 
     /// Lets time go by for a jump; whether anything moved.
     pub fn advance(&mut self, seconds: f64) -> bool {
-        let Some(jump) = &mut self.animation else { return false };
-        jump.seconds += seconds;
-        let part = (jump.seconds / ANIMATION_SECONDS).clamp(0.0, 1.0) as f32;
+        let Some(animation) = &mut self.animation else { return false };
+        animation.seconds += seconds;
+        let part = (animation.seconds / ANIMATION_SECONDS).clamp(0.0, 1.0) as f32;
         let part = part * part * (3.0 - 2.0 * part);
-        let (from, to) = (jump.from, jump.to);
+        let (from, to) = (animation.from, animation.to);
         self.orbit = OrbitCamera {
             target: from.target.lerp(to.target, part),
             yaw: from.yaw + (to.yaw - from.yaw) * part,

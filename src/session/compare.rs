@@ -27,7 +27,7 @@ impl Session {
     /// Compares with something; `None` ends it. A clip that is not there is none.
     pub fn compare(&mut self, target: Option<CompareTarget>) {
         // A view that shows both, and that no hand has touched since, goes back to the first one.
-        let alone = self.fit_on_resize && self.compare_offset().is_some_and(|(_, aside)| aside != 0.0);
+        let alone = self.fit_on_resize && self.compare_offset().is_some_and(|(_, offset)| offset != 0.0);
         if self.set_comparison(target) || alone {
             self.fit();
         }
@@ -82,12 +82,12 @@ impl Session {
 
     /// Seconds that the second one is ahead; 0 without a comparison.
     pub fn compare_time_offset(&self) -> f64 {
-        self.compare_offset().map_or(0.0, |(later, _)| later)
+        self.compare_offset().map_or(0.0, |(time_offset, _)| time_offset)
     }
 
     /// Moves the second one in time (seconds ahead) and in space (metres aside).
-    pub fn set_compare_offsets(&mut self, later: f64, aside: f64) {
-        if self.overlays.comparison_mut().is_some_and(|comparison| comparison.set_offsets(later, aside)) {
+    pub fn set_compare_offsets(&mut self, time_offset: f64, offset: f64) {
+        if self.overlays.comparison_mut().is_some_and(|comparison| comparison.set_offsets(time_offset, offset)) {
             self.changed(ChangeSet::OVERLAYS);
         }
     }
@@ -104,14 +104,14 @@ impl Session {
     pub fn compared(&mut self) -> Option<ComparisonState> {
         self.frame();
         let comparison = self.overlays.comparison()?;
-        let ((later, aside), farthest) = (comparison.offsets(), comparison.max_deviation());
+        let ((time_offset, offset), farthest) = (comparison.offsets(), comparison.max_deviation());
         let first = self.frame.surfaces.iter().filter(|surface| surface.ghost.is_none() && surface.visible);
         let mut own = Bounds::EMPTY;
         first.for_each(|surface| surface.mesh.triangles.iter().flatten().step_by(7).for_each(|vertex| own.add(surface.position(*vertex))));
         if own.is_empty() {
             own = Bounds::of(self.frame.joints.iter().map(|joint| self.frame.position(joint.node)));
         }
-        Some(ComparisonState { time_offset: later, offset: aside, farthest, boxes: [own, comparison.bounds()] })
+        Some(ComparisonState { time_offset, offset, farthest, boxes: [own, comparison.bounds()] })
     }
 
     /// The box round everything that the second one covers.
@@ -141,13 +141,13 @@ mod tests {
         });
         session.compare(Some(CompareTarget::File(Box::new(swinging()), "other.dae".into())));
         session.change_camera(|eye| eye.change(|orbit| orbit.yaw = 90.0));
-        for aside in [0.0, 1.0, 1e3, -1e3] {
-            session.set_compare_offsets(0.0, aside);
+        for offset in [0.0, 1.0, 1e3, -1e3] {
+            session.set_compare_offsets(0.0, offset);
             let (_, _, camera, _) = session.picture();
             let boxes = session.compared().expect("compared").boxes;
             for corner in boxes.iter().flat_map(Bounds::corners) {
                 let ahead = (corner - camera.eye).dot(camera.forward());
-                assert!(ahead >= camera.near, "{aside}: {ahead}");
+                assert!(ahead >= camera.near, "{offset}: {ahead}");
             }
         }
     }

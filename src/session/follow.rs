@@ -57,9 +57,9 @@ impl Session {
     pub(super) fn update_follow(&mut self) {
         let Some(follow) = &mut self.follow else { return };
         let (here, time) = (self.frame.position(follow.node), self.playback.time);
-        let way = here - follow.last;
-        if time != follow.time && way.is_finite() {
-            self.camera.move_by(way);
+        let offset = here - follow.last;
+        if time != follow.time && offset.is_finite() {
+            self.camera.move_by(offset);
         }
         *follow = Follow { last: here, time, ..*follow };
     }

@@ -185,28 +185,28 @@ impl Gizmo<'_> {
     fn along(&self, axis: usize, from: DVec2, to: DVec2) -> f64 {
         let axis = AXES[axis];
         let nearest = |pointer: DVec2| {
-            let (origin, way) = self.ray(pointer);
-            let (across, between) = (axis.dot(way), self.middle - origin);
+            let (origin, offset) = self.ray(pointer);
+            let (across, between) = (axis.dot(offset), self.middle - origin);
             let flat = 1.0 - across * across;
             // Along the line of sight there is no telling how far.
-            (flat > 1e-4).then(|| (across * way.dot(between) - axis.dot(between)) / flat)
+            (flat > 1e-4).then(|| (across * offset.dot(between) - axis.dot(between)) / flat)
         };
-        let way = nearest(to).zip(nearest(from)).map_or(0.0, |(to, from)| to - from);
-        if way.is_finite() { way.clamp(-1e6, 1e6) } else { 0.0 }
+        let offset = nearest(to).zip(nearest(from)).map_or(0.0, |(to, from)| to - from);
+        if offset.is_finite() { offset.clamp(-1e6, 1e6) } else { 0.0 }
     }
 
     /// Metres across an axis, in the plane through the middle, from one line of sight to another.
     fn across(&self, axis: usize, from: DVec2, to: DVec2) -> DVec3 {
         let hit = |pointer: DVec2| {
-            let (origin, way) = self.ray(pointer);
-            let facing = way.dot(AXES[axis]);
+            let (origin, offset) = self.ray(pointer);
+            let facing = offset.dot(AXES[axis]);
             // Beyond the horizon of the plane there is no place.
             let depth = (self.middle - origin).dot(AXES[axis]) / facing;
-            (facing.abs() > 1e-2 && depth > 0.0).then(|| origin + way * depth)
+            (facing.abs() > 1e-2 && depth > 0.0).then(|| origin + offset * depth)
         };
-        let way = hit(to).zip(hit(from)).map_or(DVec3::ZERO, |(to, from)| to - from);
-        let way = way - AXES[axis] * way.dot(AXES[axis]);
-        if way.is_finite() { way.clamp_length_max(1e6) } else { DVec3::ZERO }
+        let offset = hit(to).zip(hit(from)).map_or(DVec3::ZERO, |(to, from)| to - from);
+        let offset = offset - AXES[axis] * offset.dot(AXES[axis]);
+        if offset.is_finite() { offset.clamp_length_max(1e6) } else { DVec3::ZERO }
     }
 
     /// Radians about an axis that a drag over its ring turns: as the ring's own tangent goes under the pointer.
@@ -216,9 +216,9 @@ impl Gizmo<'_> {
         if facing.abs() > 0.35 {
             // Round the middle, as one would turn a wheel that faces the eye.
             let hit = |pointer: DVec2| {
-                let (origin, way) = self.ray(pointer);
-                let depth = (self.middle - origin).dot(AXES[axis]) / way.dot(AXES[axis]);
-                let out = origin + way * depth - self.middle;
+                let (origin, offset) = self.ray(pointer);
+                let depth = (self.middle - origin).dot(AXES[axis]) / offset.dot(AXES[axis]);
+                let out = origin + offset * depth - self.middle;
                 let (one, other) = (AXES[(axis + 1) % 3], AXES[(axis + 2) % 3]);
                 (depth.is_finite() && out.length() > 1e-12).then(|| out.dot(other).atan2(out.dot(one)))
             };

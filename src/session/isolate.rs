@@ -34,8 +34,8 @@ impl Session {
         self.undoable(tr!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&alone));
         self.isolated = Some(hidden);
         // A bone without its skin is seen as a bone.
-        let bare = !self.frame().surfaces.iter().any(|surface| surface.visible && surface.ghost.is_none());
-        if bare && !self.display.bones {
+        let hidden = !self.frame().surfaces.iter().any(|surface| surface.visible && surface.ghost.is_none());
+        if hidden && !self.display.bones {
             self.change_display(|display| display.bones = true);
         }
     }

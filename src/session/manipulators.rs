@@ -98,7 +98,7 @@ fn on_level(camera: &Camera, level: DVec3, place: DVec2, size: DVec2) -> DVec3 {
     let (pixel, size): (Vec2, Vec2) = (place.as_vec2(), size.as_vec2());
     let near = camera.unproject(pixel, 0.0, size).as_dvec3();
     let far = camera.unproject(pixel, 0.5, size).as_dvec3();
-    let (way, forward) = (far - near, camera.forward().as_dvec3());
-    let depth = (level - near).dot(forward) / way.dot(forward);
-    if depth.is_finite() { near + way * depth } else { level }
+    let (offset, forward) = (far - near, camera.forward().as_dvec3());
+    let depth = (level - near).dot(forward) / offset.dot(forward);
+    if depth.is_finite() { near + offset * depth } else { level }
 }

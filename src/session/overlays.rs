@@ -73,9 +73,9 @@ mod tests {
             session.time(|time| time.seek(0.0));
             session.frame().position(node)
         };
-        let dots: Vec<OverlayLine> = session.frame().overlay_lines.iter().filter(|mark| mark.from == mark.to).copied().collect();
-        assert_eq!(dots.len(), keys + 1);
-        assert!((dots[0].from - first).length() < 1e-6);
+        let key_dots: Vec<OverlayLine> = session.frame().overlay_lines.iter().filter(|mark| mark.from == mark.to).copied().collect();
+        assert_eq!(key_dots.len(), keys + 1);
+        assert!((key_dots[0].from - first).length() < 1e-6);
         session.select(Some(NodeId(0)));
         session.select(None);
         assert!(session.frame().overlay_lines.is_empty());

@@ -202,7 +202,7 @@ impl Session {
     fn direction_along(&self, node: NodeId) -> DVec3 {
         let begin = self.frame.position(node);
         let children = self.document.scene.graph.node(node).children();
-        let ways = children.iter().map(|child| self.frame.position(*child) - begin).filter(|way| way.is_finite());
+        let ways = children.iter().map(|child| self.frame.position(*child) - begin).filter(|direction| direction.is_finite());
         ways.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared())).unwrap_or_default().as_dvec3()
     }
 

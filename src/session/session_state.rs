@@ -18,8 +18,8 @@ impl Session {
             std::path::absolute(folder).ok().and_then(|folder| whole.strip_prefix(folder).ok().map(Path::to_path_buf)).unwrap_or(whole)
         };
         let document = self.document();
-        let mut looks = Settings::default();
-        looks.capture(self);
+        let mut display = Settings::default();
+        display.capture(self);
         let orbit = self.camera_controller().orbit();
         let model = self.model();
         SessionState {
@@ -42,15 +42,15 @@ impl Session {
             }),
             dual_quaternions: self.state().skinning == Skinning::DualQuaternion,
             bone_names: self.bone_names(),
-            shading: looks.shading,
-            smooth_edges: looks.smooth_edges,
-            shown: looks.shown,
+            shading: display.shading,
+            smooth_edges: display.smooth_edges,
+            shown: display.shown,
             hidden: document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| saved_node(document, id)).collect(),
             selected: self.selected().map(|node| saved_node(document, node)),
             backdrop: self.backdrop(),
-            grid_cell: looks.grid_cell,
-            line_width: Some(looks.line_width),
-            ambient: Some(looks.ambient),
+            grid_cell: display.grid_cell,
+            line_width: Some(display.line_width),
+            ambient: Some(display.ambient),
             weights: self.display().weights.is_some(),
             onion_skins: self.onion_skin_settings(),
             frame_rate: self.chosen_rate(),
@@ -222,13 +222,13 @@ mod tests {
         assert_eq!(other.camera_controller().orbit(), session.camera_controller().orbit());
 
         let document = swinging();
-        let (mut company, rate) = SceneOverlays::from_session(&saved, &document, None);
+        let (mut overlays, rate) = SceneOverlays::from_session(&saved, &document, None);
         let (mut frame, state) = (Frame::default(), saved.pose_state(&document));
         let display = Display { palette: other.display().palette, ..saved.display(&document, &Bounds::EMPTY) };
         for _ in 0..2 {
-            company.remove_from(&mut frame);
+            overlays.remove_from(&mut frame);
             document.pose(&state, &mut PoseBuffers::default(), &mut frame);
-            company.append_to(&PoseContext::new(&document, state, rate, &display), &mut frame);
+            overlays.append_to(&PoseContext::new(&document, state, rate, &display), &mut frame);
         }
         let shown = other.frame();
         assert!(shown.overlay_lines.len() > 10 && frame.overlay_lines == shown.overlay_lines);

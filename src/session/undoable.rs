@@ -171,7 +171,7 @@ mod tests {
 
     /// An edit of the user.
     #[derive(Debug, Clone, Copy)]
-    enum Deed {
+    enum TestEdit {
         Bend(f64),
         Contract(f64),
         Turn(u32, f64),
@@ -184,7 +184,7 @@ mod tests {
         Redo,
     }
 
-    impl Deed {
+    impl TestEdit {
         /// What it is called, and what of; `None` for undo and redo.
         fn what(self) -> Option<(String, u32)> {
             Some(match self {
@@ -213,7 +213,7 @@ mod tests {
             }
         }
 
-        fn act(self, session: &mut Session, step: UndoStep) {
+        fn apply(self, session: &mut Session, step: UndoStep) {
             match (self, self.what()) {
                 (Self::Undo, _) => session.undo(),
                 (Self::Redo, _) => session.redo(),
@@ -226,21 +226,21 @@ mod tests {
         }
     }
 
-    fn deed() -> impl Strategy<Value = Deed> {
+    fn deed() -> impl Strategy<Value = TestEdit> {
         // Few values, so that some are set twice and some come back.
         let degrees = prop::sample::select(vec![10.0, 40.0, 90.0]);
         prop_oneof![
-            degrees.clone().prop_map(Deed::Bend),
-            degrees.clone().prop_map(Deed::Contract),
-            (1..3_u32, degrees).prop_map(|(node, degrees)| Deed::Turn(node, degrees)),
-            (1..3_usize, prop::sample::select(vec![20.0, 25.0])).prop_map(|(node, radius)| Deed::Radius(node, radius)),
-            (0..2_u32, prop::sample::select(vec![0.0, 1.0])).prop_map(|(axis, by)| Deed::Move(axis, by)),
-            (0..2_u32).prop_map(Deed::Hide),
-            Just(Deed::Release),
-            any::<bool>().prop_map(Deed::OnTop),
-            Just(Deed::Undo),
-            Just(Deed::Undo),
-            Just(Deed::Redo),
+            degrees.clone().prop_map(TestEdit::Bend),
+            degrees.clone().prop_map(TestEdit::Contract),
+            (1..3_u32, degrees).prop_map(|(node, degrees)| TestEdit::Turn(node, degrees)),
+            (1..3_usize, prop::sample::select(vec![20.0, 25.0])).prop_map(|(node, radius)| TestEdit::Radius(node, radius)),
+            (0..2_u32, prop::sample::select(vec![0.0, 1.0])).prop_map(|(axis, by)| TestEdit::Move(axis, by)),
+            (0..2_u32).prop_map(TestEdit::Hide),
+            Just(TestEdit::Release),
+            any::<bool>().prop_map(TestEdit::OnTop),
+            Just(TestEdit::Undo),
+            Just(TestEdit::Undo),
+            Just(TestEdit::Redo),
         ]
     }
 
@@ -272,7 +272,7 @@ mod tests {
         }
 
         /// To the nearest state before or after that is another one; those between say the same as the present and are of no use.
-        fn go(&mut self, back: bool) {
+        fn move_in_history(&mut self, back: bool) {
             self.open = None;
             let other = |index: &usize| self.states[*index] != self.states[self.present];
             if back {
@@ -304,10 +304,10 @@ mod tests {
                 now += Duration::from_millis(gap);
                 let of = deed.what().map_or(0, |(_, of)| of);
                 let step = [UndoStep::New, UndoStep::Same, UndoStep::Near { of, now: begun + now }][how];
-                deed.act(&mut session, step);
+                deed.apply(&mut session, step);
                 match deed {
-                    Deed::Undo => model.go(true),
-                    Deed::Redo => model.go(false),
+                    TestEdit::Undo => model.move_in_history(true),
+                    TestEdit::Redo => model.move_in_history(false),
                     _ => model.changed(session.snapshot(), deed.what().expect("a name"), now, how == 2, how == 1),
                 }
                 prop_assert!(session.snapshot() == model.states[model.present], "after {deed:?}");
@@ -316,7 +316,7 @@ mod tests {
             while model.present > 0 {
                 let before = model.present;
                 session.undo();
-                model.go(true);
+                model.move_in_history(true);
                 prop_assert!(session.snapshot() == model.states[model.present]);
                 if model.present == before {
                     break;
@@ -326,7 +326,7 @@ mod tests {
             while model.present + 1 < model.states.len() {
                 let before = model.present;
                 session.redo();
-                model.go(false);
+                model.move_in_history(false);
                 prop_assert!(session.snapshot() == model.states[model.present]);
                 if model.present == before {
                     break;

@@ -223,8 +223,8 @@ mod tests {
         let size = DVec2::new(900.0, 600.0);
         assert_eq!(session.wrap_sphere_circle(size), None);
         session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))).unwrap();
-        let (ring, grips) = (session.wrap_sphere_circle(size).unwrap(), session.attachment_handles(size));
-        let dot = grips.iter().find(|grip| grip.attachment == AttachmentPoint::Wrap).unwrap();
+        let (ring, handles) = (session.wrap_sphere_circle(size).unwrap(), session.attachment_handles(size));
+        let dot = handles.iter().find(|grip| grip.attachment == AttachmentPoint::Wrap).unwrap();
         assert!(dot.screen_position.distance(ring.middle) < 1e-9);
         assert!(ring.top.distance(ring.middle) <= 1.1 * ring.radius && ring.radius > 1.0, "{ring:?}");
         let drag = AttachmentDrag { muscle: id, handle: *dot, from: dot.screen_position };

@@ -18,7 +18,7 @@ const DASHES: [f64; 2] = [6.0, 4.0];
 /// Paints them: the origin full, the insertion hollow, points on the way and the middle of a ball small. The one under the pointer (`lit`) says what
 /// it is.
 pub(super) fn draw(
-    grips: &[AttachmentHandle],
+    handles: &[AttachmentHandle],
     ring: Option<WrapSphereCircle>,
     lit: Option<AttachmentPoint>,
     canvas: &PaintWidget,
@@ -29,7 +29,7 @@ pub(super) fn draw(
     if let Some(ring) = ring {
         outline(&context, &ring);
     }
-    for grip in grips {
+    for grip in handles {
         let held = lit == Some(grip.attachment);
         let radius = if let AttachmentPoint::End(_) = grip.attachment { RADIUS } else { 0.7 * RADIUS } + if held { 2.0 } else { 0.0 };
         // A dark edge round a light dot is legible over anything.
@@ -40,7 +40,7 @@ pub(super) fn draw(
         }
     }
     drop(context);
-    if let Some(grip) = grips.iter().find(|grip| Some(grip.attachment) == lit) {
+    if let Some(grip) = handles.iter().find(|grip| Some(grip.attachment) == lit) {
         let name = match grip.attachment {
             AttachmentPoint::End(0) => tr!("app-origin"),
             AttachmentPoint::End(_) => tr!("app-insertion"),

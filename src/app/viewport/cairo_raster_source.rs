@@ -22,7 +22,7 @@ type Finish = unsafe extern "C" fn(*mut ffi::cairo_pattern_t, *mut ffi::cairo_su
 // In cairo since 1.12, and not bound by cairo-rs. What is passed through, a `void*` in C, is always a surface here.
 unsafe extern "C" {
     fn cairo_pattern_create_raster_source(
-        lent: *mut ffi::cairo_surface_t,
+        surface_in_use: *mut ffi::cairo_surface_t,
         content: ffi::cairo_content_t,
         width: c_int,
         height: c_int,
@@ -34,12 +34,12 @@ unsafe extern "C" {
 
 /// A source of the pixels of `surface`, its corner at the origin.
 pub(super) fn source(surface: &ImageSurface) -> Pattern {
-    let lent = surface.to_raw_none();
+    let surface_in_use = surface.to_raw_none();
     // SAFETY: the pattern holds a reference to the surface, taken here and given back by `finish`; copies of it take theirs. The callbacks are told the
     // pointer that is passed here. Width and height are the surface's, which is an image.
     unsafe {
-        ffi::cairo_surface_reference(lent);
-        let pattern = cairo_pattern_create_raster_source(lent, Content::Color.into(), surface.width(), surface.height());
+        ffi::cairo_surface_reference(surface_in_use);
+        let pattern = cairo_pattern_create_raster_source(surface_in_use, Content::Color.into(), surface.width(), surface.height());
         cairo_raster_source_pattern_set_acquire(pattern, acquire, release);
         cairo_raster_source_pattern_set_copy(pattern, copy);
         cairo_raster_source_pattern_set_finish(pattern, finish);
@@ -49,12 +49,12 @@ pub(super) fn source(surface: &ImageSurface) -> Pattern {
 
 unsafe extern "C" fn acquire(
     _: *mut ffi::cairo_pattern_t,
-    lent: *mut ffi::cairo_surface_t,
+    surface_in_use: *mut ffi::cairo_surface_t,
     _: *mut ffi::cairo_surface_t,
     _: *const ffi::cairo_rectangle_int_t,
 ) -> *mut ffi::cairo_surface_t {
     // SAFETY: the pattern's own reference keeps it alive.
-    unsafe { ffi::cairo_surface_reference(lent) }
+    unsafe { ffi::cairo_surface_reference(surface_in_use) }
 }
 
 unsafe extern "C" fn release(_: *mut ffi::cairo_pattern_t, _: *mut ffi::cairo_surface_t, acquired: *mut ffi::cairo_surface_t) {
@@ -64,17 +64,17 @@ unsafe extern "C" fn release(_: *mut ffi::cairo_pattern_t, _: *mut ffi::cairo_su
 
 unsafe extern "C" fn copy(
     _: *mut ffi::cairo_pattern_t,
-    lent: *mut ffi::cairo_surface_t,
+    surface_in_use: *mut ffi::cairo_surface_t,
     _: *const ffi::cairo_pattern_t,
 ) -> ffi::cairo_status_t {
     // SAFETY: the pattern that is copied keeps it alive until the copy has a reference too.
-    unsafe { ffi::cairo_surface_reference(lent) };
+    unsafe { ffi::cairo_surface_reference(surface_in_use) };
     ffi::STATUS_SUCCESS
 }
 
-unsafe extern "C" fn finish(_: *mut ffi::cairo_pattern_t, lent: *mut ffi::cairo_surface_t) {
+unsafe extern "C" fn finish(_: *mut ffi::cairo_pattern_t, surface_in_use: *mut ffi::cairo_surface_t) {
     // SAFETY: the reference of this pattern, which is not used after this.
-    unsafe { ffi::cairo_surface_destroy(lent) }
+    unsafe { ffi::cairo_surface_destroy(surface_in_use) }
 }
 
 #[cfg(test)]

@@ -76,17 +76,20 @@ fn beside(camera: &Camera, direction: Vec3) -> DVec2 {
 fn clamped_to(from: DVec2, to: DVec2, size: DVec2) -> DVec2 {
     let (low, high) = (DVec2::splat(MARGIN), (size - MARGIN).max(DVec2::splat(MARGIN)));
     let from = from.clamp(low, high);
-    let way = to - from;
-    let part = [(from.x, way.x, low.x, high.x), (from.y, way.y, low.y, high.y)].into_iter().fold(1.0_f64, |part, (at, way, low, high)| {
-        if way > 0.0 {
-            part.min((high - at) / way)
-        } else if way < 0.0 {
-            part.min((low - at) / way)
-        } else {
-            part
-        }
-    });
-    from + way * part.clamp(0.0, 1.0)
+    let direction = to - from;
+    let part = [(from.x, direction.x, low.x, high.x), (from.y, direction.y, low.y, high.y)].into_iter().fold(
+        1.0_f64,
+        |part, (at, direction, low, high)| {
+            if direction > 0.0 {
+                part.min((high - at) / direction)
+            } else if direction < 0.0 {
+                part.min((low - at) / direction)
+            } else {
+                part
+            }
+        },
+    );
+    from + direction * part.clamp(0.0, 1.0)
 }
 
 #[cfg(test)]

@@ -47,7 +47,7 @@ pub(super) struct Viewport {
     canvas: PaintWidget,
     screen: Rc<RefCell<FrameSurface>>,
     builder: gtk::Builder,
-    numbers: TransformFields,
+    transform_fields: TransformFields,
     input: input::ViewportInput,
     toasts: Rc<Cell<u32>>,
     toast_file: Rc<RefCell<Option<PathBuf>>>,
@@ -74,7 +74,7 @@ impl Viewport {
             root,
             canvas,
             screen: Rc::new(RefCell::new(FrameSurface::new())),
-            numbers: TransformFields::new(&builder),
+            transform_fields: TransformFields::new(&builder),
             builder,
             input: input::ViewportInput::default(),
             toasts: Rc::default(),
@@ -100,7 +100,7 @@ impl Viewport {
                 window.viewport.fit_later(width);
             }
         });
-        self.numbers.connect(window);
+        self.transform_fields.connect(window);
         input::connect(window, &self.canvas);
         self.show_times(window.settings.borrow().frame_times);
         let file = self.toast_file.clone();
@@ -124,10 +124,10 @@ impl Viewport {
             self.invalidate();
         }
         if changes.any(ChangeSet::TOOL | ChangeSet::MODEL) {
-            self.numbers.refresh(session.tool(), session.model());
+            self.transform_fields.refresh(session.tool(), session.model());
         }
         if changes.any(ChangeSet::TOOL) {
-            self.numbers.fit(self.canvas.width());
+            self.transform_fields.fit(self.canvas.width());
         }
         if changes.any(ChangeSet::TOOL | ChangeSet::MUSCLE) {
             self.draw_over();
@@ -150,8 +150,8 @@ impl Viewport {
 
     /// Lets what stands over the picture follow its width, once widgets have their places.
     fn fit_later(&self, width: i32) {
-        let numbers = self.numbers.clone();
-        glib::idle_add_local_once(move || numbers.fit(width));
+        let transform_fields = self.transform_fields.clone();
+        glib::idle_add_local_once(move || transform_fields.fit(width));
     }
 
     /// What stands over the picture is no longer true.
@@ -368,8 +368,8 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<FrameSurface>>, canvas: &Paint
             bone_names::write_all(session, canvas, snapshot, width, height);
         }
         if !session.is_empty() {
-            let hands = &window.viewport.input;
-            orientation_gizmo::draw(session, canvas, snapshot, height, hands.pointer());
+            let input = &window.viewport.input;
+            orientation_gizmo::draw(session, canvas, snapshot, height, input.pointer());
             legend::draw(session, canvas, snapshot, width, height);
             bounding_box_labels::draw(session, canvas, snapshot, width, height);
             labels::draw(session, canvas, snapshot, width, height);
@@ -377,11 +377,11 @@ fn paint(window: &Rc<Window>, screen: &Rc<RefCell<FrameSurface>>, canvas: &Paint
                 light_gizmo::draw(session, snapshot, width, height);
             }
             let colors = session.display().palette.axes;
-            session.with_gizmo(DVec2::new(width, height), |shown| tool_gizmo::draw(shown, colors, hands.handle(), canvas, snapshot));
+            session.with_gizmo(DVec2::new(width, height), |shown| tool_gizmo::draw(shown, colors, input.handle(), canvas, snapshot));
             if window.shows_muscles() && session.tool() == Tool::Navigate {
                 let size = DVec2::new(width, height);
                 let ring = session.wrap_sphere_circle(size);
-                attachment_overlay::draw(&session.attachment_handles(size), ring, hands.dot(), canvas, snapshot, (width, height));
+                attachment_overlay::draw(&session.attachment_handles(size), ring, input.dot(), canvas, snapshot, (width, height));
             }
         }
     });

@@ -58,7 +58,7 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
             let to_pointer = controller.current_event_state().contains(gdk::ModifierType::CONTROL_MASK);
             let point = if to_pointer { window.viewport.input.pointer() } else { None };
             let size = size(&window);
-            window.update(|session| session.change_camera(|eye| zoom(eye, NOTCH.powf(-dy) as f32, point, size)));
+            window.update(|session| session.change_camera(|camera| zoom(camera, NOTCH.powf(-dy) as f32, point, size)));
             glib::Propagation::Stop
         }
     ));
@@ -80,13 +80,13 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
         window,
         move |gesture, scale| {
             let (middle, size) = (gesture.bounding_box_center(), size(&window));
-            let (way, factor) = (fingers.shift(middle), fingers.factor(scale));
+            let (delta, factor) = (fingers.shift(middle), fingers.factor(scale));
             window.update(|session| {
-                session.change_camera(|eye| {
-                    if eye.flying().is_none() {
-                        eye.change(|orbit| pan(orbit, way, size.1));
+                session.change_camera(|camera| {
+                    if camera.flying().is_none() {
+                        camera.change(|orbit| pan(orbit, delta, size.1));
                     }
-                    zoom(eye, factor, middle, size);
+                    zoom(camera, factor, middle, size);
                 });
             });
         }
@@ -105,12 +105,12 @@ pub(super) fn pan(orbit: &mut OrbitCamera, (dx, dy): (f64, f64), height: f64) {
 }
 
 /// Zooms by a factor; what lies under `point` (logical pixels) stays there. In flight it is the speed that grows.
-fn zoom(eye: &mut CameraController, factor: f32, point: Option<(f64, f64)>, (width, height): (f64, f64)) {
-    if let Some(fly) = eye.flying() {
+fn zoom(camera: &mut CameraController, factor: f32, point: Option<(f64, f64)>, (width, height): (f64, f64)) {
+    if let Some(fly) = camera.flying() {
         fly.speed = (fly.speed * factor).clamp(1e-4, 1e4);
         return;
     }
-    eye.change(|orbit| {
+    camera.change(|orbit| {
         let before = orbit.distance;
         orbit.zoom(factor);
         if let Some((x, y)) = point {
@@ -138,10 +138,10 @@ mod tests {
     #[test]
     fn two_fingers_move_the_picture_by_the_way_of_their_middle() {
         let fingers = PinchState::default();
-        for way in [&[(10.0, 20.0), (13.0, 18.0), (20.0, 18.0)][..], &[(500.0, 1.0), (490.0, 41.0)]] {
+        for delta in [&[(10.0, 20.0), (13.0, 18.0), (20.0, 18.0)][..], &[(500.0, 1.0), (490.0, 41.0)]] {
             fingers.begin();
-            let sum = way.iter().map(|place| fingers.shift(Some(*place))).fold((0.0, 0.0), |sum, by| (sum.0 + by.0, sum.1 + by.1));
-            let (first, last) = (way[0], way[way.len() - 1]);
+            let sum = delta.iter().map(|place| fingers.shift(Some(*place))).fold((0.0, 0.0), |sum, by| (sum.0 + by.0, sum.1 + by.1));
+            let (first, last) = (delta[0], delta[delta.len() - 1]);
             assert_eq!(sum, (last.0 - first.0, last.1 - first.1));
         }
         assert_eq!((fingers.shift(None), fingers.shift(Some((1.0, 1.0)))), ((0.0, 0.0), (0.0, 0.0)));

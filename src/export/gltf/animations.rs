@@ -53,13 +53,13 @@ impl AnimationRange {
             };
             return vec![Self { name, span: (0.0, BEND_SECONDS), shift: 0.0, kind }];
         }
-        let take = |(number, clip): (usize, &Clip)| Self {
+        let range = |(number, clip): (usize, &Clip)| Self {
             name: clip.name.clone(),
             span: (clip.start, clip.end.max(clip.start)),
             shift: if clip.start < 0.0 { -clip.start } else { 0.0 },
             kind: AnimationSource::Clip(number),
         };
-        document.clips.iter().enumerate().map(take).collect()
+        document.clips.iter().enumerate().map(range).collect()
     }
 
     /// The state of the document at a moment of it.
@@ -118,13 +118,13 @@ impl Animation {
     }
 
     /// The whole; `None` where nothing moves.
-    pub(super) fn value(self, take: &AnimationRange) -> Option<Value> {
+    pub(super) fn value(self, range: &AnimationRange) -> Option<Value> {
         if self.channels.is_empty() {
             return None;
         }
-        let mut value = json!({"name": take.name, "samplers": self.samplers, "channels": self.channels});
-        if take.shift != 0.0 {
-            value["extras"] = json!({"timeShift": take.shift});
+        let mut value = json!({"name": range.name, "samplers": self.samplers, "channels": self.channels});
+        if range.shift != 0.0 {
+            value["extras"] = json!({"timeShift": range.shift});
         }
         Some(value)
     }
@@ -175,39 +175,39 @@ impl Stage<'_> {
     /// `pose` rests; each node of it that is moved is put back before it is moved again.
     pub(super) fn write(
         &self,
-        take: &AnimationRange,
+        range: &AnimationRange,
         pose: &mut Pose,
         animation: &mut Animation,
         buffer: &mut Buffer,
         unsupported: &mut Vec<UnsupportedFeature>,
     ) {
-        match take.kind {
+        match range.kind {
             AnimationSource::Clip(number) => {
                 if let Some(clip) = self.document.clips.get(number) {
-                    self.write_clip(take, clip, pose, animation, buffer, unsupported);
+                    self.write_clip(range, clip, pose, animation, buffer, unsupported);
                 }
             }
-            AnimationSource::Bend(_) | AnimationSource::Contract => self.write_bend(take, animation, buffer),
+            AnimationSource::Bend(_) | AnimationSource::Contract => self.write_bend(range, animation, buffer),
         }
     }
 
-    fn write_bend(&self, take: &AnimationRange, animation: &mut Animation, buffer: &mut Buffer) {
+    fn write_bend(&self, range: &AnimationRange, animation: &mut Animation, buffer: &mut Buffer) {
         let Some(rig) = self.document.driven_rig() else { return };
         let mut pose = Pose::rest(&self.document.scene);
         let mut at = |time: f64, node: NodeId| {
-            rig.apply(take.state(self.document, time).drive, &mut pose);
+            rig.apply(range.state(self.document, time).drive, &mut pose);
             local(&pose, node)
         };
         for (id, _) in self.document.scene.graph.iter() {
             let Some((written, rest)) = self.nodes.get(id.index()) else { continue };
-            let keys = track(&moments(&take.even(), &[], take.shift), self.tolerance(id), &mut |time| Placing::of(&at(time, id)).0);
+            let keys = track(&moments(&range.even(), &[], range.shift), self.tolerance(id), &mut |time| Placing::of(&at(time, id)).0);
             animation.write_track(*written, &keys, rest, false, buffer);
         }
     }
 
     fn write_clip(
         &self,
-        take: &AnimationRange,
+        range: &AnimationRange,
         clip: &Clip,
         pose: &mut Pose,
         animation: &mut Animation,
@@ -233,8 +233,8 @@ impl Stage<'_> {
         if colours {
             unsupported.push(UnsupportedFeature::Colours { clip: clip.name.clone() });
         }
-        if take.shift != 0.0 {
-            unsupported.push(UnsupportedFeature::Moved { clip: clip.name.clone(), milliseconds: (take.shift * 1000.0).round() as i64 });
+        if range.shift != 0.0 {
+            unsupported.push(UnsupportedFeature::Moved { clip: clip.name.clone(), milliseconds: (range.shift * 1000.0).round() as i64 });
         }
         for (node, channels) in by_node {
             let keys: usize = channels.iter().map(|channel| channel.curve.times.len()).sum();
@@ -243,7 +243,7 @@ impl Stage<'_> {
                 return;
             }
             self.reset_pose(pose, node);
-            self.write_node(take, node, &channels, pose, animation, buffer, unsupported);
+            self.write_node(range, node, &channels, pose, animation, buffer, unsupported);
         }
     }
 
@@ -257,7 +257,7 @@ impl Stage<'_> {
     #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
     fn write_node(
         &self,
-        take: &AnimationRange,
+        range: &AnimationRange,
         node: NodeId,
         channels: &[&Channel],
         pose: &mut Pose,
@@ -266,20 +266,20 @@ impl Stage<'_> {
         unsupported: &mut Vec<UnsupportedFeature>,
     ) {
         let Some((written, rest)) = self.nodes.get(node.index()) else { return };
-        if let Some(spline) = Spline::of_node(take, node, channels, pose) {
+        if let Some(spline) = Spline::of_node(range, node, channels, pose) {
             let input = buffer.scalars(&spline.times, true);
             let output = buffer.floats(Usage::Other, spline.rows.as_chunks::<3>().0, false);
             animation.add(*written, spline.path, input, output, "CUBICSPLINE");
             return;
         }
         let clip = Clip {
-            start: take.span.0,
-            end: take.span.1,
+            start: range.span.0,
+            end: range.span.1,
             channels: channels.iter().map(|channel| (*channel).clone()).collect(),
             ..Clip::default()
         };
         let stepped = channels.iter().all(|channel| all_steps(&channel.curve));
-        let (times, jumps) = (within(clip.key_times(None), take.span), if stepped { Vec::new() } else { jumps(channels) });
+        let (times, jumps) = (within(clip.key_times(None), range.span), if stepped { Vec::new() } else { jumps(channels) });
         let mut sheared = false;
         let mut at = |time: f64| {
             clip.sample(time, pose);
@@ -287,7 +287,7 @@ impl Stage<'_> {
             sheared |= shear;
             placing
         };
-        let when = moments(&times, &jumps, take.shift);
+        let when = moments(&times, &jumps, range.shift);
         let keys = if stepped {
             when.iter().map(|moment| (moment.written, at(moment.at))).collect()
         } else {

@@ -150,23 +150,23 @@ impl<'a> Writer<'a> {
         drop((buffers, frame.surfaces));
         self.write_nodes();
         self.write_contents()?;
-        let takes = AnimationRange::all(self.document);
-        let mut animations: Vec<Animation> = takes.iter().map(|_| Animation::default()).collect();
+        let ranges = AnimationRange::all(self.document);
+        let mut animations: Vec<Animation> = ranges.iter().map(|_| Animation::default()).collect();
         let scales = self.scales(&frame.world);
         let nodes: Vec<(usize, Placing)> = self.places.iter().map(|place| place.0).zip(self.rest.iter().copied()).collect();
-        let stage = Stage { document: self.document, nodes: &nodes, length, scales: &scales };
+        let nodes_writer = Stage { document: self.document, nodes: &nodes, length, scales: &scales };
         let mut pose = Pose::rest(&self.document.scene);
-        for (take, animation) in takes.iter().zip(&mut animations) {
-            stage.write(take, &mut pose, animation, &mut self.buffer, &mut self.unsupported);
+        for (range, animation) in ranges.iter().zip(&mut animations) {
+            nodes_writer.write(range, &mut pose, animation, &mut self.buffer, &mut self.unsupported);
             for (node, morphs) in &self.morphed {
                 if self.buffer.is_full() {
                     return None;
                 }
-                Weights { node: *node, morphs }.write(self.document, take, animation, &mut self.buffer);
+                Weights { node: *node, morphs }.write(self.document, range, animation, &mut self.buffer);
             }
         }
         let muscles = Muscles::new(self.document).write(
-            &takes,
+            &ranges,
             frame.bounds.diagonal(),
             &mut animations,
             &mut self.nodes,
@@ -185,9 +185,9 @@ impl<'a> Writer<'a> {
             return None;
         }
         // One thing may be met in several clips or on several meshes; it is told once, where it was first met.
-        let mut told = FxHashSet::default();
-        self.unsupported.retain(|loss| told.insert(loss.clone()));
-        let animations = takes.iter().zip(animations).filter_map(|(take, animation)| animation.value(take)).collect();
+        let mut reported = FxHashSet::default();
+        self.unsupported.retain(|feature| reported.insert(feature.clone()));
+        let animations = ranges.iter().zip(animations).filter_map(|(range, animation)| animation.value(range)).collect();
         Some(self.assemble(animations))
     }
 

@@ -85,7 +85,7 @@ impl<'a> Muscles<'a> {
     #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
     pub(super) fn write(
         &mut self,
-        takes: &[AnimationRange],
+        ranges: &[AnimationRange],
         diagonal: f32,
         animations: &mut [Animation],
         nodes: &mut Vec<Value>,
@@ -97,11 +97,11 @@ impl<'a> Muscles<'a> {
         let start = self.at(&self.document.start_state());
         // However many muscles and clips there are, all shapes together stay within a bound.
         let vertices: usize = start.iter().map(|shape| shape.positions.len()).sum();
-        let most = (limits::SHAPE_VERTICES / vertices.max(1) / takes.len().max(1)).min(MAX_SHAPES);
+        let most = (limits::SHAPE_VERTICES / vertices.max(1) / ranges.len().max(1)).min(MAX_SHAPES);
         let mut rough = false;
         let mut keyed: Vec<Vec<(f32, Vec<MuscleShape>)>> = Vec::new();
-        for take in takes {
-            let keys = self.keys(take, diagonal * MAX_ERROR, most, &mut rough);
+        for range in ranges {
+            let keys = self.keys(range, diagonal * MAX_ERROR, most, &mut rough);
             let shapes = keys.iter().flat_map(|(_, shapes)| shapes);
             buffer.spend(shapes.map(|shape| size_of_val(&*shape.positions) + size_of_val(&*shape.normals)).sum());
             keyed.push(keys);
@@ -176,7 +176,7 @@ impl<'a> Muscles<'a> {
 
     /// The shapes of all muscles at so many moments of a take that the straight way between them is nowhere off by more than `length`, the worst stretches
     /// halved first; no more than `most` moments, and none where that is less than the two ends. `rough` where that was too few.
-    fn keys(&mut self, take: &AnimationRange, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<MuscleShape>)> {
+    fn keys(&mut self, range: &AnimationRange, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<MuscleShape>)> {
         if self.surfaces.is_empty() {
             return Vec::new();
         }
@@ -185,15 +185,15 @@ impl<'a> Muscles<'a> {
             return Vec::new();
         }
         let document = self.document;
-        let when = take.moments(document);
+        let when = range.moments(document);
         let ends = [when.first(), when.last()].into_iter().flatten().copied();
-        let mut keys: Vec<(Moment, Vec<MuscleShape>)> = ends.map(|moment| (moment, self.at(&take.state(document, moment.at)))).collect();
+        let mut keys: Vec<(Moment, Vec<MuscleShape>)> = ends.map(|moment| (moment, self.at(&range.state(document, moment.at)))).collect();
         if keys.len() == 2 && keys[0].0 == keys[1].0 {
             keys.pop();
         }
         let mut open: Vec<KeyInterval> = Vec::new();
         if keys.len() == 2 {
-            open.push(self.stretch(take, &keys, 0, 1));
+            open.push(self.stretch(range, &keys, 0, 1));
         }
         loop {
             let worst = (0..open.len()).max_by(|a, b| open[*a].error.total_cmp(&open[*b].error));
@@ -208,17 +208,17 @@ impl<'a> Muscles<'a> {
             }
             keys.push(middle);
             let new = keys.len() - 1;
-            open.push(self.stretch(take, &keys, from, new));
-            open.push(self.stretch(take, &keys, new, to));
+            open.push(self.stretch(range, &keys, from, new));
+            open.push(self.stretch(range, &keys, new, to));
         }
         keys.sort_by(|a, b| a.0.written.total_cmp(&b.0.written));
         keys.into_iter().map(|(moment, shapes)| (moment.written, shapes)).collect()
     }
 
-    fn stretch(&mut self, take: &AnimationRange, keys: &[(Moment, Vec<MuscleShape>)], from: usize, to: usize) -> KeyInterval {
+    fn stretch(&mut self, range: &AnimationRange, keys: &[(Moment, Vec<MuscleShape>)], from: usize, to: usize) -> KeyInterval {
         let ((start, first), (end, last)) = (&keys[from], &keys[to]);
         let at = |part: f64| start.at + (end.at - start.at) * part;
-        let [quarter, middle, rest] = [0.25, 0.5, 0.75].map(|part| self.at(&take.state(self.document, at(part))));
+        let [quarter, middle, rest] = [0.25, 0.5, 0.75].map(|part| self.at(&range.state(self.document, at(part))));
         let off = off(first, last, 0.25, &quarter).max(off(first, last, 0.5, &middle)).max(off(first, last, 0.75, &rest));
         let moment = Moment { at: at(0.5), written: start.written + (end.written - start.written) * 0.5 };
         KeyInterval { from, to, error: off, middle: (moment, middle) }

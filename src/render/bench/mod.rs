@@ -188,15 +188,15 @@ pub fn spheres(renderer: &mut Renderer, budget: Duration, wanted: impl Fn(&str) 
         if !wanted(&label(scene, view, shading, samples)) {
             continue;
         }
-        let mut yard = BenchScene::sphere(segments, rings, shading == "textured");
+        let mut bench_scene = BenchScene::sphere(segments, rings, shading == "textured");
         let camera = bench_scene::camera(distance);
         let times = time(budget, |turn| {
-            yard.turn(turn as f32 * 0.01);
-            black_box(renderer.draw(&yard.scene, &yard.frame, &camera, display, WIDTH, HEIGHT));
+            bench_scene.turn(turn as f32 * 0.01);
+            black_box(renderer.draw(&bench_scene.scene, &bench_scene.frame, &camera, display, WIDTH, HEIGHT));
             Stages::of(renderer.stats(), 0.0)
         });
         let triangles = renderer.stats().triangles;
-        let lit_pixels = lit_pixels(renderer, &yard.scene, &yard.frame, &camera, display, (WIDTH, HEIGHT));
+        let lit_pixels = lit_pixels(renderer, &bench_scene.scene, &bench_scene.frame, &camera, display, (WIDTH, HEIGHT));
         rows.push(BenchRow { scene: scene.into(), view, width: WIDTH, height: HEIGHT, triangles, lit_pixels, shading, samples, times });
     }
     rows
