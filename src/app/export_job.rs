@@ -301,7 +301,7 @@ pub(super) struct ExportJob {
     overlays: (SceneOverlays, f64),
     state: PoseState,
     sequence: Sequence,
-    eye: CameraController,
+    controller: CameraController,
     follow: Option<CameraFollow>,
     display: Display,
     options: ExportOptions,
@@ -334,9 +334,9 @@ impl ExportJob {
             }
         }
         let overlays = (session.overlays(), session.frame_rate());
-        let (document, state, eye) = (session.document().clone(), session.state(), session.camera_controller().clone());
+        let (document, state, controller) = (session.document().clone(), session.state(), session.camera_controller().clone());
         let follow = session.camera_follow();
-        Ok(Self { document, overlays, state, sequence, eye, follow, display, options, guard })
+        Ok(Self { document, overlays, state, sequence, controller, follow, display, options, guard })
     }
 
     /// How many frames it has.
@@ -372,14 +372,14 @@ impl ExportJob {
             ExportKind::Muscles(form) => return self.table(TableSubject::Muscles, form, file, work),
             ExportKind::Joints(form) => return self.table(TableSubject::Joints, form, file, work),
         };
-        let Self { document, overlays: (overlays, rate), sequence, eye, follow, display, options, guard, .. } = self;
-        let note = note(&document, &eye);
-        let camera_fn = move |scene: &_, frame: &_, turn: f32| match eye.viewpoint() {
+        let Self { document, overlays: (overlays, rate), sequence, controller, follow, display, options, guard, .. } = self;
+        let note = note(&document, &controller);
+        let camera_fn = move |scene: &_, frame: &_, turn: f32| match controller.viewpoint() {
             Viewpoint::Orbit => {
-                let camera = OrbitCamera { yaw: eye.orbit().yaw + turn, ..*eye.orbit() }.camera();
+                let camera = OrbitCamera { yaw: controller.orbit().yaw + turn, ..*controller.orbit() }.camera();
                 follow.map_or(camera, |follow| follow.moved(camera, frame))
             }
-            Viewpoint::Fly(_) | Viewpoint::File(..) => eye.camera(scene, frame),
+            Viewpoint::Fly(_) | Viewpoint::File(..) => controller.camera(scene, frame),
         };
         let mut renderer = SequenceRenderer::new(&document, sequence, display, None, Box::new(camera_fn)).with_overlays(overlays, rate);
         sequence::save(&mut renderer, options.size, (&target, &guard), &note, work)
@@ -423,8 +423,8 @@ fn with_number(file: &Path) -> PathBuf {
 }
 
 /// What stands in a picture about how it was made.
-pub(super) fn note<'a>(document: &'a Document, eye: &CameraController) -> impl Fn(&FrameSpec) -> String + Sync + use<'a> {
-    let orbit = *eye.orbit();
+pub(super) fn note<'a>(document: &'a Document, controller: &CameraController) -> impl Fn(&FrameSpec) -> String + Sync + use<'a> {
+    let orbit = *controller.orbit();
     move |spec| {
         let files: Vec<String> = document.sources.iter().map(|source| source.name.to_string()).collect();
         let mut text = format!("File: {}", files.join(", "));

@@ -28,7 +28,7 @@ pub(super) fn connect(window: &Rc<Window>, builder: &gtk::Builder) {
             let Some(place) = place.and_then(glib::Variant::get::<u32>) else { return };
             window.update(|session| {
                 if let Some((node, camera)) = file_cameras(&session.document().scene).get(place as usize).copied() {
-                    session.change_camera(|eye| eye.look_through(node, camera));
+                    session.change_camera(|controller| controller.look_through(node, camera));
                 }
             });
         }

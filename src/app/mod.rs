@@ -2,14 +2,14 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`session`] | what is open and how it is looked at; no widgets |
+//! | [`session`] | the open document and its view state; no widgets |
 //! | [`commands`], `shortcuts`, `command_dispatch` | the one table of commands, their keys, and what they do |
 //! | `window` | assembles the panels and distributes changes to them |
 //! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
 //! | `document_loader`, `recent`, `screenshot` | opening off the interface thread, watching, recent files, pictures |
 //!
-//! A change goes one way: a widget calls `Window::act` with what to do to the session; the session notes what changed; the window
-//! refreshes the parts that show it. While it refreshes, signals of the widgets are not taken for the user's hand.
+//! Changes flow in one direction: a widget calls `Window::update` with a change of the session; the session records what changed; the window
+//! refreshes the panels that show it. While it refreshes, signals of the widgets are not taken for user input.
 
 mod about;
 mod appearance;

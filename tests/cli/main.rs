@@ -5,13 +5,13 @@ mod support;
 
 mod bench;
 mod export;
-mod film;
 mod guard;
 mod help;
 mod info;
 mod input;
 mod measure;
 mod render;
+mod sequence;
 mod simd;
 mod tables;
 mod terminal;

@@ -81,7 +81,9 @@ impl ViewportInput {
     /// Flies, or lands.
     pub(super) fn toggle_flight(&self, window: &Rc<Window>) {
         self.held.borrow_mut().clear();
-        window.update(|session| session.change_camera(|eye| if eye.flying().is_some() { eye.exit_fly() } else { eye.fly() }));
+        window.update(|session| {
+            session.change_camera(|controller| if controller.flying().is_some() { controller.exit_fly() } else { controller.fly() })
+        });
     }
 
     /// Lets go of a drag that turned out to be none: the first of two fingers had begun it.
@@ -135,8 +137,8 @@ impl ViewportInput {
         let (fast, slow) = self.pace.get();
         let pace = if fast { 4.0 } else { 1.0 } / if slow { 4.0 } else { 1.0 };
         window.update(|session| {
-            session.change_camera(|eye| {
-                if let Some(fly) = eye.flying() {
+            session.change_camera(|controller| {
+                if let Some(fly) = controller.flying() {
                     fly.move_by(direction * pace, seconds.min(0.1) as f32);
                 }
             });
@@ -257,11 +259,11 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
     let height = f64::from(window.viewport.size().1.max(1));
     let (degrees_x, degrees_y) = (dx as f32 * DEGREES, dy as f32 * DEGREES);
     window.update(|session| match grip {
-        DragAction::Orbit => session.change_camera(|eye| eye.change(|orbit| orbit.orbit(-degrees_x, degrees_y))),
-        DragAction::Pan => session.change_camera(|eye| eye.change(|orbit| zoom_gestures::pan(orbit, (dx, dy), height))),
-        DragAction::Zoom => session.change_camera(|eye| eye.change(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
-        DragAction::Look => session.change_camera(|eye| {
-            if let Some(fly) = eye.flying() {
+        DragAction::Orbit => session.change_camera(|controller| controller.change(|orbit| orbit.orbit(-degrees_x, degrees_y))),
+        DragAction::Pan => session.change_camera(|controller| controller.change(|orbit| zoom_gestures::pan(orbit, (dx, dy), height))),
+        DragAction::Zoom => session.change_camera(|controller| controller.change(|orbit| orbit.zoom((-dy / height * 3.0).exp() as f32))),
+        DragAction::Look => session.change_camera(|controller| {
+            if let Some(fly) = controller.flying() {
                 fly.rotate(-degrees_x * 0.6, degrees_y * 0.6);
             }
         }),
@@ -299,7 +301,7 @@ fn connect_clicks(window: &Rc<Window>, canvas: &PaintWidget) {
             if let Some(view) =
                 window.read(|session| orientation_gizmo::hit(&session.picture().2, x, y, height)).filter(|_| !window.read(|s| s.is_empty()))
             {
-                return window.update(|session| session.change_camera(|eye| eye.look_from(view)));
+                return window.update(|session| session.change_camera(|controller| controller.look_from(view)));
             }
             if window.read(|session| session.picking().is_some()) {
                 return window.pick_end(|session| {

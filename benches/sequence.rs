@@ -1,4 +1,4 @@
-//! Films and conversions: seconds of work a second of film, for a clip in 1280 × 720 at 25 frames a second, and milliseconds a conversion to glTF.
+//! Sequences and conversions: seconds of work per second of video, for a clip in 1280 × 720 at 25 frames a second, and milliseconds a conversion to glTF.
 //!
 //! Runs on the demos and, where they are there, on larger shared models. Every core works, so this one wants a machine that does nothing else. A ratio
 //! below 1 is faster than the film plays.
