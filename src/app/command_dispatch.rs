@@ -14,7 +14,7 @@ use super::{about, appearance, compare_file, document_loader, export_dialog, hel
 use crate::muscle::AttachmentPoint;
 use crate::render::{Samples, Shading};
 use crate::scene::ViewDirection;
-use crate::session::{CompareTarget, PickTarget, Preset, Session, Tool, UndoStep};
+use crate::session::{CompareTarget, DisplayPreset, PickTarget, Session, Tool, UndoStep};
 use crate::tr;
 
 /// One action a command; those that are on or off have a state.
@@ -314,10 +314,10 @@ fn change_session(command: Command, session: &mut Session) {
         }
         C::PickOrigin => session.start_picking(session.shown_muscle(), PickTarget::Point(AttachmentPoint::End(0))),
         C::PickInsertion => session.start_picking(session.shown_muscle(), PickTarget::Point(AttachmentPoint::End(1))),
-        C::PresetClean => session.take_preset(Preset::Clean),
-        C::PresetSkeleton => session.take_preset(Preset::Skeleton),
-        C::PresetInspection => session.take_preset(Preset::Inspection),
-        C::PresetPrint => session.take_preset(Preset::Print),
+        C::PresetClean => session.take_preset(DisplayPreset::Clean),
+        C::PresetSkeleton => session.take_preset(DisplayPreset::Skeleton),
+        C::PresetInspection => session.take_preset(DisplayPreset::Inspection),
+        C::PresetPrint => session.take_preset(DisplayPreset::Print),
         C::Revert => session.revert(),
         C::Undo => session.undo(),
         C::Redo => session.redo(),

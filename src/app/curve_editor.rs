@@ -50,7 +50,7 @@ impl EditorState {
 }
 
 /// The dope sheet and the curve view.
-pub(super) struct Sheet {
+pub(super) struct CurveEditor {
     /// The whole.
     pub root: gtk::Box,
     stack: gtk::Stack,
@@ -72,7 +72,7 @@ pub(super) struct Sheet {
     page: Cell<SheetPage>,
 }
 
-impl Sheet {
+impl CurveEditor {
     /// An empty one, below this track.
     pub(super) fn new(track: Rc<RefCell<Track>>, track_canvas: &PaintWidget) -> Self {
         let builder = ui::builder(ui::SHEET);
@@ -293,7 +293,7 @@ impl Sheet {
         let text = match &plot.graph {
             Some(graph) if self.page.get() == SheetPage::Curves => {
                 let unit = if graph.kind == GraphKind::Rotation { "°" } else { "" };
-                let value = |line: &crate::session::GraphLine| format!("{} {}{unit}", line.name, format::number(line.value(time), 3));
+                let value = |line: &crate::session::ValueGraph| format!("{} {}{unit}", line.name, format::number(line.value(time), 3));
                 let values: Vec<String> = graph.lines.iter().take(12).map(value).collect();
                 tr!(
                     "app-sheet-values",

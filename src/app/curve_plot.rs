@@ -6,7 +6,7 @@ use gtk4 as gtk;
 use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
 use super::format;
 use super::timeline_ruler::Track;
-use crate::session::{Graph, GraphLine};
+use crate::session::{Graph, ValueGraph};
 
 /// Room above the highest and below the lowest value, logical pixels.
 const AIR: f64 = 14.0;
@@ -61,7 +61,7 @@ impl CurvePlot {
         height - AIR - (value - low) / (high - low) * (height - 2.0 * AIR).max(1.0)
     }
 
-    fn color(&self, line: &GraphLine) -> gtk::gdk::RGBA {
+    fn color(&self, line: &ValueGraph) -> gtk::gdk::RGBA {
         rgb(self.colors.get(line.axis % 3).copied().unwrap_or(0x88_8888))
     }
 
@@ -111,7 +111,7 @@ impl CurvePlot {
         (0..count).map(|index| (first + f64::from(index)) * step).map(|value| (value, format::number(value, digits))).collect()
     }
 
-    fn curve(&self, context: &Context, line: &GraphLine, height: f64, track: &Track, (left, width): (f64, f64)) {
+    fn curve(&self, context: &Context, line: &ValueGraph, height: f64, track: &Track, (left, width): (f64, f64)) {
         let (start, end) = (track.x(track.range.0, width), track.x(track.range.1, width));
         context.set_line_width(1.5);
         context.set_line_join(LineJoin::Round);
@@ -133,7 +133,7 @@ impl CurvePlot {
         stroke(context);
     }
 
-    fn keys(&self, context: &Context, line: &GraphLine, height: f64, track: &Track, (left, width): (f64, f64)) {
+    fn keys(&self, context: &Context, line: &ValueGraph, height: f64, track: &Track, (left, width): (f64, f64)) {
         let times = line.keys();
         let (start, end) = track.range;
         let shown = times.iter().filter(|time| (start..=end).contains(*time)).count();

@@ -10,7 +10,7 @@ use gtk::prelude::*;
 use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
-use super::error_bar::Trouble;
+use super::error_bar::ErrorMessage;
 use super::window::Window;
 use super::{compare_file, muscle_panel, recent, reload_summary, saving, title_bar};
 use crate::document::OpenErrorKind;
@@ -340,7 +340,7 @@ fn show_open_error(window: &Rc<Window>, error: &OpenError, again: Option<(Vec<Pa
     let what = error.kind.sentence();
     let message = if place.is_empty() { what } else { format!("{place}: {what}") };
     let kept = if window.read(|session| session.is_empty()) { String::new() } else { format!("\n{}", tr!("app-kept")) };
-    window.error_bar.show(Trouble {
+    window.error_bar.show(ErrorMessage {
         headline: tr!("app-refused", file = name),
         message,
         details: format!("{}{kept}", error.sentence()),

@@ -26,7 +26,7 @@ pub(super) struct ErrorBar {
 }
 
 /// What went wrong.
-pub(super) struct Trouble {
+pub(super) struct ErrorMessage {
     /// One line: what could not be done.
     pub headline: String,
     /// Why, and where.
@@ -84,7 +84,7 @@ impl ErrorBar {
     }
 
     /// Shows what went wrong, until it is closed or something opens.
-    pub(super) fn show(&self, trouble: Trouble) {
+    pub(super) fn show(&self, trouble: ErrorMessage) {
         ui::set_label(&self.headline, &trouble.headline);
         ui::set_label(&self.message, &trouble.message);
         ui::set_label(&self.details, &trouble.details);

@@ -8,7 +8,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::error_bar::Trouble;
+use super::error_bar::ErrorMessage;
 use super::format;
 use super::muscle_panel::Unit;
 use super::ui;
@@ -126,7 +126,7 @@ impl Experiment {
                         window.files.compares_table(Some(path));
                         experiment.refresh(&window);
                     }
-                    Err(message) => window.error_bar.show(Trouble {
+                    Err(message) => window.error_bar.show(ErrorMessage {
                         headline: tr!("app-validation-unread"),
                         message,
                         details: path.display().to_string(),

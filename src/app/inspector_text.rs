@@ -156,7 +156,7 @@ pub(super) fn distance(pinned: [Option<Vec3>; 2]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Influence;
+    use crate::document::JointContribution;
 
     #[test]
     fn rotations_read_as_degrees_about_the_axes() {
@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn the_last_row_is_the_sum() {
-        let share = |weight: f64, alone: DVec3| Influence {
+        let share = |weight: f64, alone: DVec3| JointContribution {
             node: None,
             joint: "hip".into(),
             weight,

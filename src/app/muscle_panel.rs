@@ -13,7 +13,7 @@ use super::attachments_editor::AttachmentsEditor;
 use super::commands::Command;
 use super::contraction_controls::ContractionControls;
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::profile_plot::{ProfilePlot, Shape};
+use super::profile_plot::{ProfilePlot, ProfileShape};
 use super::profile_table::ProfileTable;
 use super::via_points_editor::ViaPointsEditor;
 use super::window::{Window, object};
@@ -399,7 +399,7 @@ impl MusclePanel {
             sign(c),
             format::significant(c.abs(), 5)
         ));
-        self.profile.show(Shape {
+        self.profile.show(ProfileShape {
             // In the numbers of the file, which a drag changes.
             rest: spec.profile.radii().to_vec(),
             rest_length: spec.profile.rest_length(),

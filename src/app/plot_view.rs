@@ -5,7 +5,7 @@ use gtk::gdk::RGBA;
 use gtk4 as gtk;
 
 use super::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
-use crate::plot::{Anchor, Canvas, Color, Plot, Stroke};
+use crate::plot::{Canvas, Color, Plot, Stroke, TextAnchor};
 
 /// Paints a plot over the whole canvas.
 pub(super) fn paint(plot: &Plot, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
@@ -17,9 +17,9 @@ pub(super) fn paint(plot: &Plot, canvas: &PaintWidget, snapshot: &gtk::Snapshot,
     drop(context);
     for (text, (x, y), anchor, color) in texts {
         let align = match anchor {
-            Anchor::Start => Align::Left,
-            Anchor::Middle => Align::Centre,
-            Anchor::End => Align::Right,
+            TextAnchor::Start => Align::Left,
+            TextAnchor::Middle => Align::Centre,
+            TextAnchor::End => Align::Right,
         };
         write(canvas, snapshot, &text, x, y, align, 0.8, &color);
     }
@@ -29,7 +29,7 @@ pub(super) fn paint(plot: &Plot, canvas: &PaintWidget, snapshot: &gtk::Snapshot,
 struct CairoCanvas {
     context: Context,
     text: RGBA,
-    texts: Vec<(String, (f64, f64), Anchor, RGBA)>,
+    texts: Vec<(String, (f64, f64), TextAnchor, RGBA)>,
 }
 
 impl CairoCanvas {
@@ -74,7 +74,7 @@ impl Canvas for CairoCanvas {
         };
     }
 
-    fn text(&mut self, text: &str, at: (f64, f64), anchor: Anchor, color: Color, opacity: f64) {
+    fn text(&mut self, text: &str, at: (f64, f64), anchor: TextAnchor, color: Color, opacity: f64) {
         let color = self.color(color);
         self.texts.push((text.to_owned(), at, anchor, color.with_alpha(color.alpha() * opacity as f32)));
     }

@@ -23,7 +23,7 @@ const MUSCLE: u32 = 0xB8322E;
 
 /// A muscle at rest and now; lengths in the file's unit.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Shape {
+pub(super) struct ProfileShape {
     /// Radii at rest.
     pub rest: Vec<f64>,
     /// Length at rest.
@@ -54,7 +54,7 @@ struct NodeHandle {
 pub(super) struct ProfilePlot {
     /// Where it is drawn.
     pub canvas: PaintWidget,
-    shape: Rc<RefCell<Shape>>,
+    shape: Rc<RefCell<ProfileShape>>,
     grip: Rc<Cell<Option<NodeHandle>>>,
 }
 
@@ -63,7 +63,7 @@ impl ProfilePlot {
     pub(super) fn new() -> Self {
         let canvas = PaintWidget::named(&tr!("app-profile"), 120, 130);
         canvas.set_hexpand(true);
-        let shape = Rc::new(RefCell::new(Shape::default()));
+        let shape = Rc::new(RefCell::new(ProfileShape::default()));
         let pointer = Rc::new(Cell::new(None::<f64>));
         let grip = Rc::new(Cell::new(None::<NodeHandle>));
         let (painted, at, held) = (shape.clone(), pointer.clone(), grip.clone());
@@ -128,7 +128,7 @@ impl ProfilePlot {
     }
 
     /// Shows a shape.
-    pub(super) fn show(&self, shape: Shape) {
+    pub(super) fn show(&self, shape: ProfileShape) {
         if *self.shape.borrow() != shape {
             self.shape.replace(shape);
             self.canvas.queue_draw();
@@ -136,7 +136,7 @@ impl ProfilePlot {
     }
 }
 
-impl Shape {
+impl ProfileShape {
     /// Pixels a unit, so that both shapes fit; one scale for length and radius.
     fn scale(&self, width: f64, height: f64) -> f64 {
         let longest = self.rest_length.max(self.length);
@@ -249,10 +249,16 @@ mod tests {
 
     #[test]
     fn both_shapes_fit_to_one_scale() {
-        let shape = Shape { rest: vec![5.0, 20.0, 5.0], rest_length: 200.0, now: vec![6.0, 30.0, 6.0], length: 120.0, ..Shape::default() };
+        let shape = ProfileShape {
+            rest: vec![5.0, 20.0, 5.0],
+            rest_length: 200.0,
+            now: vec![6.0, 30.0, 6.0],
+            length: 120.0,
+            ..ProfileShape::default()
+        };
         let scale = shape.scale(300.0, 130.0);
         assert!((200.0 + 10.0) * scale <= 300.0 - 2.0 * INSET + 1e-9 && 60.0 * scale <= 96.0 + 1e-9);
-        assert_eq!(Shape::default().scale(0.0, 0.0), 1.0);
+        assert_eq!(ProfileShape::default().scale(0.0, 0.0), 1.0);
     }
 
     #[test]

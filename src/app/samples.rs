@@ -8,7 +8,7 @@ use crate::export::ExportError;
 use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::progress::Progress;
-use crate::render::{Background, Display, Palette, Renderer, Theme};
+use crate::render::{Background, Display, OverlayPalette, Renderer, Theme};
 use crate::scene::{Frame, OrbitCamera, ViewDirection};
 
 /// A shipped scene.
@@ -66,7 +66,7 @@ impl Demo {
         }
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         document.pose(&state, &mut buffers, &mut frame);
-        let palette = Palette::of(theme);
+        let palette = OverlayPalette::of(theme);
         let display = Display {
             palette,
             background: Background::Gradient(palette.background.0, palette.background.1),

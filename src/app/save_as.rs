@@ -9,7 +9,7 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::document_loader;
-use super::error_bar::Trouble;
+use super::error_bar::ErrorMessage;
 use super::window::Window;
 use crate::export::file_extension::with_extension;
 use crate::export::guard::{Output, is_same};
@@ -179,7 +179,7 @@ pub(super) fn done(window: &Rc<Window>, path: &Path) {
 
 /// Says that something could not be saved, and why.
 pub(super) fn failed(window: &Rc<Window>, path: &Path, reason: String) {
-    window.error_bar.show(Trouble {
+    window.error_bar.show(ErrorMessage {
         headline: tr!("app-unsaved", file = name_of(path)),
         message: reason,
         details: path.display().to_string(),

@@ -10,7 +10,7 @@ use gtk4 as gtk;
 
 use super::drawing_area::PaintWidget;
 use super::icons;
-use super::tree_model::{Row, path_to, search, steps};
+use super::tree_model::{TreeRow, path_to, search, steps};
 use super::ui;
 use super::window::{Window, object};
 use crate::i18n::shown;
@@ -33,7 +33,7 @@ pub(super) struct SceneTree {
     scroller: gtk::ScrolledWindow,
     nothing: gtk::Label,
     selection: RefCell<gtk::SingleSelection>,
-    rows: Rc<RefCell<Vec<Row>>>,
+    rows: Rc<RefCell<Vec<TreeRow>>>,
     /// How far it is scrolled after the user has just selected the row at this position, until the list has another height.
     chosen: Rc<Cell<Option<(f64, u32)>>>,
     window: RefCell<std::rc::Weak<Window>>,
@@ -100,7 +100,7 @@ impl SceneTree {
     pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
         let scene = &session.document().scene;
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::TREE) {
-            *self.rows.borrow_mut() = scene.graph.iter().map(|(id, _)| Row::of(scene, id)).collect();
+            *self.rows.borrow_mut() = scene.graph.iter().map(|(id, _)| TreeRow::of(scene, id)).collect();
             let wanted = self.search.text();
             let (roots, flat) =
                 if wanted.trim().is_empty() { (scene.graph.roots().to_vec(), false) } else { (search(scene, &wanted), true) };
@@ -294,7 +294,7 @@ fn show_eye(eye: &gtk::ToggleButton, visible: bool) {
 
 impl SceneTree {
     /// The row of a node.
-    pub(super) fn row(&self, node: NodeId) -> Option<Row> {
+    pub(super) fn row(&self, node: NodeId) -> Option<TreeRow> {
         self.rows.borrow().get(node.index()).cloned()
     }
 }

@@ -19,18 +19,18 @@ const ALT: u8 = 4;
 const SUPER: u8 = 8;
 
 /// Finds commands by keys.
-pub(super) struct Keys {
+pub(super) struct KeyChords {
     commands: HashMap<Chord, Command>,
 }
 
-impl Default for Keys {
+impl Default for KeyChords {
     fn default() -> Self {
         let all = Command::ALL.iter().flat_map(|command| command.keys().iter().map(|key| (parse(key), *command)));
         Self { commands: all.collect() }
     }
 }
 
-impl Keys {
+impl KeyChords {
     /// The command of a key press; `hardware` is its keycode where keycodes are those of X11 and Wayland.
     pub(super) fn command(&self, key: gdk::Key, hardware: Option<u32>, modifiers: gdk::ModifierType) -> Option<Command> {
         chords(key, hardware, modifiers).iter().find_map(|chord| self.commands.get(chord)).copied()
@@ -123,7 +123,7 @@ mod tests {
     #[test]
     fn no_key_has_two_meanings() {
         let all = Command::ALL.iter().map(|command| command.keys().len()).sum::<usize>();
-        assert_eq!(Keys::default().commands.len(), all);
+        assert_eq!(KeyChords::default().commands.len(), all);
     }
 
     #[test]
@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn what_is_latin_a_sign_or_named_is_itself_wherever_it_comes_from() {
-        let keys = Keys::default();
+        let keys = KeyChords::default();
         let command = |key: Key, code: Option<u32>| keys.command(key, code, M::empty());
         // Whatever the keycode: that of another letter, of a digit, of a named key, of nothing.
         for code in [None, Some(9), Some(10), Some(24), Some(25), Some(56), Some(65), Some(255)] {
@@ -158,7 +158,7 @@ mod tests {
 
     #[test]
     fn a_letter_that_is_not_latin_means_its_place() {
-        let keys = Keys::default();
+        let keys = KeyChords::default();
         assert_eq!(keys.command(Key::Cyrillic_i, Some(56), M::empty()), Some(Command::Bones));
         assert_eq!(keys.command(Key::Greek_beta, Some(56), M::empty()), Some(Command::Bones));
         assert_eq!(keys.command(Key::Cyrillic_ha, Some(34), M::empty()), Some(Command::Slower));
@@ -168,7 +168,7 @@ mod tests {
 
     #[test]
     fn so_it_is_with_control() {
-        let keys = Keys::default();
+        let keys = KeyChords::default();
         // Ctrl+Z on a French keyboard, where Z is at W's place, must not close the file.
         assert_eq!(keys.command(Key::z, Some(25), M::CONTROL_MASK), Some(Command::Undo));
         assert_eq!(keys.command(Key::Cyrillic_ya, Some(52), M::CONTROL_MASK), Some(Command::Undo));
@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn signs_numpad_and_named_keys() {
-        let keys = Keys::default();
+        let keys = KeyChords::default();
         assert_eq!(keys.command(Key::question, Some(61), M::CONTROL_MASK | M::SHIFT_MASK), Some(Command::Shortcuts));
         assert_eq!(keys.command(Key::KP_7, Some(79), M::empty()), Some(Command::Top));
         assert_eq!(keys.command(Key::KP_1, Some(87), M::CONTROL_MASK), Some(Command::Back));

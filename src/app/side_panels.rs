@@ -12,7 +12,7 @@ use super::window::object;
 const ROOM_FOR_BOTH: i32 = 1000;
 
 /// Both sides.
-pub(super) struct Sides {
+pub(super) struct SidePanels {
     tree: gtk::Box,
     panel: gtk::Box,
     /// The tree was folded for lack of room, not by the user.
@@ -21,7 +21,7 @@ pub(super) struct Sides {
     panel_gave_way: Cell<bool>,
 }
 
-impl Sides {
+impl SidePanels {
     /// Those of a window.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
         Self {

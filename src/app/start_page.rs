@@ -8,7 +8,7 @@ use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
-use super::error_bar::Trouble;
+use super::error_bar::ErrorMessage;
 use super::samples::{self, DEMOS, Demo};
 use super::window::{Window, object};
 use super::{document_loader, recent, saving, ui};
@@ -129,7 +129,7 @@ pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
             window.restore_view_settings();
             window.update(|session| session.show(Document::built_in(), LoadMode::New));
         }),
-        Err(error) => window.error_bar.show(Trouble {
+        Err(error) => window.error_bar.show(ErrorMessage {
             headline: tr!("app-demo-unwritten", folder = samples::folder().display().to_string()),
             message: error.sentence(),
             details: String::new(),

@@ -11,7 +11,7 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::curve_editor::Sheet;
+use super::curve_editor::CurveEditor;
 use super::drawing_area::PaintWidget;
 use super::icons::{self, Glyph};
 use super::timeline_ruler::{Track, frame_of};
@@ -45,7 +45,7 @@ pub(super) struct Timeline {
     /// The whole.
     pub root: gtk::Box,
     /// What is unfolded below the track.
-    pub sheet: Sheet,
+    pub sheet: CurveEditor,
     over_track: gtk::Overlay,
     canvas: PaintWidget,
     track: Rc<RefCell<Track>>,
@@ -81,7 +81,7 @@ impl Timeline {
         let root: gtk::Box = object(&builder, "root");
         // Exporters make clip names that are longer than the window is wide.
         ui::narrow(&object(&builder, "clip"), 12);
-        let sheet = Sheet::new(track.clone(), &canvas);
+        let sheet = CurveEditor::new(track.clone(), &canvas);
         root.append(&sheet.root);
         Self {
             root,

@@ -5,7 +5,7 @@ use crate::scene::{Content, Node, NodeId, NodeKind, Scene};
 
 /// A row of the tree.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Row {
+pub(super) struct TreeRow {
     /// The node.
     pub node: NodeId,
     /// What a person calls it.
@@ -18,7 +18,7 @@ pub(super) struct Row {
     pub children: Vec<NodeId>,
 }
 
-impl Row {
+impl TreeRow {
     /// The row of a node.
     pub(super) fn of(scene: &Scene, id: NodeId) -> Self {
         let node = scene.graph.node(id);
@@ -119,6 +119,6 @@ mod tests {
     #[test]
     fn icons_tell_kinds_apart() {
         let scene = scene();
-        assert_eq!((Row::of(&scene, NodeId(0)).glyph, Row::of(&scene, NodeId(1)).glyph), (Glyph::File, Glyph::Bone));
+        assert_eq!((TreeRow::of(&scene, NodeId(0)).glyph, TreeRow::of(&scene, NodeId(1)).glyph), (Glyph::File, Glyph::Bone));
     }
 }

@@ -30,7 +30,7 @@ struct ViaRow {
 
 /// What a row's buttons need to know: the rows, and where the keyboard goes when the last one is gone.
 #[derive(Clone)]
-struct Rows {
+struct ViaRows {
     rows: Rc<RefCell<Vec<ViaRow>>>,
     add: gtk::Button,
 }
@@ -40,7 +40,7 @@ pub(super) struct ViaPointsEditor {
     builder: gtk::Builder,
     bones: Bones,
     list: gtk::Box,
-    rows: Rows,
+    rows: ViaRows,
     pick: gtk::ToggleButton,
     ball: AttachmentField,
     fields: [gtk::Entry; 4],
@@ -55,7 +55,7 @@ impl ViaPointsEditor {
             builder: builder.clone(),
             bones: bones.clone(),
             list: object(builder, "via_list"),
-            rows: Rows { rows: Rc::default(), add: object(builder, "via_add") },
+            rows: ViaRows { rows: Rc::default(), add: object(builder, "via_add") },
             pick: object(builder, "via_pick_new"),
             ball: AttachmentField::new(builder, "wrap", AttachmentPoint::Wrap, bones),
             fields: FIELDS.map(|(id, _)| object(builder, id)),
@@ -138,7 +138,7 @@ impl ViaPointsEditor {
     }
 }
 
-impl Rows {
+impl ViaRows {
     /// The row of the next via point.
     fn make(&self, editor: &Editor, bones: &Bones) -> ViaRow {
         let number = self.rows.borrow().len();

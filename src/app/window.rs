@@ -11,7 +11,7 @@ use gtk4 as gtk;
 
 use super::autosave::Autosave;
 use super::commands::Command;
-use super::curve_editor::Sheet;
+use super::curve_editor::CurveEditor;
 use super::display_panel::DisplayPanel;
 use super::document_loader::DocumentLoader;
 use super::empty_state::EmptyState;
@@ -23,12 +23,12 @@ use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
 use super::scene_tree::SceneTree;
 use super::settings::{SavedViewSettings, Settings};
-use super::shortcuts::Keys;
-use super::side_panels::Sides;
+use super::shortcuts::KeyChords;
+use super::side_panels::SidePanels;
 use super::start_page::StartPage;
 use super::timeline::Timeline;
 use super::timeline_ruler::Track;
-use super::tree_model::Row;
+use super::tree_model::TreeRow;
 use super::viewport::Viewport;
 use super::{appearance, command_dispatch, document_loader, key_controller, menus, onion_skin_panel, saving, side_panels, title_bar, ui};
 use crate::document::Document;
@@ -55,12 +55,12 @@ pub(super) struct Window {
     /// Opening, watching.
     pub files: DocumentLoader,
     /// Keys to commands.
-    pub keys: Keys,
+    pub keys: KeyChords,
     session: RefCell<Session>,
     refreshing: Cell<bool>,
     ticking: Cell<bool>,
     page_turned: Cell<bool>,
-    side_panels: Sides,
+    side_panels: SidePanels,
     /// The user's view settings while those of a session file are shown.
     own_looks: RefCell<Option<SavedViewSettings>>,
     actions: HashMap<Command, gio::SimpleAction>,
@@ -113,12 +113,12 @@ impl Window {
             recovery: Autosave::new(),
             menu: object(&builder, "menu"),
             files: DocumentLoader::default(),
-            keys: Keys::default(),
+            keys: KeyChords::default(),
             session: RefCell::new(session),
             refreshing: Cell::new(false),
             ticking: Cell::new(false),
             page_turned: Cell::new(false),
-            side_panels: Sides::new(&builder),
+            side_panels: SidePanels::new(&builder),
             own_looks: RefCell::default(),
             actions: command_dispatch::make_actions(),
             timeline: Timeline::new(),
@@ -339,7 +339,7 @@ impl Window {
     }
 
     /// Lets what lies below the track show something else of the session. Signals of its widgets are no hand's meanwhile.
-    pub(super) fn sheet(&self, work: impl FnOnce(&Sheet, &Session)) {
+    pub(super) fn sheet(&self, work: impl FnOnce(&CurveEditor, &Session)) {
         if !self.refreshing.replace(true) {
             work(&self.timeline.sheet, &self.session.borrow());
             self.refreshing.set(false);
@@ -424,7 +424,7 @@ impl Window {
     }
 
     /// What the scene tree shows of a node.
-    pub(super) fn tree_row(&self, node: NodeId) -> Option<Row> {
+    pub(super) fn tree_row(&self, node: NodeId) -> Option<TreeRow> {
         self.tree.row(node)
     }
 

@@ -177,15 +177,15 @@ fn stepped(text: &str, words: &Words) -> Result<Vec<f64>, String> {
 
 /// From one value to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Span(pub f64, pub f64);
+pub(super) struct ValueRange(pub f64, pub f64);
 
 /// `FROM:TO`, each within a range.
-pub(super) fn span(low: f64, high: f64) -> impl Fn(&str) -> Result<Span, String> + Clone + Send + Sync + 'static {
+pub(super) fn span(low: f64, high: f64) -> impl Fn(&str) -> Result<ValueRange, String> + Clone + Send + Sync + 'static {
     move |text| {
         let wrong = || tr!("cli-value-not-span", example = format!("0:{}", plain(high.min(130.0))));
         let parts = text.split(':').map(number).collect::<Result<Vec<_>, _>>().map_err(|_| wrong())?;
         match parts[..] {
-            [from, to] if (low..=high).contains(&from) && (low..=high).contains(&to) => Ok(Span(from, to)),
+            [from, to] if (low..=high).contains(&from) && (low..=high).contains(&to) => Ok(ValueRange(from, to)),
             [_, _] => Err(tr!("cli-value-out-of-range", low = plain(low), high = plain(high))),
             _ => Err(wrong()),
         }
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn spans_have_two_ends() {
-        assert_eq!(span(-180.0, 180.0)("0:-130.5"), Ok(Span(0.0, -130.5)));
+        assert_eq!(span(-180.0, 180.0)("0:-130.5"), Ok(ValueRange(0.0, -130.5)));
         for wrong in ["0", "0:1:2", "a:b", "", "0:181", "nan:1"] {
             assert!(span(-180.0, 180.0)(wrong).is_err(), "{wrong}");
         }

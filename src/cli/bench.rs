@@ -25,22 +25,22 @@ const MOMENTS: u32 = 97;
 
 /// What was measured, for a program.
 #[derive(Debug, Serialize)]
-struct Report {
+struct BenchReport {
     simd: &'static str,
     threads: usize,
-    floor: Floor,
-    scenes: Vec<Scene>,
+    floor: FloorReport,
+    scenes: Vec<BenchSceneReport>,
 }
 
 #[derive(Debug, Serialize)]
-struct Floor {
+struct FloorReport {
     clear_ms: f64,
     z_pass_ms: f64,
     memcpy_ms: f64,
 }
 
 #[derive(Debug, Serialize)]
-struct Scene {
+struct BenchSceneReport {
     scene: String,
     view: &'static str,
     width: u32,
@@ -62,7 +62,7 @@ struct StageTimes {
     resolve_ms: f64,
 }
 
-impl From<BenchRow> for Scene {
+impl From<BenchRow> for BenchSceneReport {
     fn from(row: BenchRow) -> Self {
         let Stages { pose_ms, vertex_ms, raster_ms, resolve_ms } = row.times.stages;
         Self {
@@ -109,11 +109,11 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::usage(tr!("cli-bench-no-scene", text = text)));
     }
     let floor = bench::floor(&renderer, budget);
-    let report = Report {
+    let report = BenchReport {
         simd: renderer.simd(),
         threads: renderer.threads(),
-        floor: Floor { clear_ms: floor.clear_ms, z_pass_ms: floor.z_pass_ms, memcpy_ms: floor.memcpy_ms },
-        scenes: rows.into_iter().map(Scene::from).collect(),
+        floor: FloorReport { clear_ms: floor.clear_ms, z_pass_ms: floor.z_pass_ms, memcpy_ms: floor.memcpy_ms },
+        scenes: rows.into_iter().map(BenchSceneReport::from).collect(),
     };
     if given.get_flag("json") { print_json(&report) } else { print_result(&report.text()) }
 }
@@ -165,7 +165,7 @@ fn model(
     }
 }
 
-impl Report {
+impl BenchReport {
     fn text(&self) -> String {
         let ms = |value: f64| decimal(value, 3);
         let mut rows = vec![vec![
@@ -190,7 +190,7 @@ impl Report {
             row
         }));
         let mut text = columns(&rows);
-        let Floor { clear_ms, z_pass_ms, memcpy_ms } = self.floor;
+        let FloorReport { clear_ms, z_pass_ms, memcpy_ms } = self.floor;
         // Writing to a string cannot fail.
         let _ = writeln!(text, "{}", tr!("cli-bench-floor", clear = ms(clear_ms), pass = ms(z_pass_ms), copy = ms(memcpy_ms)));
         let _ = writeln!(text, "{}", tr!("cli-bench-made", simd = self.simd, threads = self.threads));

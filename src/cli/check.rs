@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::files;
 use super::output::{Failure, display_name, print_json, print_result};
 use crate::diagnostics::{Diagnostic, Severity};
-use crate::document::{Document, Finding, Images, OpenError, OpenOptions};
+use crate::document::{Document, Finding, ImageLoading, OpenError, OpenOptions};
 use crate::i18n::{self, Sentence, shown};
 use crate::progress::Progress;
 use crate::tr;
@@ -70,7 +70,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
 }
 
 fn open(file: &Path) -> Result<Vec<Diagnostic<Finding>>, OpenError> {
-    Document::open_with(&[file], OpenOptions { images: Images::Test }, &Progress::default()).map(|document| document.diagnostics)
+    Document::open_with(&[file], OpenOptions { images: ImageLoading::Test }, &Progress::default()).map(|document| document.diagnostics)
 }
 
 fn report(name: &str, result: &Result<Vec<Diagnostic<Finding>>, OpenError>) -> FileReport {

@@ -22,7 +22,7 @@ use crate::tr;
 
 /// All muscles of a file that the table fits.
 #[derive(Debug, Serialize)]
-pub(super) struct Comparison {
+pub(super) struct CompareReport {
     file: String,
     compared_with: String,
     unit: String,
@@ -36,7 +36,7 @@ struct Compared {
     samples: Vec<Pair>,
     growth: Growth,
     /// Root of the mean squared difference over all nodes and angles, of three models that keep the volume of the first angle.
-    rms: Rms,
+    rms: CompareRms,
 }
 
 /// Model and measurement at one angle.
@@ -64,13 +64,13 @@ struct Growth {
 }
 
 #[derive(Debug, Serialize)]
-struct Rms {
+struct CompareRms {
     own_growth: f64,
     fitted_growth: f64,
     measured_poses: f64,
 }
 
-impl Comparison {
+impl CompareReport {
     /// Compares the muscles of `document` with the table in `csv`.
     ///
     /// # Errors
@@ -175,7 +175,7 @@ impl Compared {
                 measured: found.growth.iter().map(|pair| pair[1]).collect(),
                 ratio: Some(found.growth_ratio).filter(|ratio| ratio.is_finite()),
             },
-            rms: Rms { own_growth: own, fitted_growth: fitted, measured_poses: poses },
+            rms: CompareRms { own_growth: own, fitted_growth: fitted, measured_poses: poses },
         })
     }
 

@@ -8,7 +8,7 @@ use super::export::allow_overwriting;
 use super::output::{Failure, output_name, print_notice, print_verbose, refuse_number_pattern, wrong_extension};
 use super::progress::install_interrupt_handler;
 use super::{files, value};
-use crate::document::{Document, Images, OpenOptions};
+use crate::document::{Document, ImageLoading, OpenOptions};
 use crate::export::gltf::{GltfContainer, save};
 use crate::export::guard::OverwriteGuard;
 use crate::i18n;
@@ -25,7 +25,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     refuse_number_pattern(&out)?;
     let guard = OverwriteGuard::of_files(&files);
     guard.output(&out)?;
-    let document = Document::open_with(&files, OpenOptions { images: Images::Decode }, &Progress::default())?;
+    let document = Document::open_with(&files, OpenOptions { images: ImageLoading::Decode }, &Progress::default())?;
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let target = guard.and(document.files()).output(&out)?;
     allow_overwriting(given, std::iter::once(out.clone()))?;

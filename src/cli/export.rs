@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use clap::ArgMatches;
 
 use super::output::{Failure, is_quiet, output_name, print_prompt, print_verbose, refuse_number_pattern, wrong_extension};
-use super::pose_options::Moment;
+use super::pose_options::PoseOptions;
 use super::progress::install_interrupt_handler;
 use super::{files, value};
-use crate::document::{Document, Images, OpenOptions, PoseBuffers};
+use crate::document::{Document, ImageLoading, OpenOptions, PoseBuffers};
 use crate::export::guard::OverwriteGuard;
 use crate::export::mtl;
 use crate::export::surface::{self, SurfaceFormat};
@@ -31,12 +31,12 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let outs = || std::iter::once(out.clone()).chain(library.clone());
     let guard = OverwriteGuard::of_files(&files);
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
-    let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
+    let document = Document::open_with(&files, OpenOptions { images: ImageLoading::Locate }, &Progress::default())?;
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let guard = guard.and(document.files());
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
     allow_overwriting(given, outs())?;
-    let state = Moment::given(given).state(&document, file)?;
+    let state = PoseOptions::given(given).state(&document, file)?;
     let mut frame = Frame::default();
     document.pose(&state, &mut PoseBuffers::default(), &mut frame);
     if !surface::is_any(&frame) {

@@ -11,7 +11,7 @@ use super::export::allow_overwriting;
 use super::output::{Failure, display_name, output_name, print_json, print_result, refuse_number_pattern, wrong_extension};
 use super::progress::install_interrupt_handler;
 use super::{files, measured, value};
-use crate::document::{Document, Images, OpenOptions, SourceKind};
+use crate::document::{Document, ImageLoading, OpenOptions, SourceKind};
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
 use crate::export::guard::OverwriteGuard;
@@ -26,18 +26,18 @@ use crate::tr;
 
 /// What was fitted; the names are a contract.
 #[derive(Debug, Serialize)]
-struct Report {
+struct FitReport {
     file: String,
     fitted_to: String,
     unit: String,
     model: &'static str,
     growth: Vec<f64>,
-    rms: Rms,
+    rms: FitRms,
 }
 
 /// Root of the mean squared difference over all nodes and angles.
 #[derive(Debug, Serialize)]
-struct Rms {
+struct FitRms {
     own_growth: Option<f64>,
     fitted_growth: f64,
     measured_poses: f64,
@@ -59,7 +59,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     guard.output(&out)?;
     let table = measured::read(csv)?;
     let document = match &like {
-        Some(file) => Document::open_with(std::slice::from_ref(file), OpenOptions { images: Images::Locate }, &Progress::default())?,
+        Some(file) => Document::open_with(std::slice::from_ref(file), OpenOptions { images: ImageLoading::Locate }, &Progress::default())?,
         None => Document::built_in(),
     };
     let target = guard.and(document.files()).output(&out)?;
@@ -81,10 +81,10 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     allow_overwriting(given, std::iter::once(out.clone()))?;
     install_interrupt_handler();
     write_atomic(&target, |sink| sink.write_all(fitted.file.to_yaml().as_bytes()))?;
-    let rms = Rms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
+    let rms = FitRms { own_growth: fitted.own, fitted_growth: fitted.growth, measured_poses: fitted.poses };
     if given.get_flag("json") {
         let model = if model == Model::Poses { "poses" } else { "growth" };
-        print_json(&Report { file: output_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
+        print_json(&FitReport { file: output_name(&out), fitted_to: display_name(csv), unit, model, growth, rms })
     } else {
         print_result(rms_lines(rms.own_growth, rms.fitted_growth, rms.measured_poses, &unit_label(&unit).sentence()).trim_start())
     }

@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::check::FindingReport;
 use super::files;
 use super::output::{Failure, display_name, print_json, print_result};
-use crate::document::{Document, Images, OpenOptions, SourceKind};
+use crate::document::{Document, ImageLoading, OpenOptions, SourceKind};
 use crate::export::tables::{unit_label, unit_name};
 use crate::i18n::Sentence;
 use crate::i18n::{self, decimal};
@@ -84,7 +84,7 @@ struct BoundsInfo {
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // What images show says nothing about the file; that they are there and are images does.
-    let document = view::open(&files, OpenOptions { images: Images::Locate }, &Progress::default())?.document;
+    let document = view::open(&files, OpenOptions { images: ImageLoading::Locate }, &Progress::default())?.document;
     let name = files.first().map(|file| display_name(file)).unwrap_or_default();
     let info = Info::of(&document, name);
     // The program ends here: giving back what was read piece by piece would only take time.

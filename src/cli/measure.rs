@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 
 use super::arg_parsers::{Angles, MOST_DEGREES, Times, plain};
-use super::compare::Comparison;
+use super::compare::CompareReport;
 use super::export::allow_overwriting;
 use super::output::{
     Failure, display_name, output_name, print_json, print_notice, print_result, print_verbose, refuse_number_pattern, wrong_extension,
@@ -15,9 +15,9 @@ use super::pose_options::unknown_clip;
 use super::progress::install_interrupt_handler;
 use super::text_table::columns;
 use super::{files, joints, value};
-use crate::document::{Document, Images, OpenOptions, PoseState};
+use crate::document::{Document, ImageLoading, OpenOptions, PoseState};
 use crate::export::guard::OverwriteGuard;
-use crate::export::tables::{JointTable, MuscleTable, PLOT_SCALE, Table, TableError, TableFormat, TableSubject, even_times, unit_label};
+use crate::export::tables::{JointTable, MeasureTable, MuscleTable, PLOT_SCALE, Table, TableError, TableFormat, even_times, unit_label};
 use crate::i18n::Sentence;
 use crate::i18n::{self, decimal};
 use crate::progress::Progress;
@@ -27,12 +27,12 @@ use crate::tr;
 /// Runs the subcommand.
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
-    let document = Document::open_with(&files, OpenOptions { images: Images::Locate }, &Progress::default())?;
-    let sheet = Sheet { given, guard: OverwriteGuard::of_files(&files).and(document.files()) };
+    let document = Document::open_with(&files, OpenOptions { images: ImageLoading::Locate }, &Progress::default())?;
+    let sheet = MeasureReport { given, guard: OverwriteGuard::of_files(&files).and(document.files()) };
     let file = files.first().cloned().unwrap_or_default();
     if given.get_flag("joints") {
         // A file without joints is to be told so, whether it has a clip or not.
-        if TableError::check(TableSubject::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(TableError::NoJoint) {
+        if TableError::check(MeasureTable::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(TableError::NoJoint) {
             return Err(match document.clips.is_empty() {
                 true => Failure::usage(tr!("cli-measure-no-joint-no-clip", file = display_name(&file))),
                 false => table_failure(TableError::NoJoint, &file),
@@ -46,7 +46,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         return Err(Failure::file(&file, TableError::NoMuscle.sentence()));
     }
     if let Some(csv) = value::<PathBuf>(given, "compare") {
-        let comparison = Comparison::of(&document, &file, &csv)?;
+        let comparison = CompareReport::of(&document, &file, &csv)?;
         return if given.get_flag("json") {
             print_json(&comparison)
         } else if given.get_flag("csv") {
@@ -71,7 +71,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
     if angles.is_none() && given.contains_id("plot") {
         // Four angles are a table, but no curve.
-        let table = Table::measure(TableSubject::Muscles, &document, &document.start_state(), DEFAULT_FPS)
+        let table = Table::measure(MeasureTable::Muscles, &document, &document.start_state(), DEFAULT_FPS)
             .map_err(|why| table_failure(why, &file))?;
         return sheet.answer(&table);
     }
@@ -81,12 +81,12 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
 }
 
 /// How a table is to be answered.
-struct Sheet<'a> {
+struct MeasureReport<'a> {
     given: &'a ArgMatches,
     guard: OverwriteGuard,
 }
 
-impl Sheet<'_> {
+impl MeasureReport<'_> {
     /// Draws the plot that is asked for, and prints the table where that is asked for or there is no plot.
     fn answer(&self, table: &Table) -> Result<(), Failure> {
         let given = self.given;

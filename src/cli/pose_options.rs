@@ -18,7 +18,7 @@ const MAX_TIME_OUTSIDE: f64 = 3600.0;
 
 /// What the options say.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Moment {
+pub(super) struct PoseOptions {
     /// Seconds on the file's own time axis.
     pub time: Option<f64>,
     clip: Option<String>,
@@ -27,7 +27,7 @@ pub(super) struct Moment {
     on_top: bool,
 }
 
-impl Moment {
+impl PoseOptions {
     /// Takes the options from the command line.
     pub(super) fn given(given: &ArgMatches) -> Self {
         Self {
@@ -52,7 +52,7 @@ impl Moment {
         self.over(document.start_state(), document, file)
     }
 
-    /// [`Moment::state`] on top of another one than the document's start.
+    /// [`PoseOptions::state`] on top of another one than the document's start.
     ///
     /// # Errors
     /// As there.

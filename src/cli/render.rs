@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::ArgMatches;
 use glam::Vec3;
 
-use super::arg_parsers::{BackgroundArg, Span, plain};
+use super::arg_parsers::{BackgroundArg, ValueRange, plain};
 use super::export::allow_overwriting;
 use super::output::{Failure, display_name, output_name, print_error, print_verbose, refuse_number_pattern, wrong_extension};
-use super::pose_options::Moment;
+use super::pose_options::PoseOptions;
 use super::{files, progress, value};
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
@@ -51,7 +51,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
     let Opened { document, session: saved, compared } = opened;
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));
-    let pose_state = Moment::given(given);
+    let pose_state = PoseOptions::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
     let state = pose_state.over(start, &document, first)?;
     let sequence = match target {
@@ -123,12 +123,12 @@ fn single(given: &ArgMatches, state: PoseState) -> Result<Sequence, Failure> {
     }
 }
 
-fn sequence(given: &ArgMatches, pose_state: &Moment, document: &Document, state: PoseState) -> Result<Sequence, SequenceError> {
-    let sweep = |id| value::<Span>(given, id);
+fn sequence(given: &ArgMatches, pose_state: &PoseOptions, document: &Document, state: PoseState) -> Result<Sequence, SequenceError> {
+    let sweep = |id| value::<ValueRange>(given, id);
     let has_clip = state.clip.is_some();
     let motion = match (sweep("sweep-angle"), sweep("sweep-contraction")) {
-        (Some(Span(from, to)), _) => Motion::Angle(from, to),
-        (None, Some(Span(from, to))) => Motion::Contraction(from, to),
+        (Some(ValueRange(from, to)), _) => Motion::Angle(from, to),
+        (None, Some(ValueRange(from, to))) => Motion::Contraction(from, to),
         (None, None) if has_clip && pose_state.time.is_some() => Motion::Still,
         (None, None) if !has_clip && pose_state.fixes_muscles() => Motion::Still,
         (None, None) => Motion::Play,

@@ -13,8 +13,8 @@ use crate::system::{Doing, plain, reason};
 use crate::{limits, message};
 
 /// What an image is read from.
-pub(super) trait Stream: BufRead + Seek {}
-impl<T: BufRead + Seek> Stream for T {}
+pub(super) trait ImageStream: BufRead + Seek {}
+impl<T: BufRead + Seek> ImageStream for T {}
 
 /// What is known of an image before it is decoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,7 +61,7 @@ impl From<png::DecodingError> for ImageReadError {
 }
 
 /// A reader of the format that the content shows, else that the file's ending names (TGA has no mark), within the limits.
-fn reader<'a>(stream: Box<dyn Stream + 'a>, path: &Path) -> Result<ImageReader<Box<dyn Stream + 'a>>, ImageReadError> {
+fn reader<'a>(stream: Box<dyn ImageStream + 'a>, path: &Path) -> Result<ImageReader<Box<dyn ImageStream + 'a>>, ImageReadError> {
     let mut reader = ImageReader::new(stream).with_guessed_format()?;
     if reader.format().is_none() {
         reader.set_format(ImageFormat::from_path(path)?);
@@ -74,7 +74,7 @@ fn reader<'a>(stream: Box<dyn Stream + 'a>, path: &Path) -> Result<ImageReader<B
     Ok(reader)
 }
 
-fn png_decoder<'a>(stream: Box<dyn Stream + 'a>) -> png::Decoder<Box<dyn Stream + 'a>> {
+fn png_decoder<'a>(stream: Box<dyn ImageStream + 'a>) -> png::Decoder<Box<dyn ImageStream + 'a>> {
     let mut decoder = png::Decoder::new_with_limits(stream, png::Limits { bytes: limits::IMAGE_DECODING_BYTES as usize });
     decoder.set_ignore_text_chunk(true);
     decoder.set_ignore_iccp_chunk(true);
@@ -84,7 +84,7 @@ fn png_decoder<'a>(stream: Box<dyn Stream + 'a>) -> png::Decoder<Box<dyn Stream 
 }
 
 /// Reads the head of an image alone: whether it is one, and how large.
-pub(super) fn read_header(stream: Box<dyn Stream + '_>, path: &Path) -> Result<ImageHeader, ImageReadError> {
+pub(super) fn read_header(stream: Box<dyn ImageStream + '_>, path: &Path) -> Result<ImageHeader, ImageReadError> {
     let reader = reader(stream, path)?;
     let header = match reader.format() {
         Some(ImageFormat::Png) => {
@@ -113,7 +113,7 @@ pub(super) fn read_header(stream: Box<dyn Stream + '_>, path: &Path) -> Result<I
 }
 
 /// The size in the frame header of a JPEG file (ITU-T T.81, B.2.2). The decoder itself would take the whole file in to tell it.
-fn jpeg_head(mut stream: Box<dyn Stream + '_>) -> Result<ImageHeader, ImageReadError> {
+fn jpeg_head(mut stream: Box<dyn ImageStream + '_>) -> Result<ImageHeader, ImageReadError> {
     let length = stream.seek(io::SeekFrom::End(0))?;
     stream.seek(io::SeekFrom::Start(2))?;
     loop {
@@ -140,14 +140,14 @@ fn jpeg_head(mut stream: Box<dyn Stream + '_>) -> Result<ImageHeader, ImageReadE
     }
 }
 
-fn bytes<const N: usize>(stream: &mut dyn Stream) -> io::Result<[u8; N]> {
+fn bytes<const N: usize>(stream: &mut dyn ImageStream) -> io::Result<[u8; N]> {
     let mut bytes = [0; N];
     stream.read_exact(&mut bytes)?;
     Ok(bytes)
 }
 
 /// Decodes an image whose head was read, to a picture of size `to`, which is no larger: each of its pixels is the mean of those that it stands for.
-pub(super) fn decode(stream: Box<dyn Stream + '_>, path: &Path, header: &ImageHeader, to: [u32; 2]) -> Result<Pixels, ImageReadError> {
+pub(super) fn decode(stream: Box<dyn ImageStream + '_>, path: &Path, header: &ImageHeader, to: [u32; 2]) -> Result<Pixels, ImageReadError> {
     let reader = reader(stream, path)?;
     let mut scaled = ScaledImage::new(header.size, to).ok_or(ImageReadError::Memory)?;
     if !limits::is_room(header.decoding) {
@@ -175,7 +175,7 @@ fn try_allocate(bytes: usize) -> Result<Vec<u8>, ImageReadError> {
     Ok(room)
 }
 
-fn png_rows(stream: Box<dyn Stream + '_>, header: &ImageHeader, scaled: &mut ScaledImage) -> Result<(), ImageReadError> {
+fn png_rows(stream: Box<dyn ImageStream + '_>, header: &ImageHeader, scaled: &mut ScaledImage) -> Result<(), ImageReadError> {
     let mut reader = png_decoder(stream).read_info()?;
     if [reader.info().width, reader.info().height] != header.size {
         return Err(ImageReadError::Broken(message!("document-image-no-pixels")));
@@ -221,7 +221,7 @@ fn pixel_format(color: ColorType) -> Option<PixelFormat> {
 }
 
 /// The bytes of an image in memory as a stream.
-pub(super) fn in_memory(bytes: &[u8]) -> Box<dyn Stream + '_> {
+pub(super) fn in_memory(bytes: &[u8]) -> Box<dyn ImageStream + '_> {
     Box::new(Cursor::new(bytes))
 }
 

@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
 use super::image_decoder::ImageReadError;
-use super::image_decoder::{Stream, in_memory};
+use super::image_decoder::{ImageStream, in_memory};
 use crate::limits;
 use crate::message;
 use crate::message::SourceName;
@@ -65,7 +65,7 @@ impl ImageLocation<'_> {
     }
 
     /// Its bytes.
-    pub(super) fn stream(&self) -> Result<Box<dyn Stream + '_>, ImageReadError> {
+    pub(super) fn stream(&self) -> Result<Box<dyn ImageStream + '_>, ImageReadError> {
         match self {
             Self::Archived { bytes, .. } => Ok(in_memory(bytes)),
             Self::Disk(path) => {

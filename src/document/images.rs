@@ -12,7 +12,7 @@ use super::image_budget::{self, ImageDemand};
 use super::image_decoder::{self, ImageHeader, ImageReadError};
 use super::image_finding::ImageFinding;
 use super::image_paths::{FileImages, ImageLocation, ImageLocator, SharedImages};
-use super::{Document, Finding, Images};
+use super::{Document, Finding, ImageLoading};
 use crate::diagnostics::Diagnostic;
 use crate::limits;
 use crate::message::SourceName;
@@ -46,7 +46,7 @@ impl PendingImages {
     }
 
     /// Finds the images beside their files, or in them, and decodes them if asked to. What is odd becomes a finding of its file.
-    pub(super) fn load(&self, document: &mut Document, what: Images, progress: &Progress) {
+    pub(super) fn load(&self, document: &mut Document, what: ImageLoading, progress: &Progress) {
         let mut diagnostics =
             ImageDiagnostics { files: &self.files, findings: vec![Vec::new(); self.files.len()], memory: AffectedImages::default() };
         let scene = &mut document.scene;
@@ -54,7 +54,7 @@ impl PendingImages {
         // What needs most on the way comes first, while nothing else is there.
         pictures.sort_by_key(|picture| Reverse(picture.head.decoding));
         let demands = demands(scene, &pictures);
-        let budget = if what == Images::Decode { memory_budget(&demands) } else { limits::IMAGES_BYTES };
+        let budget = if what == ImageLoading::Decode { memory_budget(&demands) } else { limits::IMAGES_BYTES };
         let (mut tested, mut reduced, mut left_out) = (0, AffectedImages::default(), AffectedImages::default());
         for (picture, size) in pictures.iter().zip(image_budget::sizes(&demands, budget)) {
             if progress.is_cancelled() {
@@ -69,9 +69,9 @@ impl PendingImages {
                 continue;
             }
             let readable = match what {
-                Images::Decode => decode(scene, picture, size, &mut diagnostics),
-                Images::Test => test(scene, picture, &mut tested, &mut diagnostics),
-                Images::Locate => true,
+                ImageLoading::Decode => decode(scene, picture, size, &mut diagnostics),
+                ImageLoading::Test => test(scene, picture, &mut tested, &mut diagnostics),
+                ImageLoading::Locate => true,
             };
             if !readable {
                 continue;
@@ -366,7 +366,7 @@ mod tests {
     fn load(document: &mut Document, folder: &Path, archived: Vec<(PathBuf, Vec<u8>)>) {
         let mut pending = PendingImages::default();
         pending.add(&"a.dae".into(), folder, archived, 0..document.scene.images.len());
-        pending.load(document, Images::Decode, &Progress::default());
+        pending.load(document, ImageLoading::Decode, &Progress::default());
     }
 
     #[test]
@@ -403,17 +403,17 @@ mod tests {
         let whole = png_of(64, 64, [1, 2, 3, 255]);
         fs::write(folder.path().join("whole.png"), &whole).expect("written");
         fs::write(folder.path().join("cut.png"), &whole[..whole.len() - 30]).expect("written");
-        let broken = |what: Images| {
+        let broken = |what: ImageLoading| {
             let mut document = document(&["whole.png", "cut.png", "cut.png"]);
             let mut pending = PendingImages::default();
             pending.add(&"a.dae".into(), folder.path(), Vec::new(), 0..3);
             pending.load(&mut document, what, &Progress::default());
             let kept = document.scene.images.iter().filter(|image| image.pixels.is_some()).count();
-            assert_eq!(kept, usize::from(what == Images::Decode));
+            assert_eq!(kept, usize::from(what == ImageLoading::Decode));
             assert!(document.diagnostics.iter().all(|finding| finding.code() == BROKEN && finding.element.contains("skin")));
             document.diagnostics.len()
         };
-        assert_eq!([Images::Locate, Images::Test, Images::Decode].map(broken), [0, 1, 1]);
+        assert_eq!([ImageLoading::Locate, ImageLoading::Test, ImageLoading::Decode].map(broken), [0, 1, 1]);
     }
 
     #[test]
@@ -429,7 +429,7 @@ mod tests {
         pending.add(&"a.dae".into(), folder.path(), Vec::new(), 0..6);
         // Another file names it for itself.
         pending.add(&"b.dae".into(), folder.path(), Vec::new(), 6..8);
-        pending.load(&mut document, Images::Decode, &Progress::default());
+        pending.load(&mut document, ImageLoading::Decode, &Progress::default());
         let diagnostics: Vec<_> =
             document.diagnostics.iter().map(|finding| (finding.file.to_string(), finding.code(), i18n::finding(finding))).collect();
         for (file, code, parts) in [
@@ -482,7 +482,7 @@ mod tests {
         let mut pending = PendingImages::default();
         pending.add(&"a.dae".into(), folder.path(), Vec::new(), 0..2);
         pending.add(&"b.dae".into(), folder.path(), Vec::new(), 2..4);
-        pending.load(&mut document, Images::Decode, &Progress::default());
+        pending.load(&mut document, ImageLoading::Decode, &Progress::default());
         let taken: usize = document.scene.images.iter().map(|image| image.pixels.as_ref().map_or(0, |pixels| pixels.rgba.len())).sum();
         assert!((taken + taken * 4 / 3) as u64 <= limits::IMAGES_BYTES);
         for (image, red) in document.scene.images.iter().zip(0..) {
@@ -500,7 +500,7 @@ mod tests {
         // Looking at the heads alone tells the same.
         let diagnostics = std::mem::take(&mut document.diagnostics);
         document.scene.images.iter_mut().for_each(|image| image.pixels = None);
-        pending.load(&mut document, Images::Locate, &Progress::default());
+        pending.load(&mut document, ImageLoading::Locate, &Progress::default());
         assert_eq!(document.diagnostics, diagnostics);
         assert!(document.scene.images.iter().all(|image| image.pixels.is_none()));
     }

@@ -42,10 +42,10 @@ pub use image_finding::ImageFinding;
 pub use joint_angles::{JointSample, JointTrack};
 pub use joint_override::JointOverride;
 pub use muscle_samples::MuscleSample;
-pub use open::{Images, OpenOptions};
+pub use open::{ImageLoading, OpenOptions};
 pub use pose::{PoseBuffers, PoseTimes};
 pub use posed_copy::PosedCopy;
-pub use vertex_influences::{Influence, VertexInfluences};
+pub use vertex_influences::{JointContribution, VertexInfluences};
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};

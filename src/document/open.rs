@@ -15,13 +15,13 @@ use crate::{input, limits};
 
 /// What to do about the images that a file names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Images {
+pub enum ImageLoading {
     /// Find and decode them.
     #[default]
     Decode,
     /// Find them and look at their heads only: enough to tell what is in a file, and quicker.
     Locate,
-    /// As [`Images::Locate`], and read through those that fit into the memory for reading, to find broken ones; no picture is kept.
+    /// As [`ImageLoading::Locate`], and read through those that fit into the memory for reading, to find broken ones; no picture is kept.
     Test,
 }
 
@@ -29,7 +29,7 @@ pub enum Images {
 #[derive(Debug, Clone, Copy, Default)]
 pub struct OpenOptions {
     /// Images: decoded or only located.
-    pub images: Images,
+    pub images: ImageLoading,
 }
 
 impl Document {

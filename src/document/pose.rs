@@ -10,7 +10,7 @@ use super::occlusion_test::mark_covering_surfaces;
 use super::{Document, PoseState, SourceKind};
 use crate::animation::Pose;
 use crate::muscle::Solved;
-use crate::scene::{Bounds, Content, Frame, Joint, MeshInstance, MuscleId, NodeId, NodeKind, Surface, SurfaceGeometry};
+use crate::scene::{Bounds, Content, Frame, FrameJoint, MeshInstance, MuscleId, NodeId, NodeKind, Surface, SurfaceGeometry};
 
 /// Buffers that posing uses again and again, and what it found out on the way.
 #[derive(Debug, Clone, Default)]
@@ -199,7 +199,7 @@ impl Document {
         buffers.solved.resize(self.muscle_count(), Solved::default());
         for (id, node) in self.scene.graph.iter() {
             if node.kind == NodeKind::Joint {
-                frame.joints.push(Joint { node: id, parent: self.joint_above(id) });
+                frame.joints.push(FrameJoint { node: id, parent: self.joint_above(id) });
             }
         }
     }

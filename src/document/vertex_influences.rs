@@ -8,7 +8,7 @@ use crate::scene::{Content, Frame, NodeId};
 
 /// One bone's share in a vertex.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Influence {
+pub struct JointContribution {
     /// The bone's node; `None` where the file names none that is there.
     pub node: Option<NodeId>,
     /// The name of the joint in the skin; empty for the bind shape itself (influence −1).
@@ -31,7 +31,7 @@ pub struct VertexInfluences {
     /// The vertex before the skin, after the morphs below it; the mesh's own space.
     pub base: DVec3,
     /// The bones; empty where no skin moves it.
-    pub influences: Vec<Influence>,
+    pub influences: Vec<JointContribution>,
     /// The sum of the parts: where linear blending puts the vertex; world, metres.
     pub sum: DVec3,
     /// Where it is drawn; world, metres. Differs from the sum where dual quaternions are blended, and where a morph above the skin mixes the skinned shape.
@@ -59,7 +59,7 @@ impl Document {
             return Some(VertexInfluences { vertex, point, base, influences: Vec::new(), sum: here.transform_point3(base), drawn });
         };
         let bind = at(root_of(&self.scene, surface.node)).unwrap_or(DMat4::IDENTITY) * skin.bind_shape;
-        let shares: Vec<Influence> = skin
+        let shares: Vec<JointContribution> = skin
             .influences_of(point as usize)
             .iter()
             .map(|influence| {
@@ -71,7 +71,7 @@ impl Document {
                     _ => bind,
                 };
                 let (weight, alone) = (f64::from(influence.weight), matrix.transform_point3(base));
-                Influence {
+                JointContribution {
                     node,
                     joint: joint.map_or_else(String::new, |joint| joint.name.clone()),
                     weight,

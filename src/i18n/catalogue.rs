@@ -50,7 +50,7 @@ impl Language {
 /// Number of files in the catalogue.
 const FILES: usize = 6;
 
-type Bundle = FluentBundle<FluentResource>;
+type MessageBundle = FluentBundle<FluentResource>;
 
 /// 0 = not chosen yet, 1 = English, 2 = Russian.
 static CHOSEN: AtomicU8 = AtomicU8::new(0);
@@ -88,16 +88,16 @@ fn from_environment() -> Language {
 }
 
 /// One file of the catalogue, parsed when it is first asked for: a command needs few of them, and all together would take a good part of its start.
-fn bundle(language: Language, file: usize) -> Option<&'static Bundle> {
-    static ENGLISH: [OnceLock<Bundle>; FILES] = [const { OnceLock::new() }; FILES];
-    static RUSSIAN: [OnceLock<Bundle>; FILES] = [const { OnceLock::new() }; FILES];
+fn bundle(language: Language, file: usize) -> Option<&'static MessageBundle> {
+    static ENGLISH: [OnceLock<MessageBundle>; FILES] = [const { OnceLock::new() }; FILES];
+    static RUSSIAN: [OnceLock<MessageBundle>; FILES] = [const { OnceLock::new() }; FILES];
     let slots = match language {
         Language::English => &ENGLISH,
         Language::Russian => &RUSSIAN,
     };
     let (slot, (_, text)) = (slots.get(file)?, language.files().get(file)?);
     Some(slot.get_or_init(|| {
-        let mut bundle = Bundle::new_concurrent(vec![language.id()]);
+        let mut bundle = MessageBundle::new_concurrent(vec![language.id()]);
         // Isolation marks are for mixed-direction text; on a terminal they are noise.
         bundle.set_use_isolating(false);
         // The function NUMBER; to add it fails only where it is there already.

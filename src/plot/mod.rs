@@ -33,7 +33,7 @@ pub struct Plot {
     /// Its colour, `0xRRGGBB`.
     pub color: u32,
     /// More curves on the same axes.
-    pub more_curves: Vec<Curve>,
+    pub more_curves: Vec<PlotCurve>,
     /// Current x, marked by a line; none = not marked.
     pub cursor: Option<f64>,
     /// Position of the pointer, logical pixels from the left.
@@ -48,7 +48,7 @@ pub struct Plot {
 
 /// One more curve.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Curve {
+pub struct PlotCurve {
     /// Name in the legend.
     pub name: String,
     /// Colour, `0xRRGGBB`.
@@ -68,7 +68,7 @@ pub struct Series {
 
 /// Where text stands against its point, which is on its upper edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Anchor {
+pub enum TextAnchor {
     /// The point is where it starts.
     Start,
     /// The point is in the middle.
@@ -106,7 +106,7 @@ pub trait Canvas {
     /// A disc, or a ring of this line width.
     fn disc(&mut self, centre: (f64, f64), radius: f64, color: Color, ring: Option<f64>);
     /// Small text.
-    fn text(&mut self, text: &str, at: (f64, f64), anchor: Anchor, color: Color, opacity: f64);
+    fn text(&mut self, text: &str, at: (f64, f64), anchor: TextAnchor, color: Color, opacity: f64);
 }
 
 impl Plot {
@@ -176,16 +176,16 @@ impl Plot {
         }
         self.draw_legend(canvas);
         for tick in &up {
-            canvas.text(&label(*tick, &up), (LEFT - 6.0, y(*tick) - 7.0), Anchor::End, Color::Text, 0.65);
+            canvas.text(&label(*tick, &up), (LEFT - 6.0, y(*tick) - 7.0), TextAnchor::End, Color::Text, 0.65);
         }
         for tick in &across {
-            canvas.text(&label(*tick, &across), (x(*tick), bottom + 4.0), Anchor::Middle, Color::Text, 0.65);
+            canvas.text(&label(*tick, &across), (x(*tick), bottom + 4.0), TextAnchor::Middle, Color::Text, 0.65);
         }
-        canvas.text(&self.x_label, ((LEFT + right) / 2.0, bottom + 18.0), Anchor::Middle, Color::Text, 0.65);
-        canvas.text(&self.y_label, (0.0, 1.0), Anchor::Start, Color::Text, 0.65);
+        canvas.text(&self.x_label, ((LEFT + right) / 2.0, bottom + 18.0), TextAnchor::Middle, Color::Text, 0.65);
+        canvas.text(&self.y_label, (0.0, 1.0), TextAnchor::Start, Color::Text, 0.65);
         if let Some((shown, value)) = readout {
             let text = format!("{}: {}", ticks::with_unit_of(&self.x_label, shown), ticks::value(value, &up));
-            canvas.text(&text, (right, 1.0), Anchor::End, Color::Text, 1.0);
+            canvas.text(&text, (right, 1.0), TextAnchor::End, Color::Text, 1.0);
         }
     }
 
@@ -197,7 +197,7 @@ impl Plot {
         let mark = |series: &Series| if series.points.len() > 1 { "- -" } else { "○" };
         let published = self.reference_series.iter().map(|series| (format!("{} {}", mark(series), series.name), self.reference_color));
         for (row, (name, color)) in curves.chain(published).enumerate() {
-            canvas.text(&name, (LEFT + 8.0, TOP + 2.0 + LINE_HEIGHT * row as f64), Anchor::Start, Color::Rgb(color), 1.0);
+            canvas.text(&name, (LEFT + 8.0, TOP + 2.0 + LINE_HEIGHT * row as f64), TextAnchor::Start, Color::Rgb(color), 1.0);
         }
     }
 
@@ -246,7 +246,7 @@ mod tests {
             self.lines.push(points.to_vec());
         }
         fn disc(&mut self, _: (f64, f64), _: f64, _: Color, _: Option<f64>) {}
-        fn text(&mut self, text: &str, _: (f64, f64), _: Anchor, _: Color, _: f64) {
+        fn text(&mut self, text: &str, _: (f64, f64), _: TextAnchor, _: Color, _: f64) {
             self.texts.push(text.to_owned());
         }
     }

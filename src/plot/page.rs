@@ -2,7 +2,7 @@
 
 use super::raster::{Fonts, PixmapCanvas};
 use super::svg::SvgCanvas;
-use super::{Anchor, Canvas, Color, Plot, Stroke};
+use super::{Canvas, Color, Plot, Stroke, TextAnchor};
 use crate::message::{Message, ToMessage};
 use crate::{limits, message};
 
@@ -63,7 +63,7 @@ impl Page {
         canvas.rectangle([0.0, 0.0, width, height], Color::Rgb(BACKGROUND), 1.0);
         let mut top = MARGIN;
         for (heading, plots) in &self.sections {
-            canvas.text(heading, (MARGIN, top), Anchor::Start, Color::Text, 1.0);
+            canvas.text(heading, (MARGIN, top), TextAnchor::Start, Color::Text, 1.0);
             top += HEADING;
             for (index, plot) in plots.iter().enumerate() {
                 let left = MARGIN + (index % 2) as f64 * (WIDTH + MARGIN);
@@ -131,7 +131,7 @@ impl Canvas for Offset<'_> {
         self.canvas.disc(self.translated(centre), radius, color, ring);
     }
 
-    fn text(&mut self, text: &str, at: (f64, f64), anchor: Anchor, color: Color, opacity: f64) {
+    fn text(&mut self, text: &str, at: (f64, f64), anchor: TextAnchor, color: Color, opacity: f64) {
         self.canvas.text(text, self.translated(at), anchor, color, opacity);
     }
 }

@@ -4,7 +4,7 @@ use ab_glyph::{Font, FontVec, OutlineCurve, ScaleFont};
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, StrokeDash, Transform};
 
 use super::page::TEXT_COLOR;
-use super::{Anchor, Canvas, Color, Stroke};
+use super::{Canvas, Color, Stroke, TextAnchor};
 
 /// Size of text and the height of its letters above the base line, logical pixels.
 const SIZE: f32 = 11.0;
@@ -127,13 +127,13 @@ impl Canvas for PixmapCanvas<'_> {
         }
     }
 
-    fn text(&mut self, text: &str, (x, y): (f64, f64), anchor: Anchor, color: Color, opacity: f64) {
+    fn text(&mut self, text: &str, (x, y): (f64, f64), anchor: TextAnchor, color: Color, opacity: f64) {
         let font = self.font.as_scaled(self.font.pt_to_px_scale(SIZE * 0.75).unwrap_or(SIZE.into()));
         let width: f32 = text.chars().map(|letter| font.h_advance(font.glyph_id(letter))).sum();
         let mut left = match anchor {
-            Anchor::Start => x as f32,
-            Anchor::Middle => x as f32 - width / 2.0,
-            Anchor::End => x as f32 - width,
+            TextAnchor::Start => x as f32,
+            TextAnchor::Middle => x as f32 - width / 2.0,
+            TextAnchor::End => x as f32 - width,
         };
         let base = y as f32 + ASCENT;
         let mut path = PathBuilder::new();

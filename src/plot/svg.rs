@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::page::TEXT_COLOR;
-use super::{Anchor, Canvas, Color, Stroke};
+use super::{Canvas, Color, Stroke, TextAnchor};
 
 /// Size of text and the height of its letters above the base line, logical pixels.
 const SIZE: f64 = 11.0;
@@ -84,11 +84,11 @@ impl Canvas for SvgCanvas {
         self.write_element(format_args!("<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" {paint}/>"));
     }
 
-    fn text(&mut self, text: &str, (x, y): (f64, f64), anchor: Anchor, color: Color, opacity: f64) {
+    fn text(&mut self, text: &str, (x, y): (f64, f64), anchor: TextAnchor, color: Color, opacity: f64) {
         let anchor = match anchor {
-            Anchor::Start => "start",
-            Anchor::Middle => "middle",
-            Anchor::End => "end",
+            TextAnchor::Start => "start",
+            TextAnchor::Middle => "middle",
+            TextAnchor::End => "end",
         };
         let (x, y, color, text) = (round_to_hundredth(x), round_to_hundredth(y + ASCENT), hex(color), escaped(text));
         self.write_element(format_args!(

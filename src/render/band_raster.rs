@@ -12,7 +12,7 @@ use super::line::{self, LinePass, LineSegments, LineTarget};
 use super::material_state::RenderPass;
 use super::raster::{DrawRun, fill};
 use super::renderer::{Sorted, TargetLayout};
-use super::resolve::{Rows, copy_row, lay_over, resolve};
+use super::resolve::{SampleRows, copy_row, lay_over, resolve};
 use super::static_layer_cache::BandPixels;
 use super::tile_buffer::BandBuffer;
 use crate::simd::SimdLevel;
@@ -99,7 +99,7 @@ pub(super) fn draw_band(
     band: usize,
     scratch: &mut WorkerScratch,
     mut piece: BandPixels<'_>,
-    mut target: Rows<'_>,
+    mut target: SampleRows<'_>,
 ) {
     let BandJob { frame_data, target: canvas, units, sorted, sorted_bins, segments, xray } = *job;
     let (top, width) = ((band * canvas.bands.rows) as i32, canvas.width as usize);

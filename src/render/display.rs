@@ -49,7 +49,7 @@ pub enum Theme {
 
 /// Colours of what is drawn over the model, `0xRRGGBB`, sRGB.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Palette {
+pub struct OverlayPalette {
     /// Upper and lower background.
     pub background: (u32, u32),
     /// Grid lines and their opacity.
@@ -64,7 +64,7 @@ pub struct Palette {
     pub hovered: u32,
 }
 
-impl Palette {
+impl OverlayPalette {
     /// The palette of a theme.
     pub fn of(theme: Theme) -> Self {
         let axes = [0xE5534B, 0x57AB5A, 0x539BF5];
@@ -143,7 +143,7 @@ pub struct Display {
     /// The node under the pointer.
     pub hovered: Option<NodeId>,
     /// Colours of what is drawn over the model.
-    pub palette: Palette,
+    pub palette: OverlayPalette,
     /// Pixels of the device a logical pixel: widths of lines follow it.
     pub scale: f32,
     /// Side of a cell of the ground grid, metres; `None` = a power of ten after the size of the scene.
@@ -154,7 +154,7 @@ pub struct Display {
 
 impl Default for Display {
     fn default() -> Self {
-        let palette = Palette::of(Theme::Dark);
+        let palette = OverlayPalette::of(Theme::Dark);
         Self {
             shading: Shading::Gouraud,
             samples: Samples::Four,

@@ -11,7 +11,7 @@ use super::light::Lights;
 use super::material_state::{RenderPass, ResolvedMaterial};
 use super::projection::{ScreenVertex, ViewTransform};
 use super::texture::Texture;
-use super::vertex::{Geometry, Quad};
+use super::vertex::{Quad, VertexSource};
 use crate::scene::{Frame, SurfaceGeometry};
 
 /// Where an item's geometry comes from.
@@ -40,7 +40,7 @@ pub(super) struct DrawCall {
     pub backed_triangles: Option<Arc<[bool]>>,
     /// Its vertices in the flat arrays.
     pub vertices: Range<usize>,
-    /// See [`Geometry::first`] and [`Geometry::expanded`].
+    /// See [`VertexSource::first`] and [`VertexSource::expanded`].
     pub first_vertex: u32,
     pub expanded: bool,
     /// The numbers of its triangles in the picture.
@@ -117,7 +117,12 @@ pub(super) struct ClippedTriangle {
 }
 
 /// The geometry of an item.
-pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, weight_colors: &'a [glam::Vec4], item: &DrawCall) -> Geometry<'a> {
+pub(super) fn geometry<'a>(
+    frame: &'a Frame,
+    bones: &'a GeneratedMesh,
+    weight_colors: &'a [glam::Vec4],
+    item: &DrawCall,
+) -> VertexSource<'a> {
     let (first, expanded) = (item.first_vertex, item.expanded);
     match &item.source {
         GeometrySource::Surface { index, triangles } => {
@@ -129,9 +134,9 @@ pub(super) fn geometry<'a>(frame: &'a Frame, bones: &'a GeneratedMesh, weight_co
             };
             let triangles = &mesh.triangles[triangles.start as usize..triangles.end as usize];
             let weight_colors = item.weight_colors.and_then(|from| weight_colors.get(from..)).unwrap_or(&[]);
-            Geometry { positions, normals, transform, triangles, colors: &mesh.colors, weight_colors, first, expanded }
+            VertexSource { positions, normals, transform, triangles, colors: &mesh.colors, weight_colors, first, expanded }
         }
-        GeometrySource::Bones => Geometry {
+        GeometrySource::Bones => VertexSource {
             positions: &bones.positions,
             normals: &bones.normals,
             transform: None,
@@ -211,7 +216,7 @@ impl<'a> FrameData<'a> {
 /// them does not matter; it must only not panic.
 #[derive(Clone, Copy)]
 pub(super) struct VertexReader<'a> {
-    pub geometry: Geometry<'a>,
+    pub geometry: VertexSource<'a>,
     uv: &'a [Vec2],
     uv_transform: Option<Affine2>,
     screen: &'a [ScreenVertex],
@@ -236,7 +241,7 @@ impl VertexReader<'_> {
         [at(0), at(1), at(2)]
     }
 
-    /// Corners in the world. Only where the vertex stage made [`super::material_state::VertexOutput::Geometry`].
+    /// Corners in the world. Only where the vertex stage made [`super::material_state::VertexOutput::VertexSource`].
     #[inline(always)]
     pub(super) fn positions(&self, t: usize) -> [Vec3; 3] {
         self.lit(t, false).map(|[x, y, z, _]| Vec3::new(x, y, z))

@@ -33,7 +33,7 @@ mod tile_buffer;
 mod vertex;
 mod weight_colormap;
 
-pub use display::{Background, Display, Palette, Samples, Shading, Theme};
+pub use display::{Background, Display, OverlayPalette, Samples, Shading, Theme};
 pub use weight_colormap::weight_color;
 
 use glam::Vec3;
@@ -71,7 +71,7 @@ impl Framebuffer {
 
 /// What lies under a pixel.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Pick {
+pub struct PickHit {
     /// The node that the surface or bone hangs on.
     pub node: NodeId,
     /// Index in [`Frame::surfaces`]; `None` for a bone.
@@ -173,7 +173,7 @@ impl Renderer {
         height: u32,
         x: f32,
         y: f32,
-    ) -> Option<Pick> {
+    ) -> Option<PickHit> {
         self.buffers.pick(&self.pool, self.level, (scene, frame, camera, display), (width, height), x, y)
     }
 

@@ -10,7 +10,7 @@ use super::pool::Pool;
 use super::projection::{BAD, ScreenVertex};
 use super::renderer::{Buffers, TargetLayout};
 use super::setup::{AttributePlanes, Edges, Rect, area};
-use super::{Display, Pick};
+use super::{Display, PickHit};
 use crate::scene::{Camera, Frame, NodeId, Scene};
 use crate::simd::SimdLevel;
 
@@ -18,7 +18,7 @@ use crate::simd::SimdLevel;
 #[derive(Clone, Copy)]
 struct Hit {
     q: f32,
-    pick: Pick,
+    pick: PickHit,
 }
 
 impl Buffers {
@@ -32,7 +32,7 @@ impl Buffers {
         (width, height): (u32, u32),
         x: f32,
         y: f32,
-    ) -> Option<Pick> {
+    ) -> Option<PickHit> {
         if !(x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32) {
             return None;
         }
@@ -121,7 +121,7 @@ fn touch(
     Some((q, shares))
 }
 
-fn describe(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], t: usize, shares: DVec3, mixture: [[f32; 3]; 3]) -> Pick {
+fn describe(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], t: usize, shares: DVec3, mixture: [[f32; 3]; 3]) -> PickHit {
     let column = |i: usize| shares.x * f64::from(mixture[0][i]) + shares.y * f64::from(mixture[1][i]) + shares.z * f64::from(mixture[2][i]);
     let barycentric = DVec3::new(column(0), column(1), column(2)).as_vec3();
     let geometry = frame_data.reader(item).geometry;
@@ -130,11 +130,11 @@ fn describe(frame_data: &FrameData<'_>, item: &DrawCall, owners: &[NodeId], t: u
     match &item.source {
         GeometrySource::Surface { index, triangles } => {
             let node = frame_data.frame.surfaces[*index as usize].node;
-            Pick { node, surface: Some(*index), triangle: triangles.start + t as u32, barycentric, point }
+            PickHit { node, surface: Some(*index), triangle: triangles.start + t as u32, barycentric, point }
         }
         GeometrySource::Bones => {
             let node = owners.get(t / FACES).copied().unwrap_or(NodeId(0));
-            Pick { node, surface: None, triangle: 0, barycentric, point }
+            PickHit { node, surface: None, triangle: 0, barycentric, point }
         }
     }
 }
@@ -157,7 +157,7 @@ fn dots(frame_data: &FrameData<'_>, scene: &Scene, display: &Display, at: [f32; 
         let [factor, summand] = frame_data.view.depth_bias(DEPTH_BIAS + 1.0);
         let q = q as f32 * factor + summand;
         if near && best.is_none_or(|best| q > best.q) {
-            let pick = Pick { node: joint.node, surface: None, triangle: 0, barycentric: Vec3::X, point };
+            let pick = PickHit { node: joint.node, surface: None, triangle: 0, barycentric: Vec3::X, point };
             *best = Some(Hit { q, pick });
         }
     }

@@ -12,13 +12,13 @@ type Job = dyn Fn(usize) + Sync;
 
 /// A job whose lifetime was erased; see the reason in [`Pool::bin_draw_call`].
 #[derive(Clone, Copy)]
-struct JobPointer(*const Job);
+struct PoolJob(*const Job);
 // SAFETY: the pointee is `Sync`, so calling it from another thread is allowed while it lives, which `Pool::run` sees to.
-unsafe impl Send for JobPointer {}
+unsafe impl Send for PoolJob {}
 
 #[derive(Default)]
-struct State {
-    job: Option<JobPointer>,
+struct PoolState {
+    job: Option<PoolJob>,
     active: usize,
     /// Threads that are running; they start on their own time.
     started: usize,
@@ -29,7 +29,7 @@ struct State {
 
 #[derive(Default)]
 struct Shared {
-    state: Mutex<State>,
+    state: Mutex<PoolState>,
     /// Counts jobs; looked at without the lock while spinning.
     epoch: AtomicU64,
     work: Condvar,
@@ -37,7 +37,7 @@ struct Shared {
 }
 
 impl Shared {
-    fn lock(&self) -> MutexGuard<'_, State> {
+    fn lock(&self) -> MutexGuard<'_, PoolState> {
         // The lock is never held while a job runs, so poison says nothing.
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -95,7 +95,7 @@ impl Pool {
         }
         // SAFETY: only the lifetime changes. Workers take the pointer under the lock while the job is open and count themselves as
         // active; `Closing` withdraws the pointer and waits until no worker is active before `run` returns, so none uses it after that.
-        let pointer = JobPointer(unsafe { std::mem::transmute::<*const (dyn Fn(usize) + Sync), *const Job>(std::ptr::from_ref(job)) });
+        let pointer = PoolJob(unsafe { std::mem::transmute::<*const (dyn Fn(usize) + Sync), *const Job>(std::ptr::from_ref(job)) });
         {
             let mut state = self.shared.lock();
             state.job = Some(pointer);
@@ -146,7 +146,7 @@ fn worker(shared: &Shared, index: usize) {
             return;
         }
         seen = shared.epoch.load(Ordering::Acquire);
-        let Some(JobPointer(job)) = state.job else { continue };
+        let Some(PoolJob(job)) = state.job else { continue };
         state.active += 1;
         drop(state);
         // SAFETY: taken while the job was open, and this worker is counted as active: `Pool::run` waits for it.

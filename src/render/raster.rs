@@ -8,7 +8,7 @@ use super::material_state::ShaderKind;
 use super::projection::ScreenVertex;
 use super::setup::{AttributePlanes, BLOCK, EdgeStepper, Edges, Rect, area};
 use super::shade::{
-    AnyTextured, Attributes, Gouraud, Gradients, OpaqueTextured, Phong, PhongTextured, Shader, TriangleAttributes, is_opaque_textured,
+    AnyTextured, Gouraud, Gradients, OpaqueTextured, Phong, PhongTextured, Shader, ShaderAttributes, TriangleAttributes, is_opaque_textured,
 };
 use super::small_triangles::{TriangleBatch, premultiply_inv_w};
 use super::tile_buffer::BandBuffer;
@@ -68,7 +68,7 @@ pub(super) fn fill(level: SimdLevel, run: &DrawRun<'_>, plane: &mut BandBuffer) 
 #[inline(always)]
 fn triangles<'a, L: Simd, S, const K: usize, const M: usize>(l: L, run: &DrawRun<'a>, plane: &mut BandBuffer)
 where
-    S: Shader<'a> + Attributes<K>,
+    S: Shader<'a> + ShaderAttributes<K>,
 {
     let DrawRun { frame_data, item, unit, entries } = *run;
     let reader = frame_data.reader(item);
@@ -165,7 +165,7 @@ struct Triangle<const K: usize> {
 #[inline(always)]
 fn raster<'a, L: Simd, S, const K: usize, const M: usize>(l: L, shader: &S, triangle: &Triangle<K>, plane: &mut BandBuffer, size: [u32; 2])
 where
-    S: Shader<'a> + Attributes<K>,
+    S: Shader<'a> + ShaderAttributes<K>,
 {
     let rect = Rect::of(&triangle.screen, M > 1, size);
     let (top, bottom) = (rect.y0.max(plane.top), rect.y1.min(plane.top + plane.rows as i32 - 1));
@@ -202,7 +202,7 @@ where
         let across = map(stepper.a, always!(|a: i32| l.imul(l.isplat(a), l.iota())));
         let jump = map(stepper.a, always!(|a: i32| l.isplat(a.wrapping_mul(L::N as i32))));
         let mut start = stepper.start;
-        let mut span = Span::new(&stepper, width, bottom - top + 1, width > L::N as i32);
+        let mut span = PixelRun::new(&stepper, width, bottom - top + 1, width > L::N as i32);
         for y in top..=bottom {
             let (mut x, end) = span.next();
             let first = plane.index(y, left);
@@ -287,7 +287,7 @@ where
 }
 
 /// Finds, row by row, the stretch that can be inside all edges, so that the empty half of a wide triangle's box is not walked.
-struct Span {
+struct PixelRun {
     /// Where the edges on the left cross the row, in columns from the block's first; at most two edges are on one side.
     left: [f32; 2],
     left_step: [f32; 2],
@@ -297,7 +297,7 @@ struct Span {
     wide: bool,
 }
 
-impl Span {
+impl PixelRun {
     #[inline(always)]
     fn new<const M: usize>(stepper: &EdgeStepper<M>, width: i32, rows: i32, wide: bool) -> Self {
         let far = 1e6;

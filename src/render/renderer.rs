@@ -16,7 +16,7 @@ use super::line::{LinePass, LineSegments};
 use super::material_state::RenderPass;
 use super::pool::Pool;
 use super::projection::{ScreenVertex, ViewTransform};
-use super::resolve::Rows;
+use super::resolve::SampleRows;
 use super::static_layer_cache::BackgroundCache;
 use super::texture::TextureCache;
 use super::vertex::{CHUNK, Quad, VertexBuffers, vertices};
@@ -191,7 +191,7 @@ impl Buffers {
             let mut local = locals[worker].lock().unwrap_or_else(PoisonError::into_inner);
             local.resolve_ms = 0.0;
             while let Some((band, (bytes, piece))) = take(&rows) {
-                draw_band(level, &picture, band, &mut local, piece, Rows { bytes, stride });
+                draw_band(level, &picture, band, &mut local, piece, SampleRows { bytes, stride });
             }
         });
         drop(rows);

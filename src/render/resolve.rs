@@ -4,12 +4,12 @@ use super::srgb::Srgb;
 use super::tile_buffer::BandBuffer;
 
 /// The rows of a band in the target.
-pub(super) struct Rows<'a> {
+pub(super) struct SampleRows<'a> {
     pub bytes: &'a mut [u8],
     pub stride: usize,
 }
 
-impl Rows<'_> {
+impl SampleRows<'_> {
     /// Row `y` of the band; empty where the target ends earlier.
     pub(super) fn row(&mut self, y: usize) -> &mut [u8] {
         let from = (y * self.stride).min(self.bytes.len());

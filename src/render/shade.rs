@@ -11,7 +11,7 @@ use super::vertex::combine_lighting;
 use crate::simd::{Scalar, Simd, always, each, map};
 
 /// A shader with `K` attributes, a multiple of four so that attribute planes are set up by whole vectors; attribute 0 is left to the caller.
-pub(super) trait Attributes<const K: usize> {
+pub(super) trait ShaderAttributes<const K: usize> {
     /// Whether the colour is a mixture of the corners' colours, and these are within 0 to 255.
     const BOUNDED: bool = false;
     /// Whether it is laid over what is there; `None` where the item says so.
@@ -138,7 +138,7 @@ impl Gouraud<'_> {
 }
 
 /// Opaque.
-impl Attributes<4> for Gouraud<'_> {
+impl ShaderAttributes<4> for Gouraud<'_> {
     const BOUNDED: bool = true;
     const BLENDED: Option<bool> = Some(false);
     const COSTLY: bool = false;
@@ -155,7 +155,7 @@ impl Attributes<4> for Gouraud<'_> {
 }
 
 /// With opacity.
-impl Attributes<8> for Gouraud<'_> {
+impl ShaderAttributes<8> for Gouraud<'_> {
     const BLENDED: Option<bool> = Some(true);
     const COSTLY: bool = false;
     const USED: usize = 5;
@@ -196,7 +196,7 @@ impl<'a, const PLAIN: bool> Shader<'a> for GouraudTextured<'a, PLAIN> {
     }
 }
 
-impl<const PLAIN: bool> Attributes<8> for GouraudTextured<'_, PLAIN> {
+impl<const PLAIN: bool> ShaderAttributes<8> for GouraudTextured<'_, PLAIN> {
     const USED: usize = if PLAIN { 6 } else { 7 };
 
     #[inline(always)]
@@ -247,7 +247,7 @@ impl<'a> Shader<'a> for Phong<'a> {
     }
 }
 
-impl Attributes<12> for Phong<'_> {
+impl ShaderAttributes<12> for Phong<'_> {
     const USED: usize = 11;
 
     #[inline(always)]
@@ -284,7 +284,7 @@ impl<'a> Shader<'a> for PhongTextured<'a> {
     }
 }
 
-impl Attributes<12> for PhongTextured<'_> {
+impl ShaderAttributes<12> for PhongTextured<'_> {
     #[inline(always)]
     fn levels<L: Simd>(&self, l: L, corners: &TriangleAttributes<L, 12>) -> [L::I; 3] {
         corners.levels(l, textures(self.frame_data, self.style), 7)

@@ -11,7 +11,7 @@ use super::draw_data::FrameData;
 use super::projection::ScreenVertex;
 use super::raster::{STRAIGHT, needs_perspective};
 use super::setup::{ROUNDING, Rect, SAMPLES, SNAPPED};
-use super::shade::{Attributes, Gradients, Shader, TriangleAttributes};
+use super::shade::{Gradients, Shader, ShaderAttributes, TriangleAttributes};
 use super::tile_buffer::{BandBuffer, pack};
 use crate::simd::{Simd, always, each, map};
 
@@ -129,7 +129,7 @@ impl<const K: usize> TriangleBatch<K> {
         depth_test: bool,
         plane: &mut BandBuffer,
     ) where
-        S: Shader<'a> + Attributes<K>,
+        S: Shader<'a> + ShaderAttributes<K>,
     {
         let count = std::mem::take(&mut self.count).min(BATCH);
         let mut from = 0;
@@ -155,7 +155,7 @@ impl<const K: usize> TriangleBatch<K> {
     #[inline(always)]
     fn premultiply_batch<'a, L: Simd, S>(&mut self, l: L, from: usize, count: usize)
     where
-        S: Shader<'a> + Attributes<K>,
+        S: Shader<'a> + ShaderAttributes<K>,
     {
         let (far, near) = self.spread(l, 0, from);
         let curved = if S::BOUNDED {
@@ -183,7 +183,7 @@ impl<const K: usize> TriangleBatch<K> {
     #[inline(always)]
     fn set_up<'a, L: Simd, S>(&mut self, l: L, shader: &S, from: usize)
     where
-        S: Shader<'a> + Attributes<K>,
+        S: Shader<'a> + ShaderAttributes<K>,
     {
         let load = always!(|of: &Ints| l.iload(bytemuck::cast_slice(&of[from..])));
         let x: [L::I; 3] = each(always!(|c: usize| load(&self.x[c])));
@@ -258,7 +258,7 @@ impl<const K: usize> TriangleBatch<K> {
         depth_test: bool,
         plane: &mut BandBuffer,
     ) where
-        S: Shader<'a> + Attributes<K>,
+        S: Shader<'a> + ShaderAttributes<K>,
     {
         let [columns, rows] = if TILED { L::TILE } else { [L::N, 1] };
         let (left, right) = (self.left[i], self.right[i]);

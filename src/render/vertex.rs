@@ -15,7 +15,7 @@ pub(super) const CHUNK: usize = 512;
 
 /// The geometry of a surface or of generated things, as the stages read it.
 #[derive(Clone, Copy)]
-pub(super) struct Geometry<'a> {
+pub(super) struct VertexSource<'a> {
     pub positions: &'a [Vec3],
     pub normals: &'a [Vec3],
     /// Into the world; `None` where it is there already.
@@ -32,7 +32,7 @@ pub(super) struct Geometry<'a> {
     pub expanded: bool,
 }
 
-impl Geometry<'_> {
+impl VertexSource<'_> {
     /// The mesh vertex that vertex `i` of the item is.
     #[inline(always)]
     pub(super) fn mesh_vertex(&self, i: usize) -> usize {
@@ -66,7 +66,7 @@ pub(super) struct VertexBuffers<'a> {
 
 kernel! {
     /// Transforms, projects and lights the vertices of an item from `start` on, as many as `out` has room for.
-    pub(super) fn vertices<'a>(view: &ViewTransform, lights: &Lights, style: &ResolvedMaterial, geometry: &Geometry<'a>, start: usize, out: VertexBuffers<'a>) = chunk
+    pub(super) fn vertices<'a>(view: &ViewTransform, lights: &Lights, style: &ResolvedMaterial, geometry: &VertexSource<'a>, start: usize, out: VertexBuffers<'a>) = chunk
 }
 
 #[inline(always)]
@@ -75,7 +75,7 @@ fn chunk<L: Simd>(
     view: &ViewTransform,
     lights: &Lights,
     style: &ResolvedMaterial,
-    geometry: &Geometry<'_>,
+    geometry: &VertexSource<'_>,
     start: usize,
     out: VertexBuffers<'_>,
 ) {
@@ -131,7 +131,7 @@ impl Default for VertexBatch {
 
 impl VertexBatch {
     #[inline(always)]
-    fn fill(&mut self, geometry: &Geometry<'_>, start: usize, n: usize, tinted: bool) {
+    fn fill(&mut self, geometry: &VertexSource<'_>, start: usize, n: usize, tinted: bool) {
         let first = geometry.first as usize + start;
         let straight = geometry.positions.get(first..first + n).zip(geometry.normals.get(first..first + n));
         if let (Some((positions, normals)), false, false) = (straight, geometry.expanded, tinted) {

@@ -79,7 +79,7 @@ pub struct Surface {
 
 /// A bone to draw.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Joint {
+pub struct FrameJoint {
     /// Its node.
     pub node: NodeId,
     /// The joint above it, if any.
@@ -94,7 +94,7 @@ pub struct Frame {
     /// What is drawn.
     pub surfaces: Vec<Surface>,
     /// The bones.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<FrameJoint>,
     /// Materials at this moment, as [`super::Scene::materials`] but with animated values.
     pub materials: Vec<Material>,
     /// Lines drawn over the scene: motion paths, the bones of onion skins.

@@ -17,7 +17,7 @@ mod transform;
 pub use bounds::Bounds;
 pub use camera::{Camera, FileCamera, OrbitCamera, Projection, ViewDirection};
 pub use coincident_faces::backed_triangles;
-pub use frame::{Frame, Ghost, Joint, OverlayLine, Surface, SurfaceGeometry};
+pub use frame::{Frame, FrameJoint, Ghost, OverlayLine, Surface, SurfaceGeometry};
 pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
 pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, TextureTransform, WrapMode};

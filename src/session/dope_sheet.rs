@@ -64,7 +64,7 @@ enum ValueReader {
 
 /// One number over time.
 #[derive(Debug, Clone)]
-pub struct GraphLine {
+pub struct ValueGraph {
     /// `X`, `Y`, `Z`, or the name of a morph target.
     pub name: String,
     /// 0, 1, 2 = the colour of that axis.
@@ -79,7 +79,7 @@ pub struct Graph {
     /// What they are.
     pub kind: GraphKind,
     /// The lines.
-    pub lines: Vec<GraphLine>,
+    pub lines: Vec<ValueGraph>,
 }
 
 impl Graph {
@@ -92,7 +92,7 @@ impl Graph {
     }
 }
 
-impl GraphLine {
+impl ValueGraph {
     /// The value at a moment, seconds.
     pub fn value(&self, time: f64) -> f64 {
         match self.reading {
@@ -195,10 +195,10 @@ const AXES: [&str; 3] = ["X", "Y", "Z"];
 const PARTS: [&str; 3] = ["R", "G", "B"];
 
 /// The lines that a channel adds, each with its kind.
-fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, GraphLine)> {
-    let line = |name: &str, axis: usize, reading| GraphLine { name: name.into(), axis, curve: channel.curve.clone(), reading };
+fn lines(scene: &Scene, channel: &Channel) -> Vec<(GraphKind, ValueGraph)> {
+    let line = |name: &str, axis: usize, reading| ValueGraph { name: name.into(), axis, curve: channel.curve.clone(), reading };
     // Numbers of a vector: all of them, or the one of the lane.
-    let vector = |kind, lane, names: [&str; 3]| -> Vec<(GraphKind, GraphLine)> {
+    let vector = |kind, lane, names: [&str; 3]| -> Vec<(GraphKind, ValueGraph)> {
         match lane {
             Components::Whole => {
                 (0..channel.curve.dimension.min(3)).map(|axis| (kind, line(names[axis], axis, ValueReader::Number(axis)))).collect()

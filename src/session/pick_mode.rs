@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::{ChangeSet, Session, UndoStep};
 use crate::muscle::{Anchor, AttachmentPoint, Edit, EditError};
-use crate::render::Pick;
+use crate::render::PickHit;
 use crate::scene::{MuscleId, NodeId};
 
 /// Share of a bone's length from its beginning at which a bone chosen by name is held.
@@ -65,7 +65,7 @@ impl Session {
     ///
     /// # Errors
     /// [`EditError`] where the point cannot be there.
-    pub fn pick_at(&mut self, pick: Option<Pick>) -> Result<(), EditError> {
+    pub fn pick_at(&mut self, pick: Option<PickHit>) -> Result<(), EditError> {
         let Some(pick) = pick else { return Ok(()) };
         self.frame();
         let Some((node, place)) = self.bone_under(&pick) else { return Ok(()) };
@@ -166,7 +166,7 @@ impl Session {
 
     /// The bone that a picked point belongs to, and where on it the muscle's point goes: a bone itself, the arm's rods, or the joint that a skin follows
     /// most there; a point on the way goes where the muscle runs already, where the muscle itself was clicked.
-    fn bone_under(&self, pick: &Pick) -> Option<(NodeId, DVec3)> {
+    fn bone_under(&self, pick: &PickHit) -> Option<(NodeId, DVec3)> {
         let point = pick.point.as_dvec3();
         let (Some(index), Some(muscle)) = (pick.surface, self.picking.as_ref().map(|picking| picking.muscle)) else {
             return Some((pick.node, point));
@@ -190,7 +190,7 @@ impl Session {
     }
 
     /// The joint that the corner nearest to a picked point follows most.
-    fn strongest_joint(&self, surface: usize, triangles: &[[u32; 3]], pick: &Pick) -> Option<NodeId> {
+    fn strongest_joint(&self, surface: usize, triangles: &[[u32; 3]], pick: &PickHit) -> Option<NodeId> {
         let shares = pick.barycentric.to_array();
         let corners = triangles.get(pick.triangle as usize)?.iter().zip(shares);
         let (vertex, _) = corners.max_by(|a, b| a.1.total_cmp(&b.1))?;

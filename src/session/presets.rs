@@ -5,7 +5,7 @@ use crate::render::{Display, Samples, Shading};
 
 /// A display preset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Preset {
+pub enum DisplayPreset {
     /// The model as its author sees it.
     Clean,
     /// The bones alone, named.
@@ -18,8 +18,8 @@ pub enum Preset {
 
 impl Session {
     /// Applies a display preset. Line widths, the grid's cell and the colours of the window stay.
-    pub fn take_preset(&mut self, preset: Preset) {
-        use Preset as P;
+    pub fn take_preset(&mut self, preset: DisplayPreset) {
+        use DisplayPreset as P;
         let (skeleton, inspection, print) = (preset == P::Skeleton, preset == P::Inspection, preset == P::Print);
         self.change_display(|display| {
             let before = display.clone();
@@ -62,13 +62,13 @@ mod tests {
         session.set_theme(Theme::Light);
         session.change_display(|display| (display.line_width, display.cull_back_faces) = (2.0, true));
         let theme = session.display().background;
-        session.take_preset(Preset::Skeleton);
+        session.take_preset(DisplayPreset::Skeleton);
         assert!(session.display().bones && session.bone_names() && !session.display().mesh && !session.display().cull_back_faces);
-        session.take_preset(Preset::Print);
+        session.take_preset(DisplayPreset::Print);
         assert_eq!((session.display().background, session.display().grid), (Background::Solid(0xFF_FFFF), false));
-        session.take_preset(Preset::Inspection);
+        session.take_preset(DisplayPreset::Inspection);
         assert!(session.display().wireframe && session.display().bounding_box && !session.bone_names());
-        session.take_preset(Preset::Clean);
+        session.take_preset(DisplayPreset::Clean);
         assert_eq!((session.display().background, session.display().line_width), (theme, 2.0));
         assert!(session.display().mesh && session.display().materials && !session.display().bones);
     }

@@ -4,7 +4,7 @@ use glam::{DMat4, DVec3, Vec3};
 
 use super::{ChangeSet, Session, UndoStep};
 use crate::document::{JointOverride, VertexInfluences};
-use crate::render::Pick;
+use crate::render::PickHit;
 use crate::scene::{Content, Deformer, Frame, NodeId, NodeKind};
 use crate::tr;
 
@@ -51,7 +51,7 @@ pub struct Matrices {
 
 impl Session {
     /// A click: selects what it hit, or nothing, and remembers the point.
-    pub fn point_at(&mut self, pick: Option<Pick>) {
+    pub fn point_at(&mut self, pick: Option<PickHit>) {
         self.select(pick.map(|pick| pick.node));
         let Some(pick) = pick else {
             self.probe.vertex = None;
@@ -69,7 +69,7 @@ impl Session {
     }
 
     /// The corner of the picked triangle that is nearest to the point.
-    fn nearest_vertex(&self, pick: &Pick) -> Option<(usize, u32)> {
+    fn nearest_vertex(&self, pick: &PickHit) -> Option<(usize, u32)> {
         let index = pick.surface? as usize;
         let surface = self.frame.surfaces.get(index).filter(|surface| surface.muscle.is_none())?;
         let corners = surface.mesh.triangles.get(pick.triangle as usize)?;

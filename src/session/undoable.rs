@@ -245,14 +245,14 @@ mod tests {
     }
 
     /// What undo should be: the states that were, and which of them is the present one.
-    struct Model {
+    struct HistoryModel {
         states: Vec<Snapshot>,
         present: usize,
         /// What was changed last and when, while it may go on.
         open: Option<(String, u32, Duration, bool)>,
     }
 
-    impl Model {
+    impl HistoryModel {
         fn changed(&mut self, to: Snapshot, (what, of): (String, u32), now: Duration, near: bool, same: bool) {
             if to == self.states[self.present] {
                 return;
@@ -299,7 +299,7 @@ mod tests {
             session.history = History::default();
             let begun = Instant::now();
             let mut now = Duration::ZERO;
-            let mut model = Model { states: vec![session.snapshot()], present: 0, open: None };
+            let mut model = HistoryModel { states: vec![session.snapshot()], present: 0, open: None };
             for (deed, how, gap) in deeds {
                 now += Duration::from_millis(gap);
                 let of = deed.what().map_or(0, |(_, of)| of);

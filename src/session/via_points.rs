@@ -60,7 +60,7 @@ mod tests {
     use super::*;
     use crate::document::Document;
     use crate::muscle::{Anchor, MuscleFile, MuscleSpec};
-    use crate::render::Pick;
+    use crate::render::PickHit;
     use crate::session::tests::{biceps, clip};
     use crate::session::{AttachmentDrag, PickTarget};
 
@@ -245,7 +245,7 @@ mod tests {
         rig.deform(index, &rig.solve(index, session.drive(), world), world, &mut skin, &mut normals);
         let point = skin[skin.len() / 2];
         let node = session.node_of_muscle(id).unwrap();
-        let pick = Pick { node, surface: Some(surface as u32), triangle: 0, barycentric: glam::Vec3::X, point };
+        let pick = PickHit { node, surface: Some(surface as u32), triangle: 0, barycentric: glam::Vec3::X, point };
         session.start_picking(id, PickTarget::Point(AttachmentPoint::Wrap));
         session.pick_at(Some(pick)).unwrap();
         assert!(session.picking().is_some() && spec(&session, id).wrap.is_none(), "no joint is there");

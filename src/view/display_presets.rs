@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::render::{Background, Display, Palette, Shading, Theme};
+use crate::render::{Background, Display, OverlayPalette, Shading, Theme};
 
 /// A boolean display option: its name in files and actions, and its field.
 pub type DisplayFlag = (&'static str, fn(&mut Display) -> &mut bool);
@@ -49,13 +49,13 @@ impl BackgroundPreset {
     pub const ALL: [Self; 4] = [Self::Theme, Self::White, Self::Grey, Self::Black];
 
     /// Overlay colours and background in a window of this theme; on white the overlay colours of the light theme.
-    pub fn palette_and_background(self, theme: Theme) -> (Palette, Background) {
+    pub fn palette_and_background(self, theme: Theme) -> (OverlayPalette, Background) {
         let theme = match self {
             Self::Theme => theme,
             Self::White => Theme::Light,
             Self::Grey | Self::Black => Theme::Dark,
         };
-        let palette = Palette::of(theme);
+        let palette = OverlayPalette::of(theme);
         let background = match self {
             Self::Theme => Background::Gradient(palette.background.0, palette.background.1),
             Self::White => Background::Solid(0xFF_FFFF),

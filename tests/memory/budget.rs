@@ -8,7 +8,7 @@ use crate::build::*;
 use crate::counting::peak;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
-use sinew::document::{Document, Images, OpenOptions};
+use sinew::document::{Document, ImageLoading, OpenOptions};
 use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::guard::Output;
 use sinew::limits;
@@ -19,7 +19,7 @@ use sinew::scene::Content;
 fn open(folder: &Path, text: &str) -> Document {
     let file = folder.join("a.dae");
     std::fs::write(&file, text).expect("written");
-    Document::open_with(&[file], OpenOptions { images: Images::Locate }, &Progress::default()).expect("usable")
+    Document::open_with(&[file], OpenOptions { images: ImageLoading::Locate }, &Progress::default()).expect("usable")
 }
 
 /// Opens `text` within what reading may take: ten times the file and 64 MB.

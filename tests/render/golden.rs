@@ -4,7 +4,7 @@ use crate::render_support::golden::check;
 use crate::render_support::models::{self, belly, checker, profile, sphere, square};
 use crate::render_support::{World, camera_at};
 use glam::{Mat4, Vec2, Vec3};
-use sinew::render::{Background, Display, Palette, Renderer, Samples, Shading, Theme};
+use sinew::render::{Background, Display, OverlayPalette, Renderer, Samples, Shading, Theme};
 use sinew::scene::{AlphaSource, Camera, Material, OrbitCamera, Paint, ShadingModel, TextureRef, ViewDirection, WrapMode};
 
 const SIZE: [u32; 2] = [160, 120];
@@ -182,7 +182,7 @@ fn helpers() {
     golden("wireframe-one-sample", &world, &camera, &Display { wireframe: true, samples: Samples::One, ..quiet() });
     golden("normals", &world, &camera, &Display { normal_glyphs: true, ..quiet() });
     golden("scale", &world, &camera, &Display { scale: 2.0, bones: true, bounding_box: true, ..quiet() });
-    let palette = Palette::of(Theme::Light);
+    let palette = OverlayPalette::of(Theme::Light);
     let background = Background::Gradient(palette.background.0, palette.background.1);
     golden(
         "light-theme",

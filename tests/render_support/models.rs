@@ -174,7 +174,7 @@ pub(crate) fn checker(x: u32, y: u32, cells: u32, size: u32) -> [u8; 4] {
 /// An arm: a skinned tube along +X from 0 to 2 with three joints, the elbow at 1 bent by `degrees`. Returns the joints.
 pub(crate) fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
     use glam::{DMat4, DVec3};
-    use sinew::scene::{Content, Deformer, Influence, Joint, MeshInstance, NodeKind, Skin, SkinJoint};
+    use sinew::scene::{Content, Deformer, FrameJoint, Influence, MeshInstance, NodeKind, Skin, SkinJoint};
     let (rings, segments) = (40u32, 24u32);
     let mut rest = belly(rings, segments, |v| 0.16 + 0.05 * (v * std::f32::consts::TAU * 2.0).sin().abs());
     for p in rest.positions.iter_mut().chain(&mut rest.normals) {
@@ -190,7 +190,7 @@ pub(crate) fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
         let node = world.scene.graph.add(parent, Node::new(["shoulder", "elbow", "hand"][k]).with_kind(NodeKind::Joint));
         above *= local;
         world.frame.world.push(above);
-        world.frame.joints.push(Joint { node, parent });
+        world.frame.joints.push(FrameJoint { node, parent });
         joints.push(node);
         parent = Some(node);
     }

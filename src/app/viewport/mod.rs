@@ -31,7 +31,7 @@ use super::icons::{self, Glyph};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::muscle::AttachmentPoint;
-use crate::render::{Pick, Renderer, Stats};
+use crate::render::{PickHit, Renderer, Stats};
 use crate::session::{ChangeSet, PickTarget, Session, Tool, Viewpoint};
 use crate::tr;
 
@@ -181,7 +181,7 @@ impl Viewport {
     }
 
     /// What lies under a point, logical pixels.
-    pub(super) fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<Pick> {
+    pub(super) fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<PickHit> {
         let ((width, height), scale) = (self.size(), self.scale());
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;

@@ -4,7 +4,7 @@ use glam::{DMat4, DVec3};
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, ENTRY, Usage};
-use super::keyframe_reduction::{Moment, Tolerance, moments, numbers, track};
+use super::keyframe_reduction::{KeyTime, Tolerance, moments, numbers, track};
 use super::spline::Spline;
 use super::trs::Placing;
 use super::unsupported_features::UnsupportedFeature;
@@ -79,7 +79,7 @@ impl AnimationRange {
     }
 
     /// Moments that any key of it stands at.
-    pub(super) fn moments(&self, document: &Document) -> Vec<Moment> {
+    pub(super) fn moments(&self, document: &Document) -> Vec<KeyTime> {
         let times = match self.kind {
             AnimationSource::Clip(clip) => document.clips.get(clip).map(|clip| within(clip.key_times(None), self.span)).unwrap_or_default(),
             AnimationSource::Bend(_) | AnimationSource::Contract => self.even(),

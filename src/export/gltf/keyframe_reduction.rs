@@ -28,7 +28,7 @@ impl Tolerance {
 
 /// A moment to take a key at: where it is taken and the time that is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Moment {
+pub(super) struct KeyTime {
     /// Seconds on the file's axis.
     pub at: f64,
     /// Seconds in the written file.
@@ -36,13 +36,13 @@ pub(super) struct Moment {
 }
 
 /// The moments of `times` (ascending), with one just before each of `jumps` (ascending too), where the value leaps. `shift` is added to what is written.
-pub(super) fn moments(times: &[f64], jumps: &[f64], shift: f64) -> Vec<Moment> {
-    let mut found: Vec<Moment> = Vec::new();
+pub(super) fn moments(times: &[f64], jumps: &[f64], shift: f64) -> Vec<KeyTime> {
+    let mut found: Vec<KeyTime> = Vec::new();
     for &at in times {
         let written = (at + shift) as f32;
         let leaps = jumps.binary_search_by(|jump| jump.partial_cmp(&at).unwrap_or(std::cmp::Ordering::Less)).is_ok();
         if leaps && !found.is_empty() {
-            let before = Moment { at: at.next_down(), written: written.next_down() };
+            let before = KeyTime { at: at.next_down(), written: written.next_down() };
             if found.last().is_some_and(|last| last.written < before.written) {
                 found.push(before);
             }
@@ -50,14 +50,14 @@ pub(super) fn moments(times: &[f64], jumps: &[f64], shift: f64) -> Vec<Moment> {
         match found.last_mut() {
             // Keys closer than the format's times can tell: the later one stays.
             Some(last) if last.written >= written => last.at = at,
-            _ => found.push(Moment { at, written }),
+            _ => found.push(KeyTime { at, written }),
         }
     }
     found
 }
 
 /// Places keys at `moments` and wherever interpolation between them deviates by more than the tolerance.
-pub(super) fn track(moments: &[Moment], tolerance: Tolerance, take: &mut dyn FnMut(f64) -> Placing) -> Vec<(f32, Placing)> {
+pub(super) fn track(moments: &[KeyTime], tolerance: Tolerance, take: &mut dyn FnMut(f64) -> Placing) -> Vec<(f32, Placing)> {
     let fits = |from: &Placing, to: &Placing, part: f64, found: &Placing| tolerance.holds(&from.between(to, part), found);
     let mut keys = walk(moments, &fits, take);
     smooth(&mut keys);
@@ -65,7 +65,7 @@ pub(super) fn track(moments: &[Moment], tolerance: Tolerance, take: &mut dyn FnM
 }
 
 /// The same for a row of plain numbers, none of which may be off by more than `most`.
-pub(super) fn numbers(moments: &[Moment], most: f64, take: &mut dyn FnMut(f64) -> Vec<f32>) -> Vec<(f32, Vec<f32>)> {
+pub(super) fn numbers(moments: &[KeyTime], most: f64, take: &mut dyn FnMut(f64) -> Vec<f32>) -> Vec<(f32, Vec<f32>)> {
     let fits = |from: &Vec<f32>, to: &Vec<f32>, part: f64, found: &Vec<f32>| {
         from.iter().zip(to).zip(found).all(|((from, to), found)| {
             let [from, to, found] = [*from, *to, *found].map(f64::from);
@@ -77,11 +77,11 @@ pub(super) fn numbers(moments: &[Moment], most: f64, take: &mut dyn FnMut(f64) -
 }
 
 /// Whether a value sampled between two keys equals their linear interpolation within the tolerance.
-type Fits<'a, V> = &'a dyn Fn(&V, &V, f64, &V) -> bool;
+type FitsFn<'a, V> = &'a dyn Fn(&V, &V, f64, &V) -> bool;
 
-fn walk<V: Clone>(moments: &[Moment], fits: Fits<'_, V>, take: &mut dyn FnMut(f64) -> V) -> Vec<(f32, V)> {
+fn walk<V: Clone>(moments: &[KeyTime], fits: FitsFn<'_, V>, take: &mut dyn FnMut(f64) -> V) -> Vec<(f32, V)> {
     let mut keys: Vec<(f32, V)> = Vec::new();
-    let mut last: Option<(Moment, V)> = None;
+    let mut last: Option<(KeyTime, V)> = None;
     for moment in moments {
         let here = take(moment.at);
         if let Some((before, start)) = &last {
@@ -97,10 +97,10 @@ fn walk<V: Clone>(moments: &[Moment], fits: Fits<'_, V>, take: &mut dyn FnMut(f6
 }
 
 fn refine<V: Clone>(
-    from: (Moment, &V),
-    to: (Moment, &V),
+    from: (KeyTime, &V),
+    to: (KeyTime, &V),
     halvings: u32,
-    fits: Fits<'_, V>,
+    fits: FitsFn<'_, V>,
     take: &mut dyn FnMut(f64) -> V,
     keys: &mut Vec<(f32, V)>,
 ) {
@@ -115,7 +115,7 @@ fn refine<V: Clone>(
     if halvings == 0 || keys.len() >= KEYS || written <= from.0.written || written >= to.0.written {
         return;
     }
-    let half = Moment { at: at(0.5), written };
+    let half = KeyTime { at: at(0.5), written };
     refine(from, (half, &middle), halvings - 1, fits, take, keys);
     keys.push((written, middle.clone()));
     refine((half, &middle), to, halvings - 1, fits, take, keys);

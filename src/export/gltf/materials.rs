@@ -14,13 +14,13 @@ use crate::scene::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels,
 
 /// The materials, textures, samplers and images that are written.
 #[derive(Debug, Default)]
-pub(super) struct Materials {
+pub(super) struct GltfMaterials {
     pub materials: Vec<Value>,
     pub textures: Vec<Value>,
     pub samplers: Vec<Value>,
     pub images: Vec<Value>,
     known: FxHashMap<Use, usize>,
-    pictures: FxHashMap<Picture, Option<usize>>,
+    pictures: FxHashMap<ImageKey, Option<usize>>,
     /// The first image that was met with each decoded picture; one file may go by many ids.
     first: FxHashMap<*const Pixels, u32>,
     by_sampler: FxHashMap<(usize, u32, u32), usize>,
@@ -33,9 +33,9 @@ pub(super) struct Materials {
 type Use = (u32, Vec<(String, u32)>, bool);
 
 /// What an image is made from: colours, and opacity from the same or another image.
-type Picture = (Option<u32>, Option<(u32, u8)>);
+type ImageKey = (Option<u32>, Option<(u32, u8)>);
 
-impl Materials {
+impl GltfMaterials {
     /// Whether a material needs `KHR_materials_unlit`.
     pub(super) fn uses_unlit(&self) -> bool {
         self.unlit
@@ -168,7 +168,7 @@ impl Materials {
         &mut self,
         scene: &Scene,
         used: &TextureRef,
-        picture: Picture,
+        picture: ImageKey,
         opacity: Option<AlphaSource>,
         buffer: &mut Buffer,
         losses: &mut Vec<UnsupportedFeature>,
@@ -229,7 +229,7 @@ fn linear(color: Vec3) -> Vec3 {
 }
 
 /// The bytes of an image with their kind; `None` where there is no picture to write.
-fn encoded(scene: &Scene, (color, opacity): Picture, source: Option<AlphaSource>) -> Option<(&'static str, Vec<u8>)> {
+fn encoded(scene: &Scene, (color, opacity): ImageKey, source: Option<AlphaSource>) -> Option<(&'static str, Vec<u8>)> {
     let image = |number: Option<u32>| scene.images.get(number? as usize);
     let pixels = |number: Option<u32>| image(number).and_then(|image| image.pixels.as_deref());
     match (opacity, source) {

@@ -25,9 +25,9 @@ use serde_json::{Value, json};
 
 use self::animations::{Animation, AnimationRange, Stage, Weights};
 use self::buffer::{Buffer, ENTRY};
-use self::materials::Materials;
+use self::materials::GltfMaterials;
 use self::muscles::Muscles;
-use self::surfaces::{Bone, Surfaces, bones};
+use self::surfaces::{SkinBone, Surfaces, bones};
 use self::trs::Placing;
 use super::ExportError;
 use super::atomic_file::{self, PendingFile};
@@ -77,7 +77,7 @@ pub fn save(file: &Output, form: GltfContainer, document: &Document) -> Result<V
 /// As [`save`].
 pub fn prepare(file: &Output, form: GltfContainer, document: &Document) -> Result<(PendingFile, Vec<UnsupportedFeature>), ExportError> {
     let (mut root, bytes, unsupported) =
-        Writer::new(document).write().ok_or_else(|| ExportError::TooMuch { file: file.file().to_owned() })?;
+        GltfWriter::new(document).write().ok_or_else(|| ExportError::TooMuch { file: file.file().to_owned() })?;
     let pending = atomic_file::prepare(file, |out| match form {
         GltfContainer::Binary => container::binary(out, &root, &bytes),
         GltfContainer::Text => container::text(out, &mut root, &bytes),
@@ -87,14 +87,14 @@ pub fn prepare(file: &Output, form: GltfContainer, document: &Document) -> Resul
 
 /// What the format cannot express of the document, without writing a file; empty where the document cannot be converted.
 pub fn unsupported_features(document: &Document) -> Vec<UnsupportedFeature> {
-    Writer::new(document).write().map(|(_, _, unsupported)| unsupported).unwrap_or_default()
+    GltfWriter::new(document).write().map(|(_, _, unsupported)| unsupported).unwrap_or_default()
 }
 
 /// The parts of a glTF file under construction.
-struct Writer<'a> {
+struct GltfWriter<'a> {
     document: &'a Document,
     buffer: Buffer,
-    materials: Materials,
+    materials: GltfMaterials,
     surfaces: Surfaces,
     nodes: Vec<Value>,
     /// For each node of the scene: the written node that its parent holds, and the one that holds what hangs on it (another only where it shears).
@@ -113,12 +113,12 @@ struct Writer<'a> {
     unsupported: Vec<UnsupportedFeature>,
 }
 
-impl<'a> Writer<'a> {
+impl<'a> GltfWriter<'a> {
     fn new(document: &'a Document) -> Self {
         Self {
             document,
             buffer: Buffer::default(),
-            materials: Materials::default(),
+            materials: GltfMaterials::default(),
             surfaces: Surfaces::default(),
             nodes: Vec::new(),
             places: Vec::new(),
@@ -338,7 +338,7 @@ impl<'a> Writer<'a> {
     }
 
     /// The written nodes of a skin's joints. The format wants each once in a skin, so a second use gets a node of its own below the first.
-    fn joint_nodes(&mut self, bones: &[Bone]) -> Vec<usize> {
+    fn joint_nodes(&mut self, bones: &[SkinBone]) -> Vec<usize> {
         let mut taken = FxHashSet::default();
         bones
             .iter()

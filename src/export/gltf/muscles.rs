@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 
 use super::animations::{Animation, AnimationRange};
 use super::buffer::{Buffer, Usage};
-use super::keyframe_reduction::Moment;
-use super::materials::Materials;
-use super::surfaces::{Indices, Sides, given_shape, primitives};
+use super::keyframe_reduction::KeyTime;
+use super::materials::GltfMaterials;
+use super::surfaces::{Indices, MeshSides, given_shape, primitives};
 use super::unsupported_features::UnsupportedFeature;
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::limits;
@@ -47,7 +47,7 @@ struct KeyInterval {
     from: usize,
     to: usize,
     error: f32,
-    middle: (Moment, Vec<MuscleShape>),
+    middle: (KeyTime, Vec<MuscleShape>),
 }
 
 impl<'a> Muscles<'a> {
@@ -90,7 +90,7 @@ impl<'a> Muscles<'a> {
         animations: &mut [Animation],
         nodes: &mut Vec<Value>,
         meshes: &mut Vec<Value>,
-        materials: &mut Materials,
+        materials: &mut GltfMaterials,
         buffer: &mut Buffer,
         losses: &mut Vec<UnsupportedFeature>,
     ) -> Vec<(usize, Option<NodeId>)> {
@@ -134,7 +134,7 @@ impl<'a> Muscles<'a> {
                 &surface.materials,
                 &attributes,
                 &targets,
-                Sides::default(),
+                MeshSides::default(),
                 &mut Indices::default(),
                 materials,
                 buffer,
@@ -187,7 +187,7 @@ impl<'a> Muscles<'a> {
         let document = self.document;
         let when = range.moments(document);
         let ends = [when.first(), when.last()].into_iter().flatten().copied();
-        let mut keys: Vec<(Moment, Vec<MuscleShape>)> = ends.map(|moment| (moment, self.at(&range.state(document, moment.at)))).collect();
+        let mut keys: Vec<(KeyTime, Vec<MuscleShape>)> = ends.map(|moment| (moment, self.at(&range.state(document, moment.at)))).collect();
         if keys.len() == 2 && keys[0].0 == keys[1].0 {
             keys.pop();
         }
@@ -215,12 +215,12 @@ impl<'a> Muscles<'a> {
         keys.into_iter().map(|(moment, shapes)| (moment.written, shapes)).collect()
     }
 
-    fn stretch(&mut self, range: &AnimationRange, keys: &[(Moment, Vec<MuscleShape>)], from: usize, to: usize) -> KeyInterval {
+    fn stretch(&mut self, range: &AnimationRange, keys: &[(KeyTime, Vec<MuscleShape>)], from: usize, to: usize) -> KeyInterval {
         let ((start, first), (end, last)) = (&keys[from], &keys[to]);
         let at = |part: f64| start.at + (end.at - start.at) * part;
         let [quarter, middle, rest] = [0.25, 0.5, 0.75].map(|part| self.at(&range.state(self.document, at(part))));
         let off = off(first, last, 0.25, &quarter).max(off(first, last, 0.5, &middle)).max(off(first, last, 0.75, &rest));
-        let moment = Moment { at: at(0.5), written: start.written + (end.written - start.written) * 0.5 };
+        let moment = KeyTime { at: at(0.5), written: start.written + (end.written - start.written) * 0.5 };
         KeyInterval { from, to, error: off, middle: (moment, middle) }
     }
 }

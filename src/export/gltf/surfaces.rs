@@ -5,20 +5,20 @@ use rustc_hash::FxHashMap;
 use serde_json::{Value, json};
 
 use super::buffer::{Buffer, ENTRY, Usage};
-use super::materials::Materials;
+use super::materials::GltfMaterials;
 use super::unsupported_features::UnsupportedFeature;
 use crate::scene::{Deformer, MaterialBinding, Mesh, MeshId, MeshInstance, Morph, MorphId, NodeId, Scene, Skin, SkinId, backed_triangles};
 
 /// Vertex attributes by name.
-type Attributes = serde_json::Map<String, Value>;
+type GltfAttributes = serde_json::Map<String, Value>;
 
 /// What is written of meshes and skins.
 #[derive(Debug, Default)]
 pub(super) struct Surfaces {
     pub meshes: Vec<Value>,
     pub skins: Vec<Value>,
-    shapes: FxHashMap<MeshId, Attributes>,
-    bindings: FxHashMap<(MeshId, SkinId), Attributes>,
+    shapes: FxHashMap<MeshId, GltfAttributes>,
+    bindings: FxHashMap<(MeshId, SkinId), GltfAttributes>,
     /// Which triangles of a mesh lie on others of the opposite winding.
     backed: FxHashMap<MeshId, Vec<bool>>,
     targets: FxHashMap<(MeshId, MorphId), Vec<Value>>,
@@ -59,7 +59,7 @@ impl MeshKey {
 
 /// A joint of a skin as it is written: a node, and the matrix that takes the mesh into its space.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Bone {
+pub(super) struct SkinBone {
     /// The node, or the one that an extra node without a transform is to hang under, where a node is needed twice.
     pub node: NodeId,
     pub inverse_bind: DMat4,
@@ -76,15 +76,15 @@ fn extras(skin: &Skin, mesh: &Mesh) -> (bool, bool) {
 }
 
 /// The joints that a skin is written with: its own, then those of [`extras`].
-pub(super) fn bones(skin: &Skin, mesh: &Mesh, joints: &[Option<NodeId>], root: NodeId, node: NodeId) -> Vec<Bone> {
+pub(super) fn bones(skin: &Skin, mesh: &Mesh, joints: &[Option<NodeId>], root: NodeId, node: NodeId) -> Vec<SkinBone> {
     let own = skin.joints.iter().zip(joints).map(|(joint, at)| match at {
-        Some(at) => Bone { node: *at, inverse_bind: joint.inverse_bind * skin.bind_shape },
-        None => Bone { node: root, inverse_bind: skin.bind_shape },
+        Some(at) => SkinBone { node: *at, inverse_bind: joint.inverse_bind * skin.bind_shape },
+        None => SkinBone { node: root, inverse_bind: skin.bind_shape },
     });
-    let mut bones: Vec<Bone> = own.collect();
+    let mut bones: Vec<SkinBone> = own.collect();
     let (needs_root, needs_node) = extras(skin, mesh);
-    bones.extend(needs_root.then_some(Bone { node: root, inverse_bind: skin.bind_shape }));
-    bones.extend(needs_node.then_some(Bone { node, inverse_bind: skin.bind_shape }));
+    bones.extend(needs_root.then_some(SkinBone { node: root, inverse_bind: skin.bind_shape }));
+    bones.extend(needs_node.then_some(SkinBone { node, inverse_bind: skin.bind_shape }));
     bones
 }
 
@@ -95,7 +95,7 @@ impl Surfaces {
         scene: &Scene,
         instance: &MeshInstance,
         mirrored: bool,
-        materials: &mut Materials,
+        materials: &mut GltfMaterials,
         buffer: &mut Buffer,
         losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
@@ -113,7 +113,7 @@ impl Surfaces {
         scene: &Scene,
         instance: &MeshInstance,
         mirrored: bool,
-        materials: &mut Materials,
+        materials: &mut GltfMaterials,
         buffer: &mut Buffer,
         losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
@@ -138,7 +138,7 @@ impl Surfaces {
             }
         }
         let backed = self.backed.entry(instance.mesh).or_insert_with(|| backed_triangles(mesh));
-        let sides = Sides { mirrored, backed };
+        let sides = MeshSides { mirrored, backed };
         let indices = self.indices.entry(instance.mesh).or_default();
         let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, sides, indices, materials, buffer, losses);
         if primitives.is_empty() {
@@ -161,7 +161,7 @@ impl Surfaces {
         mesh: &Mesh,
         bindings: &[Option<MaterialBinding>],
         mirrored: bool,
-        materials: &mut Materials,
+        materials: &mut GltfMaterials,
         buffer: &mut Buffer,
         losses: &mut Vec<UnsupportedFeature>,
     ) -> Option<usize> {
@@ -172,7 +172,7 @@ impl Surfaces {
             bindings,
             &attributes,
             &[],
-            Sides { mirrored, backed: &backed_triangles(mesh) },
+            MeshSides { mirrored, backed: &backed_triangles(mesh) },
             &mut Indices::default(),
             materials,
             buffer,
@@ -186,7 +186,7 @@ impl Surfaces {
     }
 
     /// Writes a skin of these nodes and matrices.
-    pub(super) fn skin(&mut self, of: (MeshId, SkinId), name: &str, joints: &[usize], bones: &[Bone], buffer: &mut Buffer) -> usize {
+    pub(super) fn skin(&mut self, of: (MeshId, SkinId), name: &str, joints: &[usize], bones: &[SkinBone], buffer: &mut Buffer) -> usize {
         let rows: Vec<[f32; 16]> = bones.iter().map(|bone| upright(&bone.inverse_bind)).collect();
         buffer.spend(ENTRY + joints.len() * size_of::<Value>());
         let matrices = match self.matrices.get(&of).filter(|(known, _)| *known == rows) {
@@ -216,8 +216,8 @@ fn finite_or_zero(vector: Vec3) -> [f32; 3] {
 }
 
 /// Positions, normals, texture coordinates, colours.
-fn shape(mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
-    let mut attributes = Attributes::new();
+fn shape(mesh: &Mesh, buffer: &mut Buffer) -> GltfAttributes {
+    let mut attributes = GltfAttributes::new();
     let positions: Vec<[f32; 3]> = mesh.positions.iter().map(|position| finite_or_zero(*position)).collect();
     if positions.is_empty() {
         return attributes;
@@ -240,7 +240,7 @@ fn shape(mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
 }
 
 /// Joints and weights, four to a set, the heaviest first, as many sets as the fullest point needs.
-fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
+fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> GltfAttributes {
     let root = skin.joints.len() as u16;
     // Points without weights come behind the root where they have a joint of their own, and at the root else.
     let own = match extras(skin, mesh) {
@@ -272,7 +272,7 @@ fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> Attributes {
     };
     let points: Vec<Vec<(u16, f32)>> = (0..mesh.source_count as usize).map(of_point).collect();
     let sets = points.iter().map(Vec::len).max().unwrap_or(1).div_ceil(4).max(1);
-    let mut attributes = Attributes::new();
+    let mut attributes = GltfAttributes::new();
     for set in 0..sets {
         let pick = |vertex: &u32| {
             let mut row = ([0_u16; 4], [0.0_f32; 4]);
@@ -306,7 +306,7 @@ fn morph_targets(morph: &Morph, mesh: &Mesh, buffer: &mut Buffer) -> Vec<Value> 
 
 /// Which side of a surface is outside.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Sides<'a> {
+pub(super) struct MeshSides<'a> {
     /// A skin turns the surface inside out. A player sees that of nodes, whose matrices it knows, but a skinned mesh stands at the root.
     pub mirrored: bool,
     /// For each triangle whether it is to be seen from its own side only, because another one lies on its back; empty where that is so for none.
@@ -319,11 +319,11 @@ pub(super) fn primitives(
     scene: &Scene,
     mesh: &Mesh,
     bindings: &[Option<MaterialBinding>],
-    attributes: &Attributes,
+    attributes: &GltfAttributes,
     targets: &[Value],
-    sides: Sides<'_>,
+    sides: MeshSides<'_>,
     known: &mut Indices,
-    materials: &mut Materials,
+    materials: &mut GltfMaterials,
     buffer: &mut Buffer,
     losses: &mut Vec<UnsupportedFeature>,
 ) -> Vec<Value> {
@@ -372,6 +372,6 @@ pub(super) fn primitives(
 }
 
 /// The attributes of a mesh whose shape is given rather than its own.
-pub(super) fn given_shape(positions: &[Vec3], normals: &[Vec3], buffer: &mut Buffer) -> Attributes {
+pub(super) fn given_shape(positions: &[Vec3], normals: &[Vec3], buffer: &mut Buffer) -> GltfAttributes {
     shape(&Mesh { positions: positions.to_vec(), normals: normals.to_vec(), ..Mesh::default() }, buffer)
 }

@@ -20,7 +20,7 @@ pub use plots::{Translate, unit_label};
 
 /// What a table is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum TableSubject {
+pub enum MeasureTable {
     /// Muscles: over the clip that moves their bones, else over the angles of their arm.
     Muscles,
     /// Joints, over the clip.
@@ -68,14 +68,14 @@ impl Table {
     ///
     /// # Errors
     /// [`TableError`].
-    pub fn measure(of: TableSubject, document: &Document, state: &PoseState, fps: f64) -> Result<Self, TableError> {
+    pub fn measure(of: MeasureTable, document: &Document, state: &PoseState, fps: f64) -> Result<Self, TableError> {
         TableError::check(of, document, state, fps)?;
         let file = document.sources.iter().map(|source| source.name.to_string()).collect::<Vec<_>>().join(", ");
         let times = times(document, state, fps);
         match (of, times) {
-            (TableSubject::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
-            (TableSubject::Muscles, Some(times)) => MuscleTable::over_time(document, file, state, &times).map(Self::Muscles),
-            (TableSubject::Muscles, None) => {
+            (MeasureTable::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
+            (MeasureTable::Muscles, Some(times)) => MuscleTable::over_time(document, file, state, &times).map(Self::Muscles),
+            (MeasureTable::Muscles, None) => {
                 let angles =
                     document.driven_rig().and_then(MuscleRig::measured_range).map(|range| even_times(*range.start(), *range.end(), 1.0));
                 let table = angles.and_then(|angles| MuscleTable::over_angles(document, file.clone(), Some(&angles)));
@@ -130,17 +130,17 @@ pub enum TableError {
 }
 
 impl TableError {
-    /// Whether [`Table::measure`] would refuse, known at once.
+    /// Whether [`MeasureTable::measure`] would refuse, known at once.
     ///
     /// # Errors
     /// Why it would.
-    pub fn check(of: TableSubject, document: &Document, state: &PoseState, fps: f64) -> Result<(), Self> {
+    pub fn check(of: MeasureTable, document: &Document, state: &PoseState, fps: f64) -> Result<(), Self> {
         let times = times(document, state, fps).map(|times| times.len());
         match (of, times) {
-            (TableSubject::Joints, _) if joints::count(document) == 0 => Err(Self::NoJoint),
-            (TableSubject::Joints, None) => Err(Self::NoClip),
-            (TableSubject::Joints, Some(times)) => Self::hold(joints::count(document), times, Self::NoJoint),
-            (TableSubject::Muscles, times) => Self::hold(document.muscle_count(), times.unwrap_or(1), Self::NoMuscle),
+            (MeasureTable::Joints, _) if joints::count(document) == 0 => Err(Self::NoJoint),
+            (MeasureTable::Joints, None) => Err(Self::NoClip),
+            (MeasureTable::Joints, Some(times)) => Self::hold(joints::count(document), times, Self::NoJoint),
+            (MeasureTable::Muscles, times) => Self::hold(document.muscle_count(), times.unwrap_or(1), Self::NoMuscle),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::{JointRow, JointTable, MuscleRow, MuscleRows, MuscleTable, Table};
 use crate::message;
 use crate::message::Message;
-use crate::plot::{Curve, Page, Plot};
+use crate::plot::{Page, Plot, PlotCurve};
 
 /// Makes a sentence of a message, in the user's language.
 pub type Translate = fn(&Message) -> String;
@@ -30,9 +30,9 @@ fn plot(up: String, across: String, curves: Vec<(String, Vec<(f64, f64)>)>, leas
     let mut curves = curves.into_iter().zip(COLORS).map(|((name, mut points), color)| {
         points.retain(|(x, _)| x.is_finite());
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Curve { name, color, points }
+        PlotCurve { name, color, points }
     });
-    let Curve { name, color, points } = curves.next().unwrap_or_default();
+    let PlotCurve { name, color, points } = curves.next().unwrap_or_default();
     let name = if several { name } else { String::new() };
     Plot { x_label: across, y_label: up, points, name, color, more_curves: curves.collect(), min_y_span: least_span, ..Plot::default() }
 }
@@ -40,19 +40,19 @@ fn plot(up: String, across: String, curves: Vec<(String, Vec<(f64, f64)>)>, leas
 impl MuscleTable {
     /// Length, moment arm, largest radius and volume of each muscle: over the angle or the time, or, for a muscle on no arm, over its length.
     fn page(&self, say: Translate) -> Page {
-        type Pick = fn(&MuscleRow) -> Option<f64>;
+        type Column = fn(&MuscleRow) -> Option<f64>;
         let shown: Vec<&MuscleRows> = self.muscles.iter().take(COLORS.len()).collect();
         let unit = unit_label(&self.unit);
         let rows = || shown.iter().flat_map(|muscle| &muscle.samples);
-        let any = |pick: Pick| rows().any(|row| pick(row).is_some());
-        let (across, at): (String, Pick) = if self.is_over_time() {
+        let any = |pick: Column| rows().any(|row| pick(row).is_some());
+        let (across, at): (String, Column) = if self.is_over_time() {
             (say(&message!("cli-measure-time")), |row| row.time)
         } else if any(|row| row.angle) {
             (say(&message!("cli-measure-angle")), |row| row.angle)
         } else {
             (say(&message!("cli-measure-length", unit = unit.clone())), |row| Some(row.length))
         };
-        let panel = |up: String, pick: Pick, least_span: f64| {
+        let panel = |up: String, pick: Column, least_span: f64| {
             let point = |row: &MuscleRow| (at(row).unwrap_or(f64::NAN), pick(row).unwrap_or(f64::NAN));
             let curves = shown.iter().map(|muscle| (muscle.name.clone(), muscle.samples.iter().map(point).collect()));
             plot(up, across.clone(), curves.collect(), least_span)
@@ -113,12 +113,12 @@ pub fn unit_label(unit: &str) -> Message {
 mod tests {
     use super::*;
     use crate::document::Document;
-    use crate::export::tables::{JointRows, TableSubject};
+    use crate::export::tables::{JointRows, MeasureTable};
 
     #[test]
     fn an_arm_is_plotted_over_its_angle() {
         let document = Document::built_in();
-        let table = Table::measure(TableSubject::Muscles, &document, &document.start_state(), 25.0).expect("a muscle on an arm");
+        let table = Table::measure(MeasureTable::Muscles, &document, &document.start_state(), 25.0).expect("a muscle on an arm");
         let page = table.page(crate::i18n::sentence);
         let [(_, plots)] = &page.sections[..] else { panic!("one section") };
         assert_eq!(plots.len(), 4);

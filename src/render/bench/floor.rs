@@ -8,7 +8,7 @@ use crate::simd::{Simd, SimdLevel, kernel};
 
 /// Medians, milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Floor {
+pub struct BenchFloor {
     /// Writing every colour and every depth of the picture once.
     pub clear_ms: f64,
     /// Comparing the depth of as many pixels as the sphere covers, and writing colour and depth of each.
@@ -17,7 +17,7 @@ pub struct Floor {
     pub memcpy_ms: f64,
 }
 
-impl Floor {
+impl BenchFloor {
     /// What a sphere that covers those pixels costs at least.
     pub fn frame_ms(&self) -> f64 {
         self.clear_ms + self.z_pass_ms
@@ -25,7 +25,7 @@ impl Floor {
 }
 
 /// Measures it, for a picture in which `lit` pixels are covered.
-pub(super) fn measure(level: SimdLevel, lit: usize, budget: Duration) -> Floor {
+pub(super) fn measure(level: SimdLevel, lit: usize, budget: Duration) -> BenchFloor {
     let pixels = (WIDTH * HEIGHT) as usize;
     let (mut color, mut depth, mut copy) = (vec![0u32; pixels], vec![0f32; pixels], vec![0u32; pixels]);
     let clear = time(budget, |turn| {
@@ -42,7 +42,7 @@ pub(super) fn measure(level: SimdLevel, lit: usize, budget: Duration) -> Floor {
         copy.copy_from_slice(&color);
         black_box(&mut copy);
     });
-    Floor { clear_ms: clear.median_ms, z_pass_ms: pass.median_ms, memcpy_ms: memcpy.median_ms }
+    BenchFloor { clear_ms: clear.median_ms, z_pass_ms: pass.median_ms, memcpy_ms: memcpy.median_ms }
 }
 
 kernel! {

@@ -15,7 +15,7 @@ use glam::Vec3;
 use super::{Background, Display, Renderer, Samples, Shading, Stats};
 use crate::scene::{Camera, Frame, Scene};
 use bench_scene::BenchScene;
-pub use floor::Floor;
+pub use floor::BenchFloor;
 
 const WIDTH: u32 = 1280;
 const HEIGHT: u32 = 720;
@@ -142,7 +142,7 @@ pub fn lit_pixels(
 }
 
 /// Measures the floor with this renderer's instruction set.
-pub fn floor(renderer: &Renderer, budget: Duration) -> Floor {
+pub fn floor(renderer: &Renderer, budget: Duration) -> BenchFloor {
     floor::measure(renderer.level, LIT, budget)
 }
 
