@@ -64,7 +64,7 @@ impl Experiment {
                     window.update(|session| result = session.fit_muscle(experiment.muscle, &table, model));
                     match result {
                         Ok(()) => experiment.refresh(&window),
-                        Err(error) => experiment.say(&error.to_string()),
+                        Err(error) => experiment.say(&error.sentence()),
                     }
                 }
             ));
@@ -162,7 +162,7 @@ impl Experiment {
                 self.say("");
                 self.show_tables(&comparison, &fits, &unit);
             }
-            Err(error) => self.say(&error.to_string()),
+            Err(error) => self.say(&error.sentence()),
         }
     }
 
@@ -195,7 +195,7 @@ impl Experiment {
 fn read(path: &Path) -> Result<(Table, String), String> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let text = input::read_text(path, limits::YAML_BYTES).map_err(|refused| refused.sentence())?;
-    let table = Table::parse(&text).map_err(|error| format!("{name}:{}:{}: {}", error.line, error.column, error.message))?;
+    let table = Table::parse(&text).map_err(|error| format!("{name}:{}:{}: {}", error.line, error.column, error.sentence()))?;
     Ok((table, name))
 }
 

@@ -8,6 +8,7 @@ use gtk4 as gtk;
 
 use super::ui;
 use super::window::Window;
+use crate::i18n::Sentence;
 use crate::i18n::shown;
 use crate::muscle::{Edit, EditError, MuscleSpec};
 use crate::scene::MuscleId;
@@ -43,7 +44,7 @@ impl Editor {
         window.update(|session| result = change(session));
         self.refused.set_visible(result.is_err());
         if let Err(error) = &result {
-            ui::set_label(&self.refused, &error.to_string());
+            ui::set_label(&self.refused, &error.sentence());
         }
         result.is_ok()
     }

@@ -19,6 +19,7 @@ use super::via_points_editor::ViaPointsEditor;
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
+use crate::i18n::Sentence;
 use crate::muscle::presets::{PRESETS, Preset};
 use crate::muscle::solver_report::{Root, SolverReport};
 use crate::muscle::{Edit, LimitCause, MuscleRig, MuscleSpec, Solved, Tendon};
@@ -275,7 +276,7 @@ impl MusclePanel {
                 let (own, action) = (editor.clone(), gio::SimpleAction::new(preset.id, None));
                 action.connect_activate(move |_, _| change(&own, preset));
                 actions.add_action(&action);
-                menu.append(Some(&preset.name()), Some(&format!("{group}.{}", preset.id)));
+                menu.append(Some(&preset.name().sentence()), Some(&format!("{group}.{}", preset.id)));
             }
             button.insert_action_group(group, Some(&actions));
             menu

@@ -89,7 +89,7 @@ impl CompareReport {
             }
         }
         match refused.filter(|_| compared.is_empty()) {
-            Some(error) => Err(Failure::file(csv, error)),
+            Some(error) => Err(Failure::file(csv, error.sentence())),
             None => Ok(Self { file: display_name(file), compared_with: display_name(csv), unit: unit(document), muscles: compared }),
         }
     }

@@ -67,7 +67,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (file, rig) = muscles(&document, like.as_deref().unwrap_or(csv))?;
     // What is made from it lies elsewhere.
     let file = &document.muscle_file_for(0, file, &out);
-    let mut fitted = fit_first(file, rig, &table, model).map_err(|error| Failure::file(csv, error))?;
+    let mut fitted = fit_first(file, rig, &table, model).map_err(|error| Failure::file(csv, error.sentence()))?;
     let misfit = if model == Model::Poses { fitted.poses } else { fitted.growth };
     let unit = unit_name(file.unit_metres);
     let growth = match fitted.file.muscles.first_mut() {

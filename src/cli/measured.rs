@@ -15,7 +15,7 @@ use crate::{limits, tr};
 pub(super) fn read(file: &Path) -> Result<Table, Failure> {
     let text = text(file)?;
     Table::parse(&text)
-        .map_err(|error| Failure::Files(vec![format!("{}:{}:{}: {}", display_name(file), error.line, error.column, error.message)]))
+        .map_err(|error| Failure::Files(vec![format!("{}:{}:{}: {}", display_name(file), error.line, error.column, error.sentence())]))
 }
 
 fn text(file: &Path) -> Result<String, Failure> {

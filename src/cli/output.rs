@@ -36,8 +36,8 @@ impl Failure {
     }
 
     /// One file that could not be used: `file: what`.
-    pub(super) fn file(file: &Path, what: impl std::fmt::Display) -> Self {
-        Self::Files(vec![format!("{}: {what}", display_name(file))])
+    pub(super) fn file(file: &Path, sentence: impl Into<String>) -> Self {
+        Self::Files(vec![format!("{}: {}", display_name(file), sentence.into())])
     }
 
     /// Prints the failure to standard error and returns the exit code.

@@ -1,6 +1,7 @@
 //! Tables of measured radii: comma-separated text with a row a node and a column an angle.
 
-use crate::{limits, tr};
+use crate::message::{Message, ToMessage};
+use crate::{limits, message};
 
 /// Radii of a muscle's nodes at several angles.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -11,16 +12,57 @@ pub struct Table {
     pub radii: Vec<Vec<f64>>,
 }
 
-/// Why text is no table of radii.
+/// Why text is no table of radii, and where.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
+#[error("{}", self.message())]
 pub struct TableError {
     /// Line from 1.
     pub line: u32,
     /// Column from 1, in characters.
     pub column: u32,
-    /// What is wrong and what would be right.
-    pub message: String,
+    /// What is wrong.
+    pub kind: TableErrorKind,
+}
+
+/// What is wrong with a table of radii.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TableErrorKind {
+    /// It has no rows.
+    Empty,
+    /// The heading does not name rising angles.
+    Heading,
+    /// It has more rows than [`limits::MUSCLE_NODES`].
+    TooLong,
+    /// A row does not begin with this number of a node.
+    NodeNumber(usize),
+    /// A cell that is no radius.
+    Radius(String),
+    /// A row has another number of radii than the heading has angles.
+    Width {
+        /// Radii of the row.
+        found: usize,
+        /// Angles of the heading.
+        wanted: usize,
+    },
+}
+
+impl ToMessage for TableError {
+    fn message(&self) -> Message {
+        self.kind.message()
+    }
+}
+
+impl ToMessage for TableErrorKind {
+    fn message(&self) -> Message {
+        match self {
+            Self::Empty => message!("muscle-table-empty"),
+            Self::Heading => message!("muscle-table-heading"),
+            Self::TooLong => message!("muscle-table-too-long", limit = limits::MUSCLE_NODES),
+            Self::NodeNumber(number) => message!("muscle-table-node", number = number),
+            Self::Radius(text) => message!("muscle-table-radius", text = text),
+            Self::Width { found, wanted } => message!("muscle-table-width", found = found, wanted = wanted),
+        }
+    }
 }
 
 impl Table {
@@ -31,23 +73,23 @@ impl Table {
     pub fn parse(text: &str) -> Result<Self, TableError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut lines = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
-        let (header, line) = lines.next().ok_or_else(|| error(1, 1, tr!("muscle-table-empty")))?;
+        let (header, line) = lines.next().ok_or_else(|| error(1, 1, TableErrorKind::Empty))?;
         let angles = heading(header, line)?;
         let mut radii: Vec<Vec<f64>> = Vec::new();
         let mut first = None;
         for (text, line) in lines {
             if radii.len() == limits::MUSCLE_NODES {
-                return Err(error(line, 1, tr!("muscle-table-too-long", limit = limits::MUSCLE_NODES as f64)));
+                return Err(error(line, 1, TableErrorKind::TooLong));
             }
             // Rows are numbered from 1, or from 0 by those who count so.
             let number = cells(text).next().and_then(|cell| cell.text.parse::<usize>().ok());
             let start = *first.get_or_insert(number.filter(|number| *number == 0).unwrap_or(1));
             if number != Some(start + radii.len()) {
-                return Err(error(line, 1, tr!("muscle-table-node", number = start + radii.len())));
+                return Err(error(line, 1, TableErrorKind::NodeNumber(start + radii.len())));
             }
             radii.push(row(text, line, angles.len())?);
         }
-        if radii.is_empty() { Err(error(line, 1, tr!("muscle-table-empty"))) } else { Ok(Self { angles, radii }) }
+        if radii.is_empty() { Err(error(line, 1, TableErrorKind::Empty)) } else { Ok(Self { angles, radii }) }
     }
 
     /// Radii of all nodes at angle number `angle`.
@@ -56,13 +98,13 @@ impl Table {
     }
 }
 
-fn error(line: usize, column: usize, message: String) -> TableError {
+fn error(line: usize, column: usize, kind: TableErrorKind) -> TableError {
     let number = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-    TableError { line: number(line), column: number(column), message }
+    TableError { line: number(line), column: number(column), kind }
 }
 
 fn heading(text: &str, line: usize) -> Result<Vec<f64>, TableError> {
-    let wrong = |column| error(line, column, tr!("muscle-table-heading"));
+    let wrong = |column| error(line, column, TableErrorKind::Heading);
     let mut head = cells(text);
     let first = head.next().ok_or_else(|| wrong(1))?;
     if !first.text.eq_ignore_ascii_case("node") {
@@ -80,13 +122,13 @@ fn heading(text: &str, line: usize) -> Result<Vec<f64>, TableError> {
 fn row(text: &str, line: usize, count: usize) -> Result<Vec<f64>, TableError> {
     let radius = |cell: Cell<'_>| {
         let value = cell.text.parse().ok().filter(|radius: &f64| *radius > 0.0 && *radius <= 1e9);
-        value.ok_or_else(|| error(line, cell.column, tr!("muscle-table-radius", text = cell.text.to_owned())))
+        value.ok_or_else(|| error(line, cell.column, TableErrorKind::Radius(cell.text.to_owned())))
     };
     let radii = cells(text).skip(1).map(radius).collect::<Result<Vec<f64>, _>>()?;
     if radii.len() == count {
         return Ok(radii);
     }
-    Err(error(line, text.chars().count() + 1, tr!("muscle-table-width", found = radii.len(), wanted = count)))
+    Err(error(line, text.chars().count() + 1, TableErrorKind::Width { found: radii.len(), wanted: count }))
 }
 
 struct Cell<'a> {
@@ -133,7 +175,7 @@ mod tests {
             ("node;deg0\n1;5\n", 1, 1),
         ] {
             let error = Table::parse(text).expect_err(text);
-            assert_eq!((error.line, error.column), (line, column), "{text:?}: {}", error.message);
+            assert_eq!((error.line, error.column), (line, column), "{text:?}: {error}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Changes of a muscle file by hand. Each makes a new file or says in one sentence why it can't; the old one stays as it is.
+//! Changes of a muscle file by hand. Each makes a new file or an error that says why it cannot; the old one stays as it is.
 
 use glam::DVec3;
 
@@ -6,7 +6,8 @@ use super::arm::{FOREARM, UPPER_ARM};
 use super::bones::AttachmentPoint;
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, Wrap};
 use super::profile::{LARGEST, Profile, ProfileError};
-use crate::{limits, tr};
+use crate::message::{Message, ToMessage};
+use crate::{limits, message};
 
 /// Most via points of one muscle.
 pub const VIA: usize = 8;
@@ -54,82 +55,92 @@ pub enum Edit {
 
 /// Why a change cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", self.message())]
 pub enum EditError {
     /// The shape would be no muscle.
-    #[error(transparent)]
     Profile(#[from] ProfileError),
     /// There is no such muscle.
-    #[error("{}", tr!("muscle-edit-no-muscle", number = .0 + 1))]
     NoMuscle(usize),
     /// The muscle has no such node.
-    #[error("{}", tr!("muscle-edit-no-node", number = .0 + 1))]
     NoNode(usize),
     /// The file would have more muscles than [`limits::MUSCLES`], or none.
-    #[error("{}", tr!("muscle-edit-count", limit = limits::MUSCLES))]
     Count,
     /// The surfaces of the file's muscles would have more vertices than [`limits::MUSCLE_VERTICES`] together.
-    #[error("{}", tr!("muscle-too-much-surface", limit = limits::MUSCLE_VERTICES))]
     TooMuchSurface,
     /// A tendon with a negative length, or a length without a radius.
-    #[error("{}", tr!("muscle-edit-tendon"))]
     Tendon,
     /// Origin and insertion are the same point of one bone.
-    #[error("{}", tr!("muscle-edit-ends-coincide"))]
     EndsCoincide,
     /// The muscle has no ends for via points or a wrap to lie between.
-    #[error("{}", tr!("muscle-edit-no-ends"))]
     NoEnds,
     /// An offset that is no number or too large.
-    #[error("{}", tr!("muscle-edit-offset"))]
     Offset,
     /// The arm has no bone of this name.
-    #[error("{}", tr!("muscle-edit-arm-bone", bone = .0.clone()))]
     ArmBone(String),
     /// The muscle has no such via point.
-    #[error("{}", tr!("muscle-edit-no-via", number = .0 + 1))]
     NoVia(usize),
     /// More than [`VIA`] via points.
-    #[error("{}", tr!("muscle-too-many-via", limit = VIA, count = *.0))]
     TooManyVia(usize),
     /// A bone that a file could not find again.
-    #[error("{}", tr!("muscle-edit-no-name"))]
     NoName,
     /// The radii come from measured poses, so that one cannot be set.
-    #[error("{}", tr!("muscle-edit-posed"))]
     Posed,
     /// A wrap without a radius or a side.
-    #[error("{}", tr!("muscle-edit-wrap"))]
     Wrap,
 }
 
-impl Edit {
-    /// What undo calls it, in the user's language.
-    pub fn label(&self) -> String {
+impl ToMessage for EditError {
+    fn message(&self) -> Message {
         match self {
-            Self::Name(_) => tr!("muscle-edit-name"),
-            Self::Source(_) => tr!("muscle-edit-source"),
-            Self::Color(_) => tr!("muscle-edit-color"),
-            Self::RestLength(_) => tr!("muscle-edit-rest-length"),
-            Self::Radius(node, _) => tr!("muscle-edit-radius", node = node + 1),
-            Self::Growth(node, _) => tr!("muscle-edit-growth", node = node + 1),
-            Self::Nodes(..) => tr!("muscle-edit-nodes"),
-            Self::Poses(_) => tr!("muscle-edit-poses"),
-            Self::AddNode(_) => tr!("muscle-edit-add-node"),
-            Self::DeleteNode(node) => tr!("muscle-edit-delete-node", node = node + 1),
-            Self::Tendon(0, _) => tr!("muscle-edit-tendon-origin"),
-            Self::Tendon(..) => tr!("muscle-edit-tendon-insertion"),
-            Self::Ends(_) => tr!("muscle-edit-attach"),
-            Self::End(0, _) => tr!("muscle-edit-origin"),
-            Self::End(..) => tr!("muscle-edit-insertion"),
-            Self::Via(number, _) => tr!("muscle-edit-via", number = number + 1),
-            Self::AddVia(..) => tr!("muscle-edit-via-add"),
-            Self::DeleteVia(number) => tr!("muscle-edit-via-delete", number = number + 1),
-            Self::SwapVia(_) => tr!("muscle-edit-via-order"),
-            Self::Wrap(Some(_)) => tr!("muscle-edit-wrapping"),
-            Self::Wrap(None) => tr!("muscle-edit-wrap-delete"),
+            Self::Profile(error) => error.message(),
+            Self::NoMuscle(index) => message!("muscle-edit-no-muscle", number = index + 1),
+            Self::NoNode(node) => message!("muscle-edit-no-node", number = node + 1),
+            Self::Count => message!("muscle-edit-count", limit = limits::MUSCLES),
+            Self::TooMuchSurface => message!("muscle-too-much-surface", limit = limits::MUSCLE_VERTICES),
+            Self::Tendon => message!("muscle-edit-tendon"),
+            Self::EndsCoincide => message!("muscle-edit-ends-coincide"),
+            Self::NoEnds => message!("muscle-edit-no-ends"),
+            Self::Offset => message!("muscle-edit-offset"),
+            Self::ArmBone(bone) => message!("muscle-edit-arm-bone", bone = bone),
+            Self::NoVia(number) => message!("muscle-edit-no-via", number = number + 1),
+            Self::TooManyVia(count) => message!("muscle-too-many-via", limit = VIA, count = count),
+            Self::NoName => message!("muscle-edit-no-name"),
+            Self::Posed => message!("muscle-edit-posed"),
+            Self::Wrap => message!("muscle-edit-wrap"),
         }
     }
+}
 
+/// What undo calls it.
+impl ToMessage for Edit {
+    fn message(&self) -> Message {
+        match self {
+            Self::Name(_) => message!("muscle-edit-name"),
+            Self::Source(_) => message!("muscle-edit-source"),
+            Self::Color(_) => message!("muscle-edit-color"),
+            Self::RestLength(_) => message!("muscle-edit-rest-length"),
+            Self::Radius(node, _) => message!("muscle-edit-radius", node = node + 1),
+            Self::Growth(node, _) => message!("muscle-edit-growth", node = node + 1),
+            Self::Nodes(..) => message!("muscle-edit-nodes"),
+            Self::Poses(_) => message!("muscle-edit-poses"),
+            Self::AddNode(_) => message!("muscle-edit-add-node"),
+            Self::DeleteNode(node) => message!("muscle-edit-delete-node", node = node + 1),
+            Self::Tendon(0, _) => message!("muscle-edit-tendon-origin"),
+            Self::Tendon(..) => message!("muscle-edit-tendon-insertion"),
+            Self::Ends(_) => message!("muscle-edit-attach"),
+            Self::End(0, _) => message!("muscle-edit-origin"),
+            Self::End(..) => message!("muscle-edit-insertion"),
+            Self::Via(number, _) => message!("muscle-edit-via", number = number + 1),
+            Self::AddVia(..) => message!("muscle-edit-via-add"),
+            Self::DeleteVia(number) => message!("muscle-edit-via-delete", number = number + 1),
+            Self::SwapVia(_) => message!("muscle-edit-via-order"),
+            Self::Wrap(Some(_)) => message!("muscle-edit-wrapping"),
+            Self::Wrap(None) => message!("muscle-edit-wrap-delete"),
+        }
+    }
+}
+
+impl Edit {
     /// Puts the point `hold` of the muscle `spec` on `anchor`; `None` where it goes round nothing, whose middle could be put anywhere.
     pub fn place(spec: &MuscleSpec, hold: AttachmentPoint, anchor: Anchor) -> Option<Self> {
         Some(match hold {

@@ -1,7 +1,8 @@
 //! Ready muscles, reachable by name: the report's two, and three in human proportions.
 
 use super::config::MuscleFile;
-use crate::tr;
+use crate::message;
+use crate::message::Message;
 
 /// A ready muscle file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,23 +28,23 @@ impl Preset {
         PRESETS.into_iter().find(|preset| preset.id == id)
     }
 
-    /// Its name in the user's language.
-    pub fn name(&self) -> String {
+    /// What a menu calls it.
+    pub fn name(&self) -> Message {
         match self.id {
-            "report" => tr!("muscle-preset-report"),
-            "measured" => tr!("muscle-preset-measured"),
-            "biceps" => tr!("muscle-preset-biceps"),
-            "triceps" => tr!("muscle-preset-triceps"),
-            _ => tr!("muscle-preset-brachialis"),
+            "report" => message!("muscle-preset-report"),
+            "measured" => message!("muscle-preset-measured"),
+            "biceps" => message!("muscle-preset-biceps"),
+            "triceps" => message!("muscle-preset-triceps"),
+            _ => message!("muscle-preset-brachialis"),
         }
     }
 
-    /// What its muscle is called in the user's language.
-    pub fn muscle_name(&self) -> String {
+    /// What a new muscle made from it is called.
+    pub fn muscle_name(&self) -> Message {
         match self.id {
-            "triceps" => tr!("muscle-called-triceps"),
-            "brachialis" => tr!("muscle-called-brachialis"),
-            _ => tr!("muscle-called-biceps"),
+            "triceps" => message!("muscle-called-triceps"),
+            "brachialis" => message!("muscle-called-brachialis"),
+            _ => message!("muscle-called-biceps"),
         }
     }
 

@@ -25,7 +25,7 @@ use std::ops::RangeInclusive;
 use super::Solved;
 use super::measured_shapes::{Pose, Poses};
 use crate::message::{Message, ToMessage};
-use crate::{limits, message, tr};
+use crate::{limits, message};
 
 /// How far from rest a length may grow at all, as a factor; profiles that could go on for ever stop here.
 const REACH: f64 = 100.0;
@@ -36,15 +36,13 @@ const SLIVER: f64 = 1e-9;
 
 /// Why numbers make no muscle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.message())]
 pub enum ProfileError {
     /// Fewer than two nodes.
-    #[error("{}", tr!("muscle-too-few-nodes", count = *.0))]
     TooFewNodes(usize),
     /// More nodes than [`limits::MUSCLE_NODES`].
-    #[error("{}", tr!("muscle-too-many-nodes", count = *.0, limit = limits::MUSCLE_NODES))]
     TooManyNodes(usize),
     /// Another number of radii than of growth multipliers.
-    #[error("{}", tr!("muscle-lengths-differ", radii = *.radii, growth = *.growth))]
     LengthsDiffer {
         /// Number of radii.
         radii: usize,
@@ -52,25 +50,18 @@ pub enum ProfileError {
         growth: usize,
     },
     /// A radius (index from 0) that is negative or no number.
-    #[error("{}", tr!("muscle-bad-radius", node = *.0 + 1))]
     BadRadius(usize),
     /// A growth multiplier (index from 0) that is no number.
-    #[error("{}", tr!("muscle-bad-growth", node = *.0 + 1))]
     BadGrowth(usize),
     /// A rest length that is not above zero.
-    #[error("{}", tr!("muscle-bad-length"))]
     BadLength,
     /// All radii zero: there is no volume to keep.
-    #[error("{}", tr!("muscle-no-radius"))]
     NoRadius,
     /// All growth multipliers zero: the volume cannot be kept.
-    #[error("{}", tr!("muscle-no-growth"))]
     NoGrowth,
     /// More poses than [`limits::MUSCLE_POSES`].
-    #[error("{}", tr!("muscle-too-many-poses", count = *.0, limit = limits::MUSCLE_POSES))]
     TooManyPoses(usize),
     /// A pose (index from 0) with another number of radii than the first.
-    #[error("{}", tr!("muscle-pose-nodes", pose = *.pose + 1, nodes = *.nodes, wanted = *.wanted))]
     PoseNodes {
         /// The pose, from 0.
         pose: usize,
@@ -80,10 +71,8 @@ pub enum ProfileError {
         wanted: usize,
     },
     /// A pose (index from 0) at a length that is not above zero.
-    #[error("{}", tr!("muscle-pose-length", pose = *.0 + 1))]
     PoseLength(usize),
     /// Two poses, this and the next in the order of the lengths, at one length.
-    #[error("{}", tr!("muscle-poses-coincide"))]
     PosesCoincide(usize),
 }
 

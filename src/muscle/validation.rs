@@ -11,9 +11,10 @@ use std::ops::Range;
 
 use super::profile::{ProfileError, cone_sum};
 use super::{MuscleRig, Sample};
-use crate::tr;
+use crate::message;
+use crate::message::{Message, ToMessage};
 
-pub use super::csv_table::{Table, TableError};
+pub use super::csv_table::{Table, TableError, TableErrorKind};
 
 /// A model's radii beside a table's.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -44,9 +45,9 @@ pub struct Comparison {
 
 /// Why a table cannot be held against a muscle.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}", self.message())]
 pub enum CompareError {
     /// The table has another number of rows than the muscle nodes, with or without its two ends.
-    #[error("{}", tr!("muscle-compare-nodes", rows = *.rows, nodes = *.nodes, inner = .nodes.saturating_sub(2)))]
     Nodes {
         /// Rows of the table.
         rows: usize,
@@ -54,11 +55,19 @@ pub enum CompareError {
         nodes: usize,
     },
     /// The rig has no such muscle, or no joint to turn.
-    #[error("{}", tr!("muscle-compare-no-joint"))]
     NoJoint,
     /// Radii that make no muscle.
-    #[error(transparent)]
     Profile(#[from] ProfileError),
+}
+
+impl ToMessage for CompareError {
+    fn message(&self) -> Message {
+        match self {
+            Self::Nodes { rows, nodes } => message!("muscle-compare-nodes", rows = rows, nodes = nodes, inner = nodes.saturating_sub(2)),
+            Self::NoJoint => message!("muscle-compare-no-joint"),
+            Self::Profile(error) => error.message(),
+        }
+    }
 }
 
 /// A table with the lengths at its angles, its rows extended to all nodes of the muscle.

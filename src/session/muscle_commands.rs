@@ -3,6 +3,7 @@
 use super::joint_control::bones;
 use super::{ChangeSet, Session, UndoStep};
 use crate::document::{PoseBuffers, PoseState};
+use crate::i18n::Sentence;
 use crate::muscle::presets::Preset;
 use crate::muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap, bone_scale};
 use crate::scene::{Content, Frame, MuscleId, NodeId};
@@ -42,7 +43,7 @@ impl Session {
         let Some(file) = files.get_mut(place) else { return Ok(()) };
         let scale = ready.unit_metres / file.unit_metres;
         let mut spec = model.scaled(scale, model.profile.rest_length() * scale)?;
-        spec.name = unused_name(file, &preset.muscle_name());
+        spec.name = unused_name(file, &preset.muscle_name().sentence());
         if let (Some(arm), Some(of)) = (file.arm, ready.arm) {
             spec = MuscleSpec { name: spec.name, ..on_arm(model, arm.upper / of.upper)? };
         }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::{ChangeSet, Session, UndoStep};
+use crate::i18n::Sentence;
 use crate::muscle::presets::Preset;
 use crate::muscle::{Edit, EditError, MuscleFile};
 use crate::scene::MuscleId;
@@ -28,7 +29,7 @@ impl Session {
         }
         if edited != *file {
             *file = edited;
-            self.change_files(&files, edit.label(), step);
+            self.change_files(&files, edit.sentence(), step);
         }
         Ok(())
     }
@@ -51,7 +52,7 @@ impl Session {
             // The length of the bones stays: it is they that the muscle must fit.
             *file = file.edited(index, &Edit::Nodes(radii, muscle.profile.growth().to_vec()))?;
         }
-        self.change_files(&files, preset.name(), UndoStep::New);
+        self.change_files(&files, preset.name().sentence(), UndoStep::New);
         Ok(())
     }
 
@@ -158,7 +159,7 @@ mod tests {
         session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.0), UndoStep::New).unwrap();
         session.edit_muscle(MuscleId(0), &Edit::Radius(2, 34.0), UndoStep::Same).unwrap();
         assert!(session.is_unsaved() && radius(&session) == Some(34.0));
-        assert_eq!(session.undo_names().0, Some(Edit::Radius(2, 0.0).label().as_str()));
+        assert_eq!(session.undo_names().0, Some(Edit::Radius(2, 0.0).sentence().as_str()));
         let refused = session.edit_muscle(MuscleId(0), &Edit::Radius(2, -1.0), UndoStep::New);
         assert!(refused.is_err() && radius(&session) == Some(34.0));
         session.undo();

@@ -165,6 +165,7 @@ mod tests {
 
     use super::super::history::History;
     use super::*;
+    use crate::i18n::Sentence;
     use crate::muscle::Edit;
     use crate::scene::MuscleId;
     use crate::session::tests::{biceps, clip};
@@ -191,7 +192,7 @@ mod tests {
                 Self::Bend(_) => ("bend".into(), 0),
                 Self::Contract(_) => ("contract".into(), 0),
                 Self::Turn(node, _) => ("turn".into(), node),
-                Self::Radius(node, value) => (Edit::Radius(node, value).label(), 0),
+                Self::Radius(node, value) => (Edit::Radius(node, value).sentence(), 0),
                 Self::Move(axis, _) => ("move".into(), axis),
                 Self::Hide(_) => ("hide".into(), 0),
                 Self::Release => ("release".into(), 0),

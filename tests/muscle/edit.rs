@@ -2,11 +2,14 @@
 
 use glam::DVec3;
 use proptest::prelude::*;
+use sinew::i18n::Sentence;
 use sinew::muscle::presets::{PRESETS, Preset};
 use sinew::muscle::{
     Anchor, Edit, EditError, LimitCause, MuscleFile, MuscleRig, Profile, ProfileError, Root, SolverReport, Tendon, Wrap, literature_data,
 };
 use sinew::scene::{MuscleId, Scene};
+
+use crate::in_each_language;
 
 fn file() -> MuscleFile {
     MuscleFile::parse(include_str!("../../configs/example.yaml")).unwrap()
@@ -75,15 +78,14 @@ fn what_makes_no_muscle_is_refused_and_the_file_stays() {
 
 #[test]
 fn changes_have_names_in_both_languages() {
-    use sinew::i18n::{Language, set_language};
-    for language in [Language::English, Language::Russian] {
-        set_language(language);
+    in_each_language(|_| {
         let edits = [Edit::AddNode(0), Edit::Radius(4, 1.0), Edit::Tendon(0, Tendon::default()), Edit::Ends(None), Edit::Wrap(None)];
-        for text in edits.iter().map(Edit::label).chain(PRESETS.iter().map(Preset::name)).chain([EditError::NoNode(6).to_string()]) {
+        let names = PRESETS.iter().flat_map(|preset| [preset.name().sentence(), preset.muscle_name().sentence()]);
+        for text in edits.iter().map(Edit::sentence).chain(names).chain([EditError::NoNode(6).sentence()]) {
             assert!(!text.contains("muscle-") && !text.contains('{'), "{text}");
         }
-        assert!(Edit::Radius(4, 1.0).label().ends_with('5'));
-    }
+        assert!(Edit::Radius(4, 1.0).sentence().ends_with('5'));
+    });
 }
 
 /// Volumes in cm³, from the sources that the files name, a fifth either way.

@@ -1,7 +1,7 @@
 //! The model compared with measured radii (OpenArm 2.0), and why the two differ.
 
 use sinew::muscle::parameter_fit::{Model, fit, fitted_file};
-use sinew::muscle::validation::{CompareError, Table, compare};
+use sinew::muscle::validation::{CompareError, Table, TableErrorKind, compare};
 use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::scene::{MuscleId, Scene};
 
@@ -87,17 +87,18 @@ fn a_model_is_found_again_from_its_own_radii() {
 
 #[test]
 fn tables_that_do_not_fit_are_refused() {
-    sinew::i18n::set_language(sinew::i18n::Language::English);
-    for (text, line) in [
-        ("", 1),
-        ("# x\n1,2\n", 2),
-        ("node,deg0,deg0\n", 1),
-        ("node,deg0\n1,x\n", 2),
-        ("node,deg0\n1,2,3\n", 2),
-        ("node,deg0\n1,-2\n", 2),
-        ("node,deg0\n", 1),
+    use TableErrorKind::{Empty, Heading, Radius, Width};
+    for (text, line, kind) in [
+        ("", 1, Empty),
+        ("# x\n1,2\n", 2, Heading),
+        ("node,deg0,deg0\n", 1, Heading),
+        ("node,deg0\n1,x\n", 2, Radius("x".to_owned())),
+        ("node,deg0\n1,2,3\n", 2, Width { found: 2, wanted: 1 }),
+        ("node,deg0\n1,-2\n", 2, Radius("-2".to_owned())),
+        ("node,deg0\n", 1, Empty),
     ] {
-        assert_eq!(Table::parse(text).expect_err(text).line, line, "{text}");
+        let error = Table::parse(text).expect_err(text);
+        assert_eq!((error.line, error.kind), (line, kind), "{text}");
     }
     let two = Table::parse("node,deg0\n1,2\n2,3\n").unwrap();
     assert_eq!(compare(&biceps(), 0, &two).unwrap_err(), CompareError::Nodes { rows: 2, nodes: 11 });
