@@ -20,6 +20,13 @@ pub enum Value {
         /// How many decimals.
         digits: usize,
     },
+    /// The same with a true minus, as wide as a plus, for what stands in the window.
+    Signed {
+        /// The number.
+        value: f64,
+        /// How many decimals.
+        digits: usize,
+    },
     /// A message of its own, such as the reason of an error.
     Message(Box<Message>),
 }
@@ -124,6 +131,11 @@ pub fn shortened(text: &str) -> String {
     if text.chars().count() <= 80 { text.to_owned() } else { text.chars().take(79).chain(['…']).collect() }
 }
 
+/// The number with `digits` decimals, the decimal mark of the language and a true minus.
+pub fn signed(value: f64, digits: usize) -> Value {
+    Value::Signed { value, digits }
+}
+
 /// A message of the catalogue: `message!("collada-count-mismatch", said = said, found = found)`.
 ///
 /// Values are texts, numbers, paths or messages.
@@ -220,7 +232,7 @@ impl fmt::Display for Value {
         match self {
             Self::Text(text) => write!(f, "{text:?}"),
             Self::Number(number) => write!(f, "{number}"),
-            Self::Decimal { value, digits } => write!(f, "{value:.digits$}"),
+            Self::Decimal { value, digits } | Self::Signed { value, digits } => write!(f, "{value:.digits$}"),
             Self::Message(message) => write!(f, "{message}"),
         }
     }

@@ -11,11 +11,11 @@ use super::commands::Command;
 use super::settings::{ColorScheme, SheetPage};
 use super::window::Window;
 use super::{about, appearance, compare_file, document_loader, export_dialog, help, save_session, saving, screenshot};
+use crate::message;
 use crate::muscle::AttachmentPoint;
 use crate::render::{Samples, Shading};
 use crate::scene::ViewDirection;
 use crate::session::{CompareTarget, DisplayPreset, PickTarget, Session, Tool, UndoStep};
-use crate::tr;
 
 /// One action a command; those that are on or off have a state.
 pub(super) fn make_actions() -> HashMap<Command, gio::SimpleAction> {
@@ -300,7 +300,7 @@ fn change_session(command: Command, session: &mut Session) {
         C::Orthographic => session.change_camera(|camera| camera.animate_to(|orbit| orbit.orthographic = !orbit.orthographic)),
         C::ResetLight => session.reset_light(),
         C::ResetModel => {
-            session.undoable(tr!("app-edit-reset-model"), UndoStep::New, |session| session.change_model(|model| model.reset()));
+            session.undoable(message!("app-edit-reset-model"), UndoStep::New, |session| session.change_model(|model| model.reset()));
         }
         C::ContractMore | C::ContractLess => {
             if let Some(contraction) = session.contraction() {

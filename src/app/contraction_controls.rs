@@ -10,6 +10,7 @@ use gtk4 as gtk;
 use super::commands::Command;
 use super::window::{Window, object};
 use super::{format, ui};
+use crate::message;
 use crate::scene::NodeId;
 use crate::session::{ChangeSet, JointAxis, Session, UndoStep};
 use crate::tr;
@@ -72,7 +73,7 @@ impl ContractionControls {
                         // Another axis of the joint that was found is a choice too.
                         let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Hinge);
                         let chosen = bone.or_else(found).map(|node| (node, axis));
-                        session.undoable(tr!("app-edit-joint"), UndoStep::New, |session| session.choose_joint(chosen));
+                        session.undoable(message!("app-edit-joint"), UndoStep::New, |session| session.choose_joint(chosen));
                     });
                 }
             ));
@@ -81,7 +82,7 @@ impl ContractionControls {
             #[weak]
             window,
             move |on_top| window.update(|session| {
-                session.undoable(tr!("app-edit-on-top"), UndoStep::New, |session| session.set_on_top(on_top.is_active()));
+                session.undoable(message!("app-edit-on-top"), UndoStep::New, |session| session.set_on_top(on_top.is_active()));
             })
         ));
         object::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(

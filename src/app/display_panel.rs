@@ -10,6 +10,7 @@ use super::onion_skin_panel::GhostsPanel;
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::document::Skinning;
+use crate::message;
 use crate::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};
 use crate::tr;
 use crate::view::SHADINGS;
@@ -134,7 +135,7 @@ impl DisplayPanel {
                 move |_| {
                     let aim = LightDirection { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
                     window.update(|session| {
-                        session.undoable(tr!("app-edit-light"), UndoStep::near(0), |session| session.set_light(aim));
+                        session.undoable(message!("app-edit-light"), UndoStep::near(0), |session| session.set_light(aim));
                     });
                 }
             ));

@@ -8,6 +8,7 @@ use gtk4 as gtk;
 
 use super::ui;
 use super::window::{Window, object};
+use crate::i18n::Sentence;
 use crate::session::Session;
 
 /// A few words and a button.
@@ -42,6 +43,6 @@ impl HeldJointBanner {
     pub(super) fn refresh(&self, session: &mut Session) {
         let told = session.held_joint_text();
         self.root.set_visible(told.is_some());
-        self.label.set_text(&told.unwrap_or_default());
+        self.label.set_text(&told.map(|told| told.sentence()).unwrap_or_default());
     }
 }

@@ -14,6 +14,7 @@ use super::window::{Window, object};
 use super::{drawing_area::PaintWidget, format, material_preview, ui};
 use crate::document::{Skinning, angle_at};
 use crate::i18n;
+use crate::message;
 use crate::plot::Plot;
 use crate::scene::{Content, NodeId, NodeKind};
 use crate::session::{ChangeSet, Matrices, Session, UndoStep};
@@ -400,5 +401,5 @@ fn turn(session: &mut Session, axis: usize, degrees: f64) {
     let Some(node) = session.selected() else { return };
     let mut turns = session.document().joint_override(node);
     turns[axis] = degrees;
-    session.undoable(tr!("app-edit-rotate-joint"), UndoStep::near(node.0), |session| session.override_joint(node, turns));
+    session.undoable(message!("app-edit-rotate-joint"), UndoStep::near(node.0), |session| session.override_joint(node, turns));
 }

@@ -388,7 +388,7 @@ impl MusclePanel {
         object::<gtk::Label>(&self.builder, "held").set_visible(solved.held);
         let (alone, why) = (object::<gtk::Label>(&self.builder, "alone"), session.standalone_reason());
         alone.set_visible(why.is_some());
-        if let Some(why) = why.filter(|why| alone.text() != *why) {
+        if let Some(why) = why.map(|why| why.sentence()).filter(|why| alone.text() != *why) {
             alone.set_text(&why);
         }
         let sign = |value: f64| if value < 0.0 { '−' } else { '+' };

@@ -7,6 +7,7 @@ use super::commands::Command;
 use super::window::object;
 use super::{format, memory_usage};
 use crate::document::{Document, Missing, Source, SourceKind};
+use crate::i18n::Sentence;
 use crate::i18n::{self, shown, shown_lines};
 use crate::session::Session;
 use crate::tr;
@@ -76,7 +77,7 @@ pub(super) fn name_steps(builder: &gtk::Builder, session: &Session) {
     let (back, forward) = session.undo_names();
     for (id, command, step) in [("undo", Command::Undo, back), ("redo", Command::Redo, forward)] {
         let text = match step {
-            Some(step) => tr!("app-step", what = command.label(), step = step, key = command.key_label()),
+            Some(step) => tr!("app-step", what = command.label(), step = step.sentence(), key = command.key_label()),
             None => command.tooltip(),
         };
         object::<gtk::Button>(builder, id).set_tooltip_text(Some(&text));

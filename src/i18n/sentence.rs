@@ -1,6 +1,6 @@
 //! Sentences in the user's language of what the libraries report.
 
-use super::{FluentValue, catalogue, decimal, shown};
+use super::{FluentValue, catalogue, decimal, quantity, shown};
 use crate::diagnostics::{Diagnostic, DiagnosticKind};
 use crate::message::{Location, Message, SourceName, ToMessage, Value};
 use crate::tr;
@@ -43,6 +43,7 @@ fn argument(value: &Value) -> FluentValue<'_> {
         Value::Text(text) => FluentValue::from(text.as_str()),
         Value::Number(number) => FluentValue::from(*number),
         Value::Decimal { value, digits } => FluentValue::from(decimal(*value, *digits)),
+        Value::Signed { value, digits } => FluentValue::from(quantity::number(*value, *digits)),
         Value::Message(message) => FluentValue::from(sentence(message)),
     }
 }

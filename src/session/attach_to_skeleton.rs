@@ -1,8 +1,8 @@
 //! Attaches the muscles of a file to the bones of a clip instead of the arm that they came with, as one undo step.
 
 use super::{Session, UndoStep};
+use crate::message;
 use crate::muscle::{Form, Joint, MuscleFile, MuscleSpec};
-use crate::tr;
 
 /// Muscles that a clip carries now.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -56,7 +56,7 @@ impl Session {
         (self.state.drive, self.display.selected) = (drive, selected);
         files[place].muscles = hung?;
         let name = self.document.scene.graph.node(joint.node).name.clone();
-        self.change_files(&files, tr!("muscle-edit-hang", joint = name.clone()), UndoStep::New);
+        self.change_files(&files, message!("muscle-edit-hang", joint = name.clone()), UndoStep::New);
         let shown = self.node_of_muscle(self.shown_muscle);
         self.select(shown);
         Some(AttachResult { muscles, joint: name })

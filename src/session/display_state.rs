@@ -4,9 +4,9 @@ use glam::Vec3;
 
 use super::{CameraController, ChangeSet, LightDirection, Session, UndoStep, Viewpoint};
 use crate::document::Skinning;
+use crate::message;
 use crate::render::{Display, Theme};
 use crate::scene::{Bounds, Content, Deformer, NodeId, NodeKind, ViewDirection};
-use crate::tr;
 use crate::view::{BackgroundPreset, file_camera};
 
 impl Session {
@@ -57,7 +57,7 @@ impl Session {
     /// Shows or hides a node with everything below it.
     pub fn set_visible(&mut self, node: NodeId, visible: bool) {
         if node.index() < self.document.scene.graph.len() && self.document.scene.graph.node(node).visible != visible {
-            self.undoable(tr!("app-edit-visible"), UndoStep::New, |session| {
+            self.undoable(message!("app-edit-visible"), UndoStep::New, |session| {
                 session.document.scene.graph.node_mut(node).visible = visible;
                 session.needs_posing = true;
                 session.changed(ChangeSet::DISPLAY);
@@ -263,7 +263,7 @@ impl Session {
     /// The light goes back to its place beside the camera.
     pub fn reset_light(&mut self) {
         if self.light.is_some() {
-            self.undoable(tr!("app-edit-light"), UndoStep::New, |session| {
+            self.undoable(message!("app-edit-light"), UndoStep::New, |session| {
                 session.light = None;
                 session.changed(ChangeSet::LIGHT);
             });

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::joint_control::HeldJoint;
 use crate::document::JointOverride;
+use crate::message::Message;
 use crate::muscle::{MuscleFile, MuscleState};
 use crate::scene::NodeId;
 use crate::view::{LightDirection, ModelTransform};
@@ -53,7 +54,7 @@ impl UndoStep {
 /// A step that was taken: what it did, and how things were on its other side.
 #[derive(Debug)]
 struct UndoEntry {
-    what: String,
+    what: Message,
     snapshot: Snapshot,
 }
 
@@ -76,7 +77,7 @@ impl History {
     pub(super) const GESTURE: Duration = Duration::from_millis(800);
 
     /// Notes a change that was made: how things were before it, and what it did.
-    pub(super) fn push_undo(&mut self, before: Snapshot, what: String, step: UndoStep) {
+    pub(super) fn push_undo(&mut self, before: Snapshot, what: Message, step: UndoStep) {
         let goes_on = match (self.open, step) {
             (Some(_), UndoStep::Same) => true,
             (Some(UndoStep::Near { of: last, now: then }), UndoStep::Near { of, now }) => {
@@ -112,8 +113,8 @@ impl History {
     }
 
     /// What the step back and the step forward did.
-    pub(super) fn names(&self) -> (Option<&str>, Option<&str>) {
-        (self.done.last().map(|step| step.what.as_str()), self.undone.last().map(|step| step.what.as_str()))
+    pub(super) fn names(&self) -> (Option<&Message>, Option<&Message>) {
+        (self.done.last().map(|step| &step.what), self.undone.last().map(|step| &step.what))
     }
 
     /// Whether there is a step back.
@@ -144,8 +145,13 @@ mod tests {
         }
     }
 
-    fn note(history: &mut History, before: f64, what: &str, step: UndoStep) {
-        history.push_undo(scaled(before), what.to_owned(), step);
+    fn note(history: &mut History, before: f64, what: &'static str, step: UndoStep) {
+        history.push_undo(scaled(before), Message::new(what, Vec::new()), step);
+    }
+
+    fn names(history: &History) -> (Option<&str>, Option<&str>) {
+        let (back, forward) = history.names();
+        (back.map(|what| what.key), forward.map(|what| what.key))
     }
 
     #[test]
@@ -157,9 +163,9 @@ mod tests {
         assert_eq!(history.undo(scaled(2.0)), Some(scaled(1.0)));
         assert_eq!(history.undo(scaled(1.0)), None);
         assert_eq!(history.redo(scaled(1.0)), Some(scaled(2.0)));
-        assert_eq!(history.names(), (Some("scale"), Some("scale")));
+        assert_eq!(names(&history), (Some("scale"), Some("scale")));
         note(&mut history, 2.0, "move", UndoStep::New);
-        assert_eq!(history.names(), (Some("move"), None));
+        assert_eq!(names(&history), (Some("move"), None));
         assert!(!history.can_redo() && history.can_undo());
     }
 

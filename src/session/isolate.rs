@@ -1,8 +1,8 @@
 //! Showing the selection alone, hiding it, and showing everything again.
 
 use super::{ChangeSet, Session, UndoStep};
+use crate::message;
 use crate::scene::NodeId;
-use crate::tr;
 
 impl Session {
     /// Whether the selection is shown alone.
@@ -18,7 +18,7 @@ impl Session {
     /// Shows the selected node with what is below it alone; the second time everything that was shown before comes back.
     pub fn toggle_isolated(&mut self) {
         if let Some(hidden) = self.isolated.take() {
-            return self.undoable(tr!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&hidden));
+            return self.undoable(message!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&hidden));
         }
         let Some(selected) = self.display.selected else { return };
         let graph = &self.document.scene.graph;
@@ -31,7 +31,7 @@ impl Session {
         let below = hidden.iter().copied().filter(|id| !above.contains(id) && !beside(*id));
         let mut alone: Vec<NodeId> = others.chain(below).collect();
         alone.sort_unstable();
-        self.undoable(tr!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&alone));
+        self.undoable(message!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&alone));
         self.isolated = Some(hidden);
         // A bone without its skin is seen as a bone.
         let hidden = !self.frame().surfaces.iter().any(|surface| surface.visible && surface.ghost.is_none());
@@ -51,7 +51,7 @@ impl Session {
     pub fn show_all(&mut self) {
         if self.hides_something() {
             self.isolated = None;
-            self.undoable(tr!("app-edit-visible"), UndoStep::New, |session| session.hide_exactly(&[]));
+            self.undoable(message!("app-edit-visible"), UndoStep::New, |session| session.hide_exactly(&[]));
         }
     }
 

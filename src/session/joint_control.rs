@@ -7,10 +7,10 @@ use glam::DVec3;
 
 use super::{ChangeSet, Session, UndoStep};
 use crate::document::Document;
-use crate::i18n::quantity as format;
+use crate::message;
+use crate::message::{Message, signed};
 use crate::muscle::{Driving, Joint, MuscleState, Turn};
 use crate::scene::{MuscleId, NodeId, NodeKind};
-use crate::tr;
 
 /// Which axis a chosen joint turns about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -183,27 +183,27 @@ impl Session {
 
     /// A hand bends the elbow of the arm, or the joint of the clip; undo takes that back.
     pub fn set_angle_undoable(&mut self, degrees: f64) {
-        self.undoable(tr!("app-edit-bend"), UndoStep::near(0), |session| session.set_flexion(degrees));
+        self.undoable(message!("app-edit-bend"), UndoStep::near(0), |session| session.set_flexion(degrees));
     }
 
     /// A hand sets the contraction; undo takes that back.
     pub fn set_contraction_undoable(&mut self, per_cent: f64) {
-        self.undoable(tr!("app-edit-contract"), UndoStep::near(0), |session| session.set_contraction(per_cent));
+        self.undoable(message!("app-edit-contract"), UndoStep::near(0), |session| session.set_contraction(per_cent));
     }
 
     /// A hand gives the joint back to the clip; undo takes that back.
     pub fn release_undoable(&mut self) {
-        self.undoable(tr!("app-edit-release"), UndoStep::New, Self::release_joint);
+        self.undoable(message!("app-edit-release"), UndoStep::New, Self::release_joint);
     }
 
     /// Says that a joint stands still, whatever the clip does, and at which angle; `None` where none does.
-    pub fn held_joint_text(&mut self) -> Option<String> {
+    pub fn held_joint_text(&mut self) -> Option<Message> {
         let turn = self.state.joint_rotation.filter(|turn| !turn.on_top && self.playback.duration() > 0.0)?;
-        let angle = format!("{}°", format::number(self.joint_angle()?, 0));
+        let angle = signed(self.joint_angle()?, 0);
         let elbow = self.joint.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
         Some(match elbow {
-            true => tr!("app-joint-held-elbow", angle = angle),
-            false => tr!("app-joint-held", joint = self.document.scene.graph.node(turn.node).name.clone(), angle = angle),
+            true => message!("app-joint-held-elbow", angle = angle),
+            false => message!("app-joint-held", joint = &self.document.scene.graph.node(turn.node).name, angle = angle),
         })
     }
 

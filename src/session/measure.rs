@@ -4,11 +4,11 @@ use std::fmt::Write as _;
 use std::ops::RangeInclusive;
 
 use super::{Session, UndoStep};
+use crate::message;
 use crate::muscle::parameter_fit::{Model, fitted_file};
 use crate::muscle::validation::{CompareError, Table};
 use crate::muscle::{MuscleFile, MuscleRig, Solved};
 use crate::scene::MuscleId;
-use crate::tr;
 
 /// Moments and angles of a curve.
 const ANGLE_STEPS: u32 = 90;
@@ -104,7 +104,7 @@ impl Session {
         let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
         let Some(file) = files.get_mut(place) else { return Err(CompareError::NoJoint) };
         *file = fitted_file(file, rig, index, table, model)?.file;
-        self.change_files(&files, tr!("app-do-fit-radii"), UndoStep::New);
+        self.change_files(&files, message!("app-do-fit-radii"), UndoStep::New);
         Ok(())
     }
 

@@ -4,10 +4,11 @@ use super::joint_control::bones;
 use super::{ChangeSet, Session, UndoStep};
 use crate::document::{PoseBuffers, PoseState};
 use crate::i18n::Sentence;
+use crate::message;
+use crate::message::Message;
 use crate::muscle::presets::Preset;
 use crate::muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap, bone_scale};
 use crate::scene::{Content, Frame, MuscleId, NodeId};
-use crate::tr;
 
 impl Session {
     /// The muscle that panels and handles show.
@@ -49,7 +50,7 @@ impl Session {
         }
         *file = file.with_muscle(spec)?;
         let id = id_of(&files, place, usize::MAX);
-        self.change_files(&files, tr!("muscle-edit-new"), UndoStep::New);
+        self.change_files(&files, message!("muscle-edit-new"), UndoStep::New);
         // Only now that its file is in the scene has the muscle axes to be laid in.
         let fitted = joint.and_then(|joint| self.fitted(id, model, &ready, &joint));
         if fitted.is_none() {
@@ -98,14 +99,14 @@ impl Session {
     }
 
     /// Why the muscle that is shown lies on its own although there are bones that could carry it; `None` where it does not.
-    pub fn standalone_reason(&self) -> Option<String> {
+    pub fn standalone_reason(&self) -> Option<Message> {
         let (rig, index) = self.document.muscle(self.shown_muscle)?;
         let alone = !rig.is_attached(index) && rig.flexion_range().is_none() && !bones(&self.document).is_empty();
         let twisted = self.joint.twisted.filter(|(id, _)| *id == self.shown_muscle);
         let graph = &self.document.scene.graph;
         alone.then(|| match twisted.filter(|(_, node)| node.index() < graph.len()) {
-            Some((_, node)) => tr!("app-not-attached-twist", joint = graph.node(node).name.clone()),
-            None => tr!("app-not-attached"),
+            Some((_, node)) => message!("app-not-attached-twist", joint = &graph.node(node).name),
+            None => message!("app-not-attached"),
         })
     }
 
@@ -136,7 +137,7 @@ impl Session {
         file.form = Form::Rich;
         *file = file.with_muscle(copy)?;
         let copied = id_of(&files, place, usize::MAX);
-        self.change_files(&files, tr!("muscle-edit-duplicate"), UndoStep::New);
+        self.change_files(&files, message!("muscle-edit-duplicate"), UndoStep::New);
         self.shown_muscle = copied;
         self.select(self.node_of_muscle(copied));
         self.changed(ChangeSet::MUSCLE);
@@ -159,7 +160,7 @@ impl Session {
         } else {
             *file = file.without_muscle(index)?;
         }
-        self.change_files(&files, tr!("muscle-edit-delete"), UndoStep::New);
+        self.change_files(&files, message!("muscle-edit-delete"), UndoStep::New);
         let count = self.document.muscle_count() as u32;
         self.shown_muscle = MuscleId(self.shown_muscle.0.min(count.saturating_sub(1)));
         self.select(None);
@@ -274,7 +275,9 @@ mod tests {
             let attached = rig.is_attached(index);
             let why = session.standalone_reason();
             assert_eq!(why.is_none(), attached, "{axis}");
-            twisted += usize::from(why.is_some_and(|why| why.contains("forearm") && why != tr!("app-not-attached")));
+            twisted += usize::from(
+                why.is_some_and(|why| why.key == "app-not-attached-twist" && why.parameter("joint") == Some(&"forearm".into())),
+            );
             session.undo();
         }
         assert_eq!(twisted, 1, "one of a bone's own axes runs along it");

@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use super::{ChangeSet, Session, UndoStep};
-use crate::i18n::Sentence;
+use crate::message;
+use crate::message::Message;
+use crate::message::ToMessage;
 use crate::muscle::presets::Preset;
 use crate::muscle::{Edit, EditError, MuscleFile};
 use crate::scene::MuscleId;
-use crate::{input, limits, tr};
+use crate::{input, limits};
 
 impl Session {
     /// Changes muscle `id`.
@@ -29,7 +31,7 @@ impl Session {
         }
         if edited != *file {
             *file = edited;
-            self.change_files(&files, edit.sentence(), step);
+            self.change_files(&files, edit.message(), step);
         }
         Ok(())
     }
@@ -52,7 +54,7 @@ impl Session {
             // The length of the bones stays: it is they that the muscle must fit.
             *file = file.edited(index, &Edit::Nodes(radii, muscle.profile.growth().to_vec()))?;
         }
-        self.change_files(&files, preset.name().sentence(), UndoStep::New);
+        self.change_files(&files, preset.name(), UndoStep::New);
         Ok(())
     }
 
@@ -60,7 +62,7 @@ impl Session {
     /// of the scene do not belong to it and change nothing.
     pub fn set_carried_files(&mut self, files: Vec<MuscleFile>) {
         if files.len() >= self.document.muscle_files().count() && !self.document.muscle_files().eq(&files) {
-            self.change_files(&files, tr!("app-edit-carried"), UndoStep::New);
+            self.change_files(&files, message!("app-edit-carried"), UndoStep::New);
         }
     }
 
@@ -79,11 +81,11 @@ impl Session {
     pub fn revert(&mut self) {
         if self.is_unsaved() {
             let files = self.saved_files.clone();
-            self.change_files(&files, tr!("app-do-revert"), UndoStep::New);
+            self.change_files(&files, message!("app-do-revert"), UndoStep::New);
         }
     }
 
-    pub(super) fn change_files(&mut self, files: &[MuscleFile], label: String, step: UndoStep) {
+    pub(super) fn change_files(&mut self, files: &[MuscleFile], label: Message, step: UndoStep) {
         self.undoable(label, step, |session| session.put_muscle_files(files));
     }
 
@@ -159,7 +161,7 @@ mod tests {
         session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.0), UndoStep::New).unwrap();
         session.edit_muscle(MuscleId(0), &Edit::Radius(2, 34.0), UndoStep::Same).unwrap();
         assert!(session.is_unsaved() && radius(&session) == Some(34.0));
-        assert_eq!(session.undo_names().0, Some(Edit::Radius(2, 0.0).sentence().as_str()));
+        assert_eq!(session.undo_names().0, Some(&Edit::Radius(2, 0.0).message()));
         let refused = session.edit_muscle(MuscleId(0), &Edit::Radius(2, -1.0), UndoStep::New);
         assert!(refused.is_err() && radius(&session) == Some(34.0));
         session.undo();

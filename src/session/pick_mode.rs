@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::{ChangeSet, Session, UndoStep};
-use crate::i18n::Sentence;
+use crate::message::ToMessage;
 use crate::muscle::{Anchor, AttachmentPoint, Edit, EditError};
 use crate::render::PickHit;
 use crate::scene::{MuscleId, NodeId};
@@ -110,7 +110,7 @@ impl Session {
             }
             Some(origin) => {
                 let ends = Edit::Ends(Some([origin, anchor]));
-                self.undoable(ends.sentence(), UndoStep::New, |session| {
+                self.undoable(ends.message(), UndoStep::New, |session| {
                     session.edit_muscle(muscle, &ends, UndoStep::New)?;
                     session.stop_picking();
                     session.fit_length(muscle, UndoStep::New)

@@ -4,9 +4,9 @@ use glam::{DMat4, DVec3, Vec3};
 
 use super::{ChangeSet, Session, UndoStep};
 use crate::document::{JointOverride, VertexInfluences};
+use crate::message;
 use crate::render::PickHit;
 use crate::scene::{Content, Deformer, Frame, NodeId, NodeKind};
-use crate::tr;
 
 /// A point on a surface, or a bone; it moves with what it is on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -166,7 +166,7 @@ impl Session {
             None => Vec::new(),
         };
         if kept.len() != self.document.joint_overrides().len() {
-            self.undoable(tr!("app-edit-reset-rotations"), UndoStep::New, |session| {
+            self.undoable(message!("app-edit-reset-rotations"), UndoStep::New, |session| {
                 session.document.set_joint_overrides(&kept);
                 session.changed(ChangeSet::JOINT_OVERRIDES);
             });

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::history::{Snapshot, UndoStep};
 use super::{ChangeSet, Gizmo, ModelDrag, ModelTransform, Session, Tool};
+use crate::message::Message;
 use crate::muscle::MuscleState;
 use crate::scene::NodeId;
 
@@ -87,7 +88,7 @@ impl Session {
 
     /// Does something that undo takes back; `what` says it in the user's language. Where nothing changed there is nothing to take back. Steps within it
     /// are parts of it.
-    pub fn undoable<T>(&mut self, what: String, step: UndoStep, change: impl FnOnce(&mut Self) -> T) -> T {
+    pub fn undoable<T>(&mut self, what: Message, step: UndoStep, change: impl FnOnce(&mut Self) -> T) -> T {
         if self.history.inside {
             return change(self);
         }
@@ -103,7 +104,7 @@ impl Session {
     }
 
     /// What undo and redo would take back and do again, in the user's language.
-    pub fn undo_names(&self) -> (Option<&str>, Option<&str>) {
+    pub fn undo_names(&self) -> (Option<&Message>, Option<&Message>) {
         self.history.names()
     }
 
@@ -165,7 +166,7 @@ mod tests {
 
     use super::super::history::History;
     use super::*;
-    use crate::i18n::Sentence;
+    use crate::message::ToMessage;
     use crate::muscle::Edit;
     use crate::scene::MuscleId;
     use crate::session::tests::{biceps, clip};
@@ -187,18 +188,19 @@ mod tests {
 
     impl TestEdit {
         /// What it is called, and what of; `None` for undo and redo.
-        fn what(self) -> Option<(String, u32)> {
-            Some(match self {
-                Self::Bend(_) => ("bend".into(), 0),
-                Self::Contract(_) => ("contract".into(), 0),
-                Self::Turn(node, _) => ("turn".into(), node),
-                Self::Radius(node, value) => (Edit::Radius(node, value).sentence(), 0),
-                Self::Move(axis, _) => ("move".into(), axis),
-                Self::Hide(_) => ("hide".into(), 0),
-                Self::Release => ("release".into(), 0),
-                Self::OnTop(_) => ("on top".into(), 0),
+        fn what(self) -> Option<(Message, u32)> {
+            let (key, of) = match self {
+                Self::Bend(_) => ("bend", 0),
+                Self::Contract(_) => ("contract", 0),
+                Self::Turn(node, _) => ("turn", node),
+                Self::Radius(node, value) => return Some((Edit::Radius(node, value).message(), 0)),
+                Self::Move(axis, _) => ("move", axis),
+                Self::Hide(_) => ("hide", 0),
+                Self::Release => ("release", 0),
+                Self::OnTop(_) => ("on top", 0),
                 Self::Undo | Self::Redo => return None,
-            })
+            };
+            Some((Message::new(key, Vec::new()), of))
         }
 
         fn change(self, session: &mut Session) {
@@ -250,11 +252,11 @@ mod tests {
         states: Vec<Snapshot>,
         present: usize,
         /// What was changed last and when, while it may go on.
-        open: Option<(String, u32, Duration, bool)>,
+        open: Option<(Message, u32, Duration, bool)>,
     }
 
     impl HistoryModel {
-        fn changed(&mut self, to: Snapshot, (what, of): (String, u32), now: Duration, near: bool, same: bool) {
+        fn changed(&mut self, to: Snapshot, (what, of): (Message, u32), now: Duration, near: bool, same: bool) {
             if to == self.states[self.present] {
                 return;
             }
@@ -344,7 +346,7 @@ mod tests {
         session.set_angle_undoable(50.0);
         session.set_angle_undoable(107.0);
         let bent = turn(&session);
-        assert_eq!(session.undo_names().0, Some(crate::tr!("app-edit-bend").as_str()));
+        assert_eq!(session.undo_names().0, Some(&crate::message!("app-edit-bend")));
         session.undo();
         assert_eq!((turn(&session), session.undo_counts()), (None, (false, true)));
         // At once, of the same value: within what would be one gesture.
@@ -356,7 +358,10 @@ mod tests {
         session.redo();
         assert_eq!(turn(&session), again);
         session.set_angle_undoable(107.0);
-        assert!(turn(&session) == bent && session.held_joint_text().is_some_and(|told| told.contains("107°")));
+        assert!(
+            turn(&session) == bent
+                && session.held_joint_text().is_some_and(|told| told.parameter("angle") == Some(&crate::message::signed(107.0, 0)))
+        );
         session.release_undoable();
         assert_eq!((turn(&session), session.held_joint_text()), (None, None));
         session.undo();

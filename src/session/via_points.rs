@@ -59,7 +59,7 @@ mod tests {
 
     use super::*;
     use crate::document::Document;
-    use crate::i18n::Sentence;
+    use crate::message::ToMessage;
     use crate::muscle::{Anchor, MuscleFile, MuscleSpec};
     use crate::render::PickHit;
     use crate::session::tests::{biceps, clip};
@@ -130,10 +130,10 @@ mod tests {
         assert!(before.distance(after) < 2e-5, "{before} {after}");
         session.set_flexion(100.0);
         assert!(place(&mut session, id, hold).distance(after) > 0.01, "it moves with the forearm");
-        let steps = session.undo_names().0.map(str::to_owned);
+        let steps = session.undo_names().0.cloned();
         session.attach_to(id, hold, Some(find(&session, "forearm"))).unwrap();
         session.attach_to(id, hold, None).unwrap();
-        assert_eq!(session.undo_names().0.map(str::to_owned), steps, "the bone that it is on is no change");
+        assert_eq!(session.undo_names().0.cloned(), steps, "the bone that it is on is no change");
         session.undo();
         assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
     }
@@ -164,14 +164,14 @@ mod tests {
         let (two, size) = (spec(&session, id).via, DVec2::new(900.0, 600.0));
         session.edit_muscle(id, &Edit::SwapVia(0), UndoStep::New).unwrap();
         assert_eq!(spec(&session, id).via, [two[1].clone(), two[0].clone()]);
-        assert_eq!(session.undo_names().0, Some(Edit::SwapVia(0).sentence().as_str()));
+        assert_eq!(session.undo_names().0, Some(&Edit::SwapVia(0).message()));
         session.undo();
         let grip = session.attachment_handles(size).into_iter().find(|grip| grip.attachment == AttachmentPoint::Via(1)).unwrap();
         let drag = AttachmentDrag { muscle: id, handle: grip, from: grip.screen_position };
         session.drag_attachment(&drag, grip.screen_position + DVec2::new(12.0, 9.0), size, UndoStep::New).unwrap();
         let dragged = spec(&session, id).via;
         assert!(dragged[0] == two[0] && dragged[1].offset != two[1].offset && dragged[1].bone == two[1].bone);
-        assert_eq!(session.undo_names().0, Some(Edit::Via(1, two[1].clone()).sentence().as_str()));
+        assert_eq!(session.undo_names().0, Some(&Edit::Via(1, two[1].clone()).message()));
         session.edit_muscle(id, &Edit::DeleteVia(0), UndoStep::New).unwrap();
         assert_eq!(spec(&session, id).via, dragged[1..]);
         for refused in [Edit::DeleteVia(1), Edit::SwapVia(0), Edit::Via(1, two[0].clone())] {

@@ -14,6 +14,7 @@ use super::{orientation_gizmo, zoom_gestures};
 use crate::app::drawing_area::PaintWidget;
 use crate::app::format;
 use crate::app::window::Window;
+use crate::message;
 use crate::muscle::AttachmentPoint;
 use crate::session::{AttachmentDrag, AttachmentHandle as Dot, GizmoHandle, ModelDrag, Session, Tool, UndoStep, Viewpoint};
 use crate::tr;
@@ -268,12 +269,12 @@ fn drag_on(window: &Rc<Window>, x: f64, y: f64, snap: bool) {
             }
         }),
         DragAction::Light => {
-            session.undoable(tr!("app-edit-light"), step, |session| session.rotate_light(degrees_x, -degrees_y));
+            session.undoable(message!("app-edit-light"), step, |session| session.rotate_light(degrees_x, -degrees_y));
             session.change_display(|display| display.light_marker = true);
         }
         DragAction::Model => {
             if let Some(drag) = input.model.get() {
-                let (what, to) = (tr!(session.tool().edit()), drag.from + DVec2::new(x, y));
+                let (what, to) = (message!(session.tool().edit()), drag.from + DVec2::new(x, y));
                 session.undoable(what, step, |session| session.drag_model(&drag, to, picture_size(window), snap));
             }
         }

@@ -10,6 +10,7 @@ use gtk4 as gtk;
 
 use crate::app::ui;
 use crate::app::window::{Window, object};
+use crate::message;
 use crate::session::{ModelTransform, Tool, UndoStep};
 use crate::tr;
 
@@ -60,7 +61,7 @@ impl TransformFields {
                             Tool::Rotate => model.set_degrees(DVec3::new(x, y, z)),
                             Tool::Scale => model.set_scale(x),
                         };
-                        session.undoable(tr!(tool.get().edit()), UndoStep::near(axis), |session| session.change_model(change));
+                        session.undoable(message!(tool.get().edit()), UndoStep::near(axis), |session| session.change_model(change));
                     });
                 }
             ));
