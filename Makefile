@@ -41,18 +41,18 @@ test:
 	@echo "== System packages"
 	@resources/setup.sh test
 	@echo "== Format"
-	$(CARGO) fmt --check
+	$(CARGO) fmt --all --check
 	@echo "== Desktop files"
 	@resources/check-desktop.sh
 	@echo "== Lints, with the window"
-	$(CARGO) clippy --locked --all-targets -- -D warnings
+	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
 	@echo "== Lints, without the window"
-	$(CARGO) clippy --locked --all-targets --no-default-features -- -D warnings
+	$(CARGO) clippy --locked --workspace --all-targets --no-default-features -- -D warnings
 	@echo "== Documentation"
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --workspace --no-deps
 	@echo "== Tests"
 	@rm -f $(UNSTEADY)
-	$(CARGO) test --locked
+	$(CARGO) test --locked --workspace
 	@if [ -s $(UNSTEADY) ]; then echo "== Unsteady: failed once, then passed twice"; cat $(UNSTEADY); fi
 	@echo "== All checks passed"
 
@@ -66,7 +66,7 @@ SOAK_CASES ?= 3000
 soak: export PROPTEST_CASES := $(SOAK_CASES)
 soak:
 	@resources/setup.sh test
-	$(CARGO) test --locked --no-fail-fast --lib $(patsubst tests/%/main.rs,--test %,$(wildcard tests/*/main.rs))
+	$(CARGO) test --locked --workspace --no-fail-fast --lib $(patsubst tests/%/main.rs,--test %,$(wildcard tests/*/main.rs))
 
 # Ten thousand random keys, clicks and drags on the window, with a window manager and without; takes minutes.
 monkey:

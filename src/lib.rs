@@ -31,26 +31,14 @@
 //! There is one way to make a picture: [`document::Document::pose`] fills a [`scene::Frame`], and
 //! [`render::Renderer::draw`] turns it into pixels. The window, the command line, the tests and the benches all call these two.
 
-pub mod animation;
 #[cfg(feature = "gui")]
 pub mod app;
 pub mod cli;
-pub mod collada;
-pub mod diagnostics;
-pub mod document;
-pub mod export;
-pub mod i18n;
-pub mod input;
-pub mod limits;
-pub mod message;
-pub mod muscle;
-pub mod plot;
-pub mod progress;
-pub mod render;
-pub mod scene;
-pub mod sequence;
-pub mod session;
-mod simd;
-pub mod system;
-pub mod view;
-pub mod yaml;
+
+pub use sinew_collada as collada;
+pub use sinew_engine::{document, export, input, plot, sequence, session, system, view};
+pub use sinew_i18n::{self as i18n, tr};
+pub use sinew_muscle as muscle;
+pub use sinew_render as render;
+pub use sinew_scene::{self as scene, animation, diagnostics, limits, message, progress};
+pub use sinew_yaml as yaml;

@@ -14,7 +14,6 @@ use gtk4 as gtk;
 use super::window::{Window, object};
 use super::{document_loader, ui};
 use crate::i18n::Sentence;
-use crate::muscle::MuscleFile;
 use crate::session::Session;
 use crate::tr;
 use crate::view::RecoveryFile;
@@ -26,16 +25,6 @@ const MAX_CHECKS: u32 = 20;
 const CHECK_INTERVAL: Duration = Duration::from_millis(500);
 /// What the names of these files begin with; the number of the process follows.
 const NAME: &str = "unsaved-";
-
-impl RecoveryFile {
-    /// What of a session is not saved; `None` where all is.
-    pub fn of(session: &Session) -> Option<Self> {
-        session.is_unsaved().then(|| Self {
-            files: session.files().into_iter().map(|path| std::path::absolute(&path).unwrap_or(path)).collect(),
-            muscles: session.document().muscle_files().map(MuscleFile::to_yaml).collect(),
-        })
-    }
-}
 
 /// The recovery file of a window, and the bar that offers those of others.
 pub(super) struct Autosave {
@@ -188,7 +177,7 @@ impl Autosave {
 /// Writes down what is not saved, and again a moment later where it changed meanwhile.
 fn write_recovery_file(weak: &Weak<Window>) {
     let Some(window) = weak.upgrade() else { return };
-    match window.read(|session| RecoveryFile::of(session)) {
+    match window.read(|session| session.recovery_file()) {
         Some(unsaved) => window.recovery.write(&unsaved),
         None => window.recovery.clear(),
     }
@@ -269,9 +258,9 @@ mod tests {
     fn what_is_not_saved_is_found_again() {
         let folder = tempfile::tempdir().unwrap();
         let mut session = Session::new(Document::built_in());
-        assert_eq!(RecoveryFile::of(&session), None);
+        assert_eq!(session.recovery_file(), None);
         session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.25), UndoStep::New).unwrap();
-        let unsaved = RecoveryFile::of(&session).unwrap();
+        let unsaved = session.recovery_file().unwrap();
         let path = folder.path().join(format!("{NAME}7-0.yaml"));
         unsaved.write(&path).unwrap();
         std::fs::write(folder.path().join(format!("{NAME}7-1.yaml")), "files: [").unwrap();

@@ -22,7 +22,7 @@ use super::inspector::Inspector;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
 use super::scene_tree::SceneTree;
-use super::settings::{SavedViewSettings, Settings};
+use super::settings::{self, SavedViewSettings, Settings};
 use super::shortcuts::KeyChords;
 use super::side_panels::SidePanels;
 use super::start_page::StartPage;
@@ -90,7 +90,7 @@ impl Window {
     /// Opens a window that shows `files`, or the built-in biceps.
     pub(super) fn open(application: &gtk::Application, files: Vec<PathBuf>) {
         appearance::load_style();
-        let (settings, notice) = Settings::load(&Settings::path());
+        let (settings, notice) = Settings::load(&settings::path());
         let builder = ui::builder(ui::WINDOW);
         let widget: gtk::ApplicationWindow = object(&builder, "window");
         widget.set_application(Some(application));
@@ -486,7 +486,7 @@ impl Window {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }
         *settings = self.user_view_settings(&settings);
-        if let Err(error) = settings.save(&Settings::path()) {
+        if let Err(error) = settings.save(&settings::path()) {
             eprintln!("{}", tr!("app-settings-unsaved", reason = error.sentence()));
         }
     }

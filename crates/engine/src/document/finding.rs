@@ -1,0 +1,53 @@
+//! What was found in the files of a document, whichever part of the program found it.
+
+use super::OpenError;
+use super::image_finding::ImageFinding;
+use sinew_collada as collada;
+use sinew_muscle as muscle;
+use sinew_scene::diagnostics::{DiagnosticKind, Severity};
+use sinew_scene::message;
+use sinew_scene::message::{Message, ToMessage};
+
+/// What was found in a file of a document.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Finding {
+    /// By the reader of COLLADA.
+    Collada(collada::Finding),
+    /// About a muscle.
+    Muscle(muscle::Finding),
+    /// About an image.
+    Image(ImageFinding),
+    /// The clip that a muscle file names could not be opened; the muscles are shown without it.
+    ClipNotOpened(Box<OpenError>),
+}
+
+impl ToMessage for Finding {
+    fn message(&self) -> Message {
+        match self {
+            Self::Collada(finding) => finding.message(),
+            Self::Muscle(finding) => finding.message(),
+            Self::Image(finding) => finding.message(),
+            Self::ClipNotOpened(error) => message!("document-clip-not-opened", error = error.message()),
+        }
+    }
+}
+
+impl DiagnosticKind for Finding {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Collada(finding) => finding.code(),
+            Self::Muscle(finding) => finding.code(),
+            Self::Image(finding) => finding.code(),
+            Self::ClipNotOpened(_) => "clip-not-opened",
+        }
+    }
+
+    fn severity(&self) -> Severity {
+        match self {
+            Self::Collada(finding) => finding.severity(),
+            Self::Muscle(finding) => finding.severity(),
+            Self::Image(finding) => finding.severity(),
+            Self::ClipNotOpened(_) => Severity::Warning,
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Poses and draws the frames of a sequence.
+
+use super::{FrameSpec, Sequence};
+use crate::document::{Document, PoseBuffers};
+use crate::view::{PoseContext, SceneOverlays};
+use sinew_render::{Background, Display, Framebuffer, Renderer};
+use sinew_scene::{Camera, Frame, Scene};
+
+/// Durations of one frame's stages, milliseconds: pose, deform, vertex, raster, resolve.
+pub type FrameTimes = [f64; 5];
+
+/// Gives the camera for a posed scene and a turntable angle, degrees.
+pub type CameraFn<'a> = Box<dyn Fn(&Scene, &Frame, f32) -> Camera + Send + 'a>;
+
+/// Draws the frames of a sequence; its buffers are reused from frame to frame.
+pub struct SequenceRenderer<'a> {
+    document: &'a Document,
+    /// The sequence.
+    pub sequence: Sequence,
+    camera: CameraFn<'a>,
+    /// Display options.
+    pub display: Display,
+    renderer: Renderer,
+    buffers: PoseBuffers,
+    frame: Frame,
+    times: Vec<FrameTimes>,
+    /// Overlays, with the frame rate that onion skins use.
+    overlays: Option<(SceneOverlays, f64)>,
+}
+
+impl<'a> SequenceRenderer<'a> {
+    /// A renderer that draws `sequence` through the camera that `camera_fn` gives, with `threads` threads (`None`: one per core).
+    pub fn new(document: &'a Document, sequence: Sequence, display: Display, threads: Option<usize>, camera_fn: CameraFn<'a>) -> Self {
+        let renderer = Renderer::new(threads);
+        let (buffers, frame) = (PoseBuffers::default(), Frame::default());
+        Self { document, sequence, camera: camera_fn, display, renderer, buffers, frame, times: Vec::new(), overlays: None }
+    }
+
+    /// Draws overlays too; `frame_rate` = frames per second of the document's frame numbers.
+    pub fn with_overlays(mut self, overlays: SceneOverlays, frame_rate: f64) -> Self {
+        self.overlays = Some((overlays, frame_rate)).filter(|(overlays, _)| overlays.is_active());
+        self
+    }
+
+    /// The document.
+    pub fn document(&self) -> &'a Document {
+        self.document
+    }
+
+    /// Whether the frames have an alpha channel.
+    pub fn is_transparent(&self) -> bool {
+        self.display.background == Background::Transparent
+    }
+
+    /// Poses and draws frame `index` into `picture`, in its size.
+    pub fn draw(&mut self, index: usize, picture: &mut Framebuffer) -> FrameSpec {
+        let spec = self.sequence.frame_spec(self.document, index);
+        if let Some((overlays, _)) = &mut self.overlays {
+            overlays.remove_from(&mut self.frame);
+        }
+        self.document.pose(&spec.state, &mut self.buffers, &mut self.frame);
+        if let Some((overlays, frame_rate)) = &mut self.overlays {
+            overlays.append_to(&PoseContext::new(self.document, spec.state, *frame_rate, &self.display), &mut self.frame);
+        }
+        let camera = (self.camera)(&self.document.scene, &self.frame, spec.turntable);
+        let Framebuffer { width, height, pixels } = picture;
+        let target = bytemuck::cast_slice_mut(pixels);
+        let stride = *width as usize * 4;
+        self.renderer.draw_into(&self.document.scene, &self.frame, &camera, &self.display, *width, *height, target, stride);
+        let (posed, drawn) = (self.buffers.times(), self.renderer.stats());
+        self.times.push([posed.pose_ms, posed.deform_ms, drawn.vertex_ms, drawn.raster_ms, drawn.resolve_ms]);
+        spec
+    }
+
+    /// The durations of the frames drawn since the last call.
+    pub fn take_times(&mut self) -> Vec<FrameTimes> {
+        std::mem::take(&mut self.times)
+    }
+}

@@ -1,0 +1,104 @@
+//! Draggable points of a muscle in the viewport: attachments, via points and the wrap sphere.
+
+use glam::{DVec2, DVec3, Vec2};
+
+use super::{Session, UndoStep};
+use sinew_muscle::{AttachmentPoint, Edit, EditError};
+use sinew_scene::{Camera, MuscleId};
+
+/// How near to a dot the pointer takes it, logical pixels.
+const HIT_DISTANCE: f64 = 11.0;
+
+/// A dot.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AttachmentHandle {
+    /// The point of the muscle.
+    pub attachment: AttachmentPoint,
+    /// Where it falls, logical pixels.
+    pub screen_position: DVec2,
+    /// Where it is, world, metres.
+    pub position: DVec3,
+}
+
+/// A drag of a dot: how things were when it began.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AttachmentDrag {
+    /// The muscle.
+    pub muscle: MuscleId,
+    /// The dot.
+    pub handle: AttachmentHandle,
+    /// The pointer, logical pixels.
+    pub from: DVec2,
+}
+
+/// The ball that a muscle goes round, as it is painted; logical pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WrapSphereCircle {
+    /// Its middle.
+    pub middle: DVec2,
+    /// The point of its surface on the side on which the muscle passes.
+    pub top: DVec2,
+    /// Its radius.
+    pub radius: f64,
+}
+
+impl Session {
+    /// The dots of the muscle that is shown, in a picture of this size (logical pixels); none where muscles are hidden.
+    pub fn attachment_handles(&mut self, size: DVec2) -> Vec<AttachmentHandle> {
+        self.frame();
+        let camera = self.camera.camera(&self.document.scene, &self.frame);
+        let Some((rig, index)) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle) else { return Vec::new() };
+        let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
+        let grip = |hold: AttachmentPoint| {
+            let point = rig.hold(index, hold, &self.frame.world)?;
+            Some(AttachmentHandle { attachment: hold, screen_position: place(point).filter(|place| place.is_finite())?, position: point })
+        };
+        rig.holds(index).filter_map(grip).collect()
+    }
+
+    /// The dot under a place of the picture.
+    pub fn attachment_handle_at(&mut self, place: DVec2, size: DVec2) -> Option<AttachmentHandle> {
+        let near = |grip: &AttachmentHandle| grip.screen_position.distance(place);
+        self.attachment_handles(size).into_iter().filter(|grip| near(grip) <= HIT_DISTANCE).min_by(|a, b| near(a).total_cmp(&near(b)))
+    }
+
+    /// A dragged dot comes to `to`: it stays as far from the eye as it was, and on its bone.
+    ///
+    /// # Errors
+    /// [`EditError`] where the point cannot be there; nothing is changed then.
+    pub fn drag_attachment(&mut self, drag: &AttachmentDrag, to: DVec2, size: DVec2, step: UndoStep) -> Result<(), EditError> {
+        self.frame();
+        let camera = self.camera.camera(&self.document.scene, &self.frame);
+        let moved = on_level(&camera, drag.handle.position, to, size) - on_level(&camera, drag.handle.position, drag.from, size);
+        let Some((rig, index)) = self.document.muscle(drag.muscle) else { return Ok(()) };
+        let Some(node) = rig.hold_bone(index, drag.handle.attachment) else { return Ok(()) };
+        let graph = &self.document.scene.graph;
+        let Some(anchor) = rig.anchor_at(graph, node, drag.handle.position + moved, &self.frame.world) else {
+            return Err(EditError::NoName);
+        };
+        let Some(edit) = rig.spec(index).and_then(|spec| Edit::place(spec, drag.handle.attachment, anchor)) else { return Ok(()) };
+        self.edit_muscle(drag.muscle, &edit, step)
+    }
+
+    /// The outline of the ball that the muscle shown goes round, in a picture of this size (logical pixels); `None` where muscles are hidden.
+    pub fn wrap_sphere_circle(&mut self, size: DVec2) -> Option<WrapSphereCircle> {
+        self.frame();
+        let camera = self.camera.camera(&self.document.scene, &self.frame);
+        let (rig, index) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle)?;
+        let ball = rig.ball(index, &self.frame.world)?;
+        let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
+        let radius = ball.radius / f64::from(camera.height_at(ball.center.as_vec3())) * size.y;
+        let ring = WrapSphereCircle { middle: place(ball.center)?, top: place(ball.center + ball.side * ball.radius)?, radius };
+        (ring.middle.is_finite() && ring.top.is_finite() && radius.is_finite()).then_some(ring)
+    }
+}
+
+/// The point under a place of the picture that is as far before the eye as `level`.
+fn on_level(camera: &Camera, level: DVec3, place: DVec2, size: DVec2) -> DVec3 {
+    let (pixel, size): (Vec2, Vec2) = (place.as_vec2(), size.as_vec2());
+    let near = camera.unproject(pixel, 0.0, size).as_dvec3();
+    let far = camera.unproject(pixel, 0.5, size).as_dvec3();
+    let (offset, forward) = (far - near, camera.forward().as_dvec3());
+    let depth = (level - near).dot(forward) / offset.dot(forward);
+    if depth.is_finite() { near + offset * depth } else { level }
+}

@@ -1,0 +1,173 @@
+//! Measurements of a muscle over the joint angle or over the time of the clip.
+
+use std::fmt::Write as _;
+use std::ops::RangeInclusive;
+
+use super::{Session, UndoStep};
+use sinew_muscle::parameter_fit::{Model, fitted_file};
+use sinew_muscle::validation::{CompareError, Table};
+use sinew_muscle::{MuscleFile, MuscleRig, Solved};
+use sinew_scene::MuscleId;
+use sinew_scene::message;
+
+/// Moments and angles of a curve.
+const ANGLE_STEPS: u32 = 90;
+const TIME_STEPS: u32 = 120;
+
+/// What goes right in a plot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MeasureAxis {
+    /// The angle of the joint that the muscle crosses.
+    #[default]
+    Angle,
+    /// The time of the clip.
+    Time,
+}
+
+/// A muscle at one angle or moment. Lengths are in the unit of its file.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Measurement {
+    /// Seconds on the clip's axis.
+    pub time: Option<f64>,
+    /// Degrees.
+    pub angle: Option<f64>,
+    /// −dL/dφ, φ in radians.
+    pub moment_arm: Option<f64>,
+    /// The solution.
+    pub solved: Solved,
+}
+
+impl Measurement {
+    /// The largest radius.
+    pub fn belly(&self) -> f64 {
+        self.solved.radii.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Where it stands on the axis.
+    pub fn at(&self, axis: MeasureAxis) -> f64 {
+        match axis {
+            MeasureAxis::Angle => self.angle,
+            MeasureAxis::Time => self.time,
+        }
+        .unwrap_or(f64::NAN)
+    }
+}
+
+impl Session {
+    /// The angles, degrees, or seconds that a muscle can be measured over; `None` where there is no joint, or no clip that moves it.
+    pub fn measurable(&self, muscle: MuscleId, axis: MeasureAxis) -> Option<RangeInclusive<f64>> {
+        let (rig, index) = self.document.muscle(muscle)?;
+        match axis {
+            MeasureAxis::Angle => rig.flexion_range().or_else(|| rig.measured_range()),
+            MeasureAxis::Time => {
+                // A muscle on an arm of its own is moved by no clip.
+                let moved = rig.is_attached(index) && rig.flexion_range().is_none();
+                self.clip().filter(|clip| moved && clip.end > clip.start).map(|clip| clip.start..=clip.end)
+            }
+        }
+    }
+
+    /// Measures a muscle over its whole range; empty where it has none.
+    pub fn measure(&self, muscle: MuscleId, axis: MeasureAxis) -> Vec<Measurement> {
+        let Some((range, (rig, index))) = self.measurable(muscle, axis).zip(self.document.muscle(muscle)) else { return Vec::new() };
+        match axis {
+            MeasureAxis::Angle => over_angles(rig, index, &steps(&range, ANGLE_STEPS)),
+            MeasureAxis::Time => {
+                let mut rows = self.document.measure_times(&self.state(), &steps(&range, TIME_STEPS));
+                let samples = if muscle.index() < rows.len() { rows.swap_remove(muscle.index()) } else { Vec::new() };
+                let reading = |sample: crate::document::MuscleSample| Measurement {
+                    time: Some(sample.time),
+                    angle: sample.angle,
+                    moment_arm: sample.moment_arm,
+                    solved: sample.solved,
+                };
+                samples.into_iter().map(reading).collect()
+            }
+        }
+    }
+
+    /// `wanted`, where a joint turns it; else the first muscle that one turns.
+    pub fn muscle_on_joint(&self, wanted: MuscleId) -> Option<MuscleId> {
+        let turned =
+            |id: &MuscleId| self.document.muscle(*id).is_some_and(|(rig, index)| rig.is_attached(index) && rig.measured_range().is_some());
+        let count = u32::try_from(self.document.muscle_count()).unwrap_or(u32::MAX);
+        std::iter::once(wanted).chain((0..count).map(MuscleId)).find(turned)
+    }
+
+    /// Fits muscle `id` to measured radii (see [`fitted_file`]); undo takes that back.
+    ///
+    /// # Errors
+    /// [`CompareError`] where the table does not fit the muscle; nothing is changed then.
+    pub fn fit_muscle(&mut self, id: MuscleId, table: &Table, model: Model) -> Result<(), CompareError> {
+        let place = self.document.file_of_muscle(id).zip(self.document.muscle(id));
+        let Some(((place, index), (rig, _))) = place else { return Err(CompareError::NoJoint) };
+        let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
+        let Some(file) = files.get_mut(place) else { return Err(CompareError::NoJoint) };
+        *file = fitted_file(file, rig, index, table, model)?.file;
+        self.change_files(&files, message!("app-do-fit-radii"), UndoStep::New);
+        Ok(())
+    }
+
+    /// Where the present pose stands on that axis.
+    pub fn current_value(&self, muscle: MuscleId, axis: MeasureAxis) -> Option<f64> {
+        let (rig, _) = self.document.muscle(muscle)?;
+        match axis {
+            MeasureAxis::Time => Some(self.playback.time),
+            MeasureAxis::Angle if rig.flexion_range().is_some() => Some(self.state.drive.flexion),
+            MeasureAxis::Angle => rig.joint()?.angle(&self.document.scene, &self.posed().world),
+        }
+    }
+}
+
+fn steps(range: &RangeInclusive<f64>, count: u32) -> Vec<f64> {
+    let step = (range.end() - range.start()) / f64::from(count);
+    (0..=count).map(|index| range.start() + f64::from(index) * step).collect()
+}
+
+fn over_angles(rig: &MuscleRig, index: usize, angles: &[f64]) -> Vec<Measurement> {
+    let samples = rig.measure(index, angles).into_iter();
+    samples.map(|s| Measurement { time: None, angle: Some(s.angle), moment_arm: Some(s.moment_arm), solved: s.solved }).collect()
+}
+
+/// One row a reading, with decimal points; lengths in the file's unit.
+pub fn csv(readings: &[Measurement]) -> String {
+    let nodes = readings.first().map_or(0, |reading| reading.solved.radii.len());
+    let timed = readings.iter().any(|reading| reading.time.is_some());
+    let mut text = String::from(if timed { "time,angle" } else { "angle" });
+    text.push_str(",length,moment_arm,volume,volume_error,delta");
+    for node in 1..=nodes {
+        // Writing to a string cannot fail.
+        let _ = write!(text, ",r{node}");
+    }
+    text.push('\n');
+    // `+ 0.0` turns a negative zero into zero.
+    let cell = |value: Option<f64>| value.map(|value| (value + 0.0).to_string()).unwrap_or_default();
+    for reading in readings {
+        let solved = &reading.solved;
+        if timed {
+            let _ = write!(text, "{},", cell(reading.time));
+        }
+        let numbers = [solved.length, solved.volume, solved.volume_error, solved.delta].map(|value| cell(Some(value)));
+        let [length, volume, error, delta] = numbers;
+        let _ = write!(text, "{},{length},{},{volume},{error},{delta}", cell(reading.angle), cell(reading.moment_arm));
+        for radius in &solved.radii {
+            let _ = write!(text, ",{radius}");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_has_a_column_a_radius_and_one_for_time_where_there_is_any() {
+        let solved = Solved { length: 2.5, radii: vec![1.0, 2.0], delta: -0.0, ..Solved::default() };
+        let bent = Measurement { time: None, angle: Some(30.0), moment_arm: Some(0.5), solved };
+        let moving = Measurement { time: Some(0.25), angle: None, ..bent.clone() };
+        assert_eq!(csv(&[bent]), "angle,length,moment_arm,volume,volume_error,delta,r1,r2\n30,2.5,0.5,0,0,0,1,2\n");
+        assert_eq!(csv(&[moving]), "time,angle,length,moment_arm,volume,volume_error,delta,r1,r2\n0.25,,2.5,0.5,0,0,0,1,2\n");
+    }
+}

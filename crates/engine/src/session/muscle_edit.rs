@@ -1,0 +1,189 @@
+//! Edits of muscles: each is checked, can be undone, and stays unsaved until it is written.
+
+use std::path::{Path, PathBuf};
+
+use super::{ChangeSet, Session, UndoStep};
+use crate::input;
+use sinew_muscle::presets::Preset;
+use sinew_muscle::{Edit, EditError, MuscleFile};
+use sinew_scene::MuscleId;
+use sinew_scene::limits;
+use sinew_scene::message;
+use sinew_scene::message::Message;
+use sinew_scene::message::ToMessage;
+
+impl Session {
+    /// Changes muscle `id`.
+    ///
+    /// # Errors
+    /// [`EditError`] where the change would make no muscle; nothing is changed then.
+    pub fn edit_muscle(&mut self, id: MuscleId, edit: &Edit, step: UndoStep) -> Result<(), EditError> {
+        let Some((place, index)) = self.document.file_of_muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
+        let Some(file) = files.get_mut(place) else { return Ok(()) };
+        let mut edited = file.edited(index, edit)?;
+        // The first muscle of a file that comes onto bones grows and shrinks with them from now on.
+        if let Edit::Ends(Some([origin, _])) = edit
+            && edited.arm.is_none()
+            && file.muscles.iter().all(|muscle| muscle.origin.is_none())
+        {
+            let bone = self.bones_for(id).into_iter().find(|(_, name)| *name == origin.bone);
+            edited.scale = edited.scale.or_else(|| self.scale_of_bone(bone?.0));
+        }
+        if edited != *file {
+            *file = edited;
+            self.change_files(&files, edit.message(), step);
+        }
+        Ok(())
+    }
+
+    /// Puts a ready muscle in place of muscle `id`: with its arm where the muscle lies on one or on nothing, else its shape alone.
+    ///
+    /// # Errors
+    /// [`EditError`] where it cannot be; nothing is changed then.
+    pub fn apply_preset(&mut self, id: MuscleId, preset: Preset) -> Result<(), EditError> {
+        let Some((place, index)) = self.document.file_of_muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
+        let Some(file) = files.get_mut(place) else { return Ok(()) };
+        let ready = preset.file();
+        let whole = file.muscles.len() == 1 && (file.arm.is_some() || file.muscles.iter().all(|muscle| muscle.origin.is_none()));
+        if whole {
+            *file = ready;
+        } else if let Some(muscle) = ready.muscles.first() {
+            let scale = ready.unit_metres / file.unit_metres;
+            let radii: Vec<f64> = muscle.profile.radii().iter().map(|radius| radius * scale).collect();
+            // The length of the bones stays: it is they that the muscle must fit.
+            *file = file.edited(index, &Edit::Nodes(radii, muscle.profile.growth().to_vec()))?;
+        }
+        self.change_files(&files, preset.name(), UndoStep::New);
+        Ok(())
+    }
+
+    /// Puts muscle files that were kept aside back into the scene: as a change that is not saved and can be undone. Kept files that are fewer than those
+    /// of the scene do not belong to it and change nothing.
+    pub fn set_carried_files(&mut self, files: Vec<MuscleFile>) {
+        if files.len() >= self.document.muscle_files().count() && !self.document.muscle_files().eq(&files) {
+            self.change_files(&files, message!("app-edit-carried"), UndoStep::New);
+        }
+    }
+
+    /// Whether a muscle file on the disk no longer says what it did when it was read or saved last. One that cannot be read says something else.
+    pub fn is_changed_outside(&self) -> bool {
+        let mut saved = self.saved_files.iter().enumerate();
+        saved.any(|(index, saved)| {
+            let path = self.document.muscle_file_path(index);
+            path.is_some_and(|path| {
+                input::read_text(path, limits::YAML_BYTES).ok().and_then(|text| MuscleFile::parse(&text).ok()).as_ref() != Some(saved)
+            })
+        })
+    }
+
+    /// Goes back to what was read or saved last; undo takes that back.
+    pub fn revert(&mut self) {
+        if self.is_unsaved() {
+            let files = self.saved_files.clone();
+            self.change_files(&files, message!("app-do-revert"), UndoStep::New);
+        }
+    }
+
+    pub(super) fn change_files(&mut self, files: &[MuscleFile], label: Message, step: UndoStep) {
+        self.undoable(label, step, |session| session.put_muscle_files(files));
+    }
+
+    /// Puts other muscle files in place, keeping the pose.
+    pub(super) fn put_muscle_files(&mut self, files: &[MuscleFile]) {
+        if self.document.muscle_files().eq(files) {
+            return;
+        }
+        let before = (self.document.scene.graph.len(), self.document.muscle_count());
+        self.document.set_muscle_files(files);
+        // A file that is not kept anywhere yet was empty before.
+        self.saved_files.resize(files.len(), MuscleFile::default());
+        self.joint.muscles_changed();
+        if let Some(rig) = self.document.driven_rig() {
+            let drive = self.state.drive;
+            self.state.drive =
+                if rig.flexion_range().is_some() { rig.at_flexion(drive.flexion) } else { rig.at_contraction(drive.contraction) };
+        }
+        let count = self.document.scene.graph.len();
+        for marked in [&mut self.display.selected, &mut self.display.hovered] {
+            *marked = marked.filter(|node| node.index() < count);
+        }
+        self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));
+        self.changed(ChangeSet::EDIT | ChangeSet::DRIVE | ChangeSet::MUSCLE | ChangeSet::HISTORY);
+        if before != (count, self.document.muscle_count()) {
+            self.changed(ChangeSet::DOCUMENT | ChangeSet::TREE);
+        }
+    }
+
+    /// Whether something of the muscles is not saved.
+    pub fn is_unsaved(&self) -> bool {
+        !self.document.muscle_files().eq(&self.saved_files)
+    }
+
+    /// The numbers of the muscle files that are not saved.
+    pub fn unsaved_files(&self) -> Vec<usize> {
+        let pairs = self.document.muscle_files().zip(&self.saved_files).enumerate();
+        pairs.filter(|(_, (now, saved))| now != saved).map(|(index, _)| index).collect()
+    }
+
+    /// Muscle file `index` as it is to be written to `target`: a clip that it names is named from there.
+    pub fn file_for(&self, index: usize, target: &Path) -> Option<MuscleFile> {
+        let file = self.document.muscle_files().nth(index)?;
+        Some(self.document.muscle_file_for(index, file, target))
+    }
+
+    /// Says that muscle file `index` was written to `path` as `file`.
+    pub fn mark_saved(&mut self, index: usize, path: PathBuf, file: MuscleFile) {
+        let mut files: Vec<MuscleFile> = self.document.muscle_files().cloned().collect();
+        let before = files.clone();
+        if let (Some(now), Some(saved)) = (files.get_mut(index), self.saved_files.get_mut(index)) {
+            saved.clone_from(&file);
+            *now = file;
+        }
+        self.document.set_muscle_file_path(index, path);
+        if files != before {
+            self.put_muscle_files(&files);
+        }
+        self.changed(ChangeSet::EDIT | ChangeSet::HISTORY | ChangeSet::PLAYBACK);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Document;
+
+    #[test]
+    fn an_edit_is_unsaved_until_it_is_undone() {
+        let mut session = Session::new(Document::built_in());
+        let radius = |session: &Session| session.document().muscle_files().next().map(|file| file.muscles[0].profile.radii()[2]);
+        let before = radius(&session);
+        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.0), UndoStep::New).unwrap();
+        session.edit_muscle(MuscleId(0), &Edit::Radius(2, 34.0), UndoStep::Same).unwrap();
+        assert!(session.is_unsaved() && radius(&session) == Some(34.0));
+        assert_eq!(session.undo_names().0, Some(&Edit::Radius(2, 0.0).message()));
+        let refused = session.edit_muscle(MuscleId(0), &Edit::Radius(2, -1.0), UndoStep::New);
+        assert!(refused.is_err() && radius(&session) == Some(34.0));
+        session.undo();
+        assert!(!session.is_unsaved() && radius(&session) == before);
+        session.redo();
+        assert_eq!(radius(&session), Some(34.0));
+        session.revert();
+        assert_eq!((session.is_unsaved(), radius(&session)), (false, before));
+    }
+
+    #[test]
+    fn nodes_come_and_go_while_the_scene_stays() {
+        let mut session = Session::new(Document::built_in());
+        let nodes = session.document().scene.graph.len();
+        session.set_flexion(60.0);
+        session.edit_muscle(MuscleId(0), &Edit::AddNode(1), UndoStep::New).unwrap();
+        assert_eq!((session.document().scene.graph.len(), session.drive().flexion), (nodes, 60.0));
+        assert!(!session.frame().bounds.is_empty());
+        for preset in sinew_muscle::presets::PRESETS {
+            session.apply_preset(MuscleId(0), preset).unwrap();
+            assert!(!session.frame().bounds.is_empty(), "{}", preset.id);
+        }
+    }
+}

@@ -1,0 +1,281 @@
+//! The path of a muscle between its attachments: via points and the wrap sphere.
+
+use super::{Session, UndoStep};
+use sinew_muscle::{AttachmentPoint, Edit, EditError};
+use sinew_scene::{MuscleId, NodeId};
+
+impl Session {
+    /// Adds a via point where it changes the way the least: half-way along the longest stretch of the drawn line.
+    ///
+    /// # Errors
+    /// [`EditError`] where nothing holds the muscle, or it has as many as it can have; nothing is changed then.
+    pub fn add_via(&mut self, id: MuscleId) -> Result<(), EditError> {
+        self.frame();
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let (number, node, place) = rig.via_half_way(index, self.state.drive, &self.frame.world).ok_or(EditError::NoEnds)?;
+        let anchor = rig.anchor_at(&self.document.scene.graph, node, place, &self.frame.world).ok_or(EditError::NoName)?;
+        self.edit_muscle(id, &Edit::AddVia(number, anchor), UndoStep::New)
+    }
+
+    /// Puts a via point on another bone: it stays where it is and moves with that bone from now on.
+    pub(super) fn put_via_on(&mut self, id: MuscleId, hold: AttachmentPoint, node: NodeId) -> Result<(), EditError> {
+        self.frame();
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let world = &self.frame.world;
+        // Of a muscle that lies on its own, because its file names a bone that is not there, no point is anywhere yet.
+        let place = rig.hold(index, hold, world).unwrap_or_else(|| self.place_along(node));
+        let anchor = rig.anchor_at(&self.document.scene.graph, node, place, world).ok_or(EditError::NoName)?;
+        let Some(edit) = rig.spec(index).and_then(|spec| Edit::place(spec, hold, anchor)) else { return Ok(()) };
+        self.edit_muscle(id, &edit, UndoStep::New)
+    }
+
+    /// Lets a muscle go round the joint by which it leaves the bone `node`.
+    pub(super) fn wrap_round(&mut self, id: MuscleId, node: NodeId) -> Result<(), EditError> {
+        self.frame();
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        if !rig.is_attached(index) {
+            return Err(EditError::NoEnds);
+        }
+        let wrap = rig.wrap_on(index, node, &self.document.scene, self.state.drive, &self.frame.world).ok_or(EditError::NoName)?;
+        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), UndoStep::New)
+    }
+
+    /// Lets a muscle pass what it goes round on the other side.
+    ///
+    /// # Errors
+    /// [`EditError`] where there is no such muscle.
+    pub fn flip_wrap(&mut self, id: MuscleId) -> Result<(), EditError> {
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let Some(mut wrap) = rig.spec(index).and_then(|spec| spec.wrap.clone()) else { return Ok(()) };
+        // Adding nothing keeps a zero from becoming −0.
+        wrap.side = -wrap.side + glam::DVec3::ZERO;
+        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), UndoStep::New)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DVec2, DVec3};
+
+    use super::*;
+    use crate::document::Document;
+    use crate::session::tests::{biceps, clip};
+    use crate::session::{AttachmentDrag, PickTarget};
+    use sinew_muscle::{Anchor, MuscleFile, MuscleSpec};
+    use sinew_render::PickHit;
+    use sinew_scene::message::ToMessage;
+
+    /// The demo's clip with a ready muscle that goes round nothing.
+    fn attached() -> (Session, MuscleId) {
+        let mut session = clip();
+        session.new_muscle(biceps()).unwrap();
+        let id = session.shown_muscle();
+        session.attach_to(id, AttachmentPoint::Wrap, None).unwrap();
+        session.set_flexion(60.0);
+        (session, id)
+    }
+
+    fn spec(session: &Session, id: MuscleId) -> MuscleSpec {
+        let (rig, index) = session.document().muscle(id).unwrap();
+        rig.spec(index).unwrap().clone()
+    }
+
+    fn length(session: &mut Session, id: MuscleId) -> f64 {
+        session.frame();
+        let (rig, index) = session.document().muscle(id).unwrap();
+        rig.solve(index, session.drive(), &session.posed().world).path_length
+    }
+
+    fn place(session: &mut Session, id: MuscleId, hold: AttachmentPoint) -> DVec3 {
+        session.frame();
+        let (rig, index) = session.document().muscle(id).unwrap();
+        rig.hold(index, hold, &session.posed().world).unwrap()
+    }
+
+    fn find(session: &Session, name: &str) -> NodeId {
+        session.document().scene.graph.find(name).unwrap()
+    }
+
+    #[test]
+    fn a_new_via_point_changes_the_way_by_nothing_to_speak_of() {
+        // On the arm what is drawn is an arch over the line that is measured; the first point stands on the arch.
+        for (mut session, share) in [(attached().0, 0.02), (Session::new(Document::built_in()), 0.04)] {
+            let id = session.shown_muscle();
+            for number in 0..sinew_muscle::edit::VIA {
+                let before = length(&mut session, id);
+                session.add_via(id).unwrap();
+                assert_eq!(spec(&session, id).via.len(), number + 1);
+                let after = length(&mut session, id);
+                assert!((after / before - 1.0).abs() < share, "point {number}: {before} {after}");
+            }
+            let full = spec(&session, id);
+            assert!(matches!(session.add_via(id), Err(EditError::TooManyVia(_))));
+            assert_eq!(spec(&session, id), full, "what is refused changes nothing");
+            for _ in 0..sinew_muscle::edit::VIA {
+                session.undo();
+            }
+            assert!(spec(&session, id).via.is_empty());
+        }
+    }
+
+    #[test]
+    fn a_via_point_on_another_bone_stays_where_it_is_and_follows_that_bone() {
+        let (mut session, id) = attached();
+        session.add_via(id).unwrap();
+        let (hold, before) = (AttachmentPoint::Via(0), place(&mut session, id, AttachmentPoint::Via(0)));
+        assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
+        session.attach_to(id, hold, Some(find(&session, "forearm"))).unwrap();
+        assert_eq!(spec(&session, id).via[0].bone, "forearm");
+        let after = place(&mut session, id, hold);
+        assert!(before.distance(after) < 2e-5, "{before} {after}");
+        session.set_flexion(100.0);
+        assert!(place(&mut session, id, hold).distance(after) > 0.01, "it moves with the forearm");
+        let steps = session.undo_names().0.cloned();
+        session.attach_to(id, hold, Some(find(&session, "forearm"))).unwrap();
+        session.attach_to(id, hold, None).unwrap();
+        assert_eq!(session.undo_names().0.cloned(), steps, "the bone that it is on is no change");
+        session.undo();
+        assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
+    }
+
+    #[test]
+    fn picked_via_points_go_into_the_stretch_that_passes_nearest() {
+        let (mut session, id) = attached();
+        session.add_via(id).unwrap();
+        let first = spec(&session, id).via[0].clone();
+        for (bone, number) in [("upper_arm", 0), ("hand", 2)] {
+            session.start_picking(id, PickTarget::NewVia);
+            session.pick_bone(find(&session, bone)).unwrap();
+            assert!(session.picking().is_none());
+            let via = spec(&session, id).via;
+            assert_eq!(via[number].bone, bone, "{via:?}");
+        }
+        assert_eq!(spec(&session, id).via[1], first);
+        session.start_picking(id, PickTarget::Point(AttachmentPoint::Via(1)));
+        session.pick_bone(find(&session, "forearm")).unwrap();
+        assert_eq!(spec(&session, id).via[1].bone, "forearm");
+    }
+
+    #[test]
+    fn via_points_are_dragged_ordered_and_deleted_each_under_its_own_name() {
+        let (mut session, id) = attached();
+        session.add_via(id).unwrap();
+        session.add_via(id).unwrap();
+        let (two, size) = (spec(&session, id).via, DVec2::new(900.0, 600.0));
+        session.edit_muscle(id, &Edit::SwapVia(0), UndoStep::New).unwrap();
+        assert_eq!(spec(&session, id).via, [two[1].clone(), two[0].clone()]);
+        assert_eq!(session.undo_names().0, Some(&Edit::SwapVia(0).message()));
+        session.undo();
+        let grip = session.attachment_handles(size).into_iter().find(|grip| grip.attachment == AttachmentPoint::Via(1)).unwrap();
+        let drag = AttachmentDrag { muscle: id, handle: grip, from: grip.screen_position };
+        session.drag_attachment(&drag, grip.screen_position + DVec2::new(12.0, 9.0), size, UndoStep::New).unwrap();
+        let dragged = spec(&session, id).via;
+        assert!(dragged[0] == two[0] && dragged[1].offset != two[1].offset && dragged[1].bone == two[1].bone);
+        assert_eq!(session.undo_names().0, Some(&Edit::Via(1, two[1].clone()).message()));
+        session.edit_muscle(id, &Edit::DeleteVia(0), UndoStep::New).unwrap();
+        assert_eq!(spec(&session, id).via, dragged[1..]);
+        for refused in [Edit::DeleteVia(1), Edit::SwapVia(0), Edit::Via(1, two[0].clone())] {
+            assert!(matches!(session.edit_muscle(id, &refused, UndoStep::New), Err(EditError::NoVia(_))), "{refused:?}");
+        }
+        let nowhere = Anchor { bone: two[0].bone.clone(), offset: DVec3::NAN };
+        assert_eq!(session.edit_muscle(id, &Edit::Via(0, nowhere), UndoStep::New), Err(EditError::Offset));
+        assert_eq!(spec(&session, id).via, dragged[1..]);
+    }
+
+    #[test]
+    fn a_ball_goes_into_the_joint_on_the_side_of_the_muscle() {
+        let (mut session, id) = attached();
+        let elbow = session.document().scene.graph.find("forearm").unwrap();
+        for bone in ["upper_arm", "forearm"] {
+            session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, bone))).unwrap();
+            session.frame();
+            let wrap = spec(&session, id).wrap.unwrap();
+            assert_eq!(wrap.center.bone, bone);
+            let joint = session.posed().world[elbow.index()].w_axis.truncate();
+            let (rig, index) = session.document().muscle(id).unwrap();
+            let ball = rig.ball(index, &session.posed().world).unwrap();
+            assert!(ball.center.distance(joint) < 2e-5, "{bone}: {} {joint}", ball.center);
+            // The ends of a bent biceps lie on that side of the elbow too.
+            let middle = 0.5 * (place(&mut session, id, AttachmentPoint::End(0)) + place(&mut session, id, AttachmentPoint::End(1)));
+            assert!((middle - joint).dot(ball.side) > 0.0, "{bone}");
+        }
+        // Straight, the muscle lies on it and is longer for it; on the other side it is longer still or as long.
+        session.set_flexion(0.0);
+        let wrapped = length(&mut session, id);
+        let mut wrap = spec(&session, id).wrap.unwrap();
+        wrap.radius *= 2.0;
+        session.edit_muscle(id, &Edit::Wrap(Some(wrap.clone())), UndoStep::New).unwrap();
+        assert!(length(&mut session, id) > wrapped);
+        session.flip_wrap(id).unwrap();
+        assert_eq!(spec(&session, id).wrap.unwrap().side, -wrap.side);
+        for radius in [0.0, -1.0, f64::NAN] {
+            let bad = Edit::Wrap(Some(sinew_muscle::Wrap { radius, ..wrap.clone() }));
+            assert_eq!(session.edit_muscle(id, &bad, UndoStep::New), Err(EditError::Wrap));
+        }
+        session.attach_to(id, AttachmentPoint::Wrap, None).unwrap();
+        assert_eq!(spec(&session, id).wrap, None);
+        session.undo();
+        assert_eq!(spec(&session, id).wrap.unwrap().side, -wrap.side);
+    }
+
+    #[test]
+    fn the_ring_of_a_ball_stands_where_its_dot_does() {
+        let (mut session, id) = attached();
+        let size = DVec2::new(900.0, 600.0);
+        assert_eq!(session.wrap_sphere_circle(size), None);
+        session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))).unwrap();
+        let (ring, handles) = (session.wrap_sphere_circle(size).unwrap(), session.attachment_handles(size));
+        let dot = handles.iter().find(|grip| grip.attachment == AttachmentPoint::Wrap).unwrap();
+        assert!(dot.screen_position.distance(ring.middle) < 1e-9);
+        assert!(ring.top.distance(ring.middle) <= 1.1 * ring.radius && ring.radius > 1.0, "{ring:?}");
+        let drag = AttachmentDrag { muscle: id, handle: *dot, from: dot.screen_position };
+        let before = spec(&session, id).wrap.unwrap();
+        session.drag_attachment(&drag, dot.screen_position + DVec2::new(15.0, 0.0), size, UndoStep::New).unwrap();
+        let after = spec(&session, id).wrap.unwrap();
+        assert!(after.center.offset != before.center.offset && (after.radius, after.side) == (before.radius, before.side));
+    }
+
+    #[test]
+    fn a_click_on_the_muscle_itself_puts_a_via_point_inside_it() {
+        let (mut session, id) = attached();
+        let before = length(&mut session, id);
+        let surface = session.posed().surfaces.iter().position(|surface| surface.muscle == Some(id)).unwrap();
+        let (mut skin, mut normals) = (Vec::new(), Vec::new());
+        let (rig, index) = session.document().muscle(id).unwrap();
+        let world = &session.posed().world;
+        rig.deform(index, &rig.solve(index, session.drive(), world), world, &mut skin, &mut normals);
+        let point = skin[skin.len() / 2];
+        let node = session.node_of_muscle(id).unwrap();
+        let pick = PickHit { node, surface: Some(surface as u32), triangle: 0, barycentric: glam::Vec3::X, point };
+        session.start_picking(id, PickTarget::Point(AttachmentPoint::Wrap));
+        session.pick_at(Some(pick)).unwrap();
+        assert!(session.picking().is_some() && spec(&session, id).wrap.is_none(), "no joint is there");
+        session.start_picking(id, PickTarget::NewVia);
+        session.pick_at(Some(pick)).unwrap();
+        let inside = place(&mut session, id, AttachmentPoint::Via(0));
+        let thickest = spec(&session, id).profile.radii().iter().copied().fold(0.0, f64::max) * 1e-3;
+        let away = inside.distance(point.as_dvec3());
+        assert!(away > 0.1 * thickest && away < 2.0 * thickest, "{away} {thickest}");
+        assert!((length(&mut session, id) / before - 1.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_muscle_on_its_own_has_no_way_to_change() {
+        let (mut session, id) = attached();
+        session.edit_muscle(id, &Edit::Ends(None), UndoStep::New).unwrap();
+        assert_eq!(session.add_via(id), Err(EditError::NoEnds));
+        assert_eq!(session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))), Err(EditError::NoEnds));
+    }
+
+    #[test]
+    fn a_via_point_on_a_bone_that_is_not_there_can_be_put_on_one_that_is() {
+        let (mut session, id) = attached();
+        session.add_via(id).unwrap();
+        let mut files: Vec<MuscleFile> = session.document().muscle_files().cloned().collect();
+        files[0].muscles[0].via[0].bone = "tail".to_owned();
+        session.put_muscle_files(&files);
+        assert!(!session.document().muscle(id).unwrap().0.is_attached(0));
+        session.attach_to(id, AttachmentPoint::Via(0), Some(find(&session, "forearm"))).unwrap();
+        assert!(session.document().muscle(id).unwrap().0.is_attached(0));
+    }
+}

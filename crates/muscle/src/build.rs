@@ -1,0 +1,281 @@
+//! Puts a muscle file into a scene: its nodes, the arm if it has one, and its muscles; attaches muscles to the bones of a clip.
+
+use std::sync::OnceLock;
+
+use glam::{DMat4, DVec3};
+
+use super::Finding;
+use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
+use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
+use super::joint_dof::{FoundBy, Joint};
+use super::line_of_action::{CenterlineOffset, Line, Point};
+use super::muscle_rig::{Muscle, MuscleRig};
+use super::muscle_state::Span;
+use super::revolute_joint::RevoluteJoint;
+use super::tessellation::Layout;
+use super::wrap::WrapObject;
+use super::{bone_clearance, materials, primitive_meshes, scaling};
+use sinew_i18n as i18n;
+use sinew_i18n::tr;
+use sinew_scene::animation::Clip;
+use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
+
+/// Radius of the arcs at via points over the muscle's thickest radius.
+const ROUNDING: f64 = 1.25;
+
+impl MuscleRig {
+    /// Adds the file's nodes, rods and muscles to `scene`; its muscles get the ids from `first` on. Muscles on bones of a clip lie on their own until
+    /// [`MuscleRig::attach`] finds those bones.
+    pub fn build(file: &MuscleFile, name: &str, scene: &mut Scene, first: MuscleId) -> Self {
+        let unit = if file.unit_metres > 0.0 && file.unit_metres.is_finite() { file.unit_metres } else { 0.001 };
+        let mut node = Node::new(name);
+        node.kind = NodeKind::Asset;
+        node.transform = Transform { ops: vec![TransformOp::Scale(DVec3::splat(unit))] };
+        let root = scene.graph.add(None, node);
+        let mut rig = Self { root: Some(root), joint: file.joint.clone(), unit, scaled_at: file.scale, ..Self::default() };
+        if let Some(arm) = file.arm {
+            let nodes = arm.build(scene, root);
+            rig.bones = vec![nodes.upper, nodes.elbow];
+            let range = arm.flexion.unwrap_or([0.0, FULL_FLEXION]);
+            rig.hinge = Some(RevoluteJoint::elbow(&arm, range));
+            rig.turning = Some(Joint { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File });
+            rig.arm = Some((arm, nodes));
+        }
+        let tendon = materials::tendon(scene);
+        let mut height = 0.0;
+        for (index, spec) in file.muscles.iter().enumerate() {
+            let mut spec = spec.clone();
+            if spec.name.is_empty() {
+                // A file of one muscle is that muscle.
+                spec.name = if file.muscles.len() == 1 { name.to_owned() } else { tr!("muscle-name", number = index + 1) };
+            }
+            // Muscles that nothing holds lie above each other, each clear of the ground at its thickest.
+            let thick = 1.6 * spec.profile.radii().iter().copied().fold(0.0, f64::max);
+            let free_middle = DVec3::Y * (height + thick);
+            if spec.origin.is_none() {
+                height += 2.0 * thick;
+            }
+            let mut node = Node::new(spec.name.clone());
+            node.contents.push(Content::Muscle(MuscleId(first.0 + index as u32)));
+            scene.graph.add(Some(root), node);
+            let mut muscle = new_muscle(spec, scene, tendon, free_middle);
+            if rig.arm.is_some() {
+                let find = |bone: &str| match bone {
+                    UPPER_ARM => Some(0),
+                    FOREARM => Some(1),
+                    _ => None,
+                };
+                muscle.line = resolve(&muscle.spec, find).ok().flatten();
+            }
+            rig.muscles.push(muscle);
+        }
+        rig.place_poses();
+        rig.settle_on_arm(scene, tendon);
+        rig.look_for_trouble(&scene.graph);
+        rig
+    }
+
+    /// Attaches the muscles that name bones of a clip to nodes of `scene` with these ids, scoped ids or names, and finds the joint that the file
+    /// names. A bone that is not there is a finding, and its muscle lies on its own. May be called again when the scene has changed.
+    ///
+    /// The scene's rest pose is where the joint's angle is 0.
+    pub fn attach(&mut self, scene: &Scene) -> Vec<Diagnostic<Finding>> {
+        self.attach_moving(scene, &[])
+    }
+
+    /// [`MuscleRig::attach`] to a scene that these clips move. Where the file names no joint, what they bend tells more about it than the rest pose does.
+    pub fn attach_moving(&mut self, scene: &Scene, clips: &[Clip]) -> Vec<Diagnostic<Finding>> {
+        if self.arm.is_some() {
+            return Vec::new();
+        }
+        self.findings.clear();
+        self.bones.clear();
+        let mut names: Vec<String> = Vec::new();
+        let mut rest = Vec::new();
+        scene.graph.world_from_local(&scene.graph.rest_locals(), &mut rest);
+        self.ride = self.scaled_at.map(|at| scaling::ride(&scene.graph, self.unit, at));
+        let (bones, root, scaled_at) = (&mut self.bones, self.root, self.scaled_at);
+        for muscle in &mut self.muscles {
+            let find = |bone: &str| {
+                if let Some(known) = names.iter().position(|name| name == bone) {
+                    return Some(known);
+                }
+                bones.push(find_bone(&scene.graph, root, bone)?);
+                names.push(bone.to_owned());
+                Some(bones.len() - 1)
+            };
+            match resolve(&muscle.spec, find) {
+                Ok(line) => {
+                    // It is as large as the bone that it comes from.
+                    let origin = line.as_ref().and_then(|line| bones.get(line.origin.bone));
+                    let scale = scaled_at.zip(origin).map_or(1.0, |(at, bone)| scaling::of_bone(&scene.graph, &rest, *bone) / at);
+                    muscle.rescale(scale);
+                    muscle.line = line.map(|line| line.scaled(muscle.scale));
+                }
+                Err(bone) => {
+                    muscle.rescale(1.0);
+                    muscle.line = None;
+                    self.findings.push(Diagnostic::new(Finding::BoneNotFound { bone }, None, muscle.spec.name.clone()));
+                }
+            }
+        }
+        self.turning = self.joint_in(scene, clips);
+        self.hinge = self.turning.as_ref().map(|joint| self.hinge_in(scene, joint));
+        self.place_poses();
+        self.look_for_trouble(&scene.graph);
+        self.findings.clone()
+    }
+
+    /// The joint that measurements turn: the one that the file names, else the elbow that moves one end of a muscle, else the joint at an insertion.
+    fn joint_in(&mut self, scene: &Scene, clips: &[Clip]) -> Option<Joint> {
+        let graph = &scene.graph;
+        if let Some(joint) = &self.joint {
+            let Some(node) = find_bone(graph, self.root, &joint.bone) else {
+                let bone = joint.bone.clone();
+                self.findings.push(Diagnostic::new(Finding::JointNotFound { bone: bone.clone() }, None, bone));
+                return None;
+            };
+            return Some(Joint::of_file(scene, node, joint));
+        }
+        let lines = || self.muscles.iter().filter_map(|muscle| muscle.line.as_ref());
+        let ends = |line: &Line| Some([*self.bones.get(line.origin.bone)?, *self.bones.get(line.insertion.bone)?]);
+        lines().next()?;
+        let skip: Vec<NodeId> = self.root.into_iter().collect();
+        if let Some(elbow) = Joint::elbow(scene, clips, &skip) {
+            let below = graph.subtree(elbow.node);
+            let crosses = |[origin, insertion]: [NodeId; 2]| below.contains(&origin) != below.contains(&insertion);
+            if lines().filter_map(ends).any(crosses) {
+                return Some(elbow);
+            }
+        }
+        let crossing = lines().filter_map(ends).find(|[origin, insertion]| !graph.subtree(*insertion).contains(origin))?;
+        Joint::at_node(scene, clips, crossing[1])
+    }
+
+    /// That joint as measurements turn it: from the rest pose.
+    fn hinge_in(&self, scene: &Scene, joint: &Joint) -> RevoluteJoint {
+        let mut world = Vec::new();
+        scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
+        self.hinge_of(joint, scene, &world)
+    }
+
+    /// The joint in a pose, with the bones that it moves.
+    pub(super) fn hinge_of(&self, joint: &Joint, scene: &Scene, world: &[DMat4]) -> RevoluteJoint {
+        let below = scene.graph.subtree(joint.node);
+        let frames = self.frames(world);
+        let bone = |(index, node): (usize, &NodeId)| frames.bone(index, below.contains(node));
+        let bones = self.bones.iter().enumerate().map(bone).collect();
+        let of = |node: NodeId| world.get(node.index()).map_or(frames.from_world, |world| frames.from_world * *world);
+        let above = scene.graph.node(joint.node).parent().map_or(frames.from_world, of);
+        let pivot = above.inverse().transform_point3(of(joint.node).w_axis.truncate());
+        RevoluteJoint { at_rest: joint.at_rest, range: joint.range, ..RevoluteJoint::new(above, pivot, joint.axis, bones) }
+    }
+
+    /// On the arm: finds drawn ends and the range of the elbow, once all muscles are there, and roots the ends in the rods.
+    fn settle_on_arm(&mut self, scene: &mut Scene, tendon: MaterialId) {
+        let (Some((arm, nodes)), Some(hinge)) = (self.arm, &mut self.hinge) else { return };
+        let asked = hinge.range;
+        let mut range = asked;
+        for (index, muscle) in self.muscles.iter_mut().enumerate() {
+            let fixed = muscle.fixed();
+            let Some(line) = &mut muscle.line else { continue };
+            let fit = bone_clearance::fit(&arm, line, &muscle.shape, &muscle.tendons, asked);
+            if line.via.is_empty() {
+                line.drawn = Some(fit.drawn);
+                add_roots(scene, &arm, &nodes, &muscle.spec, &fit.drawn, tendon);
+            }
+            if index == 0 {
+                if arm.flexion.is_none() {
+                    range[1] = range[1].min(fit.flexion);
+                }
+                let valid = muscle.shape.length_range();
+                range = super::muscle_state::valid_part(range, |angle| valid.contains(&(line.length(&hinge.at(angle)) - fixed)));
+            }
+        }
+        hinge.range = range;
+        self.span = Some(Span::new(range, |angle| self.driving_length(angle)));
+    }
+
+    /// Finds out how long muscles are at the angles of their measured poses, now that they are on their joint.
+    fn place_poses(&mut self) {
+        let hinge = &self.hinge;
+        for muscle in self.muscles.iter_mut().filter(|muscle| muscle.spec.poses.iter().any(|pose| matches!(pose.at, PoseAt::Angle(_)))) {
+            let found = hinge.as_ref().zip(muscle.line.as_ref());
+            let length_at = |angle: f64| found.map(|(hinge, line)| (line.length(&hinge.at(angle)) - muscle.fixed()) / muscle.scale);
+            let finding = match MuscleSpec::posed(&muscle.spec.poses, muscle.spec.profile.rest_length(), length_at) {
+                Ok(profile) => {
+                    let whole = profile.is_posed();
+                    muscle.shape = profile.scaled(muscle.scale);
+                    muscle.spec.profile = profile;
+                    if whole {
+                        continue;
+                    }
+                    Finding::PosesWithoutJoint
+                }
+                Err(error) => Finding::PosesDoNotFit(error),
+            };
+            self.findings.push(Diagnostic::new(finding, None, muscle.spec.name.clone()));
+        }
+    }
+}
+
+fn new_muscle(spec: MuscleSpec, scene: &mut Scene, tendon: MaterialId, free_middle: DVec3) -> Muscle {
+    let layout = Layout::new(spec.profile.radii().len(), &spec.tendons);
+    let flesh = materials::muscle(scene, &spec.name, spec.color);
+    let material = |part| Some(MaterialBinding::plain(if part == 0 { flesh } else { tendon }));
+    let (shape, tendons) = (spec.profile.clone(), spec.tendons);
+    let materials = (0..layout.parts()).map(material).collect();
+    Muscle { materials, spec, scale: 1.0, shape, tendons, line: None, layout, mesh: OnceLock::new(), free_middle }
+}
+
+/// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.
+pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<usize>) -> Result<Option<Line>, String> {
+    let (Some(origin), Some(insertion)) = (&spec.origin, &spec.insertion) else { return Ok(None) };
+    let mut point = |anchor: &Anchor| -> Result<Point, String> {
+        let bone = find(&anchor.bone).ok_or_else(|| anchor.bone.clone())?;
+        Ok(Point { bone, local: anchor.offset })
+    };
+    let (origin, insertion) = (point(origin)?, point(insertion)?);
+    let via = spec.via.iter().map(&mut point).collect::<Result<Vec<_>, _>>()?;
+    let pulley = match &spec.wrap {
+        Some(wrap) => {
+            // It lies on the stretch that leads from one bone to another; a joint is where they meet.
+            let all: Vec<usize> = [origin].iter().chain(&via).chain([&insertion]).map(|point| point.bone).collect();
+            let stretch = all.windows(2).position(|pair| pair[0] != pair[1]).unwrap_or(0);
+            Some(WrapObject { center: point(&wrap.center)?, side: wrap.side.normalize_or(DVec3::X), radius: wrap.radius, stretch })
+        }
+        None => None,
+    };
+    let thickest = spec.profile.radii().iter().copied().fold(0.0, f64::max);
+    Ok(Some(Line { origin, insertion, via, pulley, rounding: ROUNDING * thickest, drawn: None }))
+}
+
+/// A node by id, scoped id or name, joints first; nodes below `own` are the rig's own and don't count.
+pub(super) fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Option<NodeId> {
+    let own = own.map(|root| graph.subtree(root)).unwrap_or_default();
+    let fields: [fn(&Node) -> &str; 3] = [|node| &node.id, |node| &node.sid, |node| &node.name];
+    let find = |joints: bool, field: fn(&Node) -> &str, name: &str| {
+        let matches = |node: &Node| (node.kind == NodeKind::Joint || !joints) && field(node) == name;
+        graph.iter().find(|(id, node)| matches(node) && !own.contains(id)).map(|(id, _)| id)
+    };
+    let among = |name: &str| [true, false].into_iter().find_map(|joints| fields.iter().find_map(|field| find(joints, *field, name)));
+    // A node without a name is called by one in the language of the program that wrote the file.
+    among(name).or_else(|| among(&i18n::translated("collada-unnamed-node", "number", name)?))
+}
+
+/// Roots of tendon, fixed to the rods, from the drawn ends of a muscle to the rods' axes.
+fn add_roots(scene: &mut Scene, arm: &Arm, nodes: &ArmNodes, spec: &MuscleSpec, drawn: &CenterlineOffset, tendon: MaterialId) {
+    let radii = spec.profile.radii();
+    for (end, point) in drawn.ends.into_iter().enumerate() {
+        let node = if point.bone == 0 { nodes.upper } else { nodes.elbow };
+        let belly = if end == 0 { radii.first() } else { radii.last() }.copied().unwrap_or(0.0);
+        let tip = if spec.tendons[end].length > 0.0 { spec.tendons[end].radius } else { belly };
+        let out = DVec3::new(point.local.x, 0.0, point.local.z).length();
+        // It leans away from the elbow, as a tendon does that has been pulled at.
+        let away = if point.bone == 0 { 1.0 } else { -1.0 };
+        let foot = DVec3::new(0.0, (point.local.y + away * 1.1 * out).clamp(-arm.upper.max(arm.lower), 0.0), 0.0);
+        let mesh = primitive_meshes::root(tr!("muscle-material-tendon"), foot, point.local, [0.95 * arm.thickness, 0.92 * tip]);
+        primitive_meshes::hang(scene, node, mesh, tendon);
+    }
+}

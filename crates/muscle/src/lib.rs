@@ -1,0 +1,129 @@
+//! Muscles: the volume-conserving profile, the arm that carries it, its surface, and the YAML that describes it.
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `profile` | radii and growth, the quadratic, the valid lengths |
+//! | `measured_shapes` | a profile given by radii at several lengths |
+//! | `arm` | the two rods and the elbow as nodes of the scene |
+//! | `primitive_meshes`, `materials` | the arm's solid shapes, and the colours of all |
+//! | `line_of_action` | the line of action: its length, and the centreline that is drawn for it |
+//! | `wrap` | wrapping of the line of action over a sphere |
+//! | `rounded_centerline` | the rounded line that is drawn where a muscle has via points |
+//! | `centerline` | centrelines of straight segments and arcs, exact in length, with rotation-minimising frames |
+//! | `bone_clearance` | distance between the belly and the rods |
+//! | `tessellation` | rings, hemispheres and tendons as triangles |
+//! | `muscle_state` | contraction and elbow angle of an arm, each computed from the other |
+//! | `driving` | the same for a joint of a clip's skeleton |
+//! | `bones` | bones by name, and the points of a muscle on them in the world |
+//! | `retarget` | preset muscles fitted to the bones of a skeleton |
+//! | `revolute_joint` | the joint that measurements turn |
+//! | `joint_dof`, `bone_name_heuristics` | the elbow of any skeleton, or the joint that a file names |
+//! | `measure` | moment arms |
+//! | `solver_report` | the figures behind a solution: coefficients, roots, limits |
+//! | `edit` | changes of a file by hand, each checked |
+//! | `presets` | ready muscles by name |
+//! | `literature_data` | published figures, with their sources |
+//! | `csv_table` | measured radii as comma-separated text |
+//! | `validation` | models compared with measured radii |
+//! | `parameter_fit` | growth parameters fitted to measured radii |
+//! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
+//! | `scaling` | muscles that scale with their bones |
+//! | `muscle_findings`, `finding` | diagnostics of a muscle over the range of its joint; what they are and how they are said |
+//! | `muscle_rig` | muscles in a scene: solving, centrelines, surfaces, measuring |
+//! | `config` | YAML |
+
+mod arm;
+mod bone_clearance;
+mod bone_name_heuristics;
+mod bones;
+mod build;
+mod centerline;
+pub mod config;
+mod csv_table;
+mod driving;
+pub mod edit;
+mod finding;
+mod joint_dof;
+mod line_of_action;
+pub mod literature_data;
+mod materials;
+mod measure;
+mod measured_shapes;
+mod muscle_findings;
+mod muscle_rig;
+mod muscle_state;
+pub mod parameter_fit;
+mod path_editing;
+pub mod presets;
+mod primitive_meshes;
+mod profile;
+mod retarget;
+mod revolute_joint;
+mod rounded_centerline;
+mod scaling;
+pub mod solver_report;
+mod tessellation;
+pub mod validation;
+mod wrap;
+
+pub use arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
+pub use bones::{AttachmentPoint, bone_name};
+pub use centerline::{Cursor, Path, Station};
+pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Saved, Tendon, Wrap};
+pub use driving::Driving;
+pub use edit::{Edit, EditError};
+pub use finding::{Finding, FoundAt, LinePoint, MomentArmAt};
+pub use joint_dof::rotation;
+pub use joint_dof::{FoundBy, Joint, Turn};
+pub use measured_shapes::Pose;
+pub use muscle_rig::MuscleRig;
+pub use path_editing::Ball;
+pub use profile::{Limit, LimitCause, Profile, ProfileError};
+pub use scaling::of_bone as bone_scale;
+pub use solver_report::{Root, SolverReport};
+pub use tessellation::{MeshQuality, SEGMENTS};
+
+/// The state that the two sliders share; each follows the other.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MuscleState {
+    /// Elbow angle, degrees; 0 = straight arm.
+    pub flexion: f64,
+    /// Contraction, per cent of the way from the longest to the shortest length.
+    pub contraction: f64,
+}
+
+/// One solved muscle at one moment: what the ledger, `measure` and the surface read. Lengths are in the file's unit.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Solved {
+    /// Length after holding it within its limits, tendons left out.
+    pub length: f64,
+    /// Length from origin to insertion, tendons counted, before any holding.
+    pub path_length: f64,
+    /// Whether the length asked for was outside the limits.
+    pub held: bool,
+    /// Radius of each node.
+    pub radii: Vec<f64>,
+    /// The change of radius for a growth of 1.
+    pub delta: f64,
+    /// Coefficients A, B, C of the quadratic.
+    pub quadratic: [f64; 3],
+    /// B² − 4AC.
+    pub discriminant: f64,
+    /// Both roots; the first is the one taken.
+    pub roots: [f64; 2],
+    /// Volume.
+    pub volume: f64,
+    /// Volume over rest volume, minus 1.
+    pub volume_error: f64,
+}
+
+/// One row of a measurement. Lengths are in the file's unit, angles in degrees.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sample {
+    /// Elbow angle.
+    pub angle: f64,
+    /// −dL/dφ, with φ in radians.
+    pub moment_arm: f64,
+    /// The solution at that angle.
+    pub solved: Solved,
+}

@@ -1,0 +1,59 @@
+//! Published figures that models are held against, each with its source. Angles are elbow flexion in degrees, moment arms and lengths centimetres,
+//! volumes cubic centimetres.
+
+/// A figure or series, and who published it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Published {
+    /// What a plot's legend calls it.
+    pub name: &'static str,
+    /// Where it stands.
+    pub source: &'static str,
+    /// Angle and value.
+    pub points: &'static [[f64; 2]],
+}
+
+/// Peak moment arm of the biceps in ten upper limbs.
+pub const MURRAY_2000: Published = Published {
+    name: "Murray 2000",
+    source: "W. M. Murray, T. S. Buchanan, S. L. Delp: The isometric functional capacity of muscles that cross the elbow. \
+             J. Biomech. 33 (2000) 943–952.",
+    points: &[[90.0, 4.7]],
+};
+
+/// Moment arm of the long head of the biceps in the Arm26 model.
+pub const ARM26: Published = Published {
+    name: "Arm26",
+    source: "Arm26, a model that comes with OpenSim: J. A. Reinbolt, A. Seth, A. Habib, S. R. Hamner; adapted from K. R. S. Holzbaur, \
+             W. M. Murray, S. L. Delp: A model of the upper extremity. Ann. Biomed. Eng. 33 (2005) 829–840.",
+    points: &[[0.0, 0.94], [40.0, 3.16], [60.0, 4.05], [80.0, 4.69], [90.0, 4.88], [100.0, 4.94], [130.0, 4.03]],
+};
+
+/// Radii that were measured on a biceps at four angles, as [`super::validation::Table::parse`] reads them; the source stands in its first lines.
+pub const MEASURED_RADII: &str = include_str!("../../../configs/biceps-radii.csv");
+
+/// How much the biceps of Arm26 shortens from 0° to 130°.
+pub const ARM26_SHORTENING: f64 = 8.39;
+
+/// Range that peak moment arms of a biceps in human proportions lie in, and the angles at which they do.
+pub const BICEPS_PEAK: [[f64; 2]; 2] = [[4.5, 5.0], [85.0, 110.0]];
+/// Range of a biceps' shortening from 0° to 130°.
+pub const BICEPS_SHORTENING: [f64; 2] = [7.0, 8.5];
+/// Range of a biceps' volume, cm³: about the mean of [`VOLUME_SOURCE`].
+pub const BICEPS_VOLUME: [f64; 2] = [130.0, 160.0];
+/// Mean and standard deviation of muscles' volumes in ten adults, cm³, by the preset that they belong to; of [`VOLUME_SOURCE`].
+pub const VOLUMES: [(&str, [f64; 2]); 3] = [("biceps", [144.0, 69.0]), ("triceps", [372.0, 177.0]), ("brachialis", [144.0, 64.0])];
+/// Where the volumes of muscles come from.
+pub const VOLUME_SOURCE: &str = "K. R. S. Holzbaur, W. M. Murray, G. E. Gold, S. L. Delp: Upper limb muscle volumes in adult subjects. \
+                                 J. Biomech. 40 (2007) 742–749.";
+
+impl Published {
+    /// Root mean square of `model` − published over the points at angles within `range`; `None` where there is none.
+    pub fn rms(&self, range: [f64; 2], model: impl Fn(f64) -> f64) -> Option<f64> {
+        let inside = || self.points.iter().filter(|[angle, _]| (range[0]..=range[1]).contains(angle));
+        let squares: f64 = inside().map(|[angle, value]| (model(*angle) - value).powi(2)).sum();
+        match inside().count() {
+            0 => None,
+            count => Some((squares / count as f64).sqrt()),
+        }
+    }
+}

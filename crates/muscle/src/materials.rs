@@ -1,0 +1,41 @@
+//! Materials of muscles, tendons and bones, in the colours of the palette.
+
+use sinew_i18n::tr;
+use sinew_scene::{Material, MaterialId, Paint, Scene, ShadingModel};
+
+/// Flesh without a colour of its own, sRGB: #B8322E.
+pub(super) const FLESH: [u8; 3] = [0xB8, 0x32, 0x2E];
+/// Tendon, sRGB: #E8DFC8.
+pub(super) const TENDON: [u8; 3] = [0xE8, 0xDF, 0xC8];
+/// Bone, sRGB: #E9E2D0.
+const BONE: [u8; 3] = [0xE9, 0xE2, 0xD0];
+
+/// A new material for a muscle of this name.
+pub(super) fn muscle(scene: &mut Scene, name: &str, color: Option<[u8; 3]>) -> MaterialId {
+    add(scene, name.to_owned(), "muscle", color.unwrap_or(FLESH), 0.16, 24.0)
+}
+
+/// A new material for tendons.
+pub(super) fn tendon(scene: &mut Scene) -> MaterialId {
+    add(scene, tr!("muscle-material-tendon"), "tendon", TENDON, 0.14, 30.0)
+}
+
+/// A new material for rods and balls.
+pub(super) fn bone(scene: &mut Scene) -> MaterialId {
+    add(scene, tr!("muscle-material-bone"), "bone", BONE, 0.10, 30.0)
+}
+
+fn add(scene: &mut Scene, name: String, id: &str, color: [u8; 3], shine: f32, shininess: f32) -> MaterialId {
+    let material = MaterialId(scene.materials.len() as u32);
+    let [red, green, blue] = color.map(|part| f32::from(part) / 255.0);
+    scene.materials.push(Material {
+        name,
+        id: id.to_owned(),
+        model: ShadingModel::Blinn,
+        diffuse: Paint::color(red, green, blue),
+        specular: Paint::color(shine, shine, shine),
+        shininess,
+        ..Material::default()
+    });
+    material
+}

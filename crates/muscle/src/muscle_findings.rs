@@ -1,0 +1,297 @@
+//! What is wrong with a muscle over the range of its joint, or over a clip: found on the line of action and the profile, without any surface.
+
+use glam::DVec3;
+
+use super::line_of_action::{Frames, Line};
+use super::measure::moment_arm;
+use super::muscle_rig::{Muscle, MuscleRig};
+use super::profile::SHORTEST;
+use super::revolute_joint::RevoluteJoint;
+use super::{Finding, FoundAt, LinePoint, MomentArmAt, Solved};
+use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::{Graph, NodeId, NodeKind};
+
+/// Angles at which all muscles of a file together are looked at, and the most and the fewest for one: so opening stays quick however many there are.
+const ANGLES: usize = 2400;
+const STEPS: std::ops::RangeInclusive<usize> = 12..=72;
+/// A moment arm or a jump of the length below this share of the rest length is none.
+const SMALL: f64 = 1e-3;
+/// A belly in which more than this share of a bone's length lies goes through it, or is too thick.
+const PIERCED: f64 = 0.25;
+/// Where a line passes a bone's axis nearer than this share of the belly's radius, and at so many of the places that are looked at, it goes through the bone
+/// itself; else the belly is too thick.
+const THROUGH: (f64, usize) = (0.25, 2);
+/// A belly whose radius is above this share of the bone's length is too thick wherever it lies.
+const THICK: f64 = 0.15;
+/// A muscle on a clip that begins nearer than this share of its rest length to the axis of its bone is a scheme that tells no side.
+const SCHEME: f64 = 0.02;
+/// Least range of the joint in which a ball that is not touched is one that does nothing, degrees.
+const TURNS: f64 = 1.0;
+/// Places along a bone, and along the belly, that are looked at.
+const PLACES: usize = 24;
+
+/// A muscle at one angle.
+#[derive(Clone, Copy)]
+struct Look {
+    angle: f64,
+    length: f64,
+    arm: f64,
+}
+
+/// How much of a bone lies inside a belly.
+#[derive(Clone, Copy)]
+struct Pierced {
+    share: f64,
+    bone: usize,
+    /// Radius of the belly where the bone lies deepest in it.
+    radius: f64,
+    through: bool,
+}
+
+impl MuscleRig {
+    /// Looks at all muscles over the range of the joint that measurements turn.
+    pub(super) fn look_for_trouble(&mut self, graph: &Graph) {
+        let Some(hinge) = &self.hinge else { return };
+        let names: Vec<String> = self.bones.iter().map(|bone| graph.node(*bone).name.clone()).collect();
+        let limbs = self.limbs(graph, hinge);
+        let steps = (ANGLES / self.muscles.len().max(1)).clamp(*STEPS.start(), *STEPS.end());
+        // What the file asks for, although the belly does not let the joint go so far.
+        let asked = self.arm.as_ref().and_then(|(arm, _)| arm.flexion).unwrap_or(hinge.range);
+        let mut findings = Vec::new();
+        for muscle in &self.muscles {
+            let Some(line) = &muscle.line else { continue };
+            let look = |angle: f64| Look { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
+            let looks: Vec<Look> = (0..=steps).map(|step| look(between(hinge.range, step, steps))).collect();
+            let said = Said { muscle, millimetres: 1e3 * self.unit, on_arm: self.arm.is_some(), findings: &mut findings };
+            check(said, hinge, line, &looks, asked, &limbs, &names);
+        }
+        self.findings.append(&mut findings);
+    }
+
+    /// Looks at all muscles at some moments of a clip: seconds, and one matrix a node.
+    pub fn look_over(&mut self, moments: &[(f64, Vec<glam::DMat4>)]) {
+        let mut findings = Vec::new();
+        for (index, muscle) in self.muscles.iter().enumerate() {
+            if !self.is_attached(index) || self.findings.iter().any(|found| found.element == muscle.spec.name && is_short(&found.finding)) {
+                continue;
+            }
+            let Some(line) = &muscle.line else { continue };
+            let lengths = moments.iter().map(|(time, world)| (*time, line.length(&self.frames(world))));
+            let Some((time, length)) = lengths.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
+            let mut said = Said { muscle, millimetres: 1e3 * self.unit, on_arm: false, findings: &mut findings };
+            said.short(length, FoundAt::Time(time));
+        }
+        self.findings.append(&mut findings);
+    }
+
+    /// For each bone of the muscles the other end of its limb, in the axes that offsets on it are in; `None` where nothing follows it.
+    fn limbs(&self, graph: &Graph, hinge: &RevoluteJoint) -> Vec<Option<DVec3>> {
+        if let Some((arm, _)) = &self.arm {
+            return vec![Some(DVec3::NEG_Y * arm.upper), Some(DVec3::NEG_Y * arm.lower)];
+        }
+        let mut rest = Vec::new();
+        graph.world_from_local(&graph.rest_locals(), &mut rest);
+        let from_world = self.frames(&rest).from_world;
+        let place = |node: NodeId| rest.get(node.index()).map(|world| from_world.transform_point3(world.w_axis.truncate()));
+        let tip = |(index, bone): (usize, &NodeId)| {
+            let (about, here) = (graph.node(*bone), place(*bone)?);
+            let follows = |node: &&NodeId| about.kind != NodeKind::Joint || graph.node(**node).kind == NodeKind::Joint;
+            let tips = about.children().iter().filter(follows).filter_map(|child| place(*child));
+            let far = tips.max_by(|a, b| a.distance(here).total_cmp(&b.distance(here)))?;
+            let frame = hinge.at(hinge.at_rest).frame(index);
+            let inside = (frame.determinant().abs() > f64::MIN_POSITIVE).then(|| frame.inverse().transform_point3(far))?;
+            (inside.length() > 0.0 && inside.is_finite()).then_some(inside)
+        };
+        self.bones.iter().enumerate().map(tip).collect()
+    }
+}
+
+fn is_short(finding: &Finding) -> bool {
+    matches!(finding, Finding::EndsCoincide | Finding::ShorterThanTendons | Finding::TooShort { .. })
+}
+
+fn between(range: [f64; 2], step: usize, steps: usize) -> f64 {
+    range[0] + (range[1] - range[0]) * step as f64 / steps as f64
+}
+
+/// Findings about one muscle.
+struct Said<'a> {
+    muscle: &'a Muscle,
+    /// In a unit of the file.
+    millimetres: f64,
+    on_arm: bool,
+    findings: &'a mut Vec<Diagnostic<Finding>>,
+}
+
+impl Said<'_> {
+    fn say(&mut self, finding: Finding) {
+        self.findings.push(Diagnostic::new(finding, None, self.muscle.spec.name.clone()));
+    }
+
+    fn mm(&self, length: f64) -> f64 {
+        length * self.millimetres
+    }
+
+    /// Says that a line of this length, the shortest of all, leaves too little for the belly.
+    fn short(&mut self, length: f64, at: FoundAt) {
+        let (rest, fixed) = (self.muscle.shape.rest_length(), self.muscle.fixed());
+        if length <= 1e-9 * rest {
+            self.say(Finding::EndsCoincide);
+        } else if length <= fixed {
+            self.say(Finding::ShorterThanTendons);
+        } else if length - fixed < SHORTEST * rest * (1.0 - 1e-9) {
+            self.say(Finding::TooShort { share: (length - fixed) / rest, at });
+        }
+    }
+}
+
+fn check(
+    mut said: Said<'_>,
+    hinge: &RevoluteJoint,
+    line: &Line,
+    looks: &[Look],
+    asked: [f64; 2],
+    limbs: &[Option<DVec3>],
+    names: &[String],
+) {
+    let beyond = asked.map(|angle| (angle, line.length(&hinge.at(angle))));
+    let all = looks.iter().map(|look| (look.angle, look.length)).chain(beyond);
+    if let Some((angle, length)) = all.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        said.short(length, FoundAt::Angle(angle));
+    }
+    tight(&mut said, hinge, line, looks);
+    inert(&mut said, hinge, line, looks);
+    signs(&mut said, looks);
+    jumps(&mut said, hinge, line, looks);
+    // The bones are looked at at fewer angles: what lies in a belly does so over many degrees.
+    let every = looks.len().div_ceil(13).max(1);
+    let worst = looks.iter().step_by(every).filter_map(|look| Some((look.angle, pierced(&said, hinge, line, *look, limbs)?)));
+    if let Some((angle, found)) = worst.max_by(|a, b| a.1.share.total_cmp(&b.1.share)).filter(|(_, found)| found.share > PIERCED) {
+        let (share, bone) = (found.share, names.get(found.bone).cloned().unwrap_or_default());
+        said.say(if found.through {
+            Finding::ThroughBone { bone, share, angle }
+        } else {
+            Finding::TooThick { bone, share, angle, radius: said.mm(found.radius) }
+        });
+    }
+}
+
+/// Says where the belly is bent tighter than it is thick: there the surface would fold into itself.
+fn tight(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
+    let (muscle, mut solved) = (said.muscle, Solved::default());
+    let every = looks.len().div_ceil(13).max(1);
+    let mut folds = |look: &Look| {
+        muscle.solve_along(look.length, &mut solved);
+        let path = line.lay(&hinge.at(look.angle), (solved.length + muscle.fixed()).min(look.length.max(solved.length)));
+        let spacing = solved.length / solved.radii.len().saturating_sub(1).max(1) as f64;
+        let start = muscle.tendons[0].length;
+        solved.radii.windows(2).enumerate().any(|(node, pair)| {
+            let from = start + node as f64 * spacing;
+            path.sharpest(from, from + spacing) * pair.iter().copied().fold(0.0, f64::max) > 1.0
+        })
+    };
+    if looks.iter().step_by(every).any(&mut folds) {
+        said.say(Finding::BentTooTight);
+    }
+}
+
+/// Says where a wrap does nothing, or only as far as a point inside it lets it.
+fn inert(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
+    let Some(pulley) = &line.pulley else { return };
+    let stretch = line.points().enumerate().skip(pulley.stretch).take(2);
+    let depths = looks.iter().flat_map(|look| {
+        let frames = hinge.at(look.angle);
+        let center = frames.place(pulley.center);
+        stretch.clone().map(move |(number, point)| (number, look.angle, pulley.radius - frames.place(point).distance(center)))
+    });
+    let deepest = depths.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, depth)| *depth > 1e-6 * pulley.radius);
+    if let Some((number, angle, depth)) = deepest {
+        let point = match number.checked_sub(1) {
+            None => LinePoint::Origin,
+            Some(via) if via < line.via.len() => LinePoint::Via(via),
+            Some(_) => LinePoint::Insertion,
+        };
+        said.say(Finding::InsideWrapSphere { point, depth: said.mm(depth), angle });
+        return;
+    }
+    let turns = hinge.range[1] - hinge.range[0] >= TURNS;
+    if turns && !looks.iter().any(|look| line.legs(&hinge.at(look.angle)).any(|leg| leg.contact.is_some())) {
+        said.say(Finding::WrapSphereNotTouched { range: hinge.range });
+    }
+}
+
+/// Says where the moment arm has one sign and where the other.
+fn signs(said: &mut Said<'_>, looks: &[Look]) {
+    let order = |a: &&Look, b: &&Look| a.arm.total_cmp(&b.arm);
+    let (Some(least), Some(most)) = (looks.iter().min_by(order), looks.iter().max_by(order)) else { return };
+    let small = SMALL * said.muscle.shape.rest_length();
+    if least.arm < -small && most.arm > small {
+        let (first, second) = if least.angle < most.angle { (least, most) } else { (most, least) };
+        let [first, second] = [first, second].map(|look| MomentArmAt { angle: look.angle, moment_arm: said.mm(look.arm) });
+        said.say(Finding::MomentArmChangesSign { first, second });
+    }
+}
+
+/// Says where the length changes by more than the moment arm does between two angles, and goes on doing so however near they are.
+fn jumps(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
+    let small = SMALL * said.muscle.shape.rest_length();
+    let missed = |a: &Look, b: &Look| (b.length - a.length + 0.5 * (a.arm + b.arm) * (b.angle - a.angle).to_radians()).abs();
+    let look = |angle: f64| Look { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
+    let found = looks.windows(2).filter_map(|pair| {
+        let [mut from, mut to] = <[Look; 2]>::try_from(pair).ok()?;
+        for _ in 0..20 {
+            if missed(&from, &to) <= 0.5 * small {
+                return None;
+            }
+            let middle = look(0.5 * (from.angle + to.angle));
+            if missed(&from, &middle) > missed(&middle, &to) { to = middle } else { from = middle }
+        }
+        Some((to.angle, (to.length - from.length).abs()))
+    });
+    if let Some((angle, jump)) = found.max_by(|a, b| a.1.total_cmp(&b.1)) {
+        said.say(Finding::PathJumps { jump: said.mm(jump), angle });
+    }
+}
+
+/// The bone of the muscle that lies deepest in its belly at one angle.
+fn pierced(said: &Said<'_>, hinge: &RevoluteJoint, line: &Line, look: Look, limbs: &[Option<DVec3>]) -> Option<Pierced> {
+    let (muscle, frames) = (said.muscle, hinge.at(look.angle));
+    let own = (*limbs.get(line.origin.bone)?)?.normalize_or_zero();
+    if !said.on_arm && line.origin.local.reject_from_normalized(own).length() < SCHEME * muscle.spec.profile.rest_length() {
+        return None;
+    }
+    let mut solved = Solved::default();
+    muscle.solve_along(look.length, &mut solved);
+    let path = line.lay(&frames, (solved.length + muscle.fixed()).min(look.length.max(solved.length)));
+    let start = 0.5 * (path.length() - solved.length - muscle.fixed()).max(0.0) + muscle.tendons[0].length;
+    let mut cursor = path.cursor();
+    let mut belly = [(DVec3::ZERO, 0.0); PLACES];
+    for (place, slot) in belly.iter_mut().enumerate() {
+        let share = (place as f64 + 0.5) / PLACES as f64;
+        *slot = (cursor.station(start + share * solved.length).position, super::bone_clearance::radius_at(&solved.radii, share));
+    }
+    let mut bones: Vec<usize> = line.points().map(|point| point.bone).collect();
+    bones.sort_unstable();
+    bones.dedup();
+    let inside = |bone: usize| {
+        let (frame, tip) = (frames.frame(bone), (*limbs.get(bone)?)?);
+        let (mut count, mut deepest, mut radius, mut through) = (0, 0.0_f64, 0.0, 0);
+        for step in 0..PLACES {
+            let place = frame.transform_point3(tip * ((step as f64 + 0.5) / PLACES as f64));
+            let nearest = belly.iter().min_by(|a, b| a.0.distance_squared(place).total_cmp(&b.0.distance_squared(place)))?;
+            let depth = nearest.1 - nearest.0.distance(place);
+            count += usize::from(depth > 0.0);
+            through += usize::from(nearest.0.distance(place) < THROUGH.0 * nearest.1);
+            if depth > deepest {
+                (deepest, radius) = (depth, nearest.1);
+            }
+        }
+        Some(Pierced {
+            share: count as f64 / PLACES as f64,
+            bone,
+            radius,
+            through: through >= THROUGH.1 && radius < THICK * frame.transform_vector3(tip).length(),
+        })
+    };
+    bones.into_iter().filter_map(inside).max_by(|a, b| a.share.total_cmp(&b.share))
+}

@@ -1,0 +1,342 @@
+//! Muscles placed in a scene: what they solve, lay and measure. [`super::build`] puts them there.
+
+use std::ops::RangeInclusive;
+use std::sync::{Arc, OnceLock};
+
+use glam::{DMat4, DVec3, Vec3};
+
+use super::Finding;
+use super::arm::{Arm, ArmNodes};
+use super::centerline::Path;
+use super::config::{JointSpec, MuscleSpec, Tendon};
+use super::joint_dof::Joint;
+use super::line_of_action::{Frames, Line};
+use super::muscle_state::{FREE, Span};
+use super::profile::Profile;
+use super::revolute_joint::{Bone, RevoluteJoint, plain};
+use super::solver_report::SolverReport;
+use super::tessellation::{Layout, MeshQuality, ToWorld};
+use super::{MuscleState, Sample, Solved, measure};
+use sinew_scene::animation::Pose;
+use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::{MaterialBinding, Mesh, NodeId, Scene};
+
+/// A muscle file placed in a scene.
+#[derive(Debug, Clone, Default)]
+pub struct MuscleRig {
+    /// The root of its nodes; carries the unit.
+    pub root: Option<NodeId>,
+    pub(super) arm: Option<(Arm, ArmNodes)>,
+    /// Nodes of the bones that lines of action name.
+    pub(super) bones: Vec<NodeId>,
+    pub(super) muscles: Vec<Muscle>,
+    pub(super) joint: Option<JointSpec>,
+    /// What measurements turn; `None` where nothing is known to turn.
+    pub(super) hinge: Option<RevoluteJoint>,
+    /// The node of that joint.
+    pub(super) turning: Option<Joint>,
+    pub(super) span: Option<Span>,
+    pub(super) findings: Vec<Diagnostic<Finding>>,
+    /// See [`WorldFrames::ride`].
+    pub(super) ride: Option<Vec<f64>>,
+    /// Metres a unit of the file.
+    pub(super) unit: f64,
+    /// The bones' scale at which the file's lengths hold, where muscles scale with the bones.
+    pub(super) scaled_at: Option<f64>,
+}
+
+/// One muscle of a rig.
+#[derive(Debug, Clone)]
+pub(super) struct Muscle {
+    /// As the file has it, but with a name.
+    pub spec: MuscleSpec,
+    /// By what its lengths are multiplied where it is: 1 unless the file lets muscles scale with the bones.
+    pub scale: f64,
+    /// Its profile, so multiplied.
+    pub shape: Profile,
+    /// Its tendons, so multiplied.
+    pub tendons: [Tendon; 2],
+    /// Its line of action; `None` where nothing holds it.
+    pub line: Option<Line>,
+    pub layout: Layout,
+    /// Made when it is first drawn: to tell what is in a file needs none.
+    pub mesh: OnceLock<Arc<Mesh>>,
+    pub materials: Vec<Option<MaterialBinding>>,
+    /// Where it lies when nothing holds it: the middle of its line, from the root.
+    pub free_middle: DVec3,
+}
+
+/// Bone frames of a posed scene, seen from the rig's root.
+pub(super) struct WorldFrames<'a> {
+    pub from_world: DMat4,
+    pub world: &'a [DMat4],
+    pub bones: &'a [NodeId],
+    /// By what offsets on each node are multiplied along its axes where muscles scale with the bones; `None` where they keep the file's unit.
+    pub ride: Option<&'a [f64]>,
+}
+
+impl WorldFrames<'_> {
+    /// Bone `index` as a hinge has it.
+    pub(super) fn bone(&self, index: usize, moves: bool) -> Bone {
+        let world = self.bones.get(index).and_then(|node| self.world.get(node.index()));
+        let mut matrix = world.map_or(DMat4::IDENTITY, |world| self.from_world * *world);
+        let ride = self.bones.get(index).and_then(|node| self.ride?.get(node.index())).copied();
+        if let Some(ride) = ride {
+            for axis in [&mut matrix.x_axis, &mut matrix.y_axis, &mut matrix.z_axis] {
+                *axis *= ride;
+            }
+        }
+        Bone { matrix, moves, plain: ride.is_none() }
+    }
+}
+
+impl Frames for WorldFrames<'_> {
+    fn frame(&self, index: usize) -> DMat4 {
+        let bone = self.bone(index, false);
+        if bone.plain { plain(bone.matrix) } else { bone.matrix }
+    }
+}
+
+impl MuscleRig {
+    /// Number of muscles.
+    pub fn len(&self) -> usize {
+        self.muscles.len()
+    }
+
+    /// Whether there is no muscle.
+    pub fn is_empty(&self) -> bool {
+        self.muscles.is_empty()
+    }
+
+    /// Whether elbow angle or contraction changes anything: there is an arm, or a muscle that no bone holds.
+    pub fn is_drivable(&self) -> bool {
+        self.flexion_range().is_some() || (0..self.len()).any(|index| !self.is_attached(index))
+    }
+
+    /// Name of muscle `index`.
+    pub fn name(&self, index: usize) -> &str {
+        self.spec(index).map_or("", |spec| &spec.name)
+    }
+
+    /// What the file says about muscle `index`; a muscle without a name has got one here.
+    pub fn spec(&self, index: usize) -> Option<&MuscleSpec> {
+        self.muscles.get(index).map(|muscle| &muscle.spec)
+    }
+
+    /// Shape at rest of muscle `index` where it is: the file's, multiplied by [`MuscleRig::scale`].
+    pub fn profile(&self, index: usize) -> Option<&Profile> {
+        self.muscles.get(index).map(|muscle| &muscle.shape)
+    }
+
+    /// By what the lengths of muscle `index` are multiplied where it is: 1 unless the file lets muscles scale with the bones.
+    pub fn scale(&self, index: usize) -> f64 {
+        self.muscles.get(index).map_or(1.0, |muscle| muscle.scale)
+    }
+
+    /// Whether muscle `index` is held by bones; else it lies on its own and contraction alone gives its length.
+    pub fn is_attached(&self, index: usize) -> bool {
+        self.muscles.get(index).is_some_and(|muscle| muscle.line.is_some())
+    }
+
+    /// Oddities seen while building and attaching: bones that are not there, a muscle bent tighter than it is thick.
+    pub fn findings(&self) -> &[Diagnostic<Finding>] {
+        &self.findings
+    }
+
+    /// The elbow angles that the arm allows, degrees; `None` without an arm.
+    pub fn flexion_range(&self) -> Option<RangeInclusive<f64>> {
+        self.span.map(|span| span.flexion[0]..=span.flexion[1])
+    }
+
+    /// The angles that [`MuscleRig::measure`] turns the joint through, degrees: the arm's elbow or the file's `joint`; `None` where there is none.
+    pub fn measured_range(&self) -> Option<RangeInclusive<f64>> {
+        self.hinge.as_ref().map(|hinge| hinge.range[0]..=hinge.range[1])
+    }
+
+    /// The joint that [`MuscleRig::measure`] turns: the arm's elbow, the one that the file names, or the one that was found in the clip's skeleton.
+    pub fn joint(&self) -> Option<Joint> {
+        self.turning
+    }
+
+    /// −dL/dφ of muscle `index` about that joint in a pose of `scene`, φ in radians; `None` where nothing holds the muscle or nothing turns.
+    pub fn moment_arm(&self, index: usize, scene: &Scene, world: &[DMat4]) -> Option<f64> {
+        let line = self.muscles.get(index)?.line.as_ref()?;
+        let joint = self.turning.as_ref()?;
+        let hinge = self.hinge_of(joint, scene, world);
+        // The bones stand where the pose has them: not turned any further.
+        Some(measure::moment_arm(&hinge, line, hinge.at_rest))
+    }
+
+    /// The numbers behind a solution of muscle `index` in a pose of `scene`.
+    pub fn ledger(&self, index: usize, solved: &Solved, scene: &Scene, world: &[DMat4]) -> Option<SolverReport> {
+        Some(SolverReport::new(self.profile(index)?, solved, self.moment_arm(index, scene, world)))
+    }
+
+    /// The state with this elbow angle, held within the range. Without an arm: the muscle at rest.
+    pub fn at_flexion(&self, degrees: f64) -> MuscleState {
+        match self.span {
+            Some(span) => span.at_flexion(degrees, |angle| self.driving_length(angle)),
+            None => MuscleState { flexion: 0.0, contraction: 100.0 * self.free_contraction_at_rest() },
+        }
+    }
+
+    /// The state with this contraction, 0 to 100.
+    pub fn at_contraction(&self, per_cent: f64) -> MuscleState {
+        match self.span {
+            Some(span) => span.at_contraction(per_cent, |angle| self.driving_length(angle)),
+            None => MuscleState { flexion: 0.0, contraction: if per_cent.is_nan() { 0.0 } else { per_cent.clamp(0.0, 100.0) } },
+        }
+    }
+
+    /// Length of the first muscle's line of action on the arm.
+    pub(super) fn driving_length(&self, angle: f64) -> f64 {
+        let line = self.muscles.first().and_then(|muscle| muscle.line.as_ref());
+        self.hinge.as_ref().zip(line).map_or(0.0, |(hinge, line)| line.length(&hinge.at(angle)))
+    }
+
+    fn free_contraction_at_rest(&self) -> f64 {
+        let Some(muscle) = self.muscles.first() else { return 0.0 };
+        let [long, short] = muscle.free_lengths();
+        if long == short { 0.0 } else { (long - muscle.shape.rest_length()) / (long - short) }
+    }
+
+    /// Turns the arm's nodes.
+    pub fn apply(&self, drive: MuscleState, pose: &mut Pose) {
+        if let (Some((_, nodes)), Some(span)) = (&self.arm, &self.span) {
+            let angle = if drive.flexion.is_nan() { span.flexion[0] } else { drive.flexion };
+            nodes.bend(angle.clamp(span.flexion[0], span.flexion[1]), pose);
+        }
+    }
+
+    /// Solves muscle `index` for the world that the pose made. `world` is one matrix a node of the scene.
+    pub fn solve(&self, index: usize, drive: MuscleState, world: &[DMat4]) -> Solved {
+        let mut solved = Solved::default();
+        self.solve_into(index, drive, world, &mut solved);
+        solved
+    }
+
+    /// [`MuscleRig::solve`] into a value whose buffer is kept.
+    pub fn solve_into(&self, index: usize, drive: MuscleState, world: &[DMat4], solved: &mut Solved) {
+        let Some(muscle) = self.muscles.get(index) else {
+            *solved = Solved::default();
+            return;
+        };
+        match &muscle.line {
+            Some(line) => muscle.solve_along(line.length(&self.frames(world)), solved),
+            None => {
+                let [long, short] = muscle.free_lengths();
+                let share = if drive.contraction.is_nan() { 0.0 } else { drive.contraction.clamp(0.0, 100.0) / 100.0 };
+                muscle.shape.solve_into(long + (short - long) * share, solved);
+                solved.path_length = solved.length + muscle.fixed();
+            }
+        }
+    }
+
+    pub(super) fn root_matrix(&self, world: &[DMat4]) -> DMat4 {
+        self.root.and_then(|root| world.get(root.index())).copied().unwrap_or(DMat4::IDENTITY)
+    }
+
+    pub(super) fn frames<'a>(&'a self, world: &'a [DMat4]) -> WorldFrames<'a> {
+        let root = self.root_matrix(world);
+        // A root that is scaled to nothing has no inside to measure in.
+        let from_world = if root.determinant().abs() > f64::MIN_POSITIVE { root.inverse() } else { DMat4::IDENTITY };
+        WorldFrames { from_world, world, bones: &self.bones, ride: self.ride.as_deref() }
+    }
+
+    /// The node of the bone that muscle `index` originates from; `None` where it lies on its own.
+    pub fn origin_bone(&self, index: usize) -> Option<NodeId> {
+        self.bones.get(self.muscles.get(index)?.line.as_ref()?.origin.bone).copied()
+    }
+
+    /// Topology of muscle `index`'s surface: fixed while the number of its nodes is.
+    pub fn mesh(&self, index: usize) -> Arc<Mesh> {
+        let made = |muscle: &Muscle| Arc::clone(muscle.mesh.get_or_init(|| muscle.layout.mesh(&muscle.spec.name)));
+        self.muscles.get(index).map(made).unwrap_or_default()
+    }
+
+    /// Materials of muscle `index`: one a part of its mesh, already in the scene.
+    pub fn materials(&self, index: usize) -> &[Option<MaterialBinding>] {
+        self.muscles.get(index).map_or(&[], |muscle| &muscle.materials)
+    }
+
+    /// Writes the surface of muscle `index` into the buffers, in the world (metres): one entry a vertex of [`MuscleRig::mesh`]. `None` where there is no such
+    /// muscle; then the buffers stay as they are.
+    pub fn deform(
+        &self,
+        index: usize,
+        solved: &Solved,
+        world: &[DMat4],
+        positions: &mut Vec<Vec3>,
+        normals: &mut Vec<Vec3>,
+    ) -> Option<MeshQuality> {
+        let muscle = self.muscles.get(index)?;
+        let path = self.path(muscle, solved, world);
+        let to_world = ToWorld::new(self.root_matrix(world));
+        Some(muscle.layout.deform(solved, &muscle.tendons, &path, &to_world, positions, normals))
+    }
+
+    /// The centre line of muscle `index` as it is drawn, in the space of the rig's root and its unit, tendons included.
+    pub fn centre_line(&self, index: usize, solved: &Solved, world: &[DMat4]) -> Option<Path> {
+        self.muscles.get(index).map(|muscle| self.path(muscle, solved, world))
+    }
+
+    fn path(&self, muscle: &Muscle, solved: &Solved, world: &[DMat4]) -> Path {
+        let length = solved.length + muscle.fixed();
+        match &muscle.line {
+            // Tendons longer than what the belly leaves them hang slack; no arch is drawn for them.
+            Some(line) => line.lay(&self.frames(world), length.min(solved.path_length.max(solved.length))),
+            None => {
+                let half = DVec3::X * (0.5 * length);
+                let mut path = Path::new(DVec3::Y);
+                path.line(muscle.free_middle - half, muscle.free_middle + half);
+                path
+            }
+        }
+    }
+
+    /// Measures muscle `index` at angles of the elbow, or of the joint that the file names, in degrees. Without either there is no angle, and each
+    /// row is the muscle at rest.
+    pub fn measure(&self, index: usize, angles: &[f64]) -> Vec<Sample> {
+        let Some(muscle) = self.muscles.get(index) else { return Vec::new() };
+        let row = |&angle: &f64| {
+            let mut solved = Solved::default();
+            let moment_arm = match (&self.hinge, &muscle.line) {
+                (Some(hinge), Some(line)) => {
+                    muscle.solve_along(line.length(&hinge.at(angle)), &mut solved);
+                    measure::moment_arm(hinge, line, angle)
+                }
+                _ => {
+                    muscle.shape.solve_into(muscle.shape.rest_length(), &mut solved);
+                    0.0
+                }
+            };
+            Sample { angle, moment_arm, solved }
+        };
+        angles.iter().map(row).collect()
+    }
+}
+
+impl Muscle {
+    /// Multiplies the lengths of the file by `scale`; one that is no number or not above 0 is 1.
+    pub(super) fn rescale(&mut self, scale: f64) {
+        self.scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };
+        self.shape = self.spec.profile.scaled(self.scale);
+        self.tendons = self.spec.tendons.map(|tendon| Tendon { length: tendon.length * self.scale, radius: tendon.radius * self.scale });
+    }
+
+    /// Length that the tendons take.
+    pub(super) fn fixed(&self) -> f64 {
+        self.tendons[0].length + self.tendons[1].length
+    }
+
+    pub(super) fn solve_along(&self, path_length: f64, solved: &mut Solved) {
+        self.shape.solve_into(path_length - self.fixed(), solved);
+        solved.path_length = path_length;
+    }
+
+    /// Lengths at contraction 0 and 100 % where nothing holds the muscle.
+    fn free_lengths(&self) -> [f64; 2] {
+        let (rest, valid) = (self.shape.rest_length(), self.shape.length_range());
+        FREE.map(|share| (share * rest).clamp(*valid.start(), *valid.end()))
+    }
+}
