@@ -163,7 +163,7 @@ pub(super) fn write_centered(canvas: &PaintWidget, snapshot: &gtk::Snapshot, tex
     snapshot.restore();
 }
 
-/// Writes text as [`write`] does, on a ground that keeps it legible over anything; returns its width.
+/// Writes text as [`write()`] does, on a ground that keeps it legible over anything; returns its width.
 pub(super) fn write_with_background(
     canvas: &PaintWidget,
     snapshot: &gtk::Snapshot,

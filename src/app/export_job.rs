@@ -9,7 +9,7 @@ use crate::export::gltf::{self, GltfContainer};
 use crate::export::guard::OverwriteGuard;
 use crate::export::mtl;
 use crate::export::surface::SurfaceFormat;
-use crate::export::tables::{self, MeasureTable, Table, TableError};
+use crate::export::tables::{self, MeasureTable, TableError, TableSubject};
 use crate::export::{gif, video};
 use crate::i18n::{self, Sentence};
 use crate::progress::Progress;
@@ -151,10 +151,10 @@ impl ExportKind {
     }
 
     /// What it is a table of.
-    pub(super) fn table(self) -> Option<(MeasureTable, tables::TableFormat)> {
+    pub(super) fn table(self) -> Option<(TableSubject, tables::TableFormat)> {
         match self {
-            Self::Muscles(form) => Some((MeasureTable::Muscles, form)),
-            Self::Joints(form) => Some((MeasureTable::Joints, form)),
+            Self::Muscles(form) => Some((TableSubject::Muscles, form)),
+            Self::Joints(form) => Some((TableSubject::Joints, form)),
             _ => None,
         }
     }
@@ -369,8 +369,8 @@ impl ExportJob {
             ExportKind::Stl => return self.surface(SurfaceFormat::Stl, file),
             ExportKind::Glb => return self.scene(GltfContainer::Binary, file, work),
             ExportKind::Gltf => return self.scene(GltfContainer::Text, file, work),
-            ExportKind::Muscles(form) => return self.table(MeasureTable::Muscles, form, file, work),
-            ExportKind::Joints(form) => return self.table(MeasureTable::Joints, form, file, work),
+            ExportKind::Muscles(form) => return self.table(TableSubject::Muscles, form, file, work),
+            ExportKind::Joints(form) => return self.table(TableSubject::Joints, form, file, work),
         };
         let Self { document, overlays: (overlays, rate), sequence, controller, follow, display, options, guard, .. } = self;
         let note = note(&document, &controller);
@@ -390,9 +390,9 @@ impl ExportJob {
         if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.commit() }
     }
 
-    fn table(&self, of: MeasureTable, form: tables::TableFormat, file: &Path, work: &Progress) -> Result<(), ExportError> {
+    fn table(&self, of: TableSubject, form: tables::TableFormat, file: &Path, work: &Progress) -> Result<(), ExportError> {
         // The document is the one that was checked, so nothing is refused now.
-        match Table::measure(of, &self.document, &self.state, self.options.fps) {
+        match MeasureTable::measure(of, &self.document, &self.state, self.options.fps) {
             Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE, i18n::sentence),
             _ => Err(ExportError::Cancelled),
         }

@@ -17,7 +17,9 @@ use super::text_table::columns;
 use super::{files, joints, value};
 use crate::document::{Document, ImageLoading, OpenOptions, PoseState};
 use crate::export::guard::OverwriteGuard;
-use crate::export::tables::{JointTable, MeasureTable, MuscleTable, PLOT_SCALE, Table, TableError, TableFormat, even_times, unit_label};
+use crate::export::tables::{
+    JointTable, MeasureTable, MuscleTable, PLOT_SCALE, TableError, TableFormat, TableSubject, even_times, unit_label,
+};
 use crate::i18n::Sentence;
 use crate::i18n::{self, decimal};
 use crate::progress::Progress;
@@ -32,7 +34,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let file = files.first().cloned().unwrap_or_default();
     if given.get_flag("joints") {
         // A file without joints is to be told so, whether it has a clip or not.
-        if TableError::check(MeasureTable::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(TableError::NoJoint) {
+        if TableError::check(TableSubject::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(TableError::NoJoint) {
             return Err(match document.clips.is_empty() {
                 true => Failure::usage(tr!("cli-measure-no-joint-no-clip", file = display_name(&file))),
                 false => table_failure(TableError::NoJoint, &file),
@@ -40,7 +42,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         }
         let (state, times) = times(given, &document, &file)?;
         let table = JointTable::over_time(&document, display_name(&file), &state, &times);
-        return sheet.answer(&Table::Joints(table.map_err(|error| table_failure(error, &file))?));
+        return sheet.answer(&MeasureTable::Joints(table.map_err(|error| table_failure(error, &file))?));
     }
     if document.muscle_count() == 0 {
         return Err(Failure::file(&file, TableError::NoMuscle.sentence()));
@@ -58,7 +60,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if given.contains_id("times") {
         let (state, times) = times(given, &document, &file)?;
         let table = MuscleTable::over_time(&document, display_name(&file), &state, &times);
-        return sheet.answer(&Table::Muscles(table.map_err(|error| table_failure(error, &file))?));
+        return sheet.answer(&MeasureTable::Muscles(table.map_err(|error| table_failure(error, &file))?));
     }
     let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
     if let Some(angles) = &angles {
@@ -71,13 +73,13 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
     if angles.is_none() && given.contains_id("plot") {
         // Four angles are a table, but no curve.
-        let table = Table::measure(MeasureTable::Muscles, &document, &document.start_state(), DEFAULT_FPS)
+        let table = MeasureTable::measure(TableSubject::Muscles, &document, &document.start_state(), DEFAULT_FPS)
             .map_err(|why| table_failure(why, &file))?;
         return sheet.answer(&table);
     }
     let table = MuscleTable::over_angles(&document, display_name(&file), angles.as_deref());
     let table = table.ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-measure", file = display_name(&file))))?;
-    sheet.answer(&Table::Muscles(table))
+    sheet.answer(&MeasureTable::Muscles(table))
 }
 
 /// How a table is to be answered.
@@ -88,7 +90,7 @@ struct MeasureReport<'a> {
 
 impl MeasureReport<'_> {
     /// Draws the plot that is asked for, and prints the table where that is asked for or there is no plot.
-    fn answer(&self, table: &Table) -> Result<(), Failure> {
+    fn answer(&self, table: &MeasureTable) -> Result<(), Failure> {
         let given = self.given;
         let (json, csv) = (given.get_flag("json"), given.get_flag("csv"));
         if let Some(out) = value::<PathBuf>(given, "plot") {
@@ -98,14 +100,14 @@ impl MeasureReport<'_> {
             }
         }
         match table {
-            Table::Muscles(table) if json => print_json(table),
-            Table::Joints(table) if json => print_json(table),
-            Table::Muscles(table) => print_result(&if csv { table.csv() } else { text(table) }),
-            Table::Joints(table) => print_result(&if csv { table.csv() } else { joints::text(table) }),
+            MeasureTable::Muscles(table) if json => print_json(table),
+            MeasureTable::Joints(table) if json => print_json(table),
+            MeasureTable::Muscles(table) => print_result(&if csv { table.csv() } else { text(table) }),
+            MeasureTable::Joints(table) => print_result(&if csv { table.csv() } else { joints::text(table) }),
         }
     }
 
-    fn draw(&self, table: &Table, out: &Path) -> Result<(), Failure> {
+    fn draw(&self, table: &MeasureTable, out: &Path) -> Result<(), Failure> {
         let form = TableFormat::of_plot(out).ok_or_else(|| wrong_extension(out, "cli-plot-ending"))?;
         refuse_number_pattern(out)?;
         let target = self.guard.output(out)?;

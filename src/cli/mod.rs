@@ -40,7 +40,7 @@ pub use command::command;
 pub use window::{WindowOpener, launch_gui};
 
 /// Runs the program and returns its exit code: 0 = done, 1 = a file could not be used, 2 = the call was wrong. `opener` opens the window:
-/// [`hand_over`] in a program that has none itself.
+/// [`launch_gui`] in a program that has none itself.
 pub fn main(opener: WindowOpener) -> ExitCode {
     run(std::env::args_os(), opener)
 }

@@ -167,7 +167,7 @@ pub(super) fn print_result(text: &str) -> Result<(), Failure> {
 /// Writes `value` to standard output as indented JSON. Numbers that are not finite become `null`; letters that a terminal would obey are escaped.
 ///
 /// # Errors
-/// As [`answer`].
+/// As [`print_result`].
 pub(super) fn print_json(value: &impl serde::Serialize) -> Result<(), Failure> {
     let mut text = serde_json::to_string_pretty(value).map_err(|error| Failure::Files(vec![error.to_string()]))?;
     text.push('\n');

@@ -14,7 +14,7 @@ use sinew::export::atomic_file::write_atomic;
 use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::guard::{OverwriteGuard, is_same};
 use sinew::export::surface::SurfaceFormat;
-use sinew::export::tables::{self, MeasureTable, Table};
+use sinew::export::tables::{self, MeasureTable, TableSubject};
 use sinew::export::{ExportError, png};
 use sinew::progress::Progress;
 use sinew::render::Framebuffer;
@@ -60,7 +60,7 @@ fn write(kind: &str, document: &Document, guard: &OverwriteGuard, out: &Path) ->
     let output = guard.output(out)?;
     let mut frame = Frame::default();
     document.pose(&document.start_state(), &mut PoseBuffers::default(), &mut frame);
-    let table = || Table::measure(MeasureTable::Joints, document, &document.start_state(), 5.0).expect("joints move");
+    let table = || MeasureTable::measure(TableSubject::Joints, document, &document.start_state(), 5.0).expect("joints move");
     match kind {
         "png" => png::save(&output, &Framebuffer { width: 2, height: 2, pixels: vec![0xFF00_FF00; 4] }, false, &[]),
         "obj" => SurfaceFormat::Obj.save(&output, &document.scene, &frame),

@@ -241,7 +241,7 @@ impl VertexReader<'_> {
         [at(0), at(1), at(2)]
     }
 
-    /// Corners in the world. Only where the vertex stage made [`super::material_state::VertexOutput::VertexSource`].
+    /// Corners in the world. Only where the vertex stage made [`super::material_state::VertexOutput::Geometry`].
     #[inline(always)]
     pub(super) fn positions(&self, t: usize) -> [Vec3; 3] {
         self.lit(t, false).map(|[x, y, z, _]| Vec3::new(x, y, z))

@@ -144,7 +144,7 @@ impl Renderer {
         &self.framebuffer
     }
 
-    /// Like [`Renderer::rasterize_segments`], straight into `target`: rows of `stride` bytes, the pixel format of [`Framebuffer`]. Rows or pixels that do not
+    /// Like [`Renderer::draw`], straight into `target`: rows of `stride` bytes, the pixel format of [`Framebuffer`]. Rows or pixels that do not
     /// fit are left out.
     #[allow(clippy::too_many_arguments, reason = "what is drawn and where to, as few words for a caller as a struct would be")]
     pub fn draw_into(

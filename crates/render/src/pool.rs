@@ -10,15 +10,15 @@ use std::thread::JoinHandle;
 /// What the threads run: the argument is the worker's number.
 type Job = dyn Fn(usize) + Sync;
 
-/// A job whose lifetime was erased; see the reason in [`Pool::bin_draw_call`].
+/// A job whose lifetime was erased; see the reason in [`Pool::run`].
 #[derive(Clone, Copy)]
-struct PoolJob(*const Job);
+struct JobPointer(*const Job);
 // SAFETY: the pointee is `Sync`, so calling it from another thread is allowed while it lives, which `Pool::run` sees to.
-unsafe impl Send for PoolJob {}
+unsafe impl Send for JobPointer {}
 
 #[derive(Default)]
 struct PoolState {
-    job: Option<PoolJob>,
+    job: Option<JobPointer>,
     active: usize,
     /// Threads that are running; they start on their own time.
     started: usize,
@@ -95,7 +95,7 @@ impl Pool {
         }
         // SAFETY: only the lifetime changes. Workers take the pointer under the lock while the job is open and count themselves as
         // active; `Closing` withdraws the pointer and waits until no worker is active before `run` returns, so none uses it after that.
-        let pointer = PoolJob(unsafe { std::mem::transmute::<*const (dyn Fn(usize) + Sync), *const Job>(std::ptr::from_ref(job)) });
+        let pointer = JobPointer(unsafe { std::mem::transmute::<*const (dyn Fn(usize) + Sync), *const Job>(std::ptr::from_ref(job)) });
         {
             let mut state = self.shared.lock();
             state.job = Some(pointer);
@@ -146,7 +146,7 @@ fn worker(shared: &Shared, index: usize) {
             return;
         }
         seen = shared.epoch.load(Ordering::Acquire);
-        let Some(PoolJob(job)) = state.job else { continue };
+        let Some(JobPointer(job)) = state.job else { continue };
         state.active += 1;
         drop(state);
         // SAFETY: taken while the job was open, and this worker is counted as active: `Pool::run` waits for it.

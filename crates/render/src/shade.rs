@@ -171,7 +171,7 @@ impl ShaderAttributes<8> for Gouraud<'_> {
     }
 }
 
-/// Light between the corners, colour from a texture. `PLAIN` where the colour is that of the texture times the light and nothing else; see [`is_plain`].
+/// Light between the corners, colour from a texture. `PLAIN` where the colour is that of the texture times the light and nothing else; see [`is_opaque_textured`].
 pub(super) struct GouraudTextured<'a, const PLAIN: bool> {
     frame_data: &'a FrameData<'a>,
     style: &'a ResolvedMaterial,

@@ -150,7 +150,7 @@ impl<const K: usize> TriangleBatch<K> {
         }
     }
 
-    /// The same as [`bend`] for the triangles from number `from` on, one a lane. What is left in the lanes behind the last of `count` stays as it is:
+    /// The same as [`premultiply_inv_w`] for the triangles from number `from` on, one a lane. What is left in the lanes behind the last of `count` stays as it is:
     /// multiplied again and again it would become too small to be quick.
     #[inline(always)]
     fn premultiply_batch<'a, L: Simd, S>(&mut self, l: L, from: usize, count: usize)

@@ -154,7 +154,7 @@ impl BandBuffer {
     #[inline(always)]
     pub(super) unsafe fn depth_at<L: Simd, const TILED: bool>(&self, l: L, s: usize, at: usize) -> L::F {
         if TILED {
-            // SAFETY: `holds` counted the rows and columns that a tile reaches beyond.
+            // SAFETY: `contains` counted the rows and columns that a tile reaches beyond.
             l.float_bits(unsafe { l.tile(self.depth.as_ptr().add(s * self.area + at).cast(), self.pitch) })
         } else {
             // SAFETY: the caller's promise.
@@ -206,7 +206,7 @@ impl BandBuffer {
     }
 }
 
-/// Opaque pixels from red, green and blue. `tame` promises that no channel is further than a quarter beyond 0 to 255, so none has to be held back.
+/// Opaque pixels from red, green and blue. `in_range` promises that no channel is further than a quarter beyond 0 to 255, so none has to be held back.
 #[inline(always)]
 pub(super) fn pack<L: Simd>(l: L, color: [L::F; 4], in_range: bool) -> L::I {
     let half = l.splat(0.5);

@@ -15,7 +15,7 @@ pub fn angle_at(frame: &Frame, from: NodeId, corner: NodeId, to: NodeId) -> Opti
 }
 
 impl Document {
-    /// Walks through the clip of `state` in `moments` even steps (at least 2), nodes only, and hands each time (seconds) with its frame to `see`.
+    /// Walks through the clip of `state` in `samples` even steps (at least 2), nodes only, and hands each time (seconds) with its frame to `visit`.
     /// Without a clip nothing is walked through.
     pub fn sample_clip(&self, state: &PoseState, samples: usize, mut visit: impl FnMut(f64, &Frame)) {
         let Some(clip) = state.clip.and_then(|index| self.clips.get(index)).filter(|clip| clip.duration() > 0.0) else { return };
@@ -28,7 +28,7 @@ impl Document {
         }
     }
 
-    /// The angle of three bones over the clip: seconds and degrees, in `moments` even steps.
+    /// The angle of three bones over the clip: seconds and degrees, in `samples` even steps.
     pub fn angle_curve(&self, state: &PoseState, [from, corner, to]: [NodeId; 3], samples: usize) -> Vec<(f64, f64)> {
         let mut curve = Vec::with_capacity(samples);
         self.sample_clip(state, samples, |time, frame| curve.extend(angle_at(frame, from, corner, to).map(|angle| (time, angle))));
@@ -45,7 +45,7 @@ impl Document {
         times.iter().map(|time| position(*time)).collect()
     }
 
-    /// Where a node goes over the clip: seconds and world positions, in `moments` even steps.
+    /// Where a node goes over the clip: seconds and world positions, in `samples` even steps.
     pub fn node_path(&self, state: &PoseState, node: NodeId, samples: usize) -> Vec<(f64, DVec3)> {
         let mut path = Vec::with_capacity(samples);
         self.sample_clip(state, samples, |time, frame| {

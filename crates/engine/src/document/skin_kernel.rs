@@ -92,7 +92,7 @@ fn deform_groups<L: Simd, const NONUNIFORM: bool>(l: L, job: &mut DeformJob<'_>)
     let mut bounds = ([l.splat(f32::INFINITY); 3], [l.splat(f32::NEG_INFINITY); 3]);
     let mut blended = [Affine::default(); GROUP];
     for (first, picks) in job.plan.groups() {
-        // SAFETY: the plan's indices are below `needs`, which was compared above.
+        // SAFETY: the plan's indices are below `matrix_count`, which was compared above.
         unsafe { blend_group(l, job.matrices, picks, &mut blended) };
         if let (Some(positions), Some(normals)) = (positions[first..].first_chunk(), normals[first..].first_chunk())
             && let (Some(to_positions), Some(to_normals)) = (to_positions[first..].first_chunk_mut(), to_normals[first..].first_chunk_mut())

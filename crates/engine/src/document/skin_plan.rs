@@ -91,7 +91,7 @@ impl SkinningPlan {
         Self::of(mesh, |point, picks| picks.push(WeightedMatrixRef::new(point.min(mesh.source_count), 1.0)))
     }
 
-    /// `picks_of` appends the picks of a point: at least one, at most [`MAX_INFLUENCES`].
+    /// `refs_of` appends the references of a point: at least one, at most [`MAX_INFLUENCES`].
     fn of(mesh: &Mesh, mut refs_of: impl FnMut(u32, &mut Vec<WeightedMatrixRef>)) -> Self {
         let count = mesh.positions.len();
         let mut plan = Self { vertices: count, ..Self::default() };

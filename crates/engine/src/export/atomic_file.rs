@@ -32,7 +32,7 @@ impl PendingFile {
     /// An empty temporary file beside `target`, for a program that writes it by its name: [`PendingFile::file`].
     ///
     /// # Errors
-    /// As [`write_whole`].
+    /// As [`write_atomic`].
     pub fn begin(target: &Output) -> Result<Self, ExportError> {
         let (_, temporary, place) = start(target)?;
         Ok(Self { temporary, target: target.clone(), place })
@@ -58,10 +58,10 @@ impl PendingFile {
     }
 }
 
-/// Writes a temporary file beside `target`; see [`write_whole`], which also puts it in its place.
+/// Writes a temporary file beside `target`; see [`write_atomic`], which also puts it in its place.
 ///
 /// # Errors
-/// As [`write_whole`].
+/// As [`write_atomic`].
 pub fn prepare(target: &Output, write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>) -> Result<PendingFile, ExportError> {
     let failed = |error| ExportError::io(target.file(), error);
     let (mut file, temporary, place) = start(target)?;

@@ -31,7 +31,7 @@ pub struct GifSettings {
     pub palette: ColorTable,
 }
 
-/// Writes an animation to `file`. `draw` is called once and gives the frames to the [`ApngWriter`], one after the other.
+/// Writes an animation to `file`. `draw` is called once and gives the frames to the [`GifWriter`], one after the other.
 ///
 /// # Errors
 /// [`ExportError`] where the file cannot be written or the size does not fit the format; what `draw` returns.

@@ -64,7 +64,7 @@ struct CameraAnimation {
 /// The camera of the window.
 #[derive(Debug, Clone, Default)]
 pub struct CameraController {
-    /// The orbit; during an animated transition its end is in `jump`.
+    /// The orbit; during an animated transition its end is in `animation`.
     orbit: OrbitCamera,
     viewpoint: Viewpoint,
     animation: Option<CameraAnimation>,

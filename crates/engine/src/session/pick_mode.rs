@@ -18,7 +18,7 @@ const UNDER_SKIN: f64 = 0.4;
 /// What the next click gives a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PickTarget {
-    /// A point that the muscle has; [`AttachmentPoint::WrapMode`] also where it goes round nothing yet.
+    /// A point that the muscle has; [`AttachmentPoint::Wrap`] also where it goes round nothing yet.
     Point(AttachmentPoint),
     /// A via point that it gets.
     NewVia,

@@ -204,7 +204,7 @@ fn set_op(op: &mut TransformOp, components: Components, curve: &Curve, time: f64
     }
 }
 
-/// Sets all numbers of `parts`, which follow each other, or the one that `lane` names.
+/// Sets all numbers of `parts`, which follow each other, or the one that `components` names.
 fn set_numbers(parts: &mut [&mut [f64]], components: Components, curve: &Curve, time: f64) {
     let mut numbers = parts.iter_mut().flat_map(|part| part.iter_mut());
     match components {

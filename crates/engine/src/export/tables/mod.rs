@@ -22,7 +22,7 @@ pub use plots::{Translate, unit_label};
 
 /// What a table is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MeasureTable {
+pub enum TableSubject {
     /// Muscles: over the clip that moves their bones, else over the angles of their arm.
     Muscles,
     /// Joints, over the clip.
@@ -47,7 +47,7 @@ pub const PLOT_SCALE: f64 = 2.0;
 
 /// A table of a whole clip, or of a whole range of angles.
 #[derive(Debug, Clone)]
-pub enum Table {
+pub enum MeasureTable {
     /// Of muscles.
     Muscles(MuscleTable),
     /// Of joints.
@@ -65,19 +65,19 @@ impl TableFormat {
     }
 }
 
-impl Table {
+impl MeasureTable {
     /// Measures in the clip that `state` names, `fps` times a second; muscles that no clip moves degree by degree.
     ///
     /// # Errors
     /// [`TableError`].
-    pub fn measure(of: MeasureTable, document: &Document, state: &PoseState, fps: f64) -> Result<Self, TableError> {
+    pub fn measure(of: TableSubject, document: &Document, state: &PoseState, fps: f64) -> Result<Self, TableError> {
         TableError::check(of, document, state, fps)?;
         let file = document.sources.iter().map(|source| source.name.to_string()).collect::<Vec<_>>().join(", ");
         let times = times(document, state, fps);
         match (of, times) {
-            (MeasureTable::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
-            (MeasureTable::Muscles, Some(times)) => MuscleTable::over_time(document, file, state, &times).map(Self::Muscles),
-            (MeasureTable::Muscles, None) => {
+            (TableSubject::Joints, times) => JointTable::over_time(document, file, state, &times.unwrap_or_default()).map(Self::Joints),
+            (TableSubject::Muscles, Some(times)) => MuscleTable::over_time(document, file, state, &times).map(Self::Muscles),
+            (TableSubject::Muscles, None) => {
                 let angles =
                     document.driven_rig().and_then(MuscleRig::measured_range).map(|range| even_times(*range.start(), *range.end(), 1.0));
                 let table = angles.and_then(|angles| MuscleTable::over_angles(document, file.clone(), Some(&angles)));
@@ -136,13 +136,13 @@ impl TableError {
     ///
     /// # Errors
     /// Why it would.
-    pub fn check(of: MeasureTable, document: &Document, state: &PoseState, fps: f64) -> Result<(), Self> {
+    pub fn check(of: TableSubject, document: &Document, state: &PoseState, fps: f64) -> Result<(), Self> {
         let times = times(document, state, fps).map(|times| times.len());
         match (of, times) {
-            (MeasureTable::Joints, _) if joints::count(document) == 0 => Err(Self::NoJoint),
-            (MeasureTable::Joints, None) => Err(Self::NoClip),
-            (MeasureTable::Joints, Some(times)) => Self::hold(joints::count(document), times, Self::NoJoint),
-            (MeasureTable::Muscles, times) => Self::hold(document.muscle_count(), times.unwrap_or(1), Self::NoMuscle),
+            (TableSubject::Joints, _) if joints::count(document) == 0 => Err(Self::NoJoint),
+            (TableSubject::Joints, None) => Err(Self::NoClip),
+            (TableSubject::Joints, Some(times)) => Self::hold(joints::count(document), times, Self::NoJoint),
+            (TableSubject::Muscles, times) => Self::hold(document.muscle_count(), times.unwrap_or(1), Self::NoMuscle),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Tables as plots.
 
-use super::{JointRow, JointTable, MuscleRow, MuscleRows, MuscleTable, Table};
+use super::{JointRow, JointTable, MeasureTable, MuscleRow, MuscleRows, MuscleTable};
 use crate::plot::{Page, Plot, PlotCurve};
 use sinew_scene::message;
 use sinew_scene::message::Message;
@@ -14,7 +14,7 @@ const COLORS: [u32; 7] = [0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56
 /// A volume is drawn in at least this part of itself, so that rounding errors stay a level line.
 const LEVEL: f64 = 0.02;
 
-impl Table {
+impl MeasureTable {
     /// The table as curves, at most seven to a plot: more could not be told apart.
     pub fn page(&self, say: Translate) -> Page {
         match self {
@@ -113,12 +113,12 @@ pub fn unit_label(unit: &str) -> Message {
 mod tests {
     use super::*;
     use crate::document::Document;
-    use crate::export::tables::{JointRows, MeasureTable};
+    use crate::export::tables::{JointRows, TableSubject};
 
     #[test]
     fn an_arm_is_plotted_over_its_angle() {
         let document = Document::built_in();
-        let table = Table::measure(MeasureTable::Muscles, &document, &document.start_state(), 25.0).expect("a muscle on an arm");
+        let table = MeasureTable::measure(TableSubject::Muscles, &document, &document.start_state(), 25.0).expect("a muscle on an arm");
         let page = table.page(sinew_i18n::sentence);
         let [(_, plots)] = &page.sections[..] else { panic!("one section") };
         assert_eq!(plots.len(), 4);
