@@ -420,7 +420,7 @@ app-volume = Volume V
 app-rest-volume = Rest volume V₀
 app-volume-error = Error V / V₀ − 1
 app-delta = Growth parameter δ
-app-quadratic-heading = Equation of constant volume: A δ² + B δ + C = 0
+app-quadratic-heading = Constant volume: A δ² + B δ + C = 0
 app-a = A
 app-b = B
 app-c = C

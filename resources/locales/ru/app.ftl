@@ -423,7 +423,7 @@ app-volume = Объём V
 app-rest-volume = Объём покоя V₀
 app-volume-error = Ошибка V / V₀ − 1
 app-delta = Параметр прироста δ
-app-quadratic-heading = Уравнение постоянства объёма: A δ² + B δ + C = 0
+app-quadratic-heading = Постоянство объёма: A δ² + B δ + C = 0
 app-a = A
 app-b = B
 app-c = C
