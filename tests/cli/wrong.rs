@@ -276,7 +276,7 @@ fn files_of_the_wrong_kind_are_told_so() {
         (&["fit", "-", "--like", "-", "-o", "x.yaml"], "standard input can be read only once"),
         (&["render", arg(&cube), "-o", ".png"], ".png consists of an ending only"),
         (&["fit", arg(&csv), "-o", ".yaml"], ".yaml consists of an ending only"),
-        (&["render", arg(&cube), "-o", "x"], "the ending must be"),
+        (&["render", arg(&cube), "-o", "x"], "the name must end in"),
         (&["bench", "--scene", "nosuch", "--seconds", "0.01"], "No scene has “nosuch”"),
     ] {
         let said = told(words, 2);

@@ -433,10 +433,10 @@ mod tests {
         let diagnostics: Vec<_> =
             document.diagnostics.iter().map(|finding| (finding.file.to_string(), finding.code(), i18n::finding(finding))).collect();
         for (file, code, parts) in [
-            ("a.dae", MISSING, &["\"none.png\"", "3 <image>"][..]),
-            ("a.dae", MISSING, &["\"other.png\" was"]),
-            ("a.dae", BROKEN, &["\"bad.png\"", "2 <image>"]),
-            ("b.dae", MISSING, &["\"none.png\"", "2 <image>"]),
+            ("a.dae", MISSING, &["“none.png”", "3 <image>"][..]),
+            ("a.dae", MISSING, &["“other.png” was"]),
+            ("a.dae", BROKEN, &["“bad.png”", "2 <image>"]),
+            ("b.dae", MISSING, &["“none.png”", "2 <image>"]),
         ] {
             let is_it =
                 |(of, what, text): &&(String, &str, String)| *of == file && *what == code && parts.iter().all(|part| text.contains(part));
