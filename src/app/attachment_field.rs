@@ -34,7 +34,7 @@ impl Bones {
     pub(super) fn list(&self, session: &Session, id: MuscleId) {
         let graph = &session.document().scene.graph;
         let nodes: Vec<NodeId> = session.bones_for(id).into_iter().map(|(node, _)| node).collect();
-        let names: Vec<_> = nodes.iter().map(|node| i18n::shown(&graph.node(*node).name)).collect();
+        let names: Vec<_> = nodes.iter().map(|node| i18n::shown(&i18n::label(graph.label(*node))).into_owned()).collect();
         let names: Vec<&str> = names.iter().map(AsRef::as_ref).collect();
         let shown = |row: usize| self.names.string(row as u32);
         // A model that changes loses the place that a person has scrolled to in a list.

@@ -4,6 +4,7 @@ use glam::Vec2;
 use gtk4 as gtk;
 
 use super::drawing_area::{PaintWidget, rgb, write_with_background};
+use crate::i18n;
 use crate::render::Background;
 use crate::session::Session;
 
@@ -27,7 +28,7 @@ pub(super) fn write_all(session: &mut Session, canvas: &PaintWidget, snapshot: &
     let mut taken: Vec<(f64, f64, f64)> = Vec::new();
     for (place, node) in names.into_iter().take(MOST) {
         let (x, y) = (f64::from(place.x) + 6.0, f64::from(place.y) - 7.0);
-        let name = &scene.graph.node(node).name;
+        let name = &i18n::label(scene.graph.label(node));
         let length = name.chars().count() as f64 * 7.0;
         if taken.iter().any(|(left, right, top)| x < *right && x + length > *left && (y - top).abs() < 12.0) {
             continue;

@@ -10,6 +10,7 @@ use gtk4 as gtk;
 use super::commands::Command;
 use super::window::{Window, object};
 use super::{format, ui};
+use crate::i18n;
 use crate::message;
 use crate::scene::NodeId;
 use crate::session::{ChangeSet, JointAxis, Session, UndoStep};
@@ -137,9 +138,9 @@ impl ContractionControls {
 
     fn list_joints(&self, session: &Session) {
         let graph = &session.document().scene.graph;
-        let found = session.joint().map(|joint| tr!("app-joint-found", name = graph.node(joint.node).name.clone()));
+        let found = session.joint().map(|joint| tr!("app-joint-found", name = i18n::label(graph.label(joint.node))));
         let bones = if found.is_some() { session.turnable() } else { Vec::new() };
-        let names = found.into_iter().chain(bones.iter().map(|bone| graph.node(*bone).name.clone())).collect::<Vec<_>>();
+        let names = found.into_iter().chain(bones.iter().map(|bone| i18n::label(graph.label(*bone)).into_owned())).collect::<Vec<_>>();
         self.bones.replace(bones);
         self.joint.set_model(Some(&ui::words(&names)));
     }

@@ -429,7 +429,7 @@ pub(super) fn note<'a>(document: &'a Document, controller: &CameraController) ->
         let files: Vec<String> = document.sources.iter().map(|source| source.name.to_string()).collect();
         let mut text = format!("File: {}", files.join(", "));
         if let Some(clip) = spec.state.clip.and_then(|index| document.clips.get(index)) {
-            text.push_str(&format!("; clip: {}; time: {} s", clip.name, spec.state.time));
+            text.push_str(&format!("; clip: {}; time: {} s", clip.label().plain(), spec.state.time));
         }
         if document.driven_rig().is_some() {
             text.push_str(&format!("; contraction: {} %; elbow: {}°", spec.state.drive.contraction + 0.0, spec.state.drive.flexion + 0.0));

@@ -245,7 +245,8 @@ impl Inspector {
         let scene = &session.document().scene;
         let shown = scene.graph.node(node);
         let name: gtk::Label = object(&self.builder, "name");
-        let text = i18n::shown(&shown.name);
+        let label = i18n::label(scene.graph.label(node));
+        let text = i18n::shown(&label);
         name.set_text(&text);
         name.set_tooltip_text(Some(&text));
         let is_joint = shown.kind == NodeKind::Joint;
@@ -326,7 +327,8 @@ impl Inspector {
 
     fn list_joints(&self, session: &Session) {
         let joints = session.joints();
-        let names: Vec<String> = joints.iter().map(|joint| session.document().scene.graph.node(*joint).name.clone()).collect();
+        let names: Vec<String> =
+            joints.iter().map(|joint| i18n::label(session.document().scene.graph.label(*joint)).into_owned()).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         for list in &self.corners {
             list.set_model(Some(&ui::words(&names)));
@@ -350,7 +352,7 @@ impl Inspector {
             list.set_selected(place.map_or(gtk::INVALID_LIST_POSITION, |place| place as u32));
         }
         let angle = angle_at(session.frame(), bones[0], bones[1], bones[2]);
-        let [from, corner, to] = bones.map(|bone| session.document().scene.graph.node(bone).name.clone());
+        let [from, corner, to] = bones.map(|bone| i18n::label(session.document().scene.graph.label(bone)));
         let angle = format!("{}°", format::number(angle.unwrap_or(f64::NAN), 2));
         told.set_text(&tr!("app-angle-value", from = from, corner = corner, to = to, angle = angle));
         self.curve.borrow_mut().cursor = Some(session.playback().time);

@@ -4,6 +4,7 @@ use glam::{DMat4, DQuat, DVec3, EulerRot, Vec3};
 
 use super::format;
 use crate::document::VertexInfluences;
+use crate::i18n;
 use crate::scene::{Deformer, Material, MeshInstance, Scene};
 use crate::session::{Matrices, Session};
 use crate::tr;
@@ -56,7 +57,7 @@ pub(super) fn degrees(rotation: DQuat) -> DVec3 {
 pub(super) fn report(session: &mut Session) -> String {
     let Some(node) = session.selected() else { return String::new() };
     let Some(matrices) = session.matrices(node) else { return String::new() };
-    let mut text = format!("{}, t = {} s\n", session.document().scene.graph.node(node).name, session.playback().time);
+    let mut text = format!("{}, t = {} s\n", i18n::label(session.document().scene.graph.label(node)), session.playback().time);
     for space in Space::ALL {
         let Some(matrix) = space.of(&matrices) else { continue };
         let (scale, rotation, place) = matrix.to_scale_rotation_translation();
@@ -106,9 +107,9 @@ pub(super) fn mesh(scene: &Scene, instance: &MeshInstance) -> String {
 pub(super) fn material(scene: &Scene, material: &Material) -> String {
     let texture = material.diffuse.texture.as_ref().and_then(|texture| scene.images.get(texture.image.index()));
     match texture {
-        Some(image) if image.pixels.is_none() => tr!("app-material-lost", name = material.name.as_str(), image = image.uri.as_str()),
-        Some(image) => tr!("app-material-texture", name = material.name.as_str(), image = image.uri.as_str()),
-        None => material.name.clone(),
+        Some(image) if image.pixels.is_none() => tr!("app-material-lost", name = i18n::label(material.label()), image = image.uri.as_str()),
+        Some(image) => tr!("app-material-texture", name = i18n::label(material.label()), image = image.uri.as_str()),
+        None => i18n::label(material.label()).into_owned(),
     }
 }
 

@@ -9,7 +9,7 @@ use gtk4 as gtk;
 use super::commands::Command;
 use super::window::{Window, object};
 use super::{recent, ui};
-use crate::i18n::shown;
+use crate::i18n::{self, shown};
 use crate::session::{Session, file_cameras};
 use crate::tr;
 
@@ -101,7 +101,7 @@ pub(super) fn list_cameras(button: &gtk::MenuButton, session: &Session) {
     let scene = &session.document().scene;
     let of_file = gio::Menu::new();
     for (place, (node, _)) in file_cameras(scene).iter().enumerate().take(20) {
-        let item = gio::MenuItem::new(Some(&shown(&scene.graph.node(*node).name).replace('_', "__")), None);
+        let item = gio::MenuItem::new(Some(&shown(&i18n::label(scene.graph.label(*node))).replace('_', "__")), None);
         item.set_action_and_target_value(Some(&format!("win.{LOOK_THROUGH}")), Some(&(place as u32).to_variant()));
         of_file.append_item(&item);
     }

@@ -19,7 +19,8 @@ use super::via_points_editor::ViaPointsEditor;
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::document::{Document, SourceKind};
-use crate::i18n::Sentence;
+use crate::i18n::{self, Sentence};
+use crate::message;
 use crate::muscle::presets::{PRESETS, Preset};
 use crate::muscle::solver_report::{Root, SolverReport};
 use crate::muscle::{Edit, LimitCause, MuscleRig, MuscleSpec, Solved, Tendon};
@@ -335,7 +336,7 @@ impl MusclePanel {
         let joint = session.shown_file().and_then(|place| session.joint_to_attach_to(place));
         object::<gtk::Widget>(&self.builder, "hang_box").set_visible(joint.is_some());
         if let Some(joint) = joint {
-            let name = &session.document().scene.graph.node(joint.node).name;
+            let name = &i18n::label(session.document().scene.graph.label(joint.node));
             let button: gtk::Button = object(&self.builder, "hang");
             button.set_label(&tr!("app-attach", joint = name.clone()));
             if let Some(label) = button.child().and_downcast::<gtk::Label>() {
@@ -451,7 +452,7 @@ fn attach_to_skeleton(window: &Rc<Window>, files: impl IntoIterator<Item = usize
             hung = Some(AttachResult { muscles: before + new.muscles, ..new });
         }
     });
-    let told = hung.map(|AttachResult { muscles, joint }| tr!("app-attached", count = muscles, joint = joint));
+    let told = hung.map(|AttachResult { muscles, joint }| message!("app-attached", count = muscles, joint = joint).sentence());
     if let Some(told) = &told {
         window.viewport.toast(told, None);
     }

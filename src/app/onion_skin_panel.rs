@@ -9,6 +9,7 @@ use gtk4 as gtk;
 
 use super::window::{Window, object};
 use super::{format, ui};
+use crate::i18n;
 use crate::session::{ChangeSet, CompareTarget, ComparisonState, Session};
 use crate::tr;
 
@@ -103,7 +104,7 @@ impl GhostsPanel {
     /// What can be compared with: nothing, the clips, the other file that is there, the other way to bend a skin.
     fn list(&self, session: &Session) {
         let mut words = vec![tr!("app-compare-nothing")];
-        words.extend(session.document().clips.iter().map(|clip| tr!("app-compare-clip", name = clip.name.clone())));
+        words.extend(session.document().clips.iter().map(|clip| tr!("app-compare-clip", name = i18n::label(clip.label()))));
         let (other, chosen) = match session.compare_target() {
             None => (None, 0),
             Some(CompareTarget::Clip(clip)) => (None, *clip + 1),
@@ -143,7 +144,7 @@ pub(super) fn difference(session: &Session, compared: &ComparisonState) -> Strin
     match compared.farthest {
         None => tr!("app-compare-nothing-common"),
         Some((Some(joint), far)) => {
-            let name = session.document().scene.graph.node(joint).name.clone();
+            let name = i18n::label(session.document().scene.graph.label(joint));
             tr!("app-compare-joint", name = name, distance = format::number(far, 4))
         }
         Some((None, far)) => tr!("app-compare-vertex", distance = format::number(far, 4)),

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::format;
 use crate::animation::{Channel, ChannelTarget, Clip};
 use crate::document::Document;
+use crate::i18n;
 use crate::scene::Mesh;
 use crate::tr;
 
@@ -14,8 +15,9 @@ const NAMED: usize = 3;
 
 /// What is different, by name where there are names: bones, clips, shapes, keys, findings.
 pub(super) fn what_changed(before: &Document, after: &Document) -> String {
-    let nodes = |document: &Document| tally(document.scene.graph.iter().map(|(_, node)| node.name.clone()));
-    let clips = |document: &Document| tally(document.clips.iter().map(|clip| clip.name.clone()));
+    let nodes =
+        |document: &Document| tally(document.scene.graph.iter().map(|(id, _)| i18n::label(document.scene.graph.label(id)).into_owned()));
+    let clips = |document: &Document| tally(document.clips.iter().map(|clip| i18n::label(clip.label()).into_owned()));
     let mut changes = Vec::new();
     named(&mut changes, &nodes(before), &nodes(after), ["app-changed-gone", "app-changed-new"]);
     named(&mut changes, &clips(before), &clips(after), ["app-changed-clips-gone", "app-changed-clips-new"]);
@@ -85,12 +87,13 @@ fn curves(before: &Document, after: &Document) -> usize {
 
 /// The channels of a clip, by what they move.
 fn keyed<'a>(document: &Document, clip: &'a Clip) -> Vec<(String, &'a Channel)> {
+    let clip_name = clip.label().plain();
     let key = |channel: &Channel| match channel.target {
         ChannelTarget::Transform { node, op, components: lane } => {
-            let name = if node.index() < document.scene.graph.len() { document.scene.graph.node(node).name.as_str() } else { "" };
-            format!("{}/{name}/{op}/{lane:?}", clip.name)
+            let node = (node.index() < document.scene.graph.len()).then(|| document.scene.graph.label(node));
+            format!("{clip_name}/{node:?}/{op}/{lane:?}")
         }
-        other => format!("{}/{other:?}", clip.name),
+        other => format!("{clip_name}/{other:?}"),
     };
     clip.channels.iter().map(|channel| (key(channel), channel)).collect()
 }

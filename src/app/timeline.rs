@@ -18,6 +18,7 @@ use super::timeline_ruler::{Track, frame_of};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::animation::LoopMode;
+use crate::i18n;
 use crate::session::{ChangeSet, RangeMark, Session};
 use crate::tr;
 
@@ -298,9 +299,9 @@ impl Timeline {
         let playback = *session.playback();
         let rate = session.frame_rate();
         if changes.any(ChangeSet::DOCUMENT) {
-            let mut names: Vec<&str> = session.document().clips.iter().map(|clip| clip.name.as_str()).collect();
+            let mut names: Vec<_> = session.document().clips.iter().map(|clip| i18n::label(clip.label())).collect();
             if names.is_empty() {
-                names.push("–");
+                names.push("–".into());
             }
             self.clip.set_model(Some(&ui::words(&names)));
             self.clip.set_enable_search(names.len() > MANY);

@@ -17,7 +17,7 @@ pub(super) fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, sess
     let names = names(session.document());
     let mut title = title_of(&names).unwrap_or_else(|| tr!("app-name"));
     if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
-        title = format!("{title} / {}", clip.name);
+        title = format!("{title} / {}", i18n::label(clip.label()));
     }
     if session.is_unsaved() {
         title = format!("• {title}");

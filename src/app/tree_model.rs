@@ -1,6 +1,7 @@
 //! Model of the scene tree: one row a node, built without widgets.
 
 use super::icons::Glyph;
+use crate::i18n;
 use crate::scene::{Content, Node, NodeId, NodeKind, Scene};
 
 /// A row of the tree.
@@ -22,7 +23,13 @@ impl TreeRow {
     /// The row of a node.
     pub(super) fn of(scene: &Scene, id: NodeId) -> Self {
         let node = scene.graph.node(id);
-        Self { node: id, name: node.name.clone(), glyph: glyph(node), visible: node.visible, children: node.children().to_vec() }
+        Self {
+            node: id,
+            name: i18n::label(scene.graph.label(id)).into_owned(),
+            glyph: glyph(node),
+            visible: node.visible,
+            children: node.children().to_vec(),
+        }
     }
 }
 
@@ -61,8 +68,8 @@ pub(super) fn steps(scene: &Scene) -> &'static str {
 /// The nodes whose name or id holds `text`, letter case aside, in file order.
 pub(super) fn search(scene: &Scene, text: &str) -> Vec<NodeId> {
     let text = text.trim().to_lowercase();
-    let holds = |node: &Node| node.name.to_lowercase().contains(&text) || node.id.to_lowercase().contains(&text);
-    scene.graph.iter().filter(|(_, node)| holds(node)).map(|(id, _)| id).collect()
+    let holds = |name: &str| name.to_lowercase().contains(&text);
+    scene.graph.iter().filter(|(id, node)| holds(&i18n::label(scene.graph.label(*id))) || holds(&node.id)).map(|(id, _)| id).collect()
 }
 
 /// A node with all nodes above it, from the root down.

@@ -32,7 +32,7 @@ use super::tree_model::TreeRow;
 use super::viewport::Viewport;
 use super::{appearance, command_dispatch, document_loader, key_controller, menus, onion_skin_panel, saving, side_panels, title_bar, ui};
 use crate::document::Document;
-use crate::i18n::Sentence;
+use crate::i18n::{self, Sentence};
 use crate::muscle::EditError;
 use crate::scene::NodeId;
 use crate::session::{ChangeSet, LoadMode, Session};
@@ -285,7 +285,7 @@ impl Window {
                 title_bar::name_steps(&self.builder, session);
             }
             if changes.any(ChangeSet::SELECTION | ChangeSet::DOCUMENT) {
-                let name = session.selected().map(|id| session.document().scene.graph.node(id).name.clone());
+                let name = session.selected().map(|id| i18n::label(session.document().scene.graph.label(id)).into_owned());
                 ui::set_label(&object(&self.builder, "status_selection"), &name.unwrap_or_default());
             }
             if changes.any(ChangeSet::PICTURE) {

@@ -118,7 +118,7 @@ impl Info {
                 .clips
                 .iter()
                 .map(|clip| ClipInfo {
-                    name: clip.name.clone(),
+                    name: i18n::label(clip.label()).into_owned(),
                     start: clip.start,
                     duration: clip.duration(),
                     channels: clip.channels.len(),
@@ -220,7 +220,7 @@ fn meshes(document: &Document) -> Vec<MeshInfo> {
         .meshes
         .iter()
         .map(|mesh| MeshInfo {
-            name: mesh.name.clone(),
+            name: i18n::label(mesh.label()).into_owned(),
             vertices: mesh.source_count,
             triangles: mesh.triangles.len(),
             skinned: false,

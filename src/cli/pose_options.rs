@@ -9,6 +9,7 @@ use super::output::{Failure, display_name, print_notice};
 use super::value;
 use crate::animation::Clip;
 use crate::document::{Document, PoseState};
+use crate::i18n;
 use crate::muscle::MuscleRig;
 use crate::scene::NodeKind;
 use crate::tr;
@@ -135,7 +136,7 @@ pub(super) fn unknown_clip(document: &Document, file: &Path, name: &str) -> Fail
     if document.clips.is_empty() {
         return Failure::usage(tr!("cli-no-clips", file = file, name = name));
     }
-    let mut names = document.clips.iter().take(NAMED).map(|clip| clip.name.as_str()).collect::<Vec<_>>().join(", ");
+    let mut names = document.clips.iter().take(NAMED).map(|clip| i18n::label(clip.label())).collect::<Vec<_>>().join(", ");
     if document.clips.len() > NAMED {
         names.push_str(", …");
     }

@@ -240,7 +240,7 @@ fn display(given: &ArgMatches, defaults: Display, only_bones: bool) -> Display {
 fn frame_note(document: &Document, spec: &FrameSpec) -> String {
     let mut note = String::new();
     if let Some(clip) = spec.state.clip.and_then(|index| document.clips.get(index)) {
-        note.push_str(&format!(" --clip {} --time {}", quoted(&clip.name), spec.state.time));
+        note.push_str(&format!(" --clip {} --time {}", quoted(&clip.label().plain()), spec.state.time));
     }
     if document.driven_rig().is_some_and(MuscleRig::is_drivable) {
         // `+ 0.0` turns a negative zero into zero.

@@ -3,7 +3,7 @@
 use glam::{DMat4, DQuat, DVec3};
 use sinew::animation::{Clip, Interpolation};
 use sinew::collada::{Finding, Loaded};
-use sinew::scene::TransformOp;
+use sinew::scene::{Label, TransformOp, Unnamed};
 
 use crate::build::*;
 
@@ -323,7 +323,7 @@ fn nested_animations_and_sources_elsewhere_make_one_clip_over_everything() {
     assert_eq!(op(&loaded, 0, 0.5), TransformOp::Translate(DVec3::splat(5.0)));
     let two = load_clean(&moved(&(inner + &animation("b", "n/t.Y", "1 3", "X", "0 10", "LINEAR LINEAR"))));
     assert_eq!((two.clips[0].start, two.clips[0].end), (0.0, 3.0));
-    assert!(!two.clips[0].name.is_empty());
+    assert_eq!(two.clips[0].label(), Label::Unnamed(Unnamed::Animation));
 }
 
 #[test]
@@ -340,6 +340,18 @@ fn clips_have_their_own_stretch_and_may_overlap() {
     // Outside of the clip its ends hold.
     assert_eq!(op(&loaded, 0, 0.0), TransformOp::Translate(DVec3::new(2.0, 2.0, 3.0)));
     assert_eq!(op(&loaded, 0, 99.0), TransformOp::Translate(DVec3::new(4.0, 4.0, 3.0)));
+}
+
+#[test]
+fn clips_without_a_name_are_told_by_their_place_among_those_that_move_something() {
+    let both =
+        animation("a", "n/t.X", "0 10", "X", "0 10", "LINEAR LINEAR") + &animation("b", "n/t.Y", "0 10", "X", "0 10", "LINEAR LINEAR");
+    let clip = |url: &str| format!("<animation_clip><instance_animation url=\"#{url}\"/></animation_clip>");
+    let clips = format!("<library_animation_clips>{}<animation_clip/>{}</library_animation_clips>", clip("a"), clip("b"));
+    let loaded = load(&document(&(animations(&both) + &clips + &scene(NODE))));
+    assert_eq!(codes(&loaded), ["empty-clip"]);
+    let called: Vec<_> = loaded.clips.iter().map(Clip::label).collect();
+    assert_eq!(called, [Label::Unnamed(Unnamed::Clip(1)), Label::Unnamed(Unnamed::Clip(2))]);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use glam::DVec3;
 use sinew::collada::{Finding, ReadErrorKind, read};
 use sinew::i18n::Sentence;
 use sinew::progress::Progress;
+use sinew::scene::{Label, Unnamed};
 
 use crate::build::*;
 
@@ -130,8 +131,9 @@ fn libraries_repeat_and_come_in_any_order() {
 #[test]
 fn ids_and_names_may_be_missing() {
     let loaded = load_clean(&document(&(triangle() + &scene("<node><node/><instance_geometry url=\"#g\"/></node>"))));
-    assert!(loaded.scene.graph.iter().all(|(_, node)| !node.name.is_empty()));
-    assert_eq!(loaded.scene.graph.len(), 3);
+    let called: Vec<_> = loaded.scene.graph.iter().map(|(id, _)| loaded.scene.graph.label(id)).collect();
+    let unnamed = |number| Label::Unnamed(Unnamed::Node(number));
+    assert_eq!(called, [Label::Name("test"), unnamed(1), unnamed(2)]);
 }
 
 #[test]

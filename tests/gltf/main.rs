@@ -49,7 +49,7 @@ fn moments(document: &Document) -> Vec<Moment> {
         MOMENTS.map(|part| {
             let time = clip.start + clip.duration() * part;
             let state = PoseState { clip: Some(number), time, ..start };
-            Moment { animation: Some(clip.name.clone()), written: time - clip.start.min(0.0), state }
+            Moment { animation: Some(clip.label().plain().into_owned()), written: time - clip.start.min(0.0), state }
         })
     };
     clips.flat_map(of).collect()

@@ -10,7 +10,6 @@ use super::context::{Context, Step, children, id_of, name_of, shortened};
 use super::material::encoded;
 use super::source::{Arrays, inputs, name_list};
 use super::{El, Finding};
-use sinew_i18n::tr;
 use sinew_scene::animation::{Channel, ChannelTarget, Clip, Curve, Interpolation, Keys, Tangents};
 
 /// What a channel takes, roughly, for the budget.
@@ -58,12 +57,12 @@ fn span(channels: &[Channel]) -> (f64, f64) {
     if start <= end { (start, end) } else { (0.0, 0.0) }
 }
 
-/// What one clip over everything is called: as the only animation, if there is one only.
+/// The name of one clip over everything: that of the only animation, if there is one only.
 fn whole_name(context: &Context<'_>) -> String {
     let mut animations = context.libraries("library_animations").into_iter().flat_map(|library| children(library, "animation"));
     match (animations.next(), animations.next()) {
-        (Some(only), None) => name_of(only, || tr!("collada-clip-default")),
-        _ => tr!("collada-clip-default"),
+        (Some(only), None) => name_of(only),
+        _ => String::new(),
     }
 }
 
@@ -82,7 +81,7 @@ fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
                 channels.extend(inside.iter().map(|placed| placed.channel.clone()));
             }
         }
-        let name = name_of(element, || tr!("collada-clip-number", number = clips.len() + 1));
+        let name = name_of(element);
         if channels.is_empty() {
             context.report.report(element, Finding::EmptyClip);
             continue;
@@ -91,7 +90,8 @@ fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
         // The format's own default for the start is 0, for the end the last key.
         let start = context.attribute(element, "start").unwrap_or(0.0);
         let end = context.attribute(element, "end").unwrap_or(keys.1).max(start);
-        clips.push(Clip { name, id: id_of(element), start, end, channels });
+        let place = u32::try_from(clips.len() + 1).ok();
+        clips.push(Clip { name, id: id_of(element), place, start, end, channels });
     }
     clips
 }

@@ -322,12 +322,10 @@ pub(super) fn text_of(element: El<'_>) -> Cow<'_, str> {
     }
 }
 
-/// What a person calls an element: its name, else its id, else `otherwise`.
-pub(super) fn name_of(element: El<'_>, otherwise: impl FnOnce() -> String) -> String {
-    ["name", "id", "sid"]
-        .iter()
-        .find_map(|key| element.attribute(*key).filter(|name| !name.trim().is_empty()))
-        .map_or_else(otherwise, ToOwned::to_owned)
+/// What a file calls an element: its name, else its id or scoped id; empty where it has none of them.
+pub(super) fn name_of(element: El<'_>) -> String {
+    let name = ["name", "id", "sid"].iter().find_map(|key| element.attribute(*key).filter(|name| !name.trim().is_empty()));
+    name.unwrap_or_default().to_owned()
 }
 
 /// The id of an element; empty where it has none.

@@ -5,6 +5,7 @@ use sinew_scene::diagnostics::{DiagnosticKind, Severity};
 use sinew_scene::limits;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage, Value, decimal};
+use sinew_scene::{Label, Unnamed};
 
 /// What the reader found. Texts from the file are as they stand there, long ones shortened.
 #[derive(Debug, Clone, PartialEq)]
@@ -286,13 +287,13 @@ impl ToMessage for Finding {
             Self::InstancesTooLarge => message!("collada-limit-drawn", limit = limits::INSTANCES_BYTES >> 20),
             Self::JointsNotFound { count, first } => message!("collada-joint-not-found", count = count, first = first),
             Self::BindPoseScaled { skin, joint, factor } => {
-                message!("collada-bind-scale", skin = skin, joint = joint, factor = three_digits(*factor))
+                message!("collada-bind-scale", skin = Label::of(skin, Unnamed::Skin), joint = joint, factor = three_digits(*factor))
             }
             Self::BindPoseScaledByNode { skin, joint, factor } => {
-                message!("collada-bind-node-scale", skin = skin, joint = joint, factor = three_digits(*factor))
+                message!("collada-bind-node-scale", skin = Label::of(skin, Unnamed::Skin), joint = joint, factor = three_digits(*factor))
             }
             Self::BindPoseTurned { skin, joint, angle } => {
-                message!("collada-bind-node-turn", skin = skin, joint = joint, angle = decimal(*angle, 0))
+                message!("collada-bind-node-turn", skin = Label::of(skin, Unnamed::Skin), joint = joint, angle = decimal(*angle, 0))
             }
             Self::SkeletonNotInScene => message!("collada-skeleton-not-in-scene"),
             Self::JointNamesRejoined => message!("collada-joint-names-rejoined"),
@@ -306,7 +307,7 @@ impl ToMessage for Finding {
             Self::MorphWithoutTargets => message!("collada-bad-morph"),
             Self::MorphWeightsMissing => message!("collada-morph-weights"),
             Self::MorphTargetMismatch { target, found, wanted } => {
-                message!("collada-morph-target", target = target, found = found, wanted = wanted)
+                message!("collada-morph-target", target = Label::of(target, Unnamed::Mesh), found = found, wanted = wanted)
             }
             Self::UnknownTarget(target) => message!("collada-unknown-target", target = target),
             Self::UnsupportedTarget(target) => message!("collada-unsupported-target", target = target),

@@ -14,7 +14,6 @@ use super::source::{Accessor, Arrays, Input, inputs};
 use super::triangulate::Triangulator;
 use super::vertex_dedup::{Builder, Layout, Stream};
 use super::{Asset, El, Finding, asset};
-use sinew_i18n::tr;
 use sinew_scene::limits;
 use sinew_scene::{Mesh, MeshId, Part, Scene, smooth_normals};
 
@@ -147,7 +146,7 @@ impl Geometries {
         };
         // Maya puts the hint here, others into the effect.
         let double_sided = children(element, "extra").chain(children(mesh, "extra")).any(is_double_sided);
-        let own = Mesh { double_sided, name: name_of(element, || tr!("collada-unnamed-mesh")), id: id_of(element), ..Mesh::default() };
+        let own = Mesh { double_sided, name: name_of(element), id: id_of(element), ..Mesh::default() };
         let mut builder = Builder::new(own, sets.len(), raws.iter().any(|raw| raw.color.is_some()), self.keep);
         let (mut told, mut wrong_counts) = (false, Vec::new());
         for raw in &raws {

@@ -8,7 +8,6 @@ use rustc_hash::FxHashMap;
 use super::El;
 use super::context::{Context, child, id_of, name_of, text_of};
 use super::lookup::percent_decoded;
-use sinew_i18n::tr;
 use sinew_scene::{Image, ImageId, Scene};
 
 /// The images that were read.
@@ -51,7 +50,7 @@ impl Images {
             self.embedded.push((PathBuf::from(&uri), from_hex(&text_of(bytes))));
         }
         let line = Some(context.report.line(reference.unwrap_or(element)));
-        let name = name_of(element, || tr!("collada-unnamed-image"));
+        let name = name_of(element);
         scene.images.push(Image { name, id: id_of(element), uri, line, ..Image::default() });
         self.by_element.insert(element.id(), id);
         id

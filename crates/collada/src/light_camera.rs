@@ -6,7 +6,6 @@ use rustc_hash::FxHashMap;
 
 use super::context::{Context, Step, child, id_of, name_of};
 use super::{El, Finding};
-use sinew_i18n::tr;
 use sinew_scene::{CameraId, FileCamera, Light, LightId, LightKind, Projection, Scene};
 
 /// The lights and cameras that were read.
@@ -78,7 +77,7 @@ fn read_light<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Lig
         "point" => LightKind::Point,
         _ => LightKind::Spot { falloff_angle: number("falloff_angle", 180.0)?, falloff_exponent: number("falloff_exponent", 0.0)? },
     };
-    let name = name_of(element, || tr!("collada-unnamed-light"));
+    let name = name_of(element);
     Ok(Some(Light { name, id: id_of(element), kind, color, attenuation }))
 }
 
@@ -93,7 +92,7 @@ fn read_camera<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Fi
     let positive = |value: Option<f64>| value.filter(|value| *value > 0.0);
     let aspect = positive(context.number(source, "aspect_ratio")?);
     let (near, far) = (positive(context.number(source, "znear")?), positive(context.number(source, "zfar")?));
-    let name = name_of(element, || tr!("collada-unnamed-camera"));
+    let name = name_of(element);
     let (projection, aspect) = if source.tag_name().name() == "perspective" {
         let angle = |degrees: Option<f64>| degrees.filter(|degrees| *degrees > 0.0 && *degrees < 180.0).map(f64::to_radians);
         let (x, y) = (angle(context.number(source, "xfov")?), angle(context.number(source, "yfov")?));

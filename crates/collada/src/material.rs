@@ -7,7 +7,6 @@ use super::context::{Context, Step, child, children, id_of, name_of, text_of};
 use super::effect::Effect;
 use super::image::Images;
 use super::{El, Finding, asset};
-use sinew_i18n::tr;
 use sinew_scene::animation::MaterialSlot;
 use sinew_scene::{AlphaSource, Material, MaterialId, Paint, Scene, ShadingModel};
 
@@ -78,8 +77,7 @@ impl<'a> Materials<'a> {
     fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, element: El<'a>) -> Step<()> {
         let id = MaterialId(scene.materials.len() as u32);
         self.by_element.insert(element.id(), id);
-        let mut material =
-            Material { name: name_of(element, || tr!("collada-unnamed-material")), id: id_of(element), ..Material::default() };
+        let mut material = Material { name: name_of(element), id: id_of(element), ..Material::default() };
         let effect = child(element, "instance_effect").and_then(|instance| {
             let effect = context.follow(instance, "url", &["effect"])?;
             // Many materials may name one long effect.

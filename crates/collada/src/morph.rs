@@ -10,7 +10,6 @@ use super::geometry::Geometry;
 use super::morph_target::Shape;
 use super::source::{Accessor, Arrays, NameList, inputs, name_list};
 use super::{El, Finding};
-use sinew_i18n::tr;
 use sinew_scene::{Morph, MorphMethod, MorphTarget};
 
 /// Where a morph stands in the file, for animation of its weights.
@@ -53,7 +52,7 @@ pub(super) fn read<'a>(
     let controller = element.parent().filter(El::is_element).unwrap_or(element);
     let Some(lists) = Lists::read(context, arrays, element)? else { return Ok(None) };
     let mut morph = Morph {
-        name: name_of(controller, || tr!("collada-unnamed-morph")),
+        name: name_of(controller),
         id: controller.attribute("id").unwrap_or_default().to_owned(),
         method: lists.method,
         ..Morph::default()
@@ -77,7 +76,7 @@ pub(super) fn read<'a>(
                     skinned.push(SkinnedShape { target: morph.targets.len() as u32, skin, positions });
                 }
                 let deltas = shape.map(|shape| deltas(context, element, base, &shape, lists.method)).unwrap_or_default();
-                MorphTarget { name: name_of(target, || name.to_owned()), ..deltas }
+                MorphTarget { name: Some(name_of(target)).filter(|own| !own.is_empty()).unwrap_or_else(|| name.to_owned()), ..deltas }
             }
             None => MorphTarget { name: name.trim_start_matches('#').to_owned(), ..MorphTarget::default() },
         };

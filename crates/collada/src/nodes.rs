@@ -8,7 +8,6 @@ use rustc_hash::FxHashMap;
 use super::context::{Context, Step, child, children, id_of, name_of, text_of, vector};
 use super::lookup::Url;
 use super::{Asset, El, Finding, asset};
-use sinew_i18n::tr;
 use sinew_scene::limits;
 use sinew_scene::{Graph, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
@@ -154,8 +153,7 @@ impl<'a> Tree<'a> {
         }
         let is_scene_node = target.tag_name().name() == "node";
         let kind = if is_scene_node && target.attribute("type") == Some("JOINT") { NodeKind::Joint } else { NodeKind::Node };
-        let number = scene.graph.len();
-        let mut node = Node::new(name_of(target, || tr!("collada-unnamed-node", number = number)));
+        let mut node = Node::new(name_of(target));
         if is_scene_node {
             node.id = id_of(target);
             node.sid = target.attribute("sid").unwrap_or_default().to_owned();

@@ -8,7 +8,6 @@ use super::context::{Context, Step, child, ends_upright, from_rows, name_of};
 use super::nodes::{Key, Tree};
 use super::source::{Arrays, Input, NameKind, inputs, name_list};
 use super::{El, Finding};
-use sinew_i18n::tr;
 use sinew_scene::{Graph, Influence, NodeId, Skin, SkinJoint};
 
 /// What the joints of a skin are called.
@@ -35,7 +34,7 @@ pub(super) fn read<'a>(
 ) -> Step<Option<(Skin, JointNames)>> {
     let controller = element.parent().filter(El::is_element).unwrap_or(element);
     let mut skin = Skin {
-        name: name_of(controller, || tr!("collada-unnamed-skin")),
+        name: name_of(controller),
         id: controller.attribute("id").unwrap_or_default().to_owned(),
         bind_shape: DMat4::IDENTITY,
         ..Skin::default()

@@ -118,23 +118,12 @@ fn files_for(key: &str) -> impl Iterator<Item = usize> {
 
 /// The message `key` in the present language with `arguments` filled in. Prefer the macro [`tr!`](crate::tr).
 pub fn message(key: &str, arguments: &[(&str, FluentValue<'_>)]) -> String {
-    lookup(language(), key, arguments).or_else(|| lookup(Language::English, key, arguments)).unwrap_or_else(|| key.to_owned())
+    message_in(language(), key, arguments)
 }
 
-/// What a name that the message `key` made, in whatever language, is in the present one; `None` for any other text. The message may take one whole number.
-pub fn translated(key: &str, number: &str, text: &str) -> Option<String> {
-    Language::ALL.into_iter().find_map(|language| {
-        // Two numbers tell where in the message the number stands, if it has one.
-        let made = |value: u32| lookup(language, key, &[(number, FluentValue::from(value))]);
-        let pattern = made(7)?;
-        let value = if made(8)? == pattern {
-            (text == pattern).then_some(0)?
-        } else {
-            let (before, after) = pattern.split_once('7')?;
-            text.strip_prefix(before)?.strip_suffix(after)?.parse::<u32>().ok()?
-        };
-        (made(value)? == text).then(|| message(key, &[(number, FluentValue::from(value))]))
-    })
+/// The same in another language.
+pub(super) fn message_in(language: Language, key: &str, arguments: &[(&str, FluentValue<'_>)]) -> String {
+    lookup(language, key, arguments).or_else(|| lookup(Language::English, key, arguments)).unwrap_or_else(|| key.to_owned())
 }
 
 fn lookup(language: Language, key: &str, arguments: &[(&str, FluentValue<'_>)]) -> Option<String> {
@@ -165,20 +154,6 @@ fn safe<'a>(value: &FluentValue<'a>) -> FluentValue<'a> {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
-
-    #[test]
-    fn a_name_that_was_made_up_is_known_in_either_language() {
-        let now = message("collada-clip-number", &[("number", FluentValue::from(12))]);
-        for text in ["Clip 12", "Клип 12"] {
-            assert_eq!(translated("collada-clip-number", "number", text).as_deref(), Some(now.as_str()));
-        }
-        for text in ["Animation", "Анимация"] {
-            assert_eq!(translated("collada-clip-default", "number", text), Some(message("collada-clip-default", &[])));
-        }
-        for text in ["Clip", "Clip x", "Clip -1", "Clip 012", "Клип 12 и ещё", "", "Clip 99999999999"] {
-            assert_eq!(translated("collada-clip-number", "number", text), None, "{text}");
-        }
-    }
 
     fn keys(language: Language) -> BTreeSet<String> {
         let mut keys = BTreeSet::new();

@@ -4,13 +4,15 @@
 //! name, so a slip is seen but never stops the program; a test holds the two catalogues and the sources against each other.
 
 mod catalogue;
+mod labels;
 mod number;
 pub mod quantity;
 mod sentence;
 
-pub use catalogue::{Language, language, message, set_language, translated};
+pub use catalogue::{Language, language, message, set_language};
 /// The value type of a message argument.
 pub use fluent_bundle::FluentValue;
+pub use labels::label;
 pub use number::{decimal, localise_decimal_mark};
 pub use sentence::{Sentence, finding, finding_line, sentence, source_name};
 pub use sinew_scene::message::shortened;

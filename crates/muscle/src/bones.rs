@@ -1,5 +1,7 @@
 //! Bones as a muscle file names them, and the points of a muscle on them, in the world.
 
+use std::borrow::Cow;
+
 use glam::{DMat4, DVec3};
 
 use super::build::find_bone;
@@ -19,13 +21,14 @@ pub enum AttachmentPoint {
     Wrap,
 }
 
-/// What a muscle file calls `node`, so that it is found again: its name where that tells it from all others, else its id. `None` where neither does.
+/// What a muscle file calls `node`, so that it is found again: its name where that tells it from all others, else its id; its place in its file where it has
+/// neither. `None` where none of them does.
 pub fn bone_name(graph: &Graph, own: Option<NodeId>, node: NodeId) -> Option<String> {
     let about = graph.node(node);
-    [&about.name, &about.id, &about.sid]
+    [graph.label(node).plain(), about.id.as_str().into(), about.sid.as_str().into()]
         .into_iter()
         .find(|name| !name.is_empty() && find_bone(graph, own, name) == Some(node))
-        .map(|name| (*name).clone())
+        .map(Cow::into_owned)
 }
 
 impl MuscleRig {

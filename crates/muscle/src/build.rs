@@ -15,7 +15,6 @@ use super::revolute_joint::RevoluteJoint;
 use super::tessellation::Layout;
 use super::wrap::WrapObject;
 use super::{bone_clearance, materials, primitive_meshes, scaling};
-use sinew_i18n as i18n;
 use sinew_i18n::tr;
 use sinew_scene::animation::Clip;
 use sinew_scene::diagnostics::Diagnostic;
@@ -260,8 +259,7 @@ pub(super) fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Optio
         graph.iter().find(|(id, node)| matches(node) && !own.contains(id)).map(|(id, _)| id)
     };
     let among = |name: &str| [true, false].into_iter().find_map(|joints| fields.iter().find_map(|field| find(joints, *field, name)));
-    // A node without a name is called by one in the language of the program that wrote the file.
-    among(name).or_else(|| among(&i18n::translated("collada-unnamed-node", "number", name)?))
+    among(name).or_else(|| graph.find_unnamed(name).filter(|id| !own.contains(id)))
 }
 
 /// Roots of tendon, fixed to the rods, from the drawn ends of a muscle to the rods' axes.

@@ -52,7 +52,7 @@ impl MuscleRig {
     /// Looks at all muscles over the range of the joint that measurements turn.
     pub(super) fn look_for_trouble(&mut self, graph: &Graph) {
         let Some(hinge) = &self.hinge else { return };
-        let names: Vec<String> = self.bones.iter().map(|bone| graph.node(*bone).name.clone()).collect();
+        let names: Vec<String> = self.bones.iter().map(|bone| graph.label(*bone).plain().into_owned()).collect();
         let limbs = self.limbs(graph, hinge);
         let steps = (ANGLES / self.muscles.len().max(1)).clamp(*STEPS.start(), *STEPS.end());
         // What the file asks for, although the belly does not let the joint go so far.

@@ -3,7 +3,7 @@
 use glam::camera::rh::proj::directx;
 use glam::{Mat4, Quat, Vec2, Vec3, Vec4};
 
-use super::Bounds;
+use super::{Bounds, Label, Unnamed};
 
 /// Projection of camera space onto the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +23,7 @@ pub enum Projection {
 /// A camera of the file, in its node's space: looks along −Z, +Y up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileCamera {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -35,6 +35,13 @@ pub struct FileCamera {
     pub near: f32,
     /// Far plane, in the file's unit.
     pub far: f32,
+}
+
+impl FileCamera {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, Unnamed::Camera)
+    }
 }
 
 /// A camera in the world.

@@ -3,7 +3,7 @@
 use glam::DMat4;
 
 use super::transform::{Transform, TransformOp, compose};
-use super::{CameraId, LightId, MeshInstance, MuscleId};
+use super::{CameraId, Label, LightId, MeshInstance, MuscleId, Unnamed};
 
 /// A node in a [`Graph`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -44,7 +44,7 @@ pub enum Content {
 /// A node: a place in the tree, a local transform, and what hangs on it.
 #[derive(Debug, Clone, Default)]
 pub struct Node {
-    /// Display name; never empty once read (falls back to id, then to a number).
+    /// The name in its file, else its id or scoped id there; empty where it has none of them.
     pub name: String,
     /// The id in the file; empty where it has none.
     pub id: String,
@@ -161,9 +161,26 @@ impl Graph {
         self.nodes.iter().enumerate().map(|(i, node)| (NodeId(i as u32), node))
     }
 
-    /// The first node with this name.
+    /// What a node is called: by its name, else by its place in its file.
+    pub fn label(&self, id: NodeId) -> Label<'_> {
+        // The nodes of a file follow its root.
+        let before = self.roots.partition_point(|root| *root <= id).checked_sub(1);
+        let root = before.and_then(|place| self.roots.get(place)).map_or(0, |root| root.0);
+        Label::of(&self.node(id).name, Unnamed::Node(id.0 - root))
+    }
+
+    /// The first node that is called so.
     pub fn find(&self, name: &str) -> Option<NodeId> {
-        self.iter().find(|(_, node)| node.name == name).map(|(id, _)| id)
+        let named = || self.iter().find(|(_, node)| node.name == name).map(|(id, _)| id);
+        if name.is_empty() { None } else { named().or_else(|| self.find_unnamed(name)) }
+    }
+
+    /// The first node without a name that is called so.
+    pub fn find_unnamed(&self, name: &str) -> Option<NodeId> {
+        let unnamed = Unnamed::parse(name)?;
+        let Unnamed::Node(number) = unnamed else { return None };
+        let places = self.roots.iter().filter_map(|root| root.0.checked_add(number).map(NodeId));
+        places.filter(|id| id.index() < self.len()).find(|id| self.label(*id) == Label::Unnamed(unnamed))
     }
 
     /// `root` and everything below it, depth first in file order.
@@ -247,6 +264,23 @@ mod tests {
         assert_eq!(graph.subtree(root), [root, arm, hand]);
         assert_eq!(graph.find("hand"), Some(hand));
         assert_eq!(graph.node(hand).parent(), Some(arm));
+    }
+
+    #[test]
+    fn nodes_without_a_name_are_called_by_their_place_in_their_file() {
+        let mut graph = Graph::default();
+        for root in ["a.dae", "b.dae"] {
+            let root = graph.add(None, Node::new(root));
+            let arm = graph.add(Some(root), Node::new(""));
+            graph.add(Some(arm), Node::new("hand"));
+            graph.add(Some(arm), Node::new(""));
+        }
+        let called: Vec<_> = graph.iter().map(|(id, _)| graph.label(id).plain()).collect();
+        assert_eq!(called, ["a.dae", "Node 1", "hand", "Node 3", "b.dae", "Node 1", "hand", "Node 3"]);
+        assert_eq!(["Node 3", "Узел 3"].map(|name| graph.find(name)), [Some(NodeId(3)); 2]);
+        assert_eq!(["Node 2", "Node 0", "Node 9", "Node 4294967295", "Clip 1", ""].map(|name| graph.find(name)), [None; 6]);
+        graph.node_mut(NodeId(6)).name = "Node 3".into();
+        assert_eq!(graph.find("Node 3"), Some(NodeId(6)));
     }
 
     #[test]

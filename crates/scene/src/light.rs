@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+use super::{Label, Unnamed};
+
 /// Kinds of light in COLLADA.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LightKind {
@@ -23,7 +25,7 @@ pub enum LightKind {
 /// A light of the file. It stands in the tree and the report; the picture is lit by the viewer's own light.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Light {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -33,4 +35,11 @@ pub struct Light {
     pub color: Vec3,
     /// Constant, linear, quadratic attenuation.
     pub attenuation: Vec3,
+}
+
+impl Light {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, Unnamed::Light)
+    }
 }

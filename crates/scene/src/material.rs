@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{Affine2, Vec2, Vec3};
 
-use super::{ImageId, MaterialId};
+use super::{ImageId, Label, MaterialId, Unnamed};
 
 /// How a texture goes on beyond its edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -108,7 +108,7 @@ pub enum AlphaSource {
 /// A material, resolved: opaque modes are already turned into one opacity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Material {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -132,6 +132,13 @@ pub struct Material {
     pub opacity_texture_share: f32,
     /// Whether the file says that both sides show.
     pub double_sided: bool,
+}
+
+impl Material {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, Unnamed::Material)
+    }
 }
 
 impl Default for Material {
@@ -202,7 +209,7 @@ pub struct Pixels {
 /// An image that textures refer to.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Image {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -218,6 +225,13 @@ pub struct Image {
     pub size: Option<[u32; 2]>,
     /// The picture; `None` where it is missing or broken, and a neutral colour is drawn.
     pub pixels: Option<Arc<Pixels>>,
+}
+
+impl Image {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, Unnamed::Image)
+    }
 }
 
 #[cfg(test)]

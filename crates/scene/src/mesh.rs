@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::{Vec2, Vec3, Vec4};
 
-use super::Bounds;
+use super::{Bounds, Label, Unnamed};
 
 /// A stretch of a mesh that one material covers.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -23,7 +23,7 @@ pub struct Part {
 /// [`Mesh::source_vertex`] says which it was.
 #[derive(Debug, Clone, Default)]
 pub struct Mesh {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id in the file.
     pub id: String,
@@ -49,6 +49,13 @@ pub struct Mesh {
     pub double_sided: bool,
     /// Whether it is known to be closed as it stands, with its outside outward everywhere.
     pub solid: bool,
+}
+
+impl Mesh {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, Unnamed::Mesh)
+    }
 }
 
 impl Mesh {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, Vec3};
 
-use super::{MaterialBinding, MeshId, MorphId, NodeId, SkinId};
+use super::{Label, MaterialBinding, MeshId, MorphId, NodeId, SkinId, Unnamed};
 
 /// A joint of a skin.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +27,7 @@ pub struct Influence {
 /// A skin: `v' = Σ wᵢ Jᵢ IBMᵢ BSM v` (COLLADA 1.4.1, chapter 4, "Skin deformation (or skinning) in COLLADA").
 #[derive(Debug, Clone, Default)]
 pub struct Skin {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id of the controller in the file.
     pub id: String,
@@ -40,6 +40,13 @@ pub struct Skin {
     /// All influences, normalised; a point may have any number. One without any stays in its bind shape; only where that is the identity the node that
     /// holds the skin places it, since a bind shape usually is where that node was.
     pub influences: Vec<Influence>,
+}
+
+impl Skin {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, Unnamed::Skin)
+    }
 }
 
 impl Skin {
@@ -84,7 +91,7 @@ pub struct MorphTarget {
 /// A morph: targets and their weights at rest.
 #[derive(Debug, Clone, Default)]
 pub struct Morph {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id of the controller in the file.
     pub id: String,
@@ -94,6 +101,13 @@ pub struct Morph {
     pub targets: Vec<MorphTarget>,
     /// Weights at rest, one a target.
     pub weights: Vec<f32>,
+}
+
+impl Morph {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, Unnamed::Morph)
+    }
 }
 
 /// One step of deformation.

@@ -138,15 +138,3 @@ collada-more-findings = { $count ->
     [one] There is one more problem; only the first { $limit } are listed.
    *[other] There are { $count } more problems; only the first { $limit } are listed.
 }
-
-# collada: names for what has none
-collada-clip-default = Animation
-collada-clip-number = Clip { $number }
-collada-unnamed-node = Node { $number }
-collada-unnamed-mesh = Mesh
-collada-unnamed-skin = Skin
-collada-unnamed-morph = Morph
-collada-unnamed-material = Material
-collada-unnamed-image = Image
-collada-unnamed-light = Light
-collada-unnamed-camera = Camera

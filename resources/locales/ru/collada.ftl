@@ -146,13 +146,4 @@ collada-more-findings = { $count ->
 }
 
 # collada: имена для безымянного
-collada-clip-default = Анимация
-collada-clip-number = Клип { $number }
-collada-unnamed-node = Узел { $number }
-collada-unnamed-mesh = Полигональная сетка
-collada-unnamed-skin = Скин
 collada-unnamed-morph = Морфинг
-collada-unnamed-material = Материал
-collada-unnamed-image = Изображение
-collada-unnamed-light = Свет
-collada-unnamed-camera = Камера

@@ -14,6 +14,7 @@ use super::{orientation_gizmo, zoom_gestures};
 use crate::app::drawing_area::PaintWidget;
 use crate::app::format;
 use crate::app::window::Window;
+use crate::i18n;
 use crate::message;
 use crate::muscle::AttachmentPoint;
 use crate::session::{AttachmentDrag, AttachmentHandle as Dot, GizmoHandle, ModelDrag, Session, Tool, UndoStep, Viewpoint};
@@ -372,7 +373,7 @@ fn point(window: &Rc<Window>, x: f64, y: f64) {
         session.hover(found.map(|pick| pick.node));
         if let Some(pick) = found {
             let [x, y, z] = pick.point.to_array().map(|value| format::number(f64::from(value), 3));
-            let name = session.document().scene.graph.node(pick.node).name.clone();
+            let name = i18n::label(session.document().scene.graph.label(pick.node)).into_owned();
             text = tr!("app-status-position", x = x, y = y, z = z, name = name);
         }
     });

@@ -51,8 +51,8 @@ fn names(session: &Session) -> Option<[String; 2]> {
             [one, ahead(other, later)]
         }
         CompareTarget::Clip(clip) => {
-            let now = session.clip().map_or_else(own, |clip| clip.name.clone());
-            [now, ahead(session.document().clips.get(*clip)?.name.clone(), later)]
+            let now = session.clip().map_or_else(own, |clip| i18n::label(clip.label()).into_owned());
+            [now, ahead(i18n::label(session.document().clips.get(*clip)?.label()).into_owned(), later)]
         }
         CompareTarget::Skinning => {
             let (linear, dual) = (tr!("app-skinning-linear"), tr!("app-skinning-dual"));

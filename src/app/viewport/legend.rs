@@ -4,6 +4,7 @@ use gtk4 as gtk;
 
 use crate::app::drawing_area::{Align, PaintWidget, cairo, set_color, write};
 use crate::app::format;
+use crate::i18n;
 use crate::render::weight_color;
 use crate::session::Session;
 use crate::tr;
@@ -22,7 +23,7 @@ pub(super) fn draw(session: &Session, canvas: &PaintWidget, snapshot: &gtk::Snap
         return;
     }
     let text = canvas.text_color();
-    let name = session.document().scene.graph.node(bone).name.as_str();
+    let name = i18n::label(session.document().scene.graph.label(bone));
     let context = cairo(snapshot, width, height);
     for step in 0..WIDTH as i32 {
         let [red, green, blue] = weight_color(step as f32 / (WIDTH as f32 - 1.0));

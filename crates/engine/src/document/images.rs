@@ -251,7 +251,7 @@ struct ImageDiagnostics<'f> {
 
 impl ImageDiagnostics<'_> {
     fn of(&mut self, file: usize, image: &Image, finding: ImageFinding) {
-        let element = format!("<image> {:?}", if image.id.is_empty() { &image.name } else { &image.id });
+        let element = format!("<image> {:?}", if image.id.is_empty() { image.label().plain() } else { image.id.as_str().into() });
         if let (Some(of_file), Some(findings)) = (self.files.get(file), self.findings.get_mut(file)) {
             findings.push(Diagnostic::new(Finding::Image(finding), image.line, element).in_file(of_file.name.clone()));
         }

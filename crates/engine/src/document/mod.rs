@@ -53,12 +53,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DMat4;
 
 use sinew_collada::Asset;
-use sinew_i18n as i18n;
 use sinew_muscle::{Joint, MuscleFile, MuscleRig, MuscleState, Turn};
 use sinew_scene::animation::Clip;
 use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::message::SourceName;
-use sinew_scene::{Content, MuscleId, NodeId, NodeKind, Scene};
+use sinew_scene::{Content, Label, MuscleId, NodeId, NodeKind, Scene, Unnamed};
 
 /// Where a document's parts came from.
 #[derive(Debug, Clone)]
@@ -225,20 +224,21 @@ impl Document {
         })
     }
 
-    /// The first clip of this name, else of this id; `#2` is the second clip. The name of a clip that the file gives none is known in any language.
+    /// The first clip of this name, else of this id; `#2` is the second clip. A clip without a name is found by what it is called in any language.
     pub fn clip_named(&self, name: &str) -> Option<usize> {
-        let by = |key: fn(&Clip) -> &str, name: &str| self.clips.iter().position(|clip| key(clip) == name);
+        let by = |is: &dyn Fn(&Clip) -> bool| self.clips.iter().position(is).filter(|_| !name.is_empty());
         let numbered = || name.strip_prefix('#')?.parse::<usize>().ok()?.checked_sub(1).filter(|index| *index < self.clips.len());
-        by(|clip| &clip.name, name)
-            .or_else(|| by(|clip| &clip.id, name).filter(|_| !name.is_empty()))
+        let unnamed = || Unnamed::parse(name).map(Label::Unnamed);
+        by(&|clip| clip.name == name)
+            .or_else(|| by(&|clip| clip.id == name))
             .or_else(numbered)
-            .or_else(|| by(|clip| &clip.name, &generated_name(name)?))
+            .or_else(|| unnamed().and_then(|label| by(&|clip| clip.label() == label)))
     }
 
-    /// What [`Document::clip_named`] finds this clip by, in whatever language: its name where that is its own, else `#` and its place from 1.
+    /// What [`Document::clip_named`] finds this clip by: its name where it has one that is its own, else `#` and its place from 1.
     pub fn clip_key(&self, index: usize) -> Option<String> {
         let name = &self.clips.get(index)?.name;
-        let own = generated_name(name).is_none() && self.clip_named(name) == Some(index);
+        let own = self.clip_named(name) == Some(index);
         Some(if own { name.clone() } else { format!("#{}", index + 1) })
     }
 
@@ -252,9 +252,4 @@ impl Document {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         self.revision = NEXT.fetch_add(1, Ordering::Relaxed);
     }
-}
-
-/// The present language's form of a name that a reader made up for a clip without one; `None` for any other.
-fn generated_name(name: &str) -> Option<String> {
-    ["collada-clip-number", "collada-clip-default"].iter().find_map(|key| i18n::translated(key, "number", name))
 }

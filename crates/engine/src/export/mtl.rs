@@ -1,5 +1,6 @@
 //! The materials of a posed surface as Wavefront MTL, textures named by their place relative to the file.
 
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -32,8 +33,9 @@ impl MtlLibrary {
         let mut found = Self::default();
         for id in ids.into_iter().map(MaterialId) {
             if let Some(material) = frame.materials.get(id.index()) {
-                let name = if material.name.trim().is_empty() { &material.id } else { &material.name };
-                found.names.insert(id, unique(&group_name(name), &mut taken));
+                let own = Some(material.id.as_str()).filter(|id| material.name.trim().is_empty() && !id.is_empty());
+                let name = own.map_or_else(|| material.label().plain(), Cow::Borrowed);
+                found.names.insert(id, unique(&group_name(&name), &mut taken));
                 found.order.push(id);
             }
         }

@@ -45,7 +45,7 @@ pub fn write(out: &mut impl Write, scene: &Scene, frame: &Frame, materials: &mtl
     let mut names = HashSet::new();
     let mut written = ObjCounts::default();
     for surface in visible(frame) {
-        let name = &scene.graph.node(surface.node).name;
+        let name = &scene.graph.label(surface.node).plain();
         writeln!(out, "g {}", unique(&group_name(name), &mut names))?;
         write_surface(out, frame, surface, materials, &mut written)?;
     }

@@ -3,14 +3,15 @@
 use super::{Session, UndoStep};
 use sinew_muscle::{Form, Joint, MuscleFile, MuscleSpec};
 use sinew_scene::message;
+use sinew_scene::message::Value;
 
 /// Muscles that a clip carries now.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct AttachResult {
     /// How many.
     pub muscles: usize,
-    /// Name of the bone whose joint they cross.
-    pub joint: String,
+    /// What the bone whose joint they cross is called.
+    pub joint: Value,
 }
 
 impl Session {
@@ -55,11 +56,11 @@ impl Session {
         self.put_muscle_files(&before);
         (self.state.drive, self.display.selected) = (drive, selected);
         files[place].muscles = hung?;
-        let name = self.document.scene.graph.node(joint.node).name.clone();
-        self.change_files(&files, message!("muscle-edit-hang", joint = name.clone()), UndoStep::New);
+        let joint = Value::from(self.document.scene.graph.label(joint.node));
+        self.change_files(&files, message!("muscle-edit-hang", joint = joint.clone()), UndoStep::New);
         let shown = self.node_of_muscle(self.shown_muscle);
         self.select(shown);
-        Some(AttachResult { muscles, joint: name })
+        Some(AttachResult { muscles, joint })
     }
 
     fn attached_muscle(&self, place: usize, muscle: &MuscleSpec, on_arm: &MuscleFile, joint: &Joint) -> Option<MuscleSpec> {
@@ -129,7 +130,8 @@ mod tests {
         for bone in 0..document.scene.graph.len() as u32 {
             let node = document.scene.graph.node_mut(NodeId(bone));
             if node.kind == NodeKind::Joint && node.id != "elbow" && node.id != "upper arm" {
-                (node.name, node.id, node.sid) = (String::new(), String::new(), String::new());
+                // The elbow goes by that already.
+                (node.name, node.id, node.sid) = ("elbow".into(), String::new(), String::new());
             }
         }
         let mut session = Session::new(document);
@@ -156,7 +158,7 @@ mod tests {
             assert!(bone != found && session.joint_to_attach_to(0).unwrap().node == bone);
         }
         let hung = session.attach_to_skeleton(0).unwrap();
-        assert_eq!(hung.joint, "shin.R");
+        assert_eq!(hung.joint, "shin.R".into());
         assert_eq!(ends(&session, MuscleId(0))[1], Some(other[1]));
     }
 }

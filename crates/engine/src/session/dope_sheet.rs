@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, EulerRot};
 
+use sinew_i18n as i18n;
 use sinew_scene::animation::{Channel, ChannelTarget, Clip, Components, Curve, MaterialSlot};
 use sinew_scene::{LightId, MaterialId, MorphId, NodeId, Scene, TransformOp};
 
@@ -163,12 +164,12 @@ pub(super) fn rows(scene: &Scene, clip: &Clip) -> Vec<SheetRow> {
 
 fn name(scene: &Scene, what: AnimatedItem) -> String {
     let found = match what {
-        AnimatedItem::Node(id) => (id.index() < scene.graph.len()).then(|| scene.graph.node(id).name.clone()),
-        AnimatedItem::Morph(id) => scene.morphs.get(id.index()).map(|morph| morph.name.clone()),
-        AnimatedItem::Material(id) => scene.materials.get(id.index()).map(|material| material.name.clone()),
-        AnimatedItem::Light(id) => scene.lights.get(id.index()).map(|light| light.name.clone()),
+        AnimatedItem::Node(id) => (id.index() < scene.graph.len()).then(|| scene.graph.label(id)),
+        AnimatedItem::Morph(id) => scene.morphs.get(id.index()).map(|morph| morph.label()),
+        AnimatedItem::Material(id) => scene.materials.get(id.index()).map(|material| material.label()),
+        AnimatedItem::Light(id) => scene.lights.get(id.index()).map(|light| light.label()),
     };
-    found.filter(|name| !name.is_empty()).unwrap_or_else(|| "–".into())
+    found.map_or_else(|| "–".into(), |label| i18n::label(label).into_owned())
 }
 
 /// The graphs of a row, in a fixed order, as far as the clip moves them.

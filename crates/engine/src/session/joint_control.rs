@@ -203,7 +203,7 @@ impl Session {
         let elbow = self.joint.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
         Some(match elbow {
             true => message!("app-joint-held-elbow", angle = angle),
-            false => message!("app-joint-held", joint = &self.document.scene.graph.node(turn.node).name, angle = angle),
+            false => message!("app-joint-held", joint = self.document.scene.graph.label(turn.node), angle = angle),
         })
     }
 
@@ -254,7 +254,7 @@ impl Session {
     /// The controlled joint, to find it again after a reload.
     pub(super) fn joint_for_reload(&self) -> Option<(String, Option<JointAxis>, Option<f64>)> {
         let joint = self.joint.joint.get().copied().flatten()?;
-        let name = self.document.scene.graph.node(joint.node).name.clone();
+        let name = self.document.scene.graph.label(joint.node).plain().into_owned();
         let turned = self.state.joint_rotation.map(|turn| if turn.on_top { turn.degrees } else { turn.degrees + joint.at_rest });
         Some((name, self.joint.chosen.map(|(_, axis)| axis), turned))
     }
@@ -264,7 +264,7 @@ impl Session {
         let Some((name, axis, turned)) = kept else { return };
         let chosen = axis.and_then(|axis| Some((self.document.scene.graph.find(&name)?, axis)));
         self.choose_joint(chosen);
-        let same = self.joint().is_some_and(|joint| self.document.scene.graph.node(joint.node).name == name);
+        let same = self.joint().is_some_and(|joint| self.document.scene.graph.label(joint.node).is(&name));
         if let Some(degrees) = turned.filter(|_| same) {
             self.set_joint_angle(degrees);
         }

@@ -172,7 +172,7 @@ impl Session {
         let (old_state, old_playback, old_model) = (self.state, self.playback, self.model);
         let old_clip = self.clip_index().and_then(|index| self.document.clip_key(index));
         let name_of = |document: &Document, node: Option<NodeId>| {
-            node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.node(id).name.clone())
+            node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.label(id).plain().into_owned())
         };
         let selected = name_of(&self.document, self.display.selected);
         let lens = match self.camera.viewpoint() {
@@ -183,7 +183,7 @@ impl Session {
             .document
             .joint_overrides()
             .iter()
-            .map(|turn| (self.document.scene.graph.node(turn.node).name.clone(), turn.degrees))
+            .map(|turn| (self.document.scene.graph.label(turn.node).plain().into_owned(), turn.degrees))
             .collect();
         let joint = self.joint_for_reload();
         let followed = name_of(&self.document, self.followed());
@@ -239,7 +239,7 @@ impl Session {
                 self.display.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
                 self.follow_node(followed.and_then(|name| self.document.scene.graph.find(&name)));
                 if let Some(lens) = lens {
-                    let same = |(node, _): &(NodeId, _)| self.document.scene.graph.node(*node).name == lens;
+                    let same = |(node, _): &(NodeId, _)| self.document.scene.graph.label(*node).is(&lens);
                     match file_cameras(&self.document.scene).into_iter().find(same) {
                         Some((node, camera)) => self.camera.look_through(node, camera),
                         None => self.camera.change(|_| ()),

@@ -105,7 +105,7 @@ impl Session {
         let twisted = self.joint.twisted.filter(|(id, _)| *id == self.shown_muscle);
         let graph = &self.document.scene.graph;
         alone.then(|| match twisted.filter(|(_, node)| node.index() < graph.len()) {
-            Some((_, node)) => message!("app-not-attached-twist", joint = &graph.node(node).name),
+            Some((_, node)) => message!("app-not-attached-twist", joint = graph.label(node)),
             None => message!("app-not-attached"),
         })
     }

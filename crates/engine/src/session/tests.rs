@@ -230,17 +230,17 @@ fn a_moment_in_a_hand_stays_there_while_it_plays() {
     assert_eq!(session.playback().time, 1.5);
 }
 
-/// Clips as readers make them of a file that names none, in the present language or the other one.
-fn nameless(names: [&str; 3]) -> Document {
+/// Clips as readers make them of a file that names them so, or not at all.
+fn clips(names: [&str; 3]) -> Document {
     let mut document = swinging();
-    document.clips = names.map(|name| Clip { name: name.into(), end: 1.0, ..Clip::default() }).into();
+    let clip = |(place, name): (u32, &str)| Clip { name: name.into(), place: Some(place), end: 1.0, ..Clip::default() };
+    document.clips = (1..).zip(names).map(clip).collect();
     document
 }
 
 #[test]
 fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
-    let made = |number: u32| sinew_i18n::tr!("collada-clip-number", number = number);
-    let document = nameless([&made(1), &made(2), &made(3)]);
+    let document = clips(["", "", ""]);
     for name in ["Clip 2", "Клип 2", "#2"] {
         assert_eq!(document.clip_named(name), Some(1), "{name}");
     }
@@ -248,17 +248,21 @@ fn clips_are_found_again_whatever_the_language_and_however_they_are_called() {
     for wrong in ["#0", "#4", "#", "#-1", "Clip 4", "Clip", ""] {
         assert_eq!(document.clip_named(wrong), None, "{wrong}");
     }
+    // All animation of a file without clips.
+    let mut whole = swinging();
+    whole.clips = vec![Clip::default()];
+    assert_eq!(["Animation", "Анимация", "#1", "Clip 1"].map(|name| whole.clip_named(name)), [Some(0), Some(0), Some(0), None]);
     // A name of the file's own is kept; the second of two that are the same is told by its place.
-    let document = nameless(["walk", "run", "walk"]);
+    let document = clips(["walk", "run", "walk"]);
     assert_eq!([0, 1, 2].map(|index| document.clip_key(index).unwrap()), ["walk", "run", "#3"]);
     let mut session = Session::new(document);
     session.set_clip(Some(2));
     session.compare(Some(CompareTarget::Clip(1)));
     let saved = session.session_state(Path::new("/somewhere"));
     assert_eq!((saved.clip.as_deref(), saved.compared.and_then(|compared| compared.clip).as_deref()), (Some("#3"), Some("run")));
-    session.show(nameless(["walk", "walk", "run"]), LoadMode::Again);
+    session.show(clips(["walk", "walk", "run"]), LoadMode::Again);
     assert_eq!((session.clip_index(), session.compare_target().map(|with| matches!(with, CompareTarget::Clip(2)))), (Some(2), Some(true)));
-    session.show(nameless(["walk", "walk", "jump"]), LoadMode::Again);
+    session.show(clips(["walk", "walk", "jump"]), LoadMode::Again);
     assert!(session.compare_target().is_none(), "the clip that was compared with is gone");
 }
 

@@ -278,12 +278,12 @@ fn joint_pairs(document: &Document, other: &Document) -> Vec<(NodeId, NodeId)> {
     let (mut names, mut ids) = (HashMap::new(), HashMap::new());
     for id in joints(other) {
         let node = other.scene.graph.node(id);
-        names.entry(node.name.as_str()).or_insert(id);
+        names.entry(other.scene.graph.label(id)).or_insert(id);
         ids.entry(node.id.as_str()).or_insert(id);
     }
     let same = |id: NodeId| {
         let node = document.scene.graph.node(id);
-        let found = names.get(node.name.as_str()).or_else(|| ids.get(node.id.as_str()).filter(|_| !node.id.is_empty()));
+        let found = names.get(&document.scene.graph.label(id)).or_else(|| ids.get(node.id.as_str()).filter(|_| !node.id.is_empty()));
         found.map(|other| (id, *other))
     };
     joints(document).into_iter().filter_map(same).collect()

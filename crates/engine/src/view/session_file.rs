@@ -10,7 +10,6 @@ use super::{BackgroundPreset, DISPLAY_FLAGS, LightDirection, ModelTransform, Oni
 use crate::document::OpenErrorKind;
 use crate::document::{Document, PoseBuffers, PoseState, Skinning};
 use crate::input;
-use sinew_i18n as i18n;
 use sinew_render::{Display, Samples, Shading, Theme};
 use sinew_scene::limits;
 use sinew_scene::{Bounds, Frame, NodeId, OrbitCamera};
@@ -236,7 +235,7 @@ impl SessionState {
 
 /// A node as a session file names it.
 pub fn saved_node(document: &Document, node: NodeId) -> SavedNode {
-    SavedNode { node: node.0, name: document.scene.graph.node(node).name.clone() }
+    SavedNode { node: node.0, name: document.scene.graph.label(node).plain().into_owned() }
 }
 
 impl SavedNode {
@@ -247,14 +246,11 @@ impl SavedNode {
     }
 
     /// [`SavedNode::find`], with the first node of a name found by `first`.
-    fn find_by(&self, document: &Document, mut first: impl FnMut(&str) -> Option<NodeId>) -> Option<NodeId> {
+    fn find_by(&self, document: &Document, first: impl FnOnce(&str) -> Option<NodeId>) -> Option<NodeId> {
         let at_index = NodeId(self.node);
         let graph = &document.scene.graph;
-        let mut named = |name: &str| {
-            let same = at_index.index() < graph.len() && graph.node(at_index).name == name;
-            if same { Some(at_index) } else { first(name) }
-        };
-        named(&self.name).or_else(|| named(&i18n::translated("collada-unnamed-node", "number", &self.name)?))
+        let same = at_index.index() < graph.len() && graph.label(at_index).is(&self.name);
+        if same { Some(at_index) } else { first(&self.name) }
     }
 }
 
@@ -262,7 +258,9 @@ impl SavedNode {
 fn nodes_by_name(document: &Document) -> FxHashMap<&str, NodeId> {
     let mut first = FxHashMap::default();
     for (id, node) in document.scene.graph.iter() {
-        first.entry(node.name.as_str()).or_insert(id);
+        if !node.name.is_empty() {
+            first.entry(node.name.as_str()).or_insert(id);
+        }
     }
     first
 }
@@ -294,7 +292,8 @@ impl SessionState {
     /// Hides nodes and rotates joints of a document that has just been opened. Nodes that no longer exist are skipped.
     pub fn apply_to_document(&self, document: &mut Document) {
         let known = nodes_by_name(document);
-        let find = |node: &SavedNode| node.find_by(document, |name| known.get(name).copied());
+        let first = |name: &str| known.get(name).copied().or_else(|| document.scene.graph.find_unnamed(name));
+        let find = |node: &SavedNode| node.find_by(document, first);
         let hidden: Vec<NodeId> = self.hidden.iter().filter_map(find).collect();
         let turned: Vec<_> = self.turned.iter().filter_map(|turn| Some((find(&turn.joint)?, turn.degrees))).collect();
         for id in hidden {
@@ -367,6 +366,7 @@ impl SessionState {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sinew_scene::Node;
 
     #[test]
     fn a_key_that_is_missing_means_a_fresh_start() {
@@ -377,6 +377,20 @@ mod tests {
         let bare: SessionFile = sinew_yaml::from_text("sinew_session: {shown: [], smooth-edges: false}", 100).expect("a session");
         bare.sinew_session.apply_to_display(&mut display);
         assert!(!display.mesh && display.samples == Samples::One);
+    }
+
+    #[test]
+    fn a_node_without_a_name_is_found_by_its_place_and_by_what_any_language_calls_it() {
+        let mut document = Document::default();
+        let root = document.scene.graph.add(None, Node::new("a.dae"));
+        let nodes = [0, 1].map(|_| document.scene.graph.add(Some(root), Node::new("")));
+        for node in nodes {
+            assert_eq!(saved_node(&document, node).find(&document), Some(node));
+        }
+        for name in ["Node 2", "Узел 2"] {
+            assert_eq!(SavedNode { node: 7, name: name.into() }.find(&document), Some(nodes[1]), "{name}");
+        }
+        assert_eq!(SavedNode { node: 1, name: "arm".into() }.find(&document), None);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 use super::{Curve, Pose};
-use crate::{LightId, MaterialId, MorphId, NodeId, TransformOp};
+use crate::{Label, LightId, MaterialId, MorphId, NodeId, TransformOp, Unnamed};
 
 /// Which numbers of its target a curve sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,10 +84,12 @@ pub struct Channel {
 /// A named animation.
 #[derive(Debug, Clone, Default)]
 pub struct Clip {
-    /// Display name.
+    /// The name in its file; empty where it has none.
     pub name: String,
     /// The id that the file gives it; empty where it gives none.
     pub id: String,
+    /// Its place among the clips of its file, from 1; `None` where it holds all animation of a file that has none.
+    pub place: Option<u32>,
     /// First moment, seconds on the file's own time axis.
     pub start: f64,
     /// Last moment, seconds.
@@ -97,6 +99,11 @@ pub struct Clip {
 }
 
 impl Clip {
+    /// What it is called.
+    pub fn label(&self) -> Label<'_> {
+        Label::of(&self.name, self.place.map_or(Unnamed::Animation, Unnamed::Clip))
+    }
+
     /// Seconds from start to end.
     pub fn duration(&self) -> f64 {
         (self.end - self.start).max(0.0)

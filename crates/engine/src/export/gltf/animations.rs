@@ -54,7 +54,7 @@ impl AnimationRange {
             return vec![Self { name, span: (0.0, BEND_SECONDS), shift: 0.0, kind }];
         }
         let range = |(number, clip): (usize, &Clip)| Self {
-            name: clip.name.clone(),
+            name: clip.label().plain().into_owned(),
             span: (clip.start, clip.end.max(clip.start)),
             shift: if clip.start < 0.0 { -clip.start } else { 0.0 },
             kind: AnimationSource::Clip(number),
@@ -231,10 +231,13 @@ impl Stage<'_> {
             }
         }
         if colours {
-            unsupported.push(UnsupportedFeature::Colours { clip: clip.name.clone() });
+            unsupported.push(UnsupportedFeature::Colours { clip: clip.label().plain().into_owned() });
         }
         if range.shift != 0.0 {
-            unsupported.push(UnsupportedFeature::Moved { clip: clip.name.clone(), milliseconds: (range.shift * 1000.0).round() as i64 });
+            unsupported.push(UnsupportedFeature::Moved {
+                clip: clip.label().plain().into_owned(),
+                milliseconds: (range.shift * 1000.0).round() as i64,
+            });
         }
         for (node, channels) in by_node {
             let keys: usize = channels.iter().map(|channel| channel.curve.times.len()).sum();
@@ -294,7 +297,7 @@ impl Stage<'_> {
             track(&when, self.tolerance(node), &mut at)
         };
         if sheared {
-            unsupported.push(UnsupportedFeature::Shear { node: self.document.scene.graph.node(node).name.clone() });
+            unsupported.push(UnsupportedFeature::Shear { node: self.document.scene.graph.label(node).plain().into_owned() });
         }
         animation.write_track(*written, &keys, rest, stepped, buffer);
     }

@@ -106,7 +106,7 @@ impl GltfMaterials {
                 surface["baseColorTexture"] = self.read_at(texture, used, binding);
             }
         }
-        let mut value = json!({"name": material.name, "pbrMetallicRoughness": surface});
+        let mut value = json!({"name": material.label().plain(), "pbrMetallicRoughness": surface});
         if material.opacity < 1.0 || opacity.is_some() {
             value["alphaMode"] = "BLEND".into();
         }
@@ -184,7 +184,7 @@ impl GltfMaterials {
                 }
                 let number = made.map(|(kind, bytes)| {
                     let view = buffer.view(Usage::Other, None, |all| all.extend_from_slice(&bytes));
-                    let name = scene.images.get(used.image.index()).map_or("", |image| image.name.as_str());
+                    let name = scene.images.get(used.image.index()).map_or_else(String::new, |image| image.label().plain().into_owned());
                     self.images.push(json!({"bufferView": view, "mimeType": kind, "name": name}));
                     self.images.len() - 1
                 });

@@ -214,12 +214,12 @@ impl<'a> GltfWriter<'a> {
             let matrix = finite_or_zero(&node.transform.matrix());
             let (placing, sheared) = Placing::of(&matrix);
             let outer = self.nodes.len();
-            let mut value = json!({"name": node.name});
+            let mut value = json!({"name": graph.label(id).plain()});
             let inner = if sheared && !moves {
                 let (first, second) = trs::split(&matrix);
                 first.write(&mut value);
                 self.nodes.push(value);
-                let mut below = json!({"name": format!("{} ·", node.name)});
+                let mut below = json!({"name": format!("{} ·", graph.label(id).plain())});
                 second.write(&mut below);
                 self.nodes.push(below);
                 self.nodes[outer]["children"] = json!([outer + 1]);
@@ -292,9 +292,9 @@ impl<'a> GltfWriter<'a> {
         let bindings = &instance.materials;
         let made = self.surfaces.still(scene, &posed, bindings, mirrored, &mut self.materials, &mut self.buffer, &mut self.unsupported);
         if let Some(number) = made {
-            self.nodes.push(json!({"name": scene.graph.node(node).name, "mesh": number}));
+            self.nodes.push(json!({"name": scene.graph.label(node).plain(), "mesh": number}));
             self.roots.push(self.nodes.len() - 1);
-            self.unsupported.push(UnsupportedFeature::Mixed { mesh: mesh.name.clone() });
+            self.unsupported.push(UnsupportedFeature::Mixed { mesh: mesh.label().plain().into_owned() });
         }
     }
 
@@ -316,8 +316,8 @@ impl<'a> GltfWriter<'a> {
                 }
                 let bones = bones(skin, mesh, joints, root, node);
                 let joints = self.joint_nodes(&bones);
-                let skin = self.surfaces.skin((instance.mesh, id), &skin.name, &joints, &bones, &mut self.buffer);
-                self.nodes.push(json!({"name": scene.graph.node(node).name, "skin": skin}));
+                let skin = self.surfaces.skin((instance.mesh, id), &skin.label().plain(), &joints, &bones, &mut self.buffer);
+                self.nodes.push(json!({"name": scene.graph.label(node).plain(), "skin": skin}));
                 self.roots.push(self.nodes.len() - 1);
                 self.nodes.len() - 1
             }
@@ -360,7 +360,7 @@ impl<'a> GltfWriter<'a> {
         let Some(light) = self.document.scene.lights.get(light) else { return };
         let kind = match light.kind {
             LightKind::Ambient => {
-                self.unsupported.push(UnsupportedFeature::AmbientLight { name: light.name.clone() });
+                self.unsupported.push(UnsupportedFeature::AmbientLight { name: light.label().plain().into_owned() });
                 return;
             }
             LightKind::Directional => json!({"type": "directional"}),
@@ -371,7 +371,7 @@ impl<'a> GltfWriter<'a> {
             }
         };
         let mut value = kind;
-        value["name"] = light.name.clone().into();
+        value["name"] = light.label().plain().into();
         // Colours of lights are linear in both formats; what is brighter than 1 goes into the intensity.
         let brightest = light.color.max_element().max(1.0);
         let color = (light.color / brightest).clamp(Vec3::ZERO, Vec3::ONE);
@@ -402,7 +402,7 @@ impl<'a> GltfWriter<'a> {
                 json!({"type": "orthographic", "orthographic": {"ymag": half, "xmag": half * aspect.unwrap_or(1.0), "znear": near, "zfar": far}})
             }
         };
-        value["name"] = camera.name.clone().into();
+        value["name"] = camera.label().plain().into();
         self.cameras.push(value);
         let number = self.cameras.len() - 1;
         let holder = self.holder(node, "camera");

@@ -143,7 +143,7 @@ impl<'a> Muscles<'a> {
             if primitives.is_empty() {
                 continue;
             }
-            let name = scene.graph.node(surface.node).name.clone();
+            let name = scene.graph.label(surface.node).plain().into_owned();
             let mut mesh = json!({"name": name, "primitives": primitives});
             if !targets.is_empty() {
                 mesh["weights"] = json!(vec![0.0; targets.len()]);

@@ -144,7 +144,7 @@ impl Surfaces {
         if primitives.is_empty() {
             return None;
         }
-        let mut value = json!({"name": mesh.name, "primitives": primitives});
+        let mut value = json!({"name": mesh.label().plain(), "primitives": primitives});
         if !targets.is_empty() {
             value["weights"] = json!(weights);
             value["extras"] = json!({"targetNames": names});
@@ -181,7 +181,7 @@ impl Surfaces {
         if primitives.is_empty() {
             return None;
         }
-        self.meshes.push(json!({"name": mesh.name, "primitives": primitives}));
+        self.meshes.push(json!({"name": mesh.label().plain(), "primitives": primitives}));
         Some(self.meshes.len() - 1)
     }
 

@@ -49,10 +49,10 @@ impl JointTable {
     /// # Errors
     /// [`TableError`] where there is no clip or no joint, or there would be too many rows.
     pub fn over_time(document: &Document, file: String, state: &PoseState, times: &[f64]) -> Result<Self, TableError> {
-        let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or(TableError::NoClip)?.name.clone();
+        let clip = state.clip.and_then(|clip| document.clips.get(clip)).ok_or(TableError::NoClip)?.label().plain().into_owned();
         TableError::hold(count(document), times.len(), TableError::NoJoint)?;
         let joints = document.joint_angles(state, times).into_iter().map(|track| JointRows {
-            name: document.scene.graph.node(track.node).name.clone(),
+            name: document.scene.graph.label(track.node).plain().into_owned(),
             samples: track.samples.iter().map(JointRow::of).collect(),
         });
         Ok(Self { file, clip, joints: joints.collect() })

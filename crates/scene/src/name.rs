@@ -1,0 +1,146 @@
+//! What things are called, also those that their file gives no name.
+
+use std::borrow::Cow;
+
+use crate::message;
+use crate::message::{Message, ToMessage, Value};
+
+/// What something is called.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Label<'a> {
+    /// The name that its file gives it.
+    Name(&'a str),
+    /// It has no name, and people tell it by what it is.
+    Unnamed(Unnamed),
+}
+
+/// A thing without a name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Unnamed {
+    /// The node at this place in its file; the file itself is at 0.
+    Node(u32),
+    /// The clip at this place in its file, from 1.
+    Clip(u32),
+    /// All animation of a file that names no clips.
+    Animation,
+    /// A mesh.
+    Mesh,
+    /// A skin.
+    Skin,
+    /// A morph.
+    Morph,
+    /// A material.
+    Material,
+    /// An image.
+    Image,
+    /// A light.
+    Light,
+    /// A camera.
+    Camera,
+}
+
+impl<'a> Label<'a> {
+    /// The name, or `otherwise` where it is empty.
+    pub fn of(name: &'a str, otherwise: Unnamed) -> Self {
+        if name.is_empty() { Self::Unnamed(otherwise) } else { Self::Name(name) }
+    }
+
+    /// Whether this is what a text means.
+    pub fn is(self, text: &str) -> bool {
+        match self {
+            Self::Name(name) => name == text,
+            Self::Unnamed(unnamed) => Unnamed::parse(text) == Some(unnamed),
+        }
+    }
+
+    /// The text in files that are written: the same in every language.
+    pub fn plain(self) -> Cow<'a, str> {
+        match self {
+            Self::Name(name) => Cow::Borrowed(name),
+            Self::Unnamed(unnamed) => unnamed.plain(),
+        }
+    }
+}
+
+impl From<Label<'_>> for Value {
+    fn from(label: Label<'_>) -> Self {
+        match label {
+            Label::Name(name) => Self::from(name),
+            Label::Unnamed(unnamed) => Self::from(unnamed.message()),
+        }
+    }
+}
+
+impl Unnamed {
+    /// What stands before the number of a node, in English and in the other languages of the program.
+    const NODE: [&str; 2] = ["Node ", "Узел "];
+    /// The same of a clip.
+    const CLIP: [&str; 2] = ["Clip ", "Клип "];
+    /// All animation of a file.
+    const ANIMATION: [&str; 2] = ["Animation", "Анимация"];
+
+    /// What it is called in files that are written: the same in every language.
+    pub fn plain(self) -> Cow<'static, str> {
+        let ([node, ..], [clip, ..], [animation, ..]) = (Self::NODE, Self::CLIP, Self::ANIMATION);
+        Cow::Borrowed(match self {
+            Self::Node(number) => return format!("{node}{number}").into(),
+            Self::Clip(number) => return format!("{clip}{number}").into(),
+            Self::Animation => animation,
+            Self::Mesh => "Mesh",
+            Self::Skin => "Skin",
+            Self::Morph => "Morph",
+            Self::Material => "Material",
+            Self::Image => "Image",
+            Self::Light => "Light",
+            Self::Camera => "Camera",
+        })
+    }
+
+    /// The node or clip that a text means. People type what they see, and older files hold it, in whatever language the program had.
+    pub fn parse(text: &str) -> Option<Self> {
+        if Self::ANIMATION.contains(&text) {
+            return Some(Self::Animation);
+        }
+        let number = |before: [&str; 2]| {
+            let digits = before.iter().find_map(|before| text.strip_prefix(before))?;
+            // As it is written: no sign, no zeros before it.
+            digits.parse::<u32>().ok().filter(|number| number.to_string() == digits)
+        };
+        number(Self::NODE).map(Self::Node).or_else(|| number(Self::CLIP).map(Self::Clip))
+    }
+}
+
+impl ToMessage for Unnamed {
+    fn message(&self) -> Message {
+        match self {
+            Self::Node(number) => message!("document-unnamed-node", number = number),
+            Self::Clip(number) => message!("document-unnamed-clip", number = number),
+            Self::Animation => message!("document-unnamed-animation"),
+            Self::Mesh => message!("document-unnamed-mesh"),
+            Self::Skin => message!("document-unnamed-skin"),
+            Self::Morph => message!("document-unnamed-morph"),
+            Self::Material => message!("document-unnamed-material"),
+            Self::Image => message!("document-unnamed-image"),
+            Self::Light => message!("document-unnamed-light"),
+            Self::Camera => message!("document-unnamed-camera"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_and_clips_are_known_by_what_they_are_called() {
+        for unnamed in [Unnamed::Node(0), Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Animation] {
+            assert_eq!(Unnamed::parse(&unnamed.plain()), Some(unnamed));
+        }
+        for text in ["Clip", "Clip x", "Clip -1", "Clip +1", "Clip 012", "Клип 12 и ещё", "", "Clip 99999999999", "Mesh"] {
+            assert_eq!(Unnamed::parse(text), None, "{text}");
+        }
+        assert_eq!(Label::of("arm", Unnamed::Mesh).plain(), "arm");
+        assert_eq!(Label::of("", Unnamed::Mesh).plain(), "Mesh");
+    }
+}
