@@ -71,7 +71,7 @@ impl MuscleRig {
         }
         rig.place_poses();
         rig.settle_on_arm(scene, tendon);
-        rig.look_for_trouble(&scene.graph);
+        rig.check_joint_range(&scene.graph);
         rig
     }
 
@@ -122,7 +122,7 @@ impl MuscleRig {
         self.turning = self.joint_in(scene, clips);
         self.hinge = self.turning.as_ref().map(|joint| self.hinge_in(scene, joint));
         self.place_poses();
-        self.look_for_trouble(&scene.graph);
+        self.check_joint_range(&scene.graph);
         self.findings.clone()
     }
 

@@ -13,26 +13,26 @@ use sinew_scene::{Graph, NodeId, NodeKind};
 
 /// Angles at which all muscles of a file together are looked at, and the most and the fewest for one: so opening stays quick however many there are.
 const ANGLES: usize = 2400;
-const STEPS: std::ops::RangeInclusive<usize> = 12..=72;
+const STEPS_PER_MUSCLE: std::ops::RangeInclusive<usize> = 12..=72;
 /// A moment arm or a jump of the length below this share of the rest length is none.
 const SMALL: f64 = 1e-3;
 /// A belly in which more than this share of a bone's length lies goes through it, or is too thick.
-const PIERCED: f64 = 0.25;
+const DEEP: f64 = 0.25;
 /// Where a line passes a bone's axis nearer than this share of the belly's radius, and at so many of the places that are looked at, it goes through the bone
 /// itself; else the belly is too thick.
-const THROUGH: (f64, usize) = (0.25, 2);
+const NEAR_AXIS: (f64, usize) = (0.25, 2);
 /// A belly whose radius is above this share of the bone's length is too thick wherever it lies.
 const THICK: f64 = 0.15;
 /// A muscle on a clip that begins nearer than this share of its rest length to the axis of its bone is a scheme that tells no side.
-const SCHEME: f64 = 0.02;
+const SCHEMATIC: f64 = 0.02;
 /// Least range of the joint in which a ball that is not touched is one that does nothing, degrees.
-const TURNS: f64 = 1.0;
+const LEAST_RANGE: f64 = 1.0;
 /// Places along a bone, and along the belly, that are looked at.
 const PLACES: usize = 24;
 
 /// A muscle at one angle.
 #[derive(Clone, Copy)]
-struct Look {
+struct AngleSample {
     angle: f64,
     length: f64,
     arm: f64,
@@ -40,7 +40,7 @@ struct Look {
 
 /// How much of a bone lies inside a belly.
 #[derive(Clone, Copy)]
-struct Pierced {
+struct BonePenetration {
     share: f64,
     bone: usize,
     /// Radius of the belly where the bone lies deepest in it.
@@ -50,36 +50,38 @@ struct Pierced {
 
 impl MuscleRig {
     /// Looks at all muscles over the range of the joint that measurements turn.
-    pub(super) fn look_for_trouble(&mut self, graph: &Graph) {
+    pub(super) fn check_joint_range(&mut self, graph: &Graph) {
         let Some(hinge) = &self.hinge else { return };
         let names: Vec<String> = self.bones.iter().map(|bone| graph.label(*bone).plain().into_owned()).collect();
         let limbs = self.limbs(graph, hinge);
-        let steps = (ANGLES / self.muscles.len().max(1)).clamp(*STEPS.start(), *STEPS.end());
+        let steps = (ANGLES / self.muscles.len().max(1)).clamp(*STEPS_PER_MUSCLE.start(), *STEPS_PER_MUSCLE.end());
         // What the file asks for, although the belly does not let the joint go so far.
         let asked = self.arm.as_ref().and_then(|(arm, _)| arm.flexion).unwrap_or(hinge.range);
         let mut findings = Vec::new();
         for muscle in &self.muscles {
             let Some(line) = &muscle.line else { continue };
-            let look = |angle: f64| Look { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
-            let looks: Vec<Look> = (0..=steps).map(|step| look(between(hinge.range, step, steps))).collect();
-            let said = Said { muscle, millimetres: 1e3 * self.unit, on_arm: self.arm.is_some(), findings: &mut findings };
-            check(said, hinge, line, &looks, asked, &limbs, &names);
+            let sample = |angle: f64| AngleSample { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
+            let samples: Vec<AngleSample> = (0..=steps).map(|step| sample(between(hinge.range, step, steps))).collect();
+            let collector = FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: self.arm.is_some(), findings: &mut findings };
+            check(collector, hinge, line, &samples, asked, &limbs, &names);
         }
         self.findings.append(&mut findings);
     }
 
     /// Looks at all muscles at some moments of a clip: seconds, and one matrix a node.
-    pub fn look_over(&mut self, moments: &[(f64, Vec<glam::DMat4>)]) {
+    pub fn check_clip(&mut self, moments: &[(f64, Vec<glam::DMat4>)]) {
         let mut findings = Vec::new();
         for (index, muscle) in self.muscles.iter().enumerate() {
-            if !self.is_attached(index) || self.findings.iter().any(|found| found.element == muscle.spec.name && is_short(&found.finding)) {
+            if !self.is_attached(index)
+                || self.findings.iter().any(|found| found.element == muscle.spec.name && is_about_length(&found.finding))
+            {
                 continue;
             }
             let Some(line) = &muscle.line else { continue };
             let lengths = moments.iter().map(|(time, world)| (*time, line.length(&self.frames(world))));
             let Some((time, length)) = lengths.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
-            let mut said = Said { muscle, millimetres: 1e3 * self.unit, on_arm: false, findings: &mut findings };
-            said.short(length, FoundAt::Time(time));
+            let mut collector = FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: false, findings: &mut findings };
+            collector.check_length(length, FoundAt::Time(time));
         }
         self.findings.append(&mut findings);
     }
@@ -106,7 +108,7 @@ impl MuscleRig {
     }
 }
 
-fn is_short(finding: &Finding) -> bool {
+fn is_about_length(finding: &Finding) -> bool {
     matches!(finding, Finding::EndsCoincide | Finding::ShorterThanTendons | Finding::TooShort { .. })
 }
 
@@ -115,7 +117,7 @@ fn between(range: [f64; 2], step: usize, steps: usize) -> f64 {
 }
 
 /// Findings about one muscle.
-struct Said<'a> {
+struct FindingCollector<'a> {
     muscle: &'a Muscle,
     /// In a unit of the file.
     millimetres: f64,
@@ -123,66 +125,69 @@ struct Said<'a> {
     findings: &'a mut Vec<Diagnostic<Finding>>,
 }
 
-impl Said<'_> {
-    fn say(&mut self, finding: Finding) {
+impl FindingCollector<'_> {
+    fn push(&mut self, finding: Finding) {
         self.findings.push(Diagnostic::new(finding, None, self.muscle.spec.name.clone()));
     }
 
-    fn mm(&self, length: f64) -> f64 {
+    fn to_millimetres(&self, length: f64) -> f64 {
         length * self.millimetres
     }
 
     /// Says that a line of this length, the shortest of all, leaves too little for the belly.
-    fn short(&mut self, length: f64, at: FoundAt) {
+    fn check_length(&mut self, length: f64, at: FoundAt) {
         let (rest, fixed) = (self.muscle.shape.rest_length(), self.muscle.fixed());
         if length <= 1e-9 * rest {
-            self.say(Finding::EndsCoincide);
+            self.push(Finding::EndsCoincide);
         } else if length <= fixed {
-            self.say(Finding::ShorterThanTendons);
+            self.push(Finding::ShorterThanTendons);
         } else if length - fixed < SHORTEST * rest * (1.0 - 1e-9) {
-            self.say(Finding::TooShort { share: (length - fixed) / rest, at });
+            self.push(Finding::TooShort { share: (length - fixed) / rest, at });
         }
     }
 }
 
 fn check(
-    mut said: Said<'_>,
+    mut collector: FindingCollector<'_>,
     hinge: &RevoluteJoint,
     line: &Line,
-    looks: &[Look],
+    samples: &[AngleSample],
     asked: [f64; 2],
     limbs: &[Option<DVec3>],
     names: &[String],
 ) {
     let beyond = asked.map(|angle| (angle, line.length(&hinge.at(angle))));
-    let all = looks.iter().map(|look| (look.angle, look.length)).chain(beyond);
+    let all = samples.iter().map(|sample| (sample.angle, sample.length)).chain(beyond);
     if let Some((angle, length)) = all.min_by(|a, b| a.1.total_cmp(&b.1)) {
-        said.short(length, FoundAt::Angle(angle));
+        collector.check_length(length, FoundAt::Angle(angle));
     }
-    tight(&mut said, hinge, line, looks);
-    inert(&mut said, hinge, line, looks);
-    signs(&mut said, looks);
-    jumps(&mut said, hinge, line, looks);
+    find_tight_bends(&mut collector, hinge, line, samples);
+    find_inert_wrap(&mut collector, hinge, line, samples);
+    find_sign_change(&mut collector, samples);
+    find_jumps(&mut collector, hinge, line, samples);
     // The bones are looked at at fewer angles: what lies in a belly does so over many degrees.
-    let every = looks.len().div_ceil(13).max(1);
-    let worst = looks.iter().step_by(every).filter_map(|look| Some((look.angle, pierced(&said, hinge, line, *look, limbs)?)));
-    if let Some((angle, found)) = worst.max_by(|a, b| a.1.share.total_cmp(&b.1.share)).filter(|(_, found)| found.share > PIERCED) {
+    let every = samples.len().div_ceil(13).max(1);
+    let worst = samples
+        .iter()
+        .step_by(every)
+        .filter_map(|sample| Some((sample.angle, deepest_penetration(&collector, hinge, line, *sample, limbs)?)));
+    if let Some((angle, found)) = worst.max_by(|a, b| a.1.share.total_cmp(&b.1.share)).filter(|(_, found)| found.share > DEEP) {
         let (share, bone) = (found.share, names.get(found.bone).cloned().unwrap_or_default());
-        said.say(if found.through {
+        collector.push(if found.through {
             Finding::ThroughBone { bone, share, angle }
         } else {
-            Finding::TooThick { bone, share, angle, radius: said.mm(found.radius) }
+            Finding::TooThick { bone, share, angle, radius: collector.to_millimetres(found.radius) }
         });
     }
 }
 
 /// Says where the belly is bent tighter than it is thick: there the surface would fold into itself.
-fn tight(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
-    let (muscle, mut solved) = (said.muscle, Solved::default());
-    let every = looks.len().div_ceil(13).max(1);
-    let mut folds = |look: &Look| {
-        muscle.solve_along(look.length, &mut solved);
-        let path = line.lay(&hinge.at(look.angle), (solved.length + muscle.fixed()).min(look.length.max(solved.length)));
+fn find_tight_bends(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
+    let (muscle, mut solved) = (collector.muscle, Solved::default());
+    let every = samples.len().div_ceil(13).max(1);
+    let mut folds = |sample: &AngleSample| {
+        muscle.solve_along(sample.length, &mut solved);
+        let path = line.lay(&hinge.at(sample.angle), (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
         let spacing = solved.length / solved.radii.len().saturating_sub(1).max(1) as f64;
         let start = muscle.tendons[0].length;
         solved.radii.windows(2).enumerate().any(|(node, pair)| {
@@ -190,19 +195,19 @@ fn tight(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]
             path.sharpest(from, from + spacing) * pair.iter().copied().fold(0.0, f64::max) > 1.0
         })
     };
-    if looks.iter().step_by(every).any(&mut folds) {
-        said.say(Finding::BentTooTight);
+    if samples.iter().step_by(every).any(&mut folds) {
+        collector.push(Finding::BentTooTight);
     }
 }
 
 /// Says where a wrap does nothing, or only as far as a point inside it lets it.
-fn inert(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
+fn find_inert_wrap(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
     let Some(pulley) = &line.pulley else { return };
     let stretch = line.points().enumerate().skip(pulley.stretch).take(2);
-    let depths = looks.iter().flat_map(|look| {
-        let frames = hinge.at(look.angle);
+    let depths = samples.iter().flat_map(|sample| {
+        let frames = hinge.at(sample.angle);
         let center = frames.place(pulley.center);
-        stretch.clone().map(move |(number, point)| (number, look.angle, pulley.radius - frames.place(point).distance(center)))
+        stretch.clone().map(move |(number, point)| (number, sample.angle, pulley.radius - frames.place(point).distance(center)))
     });
     let deepest = depths.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, depth)| *depth > 1e-6 * pulley.radius);
     if let Some((number, angle, depth)) = deepest {
@@ -211,58 +216,65 @@ fn inert(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]
             Some(via) if via < line.via.len() => LinePoint::Via(via),
             Some(_) => LinePoint::Insertion,
         };
-        said.say(Finding::InsideWrapSphere { point, depth: said.mm(depth), angle });
+        collector.push(Finding::InsideWrapSphere { point, depth: collector.to_millimetres(depth), angle });
         return;
     }
-    let turns = hinge.range[1] - hinge.range[0] >= TURNS;
-    if turns && !looks.iter().any(|look| line.legs(&hinge.at(look.angle)).any(|leg| leg.contact.is_some())) {
-        said.say(Finding::WrapSphereNotTouched { range: hinge.range });
+    let turns = hinge.range[1] - hinge.range[0] >= LEAST_RANGE;
+    if turns && !samples.iter().any(|sample| line.legs(&hinge.at(sample.angle)).any(|leg| leg.contact.is_some())) {
+        collector.push(Finding::WrapSphereNotTouched { range: hinge.range });
     }
 }
 
 /// Says where the moment arm has one sign and where the other.
-fn signs(said: &mut Said<'_>, looks: &[Look]) {
-    let order = |a: &&Look, b: &&Look| a.arm.total_cmp(&b.arm);
-    let (Some(least), Some(most)) = (looks.iter().min_by(order), looks.iter().max_by(order)) else { return };
-    let small = SMALL * said.muscle.shape.rest_length();
+fn find_sign_change(collector: &mut FindingCollector<'_>, samples: &[AngleSample]) {
+    let order = |a: &&AngleSample, b: &&AngleSample| a.arm.total_cmp(&b.arm);
+    let (Some(least), Some(most)) = (samples.iter().min_by(order), samples.iter().max_by(order)) else { return };
+    let small = SMALL * collector.muscle.shape.rest_length();
     if least.arm < -small && most.arm > small {
         let (first, second) = if least.angle < most.angle { (least, most) } else { (most, least) };
-        let [first, second] = [first, second].map(|look| MomentArmAt { angle: look.angle, moment_arm: said.mm(look.arm) });
-        said.say(Finding::MomentArmChangesSign { first, second });
+        let [first, second] =
+            [first, second].map(|sample| MomentArmAt { angle: sample.angle, moment_arm: collector.to_millimetres(sample.arm) });
+        collector.push(Finding::MomentArmChangesSign { first, second });
     }
 }
 
 /// Says where the length changes by more than the moment arm does between two angles, and goes on doing so however near they are.
-fn jumps(said: &mut Said<'_>, hinge: &RevoluteJoint, line: &Line, looks: &[Look]) {
-    let small = SMALL * said.muscle.shape.rest_length();
-    let missed = |a: &Look, b: &Look| (b.length - a.length + 0.5 * (a.arm + b.arm) * (b.angle - a.angle).to_radians()).abs();
-    let look = |angle: f64| Look { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
-    let found = looks.windows(2).filter_map(|pair| {
-        let [mut from, mut to] = <[Look; 2]>::try_from(pair).ok()?;
+fn find_jumps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
+    let small = SMALL * collector.muscle.shape.rest_length();
+    let missed = |a: &AngleSample, b: &AngleSample| (b.length - a.length + 0.5 * (a.arm + b.arm) * (b.angle - a.angle).to_radians()).abs();
+    let sample = |angle: f64| AngleSample { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
+    let found = samples.windows(2).filter_map(|pair| {
+        let [mut from, mut to] = <[AngleSample; 2]>::try_from(pair).ok()?;
         for _ in 0..20 {
             if missed(&from, &to) <= 0.5 * small {
                 return None;
             }
-            let middle = look(0.5 * (from.angle + to.angle));
+            let middle = sample(0.5 * (from.angle + to.angle));
             if missed(&from, &middle) > missed(&middle, &to) { to = middle } else { from = middle }
         }
         Some((to.angle, (to.length - from.length).abs()))
     });
     if let Some((angle, jump)) = found.max_by(|a, b| a.1.total_cmp(&b.1)) {
-        said.say(Finding::PathJumps { jump: said.mm(jump), angle });
+        collector.push(Finding::PathJumps { jump: collector.to_millimetres(jump), angle });
     }
 }
 
 /// The bone of the muscle that lies deepest in its belly at one angle.
-fn pierced(said: &Said<'_>, hinge: &RevoluteJoint, line: &Line, look: Look, limbs: &[Option<DVec3>]) -> Option<Pierced> {
-    let (muscle, frames) = (said.muscle, hinge.at(look.angle));
+fn deepest_penetration(
+    collector: &FindingCollector<'_>,
+    hinge: &RevoluteJoint,
+    line: &Line,
+    sample: AngleSample,
+    limbs: &[Option<DVec3>],
+) -> Option<BonePenetration> {
+    let (muscle, frames) = (collector.muscle, hinge.at(sample.angle));
     let own = (*limbs.get(line.origin.bone)?)?.normalize_or_zero();
-    if !said.on_arm && line.origin.local.reject_from_normalized(own).length() < SCHEME * muscle.spec.profile.rest_length() {
+    if !collector.on_arm && line.origin.local.reject_from_normalized(own).length() < SCHEMATIC * muscle.spec.profile.rest_length() {
         return None;
     }
     let mut solved = Solved::default();
-    muscle.solve_along(look.length, &mut solved);
-    let path = line.lay(&frames, (solved.length + muscle.fixed()).min(look.length.max(solved.length)));
+    muscle.solve_along(sample.length, &mut solved);
+    let path = line.lay(&frames, (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
     let start = 0.5 * (path.length() - solved.length - muscle.fixed()).max(0.0) + muscle.tendons[0].length;
     let mut cursor = path.cursor();
     let mut belly = [(DVec3::ZERO, 0.0); PLACES];
@@ -281,16 +293,16 @@ fn pierced(said: &Said<'_>, hinge: &RevoluteJoint, line: &Line, look: Look, limb
             let nearest = belly.iter().min_by(|a, b| a.0.distance_squared(place).total_cmp(&b.0.distance_squared(place)))?;
             let depth = nearest.1 - nearest.0.distance(place);
             count += usize::from(depth > 0.0);
-            through += usize::from(nearest.0.distance(place) < THROUGH.0 * nearest.1);
+            through += usize::from(nearest.0.distance(place) < NEAR_AXIS.0 * nearest.1);
             if depth > deepest {
                 (deepest, radius) = (depth, nearest.1);
             }
         }
-        Some(Pierced {
+        Some(BonePenetration {
             share: count as f64 / PLACES as f64,
             bone,
             radius,
-            through: through >= THROUGH.1 && radius < THICK * frame.transform_vector3(tip).length(),
+            through: through >= NEAR_AXIS.1 && radius < THICK * frame.transform_vector3(tip).length(),
         })
     };
     bones.into_iter().filter_map(inside).max_by(|a, b| a.share.total_cmp(&b.share))

@@ -65,7 +65,7 @@ impl Document {
         for source in &mut self.sources {
             let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
             rig.attach_moving(&self.scene, &self.clips);
-            rig.look_over(&moments);
+            rig.check_clip(&moments);
             self.diagnostics.retain(|found| found.file != source.name || !matches!(found.finding, Finding::Muscle(_)));
             self.diagnostics.extend(rig.findings().iter().cloned().map(|found| found.map(Finding::Muscle).in_file(source.name.clone())));
         }
