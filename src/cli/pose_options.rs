@@ -77,7 +77,7 @@ impl PoseOptions {
                 Some(rig) => state.drive = rig.at_flexion(angle),
                 None => {
                     let joint = document.joint().ok_or_else(|| no_joint_failure(document, file))?;
-                    state.joint_rotation = Some(if self.on_top { joint.by(angle) } else { joint.at(angle) });
+                    state.joint_rotation = Some(if self.on_top { joint.relative(angle) } else { joint.absolute(angle) });
                 }
             }
             let range =

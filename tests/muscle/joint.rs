@@ -4,7 +4,7 @@ use std::path::Path;
 
 use glam::{DMat4, DQuat, DVec3};
 use sinew::document::{Document, PoseBuffers, PoseState};
-use sinew::muscle::{FoundBy, Joint, MuscleFile, MuscleRig};
+use sinew::muscle::{FoundBy, JointDof, MuscleFile, MuscleRig};
 use sinew::progress::Progress;
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform};
 
@@ -45,8 +45,8 @@ const T_POSE: [(&str, Option<usize>, [f64; 3]); 12] = [
 ];
 
 /// Where a node is with the joint at an angle.
-fn placed(scene: &Scene, joint: &Joint, degrees: f64, node: usize) -> (DVec3, f64) {
-    let turn = joint.at(degrees);
+fn placed(scene: &Scene, joint: &JointDof, degrees: f64, node: usize) -> (DVec3, f64) {
+    let turn = joint.absolute(degrees);
     let mut local = scene.graph.rest_locals();
     local[turn.node.index()] = turn.apply(local[turn.node.index()], local[turn.node.index()]);
     let mut world = Vec::new();
@@ -58,7 +58,7 @@ fn placed(scene: &Scene, joint: &Joint, degrees: f64, node: usize) -> (DVec3, f6
 fn a_body_in_t_pose_bends_its_forearm_to_the_front() {
     for turned in [false, true] {
         let scene = body(&T_POSE, turned);
-        let joint = Joint::elbow(&scene, &[], &[]).unwrap();
+        let joint = JointDof::elbow(&scene, &[], &[]).unwrap();
         assert_eq!((joint.node, joint.found), (NodeId(6), FoundBy::Name), "the right arm's, and no twist bone");
         assert!(joint.at_rest.abs() < 1e-9);
         for (degrees, x, z) in [(0.0, -0.75, 0.0), (90.0, -0.5, 0.25), (150.0, -0.5 + 0.25 * 30.0_f64.to_radians().cos(), 0.125)] {
@@ -74,7 +74,7 @@ fn an_arm_bent_at_rest_is_straightened_by_zero_degrees() {
     let bent: [(&str, Option<usize>, [f64; 3]); 3] =
         [("upper_arm.R", None, [0.0, 1.0, 0.0]), ("lower_arm.R", Some(0), [0.0, 0.7, 0.0]), ("hand.R", Some(1), [0.2, 0.5, 0.0])];
     let scene = body(&bent, true);
-    let joint = Joint::elbow(&scene, &[], &[]).unwrap();
+    let joint = JointDof::elbow(&scene, &[], &[]).unwrap();
     assert!((joint.at_rest - 45.0).abs() < 1e-9);
     let far = 0.2 * 2.0_f64.sqrt();
     assert!(placed(&scene, &joint, 0.0, 2).0.distance(DVec3::new(0.0, 0.7 - far, 0.0)) < 1e-9);
@@ -97,19 +97,19 @@ fn usual_rigs_have_their_elbow_and_others_none() {
         let mut joints = T_POSE;
         joints[6].0 = name;
         joints[3].0 = "x";
-        let joint = Joint::elbow(&body(&joints, true), &[], &[]).unwrap_or_else(|| panic!("{name}"));
+        let joint = JointDof::elbow(&body(&joints, true), &[], &[]).unwrap_or_else(|| panic!("{name}"));
         assert_eq!(joint.node, NodeId(6), "{name}");
     }
     let nameless: Vec<_> = T_POSE.iter().map(|(_, parent, at)| ("b", *parent, *at)).collect();
-    assert_eq!(Joint::elbow(&body(&nameless, true), &[], &[]), None);
-    assert_eq!(Joint::elbow(&Scene::default(), &[], &[]), None);
-    assert_eq!(Joint::elbow(&body(&T_POSE, true), &[], &[NodeId(0)]), None);
+    assert_eq!(JointDof::elbow(&body(&nameless, true), &[], &[]), None);
+    assert_eq!(JointDof::elbow(&Scene::default(), &[], &[]), None);
+    assert_eq!(JointDof::elbow(&body(&T_POSE, true), &[], &[NodeId(0)]), None);
     // Everything in one place, and a place that is no number.
     let heap: Vec<_> = T_POSE.iter().map(|(name, parent, _)| (*name, *parent, [1.0; 3])).collect();
-    assert_eq!(Joint::elbow(&body(&heap, true), &[], &[]), None);
+    assert_eq!(JointDof::elbow(&body(&heap, true), &[], &[]), None);
     let mut broken = T_POSE;
     broken[6].2 = [f64::NAN; 3];
-    assert_ne!(Joint::elbow(&body(&broken, false), &[], &[]).map(|joint| joint.node), Some(NodeId(6)));
+    assert_ne!(JointDof::elbow(&body(&broken, false), &[], &[]).map(|joint| joint.node), Some(NodeId(6)));
 }
 
 fn shipped(name: &str) -> Document {
@@ -131,13 +131,13 @@ fn the_shipped_arm_bends_as_asked_at_any_time_and_on_top_of_the_clip() {
     let (start, middle) = (angle(0.0, None), angle(2.0, None));
     assert!(middle > start + 90.0, "the clip bends the elbow: {start}° to {middle}°");
     for time in [0.0, 1.0, 2.0] {
-        assert!((angle(time, Some(joint.at(60.0))) - 60.0).abs() < 1e-6);
+        assert!((angle(time, Some(joint.absolute(60.0))) - 60.0).abs() < 1e-6);
         let clip = angle(time, None);
-        assert!((angle(time, Some(joint.by(15.0))) - clip - 15.0).abs() < 1e-6);
+        assert!((angle(time, Some(joint.relative(15.0))) - clip - 15.0).abs() < 1e-6);
     }
-    assert!((angle(0.0, Some(joint.at(999.0))) - 150.0).abs() < 1e-6, "held at the limit");
+    assert!((angle(0.0, Some(joint.absolute(999.0))) - 150.0).abs() < 1e-6, "held at the limit");
     let unharmed = angle(1.0, None);
-    assert_eq!(angle(1.0, Some(joint.by(f64::NAN))), unharmed);
+    assert_eq!(angle(1.0, Some(joint.relative(f64::NAN))), unharmed);
 }
 
 #[test]
@@ -182,7 +182,7 @@ fn the_moment_arm_in_a_pose_is_that_of_the_measurement_at_its_angle() {
     let joint = document.joint().unwrap();
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     for angle in [10.0, 60.0, 110.0] {
-        document.pose(&PoseState { joint_rotation: Some(joint.at(angle)), ..document.start_state() }, &mut buffers, &mut frame);
+        document.pose(&PoseState { joint_rotation: Some(joint.absolute(angle)), ..document.start_state() }, &mut buffers, &mut frame);
         for index in 0..rig.len() {
             let sample = &rig.measure(index, &[angle])[0];
             let posed = rig.moment_arm(index, &document.scene, &frame.world).unwrap();

@@ -213,7 +213,7 @@ proptest! {
         let joint = rig.joint().unwrap();
         let posed = |degrees: f64| {
             let mut local = scene.graph.rest_locals();
-            local[fore.index()] = joint.at(degrees).apply(local[fore.index()], local[fore.index()]);
+            local[fore.index()] = joint.absolute(degrees).apply(local[fore.index()], local[fore.index()]);
             let mut world = Vec::new();
             scene.graph.world_from_local(&local, &mut world);
             world

@@ -7,7 +7,7 @@ use glam::{DMat4, DVec3};
 use super::Finding;
 use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
-use super::joint_dof::{FoundBy, Joint};
+use super::joint_dof::{FoundBy, JointDof};
 use super::line_of_action::{CenterlineOffset, Line, Point};
 use super::muscle_rig::{Muscle, MuscleRig};
 use super::muscle_state::Span;
@@ -38,7 +38,7 @@ impl MuscleRig {
             rig.bones = vec![nodes.upper, nodes.elbow];
             let range = arm.flexion.unwrap_or([0.0, FULL_FLEXION]);
             rig.hinge = Some(RevoluteJoint::elbow(&arm, range));
-            rig.turning = Some(Joint { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File });
+            rig.turning = Some(JointDof { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File });
             rig.arm = Some((arm, nodes));
         }
         let tendon = materials::tendon(scene);
@@ -127,7 +127,7 @@ impl MuscleRig {
     }
 
     /// The joint that measurements turn: the one that the file names, else the elbow that moves one end of a muscle, else the joint at an insertion.
-    fn joint_in(&mut self, scene: &Scene, clips: &[Clip]) -> Option<Joint> {
+    fn joint_in(&mut self, scene: &Scene, clips: &[Clip]) -> Option<JointDof> {
         let graph = &scene.graph;
         if let Some(joint) = &self.joint {
             let Some(node) = find_bone(graph, self.root, &joint.bone) else {
@@ -135,13 +135,13 @@ impl MuscleRig {
                 self.findings.push(Diagnostic::new(Finding::JointNotFound { bone: bone.clone() }, None, bone));
                 return None;
             };
-            return Some(Joint::of_file(scene, node, joint));
+            return Some(JointDof::of_file(scene, node, joint));
         }
         let lines = || self.muscles.iter().filter_map(|muscle| muscle.line.as_ref());
         let ends = |line: &Line| Some([*self.bones.get(line.origin.bone)?, *self.bones.get(line.insertion.bone)?]);
         lines().next()?;
         let skip: Vec<NodeId> = self.root.into_iter().collect();
-        if let Some(elbow) = Joint::elbow(scene, clips, &skip) {
+        if let Some(elbow) = JointDof::elbow(scene, clips, &skip) {
             let below = graph.subtree(elbow.node);
             let crosses = |[origin, insertion]: [NodeId; 2]| below.contains(&origin) != below.contains(&insertion);
             if lines().filter_map(ends).any(crosses) {
@@ -149,18 +149,18 @@ impl MuscleRig {
             }
         }
         let crossing = lines().filter_map(ends).find(|[origin, insertion]| !graph.subtree(*insertion).contains(origin))?;
-        Joint::at_node(scene, clips, crossing[1])
+        JointDof::at_node(scene, clips, crossing[1])
     }
 
     /// That joint as measurements turn it: from the rest pose.
-    fn hinge_in(&self, scene: &Scene, joint: &Joint) -> RevoluteJoint {
+    fn hinge_in(&self, scene: &Scene, joint: &JointDof) -> RevoluteJoint {
         let mut world = Vec::new();
         scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
         self.hinge_of(joint, scene, &world)
     }
 
     /// The joint in a pose, with the bones that it moves.
-    pub(super) fn hinge_of(&self, joint: &Joint, scene: &Scene, world: &[DMat4]) -> RevoluteJoint {
+    pub(super) fn hinge_of(&self, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> RevoluteJoint {
         let below = scene.graph.subtree(joint.node);
         let frames = self.frames(world);
         let bone = |(index, node): (usize, &NodeId)| frames.bone(index, below.contains(node));

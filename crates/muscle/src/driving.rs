@@ -3,7 +3,7 @@
 use glam::DMat4;
 
 use super::MuscleState;
-use super::joint_dof::Joint;
+use super::joint_dof::JointDof;
 use super::line_of_action::Line;
 use super::muscle_rig::MuscleRig;
 use super::muscle_state::Span;
@@ -24,7 +24,7 @@ pub struct Driving<'a> {
 impl MuscleRig {
     /// How `joint` drives muscle `index` in a pose of `scene` (`world`: one matrix a node); `None` where nothing holds the muscle, or the joint does not
     /// change its length.
-    pub fn driven_by(&self, index: usize, joint: &Joint, scene: &Scene, world: &[DMat4]) -> Option<Driving<'_>> {
+    pub fn driven_by(&self, index: usize, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> Option<Driving<'_>> {
         let muscle = self.muscles.get(index)?;
         let line = muscle.line.as_ref()?;
         // The bones stand turned as the pose has them: that is where the hinge's angle counts from.

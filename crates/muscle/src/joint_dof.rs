@@ -35,7 +35,7 @@ pub enum FoundBy {
 
 /// A joint with one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Joint {
+pub struct JointDof {
     /// The node that turns, with everything below it.
     pub node: NodeId,
     /// The axis through that node, of length 1, in the axes of the node above it.
@@ -50,7 +50,7 @@ pub struct Joint {
 
 /// A joint turned by hand, beside what the clip does.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Turn {
+pub struct JointRotation {
     /// The node that turns.
     pub node: NodeId,
     /// The axis through that node, of length 1, in the axes of the node above it.
@@ -61,7 +61,7 @@ pub struct Turn {
     pub on_top: bool,
 }
 
-impl Turn {
+impl JointRotation {
     /// Turns the node, whose local matrices are these in the pose and at rest.
     pub fn apply(&self, local: DMat4, rest: DMat4) -> DMat4 {
         if !self.degrees.is_finite() {
@@ -75,15 +75,15 @@ impl Turn {
     }
 }
 
-impl Joint {
+impl JointDof {
     /// The joint at this angle, whatever the clip does with it.
-    pub fn at(&self, degrees: f64) -> Turn {
-        Turn { node: self.node, axis: self.axis, degrees: self.held(degrees) - self.at_rest, on_top: false }
+    pub fn absolute(&self, degrees: f64) -> JointRotation {
+        JointRotation { node: self.node, axis: self.axis, degrees: self.held(degrees) - self.at_rest, on_top: false }
     }
 
     /// The joint turned by so much on top of what the clip does.
-    pub fn by(&self, degrees: f64) -> Turn {
-        Turn { node: self.node, axis: self.axis, degrees, on_top: true }
+    pub fn relative(&self, degrees: f64) -> JointRotation {
+        JointRotation { node: self.node, axis: self.axis, degrees, on_top: true }
     }
 
     /// An angle held within the range.
@@ -194,7 +194,7 @@ impl<'a> Skeleton<'a> {
         Self { graph, bones, rest, moments }
     }
 
-    fn by_name(&self) -> Option<Joint> {
+    fn by_name(&self) -> Option<JointDof> {
         let named = self.graph.iter().filter(|(id, _)| self.is_bone(*id)).filter_map(|(id, node)| {
             let meaning = [&node.name, &node.id, &node.sid]
                 .into_iter()
@@ -215,7 +215,7 @@ impl<'a> Skeleton<'a> {
     }
 
     /// The hinge that the clips bend most, where the arms are.
-    fn by_shape(&self) -> Option<Joint> {
+    fn by_shape(&self) -> Option<JointDof> {
         let positions: Vec<DVec3> =
             self.graph.iter().filter(|(id, _)| self.is_bone(*id)).map(|(id, _)| place(&self.rest, id)).filter(|p| p.is_finite()).collect();
         let low = positions.iter().copied().reduce(DVec3::min)?;
@@ -238,7 +238,7 @@ impl<'a> Skeleton<'a> {
         self.hinge(node, FoundBy::Shape)
     }
 
-    fn hinge(&self, node: NodeId, found: FoundBy) -> Option<Joint> {
+    fn hinge(&self, node: NodeId, found: FoundBy) -> Option<JointDof> {
         let parts = self.segments(node)?;
         let above = |world: &[DMat4]| {
             let parent = self.graph.node(node).parent();
@@ -263,7 +263,7 @@ impl<'a> Skeleton<'a> {
         let axis = axis.or_else(to_front)?;
         // Seen along the axis the rest pose may be bent the other way.
         let signed = self.signed_bend(parts, above(&self.rest)? * axis);
-        Some(Joint { node, axis, at_rest: signed, range: [0.0, FLEXION], found })
+        Some(JointDof { node, axis, at_rest: signed, range: [0.0, FLEXION], found })
     }
 
     /// The bend at rest about `axis`, degrees.

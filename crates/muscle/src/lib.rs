@@ -74,7 +74,7 @@ pub use driving::Driving;
 pub use edit::{Edit, EditError};
 pub use finding::{Finding, FoundAt, LinePoint, MomentArmAt};
 pub use joint_dof::rotation;
-pub use joint_dof::{FoundBy, Joint, Turn};
+pub use joint_dof::{FoundBy, JointDof, JointRotation};
 pub use measured_shapes::Pose;
 pub use muscle_rig::MuscleRig;
 pub use path_editing::Ball;

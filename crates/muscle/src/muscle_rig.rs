@@ -9,7 +9,7 @@ use super::Finding;
 use super::arm::{Arm, ArmNodes};
 use super::centerline::Path;
 use super::config::{JointSpec, MuscleSpec, Tendon};
-use super::joint_dof::Joint;
+use super::joint_dof::JointDof;
 use super::line_of_action::{Frames, Line};
 use super::muscle_state::{FREE, Span};
 use super::profile::Profile;
@@ -34,7 +34,7 @@ pub struct MuscleRig {
     /// What measurements turn; `None` where nothing is known to turn.
     pub(super) hinge: Option<RevoluteJoint>,
     /// The node of that joint.
-    pub(super) turning: Option<Joint>,
+    pub(super) turning: Option<JointDof>,
     pub(super) span: Option<Span>,
     pub(super) findings: Vec<Diagnostic<Finding>>,
     /// See [`WorldFrames::ride`].
@@ -154,7 +154,7 @@ impl MuscleRig {
     }
 
     /// The joint that [`MuscleRig::measure`] turns: the arm's elbow, the one that the file names, or the one that was found in the clip's skeleton.
-    pub fn joint(&self) -> Option<Joint> {
+    pub fn joint(&self) -> Option<JointDof> {
         self.turning
     }
 

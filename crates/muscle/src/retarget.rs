@@ -5,7 +5,7 @@ use glam::{DMat4, DVec3};
 use super::arm::UPPER_ARM;
 use super::build::resolve;
 use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
-use super::joint_dof::Joint;
+use super::joint_dof::JointDof;
 use super::line_of_action::{Frames, Line};
 use super::muscle_rig::{MuscleRig, WorldFrames};
 use super::profile::{Profile, ProfileError};
@@ -65,7 +65,7 @@ const BESIDE: f64 = 0.02;
 /// Sine of the angle between a joint's axis and a bone below which the joint turns that bone about itself: two degrees.
 const TWISTS: f64 = 0.035;
 
-impl Joint {
+impl JointDof {
     /// Whether the joint turns one of its bones about that bone itself, so that no side of it turns to the other; `world` is the scene in some pose.
     pub fn twists(&self, scene: &Scene, world: &[DMat4]) -> bool {
         let Some(nodes) = Self::limbs(scene, self.node) else { return false };
@@ -102,8 +102,8 @@ struct Limbs {
 }
 
 impl Limbs {
-    fn new(scene: &Scene, joint: &Joint, world: &[DMat4]) -> Option<Self> {
-        let [above, node, below] = Joint::limbs(scene, joint.node)?;
+    fn new(scene: &Scene, joint: &JointDof, world: &[DMat4]) -> Option<Self> {
+        let [above, node, below] = JointDof::limbs(scene, joint.node)?;
         let place = |id: NodeId| world.get(id.index()).map(|matrix| matrix.w_axis.truncate());
         let (shoulder, elbow, wrist) = (place(above)?, place(node)?, place(below)?);
         let upper = elbow - shoulder;
@@ -130,7 +130,7 @@ impl MuscleRig {
 
     /// The muscle `spec` of the arm of `ready` on the two limbs that meet in `joint`, in this rig's unit; `world` is the scene with that joint straight.
     /// `None` where there are no two limbs, this file has no names for them, or `ready` has no arm.
-    pub fn fitted(&self, spec: &MuscleSpec, ready: &MuscleFile, joint: &Joint, scene: &Scene, world: &[DMat4]) -> Option<MuscleSpec> {
+    pub fn fitted(&self, spec: &MuscleSpec, ready: &MuscleFile, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> Option<MuscleSpec> {
         let arm = ready.arm?;
         let limbs = Limbs::new(scene, joint, world)?;
         // Metres a unit of the ready file, along each limb and across both.

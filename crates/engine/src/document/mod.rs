@@ -53,7 +53,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::DMat4;
 
 use sinew_collada::Asset;
-use sinew_muscle::{Joint, MuscleFile, MuscleRig, MuscleState, Turn};
+use sinew_muscle::{JointDof, JointRotation, MuscleFile, MuscleRig, MuscleState};
 use sinew_scene::animation::Clip;
 use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::message::SourceName;
@@ -131,7 +131,7 @@ pub struct PoseState {
     /// Elbow angle and contraction.
     pub drive: MuscleState,
     /// Rotation of the controlled joint, on top of the clip or instead of it: see [`Document::joint`].
-    pub joint_rotation: Option<Turn>,
+    pub joint_rotation: Option<JointRotation>,
     /// Moves the whole model in the world, after everything else.
     pub model: DMat4,
     /// How joints bend a skin.
@@ -201,19 +201,19 @@ impl Document {
     /// in the skeleton. `None` where there is none. Looks at the whole scene and its clips: ask once, when a document has been opened.
     ///
     /// The elbow of a muscle file's own arm is none of these; [`PoseState::drive`] bends it.
-    pub fn joint(&self) -> Option<Joint> {
+    pub fn joint(&self) -> Option<JointDof> {
         self.muscles_joint().or_else(|| self.elbow())
     }
 
     /// The joint that a muscle file names or its muscles cross; quick.
-    pub fn muscles_joint(&self) -> Option<Joint> {
+    pub fn muscles_joint(&self) -> Option<JointDof> {
         self.rigs().filter(|(rig, _)| rig.flexion_range().is_none()).find_map(|(rig, _)| rig.joint())
     }
 
     /// The elbow that is found in a clip's skeleton, whatever muscles there are. Looks at the whole scene and its clips.
-    pub fn elbow(&self) -> Option<Joint> {
+    pub fn elbow(&self) -> Option<JointDof> {
         let own: Vec<NodeId> = self.rig_roots().collect();
-        Joint::elbow(&self.scene, &self.clips, &own)
+        JointDof::elbow(&self.scene, &self.clips, &own)
     }
 
     /// The rig of muscle `id` and the muscle's index in it.

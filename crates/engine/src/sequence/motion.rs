@@ -1,7 +1,7 @@
 //! The frames of a sequence: how many there are, and the pose and turntable angle of each.
 
 use crate::document::{Document, PoseState};
-use sinew_muscle::{Joint, MuscleRig};
+use sinew_muscle::{JointDof, MuscleRig};
 
 /// Frames per second where none is given.
 pub const DEFAULT_FPS: f64 = 25.0;
@@ -92,7 +92,7 @@ pub struct Sequence {
     from: f64,
     to: f64,
     kind: MotionKind,
-    joint: Option<Joint>,
+    joint: Option<JointDof>,
     turntable: bool,
 }
 
@@ -178,7 +178,7 @@ impl Sequence {
             MotionKind::Angle(from, to) => {
                 let angle = from + (to - from) * fraction;
                 match (&self.joint, document.driven_rig()) {
-                    (Some(joint), _) => state.joint_rotation = Some(joint.at(angle)),
+                    (Some(joint), _) => state.joint_rotation = Some(joint.absolute(angle)),
                     (None, Some(rig)) => state.drive = rig.at_flexion(angle),
                     (None, None) => {}
                 }

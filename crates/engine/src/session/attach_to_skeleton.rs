@@ -1,7 +1,7 @@
 //! Attaches the muscles of a file to the bones of a clip instead of the arm that they came with, as one undo step.
 
 use super::{Session, UndoStep};
-use sinew_muscle::{Form, Joint, MuscleFile, MuscleSpec};
+use sinew_muscle::{Form, JointDof, MuscleFile, MuscleSpec};
 use sinew_scene::message;
 use sinew_scene::message::Value;
 
@@ -17,16 +17,16 @@ pub struct AttachResult {
 impl Session {
     /// The joint of a clip that the muscles of file `place` can be hung on: that of the selected bone, else the elbow that is found. `None` where they are
     /// on no arm of their own, or there is no such joint. Looks at the whole scene: ask when something was opened, selected or edited.
-    pub fn joint_to_attach_to(&self, place: usize) -> Option<Joint> {
+    pub fn joint_to_attach_to(&self, place: usize) -> Option<JointDof> {
         self.document.muscle_files().nth(place).filter(|file| file.arm.is_some())?;
         let bones = self.turnable();
         let scene = &self.document.scene;
         let selected = self.selected().filter(|node| bones.contains(node));
         let joint = match selected {
-            Some(node) => Joint::at_node(scene, &self.document.clips, node)?,
+            Some(node) => JointDof::at_node(scene, &self.document.clips, node)?,
             None => self.found_elbow()?,
         };
-        let two_limbs = Joint::limbs(scene, joint.node).is_some();
+        let two_limbs = JointDof::limbs(scene, joint.node).is_some();
         (two_limbs && !self.twists(&joint)).then_some(joint)
     }
 
@@ -63,7 +63,7 @@ impl Session {
         Some(AttachResult { muscles, joint })
     }
 
-    fn attached_muscle(&self, place: usize, muscle: &MuscleSpec, on_arm: &MuscleFile, joint: &Joint) -> Option<MuscleSpec> {
+    fn attached_muscle(&self, place: usize, muscle: &MuscleSpec, on_arm: &MuscleFile, joint: &JointDof) -> Option<MuscleSpec> {
         if muscle.origin.is_none() {
             return Some(muscle.clone());
         }

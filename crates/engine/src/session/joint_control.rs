@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::{ChangeSet, Session, UndoStep};
 use crate::document::Document;
-use sinew_muscle::{Driving, Joint, MuscleState, Turn};
+use sinew_muscle::{Driving, JointDof, JointRotation, MuscleState};
 use sinew_scene::message;
 use sinew_scene::message::{Message, signed};
 use sinew_scene::{MuscleId, NodeId, NodeKind};
@@ -26,9 +26,9 @@ pub enum JointAxis {
 #[derive(Debug, Default)]
 pub(super) struct JointController {
     /// The elbow found in the skeleton.
-    elbow: OnceCell<Option<Joint>>,
+    elbow: OnceCell<Option<JointDof>>,
     chosen: Option<(NodeId, JointAxis)>,
-    joint: OnceCell<Option<Joint>>,
+    joint: OnceCell<Option<JointDof>>,
     /// The muscle that was added last and found no place, and the joint that turns about its own bone: that is why.
     pub(super) twisted: Option<(MuscleId, NodeId)>,
     on_top: bool,
@@ -46,7 +46,7 @@ impl JointController {
 pub(super) struct HeldJoint {
     chosen: Option<(NodeId, JointAxis)>,
     on_top: bool,
-    turn: Option<Turn>,
+    turn: Option<JointRotation>,
 }
 
 /// What the elbow slider shows, degrees.
@@ -67,7 +67,7 @@ impl Session {
     }
 
     /// The joint of the clip's skeleton that the elbow slider turns: the one that was chosen, else the one that [`Document::joint`] finds.
-    pub fn joint(&self) -> Option<Joint> {
+    pub fn joint(&self) -> Option<JointDof> {
         let find = || match self.joint.chosen {
             Some((node, axis)) => self.joint_at(node, axis),
             None => self.document.muscles_joint().or_else(|| self.found_elbow()),
@@ -76,18 +76,20 @@ impl Session {
     }
 
     /// The elbow that is found in the clip's skeleton, whatever was chosen.
-    pub(super) fn found_elbow(&self) -> Option<Joint> {
+    pub(super) fn found_elbow(&self) -> Option<JointDof> {
         *self.joint.elbow.get_or_init(|| self.document.elbow())
     }
 
-    fn joint_at(&self, node: NodeId, axis: JointAxis) -> Option<Joint> {
+    fn joint_at(&self, node: NodeId, axis: JointAxis) -> Option<JointDof> {
         let scene = &self.document.scene;
         match axis {
             JointAxis::Hinge => {
                 let named = self.document.muscles_joint().filter(|joint| joint.node == node);
-                named.or_else(|| Joint::at_node(scene, &self.document.clips, node)).or_else(|| Some(Joint::about(scene, node, DVec3::Z)))
+                named
+                    .or_else(|| JointDof::at_node(scene, &self.document.clips, node))
+                    .or_else(|| Some(JointDof::about(scene, node, DVec3::Z)))
             }
-            JointAxis::Own(axis) => Some(Joint::about(scene, node, [DVec3::X, DVec3::Y, DVec3::Z].into_iter().nth(axis)?)),
+            JointAxis::Own(axis) => Some(JointDof::about(scene, node, [DVec3::X, DVec3::Y, DVec3::Z].into_iter().nth(axis)?)),
         }
     }
 
@@ -128,9 +130,9 @@ impl Session {
                 Some(angle) if on_top => {
                     self.state.joint_rotation = None;
                     self.needs_posing = true;
-                    Some(joint.by(angle - self.joint_angle().unwrap_or(angle)))
+                    Some(joint.relative(angle - self.joint_angle().unwrap_or(angle)))
                 }
-                Some(angle) => Some(joint.at(angle)),
+                Some(angle) => Some(joint.absolute(angle)),
                 None => Some(turn),
             };
         }
@@ -165,7 +167,7 @@ impl Session {
     pub fn set_joint_angle(&mut self, degrees: f64) {
         let Some(joint) = self.joint().filter(|_| degrees.is_finite()) else { return };
         let [low, high] = joint.range;
-        let turn = if self.joint.on_top { joint.by(degrees.clamp(low - high, high - low)) } else { joint.at(degrees) };
+        let turn = if self.joint.on_top { joint.relative(degrees.clamp(low - high, high - low)) } else { joint.absolute(degrees) };
         self.set_joint_rotation(Some(turn));
     }
 
@@ -174,7 +176,7 @@ impl Session {
         self.set_joint_rotation(None);
     }
 
-    fn set_joint_rotation(&mut self, turn: Option<Turn>) {
+    fn set_joint_rotation(&mut self, turn: Option<JointRotation>) {
         if turn != self.state.joint_rotation {
             self.state.joint_rotation = turn;
             self.changed(ChangeSet::DRIVE);
@@ -322,10 +324,10 @@ mod tests {
         let mut session = clip();
         let joint = session.document().joint().unwrap();
         session.set_flexion(75.0);
-        assert_eq!(session.state().joint_rotation, Some(joint.at(75.0)));
+        assert_eq!(session.state().joint_rotation, Some(joint.absolute(75.0)));
         session.set_on_top(true);
         session.set_flexion(-20.0);
-        assert_eq!(session.state().joint_rotation, Some(joint.by(-20.0)));
+        assert_eq!(session.state().joint_rotation, Some(joint.relative(-20.0)));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::{ChangeSet, Session, UndoStep};
 use crate::document::{PoseBuffers, PoseState};
 use sinew_i18n::Sentence;
 use sinew_muscle::presets::Preset;
-use sinew_muscle::{Anchor, Edit, EditError, Form, Joint, MuscleFile, MuscleSpec, Wrap, bone_scale};
+use sinew_muscle::{Anchor, Edit, EditError, Form, JointDof, MuscleFile, MuscleSpec, Wrap, bone_scale};
 use sinew_scene::message;
 use sinew_scene::message::Message;
 use sinew_scene::{Content, Frame, MuscleId, NodeId};
@@ -70,8 +70,8 @@ impl Session {
     }
 
     /// The scale of the bones that muscles on the two limbs of a joint are fitted to: they grow and shrink with them.
-    pub(super) fn bones_scale(&self, joint: &Joint) -> Option<f64> {
-        let [above, ..] = Joint::limbs(&self.document.scene, joint.node)?;
+    pub(super) fn bones_scale(&self, joint: &JointDof) -> Option<f64> {
+        let [above, ..] = JointDof::limbs(&self.document.scene, joint.node)?;
         self.scale_of_bone(above)
     }
 
@@ -84,17 +84,17 @@ impl Session {
 
     /// The joint whose limbs a new muscle joins: the selected bone, else the one that the slider bends. `None` where the muscle shown is on an arm and no
     /// bone of a clip is selected.
-    fn joint_for_new(&self) -> Option<Joint> {
+    fn joint_for_new(&self) -> Option<JointDof> {
         let selected = self.selected().filter(|node| bones(&self.document).contains(node));
         let scene = &self.document.scene;
         match selected {
-            Some(node) => Joint::at_node(scene, &self.document.clips, node).or_else(|| self.joint()),
+            Some(node) => JointDof::at_node(scene, &self.document.clips, node).or_else(|| self.joint()),
             None if self.bends_arm() => None,
             None => self.joint(),
         }
     }
 
-    pub(super) fn twists(&self, joint: &Joint) -> bool {
+    pub(super) fn twists(&self, joint: &JointDof) -> bool {
         joint.twists(&self.document.scene, &self.straight(joint).world)
     }
 
@@ -110,14 +110,14 @@ impl Session {
         })
     }
 
-    fn fitted(&self, id: MuscleId, model: &MuscleSpec, ready: &MuscleFile, joint: &Joint) -> Option<MuscleSpec> {
+    fn fitted(&self, id: MuscleId, model: &MuscleSpec, ready: &MuscleFile, joint: &JointDof) -> Option<MuscleSpec> {
         let (rig, _) = self.document.muscle(id)?;
         rig.fitted(model, ready, joint, &self.document.scene, &self.straight(joint).world)
     }
 
     /// The nodes of the scene with a joint straight.
-    pub(super) fn straight(&self, joint: &Joint) -> Frame {
-        let straight = PoseState { joint_rotation: Some(joint.at(0.0)), ..PoseState::default() };
+    pub(super) fn straight(&self, joint: &JointDof) -> Frame {
+        let straight = PoseState { joint_rotation: Some(joint.absolute(0.0)), ..PoseState::default() };
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose_nodes(&straight, &mut buffers, &mut frame);
         frame
