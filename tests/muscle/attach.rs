@@ -117,7 +117,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     let axes = [bone.x_axis, bone.y_axis, bone.z_axis].map(|axis| axis.truncate().normalize());
     let place = bone.w_axis.truncate() * 1000.0 + axes[0] * via.x + axes[1] * via.y + axes[2] * via.z;
     let nearest =
-        (0..=1000).map(|step| path.station(length * f64::from(step) / 1000.0).position.distance(place)).fold(f64::INFINITY, f64::min);
+        (0..=1000).map(|step| path.frame_at(length * f64::from(step) / 1000.0).position.distance(place)).fold(f64::INFINITY, f64::min);
     assert!(nearest < 2.0, "{nearest} mm past the via point");
     // A thick belly makes a wide arc, not another line of action.
     let thick = yaml.replace("[5, 8, 5]", "[5, 200, 5]");

@@ -201,10 +201,10 @@ fn round_a_bent_line_the_volume_is_that_round_a_straight_one() {
     assert!((path.length() - solved.path_length).abs() < 1e-9, "the drawn line is as long as the line of action");
     const STEPS: usize = 20_000;
     let (mut walked, mut volume) = (0.0, 0.0);
-    let mut before = path.station(0.0);
+    let mut before = path.frame_at(0.0);
     for step in 1..=STEPS {
         let at = path.length() * step as f64 / STEPS as f64;
-        let here = path.station(at);
+        let here = path.frame_at(at);
         assert!(here.tangent.is_normalized() && here.u.is_normalized());
         assert!(here.u.dot(here.tangent).abs() < 1e-9 && here.v.dot(here.u).abs() < 1e-9);
         let chord = here.position.distance(before.position);
@@ -273,7 +273,7 @@ fn the_belly_keeps_off_the_rods_and_its_ends_touch_them() {
             let wrist = elbow + DVec3::new(turn.sin(), -turn.cos(), 0.0) * lower;
             let path = stage.rig.centre_line(0, &solved, &stage.world(angle)).unwrap();
             for (at, end) in [(0.0, 0), (path.length(), 1)] {
-                let centre = path.station(at).position;
+                let centre = path.frame_at(at).position;
                 let rod = if end == 0 { distance(centre, shoulder, elbow) } else { distance(centre, elbow, wrist) };
                 let belly = if end == 0 { solved.radii.first() } else { solved.radii.last() };
                 let radius = if tendons[end].length > 0.0 { tendons[end].radius } else { *belly.unwrap() };

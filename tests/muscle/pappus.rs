@@ -81,7 +81,7 @@ fn by_surface(path: &Path, solved: &Solved, start: f64, rings: usize) -> (f64, f
         let place = share * (solved.radii.len() - 1) as f64;
         let node = (place as usize).min(solved.radii.len() - 2);
         let radius = solved.radii[node] + (solved.radii[node + 1] - solved.radii[node]) * (place - node as f64);
-        let station = path.station(start + share * solved.length);
+        let station = path.frame_at(start + share * solved.length);
         if step > 0 {
             bend = bend.max(radius * path.sharpest(start + (share - 1.0 / rings as f64) * solved.length, start + share * solved.length));
         }
@@ -125,12 +125,12 @@ proptest! {
         prop_assert!(solved.volume_error.abs() < 1e-12, "{}", solved.volume_error);
         // The line is one curve: no jump, no kink, as long as it says.
         const STEPS: usize = 1200;
-        let mut before = path.station(0.0);
+        let mut before = path.frame_at(0.0);
         prop_assert!(path.length().is_finite() && path.length() > 0.0, "{}", case.yaml);
         let long = path.length() / STEPS as f64;
         for step in 1..=STEPS {
             let at = path.length() * step as f64 / STEPS as f64;
-            let here = path.station(at);
+            let here = path.frame_at(at);
             prop_assert!(here.position.is_finite() && here.position.distance(before.position) <= long * (1.0 + 1e-9) + 1e-9, "{}", case.yaml);
             let turn = here.tangent.angle_between(before.tangent);
             prop_assert!(turn <= long * path.sharpest(at - long, at) + 1e-6, "a kink of {turn} at {step}\n{}", case.yaml);

@@ -17,7 +17,7 @@ const TOUCH: f64 = 0.08;
 
 /// What was found for one muscle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Fit {
+pub(super) struct ClearanceResult {
     /// Ends and side of the drawn centre line.
     pub drawn: CenterlineOffset,
     /// The greatest flexion at which it stays clear of the rods, degrees.
@@ -29,7 +29,7 @@ pub(super) struct Fit {
 /// The ends lie beside the line of action's own, out on the rods' surfaces by the thickness of rod and muscle, and slid towards the elbow. Without
 /// a slide the straight arm would leave no length for an arch; with more than needed the belly stands off when the arm is bent. So the smallest
 /// slide is taken that keeps clear up to the greatest angle.
-pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> Fit {
+pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> ClearanceResult {
     let hinge = RevoluteJoint::elbow(arm, range);
     let side = flexor_side(&hinge, line);
     let end_radius = |end: usize, radius: Option<&f64>| {
@@ -66,7 +66,7 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
     // `SLIDES` is not empty, so there is a best one.
     let (clear, drawn) = best.unwrap_or((range[1], CenterlineOffset { ends: [line.origin, line.insertion], side: DVec3::X * side }));
     let flexion = if clear > range[1] - 5.0 { range[1] } else { clear.max(FREE_FLEXION).min(range[1]) };
-    Fit { drawn, flexion }
+    ClearanceResult { drawn, flexion }
 }
 
 /// +1 for a muscle that shortens when the elbow bends, −1 for one that lengthens.
@@ -103,7 +103,7 @@ fn gap(
     if start.distance(end) > solved.length + fixed {
         return f64::NEG_INFINITY;
     }
-    let path = drawn.lay(frames, solved.length + fixed);
+    let path = drawn.centerline(frames, solved.length + fixed);
     let elbow = arm.elbow();
     let [shoulder, wrist] = [frames.frame(0).w_axis.truncate(), frames.frame(1).transform_point3(DVec3::NEG_Y * arm.lower)];
     let rods = [(shoulder, elbow), (elbow, wrist)];
@@ -113,7 +113,7 @@ fn gap(
     for step in 0..=steps {
         let at = path.length() * step as f64 / steps as f64;
         let radius = radius_along(solved, tendons, at);
-        let centre = cursor.station(at).position;
+        let centre = cursor.frame_at(at).position;
         for (bone, (from, to)) in rods.into_iter().enumerate() {
             // An end touches the rod that it is attached to: there a little is let pass, or rounding would decide.
             let attached = |end: usize, away: f64| drawn.ends[end].bone == bone && away < 2.5 * radius;

@@ -84,7 +84,7 @@ pub(super) enum Side {
 
 /// What a bone's name says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Meaning {
+pub(super) struct BoneNameMatch {
     /// Place in [`FOREARM`] of the word that it has: the lower, the surer.
     pub rank: usize,
     /// Whether it is also called a helper of some kind.
@@ -94,12 +94,12 @@ pub(super) struct Meaning {
 }
 
 /// What `name` says about a forearm; `None` where it names something else.
-pub(super) fn forearm(name: &str) -> Option<Meaning> {
+pub(super) fn forearm(name: &str) -> Option<BoneNameMatch> {
     let words = words(name);
     let joined = words.concat();
     let rank = FOREARM.iter().position(|group| group.iter().any(|word| joined.contains(word)))?;
     let helper = words.iter().any(|word| HELPERS.contains(&word.as_str())) || joined.contains("twist");
-    Some(Meaning { rank, helper, side: side(&words, &joined) })
+    Some(BoneNameMatch { rank, helper, side: side(&words, &joined) })
 }
 
 /// The words of a name in lower case: it is cut at namespaces, signs, digits, and where a small letter meets a capital.

@@ -108,7 +108,7 @@ impl MuscleRig {
             AttachmentPoint::End(0) => Some(line.origin),
             AttachmentPoint::End(_) => Some(line.insertion),
             AttachmentPoint::Via(number) => line.via.get(number).copied(),
-            AttachmentPoint::Wrap => line.pulley.map(|pulley| pulley.center),
+            AttachmentPoint::Wrap => line.wrap_object.map(|wrap_object| wrap_object.center),
         }
     }
 
@@ -117,7 +117,7 @@ impl MuscleRig {
         let line = self.muscles.get(index).and_then(|muscle| muscle.line.as_ref());
         let via = line.map_or(0, |line| line.via.len());
         let ends = if line.is_some() { 2 } else { 0 };
-        let wrap = line.and_then(|line| line.pulley).map(|_| AttachmentPoint::Wrap);
+        let wrap = line.and_then(|line| line.wrap_object).map(|_| AttachmentPoint::Wrap);
         (0..ends).map(AttachmentPoint::End).chain((0..via).map(AttachmentPoint::Via)).chain(wrap)
     }
 }

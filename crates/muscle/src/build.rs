@@ -10,9 +10,9 @@ use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
 use super::joint_dof::{FoundBy, JointDof};
 use super::line_of_action::{CenterlineOffset, Line, Point};
 use super::muscle_rig::{Muscle, MuscleRig};
-use super::muscle_state::Span;
+use super::muscle_state::LengthRange;
 use super::revolute_joint::RevoluteJoint;
-use super::tessellation::Layout;
+use super::tessellation::MuscleTopology;
 use super::wrap::WrapObject;
 use super::{bone_clearance, materials, primitive_meshes, scaling};
 use sinew_i18n::tr;
@@ -193,7 +193,7 @@ impl MuscleRig {
             }
         }
         hinge.range = range;
-        self.span = Some(Span::new(range, |angle| self.driving_length(angle)));
+        self.span = Some(LengthRange::new(range, |angle| self.driving_length(angle)));
     }
 
     /// Finds out how long muscles are at the angles of their measured poses, now that they are on their joint.
@@ -220,7 +220,7 @@ impl MuscleRig {
 }
 
 fn new_muscle(spec: MuscleSpec, scene: &mut Scene, tendon: MaterialId, free_middle: DVec3) -> Muscle {
-    let layout = Layout::new(spec.profile.radii().len(), &spec.tendons);
+    let layout = MuscleTopology::new(spec.profile.radii().len(), &spec.tendons);
     let flesh = materials::muscle(scene, &spec.name, spec.color);
     let material = |part| Some(MaterialBinding::plain(if part == 0 { flesh } else { tendon }));
     let (shape, tendons) = (spec.profile.clone(), spec.tendons);
@@ -237,7 +237,7 @@ pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<us
     };
     let (origin, insertion) = (point(origin)?, point(insertion)?);
     let via = spec.via.iter().map(&mut point).collect::<Result<Vec<_>, _>>()?;
-    let pulley = match &spec.wrap {
+    let wrap_object = match &spec.wrap {
         Some(wrap) => {
             // It lies on the stretch that leads from one bone to another; a joint is where they meet.
             let all: Vec<usize> = [origin].iter().chain(&via).chain([&insertion]).map(|point| point.bone).collect();
@@ -247,7 +247,7 @@ pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<us
         None => None,
     };
     let thickest = spec.profile.radii().iter().copied().fold(0.0, f64::max);
-    Ok(Some(Line { origin, insertion, via, pulley, rounding: ROUNDING * thickest, drawn: None }))
+    Ok(Some(Line { origin, insertion, via, wrap_object, rounding: ROUNDING * thickest, drawn: None }))
 }
 
 /// A node by id, scoped id or name, joints first; nodes below `own` are the rig's own and don't count.

@@ -10,7 +10,7 @@ pub(super) const PIECES: usize = 32;
 
 /// A straight piece or an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Piece {
+pub(super) struct Segment {
     start: DVec3,
     tangent: DVec3,
     /// Unit vector towards the centre of the arc; any perpendicular one on a straight piece.
@@ -25,7 +25,7 @@ pub(super) struct Piece {
 
 /// Where a cross-section stands: `u`, `v`, `tangent` are perpendicular unit vectors, right-handed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Station {
+pub struct CrossSectionFrame {
     /// Centre.
     pub position: DVec3,
     /// Direction of the path.
@@ -43,7 +43,7 @@ pub struct Station {
 /// A centre line. Lives on the stack, so that laying a muscle allocates nothing.
 #[derive(Debug, Clone)]
 pub struct Path {
-    pieces: [Piece; PIECES],
+    pieces: [Segment; PIECES],
     count: usize,
     length: f64,
     /// The frame's first axis at the end.
@@ -53,7 +53,7 @@ pub struct Path {
 impl Path {
     /// An empty path whose cross-sections will have their first axis as near `u` as the first piece's direction allows.
     pub fn new(u: DVec3) -> Self {
-        Self { pieces: [Piece::default(); PIECES], count: 0, length: 0.0, u }
+        Self { pieces: [Segment::default(); PIECES], count: 0, length: 0.0, u }
     }
 
     /// Length of all pieces.
@@ -78,7 +78,7 @@ impl Path {
     pub fn line(&mut self, start: DVec3, end: DVec3) {
         let Some(tangent) = (end - start).try_normalize() else { return };
         let u = perpendicular(self.u, tangent);
-        self.push(Piece {
+        self.push(Segment {
             start,
             tangent,
             normal: u,
@@ -99,12 +99,12 @@ impl Path {
         let binormal = tangent.cross(normal);
         let u = perpendicular(self.u, tangent);
         let along = (u.dot(normal), u.dot(binormal));
-        self.push(Piece { start, tangent, normal, binormal, curvature: 1.0 / radius, length: radius * angle, along });
+        self.push(Segment { start, tangent, normal, binormal, curvature: 1.0 / radius, length: radius * angle, along });
         let (sin, cos) = angle.sin_cos();
         self.u = along.0 * (normal * cos - tangent * sin) + along.1 * binormal;
     }
 
-    fn push(&mut self, piece: Piece) {
+    fn push(&mut self, piece: Segment) {
         if let Some(slot) = self.pieces.get_mut(self.count) {
             *slot = piece;
             self.count += 1;
@@ -117,7 +117,7 @@ impl Path {
     ///
     /// With `θ` the angle at which it leaves the chord `c`, the arcs have the radius `s / θ` over their length `s = shoulder · L`, so
     /// `c = L − 2 s (1 − sin θ / θ)`; `θ` is found by Newton's method. Where even a full arch is too short, it is scaled to end at `end`.
-    pub fn arch(start: DVec3, end: DVec3, length: f64, shoulder: f64, side: DVec3) -> Self {
+    pub fn arc_between(start: DVec3, end: DVec3, length: f64, shoulder: f64, side: DVec3) -> Self {
         let chord = end - start;
         let distance = chord.length();
         let along = chord.try_normalize().unwrap_or(DVec3::NEG_Y);
@@ -144,11 +144,11 @@ impl Path {
     }
 
     /// The cross-section at length `at` from the start; before the start and after the end it goes straight on.
-    pub fn station(&self, at: f64) -> Station {
-        self.cursor().station(at)
+    pub fn frame_at(&self, at: f64) -> CrossSectionFrame {
+        self.cursor().frame_at(at)
     }
 
-    /// Walks along the path: stations asked for in rising order are found in one pass.
+    /// Walks along the path: frames asked for in rising order are found in one pass.
     pub fn cursor(&self) -> Cursor<'_> {
         Cursor { path: self, piece: 0, start: 0.0 }
     }
@@ -165,7 +165,7 @@ pub struct Cursor<'a> {
 
 impl Cursor<'_> {
     /// The cross-section at length `at` from the start, not before the piece of the last one asked for.
-    pub fn station(&mut self, at: f64) -> Station {
+    pub fn frame_at(&mut self, at: f64) -> CrossSectionFrame {
         let path = self.path;
         while let (Some(piece), true) = (path.pieces.get(self.piece), self.piece + 1 < path.count) {
             if at <= self.start + piece.length {
@@ -176,12 +176,12 @@ impl Cursor<'_> {
         }
         // `PIECES` is not zero and `piece` stays below `count`, so the piece is there; an empty path gives a piece of zeros.
         let piece = path.pieces.get(self.piece).copied().unwrap_or_default();
-        piece.station(at - self.start)
+        piece.frame_at(at - self.start)
     }
 }
 
-impl Piece {
-    fn station(&self, at: f64) -> Station {
+impl Segment {
+    fn frame_at(&self, at: f64) -> CrossSectionFrame {
         let inside = at.clamp(0.0, self.length);
         let (sin, cos) = (self.curvature * inside).sin_cos();
         let tangent = self.tangent * cos + self.normal * sin;
@@ -192,7 +192,14 @@ impl Piece {
             self.start + self.tangent * inside
         };
         let u = normal * self.along.0 + self.binormal * self.along.1;
-        Station { position: position + tangent * (at - inside), tangent, u, v: tangent.cross(u), curvature: self.curvature, normal }
+        CrossSectionFrame {
+            position: position + tangent * (at - inside),
+            tangent,
+            u,
+            v: tangent.cross(u),
+            curvature: self.curvature,
+            normal,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use super::MuscleState;
 use super::joint_dof::JointDof;
 use super::line_of_action::Line;
 use super::muscle_rig::MuscleRig;
-use super::muscle_state::Span;
+use super::muscle_state::LengthRange;
 use super::revolute_joint::RevoluteJoint;
 use sinew_scene::Scene;
 
@@ -18,7 +18,7 @@ const NONE: f64 = 1e-6;
 pub struct Driving<'a> {
     hinge: RevoluteJoint,
     line: &'a Line,
-    span: Span,
+    span: LengthRange,
 }
 
 impl MuscleRig {
@@ -35,7 +35,7 @@ impl MuscleRig {
         if most - least <= NONE * muscle.shape.rest_length() {
             return None;
         }
-        let span = Span::new(joint.range, |angle| line.length(&hinge.at(angle)));
+        let span = LengthRange::new(joint.range, |angle| line.length(&hinge.at(angle)));
         Some(Driving { hinge, line, span })
     }
 }

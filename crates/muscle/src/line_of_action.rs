@@ -5,7 +5,7 @@
 //!
 //! What is drawn is another line of *exactly the same length*, so that the volume on the screen is the volume of the ledger. A line with via points is
 //! rounded at each and pushed out a little for what that takes off ([`super::rounded_centerline`]). On the two-rod arm the line of action may run between points on
-//! the rods' axes, so a belly drawn along it would swallow the rods; there an arch ([`Path::arch`]) is drawn whose ends lie on the rods' surfaces on the
+//! the rods' axes, so a belly drawn along it would swallow the rods; there an arch ([`Path::arc_between`]) is drawn whose ends lie on the rods' surfaces on the
 //! muscle's side, slid a few millimetres towards the elbow to give the arch its height ([`super::bone_clearance`]). Length and moment arm stay those of the
 //! line of action: on the straight-rod arm, the law of cosines.
 
@@ -46,7 +46,7 @@ pub(super) struct Line {
     /// Points in between, in order.
     pub via: Vec<Point>,
     /// What it goes round.
-    pub pulley: Option<WrapObject>,
+    pub wrap_object: Option<WrapObject>,
     /// Radius of the arcs at via points that are drawn.
     pub rounding: f64,
     /// The ends of the centre line that is drawn, where it is an arch.
@@ -96,8 +96,8 @@ impl Line {
     /// The same line with the ball and the rounding multiplied by `scale`: offsets are scaled by the bones that they are on.
     pub(super) fn scaled(mut self, scale: f64) -> Self {
         self.rounding *= scale;
-        if let Some(pulley) = &mut self.pulley {
-            pulley.radius *= scale;
+        if let Some(wrap_object) = &mut self.wrap_object {
+            wrap_object.radius *= scale;
         }
         self
     }
@@ -109,12 +109,14 @@ impl Line {
 
     /// Its parts between one point and the next.
     pub(super) fn legs<'a>(&'a self, frames: &'a (impl Frames + ?Sized)) -> impl Iterator<Item = Leg> + 'a {
-        let pulley = self.pulley.as_ref();
+        let wrap_object = self.wrap_object.as_ref();
         let mut before = (self.origin, frames.place(self.origin));
         self.points().skip(1).enumerate().map(move |(stretch, point)| {
             let ((from, start), end) = (before, frames.place(point));
             before = (point, end);
-            let contact = pulley.filter(|pulley| pulley.stretch == stretch).and_then(|pulley| pulley.between(frames, start, end));
+            let contact = wrap_object
+                .filter(|wrap_object| wrap_object.stretch == stretch)
+                .and_then(|wrap_object| wrap_object.between(frames, start, end));
             Leg { from, to: point, start, end, contact }
         })
     }
@@ -125,9 +127,9 @@ impl Line {
     }
 
     /// The centre line that is drawn; `length` is that of the line of action or, where the muscle is held at a limit, another.
-    pub(super) fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
+    pub(super) fn centerline(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
         match &self.drawn {
-            Some(drawn) => drawn.lay(frames, length),
+            Some(drawn) => drawn.centerline(frames, length),
             None => rounded_centerline::rounded(self, frames),
         }
     }
@@ -135,9 +137,9 @@ impl Line {
 
 impl CenterlineOffset {
     /// The arch of this length between the drawn ends.
-    pub(super) fn lay(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
+    pub(super) fn centerline(&self, frames: &(impl Frames + ?Sized), length: f64) -> Path {
         let [start, end] = self.ends.map(|point| frames.place(point));
         let [above, below] = self.ends.map(|point| frames.frame(point.bone).transform_vector3(self.side));
-        Path::arch(start, end, length, SHOULDER, above + below)
+        Path::arc_between(start, end, length, SHOULDER, above + below)
     }
 }

@@ -21,15 +21,15 @@ fn slope(frames: &Turned<'_>, line: &Line, leg: &Leg) -> f64 {
         (rate * point.local.extend(1.0)).truncate()
     };
     let (from, to) = (speed(leg.from), speed(leg.to));
-    let Some((contact, pulley)) = leg.contact.as_ref().zip(line.pulley) else {
+    let Some((contact, wrap_object)) = leg.contact.as_ref().zip(line.wrap_object) else {
         return (leg.end - leg.start).try_normalize().unwrap_or(DVec3::ZERO).dot(to - from);
     };
-    let center = speed(pulley.center);
+    let center = speed(wrap_object.center);
     let moved = contact.tangent.dot(center - from) + contact.leaves.dot(to - center);
     // A ball that is held small by a point on it grows and shrinks with that point's distance.
     let grown = contact.held_by.map_or(0.0, |end| {
         let (place, speed) = if end == 0 { (leg.start, from) } else { (leg.end, to) };
-        let out = (place - frames.place(pulley.center)).normalize_or_zero();
+        let out = (place - frames.place(wrap_object.center)).normalize_or_zero();
         contact.angle * out.dot(speed - center)
     });
     moved + grown

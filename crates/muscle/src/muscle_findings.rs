@@ -187,7 +187,7 @@ fn find_tight_bends(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint,
     let every = samples.len().div_ceil(13).max(1);
     let mut folds = |sample: &AngleSample| {
         muscle.solve_along(sample.length, &mut solved);
-        let path = line.lay(&hinge.at(sample.angle), (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
+        let path = line.centerline(&hinge.at(sample.angle), (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
         let spacing = solved.length / solved.radii.len().saturating_sub(1).max(1) as f64;
         let start = muscle.tendons[0].length;
         solved.radii.windows(2).enumerate().any(|(node, pair)| {
@@ -202,14 +202,14 @@ fn find_tight_bends(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint,
 
 /// Says where a wrap does nothing, or only as far as a point inside it lets it.
 fn find_inert_wrap(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
-    let Some(pulley) = &line.pulley else { return };
-    let stretch = line.points().enumerate().skip(pulley.stretch).take(2);
+    let Some(wrap_object) = &line.wrap_object else { return };
+    let stretch = line.points().enumerate().skip(wrap_object.stretch).take(2);
     let depths = samples.iter().flat_map(|sample| {
         let frames = hinge.at(sample.angle);
-        let center = frames.place(pulley.center);
-        stretch.clone().map(move |(number, point)| (number, sample.angle, pulley.radius - frames.place(point).distance(center)))
+        let center = frames.place(wrap_object.center);
+        stretch.clone().map(move |(number, point)| (number, sample.angle, wrap_object.radius - frames.place(point).distance(center)))
     });
-    let deepest = depths.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, depth)| *depth > 1e-6 * pulley.radius);
+    let deepest = depths.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, depth)| *depth > 1e-6 * wrap_object.radius);
     if let Some((number, angle, depth)) = deepest {
         let point = match number.checked_sub(1) {
             None => LinePoint::Origin,
@@ -274,13 +274,13 @@ fn deepest_penetration(
     }
     let mut solved = Solved::default();
     muscle.solve_along(sample.length, &mut solved);
-    let path = line.lay(&frames, (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
+    let path = line.centerline(&frames, (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
     let start = 0.5 * (path.length() - solved.length - muscle.fixed()).max(0.0) + muscle.tendons[0].length;
     let mut cursor = path.cursor();
     let mut belly = [(DVec3::ZERO, 0.0); PLACES];
     for (place, slot) in belly.iter_mut().enumerate() {
         let share = (place as f64 + 0.5) / PLACES as f64;
-        *slot = (cursor.station(start + share * solved.length).position, super::bone_clearance::radius_at(&solved.radii, share));
+        *slot = (cursor.frame_at(start + share * solved.length).position, super::bone_clearance::radius_at(&solved.radii, share));
     }
     let mut bones: Vec<usize> = line.points().map(|point| point.bone).collect();
     bones.sort_unstable();

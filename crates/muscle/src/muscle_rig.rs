@@ -11,11 +11,11 @@ use super::centerline::Path;
 use super::config::{JointSpec, MuscleSpec, Tendon};
 use super::joint_dof::JointDof;
 use super::line_of_action::{Frames, Line};
-use super::muscle_state::{FREE, Span};
+use super::muscle_state::{FREE, LengthRange};
 use super::profile::Profile;
 use super::revolute_joint::{Bone, RevoluteJoint, plain};
 use super::solver_report::SolverReport;
-use super::tessellation::{Layout, MeshQuality, ToWorld};
+use super::tessellation::{MeshQuality, MuscleTopology, ToWorld};
 use super::{MuscleState, Sample, Solved, measure};
 use sinew_scene::animation::Pose;
 use sinew_scene::diagnostics::Diagnostic;
@@ -35,7 +35,7 @@ pub struct MuscleRig {
     pub(super) hinge: Option<RevoluteJoint>,
     /// The node of that joint.
     pub(super) turning: Option<JointDof>,
-    pub(super) span: Option<Span>,
+    pub(super) span: Option<LengthRange>,
     pub(super) findings: Vec<Diagnostic<Finding>>,
     /// See [`WorldFrames::ride`].
     pub(super) ride: Option<Vec<f64>>,
@@ -58,7 +58,7 @@ pub(super) struct Muscle {
     pub tendons: [Tendon; 2],
     /// Its line of action; `None` where nothing holds it.
     pub line: Option<Line>,
-    pub layout: Layout,
+    pub layout: MuscleTopology,
     /// Made when it is first drawn: to tell what is in a file needs none.
     pub mesh: OnceLock<Arc<Mesh>>,
     pub materials: Vec<Option<MaterialBinding>>,
@@ -284,7 +284,7 @@ impl MuscleRig {
         let length = solved.length + muscle.fixed();
         match &muscle.line {
             // Tendons longer than what the belly leaves them hang slack; no arch is drawn for them.
-            Some(line) => line.lay(&self.frames(world), length.min(solved.path_length.max(solved.length))),
+            Some(line) => line.centerline(&self.frames(world), length.min(solved.path_length.max(solved.length))),
             None => {
                 let half = DVec3::X * (0.5 * length);
                 let mut path = Path::new(DVec3::Y);

@@ -8,7 +8,7 @@ pub(super) const FREE: [f64; 2] = [2.5, SHORTEST];
 
 /// How an arm drives its first muscle: angles and the lengths at both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Span {
+pub(super) struct LengthRange {
     /// Least and greatest flexion, degrees.
     pub flexion: [f64; 2],
     /// Length of the line of action at these two.
@@ -17,7 +17,7 @@ pub(super) struct Span {
     pub monotone: bool,
 }
 
-impl Span {
+impl LengthRange {
     /// Looks at `length` over a range of angles.
     pub(super) fn new(flexion: [f64; 2], length: impl Fn(f64) -> f64) -> Self {
         const STEPS: usize = 64;

@@ -20,7 +20,7 @@ const ON_LINE: f64 = 1e-3;
 
 /// The ball that a muscle goes round, in the world, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ball {
+pub struct WrapSphere {
     /// Its middle.
     pub center: DVec3,
     /// Its radius.
@@ -73,7 +73,7 @@ impl MuscleRig {
         let ends = [line.origin, line.insertion].map(|point| self.bones.get(point.bone).copied());
         let joint = joint_of(&scene.graph, node, [ends[0]?, ends[1]?]);
         let middle = world.get(joint.index())?.w_axis.truncate();
-        let there = self.ball(index, world);
+        let there = self.wrap_sphere(index, world);
         let side = match there {
             Some(ball) => ball.side,
             None => self.root_matrix(world).transform_vector3(self.side_of(index, middle, scene, drive, world)?),
@@ -89,12 +89,12 @@ impl MuscleRig {
     }
 
     /// The ball that muscle `index` goes round.
-    pub fn ball(&self, index: usize, world: &[DMat4]) -> Option<Ball> {
-        let pulley = self.line(index)?.pulley?;
+    pub fn wrap_sphere(&self, index: usize, world: &[DMat4]) -> Option<WrapSphere> {
+        let wrap_object = self.line(index)?.wrap_object?;
         let (frames, root) = (self.frames(world), self.root_matrix(world));
-        let side = root.transform_vector3(frames.frame(pulley.center.bone).transform_vector3(pulley.side));
-        let radius = root.transform_vector3(DVec3::X * pulley.radius).length();
-        Some(Ball { center: root.transform_point3(frames.place(pulley.center)), radius, side: side.normalize_or(DVec3::X) })
+        let side = root.transform_vector3(frames.frame(wrap_object.center.bone).transform_vector3(wrap_object.side));
+        let radius = root.transform_vector3(DVec3::X * wrap_object.radius).length();
+        Some(WrapSphere { center: root.transform_point3(frames.place(wrap_object.center)), radius, side: side.normalize_or(DVec3::X) })
     }
 
     fn line(&self, index: usize) -> Option<&Line> {
@@ -111,9 +111,9 @@ impl MuscleRig {
     fn nearest(&self, index: usize, drive: MuscleState, world: &[DMat4], point: DVec3) -> Option<(DVec3, DVec3)> {
         let path = self.centre_line(index, &self.solve(index, drive, world), world)?;
         let mut cursor = path.cursor();
-        let stations = (0..=PLACES).map(|step| cursor.station(path.length() * f64::from(step) / f64::from(PLACES)));
+        let frames = (0..=PLACES).map(|step| cursor.frame_at(path.length() * f64::from(step) / f64::from(PLACES)));
         let away = |at: DVec3| at.distance_squared(point);
-        let nearest = stations.min_by(|a, b| away(a.position).total_cmp(&away(b.position)))?;
+        let nearest = frames.min_by(|a, b| away(a.position).total_cmp(&away(b.position)))?;
         Some((nearest.position, nearest.tangent))
     }
 

@@ -25,7 +25,7 @@ const STEPS: usize = 80;
 
 /// The drawn centre line of a line that is no arch.
 pub(super) fn rounded(line: &Line, frames: &(impl Frames + ?Sized)) -> Path {
-    let side = line.pulley.map_or(DVec3::X, |pulley| frames.frame(pulley.center.bone).transform_vector3(pulley.side));
+    let side = line.wrap_object.map_or(DVec3::X, |wrap_object| frames.frame(wrap_object.center.bone).transform_vector3(wrap_object.side));
     let mut corners = Corners::new(line, frames);
     corners.make_up();
     corners.path(side)
@@ -108,9 +108,9 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
             (all.points[all.count], all.numbers[all.count]) = (place, (number, number));
             all.count += 1;
         }
-        all.side = line.pulley.and_then(|pulley| {
-            let index = (0..all.count.saturating_sub(1)).find(|index| all.is_at(*index, &pulley))?;
-            pulley.passes(frames, all.points[index], all.points[index + 1])
+        all.side = line.wrap_object.and_then(|wrap_object| {
+            let index = (0..all.count.saturating_sub(1)).find(|index| all.is_at(*index, &wrap_object))?;
+            wrap_object.passes(frames, all.points[index], all.points[index + 1])
         });
         all.settle(0.0);
         for index in 1..all.count.saturating_sub(1) {
@@ -221,14 +221,14 @@ impl<'a, F: Frames + ?Sized> Corners<'a, F> {
     }
 
     /// Whether the ball is between a point and the next one.
-    fn is_at(&self, index: usize, pulley: &WrapObject) -> bool {
-        (self.numbers[index].1..self.numbers[index + 1].0).contains(&pulley.stretch)
+    fn is_at(&self, index: usize, wrap_object: &WrapObject) -> bool {
+        (self.numbers[index].1..self.numbers[index + 1].0).contains(&wrap_object.stretch)
     }
 
     /// Where the line lies on the ball between a point and the next one.
     fn contact(&self, index: usize) -> Option<TangentPoints> {
-        let pulley = self.line.pulley.as_ref().filter(|pulley| self.is_at(index, pulley))?;
-        pulley.on_the_side(self.frames, self.places[index], self.places[index + 1], self.side?)
+        let wrap_object = self.line.wrap_object.as_ref().filter(|wrap_object| self.is_at(index, wrap_object))?;
+        wrap_object.on_the_side(self.frames, self.places[index], self.places[index + 1], self.side?)
     }
 
     fn path(&self, side: DVec3) -> Path {

@@ -10,7 +10,7 @@ use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 
 use super::Solved;
 use super::Tendon;
-use super::centerline::{Cursor, Path, Station};
+use super::centerline::{CrossSectionFrame, Cursor, Path};
 use sinew_scene::{Mesh, Part};
 
 /// Corners of a ring.
@@ -26,7 +26,7 @@ const TENDON: usize = 12;
 
 /// What decides the topology: it stays the same for all lengths of the muscle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Layout {
+pub(super) struct MuscleTopology {
     nodes: usize,
     /// Rings a span between two nodes.
     steps: usize,
@@ -44,7 +44,7 @@ pub struct MeshQuality {
 
 /// One ring to be written.
 struct Ring {
-    station: Station,
+    frame: CrossSectionFrame,
     radius: f64,
     /// dr/ds.
     slope: f64,
@@ -72,7 +72,7 @@ impl ToWorld {
     }
 }
 
-impl Layout {
+impl MuscleTopology {
     /// For a muscle of `nodes` nodes with these tendons.
     pub(super) fn new(nodes: usize, tendons: &[Tendon; 2]) -> Self {
         let spans = nodes.saturating_sub(1).max(1);
@@ -94,7 +94,7 @@ impl Layout {
         1 + self.tendons.iter().filter(|there| **there).count()
     }
 
-    /// The mesh: topology, texture coordinates and parts; positions are those of [`Layout::deform`] and empty here but for their number.
+    /// The mesh: topology, texture coordinates and parts; positions are those of [`MuscleTopology::deform`] and empty here but for their number.
     pub(super) fn mesh(&self, name: &str) -> Arc<Mesh> {
         let mut mesh = Mesh { name: name.to_owned(), ..Mesh::default() };
         let mut uvs = Vec::new();
@@ -162,18 +162,18 @@ impl Layout {
         // Slope at a node: the mean of the cones that meet there.
         let slope = |node: usize| 0.5 * (cone(node.max(1) - 1) + cone(node.min(spans - 1)));
         let mut cursor = path.cursor();
-        out.cap(cursor.station(start), radius(0), -1.0);
+        out.cap(cursor.frame_at(start), radius(0), -1.0);
         for span in 0..spans {
             let steps = if span + 1 == spans { self.steps + 1 } else { self.steps };
             for step in 0..steps {
                 let share = step as f64 / self.steps as f64;
                 let blend = |a: f64, b: f64| a + (b - a) * share;
-                let station = cursor.station(start + (span as f64 + share) * spacing);
-                let ring = Ring { station, radius: blend(radius(span), radius(span + 1)), slope: blend(slope(span), slope(span + 1)) };
+                let frame = cursor.frame_at(start + (span as f64 + share) * spacing);
+                let ring = Ring { frame, radius: blend(radius(span), radius(span + 1)), slope: blend(slope(span), slope(span + 1)) };
                 out.ring(&ring);
             }
         }
-        out.cap(cursor.station(start + solved.length), radius(spans), 1.0);
+        out.cap(cursor.frame_at(start + solved.length), radius(spans), 1.0);
         if self.tendons[0] {
             out.tendon(path.cursor(), start - tendons[0].length, start, [tendons[0].radius, tendons[0].radius.min(radius(0))]);
         }
@@ -234,7 +234,7 @@ impl Writer<'_> {
     }
 
     fn ring(&mut self, ring: &Ring) {
-        let Station { position, tangent, u, v, .. } = ring.station;
+        let CrossSectionFrame { position, tangent, u, v, .. } = ring.frame;
         self.follow(position, tangent, ring.radius);
         let matrix = &self.to_world.matrix;
         let centre = matrix.transform_point3(position).as_vec3();
@@ -255,15 +255,15 @@ impl Writer<'_> {
     }
 
     /// A hemisphere without its rim, whose pole looks along `direction` times the tangent; its rings come in the order of the path.
-    fn cap(&mut self, station: Station, radius: f64, direction: f64) {
+    fn cap(&mut self, frame: CrossSectionFrame, radius: f64, direction: f64) {
         for ring in 0..CAP {
             let latitude = if direction < 0.0 { ring } else { CAP - 1 - ring } as f64 / CAP as f64 * std::f64::consts::FRAC_PI_2;
             // `latitude` is measured from the pole.
             let (sin, cos) = latitude.sin_cos();
-            let moved = Station { position: station.position + station.tangent * (direction * radius * cos), ..station };
+            let moved = CrossSectionFrame { position: frame.position + frame.tangent * (direction * radius * cos), ..frame };
             // For a sphere −dr/ds is the tangent of the elevation; at the pole the ring is a point and only the direction along counts.
             let slope = -direction * cos / sin.max(1e-6);
-            self.ring(&Ring { station: moved, radius: radius * sin, slope });
+            self.ring(&Ring { frame: moved, radius: radius * sin, slope });
         }
     }
 
@@ -281,7 +281,7 @@ impl Writer<'_> {
                 0.0
             };
             let radius = if closes == 0.0 { radii[0] + (radii[1] - radii[0]) * share } else { 0.0 };
-            self.ring(&Ring { station: cursor.station(from + (to - from) * share), radius, slope: closes });
+            self.ring(&Ring { frame: cursor.frame_at(from + (to - from) * share), radius, slope: closes });
         }
     }
 }
@@ -298,7 +298,8 @@ mod tests {
         path.arc(DVec3::ZERO, DVec3::X, DVec3::Y, 10.0, std::f64::consts::FRAC_PI_2);
         let solved = Solved { length: path.length(), radii: vec![radius; 6], ..Solved::default() };
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        let cover = Layout::new(6, &NO_TENDONS).deform(&solved, &NO_TENDONS, &path, &ToWorld::new(world), &mut positions, &mut normals);
+        let cover =
+            MuscleTopology::new(6, &NO_TENDONS).deform(&solved, &NO_TENDONS, &path, &ToWorld::new(world), &mut positions, &mut normals);
         (cover, positions)
     }
 
@@ -316,7 +317,7 @@ mod tests {
         assert!(!bent(3.0, DMat4::IDENTITY).0.mirrored && bent(3.0, mirror).0.mirrored);
         let volume = |world: DMat4| {
             let (_, positions) = bent(3.0, world);
-            let mesh = Layout::new(6, &NO_TENDONS).mesh("");
+            let mesh = MuscleTopology::new(6, &NO_TENDONS).mesh("");
             let corner = |v: u32| positions[v as usize].as_dvec3();
             mesh.triangles.iter().map(|&[a, b, c]| corner(a).dot(corner(b).cross(corner(c))) / 6.0).sum::<f64>()
         };

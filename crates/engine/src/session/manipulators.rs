@@ -85,7 +85,7 @@ impl Session {
         self.frame();
         let camera = self.camera.camera(&self.document.scene, &self.frame);
         let (rig, index) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle)?;
-        let ball = rig.ball(index, &self.frame.world)?;
+        let ball = rig.wrap_sphere(index, &self.frame.world)?;
         let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
         let radius = ball.radius / f64::from(camera.height_at(ball.center.as_vec3())) * size.y;
         let ring = WrapSphereCircle { middle: place(ball.center)?, top: place(ball.center + ball.side * ball.radius)?, radius };

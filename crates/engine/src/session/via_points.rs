@@ -193,7 +193,7 @@ mod tests {
             assert_eq!(wrap.center.bone, bone);
             let joint = session.posed().world[elbow.index()].w_axis.truncate();
             let (rig, index) = session.document().muscle(id).unwrap();
-            let ball = rig.ball(index, &session.posed().world).unwrap();
+            let ball = rig.wrap_sphere(index, &session.posed().world).unwrap();
             assert!(ball.center.distance(joint) < 2e-5, "{bone}: {} {joint}", ball.center);
             // The ends of a bent biceps lie on that side of the elbow too.
             let middle = 0.5 * (place(&mut session, id, AttachmentPoint::End(0)) + place(&mut session, id, AttachmentPoint::End(1)));

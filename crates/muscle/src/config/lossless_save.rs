@@ -2,16 +2,16 @@
 //!
 //! Old and new file are both written in the canonical form and compared; each difference is then made in the text, at the place that the parser
 //! gives for it. The result is read again, and where it does not say exactly what it should (aliases, a style that is not known here), the file
-//! is written anew instead, and [`Saved::comments_lost`] says what that cost.
+//! is written anew instead, and [`SaveResult::comments_lost`] says what that cost.
 
-use super::source_spans::Places;
+use super::source_spans::SourceSpans;
 use super::spec::MuscleFile;
 use super::write::{flow, muscle_lines};
 use super::yaml::{Step, Yaml, read};
 
 /// A file's text, and what was lost on the way.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Saved {
+pub struct SaveResult {
     /// YAML that reads back as exactly the file.
     pub text: String,
     /// Whether comments of the original text are not in the new one.
@@ -21,23 +21,23 @@ pub struct Saved {
 impl MuscleFile {
     /// The file as YAML, made from the text that it was read from: comments, order and layout stay where they can. Reading the result gives an equal
     /// file, whatever the original was.
-    pub fn to_yaml_keeping(&self, original: &str) -> Saved {
-        let anew = || Saved { text: self.to_yaml(), comments_lost: has_comment(original) };
+    pub fn to_yaml_keeping(&self, original: &str) -> SaveResult {
+        let anew = || SaveResult { text: self.to_yaml(), comments_lost: has_comment(original) };
         let (mark, body) = original.strip_prefix('\u{feff}').map_or(("", original), |body| ("\u{feff}", body));
         let Ok(old) = Self::parse(body) else { return anew() };
-        if says(&old, self) {
-            return Saved { text: original.to_owned(), comments_lost: false };
+        if equal_but_for_format(&old, self) {
+            return SaveResult { text: original.to_owned(), comments_lost: false };
         }
         let Some((text, comments_lost)) = patch(body, &old, self) else { return anew() };
         match Self::parse(&text) {
-            Ok(read) if says(&read, self) => Saved { text: format!("{mark}{text}"), comments_lost },
+            Ok(read) if equal_but_for_format(&read, self) => SaveResult { text: format!("{mark}{text}"), comments_lost },
             _ => anew(),
         }
     }
 }
 
 /// Whether two files say the same, whatever the form they are written in.
-fn says(a: &MuscleFile, b: &MuscleFile) -> bool {
+fn equal_but_for_format(a: &MuscleFile, b: &MuscleFile) -> bool {
     *a == MuscleFile { form: a.form, ..b.clone() }
 }
 
@@ -50,7 +50,7 @@ fn has_comment(text: &str) -> bool {
 fn patch(body: &str, old: &MuscleFile, new: &MuscleFile) -> Option<(String, bool)> {
     let canonical = |file: &MuscleFile| read(&MuscleFile { form: old.form, ..file.clone() }.to_yaml()).ok();
     let (before, after, tree) = (canonical(old)?, canonical(new)?, read(body).ok()?);
-    let mut patch = Patch { places: Places::new(body), edits: Vec::new(), lost: false, new };
+    let mut patch = Patch { places: SourceSpans::new(body), edits: Vec::new(), lost: false, new };
     patch.change(&mut Vec::new(), &tree, &before, &after)?;
     let mut edits = patch.edits;
     edits.sort_by_key(|(start, ..)| *start);
@@ -67,7 +67,7 @@ fn patch(body: &str, old: &MuscleFile, new: &MuscleFile) -> Option<(String, bool
 }
 
 struct Patch<'a> {
-    places: Places<'a>,
+    places: SourceSpans<'a>,
     /// Start, end and new text, in bytes of the body.
     edits: Vec<(usize, usize, String)>,
     lost: bool,

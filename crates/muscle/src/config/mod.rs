@@ -31,7 +31,7 @@ mod write;
 mod yaml;
 
 pub use error::{ConfigError, ConfigErrorKind, ValueName, WantedKind};
-pub use lossless_save::Saved;
+pub use lossless_save::SaveResult;
 pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
 
 use decode::At;

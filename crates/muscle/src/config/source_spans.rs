@@ -6,13 +6,13 @@
 use super::yaml::{Step, Yaml, locate};
 
 /// A text and the beginnings of its lines.
-pub(super) struct Places<'a> {
+pub(super) struct SourceSpans<'a> {
     /// The text.
     pub text: &'a str,
     lines: Vec<usize>,
 }
 
-impl<'a> Places<'a> {
+impl<'a> SourceSpans<'a> {
     pub(super) fn new(text: &'a str) -> Self {
         let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
         Self { text, lines }

@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::arm::Arm;
 use crate::measured_shapes::Pose;
 use crate::profile::{Profile, ProfileError};
-use crate::tessellation::Layout;
+use crate::tessellation::MuscleTopology;
 use sinew_scene::limits;
 
 /// Which of the two forms a file is written in.
@@ -95,7 +95,7 @@ pub struct MuscleSpec {
 impl MuscleSpec {
     /// Number of vertices of its surface.
     pub fn vertices(&self) -> usize {
-        Layout::new(self.profile.radii().len(), &self.tendons).vertices()
+        MuscleTopology::new(self.profile.radii().len(), &self.tendons).vertices()
     }
 
     /// A muscle of this shape, attached to nothing.
