@@ -66,9 +66,11 @@ fn named(changes: &mut Vec<String>, before: &BTreeMap<String, usize>, after: &BT
 
 /// The number of meshes, by name, whose triangles are as many but stand elsewhere.
 fn shapes(before: &Document, after: &Document) -> usize {
-    let old: BTreeMap<&str, &Arc<Mesh>> = before.scene.meshes.iter().map(|mesh| (mesh.name.as_str(), mesh)).collect();
+    let old: BTreeMap<(&str, &str), &Arc<Mesh>> =
+        before.scene.meshes.iter().map(|mesh| ((mesh.name.as_str(), mesh.id.as_str()), mesh)).collect();
     let reshaped = |mesh: &&Arc<Mesh>| {
-        old.get(mesh.name.as_str()).is_some_and(|old| old.triangles.len() == mesh.triangles.len() && old.positions != mesh.positions)
+        old.get(&(mesh.name.as_str(), mesh.id.as_str()))
+            .is_some_and(|old| old.triangles.len() == mesh.triangles.len() && old.positions != mesh.positions)
     };
     after.scene.meshes.iter().filter(reshaped).count()
 }

@@ -16,12 +16,13 @@ pub fn label(label: Label<'_>) -> Cow<'_, str> {
 #[cfg(test)]
 mod tests {
     use super::super::{Language, catalogue};
-    use sinew_scene::Unnamed;
     use sinew_scene::message::ToMessage;
+    use sinew_scene::{BodyPart, Unnamed};
 
     #[test]
     fn what_is_shown_for_nodes_and_clips_means_them_in_every_language() {
-        for unnamed in [Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Animation] {
+        let parts = BodyPart::ALL.map(Unnamed::Part);
+        for unnamed in [Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Animation].into_iter().chain(parts) {
             for language in Language::ALL {
                 let shown = catalogue::message_in(language, unnamed.message().key, &[("number", unnamed_number(unnamed).into())]);
                 assert_eq!(Unnamed::parse(&shown), Some(unnamed), "{shown}");
@@ -31,7 +32,8 @@ mod tests {
             catalogue::message_in(Language::English, unnamed.message().key, &[("number", unnamed_number(unnamed).into())])
         };
         use Unnamed as U;
-        for unnamed in [U::Node(7), U::Clip(7), U::Animation, U::Mesh, U::Skin, U::Morph, U::Material, U::Image, U::Light, U::Camera] {
+        let others = [U::Node(7), U::Clip(7), U::Animation, U::Mesh, U::Skin, U::Morph, U::Material, U::Image, U::Light, U::Camera];
+        for unnamed in others.into_iter().chain(parts) {
             assert_eq!(unnamed.plain(), english(unnamed));
         }
     }

@@ -13,14 +13,13 @@ use glam::{DMat4, DVec3};
 
 use super::materials;
 use super::primitive_meshes::{ROUND, SLENDER, ball, hang, revolved};
-use sinew_i18n::tr;
 use sinew_scene::animation::Pose;
-use sinew_scene::{Node, NodeId, NodeKind, Scene, Transform, TransformOp};
+use sinew_scene::{BodyPart, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
 /// The upper rod's id in the scene: what an attachment names.
-pub const UPPER_ARM: &str = "upper arm";
+pub const UPPER_ARM: &str = BodyPart::UpperArm.id();
 /// The forearm's id in the scene.
-pub const FOREARM: &str = "forearm";
+pub const FOREARM: &str = BodyPart::Forearm.id();
 /// The farthest that an elbow bends, degrees.
 pub const FULL_FLEXION: f64 = 150.0;
 /// Radius of the elbow's ball over that of the rods.
@@ -73,23 +72,25 @@ impl Arm {
     /// Adds the arm's nodes, rods and balls under `root`.
     pub fn build(&self, scene: &mut Scene, root: NodeId) -> ArmNodes {
         let bone = materials::bone(scene);
-        let joint = |name: String, id: &str, ops: Vec<TransformOp>| {
-            let mut node = Node::new(name);
-            node.id = id.to_owned();
+        let named = |part: BodyPart| {
+            let mut node = Node::new("");
+            node.id = part.id().to_owned();
+            node
+        };
+        let joint = |part: BodyPart, ops: Vec<TransformOp>| {
+            let mut node = named(part);
             node.kind = NodeKind::Joint;
             node.transform = Transform { ops };
             node
         };
         let down = |by: f64| TransformOp::Translate(DVec3::NEG_Y * by);
         let graph = &mut scene.graph;
-        let upper = joint(tr!("muscle-upper-arm"), UPPER_ARM, vec![TransformOp::Translate(DVec3::Y * (self.upper + self.lower))]);
+        let upper = joint(BodyPart::UpperArm, vec![TransformOp::Translate(DVec3::Y * (self.upper + self.lower))]);
         let upper = graph.add(Some(root), upper);
         let turn = TransformOp::Rotate { axis: AXIS, angle: 0.0 };
-        let elbow = graph.add(Some(upper), joint(tr!("muscle-elbow"), "elbow", vec![down(self.upper), turn]));
-        let mut forearm = Node::new(tr!("muscle-forearm"));
-        forearm.id = FOREARM.to_owned();
-        let forearm = graph.add(Some(elbow), forearm);
-        let wrist = graph.add(Some(elbow), joint(tr!("muscle-wrist"), "wrist", vec![down(self.lower)]));
+        let elbow = graph.add(Some(upper), joint(BodyPart::Elbow, vec![down(self.upper), turn]));
+        let forearm = graph.add(Some(elbow), named(BodyPart::Forearm));
+        let wrist = graph.add(Some(elbow), joint(BodyPart::Wrist, vec![down(self.lower)]));
 
         let r = self.thickness;
         // Closed by a disc at either end, so that nobody can look into it and its far side need not be drawn.
@@ -98,14 +99,14 @@ impl Arm {
             let ([top, rim], [bottom, foot]) = (disc(0.0, 1.0), disc(-length, -1.0));
             vec![top, rim, (0.0, r, [0.0, 1.0]), (-length, r, [0.0, 1.0]), foot, bottom]
         };
-        for (node, name, profile, segments) in [
-            (upper, tr!("muscle-upper-arm"), rod(self.upper), SLENDER),
-            (upper, tr!("muscle-shoulder"), ball(END * r), ROUND),
-            (elbow, tr!("muscle-elbow"), ball(ELBOW * r), ROUND),
-            (forearm, tr!("muscle-forearm"), rod(self.lower), SLENDER),
-            (wrist, tr!("muscle-wrist"), ball(END * r), ROUND),
+        for (node, part, profile, segments) in [
+            (upper, BodyPart::UpperArm, rod(self.upper), SLENDER),
+            (upper, BodyPart::Shoulder, ball(END * r), ROUND),
+            (elbow, BodyPart::Elbow, ball(ELBOW * r), ROUND),
+            (forearm, BodyPart::Forearm, rod(self.lower), SLENDER),
+            (wrist, BodyPart::Wrist, ball(END * r), ROUND),
         ] {
-            hang(scene, node, revolved(name, &profile, segments), bone);
+            hang(scene, node, revolved(part, &profile, segments), bone);
         }
         ArmNodes { upper, elbow, forearm, turn: 1 }
     }

@@ -259,7 +259,7 @@ pub(super) fn find_bone(graph: &Graph, own: Option<NodeId>, name: &str) -> Optio
         graph.iter().find(|(id, node)| matches(node) && !own.contains(id)).map(|(id, _)| id)
     };
     let among = |name: &str| [true, false].into_iter().find_map(|joints| fields.iter().find_map(|field| find(joints, *field, name)));
-    among(name).or_else(|| graph.find_unnamed(name).filter(|id| !own.contains(id)))
+    among(name).or_else(|| graph.find_unnamed(name, |id| !own.contains(&id)))
 }
 
 /// Roots of tendon, fixed to the rods, from the drawn ends of a muscle to the rods' axes.
@@ -273,7 +273,7 @@ fn add_roots(scene: &mut Scene, arm: &Arm, nodes: &ArmNodes, spec: &MuscleSpec, 
         // It leans away from the elbow, as a tendon does that has been pulled at.
         let away = if point.bone == 0 { 1.0 } else { -1.0 };
         let foot = DVec3::new(0.0, (point.local.y + away * 1.1 * out).clamp(-arm.upper.max(arm.lower), 0.0), 0.0);
-        let mesh = primitive_meshes::root(tr!("muscle-material-tendon"), foot, point.local, [0.95 * arm.thickness, 0.92 * tip]);
+        let mesh = primitive_meshes::root(foot, point.local, [0.95 * arm.thickness, 0.92 * tip]);
         primitive_meshes::hang(scene, node, mesh, tendon);
     }
 }

@@ -1,6 +1,7 @@
 //! What is found about a muscle, and how it is said.
 
 use super::profile::{ProfileError, SHORTEST};
+use sinew_scene::OwnedLabel;
 use sinew_scene::diagnostics::{DiagnosticKind, Severity};
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage, decimal};
@@ -51,8 +52,8 @@ pub enum Finding {
     },
     /// The muscle goes through a bone.
     ThroughBone {
-        /// The name of the bone.
-        bone: String,
+        /// What the bone is called.
+        bone: OwnedLabel,
         /// The share of the bone's length that lies inside the belly.
         share: f64,
         /// The angle at which that is the most.
@@ -60,8 +61,8 @@ pub enum Finding {
     },
     /// The belly is so thick that a bone lies inside it.
     TooThick {
-        /// The name of the bone.
-        bone: String,
+        /// What the bone is called.
+        bone: OwnedLabel,
         /// The share of the bone's length that lies inside the belly.
         share: f64,
         /// The angle at which that is the most.
@@ -156,10 +157,16 @@ impl ToMessage for Finding {
             ),
             Self::PathJumps { jump, angle } => message!("muscle-path-jumps", jump = millimetres(*jump), place = at(*angle)),
             Self::ThroughBone { bone, share, angle } => {
-                message!("muscle-through-bone", bone = bone, share = per_cent(*share), place = at(*angle))
+                message!("muscle-through-bone", bone = bone.as_label(), share = per_cent(*share), place = at(*angle))
             }
             Self::TooThick { bone, share, angle, radius } => {
-                message!("muscle-too-thick", bone = bone, share = per_cent(*share), place = at(*angle), radius = millimetres(*radius))
+                message!(
+                    "muscle-too-thick",
+                    bone = bone.as_label(),
+                    share = per_cent(*share),
+                    place = at(*angle),
+                    radius = millimetres(*radius)
+                )
             }
             Self::BoneNotFound { bone } => message!("muscle-bone-not-found", bone = bone),
             Self::JointNotFound { bone } => message!("muscle-joint-not-found", bone = bone),

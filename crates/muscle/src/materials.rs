@@ -1,7 +1,6 @@
 //! Materials of muscles, tendons and bones, in the colours of the palette.
 
-use sinew_i18n::tr;
-use sinew_scene::{Material, MaterialId, Paint, Scene, ShadingModel};
+use sinew_scene::{BodyPart, Material, MaterialId, Paint, Scene, ShadingModel};
 
 /// Flesh without a colour of its own, sRGB: #B8322E.
 pub(super) const FLESH: [u8; 3] = [0xB8, 0x32, 0x2E];
@@ -12,24 +11,24 @@ const BONE: [u8; 3] = [0xE9, 0xE2, 0xD0];
 
 /// A new material for a muscle of this name.
 pub(super) fn muscle(scene: &mut Scene, name: &str, color: Option<[u8; 3]>) -> MaterialId {
-    add(scene, name.to_owned(), "muscle", color.unwrap_or(FLESH), 0.16, 24.0)
+    add(scene, name, "muscle", color.unwrap_or(FLESH), 0.16, 24.0)
 }
 
 /// A new material for tendons.
 pub(super) fn tendon(scene: &mut Scene) -> MaterialId {
-    add(scene, tr!("muscle-material-tendon"), "tendon", TENDON, 0.14, 30.0)
+    add(scene, "", BodyPart::Tendon.id(), TENDON, 0.14, 30.0)
 }
 
 /// A new material for rods and balls.
 pub(super) fn bone(scene: &mut Scene) -> MaterialId {
-    add(scene, tr!("muscle-material-bone"), "bone", BONE, 0.10, 30.0)
+    add(scene, "", BodyPart::Bone.id(), BONE, 0.10, 30.0)
 }
 
-fn add(scene: &mut Scene, name: String, id: &str, color: [u8; 3], shine: f32, shininess: f32) -> MaterialId {
+fn add(scene: &mut Scene, name: &str, id: &str, color: [u8; 3], shine: f32, shininess: f32) -> MaterialId {
     let material = MaterialId(scene.materials.len() as u32);
     let [red, green, blue] = color.map(|part| f32::from(part) / 255.0);
     scene.materials.push(Material {
-        name,
+        name: name.to_owned(),
         id: id.to_owned(),
         model: ShadingModel::Blinn,
         diffuse: Paint::color(red, green, blue),

@@ -9,7 +9,7 @@ use super::profile::SHORTEST;
 use super::revolute_joint::RevoluteJoint;
 use super::{Finding, FoundAt, LinePoint, MomentArmAt, Solved};
 use sinew_scene::diagnostics::Diagnostic;
-use sinew_scene::{Graph, NodeId, NodeKind};
+use sinew_scene::{Graph, NodeId, NodeKind, OwnedLabel};
 
 /// Angles at which all muscles of a file together are looked at, and the most and the fewest for one: so opening stays quick however many there are.
 const ANGLES: usize = 2400;
@@ -52,7 +52,7 @@ impl MuscleRig {
     /// Looks at all muscles over the range of the joint that measurements turn.
     pub(super) fn check_joint_range(&mut self, graph: &Graph) {
         let Some(hinge) = &self.hinge else { return };
-        let names: Vec<String> = self.bones.iter().map(|bone| graph.label(*bone).plain().into_owned()).collect();
+        let names: Vec<OwnedLabel> = self.bones.iter().map(|bone| graph.label(*bone).to_owned()).collect();
         let limbs = self.limbs(graph, hinge);
         let steps = (ANGLES / self.muscles.len().max(1)).clamp(*STEPS_PER_MUSCLE.start(), *STEPS_PER_MUSCLE.end());
         // What the file asks for, although the belly does not let the joint go so far.
@@ -154,7 +154,7 @@ fn check(
     samples: &[AngleSample],
     asked: [f64; 2],
     limbs: &[Option<DVec3>],
-    names: &[String],
+    names: &[OwnedLabel],
 ) {
     let beyond = asked.map(|angle| (angle, line.length(&hinge.at(angle))));
     let all = samples.iter().map(|sample| (sample.angle, sample.length)).chain(beyond);
@@ -171,8 +171,10 @@ fn check(
         .iter()
         .step_by(every)
         .filter_map(|sample| Some((sample.angle, deepest_penetration(&collector, hinge, line, *sample, limbs)?)));
-    if let Some((angle, found)) = worst.max_by(|a, b| a.1.share.total_cmp(&b.1.share)).filter(|(_, found)| found.share > DEEP) {
-        let (share, bone) = (found.share, names.get(found.bone).cloned().unwrap_or_default());
+    if let Some((angle, found)) = worst.max_by(|a, b| a.1.share.total_cmp(&b.1.share)).filter(|(_, found)| found.share > DEEP)
+        && let Some(bone) = names.get(found.bone).cloned()
+    {
+        let share = found.share;
         collector.push(if found.through {
             Finding::ThroughBone { bone, share, angle }
         } else {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3};
 
-use sinew_scene::{Content, MaterialBinding, MaterialId, Mesh, MeshId, MeshInstance, NodeId, Part, Scene};
+use sinew_scene::{BodyPart, Content, MaterialBinding, MaterialId, Mesh, MeshId, MeshInstance, NodeId, Part, Scene};
 
 /// A row of a surface of revolution: height, radius, and the normal's components up and outward.
 pub(super) type Row = (f64, f64, [f64; 2]);
@@ -34,8 +34,8 @@ pub(super) const ROUND: u32 = 32;
 pub(super) const SLENDER: u32 = 20;
 
 /// A surface of revolution about the Y axis, in so many segments round it. Heights fall from row to row.
-pub(super) fn revolved(name: String, rows: &[Row], segments: u32) -> Mesh {
-    let mut mesh = Mesh { name, ..Mesh::default() };
+pub(super) fn revolved(part: BodyPart, rows: &[Row], segments: u32) -> Mesh {
+    let mut mesh = Mesh { id: part.id().to_owned(), ..Mesh::default() };
     let mut uvs = Vec::new();
     let widest = rows.iter().map(|(_, radius, _)| radius.abs()).fold(0.0, f64::max);
     let is_point = |radius: f64| radius.abs() <= 1e-12 * widest;
@@ -73,11 +73,11 @@ pub(super) fn revolved(name: String, rows: &[Row], segments: u32) -> Mesh {
     mesh
 }
 
-/// A short tapered root from `from` to `to`, with a radius at either end. Its ends are open, to be hidden inside what it joins.
-pub(super) fn root(name: String, from: DVec3, to: DVec3, radii: [f64; 2]) -> Mesh {
+/// A short tapered root of tendon from `from` to `to`, with a radius at either end. Its ends are open, to be hidden inside what it joins.
+pub(super) fn root(from: DVec3, to: DVec3, radii: [f64; 2]) -> Mesh {
     let length = from.distance(to);
     let lean = [(radii[1] - radii[0]) / length.max(f64::MIN_POSITIVE), 1.0];
-    let mut mesh = revolved(name, &[(0.0, radii[0], lean), (-length, radii[1], lean)], SLENDER);
+    let mut mesh = revolved(BodyPart::Tendon, &[(0.0, radii[0], lean), (-length, radii[1], lean)], SLENDER);
     let down = (to - from).normalize_or(DVec3::NEG_Y);
     let side = down.any_orthonormal_vector();
     let place = DAffine3::from_mat3_translation(DMat3::from_cols(side, -down, side.cross(-down)), from);

@@ -161,26 +161,33 @@ impl Graph {
         self.nodes.iter().enumerate().map(|(i, node)| (NodeId(i as u32), node))
     }
 
-    /// What a node is called: by its name, else by its place in its file.
+    /// What a node is called: by its name, else by what part of the arm it is, else by its place in its file.
     pub fn label(&self, id: NodeId) -> Label<'_> {
         // The nodes of a file follow its root.
         let before = self.roots.partition_point(|root| *root <= id).checked_sub(1);
         let root = before.and_then(|place| self.roots.get(place)).map_or(0, |root| root.0);
-        Label::of(&self.node(id).name, Unnamed::Node(id.0 - root))
+        let node = self.node(id);
+        Label::of(&node.name, Unnamed::of_id(&node.id, Unnamed::Node(id.0 - root)))
     }
 
     /// The first node that is called so.
     pub fn find(&self, name: &str) -> Option<NodeId> {
         let named = || self.iter().find(|(_, node)| node.name == name).map(|(id, _)| id);
-        if name.is_empty() { None } else { named().or_else(|| self.find_unnamed(name)) }
+        if name.is_empty() { None } else { named().or_else(|| self.find_unnamed(name, |_| true)) }
     }
 
-    /// The first node without a name that is called so.
-    pub fn find_unnamed(&self, name: &str) -> Option<NodeId> {
+    /// The first node without a name that is called so, among those that are accepted.
+    pub fn find_unnamed(&self, name: &str, accepts: impl Fn(NodeId) -> bool) -> Option<NodeId> {
         let unnamed = Unnamed::parse(name)?;
-        let Unnamed::Node(number) = unnamed else { return None };
-        let places = self.roots.iter().filter_map(|root| root.0.checked_add(number).map(NodeId));
-        places.filter(|id| id.index() < self.len()).find(|id| self.label(*id) == Label::Unnamed(unnamed))
+        let is = |id: &NodeId| self.label(*id) == Label::Unnamed(unnamed) && accepts(*id);
+        match unnamed {
+            Unnamed::Node(number) => {
+                let places = self.roots.iter().filter_map(|root| root.0.checked_add(number).map(NodeId));
+                places.filter(|id| id.index() < self.len()).find(is)
+            }
+            Unnamed::Part(_) => self.iter().map(|(id, _)| id).find(is),
+            _ => None,
+        }
     }
 
     /// `root` and everything below it, depth first in file order.

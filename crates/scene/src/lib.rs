@@ -29,7 +29,7 @@ pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
 pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, TextureTransform, WrapMode};
 pub use mesh::{Mesh, Part, smooth_normals};
-pub use name::{Label, Unnamed};
+pub use name::{BodyPart, Label, OwnedLabel, Unnamed};
 pub use skin::{Deformer, Influence, MeshInstance, Morph, MorphMethod, MorphTarget, Skin, SkinJoint, SkinnedTarget};
 pub use transform::{Transform, TransformOp, affine, compose};
 

@@ -137,7 +137,7 @@ pub struct Material {
 impl Material {
     /// What it is called.
     pub fn label(&self) -> Label<'_> {
-        Label::of(&self.name, Unnamed::Material)
+        Label::of(&self.name, Unnamed::of_id(&self.id, Unnamed::Material))
     }
 }
 

@@ -54,7 +54,7 @@ pub struct Mesh {
 impl Mesh {
     /// What it is called.
     pub fn label(&self) -> Label<'_> {
-        Label::of(&self.name, Unnamed::Mesh)
+        Label::of(&self.name, Unnamed::of_id(&self.id, Unnamed::Mesh))
     }
 }
 

@@ -14,6 +14,34 @@ pub enum Label<'a> {
     Unnamed(Unnamed),
 }
 
+/// What something is called, kept apart from it.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum OwnedLabel {
+    /// The name that its file gives it.
+    Name(String),
+    /// It has no name.
+    Unnamed(Unnamed),
+}
+
+/// A part of the two-rod arm that muscle files describe, or what a part of it or of a muscle is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum BodyPart {
+    /// The upper rod.
+    UpperArm,
+    /// The free end of the upper rod.
+    Shoulder,
+    /// The joint between the rods.
+    Elbow,
+    /// The lower rod.
+    Forearm,
+    /// The free end of the lower rod.
+    Wrist,
+    /// What rods are made of.
+    Bone,
+    /// A tendon, or what it is made of.
+    Tendon,
+}
+
 /// A thing without a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
@@ -38,12 +66,22 @@ pub enum Unnamed {
     Light,
     /// A camera.
     Camera,
+    /// A part of the two-rod arm or of a muscle.
+    Part(BodyPart),
 }
 
 impl<'a> Label<'a> {
     /// The name, or `otherwise` where it is empty.
     pub fn of(name: &'a str, otherwise: Unnamed) -> Self {
         if name.is_empty() { Self::Unnamed(otherwise) } else { Self::Name(name) }
+    }
+
+    /// The same apart from what it belongs to.
+    pub fn to_owned(self) -> OwnedLabel {
+        match self {
+            Self::Name(name) => OwnedLabel::Name(name.to_owned()),
+            Self::Unnamed(unnamed) => OwnedLabel::Unnamed(unnamed),
+        }
     }
 
     /// Whether this is what a text means.
@@ -59,6 +97,48 @@ impl<'a> Label<'a> {
         match self {
             Self::Name(name) => Cow::Borrowed(name),
             Self::Unnamed(unnamed) => unnamed.plain(),
+        }
+    }
+}
+
+impl OwnedLabel {
+    /// The same as a view.
+    pub fn as_label(&self) -> Label<'_> {
+        match self {
+            Self::Name(name) => Label::Name(name),
+            Self::Unnamed(unnamed) => Label::Unnamed(*unnamed),
+        }
+    }
+}
+
+impl BodyPart {
+    /// All of them.
+    pub const ALL: [Self; 7] = [Self::UpperArm, Self::Shoulder, Self::Elbow, Self::Forearm, Self::Wrist, Self::Bone, Self::Tendon];
+
+    /// The id of nodes, meshes and materials that are this part. Those of files that are read have their id for a name where they have no other, so that
+    /// only this program's own have an id alone.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::UpperArm => "upper arm",
+            Self::Shoulder => "shoulder",
+            Self::Elbow => "elbow",
+            Self::Forearm => "forearm",
+            Self::Wrist => "wrist",
+            Self::Bone => "bone",
+            Self::Tendon => "tendon",
+        }
+    }
+
+    /// What it is called in English and in the other languages of the program.
+    fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::UpperArm => ["Upper arm", "Плечо"],
+            Self::Shoulder => ["Shoulder", "Плечевой сустав"],
+            Self::Elbow => ["Elbow", "Локоть"],
+            Self::Forearm => ["Forearm", "Предплечье"],
+            Self::Wrist => ["Wrist", "Запястье"],
+            Self::Bone => ["Bone", "Кость"],
+            Self::Tendon => ["Tendon", "Сухожилие"],
         }
     }
 }
@@ -80,6 +160,11 @@ impl Unnamed {
     /// All animation of a file.
     const ANIMATION: [&str; 2] = ["Animation", "Анимация"];
 
+    /// What something with this id is called that has no name, `otherwise` unless it is a part of the arm or of a muscle.
+    pub(super) fn of_id(id: &str, otherwise: Self) -> Self {
+        BodyPart::ALL.into_iter().find(|part| part.id() == id).map_or(otherwise, Self::Part)
+    }
+
     /// What it is called in files that are written: the same in every language.
     pub fn plain(self) -> Cow<'static, str> {
         let ([node, ..], [clip, ..], [animation, ..]) = (Self::NODE, Self::CLIP, Self::ANIMATION);
@@ -94,13 +179,17 @@ impl Unnamed {
             Self::Image => "Image",
             Self::Light => "Light",
             Self::Camera => "Camera",
+            Self::Part(part) => part.names()[0],
         })
     }
 
-    /// The node or clip that a text means. People type what they see, and older files hold it, in whatever language the program had.
+    /// The node, part of a body or clip that a text means. People type what they see, and older files hold it, in whatever language the program had.
     pub fn parse(text: &str) -> Option<Self> {
         if Self::ANIMATION.contains(&text) {
             return Some(Self::Animation);
+        }
+        if let Some(part) = BodyPart::ALL.into_iter().find(|part| part.names().contains(&text)) {
+            return Some(Self::Part(part));
         }
         let number = |before: [&str; 2]| {
             let digits = before.iter().find_map(|before| text.strip_prefix(before))?;
@@ -124,6 +213,13 @@ impl ToMessage for Unnamed {
             Self::Image => message!("document-unnamed-image"),
             Self::Light => message!("document-unnamed-light"),
             Self::Camera => message!("document-unnamed-camera"),
+            Self::Part(BodyPart::UpperArm) => message!("muscle-upper-arm"),
+            Self::Part(BodyPart::Shoulder) => message!("muscle-shoulder"),
+            Self::Part(BodyPart::Elbow) => message!("muscle-elbow"),
+            Self::Part(BodyPart::Forearm) => message!("muscle-forearm"),
+            Self::Part(BodyPart::Wrist) => message!("muscle-wrist"),
+            Self::Part(BodyPart::Bone) => message!("muscle-material-bone"),
+            Self::Part(BodyPart::Tendon) => message!("muscle-material-tendon"),
         }
     }
 }
@@ -139,6 +235,10 @@ mod tests {
         }
         for text in ["Clip", "Clip x", "Clip -1", "Clip +1", "Clip 012", "Клип 12 и ещё", "", "Clip 99999999999", "Mesh"] {
             assert_eq!(Unnamed::parse(text), None, "{text}");
+        }
+        for part in BodyPart::ALL {
+            assert_eq!(Unnamed::of_id(part.id(), Unnamed::Mesh), Unnamed::Part(part));
+            assert_eq!(Unnamed::parse(&Unnamed::Part(part).plain()), Some(Unnamed::Part(part)));
         }
         assert_eq!(Label::of("arm", Unnamed::Mesh).plain(), "arm");
         assert_eq!(Label::of("", Unnamed::Mesh).plain(), "Mesh");

@@ -10,7 +10,7 @@ use glam::{Vec2, Vec3};
 use super::obj::{group_name, unique};
 use super::surface::visible;
 use crate::input;
-use sinew_scene::{Frame, MaterialId, Paint, Scene, Surface, TextureRef};
+use sinew_scene::{Frame, Label, MaterialId, Paint, Scene, Surface, TextureRef, Unnamed};
 
 /// The file with the materials of an OBJ file: beside it, with the ending `.mtl`.
 pub fn library(obj: &Path) -> PathBuf {
@@ -33,8 +33,10 @@ impl MtlLibrary {
         let mut found = Self::default();
         for id in ids.into_iter().map(MaterialId) {
             if let Some(material) = frame.materials.get(id.index()) {
-                let own = Some(material.id.as_str()).filter(|id| material.name.trim().is_empty() && !id.is_empty());
-                let name = own.map_or_else(|| material.label().plain(), Cow::Borrowed);
+                let label = material.label();
+                let is_part = matches!(label, Label::Unnamed(Unnamed::Part(_)));
+                let own = Some(material.id.as_str()).filter(|id| material.name.trim().is_empty() && !id.is_empty() && !is_part);
+                let name = own.map_or_else(|| label.plain(), Cow::Borrowed);
                 found.names.insert(id, unique(&group_name(&name), &mut taken));
                 found.order.push(id);
             }

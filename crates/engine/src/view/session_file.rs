@@ -292,7 +292,7 @@ impl SessionState {
     /// Hides nodes and rotates joints of a document that has just been opened. Nodes that no longer exist are skipped.
     pub fn apply_to_document(&self, document: &mut Document) {
         let known = nodes_by_name(document);
-        let first = |name: &str| known.get(name).copied().or_else(|| document.scene.graph.find_unnamed(name));
+        let first = |name: &str| known.get(name).copied().or_else(|| document.scene.graph.find_unnamed(name, |_| true));
         let find = |node: &SavedNode| node.find_by(document, first);
         let hidden: Vec<NodeId> = self.hidden.iter().filter_map(find).collect();
         let turned: Vec<_> = self.turned.iter().filter_map(|turn| Some((find(&turn.joint)?, turn.degrees))).collect();
