@@ -13,7 +13,7 @@ use super::format;
 use super::muscle_panel::Unit;
 use super::ui;
 use super::window::{Window, object};
-use crate::i18n::Sentence;
+use crate::i18n::{self, Sentence};
 use crate::input;
 use crate::limits;
 use crate::muscle::literature_data;
@@ -153,7 +153,7 @@ impl Experiment {
             let document = session.document();
             let (rig, index) = document.muscle(self.muscle)?;
             let found = compare(rig, index, table).and_then(|comparison| Ok((comparison, fit(rig, index, table)?)));
-            Some((rig.name(index).to_owned(), Unit::of_rig(document, rig), found))
+            Some((i18n::label(rig.label(index)).into_owned(), Unit::of_rig(document, rig), found))
         });
         let Some((muscle, unit, found)) = told else { return self.root().close() };
         object::<gtk::Label>(&self.builder, "title").set_text(&tr!("app-validation-title", muscle = muscle, file = name.as_str()));

@@ -52,7 +52,7 @@ impl HealthPanel {
                 let item = list.model().and_then(|model| model.item(position)).and_downcast::<glib::BoxedAnyObject>();
                 let Some(item) = item else { return };
                 window.update(|session| {
-                    let node = node_named(session.document(), &item.borrow::<Diagnostic<Finding>>().element);
+                    let node = node_named(session.document(), &item.borrow::<Diagnostic<Finding>>().element.to_string());
                     if node.is_some() {
                         session.select(node);
                     }
@@ -194,7 +194,11 @@ fn factory() -> gtk::SignalListItemFactory {
             if let Some(line) = finding.line {
                 where_it_is.push(tr!("app-line", line = line.to_string()));
             }
-            where_it_is.extend([finding.element.clone(), finding.code().to_owned()].into_iter().filter(|part| !part.is_empty()));
+            where_it_is.extend(
+                [i18n::label(finding.element.as_label()).into_owned(), finding.code().to_owned()]
+                    .into_iter()
+                    .filter(|part| !part.is_empty()),
+            );
             ui::set_label(&place, &where_it_is.join(" · "));
         }
     });

@@ -18,7 +18,7 @@ use super::ui;
 use super::window::{Window, object};
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
-use crate::i18n::Sentence;
+use crate::i18n::{self, Sentence};
 use crate::muscle::literature_data;
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
@@ -234,7 +234,7 @@ impl MeasurePanel {
         object::<gtk::Box>(&self.builder, "plots").set_visible(muscle.is_some());
         let Some((rig, index)) = muscle else { return };
         let readings = session.measure(self.muscle.get(), against);
-        ui::set_label(&object(&self.builder, "name"), rig.name(index));
+        ui::set_label(&object(&self.builder, "name"), &i18n::label(rig.label(index)));
         let (across, hint) = match against {
             MeasureAxis::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
             MeasureAxis::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),

@@ -8,8 +8,8 @@ use gtk4 as gtk;
 
 use super::ui;
 use super::window::Window;
-use crate::i18n::Sentence;
 use crate::i18n::shown;
+use crate::i18n::{self, Sentence};
 use crate::muscle::{Edit, EditError, MuscleSpec};
 use crate::scene::MuscleId;
 use crate::session::{Session, UndoStep};
@@ -57,6 +57,16 @@ impl Editor {
             rig.spec(index).cloned()
         };
         self.window.upgrade()?.try_read(spec)?
+    }
+
+    /// What the muscle shown is called; `None` as above.
+    pub(super) fn name(&self) -> Option<String> {
+        let id = self.id();
+        let name = |session: &mut Session| {
+            let (rig, index) = session.document().muscle(id)?;
+            Some(i18n::label(rig.label(index)).into_owned())
+        };
+        self.window.upgrade()?.try_look(name)?
     }
 }
 

@@ -243,7 +243,7 @@ impl MusclePanel {
         let own = editor.clone();
         connect_entry(&self.name, move |entry| {
             let name = entry.text().trim().to_owned();
-            if own.spec().is_some_and(|spec| spec.name != name && !name.is_empty()) {
+            if own.name().is_some_and(|shown| shown != name && !name.is_empty()) {
                 own.edit(&Edit::Name(name), UndoStep::New);
             }
         });
@@ -347,8 +347,10 @@ impl MusclePanel {
 
     fn refresh_document(&self, session: &Session) {
         let document = session.document();
-        let names: Vec<String> =
-            document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.name(index).to_owned()).collect::<Vec<_>>()).collect();
+        let names: Vec<String> = document
+            .rigs()
+            .flat_map(|(rig, _)| (0..rig.len()).map(|index| i18n::label(rig.label(index)).into_owned()).collect::<Vec<_>>())
+            .collect();
         let there = !names.is_empty();
         self.which.set_model(Some(&ui::words(&names)));
         self.which.set_visible(names.len() > 1);
@@ -426,7 +428,7 @@ impl MusclePanel {
         }
         let [red, green, blue] = spec.color.unwrap_or([0xB8, 0x32, 0x2E]).map(|part| f32::from(part) / 255.0);
         object::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
-        show_text(&self.name, &spec.name, anew);
+        show_text(&self.name, &i18n::label(rig.label(index)), anew);
         if anew {
             self.bones.list(session, id);
         }

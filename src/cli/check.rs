@@ -50,7 +50,7 @@ impl From<&Diagnostic<Finding>> for FindingReport {
                 Severity::Warning => "warning",
             },
             line: found.line,
-            element: found.element.clone(),
+            element: i18n::label(found.element.as_label()).into_owned(),
             message: i18n::finding(found),
         }
     }

@@ -13,8 +13,7 @@ use super::output::{Failure, display_name};
 use super::text_table::columns;
 use crate::document::Document;
 use crate::export::tables::{MuscleRow, csv_cell, unit, unit_label};
-use crate::i18n::Sentence;
-use crate::i18n::decimal;
+use crate::i18n::{self, Sentence, decimal};
 use crate::muscle::MuscleRig;
 use crate::muscle::parameter_fit::{Fits, fit};
 use crate::muscle::validation::{self, CompareError, Table};
@@ -166,7 +165,7 @@ impl Compared {
             Pair { model, measured_radii, measured_volume: *volume, rms: *rms }
         };
         Ok(Self {
-            name: rig.name(index).to_owned(),
+            name: i18n::label(rig.label(index)).into_owned(),
             samples: found.samples.iter().zip(volumes).enumerate().map(pair).collect(),
             growth: Growth {
                 from,

@@ -253,7 +253,7 @@ fn muscles(document: &Document) -> Vec<MuscleInfo> {
     all.filter_map(|(rig, index)| {
         let profile = rig.profile(index)?;
         Some(MuscleInfo {
-            name: rig.name(index).to_owned(),
+            name: i18n::label(rig.label(index)).into_owned(),
             nodes: profile.radii().len(),
             rest_length: profile.rest_length(),
             volume: profile.volume(),

@@ -163,7 +163,7 @@ fn text(table: &MuscleTable) -> String {
         if !text.is_empty() {
             text.push('\n');
         }
-        let _ = writeln!(text, "{}", i18n::shown(&muscle.name));
+        let _ = writeln!(text, "{}", i18n::shown(&i18n::label(muscle.name.as_label())));
         let head = [
             tr!("cli-measure-angle"),
             tr!("cli-measure-length", unit = unit.clone()),

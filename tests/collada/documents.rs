@@ -78,7 +78,7 @@ fn lines_are_those_of_the_file_whatever_its_line_ends() {
         assert_eq!(codes(&loaded), ["index-out-of-range"]);
         let before = u32::from(text.starts_with('\n')) * 2;
         assert_eq!(loaded.findings[0].line, Some(line + before));
-        assert_eq!(loaded.findings[0].element, "<triangles> in <geometry> \"g\"");
+        assert_eq!(loaded.findings[0].element.to_string(), "<triangles> in <geometry> \"g\"");
     }
 }
 

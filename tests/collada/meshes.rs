@@ -220,7 +220,7 @@ fn values_that_are_no_numbers_beside_the_points_are_told_and_replaced() {
         );
         let loaded = load(&with_sources(SQUARE, &floats("t", names, values), &primitive));
         assert_eq!(codes(&loaded), ["not-finite"], "{semantic}");
-        assert!(loaded.findings[0].element.contains("\"g\""), "{}", loaded.findings[0].element);
+        assert!(loaded.findings[0].element.to_string().contains("\"g\""), "{}", loaded.findings[0].element);
         let mesh = mesh(&loaded);
         assert!(mesh.normals.iter().all(|normal| normal.z.abs() > 0.99), "{semantic}");
         assert!(mesh.uv_sets.iter().flatten().all(|uv| uv.is_finite()) && mesh.colors.iter().all(|color| color.is_finite()));
@@ -233,7 +233,7 @@ fn a_mesh_without_faces_is_told_once_and_a_wrong_count_of_them_not_beside_it() {
         let loaded =
             load(&shown(SQUARE, primitives).replace("</visual_scene>", "<node><instance_geometry url=\"#g\"/></node></visual_scene>"));
         assert_eq!(codes(&loaded), ["no-faces"], "{primitives}");
-        assert!(loaded.findings[0].element.contains("\"g\""), "{}", loaded.findings[0].element);
+        assert!(loaded.findings[0].element.to_string().contains("\"g\""), "{}", loaded.findings[0].element);
     }
 }
 

@@ -85,7 +85,10 @@ fn a_bone_that_is_missing_is_a_finding_and_the_muscle_lies_on_its_own() {
     let findings = rig.attach(&scene);
     let codes: Vec<&str> = findings.iter().map(Diagnostic::code).collect();
     assert_eq!(codes, ["muscle-bone-not-found", "muscle-joint-not-found"]);
-    assert_eq!((&findings[0].finding, findings[0].element.as_str()), (&Finding::BoneNotFound { bone: "calf".to_owned() }, "Hamstring"));
+    assert_eq!(
+        (&findings[0].finding, findings[0].element.to_string().as_str()),
+        (&Finding::BoneNotFound { bone: "calf".to_owned() }, "Hamstring")
+    );
     let solved = rig.solve(0, rig.at_flexion(0.0), &world(&scene));
     assert!((solved.length - 350.0).abs() < 1e-9);
     // Attached again to a scene that has it, all is well.

@@ -94,7 +94,7 @@ fn moment_arms_are_the_slope_of_the_length_also_round_a_wrap() {
                 const H: f64 = 1e-4;
                 let rows = stage.rig.measure(index, &[angle - H, angle, angle + H]);
                 let slope = -(rows[2].solved.path_length - rows[0].solved.path_length) / (2.0 * H).to_radians();
-                assert!((rows[1].moment_arm - slope).abs() < 1e-4, "{} at {angle}°", stage.rig.name(index));
+                assert!((rows[1].moment_arm - slope).abs() < 1e-4, "{} at {angle}°", stage.rig.label(index).plain());
             }
         }
     }
@@ -185,7 +185,7 @@ fn the_drawn_volume_is_the_volume_of_the_ledger() {
                 assert!(
                     (drawn / (expected * polygon) - 1.0).abs() < 3e-3,
                     "{} at {angle}°: {drawn} is not {expected}",
-                    stage.rig.name(index)
+                    stage.rig.label(index).plain()
                 );
             }
         }

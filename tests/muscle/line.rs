@@ -68,7 +68,7 @@ fn every_shipped_muscle_keeps_the_sign_of_its_moment_arm_and_has_no_jump() {
             let range = rig.measured_range().unwrap();
             let angles = quarters(*range.start(), *range.end());
             for index in 0..rig.len() {
-                let what = format!("{} of {}", rig.name(index), path.display());
+                let what = format!("{} of {}", rig.label(index).plain(), path.display());
                 let arms: Vec<f64> = rig.measure(index, &angles).iter().map(|row| row.moment_arm).collect();
                 let (least, most) = arms.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, m), arm| (arm.min(l), arm.max(m)));
                 assert!(least >= -1e-9 || most <= 1e-9, "{what}: {least} to {most}");

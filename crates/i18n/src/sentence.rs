@@ -1,6 +1,6 @@
 //! Sentences in the user's language of what the libraries report.
 
-use super::{FluentValue, catalogue, decimal, quantity, shown};
+use super::{FluentValue, catalogue, decimal, label, quantity, shown};
 use crate::tr;
 use sinew_scene::diagnostics::{Diagnostic, DiagnosticKind};
 use sinew_scene::message::{Location, Message, SourceName, ToMessage, Value};
@@ -80,7 +80,7 @@ pub fn finding_line<F: DiagnosticKind>(diagnostic: &Diagnostic<F>) -> String {
         text.push_str(": ");
     }
     if !diagnostic.element.is_empty() {
-        text.push_str(&format!("{}: ", diagnostic.element));
+        text.push_str(&format!("{}: ", label(diagnostic.element.as_label())));
     }
     format!("{text}{} [{}]", finding(diagnostic), diagnostic.code())
 }

@@ -15,7 +15,6 @@ use super::revolute_joint::RevoluteJoint;
 use super::tessellation::MuscleTopology;
 use super::wrap::WrapObject;
 use super::{bone_clearance, materials, primitive_meshes, scaling};
-use sinew_i18n::tr;
 use sinew_scene::animation::Clip;
 use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::{Content, Graph, MaterialBinding, MaterialId, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
@@ -45,9 +44,9 @@ impl MuscleRig {
         let mut height = 0.0;
         for (index, spec) in file.muscles.iter().enumerate() {
             let mut spec = spec.clone();
-            if spec.name.is_empty() {
+            if spec.name.is_empty() && file.muscles.len() == 1 {
                 // A file of one muscle is that muscle.
-                spec.name = if file.muscles.len() == 1 { name.to_owned() } else { tr!("muscle-name", number = index + 1) };
+                name.clone_into(&mut spec.name);
             }
             // Muscles that nothing holds lie above each other, each clear of the ground at its thickest.
             let thick = 1.6 * spec.profile.radii().iter().copied().fold(0.0, f64::max);
@@ -58,7 +57,7 @@ impl MuscleRig {
             let mut node = Node::new(spec.name.clone());
             node.contents.push(Content::Muscle(MuscleId(first.0 + index as u32)));
             scene.graph.add(Some(root), node);
-            let mut muscle = new_muscle(spec, scene, tendon, free_middle);
+            let mut muscle = new_muscle(spec, index as u32 + 1, scene, tendon, free_middle);
             if rig.arm.is_some() {
                 let find = |bone: &str| match bone {
                     UPPER_ARM => Some(0),
@@ -115,7 +114,7 @@ impl MuscleRig {
                 Err(bone) => {
                     muscle.rescale(1.0);
                     muscle.line = None;
-                    self.findings.push(Diagnostic::new(Finding::BoneNotFound { bone }, None, muscle.spec.name.clone()));
+                    self.findings.push(Diagnostic::new(Finding::BoneNotFound { bone }, None, muscle.label().to_owned()));
                 }
             }
         }
@@ -214,18 +213,18 @@ impl MuscleRig {
                 }
                 Err(error) => Finding::PosesDoNotFit(error),
             };
-            self.findings.push(Diagnostic::new(finding, None, muscle.spec.name.clone()));
+            self.findings.push(Diagnostic::new(finding, None, muscle.label().to_owned()));
         }
     }
 }
 
-fn new_muscle(spec: MuscleSpec, scene: &mut Scene, tendon: MaterialId, free_middle: DVec3) -> Muscle {
+fn new_muscle(spec: MuscleSpec, number: u32, scene: &mut Scene, tendon: MaterialId, free_middle: DVec3) -> Muscle {
     let layout = MuscleTopology::new(spec.profile.radii().len(), &spec.tendons);
-    let flesh = materials::muscle(scene, &spec.name, spec.color);
+    let flesh = materials::muscle(scene, &spec.name, number, spec.color);
     let material = |part| Some(MaterialBinding::plain(if part == 0 { flesh } else { tendon }));
     let (shape, tendons) = (spec.profile.clone(), spec.tendons);
     let materials = (0..layout.parts()).map(material).collect();
-    Muscle { materials, spec, scale: 1.0, shape, tendons, line: None, layout, mesh: OnceLock::new(), free_middle }
+    Muscle { materials, spec, number, scale: 1.0, shape, tendons, line: None, layout, mesh: OnceLock::new(), free_middle }
 }
 
 /// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.

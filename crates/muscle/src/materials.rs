@@ -1,6 +1,6 @@
 //! Materials of muscles, tendons and bones, in the colours of the palette.
 
-use sinew_scene::{BodyPart, Material, MaterialId, Paint, Scene, ShadingModel};
+use sinew_scene::{BodyPart, Material, MaterialId, Paint, Scene, ShadingModel, Unnamed};
 
 /// Flesh without a colour of its own, sRGB: #B8322E.
 pub(super) const FLESH: [u8; 3] = [0xB8, 0x32, 0x2E];
@@ -9,9 +9,10 @@ pub(super) const TENDON: [u8; 3] = [0xE8, 0xDF, 0xC8];
 /// Bone, sRGB: #E9E2D0.
 const BONE: [u8; 3] = [0xE9, 0xE2, 0xD0];
 
-/// A new material for a muscle of this name.
-pub(super) fn muscle(scene: &mut Scene, name: &str, color: Option<[u8; 3]>) -> MaterialId {
-    add(scene, name, "muscle", color.unwrap_or(FLESH), 0.16, 24.0)
+/// A new material for a muscle of this name, or at this place in its file where it has none.
+pub(super) fn muscle(scene: &mut Scene, name: &str, number: u32, color: Option<[u8; 3]>) -> MaterialId {
+    let id = if name.is_empty() { Unnamed::muscle_id(number) } else { "muscle".to_owned() };
+    add(scene, name, &id, color.unwrap_or(FLESH), 0.16, 24.0)
 }
 
 /// A new material for tendons.

@@ -73,7 +73,7 @@ impl MuscleRig {
         let mut findings = Vec::new();
         for (index, muscle) in self.muscles.iter().enumerate() {
             if !self.is_attached(index)
-                || self.findings.iter().any(|found| found.element == muscle.spec.name && is_about_length(&found.finding))
+                || self.findings.iter().any(|found| found.element.as_label() == muscle.label() && is_about_length(&found.finding))
             {
                 continue;
             }
@@ -127,7 +127,7 @@ struct FindingCollector<'a> {
 
 impl FindingCollector<'_> {
     fn push(&mut self, finding: Finding) {
-        self.findings.push(Diagnostic::new(finding, None, self.muscle.spec.name.clone()));
+        self.findings.push(Diagnostic::new(finding, None, self.muscle.label().to_owned()));
     }
 
     fn to_millimetres(&self, length: f64) -> f64 {

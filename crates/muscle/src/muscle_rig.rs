@@ -19,7 +19,7 @@ use super::tessellation::{MeshQuality, MuscleTopology, ToWorld};
 use super::{MuscleState, Sample, Solved, measure};
 use sinew_scene::animation::Pose;
 use sinew_scene::diagnostics::Diagnostic;
-use sinew_scene::{MaterialBinding, Mesh, NodeId, Scene};
+use sinew_scene::{Label, MaterialBinding, Mesh, NodeId, Scene, Unnamed};
 
 /// A muscle file placed in a scene.
 #[derive(Debug, Clone, Default)]
@@ -48,8 +48,10 @@ pub struct MuscleRig {
 /// One muscle of a rig.
 #[derive(Debug, Clone)]
 pub(super) struct Muscle {
-    /// As the file has it, but with a name.
+    /// As the file has it; the only muscle of a file has the file's name where it has none.
     pub spec: MuscleSpec,
+    /// Its place in the file, from 1.
+    pub number: u32,
     /// By what its lengths are multiplied where it is: 1 unless the file lets muscles scale with the bones.
     pub scale: f64,
     /// Its profile, so multiplied.
@@ -113,12 +115,12 @@ impl MuscleRig {
         self.flexion_range().is_some() || (0..self.len()).any(|index| !self.is_attached(index))
     }
 
-    /// Name of muscle `index`.
-    pub fn name(&self, index: usize) -> &str {
-        self.spec(index).map_or("", |spec| &spec.name)
+    /// What muscle `index` is called: by its name, else by its place in the file.
+    pub fn label(&self, index: usize) -> Label<'_> {
+        self.muscles.get(index).map_or(Label::Name(""), Muscle::label)
     }
 
-    /// What the file says about muscle `index`; a muscle without a name has got one here.
+    /// What the file says about muscle `index`; the only muscle of a file is called like the file where it has no name.
     pub fn spec(&self, index: usize) -> Option<&MuscleSpec> {
         self.muscles.get(index).map(|muscle| &muscle.spec)
     }
@@ -317,6 +319,11 @@ impl MuscleRig {
 }
 
 impl Muscle {
+    /// What it is called.
+    pub(super) fn label(&self) -> Label<'_> {
+        Label::of(&self.spec.name, Unnamed::Muscle(self.number))
+    }
+
     /// Multiplies the lengths of the file by `scale`; one that is no number or not above 0 is 1.
     pub(super) fn rescale(&mut self, scale: f64) {
         self.scale = if scale > 0.0 && scale.is_finite() { scale } else { 1.0 };

@@ -1,6 +1,7 @@
 //! What readers report: findings add up instead of stopping the reading.
 
 use crate::message::{Message, SourceName, ToMessage};
+use crate::scene::OwnedLabel;
 
 /// How much a finding matters to the person who looks at the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -30,14 +31,14 @@ pub struct Diagnostic<F> {
     /// Line in that file, from 1; `None` where no line can be named.
     pub line: Option<u32>,
     /// The element it speaks of, such as `<skin> "Body-skin"`; empty where none fits.
-    pub element: String,
+    pub element: OwnedLabel,
     /// In how many more places of the file the same was found.
     pub more_places: usize,
 }
 
 impl<F> Diagnostic<F> {
     /// A finding in a file whose name the document adds.
-    pub fn new(finding: F, line: Option<u32>, element: impl Into<String>) -> Self {
+    pub fn new(finding: F, line: Option<u32>, element: impl Into<OwnedLabel>) -> Self {
         Self { finding, file: SourceName::Unknown, line, element: element.into(), more_places: 0 }
     }
 

@@ -161,13 +161,24 @@ impl Graph {
         self.nodes.iter().enumerate().map(|(i, node)| (NodeId(i as u32), node))
     }
 
-    /// What a node is called: by its name, else by what part of the arm it is, else by its place in its file.
+    /// What a node is called: by its name, else by what muscle or part of the arm it is, else by its place in its file.
     pub fn label(&self, id: NodeId) -> Label<'_> {
         // The nodes of a file follow its root.
         let before = self.roots.partition_point(|root| *root <= id).checked_sub(1);
         let root = before.and_then(|place| self.roots.get(place)).map_or(0, |root| root.0);
         let node = self.node(id);
-        Label::of(&node.name, Unnamed::of_id(&node.id, Unnamed::Node(id.0 - root)))
+        let unnamed = || match self.muscle_number(id) {
+            Some(number) => Unnamed::Muscle(number),
+            None => Unnamed::of_id(&node.id, Unnamed::Node(id.0 - root)),
+        };
+        if node.name.is_empty() { Label::Unnamed(unnamed()) } else { Label::Name(&node.name) }
+    }
+
+    /// Of the node of a muscle, its place among those of its file, from 1.
+    fn muscle_number(&self, id: NodeId) -> Option<u32> {
+        let is_muscle = |id: &NodeId| self.node(*id).contents.iter().any(|content| matches!(content, Content::Muscle(_)));
+        let siblings = &self.node(self.node(id).parent?).children;
+        is_muscle(&id).then(|| siblings.iter().filter(|other| **other <= id && is_muscle(other)).count() as u32)
     }
 
     /// The first node that is called so.
@@ -185,7 +196,7 @@ impl Graph {
                 let places = self.roots.iter().filter_map(|root| root.0.checked_add(number).map(NodeId));
                 places.filter(|id| id.index() < self.len()).find(is)
             }
-            Unnamed::Part(_) => self.iter().map(|(id, _)| id).find(is),
+            Unnamed::Part(_) | Unnamed::Muscle(_) => self.iter().map(|(id, _)| id).find(is),
             _ => None,
         }
     }

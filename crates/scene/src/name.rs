@@ -1,6 +1,7 @@
 //! What things are called, also those that their file gives no name.
 
 use std::borrow::Cow;
+use std::fmt;
 
 use crate::message;
 use crate::message::{Message, ToMessage, Value};
@@ -68,6 +69,8 @@ pub enum Unnamed {
     Camera,
     /// A part of the two-rod arm or of a muscle.
     Part(BodyPart),
+    /// The muscle at this place in its file, from 1.
+    Muscle(u32),
 }
 
 impl<'a> Label<'a> {
@@ -108,6 +111,30 @@ impl OwnedLabel {
             Self::Name(name) => Label::Name(name),
             Self::Unnamed(unnamed) => Label::Unnamed(*unnamed),
         }
+    }
+
+    /// Whether there is nothing to say.
+    pub fn is_empty(&self) -> bool {
+        matches!(self, Self::Name(name) if name.is_empty())
+    }
+}
+
+impl<T: Into<String>> From<T> for OwnedLabel {
+    fn from(name: T) -> Self {
+        Self::Name(name.into())
+    }
+}
+
+/// The text in files that are written: the same in every language.
+impl fmt::Display for OwnedLabel {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.as_label().plain())
+    }
+}
+
+impl serde::Serialize for OwnedLabel {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
     }
 }
 
@@ -157,17 +184,28 @@ impl Unnamed {
     const NODE: [&str; 2] = ["Node ", "Узел "];
     /// The same of a clip.
     const CLIP: [&str; 2] = ["Clip ", "Клип "];
+    /// The same of a muscle.
+    const MUSCLE: [&str; 2] = ["Muscle ", "Мышца "];
+    /// The same in ids.
+    const MUSCLE_ID: &str = "muscle ";
     /// All animation of a file.
     const ANIMATION: [&str; 2] = ["Animation", "Анимация"];
 
     /// What something with this id is called that has no name, `otherwise` unless it is a part of the arm or of a muscle.
     pub(super) fn of_id(id: &str, otherwise: Self) -> Self {
-        BodyPart::ALL.into_iter().find(|part| part.id() == id).map_or(otherwise, Self::Part)
+        let part = || BodyPart::ALL.into_iter().find(|part| part.id() == id).map(Self::Part);
+        let muscle = || Some(Self::Muscle(id.strip_prefix(Self::MUSCLE_ID)?.parse().ok()?));
+        part().or_else(muscle).unwrap_or(otherwise)
+    }
+
+    /// The id of what belongs to the muscle at this place in its file, from 1.
+    pub fn muscle_id(number: u32) -> String {
+        format!("{}{number}", Self::MUSCLE_ID)
     }
 
     /// What it is called in files that are written: the same in every language.
     pub fn plain(self) -> Cow<'static, str> {
-        let ([node, ..], [clip, ..], [animation, ..]) = (Self::NODE, Self::CLIP, Self::ANIMATION);
+        let ([node, ..], [clip, ..], [animation, ..], [muscle, ..]) = (Self::NODE, Self::CLIP, Self::ANIMATION, Self::MUSCLE);
         Cow::Borrowed(match self {
             Self::Node(number) => return format!("{node}{number}").into(),
             Self::Clip(number) => return format!("{clip}{number}").into(),
@@ -180,10 +218,11 @@ impl Unnamed {
             Self::Light => "Light",
             Self::Camera => "Camera",
             Self::Part(part) => part.names()[0],
+            Self::Muscle(number) => return format!("{muscle}{number}").into(),
         })
     }
 
-    /// The node, part of a body or clip that a text means. People type what they see, and older files hold it, in whatever language the program had.
+    /// The node, part of a body, muscle or clip that a text means. People type what they see, and older files hold it, in whatever language the program had.
     pub fn parse(text: &str) -> Option<Self> {
         if Self::ANIMATION.contains(&text) {
             return Some(Self::Animation);
@@ -196,7 +235,8 @@ impl Unnamed {
             // As it is written: no sign, no zeros before it.
             digits.parse::<u32>().ok().filter(|number| number.to_string() == digits)
         };
-        number(Self::NODE).map(Self::Node).or_else(|| number(Self::CLIP).map(Self::Clip))
+        let clip = || number(Self::CLIP).map(Self::Clip);
+        number(Self::NODE).map(Self::Node).or_else(clip).or_else(|| number(Self::MUSCLE).map(Self::Muscle))
     }
 }
 
@@ -213,6 +253,7 @@ impl ToMessage for Unnamed {
             Self::Image => message!("document-unnamed-image"),
             Self::Light => message!("document-unnamed-light"),
             Self::Camera => message!("document-unnamed-camera"),
+            Self::Muscle(number) => message!("muscle-name", number = number),
             Self::Part(BodyPart::UpperArm) => message!("muscle-upper-arm"),
             Self::Part(BodyPart::Shoulder) => message!("muscle-shoulder"),
             Self::Part(BodyPart::Elbow) => message!("muscle-elbow"),
@@ -230,7 +271,7 @@ mod tests {
 
     #[test]
     fn nodes_and_clips_are_known_by_what_they_are_called() {
-        for unnamed in [Unnamed::Node(0), Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Animation] {
+        for unnamed in [Unnamed::Node(0), Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Muscle(2), Unnamed::Animation] {
             assert_eq!(Unnamed::parse(&unnamed.plain()), Some(unnamed));
         }
         for text in ["Clip", "Clip x", "Clip -1", "Clip +1", "Clip 012", "Клип 12 и ещё", "", "Clip 99999999999", "Mesh"] {

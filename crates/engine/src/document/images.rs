@@ -410,7 +410,7 @@ mod tests {
             pending.load(&mut document, what, &Progress::default());
             let kept = document.scene.images.iter().filter(|image| image.pixels.is_some()).count();
             assert_eq!(kept, usize::from(what == ImageLoading::Decode));
-            assert!(document.diagnostics.iter().all(|finding| finding.code() == BROKEN && finding.element.contains("skin")));
+            assert!(document.diagnostics.iter().all(|finding| finding.code() == BROKEN && finding.element.to_string().contains("skin")));
             document.diagnostics.len()
         };
         assert_eq!([ImageLoading::Locate, ImageLoading::Test, ImageLoading::Decode].map(broken), [0, 1, 1]);

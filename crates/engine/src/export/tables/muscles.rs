@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::{TableError, csv_cell, csv_number};
 use crate::document::{Document, MuscleSample, PoseBuffers, PoseState, SourceKind};
 use sinew_muscle::{MuscleRig, Sample, Solved};
-use sinew_scene::{Frame, MuscleId};
+use sinew_scene::{Frame, MuscleId, OwnedLabel};
 
 /// Default elbow angles.
 const ANGLES: [f64; 4] = [0.0, 30.0, 60.0, 90.0];
@@ -30,7 +30,7 @@ pub struct MuscleTable {
 #[derive(Debug, Clone, Serialize)]
 pub struct MuscleRows {
     /// Its name.
-    pub name: String,
+    pub name: OwnedLabel,
     /// One row an angle or time.
     pub samples: Vec<MuscleRow>,
 }
@@ -72,7 +72,7 @@ impl MuscleTable {
             .flat_map(|(rig, first)| (0..rig.len()).map(move |index| (rig, first, index)))
             .map(|(rig, first, index)| {
                 let samples = samples(document, rig, first, index, angles)?;
-                Some(MuscleRows { name: rig.name(index).to_owned(), samples })
+                Some(MuscleRows { name: rig.label(index).to_owned(), samples })
             })
             .collect::<Option<_>>()?;
         Some(Self { file, unit: unit(document), muscles })
@@ -87,7 +87,7 @@ impl MuscleTable {
             return Err(TableError::NoClip);
         }
         TableError::hold(document.muscle_count(), times.len(), TableError::NoMuscle)?;
-        let names = document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.name(index).to_owned()));
+        let names = document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.label(index).to_owned()));
         let rows = document.measure_times(state, times);
         let muscles =
             names.zip(&rows).map(|(name, samples)| MuscleRows { name, samples: samples.iter().map(MuscleRow::at_time).collect() });
@@ -118,7 +118,7 @@ impl MuscleTable {
                 let _ = write!(
                     text,
                     "{},{time}{angle},{length},{arm},{volume},{error},{delta},{largest},{path},{}",
-                    csv_cell(&muscle.name),
+                    csv_cell(&muscle.name.to_string()),
                     row.held
                 );
                 row.radii.iter().for_each(|radius| text.push_str(&format!(",{radius}")));

@@ -2,8 +2,9 @@
 
 use super::{JointRow, JointTable, MeasureTable, MuscleRow, MuscleRows, MuscleTable};
 use crate::plot::{Page, Plot, PlotCurve};
+use sinew_scene::OwnedLabel;
 use sinew_scene::message;
-use sinew_scene::message::Message;
+use sinew_scene::message::{Message, ToMessage};
 
 /// Makes a sentence of a message, in the user's language.
 pub type Translate = fn(&Message) -> String;
@@ -54,7 +55,11 @@ impl MuscleTable {
         };
         let panel = |up: String, pick: Column, least_span: f64| {
             let point = |row: &MuscleRow| (at(row).unwrap_or(f64::NAN), pick(row).unwrap_or(f64::NAN));
-            let curves = shown.iter().map(|muscle| (muscle.name.clone(), muscle.samples.iter().map(point).collect()));
+            let name = |label: &OwnedLabel| match label {
+                OwnedLabel::Name(name) => name.clone(),
+                OwnedLabel::Unnamed(unnamed) => say(&unnamed.message()),
+            };
+            let curves = shown.iter().map(|muscle| (name(&muscle.name), muscle.samples.iter().map(point).collect()));
             plot(up, across.clone(), curves.collect(), least_span)
         };
         let mut plots = Vec::new();
