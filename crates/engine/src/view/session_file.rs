@@ -12,7 +12,7 @@ use crate::document::{Document, PoseBuffers, PoseState, Skinning};
 use crate::input;
 use sinew_render::{Display, Samples, Shading, Theme};
 use sinew_scene::limits;
-use sinew_scene::{Bounds, Frame, NodeId, OrbitCamera};
+use sinew_scene::{Bounds, Frame, Label, NodeId, OrbitCamera, Unnamed};
 use sinew_yaml::{Node, Value, YamlError};
 
 /// The key that tells a session file from a muscle file.
@@ -254,13 +254,12 @@ impl SavedNode {
     }
 }
 
-/// The first node of each name: a session may name many.
-fn nodes_by_name(document: &Document) -> FxHashMap<&str, NodeId> {
+/// The first node that is called so: a session may name many.
+fn nodes_by_label(document: &Document) -> FxHashMap<Label<'_>, NodeId> {
+    let graph = &document.scene.graph;
     let mut first = FxHashMap::default();
-    for (id, node) in document.scene.graph.iter() {
-        if !node.name.is_empty() {
-            first.entry(node.name.as_str()).or_insert(id);
-        }
+    for (id, _) in graph.iter() {
+        first.entry(graph.label(id)).or_insert(id);
     }
     first
 }
@@ -291,8 +290,9 @@ impl SavedModel {
 impl SessionState {
     /// Hides nodes and rotates joints of a document that has just been opened. Nodes that no longer exist are skipped.
     pub fn apply_to_document(&self, document: &mut Document) {
-        let known = nodes_by_name(document);
-        let first = |name: &str| known.get(name).copied().or_else(|| document.scene.graph.find_unnamed(name, |_| true));
+        let known = nodes_by_label(document);
+        let unnamed = |name: &str| known.get(&Label::Unnamed(Unnamed::parse(name)?)).copied();
+        let first = |name: &str| known.get(&Label::Name(name)).copied().or_else(|| unnamed(name));
         let find = |node: &SavedNode| node.find_by(document, first);
         let hidden: Vec<NodeId> = self.hidden.iter().filter_map(find).collect();
         let turned: Vec<_> = self.turned.iter().filter_map(|turn| Some((find(&turn.joint)?, turn.degrees))).collect();
