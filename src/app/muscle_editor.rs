@@ -66,7 +66,7 @@ impl Editor {
             let (rig, index) = session.document().muscle(id)?;
             Some(i18n::label(rig.label(index)).into_owned())
         };
-        self.window.upgrade()?.try_look(name)?
+        self.window.upgrade()?.try_read(name)?
     }
 }
 

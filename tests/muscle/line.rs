@@ -6,11 +6,11 @@ use glam::{DMat3, DMat4, DQuat, DVec3};
 use proptest::prelude::*;
 use sinew::animation::Pose;
 use sinew::document::Document;
-use sinew::i18n::{Sentence, finding_line};
+use sinew::i18n::{Language, Sentence, finding_line};
 use sinew::muscle::presets::{PRESETS, Preset};
 use sinew::muscle::{MuscleFile, MuscleRig};
 use sinew::progress::Progress;
-use sinew::scene::{MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
+use sinew::scene::{Label, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp, Unnamed};
 
 use crate::in_each_language;
 
@@ -358,6 +358,28 @@ fn what_is_wrong_over_the_range_of_the_joint_is_said_with_muscle_and_angle() {
         }
     });
     assert_eq!(said(&muscle("[0, -30, 0]", "[0, -47, 0]", thin)), []);
+}
+
+#[test]
+fn muscles_without_a_name_are_called_by_their_place_and_a_single_one_like_its_file() {
+    let muscle = "  - {length: 100, radii: [3, 80, 3], growth: [0, 1, 0], origin: {bone: upper arm, offset: [0, -40, 0]}, insertion: {bone: forearm, offset: [0, -60, 0]}}\n";
+    let yaml = |count: usize| format!("arm: {{upper: 330, forearm: 260, thickness: 8}}\nmuscles:\n{}", muscle.repeat(count));
+    assert_eq!(alone(&yaml(1)).label(0), Label::Name("file"));
+    let file = MuscleFile::parse(&yaml(2)).unwrap();
+    let mut scene = Scene::default();
+    let rig = MuscleRig::build(&file, "file", &mut scene, MuscleId(0));
+    let second = Label::Unnamed(Unnamed::Muscle(2));
+    assert_eq!(rig.label(1), second);
+    assert_eq!(scene.graph.find("Muscle 2").map(|node| scene.graph.label(node)), Some(second));
+    assert!(scene.materials.iter().any(|material| material.label() == second));
+    assert!(rig.findings().iter().any(|found| found.element.as_label() == second), "{:?}", rig.findings());
+    assert!(!file.to_yaml().contains("name"), "{}", file.to_yaml());
+    in_each_language(|language| {
+        let found = rig.findings().iter().find(|found| found.element.as_label() == second).unwrap();
+        let (muscle, bone) = if language == Language::English { ("Muscle 2: ", "“Upper arm”") } else { (" 2: ", "«»") };
+        let said = finding_line(found);
+        assert!(said.starts_with(muscle) && said.contains(bone), "{said}");
+    });
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What readers report: findings add up instead of stopping the reading.
 
+use crate::OwnedLabel;
 use crate::message::{Message, SourceName, ToMessage};
-use crate::scene::OwnedLabel;
 
 /// How much a finding matters to the person who looks at the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -132,7 +132,7 @@ impl Session {
         let mut files = self.files_now();
         let Some(file) = files.get_mut(place) else { return Ok(()) };
         let Some(mut copy) = file.muscles.get(index).cloned() else { return Err(EditError::NoMuscle(index)) };
-        let name = self.document.muscle(id).map(|(rig, index)| i18n::label(rig.label(index)).into_owned()).unwrap_or_default();
+        let name = self.document.muscle(id).map(|(rig, index)| sinew_i18n::label(rig.label(index)).into_owned()).unwrap_or_default();
         copy.name = unused_name(file, &name);
         file.form = Form::Rich;
         *file = file.with_muscle(copy)?;

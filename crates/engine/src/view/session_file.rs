@@ -394,6 +394,30 @@ mod tests {
     }
 
     #[test]
+    fn parts_of_the_arm_and_muscles_without_a_name_are_found_by_what_any_language_calls_them() {
+        let mut document = Document::default();
+        let root = document.scene.graph.add(None, Node::new("arm"));
+        let mut elbow = Node::new("");
+        elbow.id = "elbow".into();
+        let elbow = document.scene.graph.add(Some(root), elbow);
+        let muscles = [0, 1].map(|number| {
+            let mut node = Node::new("");
+            node.contents.push(sinew_scene::Content::Muscle(sinew_scene::MuscleId(number)));
+            document.scene.graph.add(Some(root), node)
+        });
+        assert_eq!([elbow, muscles[0], muscles[1]].map(|node| saved_node(&document, node).name), ["Elbow", "Muscle 1", "Muscle 2"]);
+        let turned = |name: &str| SavedRotation { joint: SavedNode { node: 9, name: name.into() }, degrees: [1.0; 3] };
+        for (names, node) in [(["Elbow", "Локоть"], elbow), (["Muscle 2", "Мышца 2"], muscles[1])] {
+            for name in names {
+                let mut document = document.clone();
+                assert_eq!(SavedNode { node: 9, name: name.into() }.find(&document), Some(node), "{name}");
+                SessionState { turned: vec![turned(name)], ..SessionState::default() }.apply_to_document(&mut document);
+                assert_eq!(document.joint_overrides().iter().map(|turn| turn.node).collect::<Vec<_>>(), [node], "{name}");
+            }
+        }
+    }
+
+    #[test]
     fn files_beside_the_session_are_named_without_their_folder() {
         let saved = SessionState { files: vec!["a/walk.dae".into(), "/else/arm.yaml".into()], ..SessionState::default() };
         assert_eq!(saved.paths(Path::new("/home/me")), [PathBuf::from("/home/me/a/walk.dae"), "/else/arm.yaml".into()]);
