@@ -51,7 +51,7 @@ fn round_to_hundredth(value: f64) -> f64 {
 }
 
 fn escaped(text: &str) -> String {
-    sinew_i18n::shown(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+    sinew_scene::visible::shown(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 impl Canvas for SvgCanvas {

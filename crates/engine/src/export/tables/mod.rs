@@ -10,11 +10,11 @@ use std::path::Path;
 use super::guard::Output;
 use super::{ExportError, atomic_file::write_atomic};
 use crate::document::{Document, PoseState};
-use sinew_i18n as i18n;
 use sinew_muscle::MuscleRig;
 use sinew_scene::limits;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
+use sinew_scene::visible;
 
 pub use joints::{JointRow, JointRows, JointTable};
 pub use muscles::{MuscleRow, MuscleRows, MuscleTable, unit, unit_name};
@@ -108,7 +108,7 @@ impl MeasureTable {
 
 fn json(out: &mut impl Write, table: &impl serde::Serialize) -> io::Result<()> {
     let text = serde_json::to_string_pretty(table)?;
-    out.write_all(i18n::visible_json(&text).as_bytes())?;
+    out.write_all(visible::json(&text).as_bytes())?;
     out.write_all(b"\n")
 }
 
@@ -179,7 +179,7 @@ pub fn even_times(start: f64, end: f64, fps: f64) -> Vec<f64> {
 
 /// A cell of a CSV file, in quotes where it must be (RFC 4180), on one line and with nothing in it that a terminal would obey.
 pub fn csv_cell(text: &str) -> String {
-    let text = i18n::shown(text);
+    let text = visible::shown(text);
     if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into_owned() }
 }
 
