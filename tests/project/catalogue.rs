@@ -53,9 +53,14 @@ fn arguments(text: &str) -> BTreeSet<&str> {
     text.split('$').skip(1).map(|rest| &rest[..end(rest)]).collect()
 }
 
+/// The sources of the program and of its libraries.
+fn rust_sources() -> Vec<PathBuf> {
+    ["src", "crates"].into_iter().flat_map(|folder| files(&root().join(folder), "rs")).collect()
+}
+
 /// Every string literal and `tr:` placeholder of the sources that looks like the name of a message.
 fn names_in_sources() -> BTreeSet<String> {
-    let mut sources = files(&root().join("src"), "rs");
+    let mut sources = rust_sources();
     sources.extend(files(&root().join("resources"), "ui"));
     sources.extend(files(&root().join("src"), "ui"));
     let mut names = BTreeSet::new();
@@ -103,7 +108,7 @@ fn looked_up(source: &str) -> impl Iterator<Item = (&str, &str)> {
 fn every_argument_of_a_message_is_given() {
     let catalogue = messages("en");
     let mut missing = BTreeSet::new();
-    for file in files(&root().join("src"), "rs") {
+    for file in rust_sources() {
         let text = fs::read_to_string(&file).expect("readable");
         for (key, given) in looked_up(&text) {
             let Some(message) = catalogue.get(key) else { continue };
@@ -120,7 +125,7 @@ fn every_argument_of_a_message_is_given() {
 fn every_name_that_the_sources_look_up_is_in_the_catalogue() {
     let catalogue = messages("en");
     let mut missing = BTreeSet::new();
-    for file in files(&root().join("src"), "rs") {
+    for file in rust_sources() {
         let text = fs::read_to_string(&file).expect("readable");
         let text = text.replace("include_str!(", "");
         missing.extend(

@@ -178,9 +178,10 @@ fn nothing_is_written_but_through_the_guard() {
         "File::options(",
     ];
     let mut found = Vec::new();
-    for path in
-        files().into_iter().filter(|path| path.starts_with(root().join("src")) && path.extension().is_some_and(|ending| ending == "rs"))
-    {
+    for path in files().into_iter().filter(|path| {
+        ["src", "crates"].iter().any(|folder| path.starts_with(root().join(folder)))
+            && path.extension().is_some_and(|ending| ending == "rs")
+    }) {
         if path.ends_with("export/temporary.rs") {
             continue;
         }

@@ -1,6 +1,6 @@
 //! What the libraries tell people, without a language: a key of the catalogue, its parameters and a place in a file.
 //!
-//! Errors and findings are enums, so that a program can match on them; [`ToMessage`] gives their key and parameters, and [`sinew_i18n::sentence`]
+//! Errors and findings are enums, so that a program can match on them; [`ToMessage`] gives their key and parameters, and `sinew_i18n::sentence`
 //! makes the sentence in the user's language. Where an error is shown as text without a catalogue, as in a log, it is the key with its parameters.
 
 use std::fmt;

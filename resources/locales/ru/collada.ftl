@@ -146,4 +146,3 @@ collada-more-findings = { $count ->
 }
 
 # collada: имена для безымянного
-collada-unnamed-morph = Морфинг
