@@ -22,7 +22,7 @@ mod tests {
     #[test]
     fn what_is_shown_for_nodes_and_clips_means_them_in_every_language() {
         let parts = BodyPart::ALL.map(Unnamed::Part);
-        for unnamed in [Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Animation].into_iter().chain(parts) {
+        for unnamed in [Unnamed::Scene, Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Animation].into_iter().chain(parts) {
             for language in Language::ALL {
                 let shown = catalogue::message_in(language, unnamed.message().key, &[("number", unnamed_number(unnamed).into())]);
                 assert_eq!(Unnamed::parse(&shown), Some(unnamed), "{shown}");

@@ -169,7 +169,7 @@ impl Graph {
         let node = self.node(id);
         let unnamed = || match self.muscle_number(id) {
             Some(number) => Unnamed::Muscle(number),
-            None => Unnamed::of_id(&node.id, Unnamed::Node(id.0 - root)),
+            None => Unnamed::of_id(&node.id, if id.0 == root { Unnamed::Scene } else { Unnamed::Node(id.0 - root) }),
         };
         if node.name.is_empty() { Label::Unnamed(unnamed()) } else { Label::Name(&node.name) }
     }
@@ -196,7 +196,7 @@ impl Graph {
                 let places = self.roots.iter().filter_map(|root| root.0.checked_add(number).map(NodeId));
                 places.filter(|id| id.index() < self.len()).find(is)
             }
-            Unnamed::Part(_) | Unnamed::Muscle(_) => self.iter().map(|(id, _)| id).find(is),
+            Unnamed::Scene | Unnamed::Part(_) | Unnamed::Muscle(_) => self.iter().map(|(id, _)| id).find(is),
             _ => None,
         }
     }

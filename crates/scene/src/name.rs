@@ -47,8 +47,10 @@ pub enum BodyPart {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Unnamed {
-    /// The node at this place in its file; the file itself is at 0.
+    /// The node at this place in its file, from 1.
     Node(u32),
+    /// The root of what was read from no file.
+    Scene,
     /// The clip at this place in its file, from 1.
     Clip(u32),
     /// All animation of a file that names no clips.
@@ -188,6 +190,8 @@ impl Unnamed {
     const MUSCLE: [&str; 2] = ["Muscle ", "Мышца "];
     /// The same in ids.
     const MUSCLE_ID: &str = "muscle ";
+    /// The root of what was read from no file.
+    const SCENE: [&str; 2] = ["Scene", "Сцена"];
     /// All animation of a file.
     const ANIMATION: [&str; 2] = ["Animation", "Анимация"];
 
@@ -209,6 +213,7 @@ impl Unnamed {
         Cow::Borrowed(match self {
             Self::Node(number) => return format!("{node}{number}").into(),
             Self::Clip(number) => return format!("{clip}{number}").into(),
+            Self::Scene => Self::SCENE[0],
             Self::Animation => animation,
             Self::Mesh => "Mesh",
             Self::Skin => "Skin",
@@ -227,6 +232,9 @@ impl Unnamed {
         if Self::ANIMATION.contains(&text) {
             return Some(Self::Animation);
         }
+        if Self::SCENE.contains(&text) {
+            return Some(Self::Scene);
+        }
         if let Some(part) = BodyPart::ALL.into_iter().find(|part| part.names().contains(&text)) {
             return Some(Self::Part(part));
         }
@@ -244,6 +252,7 @@ impl ToMessage for Unnamed {
     fn message(&self) -> Message {
         match self {
             Self::Node(number) => message!("document-unnamed-node", number = number),
+            Self::Scene => message!("document-unnamed-scene"),
             Self::Clip(number) => message!("document-unnamed-clip", number = number),
             Self::Animation => message!("document-unnamed-animation"),
             Self::Mesh => message!("document-unnamed-mesh"),
@@ -271,7 +280,7 @@ mod tests {
 
     #[test]
     fn nodes_and_clips_are_known_by_what_they_are_called() {
-        for unnamed in [Unnamed::Node(0), Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Muscle(2), Unnamed::Animation] {
+        for unnamed in [Unnamed::Scene, Unnamed::Node(12), Unnamed::Clip(3), Unnamed::Muscle(2), Unnamed::Animation] {
             assert_eq!(Unnamed::parse(&unnamed.plain()), Some(unnamed));
         }
         for text in ["Clip", "Clip x", "Clip -1", "Clip +1", "Clip 012", "Клип 12 и ещё", "", "Clip 99999999999", "Mesh"] {

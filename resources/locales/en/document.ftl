@@ -106,6 +106,7 @@ document-yaml-reason-content = a value is expected here
 document-too-many-files = The session names { $count } files; the limit is { $limit }.
 document-too-much-surface = With this file the surfaces of all muscles would have more than { NUMBER($limit, useGrouping: 0) } vertices, which is the limit for drawing.
 document-unnamed-animation = Animation
+document-unnamed-scene = Scene
 document-unnamed-clip = Clip { $number }
 document-unnamed-node = Node { $number }
 document-unnamed-mesh = Mesh

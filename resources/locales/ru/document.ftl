@@ -119,6 +119,7 @@ document-yaml-reason-content = здесь ожидалось значение
 document-too-many-files = В сеансе файлов: { $count }; предел – { $limit }.
 document-too-much-surface = С этим файлом у поверхностей всех мышц было бы больше { NUMBER($limit, useGrouping: 0) } вершин, а это предел отрисовки.
 document-unnamed-animation = Анимация
+document-unnamed-scene = Сцена
 document-unnamed-clip = Клип { $number }
 document-unnamed-node = Узел { $number }
 document-unnamed-mesh = Полигональная сетка

@@ -49,8 +49,8 @@ impl Document {
         for source in &mut self.sources {
             let SourceKind::Muscles(file, rig) = &mut source.kind else { continue };
             let title = match &source.path {
-                Some(path) => path.file_stem().map_or_else(|| source.name.to_string(), |stem| stem.to_string_lossy().into_owned()),
-                None => source.name.to_string(),
+                Some(path) => path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+                None => String::new(),
             };
             **rig = MuscleRig::build(file, &title, &mut self.scene, first);
             if let (Some(arm), Some(root)) = (file.arm, rig.root)

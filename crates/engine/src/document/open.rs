@@ -129,7 +129,7 @@ impl Document {
         images: &mut PendingImages,
         progress: &Progress,
     ) -> Result<(), OpenError> {
-        let mut loaded = collada::read(&bytes, &name.to_string(), progress).map_err(|error| OpenError {
+        let mut loaded = collada::read(&bytes, name.path().unwrap_or_default(), progress).map_err(|error| OpenError {
             location: Location { file: name.clone(), line: error.line, column: None },
             kind: OpenErrorKind::Collada(error.kind),
         })?;

@@ -34,7 +34,7 @@ impl MtlLibrary {
         for id in ids.into_iter().map(MaterialId) {
             if let Some(material) = frame.materials.get(id.index()) {
                 let label = material.label();
-                let is_part = matches!(label, Label::Unnamed(Unnamed::Part(_)));
+                let is_part = matches!(label, Label::Unnamed(Unnamed::Part(_) | Unnamed::Muscle(_)));
                 let own = Some(material.id.as_str()).filter(|id| material.name.trim().is_empty() && !id.is_empty() && !is_part);
                 let name = own.map_or_else(|| label.plain(), Cow::Borrowed);
                 found.names.insert(id, unique(&group_name(&name), &mut taken));
