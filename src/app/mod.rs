@@ -2,7 +2,6 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`session`] | the open document and its view state; no widgets |
 //! | [`commands`], `shortcuts`, `command_dispatch` | the one table of commands, their keys, and what they do |
 //! | `window` | assembles the panels and distributes changes to them |
 //! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |

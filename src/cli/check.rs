@@ -56,6 +56,9 @@ impl From<&Diagnostic<Finding>> for FindingReport {
     }
 }
 
+/// What was found in a file, or why it could not be used.
+type Outcome = Result<Vec<Diagnostic<Finding>>, OpenError>;
+
 /// Runs the subcommand.
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let opened: Vec<_> = files(given).into_iter().map(|file| (display_name(&file), open(&file))).collect();
@@ -69,11 +72,11 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if refused.is_empty() { Ok(()) } else { Err(Failure::Files(refused)) }
 }
 
-fn open(file: &Path) -> Result<Vec<Diagnostic<Finding>>, OpenError> {
+fn open(file: &Path) -> Outcome {
     Document::open_with(&[file], OpenOptions { images: ImageLoading::Test }, &Progress::default()).map(|document| document.diagnostics)
 }
 
-fn report(name: &str, result: &Result<Vec<Diagnostic<Finding>>, OpenError>) -> FileReport {
+fn report(name: &str, result: &Outcome) -> FileReport {
     FileReport {
         file: name.to_owned(),
         usable: result.is_ok(),
@@ -87,7 +90,7 @@ fn report(name: &str, result: &Result<Vec<Diagnostic<Finding>>, OpenError>) -> F
 }
 
 /// The findings of the usable files, one a line; a refused file's line goes to standard error.
-fn listing(opened: &[(String, Result<Vec<Diagnostic<Finding>>, OpenError>)]) -> String {
+fn listing(opened: &[(String, Outcome)]) -> String {
     let mut text = String::new();
     for (name, result) in opened {
         match result {

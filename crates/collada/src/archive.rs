@@ -44,7 +44,7 @@ pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Load
     let mut room = (bytes.len() * (limits::ARCHIVE_BYTES_PER_BYTE - 1) + limits::ARCHIVE_BYTES) as u64;
     let (path, index) = match named_root(&mut archive, &entries, &mut room)? {
         Some(found) => found,
-        None => first_document(&entries).ok_or_else(|| ReadErrorKind::ArchiveEmpty)?,
+        None => first_document(&entries).ok_or(ReadErrorKind::ArchiveEmpty)?,
     };
     let document = unpack(&mut archive, index, &mut room)?;
     let mut archived = Vec::new();

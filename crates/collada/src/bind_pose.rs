@@ -71,7 +71,7 @@ impl Bound<'_> {
         }
         let angle = turned(&drawn, &here);
         let at_bind = bound().all(|(_, _, other)| turned(&other, &posed) <= TURN);
-        (at_bind && angle.is_finite() && angle > TURN).then(|| Finding::BindPoseTurned { skin, joint, angle })
+        (at_bind && angle.is_finite() && angle > TURN).then_some(Finding::BindPoseTurned { skin, joint, angle })
     }
 }
 

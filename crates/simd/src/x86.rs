@@ -271,7 +271,7 @@ vectors! {
 
 impl Sse2 {
     /// The token; SSE2 is part of x86-64.
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self(())
     }
 }

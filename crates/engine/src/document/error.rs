@@ -23,7 +23,7 @@ pub struct OpenError {
 #[derive(Debug, Clone, PartialEq)]
 pub enum OpenErrorKind {
     /// It could not be read.
-    Refused(Refused),
+    Refused(Box<Refused>),
     /// It has more than so many bytes, the limit of its format.
     TooLarge(u64),
     /// It is empty.
@@ -33,11 +33,11 @@ pub enum OpenErrorKind {
     /// It is not UTF-8 text.
     NotText,
     /// It is no COLLADA that can be used.
-    Collada(ReadErrorKind),
+    Collada(Box<ReadErrorKind>),
     /// It is no muscle file that can be used.
-    Muscles(ConfigErrorKind),
+    Muscles(Box<ConfigErrorKind>),
     /// It is no session that can be used.
-    Session(YamlErrorKind),
+    Session(Box<YamlErrorKind>),
     /// The session names so many files, more than [`limits::SESSION_FILES`].
     TooManyFiles(usize),
     /// With its muscles the surfaces would have more vertices than [`limits::MUSCLE_VERTICES`].

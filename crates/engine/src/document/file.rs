@@ -28,7 +28,7 @@ impl Format {
 
 /// Reads a regular file, or standard input for `-`, of at most `limit` bytes.
 pub(super) fn read(path: &Path, name: &SourceName, limit: u64) -> Result<Vec<u8>, OpenError> {
-    let refuse = |refused: Refused| OpenError::whole(name, OpenErrorKind::Refused(refused));
+    let refuse = |refused: Refused| OpenError::whole(name, OpenErrorKind::Refused(Box::new(refused)));
     let bytes = input::read_argument(path, limit).map_err(refuse)?;
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(OpenError::whole(name, OpenErrorKind::Empty));

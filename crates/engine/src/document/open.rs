@@ -131,7 +131,7 @@ impl Document {
     ) -> Result<(), OpenError> {
         let mut loaded = collada::read(&bytes, name.path().unwrap_or_default(), progress).map_err(|error| OpenError {
             location: Location { file: name.clone(), line: error.line, column: None },
-            kind: OpenErrorKind::Collada(error.kind),
+            kind: OpenErrorKind::Collada(Box::new(error.kind)),
         })?;
         drop(bytes);
         let asset = loaded.asset.clone();
@@ -151,7 +151,7 @@ pub(super) fn add_muscles(document: &mut Document, bytes: &[u8], name: &SourceNa
     })?;
     let file = MuscleFile::parse(text).map_err(|error| OpenError {
         location: Location { file: name.clone(), line: error.line, column: error.column },
-        kind: OpenErrorKind::Muscles(error.kind),
+        kind: OpenErrorKind::Muscles(Box::new(error.kind)),
     })?;
     if !MuscleFile::can_be_drawn(document.muscle_files().chain([&file])) {
         return Err(OpenError::whole(name, OpenErrorKind::TooMuchSurface));

@@ -176,7 +176,7 @@ pub struct SessionError {
 
 impl From<YamlError> for SessionError {
     fn from(error: YamlError) -> Self {
-        Self { line: error.place.map(|place| place.line), kind: OpenErrorKind::Session(error.kind) }
+        Self { line: error.place.map(|place| place.line), kind: OpenErrorKind::Session(Box::new(error.kind)) }
     }
 }
 
