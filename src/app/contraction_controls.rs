@@ -35,7 +35,7 @@ impl ContractionControls {
     /// Those of a panel.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
         let (joint, axis): (gtk::DropDown, gtk::DropDown) = (object(builder, "joint"), object(builder, "joint_axis"));
-        ui::narrow(&joint, 12);
+        ui::narrow(&joint, 14);
         let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
         axis.set_model(Some(&ui::words(&names)));
         Self {

@@ -175,7 +175,7 @@ fn errors_are_sentences_with_the_remedy_in_both_languages() {
         words(report("radiuses", "radius"), "did you mean “radiuses”", "«radiuses»"),
         words(report("len: 250.0", "len: \"250,5\""), "write the number as 250.5", "250.5"),
         words(report("[5.0, 9.0, 5.0]", "[5.0, -9.0, 5.0]"), "“radiuses 2” is -9; it must be 0 or more.", "«radiuses 2»"),
-        words("[1, 2]\n".into(), "“the file” should be", "«файл»"),
+        words("[1, 2]\n".into(), "“the file” must be", "«файл»"),
         words(report("[5.0, 9.0, 5.0]", "[5.0, 9.0]"), "2 radii but 3 growth multipliers", "2"),
         words(rich("unit: cm", "unit: parsec"), "Unknown unit “parsec”; write mm", "«parsec»"),
         words(rich("    length: 30\n", "    color: red\n    length: 30\n"), "#B8322E", "#B8322E"),

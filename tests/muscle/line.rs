@@ -376,7 +376,8 @@ fn muscles_without_a_name_are_called_by_their_place_and_a_single_one_like_its_fi
     assert!(!file.to_yaml().contains("name"), "{}", file.to_yaml());
     in_each_language(|language| {
         let found = rig.findings().iter().find(|found| found.element.as_label() == second).unwrap();
-        let (muscle, bone) = if language == Language::English { ("Muscle 2: ", "“Upper arm”") } else { (" 2: ", "«»") };
+        let (muscle, bone) =
+            if language == Language::English { ("Muscle 2: ", "“Upper arm”") } else { ("Мышца 2: ", "«Плечо»") };
         let said = finding_line(found);
         assert!(said.starts_with(muscle) && said.contains(bone), "{said}");
     });

@@ -166,8 +166,10 @@ fn a_reload_keeps_moment_camera_selection_and_model() {
 #[test]
 fn undo_brings_back_model_light_and_visibility() {
     let mut session = session();
-    session.undoable(sinew_scene::message!("grow"), UndoStep::New, |session| session.change_model(|model| model.scale_by(2.0)));
-    session.undoable(sinew_scene::message!("light"), UndoStep::New, |session| session.rotate_light(10.0, 0.0));
+    session.undoable(sinew_scene::message!("app-edit-reset-model"), UndoStep::New, |session| {
+        session.change_model(|model| model.scale_by(2.0))
+    });
+    session.undoable(sinew_scene::message!("app-edit-light"), UndoStep::New, |session| session.rotate_light(10.0, 0.0));
     session.set_visible(NodeId(1), false);
     assert!(!session.document().scene.graph.node(NodeId(1)).visible);
     session.undo();
