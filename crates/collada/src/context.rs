@@ -75,14 +75,14 @@ impl<'a> Context<'a> {
     /// Says how far the reading is.
     ///
     /// # Errors
-    /// Where somebody asked to stop.
+    /// [`ReadErrorKind::Cancelled`] where reading was cancelled.
     pub(super) fn advance(&self, part: f32) -> Step<()> {
         self.progress.set_share(part);
         self.check_cancelled()
     }
 
     /// # Errors
-    /// Where somebody asked to stop.
+    /// [`ReadErrorKind::Cancelled`] where reading was cancelled.
     pub(super) fn check_cancelled(&self) -> Step<()> {
         if self.progress.is_cancelled() {
             return Err(ReadErrorKind::Cancelled.into());

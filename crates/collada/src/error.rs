@@ -20,7 +20,7 @@ pub struct ReadError {
 pub enum ReadErrorKind {
     /// It is larger than [`limits::FILE_BYTES`].
     TooLarge,
-    /// Somebody asked to stop.
+    /// Reading was cancelled.
     Cancelled,
     /// It is no XML at all.
     NotXml,

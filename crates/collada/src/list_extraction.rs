@@ -1,7 +1,7 @@
 //! Sets long lists aside before the XML parser runs.
 //!
 //! Nearly all of a document is lists of numbers, which the parser would go through character by character only to hand them on as they are. So the
-//! parser gets the document with a stand-in for each long list, and whoever reads a list gets it from the document itself. Positions are
+//! parser gets the document with a stand-in for each long list, and a list is read from the document itself. Positions are
 //! translated back, so that lines stay those of the file.
 
 use std::borrow::Cow;

@@ -31,7 +31,7 @@ enum State {
     Begun,
     /// It is there.
     Done(List),
-    /// It was asked for: whoever asks again reads it anew.
+    /// It was taken; the next reader reads it anew.
     Taken,
 }
 
@@ -138,7 +138,7 @@ impl<'a> Ahead<'a> {
         }
     }
 
-    /// The list in `array`, if somebody has read it or is about to; `None` where the caller has to.
+    /// The list in `array`, if another thread has read it or is about to; `None` where the caller has to.
     pub(super) fn take(&self, array: NodeId) -> Option<List> {
         let job = self.jobs.get(*self.places.get(&array)?)?;
         let mut state = job.state();

@@ -10,7 +10,7 @@ use super::line_of_action::{Frames, Point};
 use super::muscle_rig::MuscleRig;
 use sinew_scene::{Graph, NodeId};
 
-/// A point of a muscle that a hand can take hold of.
+/// A point of a muscle that can be dragged.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AttachmentPoint {
     /// The origin (0) or the insertion (1).
@@ -112,7 +112,7 @@ impl MuscleRig {
         }
     }
 
-    /// The points of muscle `index` that a hand can take hold of.
+    /// The points of muscle `index` that can be dragged.
     pub fn holds(&self, index: usize) -> impl Iterator<Item = AttachmentPoint> + '_ {
         let line = self.muscles.get(index).and_then(|muscle| muscle.line.as_ref());
         let via = line.map_or(0, |line| line.via.len());

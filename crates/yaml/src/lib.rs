@@ -2,9 +2,9 @@
 //!
 //! It follows the parser event by event and stops at the first one that is too much, so that neither brackets, nor indentation, nor aliases of any
 //! shape make it slow or large: time and memory grow with the text, up to the bounds of [`sinew_scene::limits`]. Aliases share what they stand for; values,
-//! text and depth are counted as if it stood there each time, since that is what whoever walks the tree will meet.
+//! text and depth are counted as if it stood there each time, since a walk of the tree meets it so often.
 //!
-//! The tree knows where each value stands. [`from_text`] makes any type of it that `serde` can make, [`Node`] is for whoever looks at values by hand.
+//! The tree knows where each value stands. [`from_text`] makes any type of it that `serde` can make, [`Node`] is for code that looks at single values.
 
 mod de;
 mod error;

@@ -28,7 +28,7 @@ fn foreign(words: String) -> YamlError {
     YamlError::whole(YamlErrorKind::Foreign(words))
 }
 
-/// Text in double quotes, with everything escaped that YAML does not take as it is, or that would act on whoever looks at the file.
+/// Text in double quotes, with everything escaped that YAML does not take as it is, or that would act on the terminal or editor that shows the file.
 pub fn quoted(text: &str) -> String {
     let mut out = String::from("\"");
     for letter in text.chars() {

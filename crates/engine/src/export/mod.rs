@@ -64,7 +64,7 @@ pub enum ExportError {
         /// The file that was to be written.
         file: PathBuf,
     },
-    /// Somebody asked to stop.
+    /// The export was cancelled.
     Cancelled,
     /// The program that makes films is not installed.
     NoEncoder {

@@ -1,4 +1,4 @@
-//! Saving over a text that somebody wrote: only what changed is changed, so that comments, order and layout stay.
+//! Saving over a text written in an editor: only what changed is changed, so that comments, order and layout stay.
 //!
 //! Old and new file are both written in the canonical form and compared; each difference is then made in the text, at the place that the parser
 //! gives for it. The result is read again, and where it does not say exactly what it should (aliases, a style that is not known here), the file

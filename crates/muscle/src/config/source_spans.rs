@@ -1,7 +1,7 @@
 //! Where values stand in a YAML text: from the place that the parser gives for a value's beginning to its end.
 //!
 //! Knows the styles that muscle files are written in: block and flow collections, plain and quoted scalars, block scalars. For all else it answers
-//! `None`, and so it does where it is in doubt; whoever changes the text reads it again afterwards anyway.
+//! `None`, and so it does where it is in doubt; after a change the text is read again anyway.
 
 use super::yaml::{Step, Yaml, locate};
 
