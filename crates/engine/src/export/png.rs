@@ -5,9 +5,13 @@ use std::io::{self, Write};
 use super::guard::Output;
 use super::{ExportError, atomic_file::write_atomic};
 use sinew_render::Framebuffer;
+use sinew_scene::limits;
 
 /// What names the program in a picture, under the keyword `Software`.
 pub const SOFTWARE: &str = concat!("Sinew ", env!("CARGO_PKG_VERSION"));
+
+/// What the encoder takes while it packs rows, with some to spare, bytes. It ends the program where it is refused them.
+const ENCODER_BYTES: u64 = 2 << 20;
 
 /// How much time goes into a small file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,7 +35,8 @@ pub fn save(file: &Output, picture: &Framebuffer, alpha: bool, notes: &[(&str, &
 /// Writes `picture` as PNG to `out`; see [`save`].
 ///
 /// # Errors
-/// What `out` returns; [`io::ErrorKind::InvalidInput`] for a picture without pixels or a keyword that PNG does not allow.
+/// What `out` returns; [`io::ErrorKind::InvalidInput`] for a picture without pixels or a keyword that PNG does not allow;
+/// [`io::ErrorKind::OutOfMemory`] where the system gives no memory for packing.
 pub fn encode(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], compression: Compression) -> io::Result<()> {
     let mut refused = None;
     let result = encode_into(ErrorKeepingWriter { out, refused: &mut refused }, picture, alpha, notes, compression);
@@ -67,6 +72,9 @@ impl<W: Write> Write for ErrorKeepingWriter<'_, W> {
 }
 
 fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], compression: Compression) -> io::Result<()> {
+    if !limits::is_room(ENCODER_BYTES) {
+        return Err(io::ErrorKind::OutOfMemory.into());
+    }
     let mut encoder = ::png::Encoder::new(out, picture.width, picture.height);
     encoder.set_color(if alpha { ::png::ColorType::Rgba } else { ::png::ColorType::Rgb });
     encoder.set_depth(::png::BitDepth::Eight);
