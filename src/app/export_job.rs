@@ -3,14 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use crate::document::{Document, PoseBuffers, PoseState};
-use crate::export::ExportError;
 use crate::export::file_extension::with_extension;
 use crate::export::gltf::{self, GltfContainer};
 use crate::export::guard::OverwriteGuard;
-use crate::export::mtl;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, MeasureTable, TableError, TableSubject};
-use crate::export::{gif, video};
+use crate::export::{ExportError, gif, mtl, video};
 use crate::i18n::{self, Sentence};
 use crate::progress::Progress;
 use crate::render::{Background, Display};

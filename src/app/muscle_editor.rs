@@ -8,8 +8,7 @@ use gtk4 as gtk;
 
 use super::ui;
 use super::window::Window;
-use crate::i18n::shown;
-use crate::i18n::{self, Sentence};
+use crate::i18n::{self, Sentence, shown};
 use crate::muscle::{Edit, EditError, MuscleSpec};
 use crate::scene::MuscleId;
 use crate::session::{Session, UndoStep};

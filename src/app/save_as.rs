@@ -13,8 +13,7 @@ use super::error_bar::ErrorMessage;
 use super::window::Window;
 use crate::export::file_extension::with_extension;
 use crate::export::guard::{Output, is_same};
-use crate::i18n::Sentence;
-use crate::i18n::shown;
+use crate::i18n::{Sentence, shown};
 use crate::tr;
 
 /// A file to be saved.

@@ -7,8 +7,7 @@ use super::commands::Command;
 use super::window::object;
 use super::{format, memory_usage};
 use crate::document::{Document, Missing, Source, SourceKind};
-use crate::i18n::Sentence;
-use crate::i18n::{self, shown, shown_lines};
+use crate::i18n::{self, Sentence, shown, shown_lines};
 use crate::session::Session;
 use crate::tr;
 

@@ -20,8 +20,7 @@ use crate::export::guard::OverwriteGuard;
 use crate::export::tables::{
     JointTable, MeasureTable, MuscleTable, PLOT_SCALE, TableError, TableFormat, TableSubject, even_times, unit_label,
 };
-use crate::i18n::Sentence;
-use crate::i18n::{self, decimal};
+use crate::i18n::{self, Sentence, decimal};
 use crate::progress::Progress;
 use crate::sequence::DEFAULT_FPS;
 use crate::tr;

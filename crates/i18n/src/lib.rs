@@ -15,7 +15,6 @@ pub use fluent_bundle::FluentValue;
 pub use labels::label;
 pub use number::{decimal, localise_decimal_mark};
 pub use sentence::{Sentence, finding, finding_line, sentence, source_name};
-pub use sinew_scene::message::shortened;
 pub use sinew_scene::visible::{is_unsafe, json as visible_json, shown, shown_lines};
 
 /// Looks a message up in the catalogue: `tr!("open-failed", file = name, line = 3)`.

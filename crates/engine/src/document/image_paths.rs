@@ -7,8 +7,7 @@ use std::io::{BufRead, BufReader};
 use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
-use super::image_decoder::ImageReadError;
-use super::image_decoder::{ImageStream, in_memory};
+use super::image_decoder::{ImageReadError, ImageStream, in_memory};
 use sinew_scene::limits;
 use sinew_scene::message;
 use sinew_scene::message::SourceName;

@@ -7,10 +7,9 @@ use super::{FilePattern, FrameSpec, Sequence, SequenceRenderer};
 use crate::export::atomic_file::{prepare, write_atomic};
 use crate::export::color_quantizer::ColorSampler;
 use crate::export::guard::{Output, OverwriteGuard};
-use crate::export::pipeline;
 use crate::export::png::{Compression, SOFTWARE};
 use crate::export::video::{self, VideoFormat};
-use crate::export::{ExportError, apng, gif, png};
+use crate::export::{ExportError, apng, gif, pipeline, png};
 use sinew_render::Framebuffer;
 use sinew_scene::progress::Progress;
 

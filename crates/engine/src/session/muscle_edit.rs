@@ -9,8 +9,7 @@ use sinew_muscle::{Edit, EditError, MuscleFile};
 use sinew_scene::MuscleId;
 use sinew_scene::limits;
 use sinew_scene::message;
-use sinew_scene::message::Message;
-use sinew_scene::message::ToMessage;
+use sinew_scene::message::{Message, ToMessage};
 
 impl Session {
     /// Changes muscle `id`.

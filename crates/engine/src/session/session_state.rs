@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::{CompareTarget, LoadMode, Session, Viewpoint, file_cameras};
 use crate::document::{Document, Skinning};
-use crate::view::RecoveryFile;
-use crate::view::{SavedCamera, SavedComparison, SavedModel, SavedRotation, SessionState, Settings, saved_node};
+use crate::view::{RecoveryFile, SavedCamera, SavedComparison, SavedModel, SavedRotation, SessionState, Settings, saved_node};
 use sinew_muscle::MuscleFile;
 use sinew_scene::animation::LoopMode;
 

@@ -7,8 +7,7 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::{BackgroundPreset, DISPLAY_FLAGS, LightDirection, ModelTransform, OnionSkinSettings, SHADINGS};
-use crate::document::OpenErrorKind;
-use crate::document::{Document, PoseBuffers, PoseState, Skinning};
+use crate::document::{Document, OpenErrorKind, PoseBuffers, PoseState, Skinning};
 use crate::input;
 use sinew_render::{Display, Samples, Shading, Theme};
 use sinew_scene::limits;

@@ -6,8 +6,7 @@ use crate::edit::VIA;
 use crate::profile::ProfileError;
 use sinew_scene::limits;
 use sinew_scene::message;
-use sinew_scene::message::shortened;
-use sinew_scene::message::{Message, ToMessage};
+use sinew_scene::message::{Message, ToMessage, shortened};
 use sinew_yaml::{ValueKind, YamlError, YamlErrorKind};
 
 /// Why a YAML file could not be used, and where.
