@@ -5,7 +5,7 @@ mod support;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
-use sinew::document::{Document, PoseBuffers, PoseState};
+use sinew::document::{Document, PoseBuffers};
 use sinew::progress::Progress;
 use sinew::render::{Display, Renderer, Samples};
 use sinew::scene::{Frame, OrbitCamera};
@@ -47,8 +47,8 @@ fn main() {
                     step += 1;
                     // A different moment every time, so that nothing is drawn from memory.
                     let share = f64::from(step % 97) / 97.0;
-                    let drive = document.driven_rig().map_or(start.drive, |rig| rig.at_contraction(share * 100.0));
-                    let state = PoseState { time: start.time + share * duration, drive, ..start };
+                    let drive = document.driven_rig().map_or(start.joints.drive, |rig| rig.at_contraction(share * 100.0));
+                    let state = start.at_time(start.time + share * duration).with_drive(drive);
                     document.pose(&state, &mut buffers, &mut frame);
                     black_box(renderer.draw(&document.scene, &frame, &camera, &display, width as u32, height as u32));
                 })

@@ -26,7 +26,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let clip = document.clips.get(state.clip?)?;
     let end = clip.end.min(clip.start + SECONDS - 1.0 / sequence::DEFAULT_FPS);
     let wish = SequenceOptions { from: Some(clip.start), to: Some(end), ..SequenceOptions::default() };
-    let sequence = Sequence::new(&wish, document, state).ok()?;
+    let sequence = Sequence::new(&wish, document, state.clone()).ok()?;
     let (yaw, pitch) = ViewDirection::Start.angles();
     let eye = FittedOrbit::fit(
         Direction { yaw, pitch, parallel: false, zoom: 1.0 },
@@ -36,7 +36,8 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     );
     let target = OutputTarget::of(out)?;
     let begun = Instant::now();
-    let mut studio = SequenceRenderer::new(document, sequence, Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
+    let mut studio =
+        SequenceRenderer::new(document, sequence.clone(), Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
     sequence::save(&mut studio, SIZE, (&target, &OverwriteGuard::default()), &|_| String::new(), &Progress::default()).ok()?;
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }

@@ -430,7 +430,11 @@ pub(super) fn note<'a>(document: &'a Document, controller: &CameraController) ->
             text.push_str(&format!("; clip: {}; time: {} s", clip.label().plain(), spec.state.time));
         }
         if document.driven_rig().is_some() {
-            text.push_str(&format!("; contraction: {} %; elbow: {}°", spec.state.drive.contraction + 0.0, spec.state.drive.flexion + 0.0));
+            text.push_str(&format!(
+                "; contraction: {} %; elbow: {}°",
+                spec.state.joints.drive.contraction + 0.0,
+                spec.state.joints.drive.flexion + 0.0
+            ));
         }
         text.push_str(&format!("; camera: yaw {}°, pitch {}°", orbit.yaw + spec.turntable, orbit.pitch));
         text

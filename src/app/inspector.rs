@@ -305,13 +305,13 @@ impl Inspector {
     }
 
     fn show_joint_overrides(&self, session: &Session, node: NodeId) {
-        let degrees = session.document().joint_override(node);
+        let degrees = session.joint_control().joint_override(node);
         for ((scale, label), value) in self.turns.iter().zip(&self.turn_values).zip(degrees.to_array()) {
             ui::show_value(&scale.adjustment(), value);
             label.set_text(&format!("{}°", format::number(value, 1)));
         }
         object::<gtk::Button>(&self.builder, "reset").set_sensitive(degrees != DVec3::ZERO);
-        object::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.document().joint_overrides().is_empty());
+        object::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.joint_control().overrides().is_empty());
         self.dual.set_active(session.state().skinning == Skinning::DualQuaternion);
     }
 
@@ -401,7 +401,7 @@ fn turn_scale(grid: &gtk::Grid, row: usize) -> gtk::Scale {
 /// Turns the selected joint about one of its axes.
 fn turn(session: &mut Session, axis: usize, degrees: f64) {
     let Some(node) = session.selected() else { return };
-    let mut turns = session.document().joint_override(node);
+    let mut turns = session.joint_control().joint_override(node);
     turns[axis] = degrees;
     session.undoable(message!("app-edit-rotate-joint"), UndoStep::near(node.0), |session| session.override_joint(node, turns));
 }

@@ -19,21 +19,21 @@ use super::window::{Window, object};
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
 use crate::i18n::{self, Sentence};
-use crate::muscle::literature_data;
+use crate::muscle::{MuscleSample, literature_data};
 use crate::plot::{Page, Plot, Series};
 use crate::render::Theme;
 use crate::scene::{Content, MuscleId};
-use crate::session::{ChangeSet, MeasureAxis, Measurement, Session, csv};
+use crate::session::{ChangeSet, MeasureAxis, Session, csv};
 use crate::tr;
 
 /// A quantity: the key of its name, how it is read, and the least that its axis spans.
-type Quantity = (&'static str, fn(&Measurement) -> f64, f64);
+type Quantity = (&'static str, fn(&MuscleSample) -> f64, f64);
 
 const QUANTITIES: [Quantity; 5] = [
     ("app-measure-length", |reading| reading.solved.length, 0.0),
     ("app-measure-arm", |reading| reading.moment_arm.unwrap_or(f64::NAN), 0.0),
-    ("app-measure-radius", Measurement::belly, 0.0),
-    ("app-measure-section", |reading| std::f64::consts::PI * reading.belly().powi(2), 0.0),
+    ("app-measure-radius", |sample| sample.solved.largest_radius(), 0.0),
+    ("app-measure-section", |reading| std::f64::consts::PI * reading.solved.largest_radius().powi(2), 0.0),
     // Rounding alone would look like a mountain range.
     ("app-measure-error", |reading| reading.solved.volume_error, 2e-12),
 ];
@@ -52,7 +52,7 @@ pub(super) struct MeasurePanel {
     pub root: gtk::ScrolledWindow,
     builder: gtk::Builder,
     plots: [(PaintWidget, Rc<RefCell<Plot>>); 5],
-    readings: RefCell<Vec<Measurement>>,
+    readings: RefCell<Vec<MuscleSample>>,
     muscle: Cell<MuscleId>,
     stale: Cell<bool>,
 }
@@ -247,7 +247,7 @@ impl MeasurePanel {
             plot.y_label = tr!(key, unit = unit.length.as_str());
             plot.reference_series.clear();
             plot.min_y_span = least_span;
-            plot.points = readings.iter().map(|reading| (reading.at(against), read(reading))).collect();
+            plot.points = readings.iter().map(|reading| (against.of(reading), read(reading))).collect();
             // There is no moment arm where there is no joint.
             canvas.set_visible(plot.points.iter().any(|point| point.1.is_finite()));
         }

@@ -62,7 +62,7 @@ impl Demo {
             state.time = clip.start + clip.duration() * 0.35;
         }
         if let Some(rig) = document.driven_rig() {
-            state.drive = rig.at_contraction(50.0);
+            state.joints.drive = rig.at_contraction(50.0);
         }
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         document.pose(&state, &mut buffers, &mut frame);

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::output::{Failure, display_name, print_json, print_result};
 use super::text_table::columns;
 use super::{files, value};
-use crate::document::{Document, PoseBuffers, PoseState};
+use crate::document::{Document, PoseBuffers};
 use crate::i18n::decimal;
 use crate::progress::Progress;
 use crate::render::bench::{self, BenchRow, Stages, label, lit_pixels};
@@ -141,9 +141,9 @@ fn model(
     let duration = document.clips.first().map_or(0.0, |clip| clip.duration());
     let mut draw = |renderer: &mut Renderer, step: u32| {
         let share = f64::from(step % MOMENTS) / f64::from(MOMENTS);
-        let drive = document.driven_rig().map_or(start.drive, |rig| rig.at_contraction(share * 100.0));
+        let drive = document.driven_rig().map_or(start.joints.drive, |rig| rig.at_contraction(share * 100.0));
         let begin = Instant::now();
-        document.pose(&PoseState { time: start.time + share * duration, drive, ..start }, &mut buffers, &mut frame);
+        document.pose(&start.at_time(start.time + share * duration).with_drive(drive), &mut buffers, &mut frame);
         let pose_ms = begin.elapsed().as_secs_f64() * 1e3;
         black_box(renderer.draw(&document.scene, &frame, &camera, display, width, height));
         Stages::of(renderer.stats(), pose_ms)

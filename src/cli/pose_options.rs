@@ -74,10 +74,10 @@ impl PoseOptions {
         }
         if let Some(angle) = self.angle {
             match document.driven_rig().filter(|rig| rig.flexion_range().is_some()) {
-                Some(rig) => state.drive = rig.at_flexion(angle),
+                Some(rig) => state.joints.drive = rig.at_flexion(angle),
                 None => {
                     let joint = document.joint().ok_or_else(|| no_joint_failure(document, file))?;
-                    state.joint_rotation = Some(if self.on_top { joint.relative(angle) } else { joint.absolute(angle) });
+                    state.joints.rotation = Some(if self.on_top { joint.relative(angle) } else { joint.absolute(angle) });
                 }
             }
             let range =
@@ -95,11 +95,11 @@ impl PoseOptions {
         if let Some(contraction) = self.contraction {
             let rig = document.driven_rig().ok_or_else(|| Failure::usage(tr!("cli-no-muscle-to-drive", file = display_name(file))))?;
             if rig.is_drivable() {
-                state.drive = rig.at_contraction(contraction);
+                state.joints.drive = rig.at_contraction(contraction);
             } else {
                 let turn = document.joint_rotation_for_contraction(&state, contraction);
                 let turn = turn.ok_or_else(|| Failure::usage(tr!("cli-nothing-to-contract", file = display_name(file))))?;
-                state.joint_rotation = Some(turn);
+                state.joints.rotation = Some(turn);
             }
         }
         Ok(state)

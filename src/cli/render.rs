@@ -53,10 +53,10 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let pose_state = PoseOptions::given(given);
     let start = saved.as_ref().map_or_else(|| document.start_state(), |saved| saved.pose_state(&document));
-    let state = pose_state.over(start, &document, first)?;
+    let state = pose_state.over(start.clone(), &document, first)?;
     let sequence = match target {
-        OutputTarget::Picture(_) => single(given, state)?,
-        _ => sequence(given, &pose_state, &document, state).map_err(|refusal| refused(refusal, given, &display_name(first)))?,
+        OutputTarget::Picture(_) => single(given, state.clone())?,
+        _ => sequence(given, &pose_state, &document, state.clone()).map_err(|refusal| refused(refusal, given, &display_name(first)))?,
     };
     if matches!(target, OutputTarget::Gif(_)) && sequence.fps > gif::MOST_FPS {
         return Err(Failure::usage(tr!("cli-gif-fps", limit = gif::MOST_FPS)));
@@ -84,14 +84,15 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     // In a film the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
     let display = Display { scale, ground, ..display(given, orbit, !document.shows_surface()) };
+    let count = sequence.count;
     let mut renderer = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), camera).with_overlays(overlays, rate);
     let call = call_note(given, &files, size, scale);
     let note = |spec: &FrameSpec| format!("{call}{}", frame_note(&document, spec));
-    progress::run_with_progress(sequence.count, |work| sequence::save(&mut renderer, size, (&target, &guard), &note, work))?;
+    progress::run_with_progress(count, |work| sequence::save(&mut renderer, size, (&target, &guard), &note, work))?;
     print_verbose([tr!(
         "cli-written",
         out = output_name(&out),
-        count = sequence.count,
+        count = count,
         width = plain(size.0.into()),
         height = plain(size.1.into())
     )]);
@@ -244,9 +245,9 @@ fn frame_note(document: &Document, spec: &FrameSpec) -> String {
     }
     if document.driven_rig().is_some_and(MuscleRig::is_drivable) {
         // `+ 0.0` turns a negative zero into zero.
-        note.push_str(&format!(" --contraction {}", spec.state.drive.contraction + 0.0));
+        note.push_str(&format!(" --contraction {}", spec.state.joints.drive.contraction + 0.0));
     }
-    if let (Some(turn), Some(joint)) = (spec.state.joint_rotation, document.joint()) {
+    if let (Some(turn), Some(joint)) = (spec.state.joints.rotation, document.joint()) {
         let (angle, option) = if turn.on_top { (turn.degrees, " --on-top") } else { (turn.degrees + joint.at_rest, "") };
         note.push_str(&format!(" --angle {}{option}", angle + 0.0));
     }

@@ -3,7 +3,7 @@
 
 use crate::support::models;
 use glam::{DMat4, DVec3};
-use sinew::document::{Document, PoseBuffers, PoseState, Skinning, angle_at};
+use sinew::document::{Document, JointControl, PoseBuffers, PoseState, Skinning, angle_at};
 use sinew::progress::Progress;
 use sinew::scene::{Frame, NodeId};
 
@@ -89,7 +89,7 @@ fn a_turn_by_hand_does_what_the_clip_does_and_comes_on_top_of_it() {
     let mut posed = WorldMesh::column(0.5);
     let upper = posed.node("upper");
     let rest = posed.frame.world.clone();
-    posed.document.set_joint_override(upper, DVec3::new(90.0, 0.0, 0.0));
+    posed.state.joints.set_override(upper, DVec3::new(90.0, 0.0, 0.0));
     posed.pose();
     let by_hand = posed.frame.world.clone();
     let mut clip = WorldMesh::column(1.5);
@@ -101,29 +101,29 @@ fn a_turn_by_hand_does_what_the_clip_does_and_comes_on_top_of_it() {
         assert!((ours - theirs).length() < 1e-5);
     }
     // On top of the clip: 90° and −90° are nothing.
-    clip.document.set_joint_override(upper, DVec3::new(-90.0, 0.0, 0.0));
+    clip.state.joints.set_override(upper, DVec3::new(-90.0, 0.0, 0.0));
     clip.pose();
     assert!(clip.frame.world[upper.index()].abs_diff_eq(rest[upper.index()], 1e-9));
     // Taken away, nothing is left; what is no number or not there does nothing.
-    posed.document.set_joint_override(upper, DVec3::ZERO);
-    posed.document.set_joint_override(upper, DVec3::NAN);
-    posed.document.set_joint_override(NodeId(999), DVec3::X);
-    assert!(posed.document.joint_overrides().is_empty());
+    posed.state.joints.set_override(upper, DVec3::ZERO);
+    posed.state.joints.set_override(upper, DVec3::NAN);
+    assert!(posed.state.joints.overrides().is_empty());
+    posed.state.joints.set_override(NodeId(999), DVec3::X);
     posed.pose();
     assert_eq!(posed.frame.world, rest);
 }
 
 #[test]
 fn turns_are_about_the_joints_own_axes_x_first() {
-    let mut document = Document::built_in();
-    document.set_joint_override(NodeId(0), DVec3::new(90.0, 90.0, 0.0));
-    let matrix = document.joint_overrides()[0].matrix();
+    let mut joints = JointControl::default();
+    joints.set_override(NodeId(0), DVec3::new(90.0, 90.0, 0.0));
+    let matrix = joints.overrides()[0].matrix();
     // X turns +Y to +Z, then Y turns +Z to +X.
     assert!((matrix.transform_vector3(DVec3::Y) - DVec3::X).length() < 1e-12);
     assert!((matrix.determinant() - 1.0).abs() < 1e-12);
-    document.set_joint_override(NodeId(0), DVec3::new(0.0, 0.0, 30.0));
-    assert_eq!(document.joint_overrides().len(), 1);
-    assert!(document.joint_overrides()[0].matrix().abs_diff_eq(DMat4::from_rotation_z(30f64.to_radians()), 1e-12));
+    joints.set_override(NodeId(0), DVec3::new(0.0, 0.0, 30.0));
+    assert_eq!(joints.overrides().len(), 1);
+    assert!(joints.overrides()[0].matrix().abs_diff_eq(DMat4::from_rotation_z(30f64.to_radians()), 1e-12));
 }
 
 #[test]

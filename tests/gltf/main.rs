@@ -40,7 +40,7 @@ fn moments(document: &Document) -> Vec<Moment> {
             return vec![Moment { animation: None, written: 0.0, state: start }];
         };
         let rig = document.driven_rig().expect("just seen");
-        let bent = |part: f64| PoseState { drive: rig.at_flexion(range.start() + (range.end() - range.start()) * part), ..start };
+        let bent = |part: f64| start.with_drive(rig.at_flexion(range.start() + (range.end() - range.start()) * part));
         // The file bends the arm over two seconds.
         return MOMENTS.map(|part| Moment { animation: Some("Elbow angle".into()), written: 2.0 * part, state: bent(part) }).into();
     }
@@ -48,7 +48,7 @@ fn moments(document: &Document) -> Vec<Moment> {
     let of = |(number, clip): (usize, &sinew::animation::Clip)| {
         MOMENTS.map(|part| {
             let time = clip.start + clip.duration() * part;
-            let state = PoseState { clip: Some(number), time, ..start };
+            let state = PoseState { clip: Some(number), ..start.at_time(time) };
             Moment { animation: Some(clip.label().plain().into_owned()), written: time - clip.start.min(0.0), state }
         })
     };

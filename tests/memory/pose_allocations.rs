@@ -15,8 +15,8 @@ pub(crate) fn posing_again_allocates_nothing() {
         let duration = document.clips.first().map_or(0.0, |clip| clip.duration());
         let moment = |step: u32, skinning| {
             let share = f64::from(step) / 16.0;
-            let drive = document.driven_rig().map_or(start.drive, |rig| rig.at_contraction(100.0 * share));
-            PoseState { time: start.time + share * duration, drive, skinning, ..start }
+            let drive = document.driven_rig().map_or(start.joints.drive, |rig| rig.at_contraction(100.0 * share));
+            PoseState { skinning, ..start.at_time(start.time + share * duration).with_drive(drive) }
         };
         for skinning in [Skinning::Linear, Skinning::DualQuaternion] {
             document.pose(&moment(0, skinning), &mut buffers, &mut frame);

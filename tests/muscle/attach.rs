@@ -59,10 +59,10 @@ fn length_is_the_distance_of_the_attachments_whatever_unit_and_scale() {
         // Measured from its rest pose, the joint adds to the angle it has there.
         if angle == 0.0 {
             for sample in rig.measure(0, &[0.0, 30.0, 90.0]) {
-                let (sin, cos) = sample.angle.to_radians().sin_cos();
+                let (sin, cos) = sample.angle.unwrap().to_radians().sin_cos();
                 let length = f64::sqrt(p * p + d * d + 2.0 * p * d * cos);
                 assert!((sample.solved.path_length - length).abs() < 1e-9);
-                assert!((sample.moment_arm - p * d * sin / length).abs() < 1e-9);
+                assert!((sample.moment_arm.unwrap() - p * d * sin / length).abs() < 1e-9);
             }
         }
         // The surface begins and ends at the attachments, give or take its own end radius.

@@ -127,7 +127,7 @@ fn measured_poses_keep_the_volume_and_grow_and_shrink_again() {
     assert!(node(1) > node(0) && node(2) < node(1) && node(3) > node(2));
     for row in rig.measure(0, &(0..=120).map(f64::from).collect::<Vec<_>>()) {
         let rest = cones(&rows[0].solved.radii, rows[0].solved.length);
-        assert!((cones(&row.solved.radii, row.solved.length) / rest - 1.0).abs() < 1e-12, "at {}°", row.angle);
+        assert!((cones(&row.solved.radii, row.solved.length) / rest - 1.0).abs() < 1e-12, "at {}°", row.angle.unwrap());
         let [a, b, c] = row.solved.quadratic;
         assert!((a * row.solved.delta * row.solved.delta + b * row.solved.delta + c).abs() < 1e-9 * a);
     }

@@ -19,7 +19,7 @@ struct WorldMesh {
 fn posed(document: Document, flexion: f64, contraction: f64, model: DMat4) -> WorldMesh {
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let mut state = PoseState { model, ..document.start_state() };
-    (state.drive.flexion, state.drive.contraction) = (flexion, contraction);
+    (state.joints.drive.flexion, state.joints.drive.contraction) = (flexion, contraction);
     document.pose(&state, &mut buffers, &mut frame);
     WorldMesh { document, frame }
 }

@@ -18,7 +18,7 @@
 //! | `retarget` | preset muscles fitted to the bones of a skeleton |
 //! | `revolute_joint` | the joint that measurements turn |
 //! | `joint_dof`, `bone_name_heuristics` | the elbow of any skeleton, or the joint that a file names |
-//! | `measure` | moment arms |
+//! | `measure`, `muscle_sample` | moment arms; a muscle as it was measured once |
 //! | `solver_report` | the figures behind a solution: coefficients, roots, limits |
 //! | `edit` | changes of a file by hand, each checked |
 //! | `presets` | ready muscles by name |
@@ -51,6 +51,7 @@ mod measure;
 mod measured_shapes;
 mod muscle_findings;
 mod muscle_rig;
+mod muscle_sample;
 mod muscle_state;
 pub mod parameter_fit;
 mod path_editing;
@@ -77,6 +78,7 @@ pub use joint_dof::rotation;
 pub use joint_dof::{FoundBy, JointDof, JointRotation};
 pub use measured_shapes::Pose;
 pub use muscle_rig::MuscleRig;
+pub use muscle_sample::MuscleSample;
 pub use path_editing::WrapSphere;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use scaling::of_bone as bone_scale;
@@ -117,13 +119,9 @@ pub struct Solved {
     pub volume_error: f64,
 }
 
-/// One row of a measurement. Lengths are in the file's unit, angles in degrees.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Sample {
-    /// Elbow angle.
-    pub angle: f64,
-    /// −dL/dφ, with φ in radians.
-    pub moment_arm: f64,
-    /// The solution at that angle.
-    pub solved: Solved,
+impl Solved {
+    /// The largest radius of all nodes; 0 where there are none.
+    pub fn largest_radius(&self) -> f64 {
+        self.radii.iter().copied().fold(0.0, f64::max)
+    }
 }

@@ -16,7 +16,7 @@ use super::profile::Profile;
 use super::revolute_joint::{Bone, RevoluteJoint, plain};
 use super::solver_report::SolverReport;
 use super::tessellation::{MeshQuality, MuscleTopology, ToWorld};
-use super::{MuscleState, Sample, Solved, measure};
+use super::{MuscleSample, MuscleState, Solved, measure};
 use sinew_scene::animation::Pose;
 use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::{Label, MaterialBinding, Mesh, NodeId, Scene, Unnamed};
@@ -298,7 +298,7 @@ impl MuscleRig {
 
     /// Measures muscle `index` at angles of the elbow, or of the joint that the file names, in degrees. Without either there is no angle, and each
     /// row is the muscle at rest.
-    pub fn measure(&self, index: usize, angles: &[f64]) -> Vec<Sample> {
+    pub fn measure(&self, index: usize, angles: &[f64]) -> Vec<MuscleSample> {
         let Some(muscle) = self.muscles.get(index) else { return Vec::new() };
         let row = |&angle: &f64| {
             let mut solved = Solved::default();
@@ -312,7 +312,7 @@ impl MuscleRig {
                     0.0
                 }
             };
-            Sample { angle, moment_arm, solved }
+            MuscleSample { time: None, angle: Some(angle), moment_arm: Some(moment_arm), solved }
         };
         angles.iter().map(row).collect()
     }

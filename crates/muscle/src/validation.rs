@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::profile::{ProfileError, cone_sum};
-use super::{MuscleRig, Sample};
+use super::{MuscleRig, MuscleSample};
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
 
@@ -24,7 +24,7 @@ pub struct Comparison {
     /// Lengths of the muscle there.
     pub lengths: Vec<f64>,
     /// The model there, all nodes.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<MuscleSample>,
     /// The nodes that the table speaks of, counted from 0.
     pub nodes: Range<usize>,
     /// The model's radii of the table's nodes: one row a node, one radius an angle.

@@ -23,7 +23,7 @@ impl Document {
         let last = samples.max(2) - 1;
         for step in 0..=last {
             let time = clip.start + clip.duration() * step as f64 / last as f64;
-            self.pose_nodes(&PoseState { time, ..*state }, &mut buffers, &mut frame);
+            self.pose_nodes(&PoseState { time, ..state.clone() }, &mut buffers, &mut frame);
             visit(time, &frame);
         }
     }
@@ -39,7 +39,7 @@ impl Document {
     pub fn node_positions(&self, state: &PoseState, node: NodeId, times: &[f64]) -> Vec<DVec3> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         let mut position = |time: f64| {
-            self.pose_nodes(&PoseState { time, ..*state }, &mut buffers, &mut frame);
+            self.pose_nodes(&PoseState { time, ..state.clone() }, &mut buffers, &mut frame);
             frame.world.get(node.index()).map_or(DVec3::ZERO, |matrix| matrix.w_axis.truncate())
         };
         times.iter().map(|time| position(*time)).collect()

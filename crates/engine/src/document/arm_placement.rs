@@ -41,7 +41,7 @@ impl ArmPlacer {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::{Document, PoseBuffers, PoseState};
+    use crate::document::{Document, PoseBuffers};
     use sinew_muscle::MuscleState;
     use sinew_scene::progress::Progress;
     use sinew_scene::{Bounds, Content, Frame, NodeId};
@@ -49,7 +49,7 @@ mod tests {
     /// The boxes round what each file shows, with the elbow bent by this many degrees.
     fn boxes(document: &Document, flexion: f64) -> Vec<Bounds> {
         let drive = document.driven_rig().map_or_else(MuscleState::default, |rig| rig.at_flexion(flexion));
-        let state = PoseState { drive, ..document.start_state() };
+        let state = document.start_state().with_drive(drive);
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         document.pose(&state, &mut buffers, &mut frame);
         let roots: Vec<NodeId> = document.sources.iter().filter_map(|source| source.root).collect();

@@ -40,7 +40,7 @@ impl Document {
         let clip = state.clip.and_then(|clip| self.clips.get(clip));
         for time in times {
             let time = clip.map_or(*time, |clip| time.max(clip.start).min(clip.end.max(clip.start)));
-            self.pose_nodes(&PoseState { time, ..*state }, &mut buffers, &mut frame);
+            self.pose_nodes(&PoseState { time, ..state.clone() }, &mut buffers, &mut frame);
             for ((track, joint), next) in tracks.iter_mut().zip(&frame.joints).zip(&next) {
                 let flexion = joint.parent.zip(*next).and_then(|(above, below)| Some(180.0 - angle_at(&frame, above, joint.node, below)?));
                 track.samples.push(JointSample { time, flexion, turn: self.joint_rotation(&frame, joint.node) });

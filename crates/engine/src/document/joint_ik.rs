@@ -10,7 +10,7 @@ impl Document {
     pub fn joint_rotation_for_contraction(&self, state: &PoseState, per_cent: f64) -> Option<JointRotation> {
         let joint = self.joint()?;
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
-        self.pose_nodes(&PoseState { joint_rotation: None, ..*state }, &mut buffers, &mut frame);
+        self.pose_nodes(&state.with_rotation(None), &mut buffers, &mut frame);
         let driving = (0..self.muscle_count()).find_map(|number| {
             let (rig, index) = self.muscle(MuscleId(number as u32))?;
             rig.driven_by(index, &joint, &self.scene, &frame.world)

@@ -17,6 +17,7 @@ mod image_paths;
 mod image_scaler;
 mod images;
 mod joint_angles;
+mod joint_control;
 mod joint_ik;
 mod joint_override;
 mod merge;
@@ -40,8 +41,8 @@ pub use finding::Finding;
 pub use foreign::UnsupportedFormat;
 pub use image_finding::ImageFinding;
 pub use joint_angles::{JointSample, JointTrack};
+pub use joint_control::JointControl;
 pub use joint_override::JointOverride;
-pub use muscle_samples::MuscleSample;
 pub use open::{ImageLoading, OpenOptions};
 pub use pose::{PoseBuffers, PoseTimes};
 pub use posed_copy::PosedCopy;
@@ -105,8 +106,6 @@ pub struct Document {
     pub diagnostics: Vec<Diagnostic<Finding>>,
     /// How much of the scene is not muscles'.
     scene_baseline: muscle_sources::SceneBaseline,
-    /// Joint overrides, ascending by node.
-    joint_overrides: Vec<JointOverride>,
     /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
     revision: u64,
 }
@@ -122,20 +121,39 @@ pub enum Skinning {
 }
 
 /// The values that choose a moment.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct PoseState {
     /// Index in [`Document::clips`]; `None` = rest pose.
     pub clip: Option<usize>,
     /// Seconds on the file's own time axis.
     pub time: f64,
-    /// Elbow angle and contraction.
-    pub drive: MuscleState,
-    /// Rotation of the controlled joint, on top of the clip or instead of it: see [`Document::joint`].
-    pub joint_rotation: Option<JointRotation>,
+    /// How joints are turned by hand.
+    pub joints: JointControl,
     /// Moves the whole model in the world, after everything else.
     pub model: DMat4,
     /// How joints bend a skin.
     pub skinning: Skinning,
+}
+
+impl PoseState {
+    /// The same at another time, seconds on the file's own axis.
+    pub fn at_time(&self, time: f64) -> Self {
+        Self { time, ..self.clone() }
+    }
+
+    /// The same with the arms of muscle files in this state.
+    pub fn with_drive(&self, drive: MuscleState) -> Self {
+        let mut state = self.clone();
+        state.joints.drive = drive;
+        state
+    }
+
+    /// The same with the joint of the clip turned so; `None` = as the clip has it.
+    pub fn with_rotation(&self, rotation: Option<JointRotation>) -> Self {
+        let mut state = self.clone();
+        state.joints.rotation = rotation;
+        state
+    }
 }
 
 impl Document {
@@ -174,7 +192,7 @@ impl Document {
         PoseState {
             clip: (!self.clips.is_empty()).then_some(0),
             time: self.clips.first().map_or(0.0, |clip| clip.start),
-            drive: self.driven_rig().map_or_else(MuscleState::default, |rig| rig.at_flexion(0.0)),
+            joints: JointControl::driven(self.driven_rig().map_or_else(MuscleState::default, |rig| rig.at_flexion(0.0))),
             ..PoseState::default()
         }
     }
@@ -200,7 +218,7 @@ impl Document {
     /// The joint of a clip's skeleton that the user can rotate: the one that a muscle file names or its muscles cross, else the elbow that is found
     /// in the skeleton. `None` where there is none. Looks at the whole scene and its clips: ask once, when a document has been opened.
     ///
-    /// The elbow of a muscle file's own arm is none of these; [`PoseState::drive`] bends it.
+    /// The elbow of a muscle file's own arm is none of these; [`JointControl::drive`] bends it.
     pub fn joint(&self) -> Option<JointDof> {
         self.muscles_joint().or_else(|| self.elbow())
     }

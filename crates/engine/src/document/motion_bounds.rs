@@ -17,10 +17,10 @@ impl Document {
         let fractions = (0..SAMPLES).map(|i| i as f64 / (SAMPLES - 1) as f64);
         match state.clip.and_then(|index| self.clips.get(index)) {
             Some(clip) if clip.duration() > 0.0 => {
-                fractions.for_each(|fraction| add_pose(&PoseState { time: clip.start + clip.duration() * fraction, ..*state }))
+                fractions.for_each(|fraction| add_pose(&state.at_time(clip.start + clip.duration() * fraction)))
             }
             _ => match self.driven_rig().filter(|rig| rig.is_drivable()) {
-                Some(rig) => fractions.for_each(|fraction| add_pose(&PoseState { drive: rig.at_contraction(100.0 * fraction), ..*state })),
+                Some(rig) => fractions.for_each(|fraction| add_pose(&state.with_drive(rig.at_contraction(100.0 * fraction)))),
                 None => add_pose(state),
             },
         }

@@ -1,21 +1,8 @@
 //! Muscles over the time of a clip that moves their bones.
 
 use super::{Document, PoseBuffers, PoseState};
-use sinew_muscle::Solved;
+use sinew_muscle::MuscleSample;
 use sinew_scene::Frame;
-
-/// One muscle at one time. Lengths are in the unit of the muscle's file.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MuscleSample {
-    /// Seconds on the clip's own axis, held between its ends.
-    pub time: f64,
-    /// Angle of the joint that turns the muscle, degrees; `None` where there is none.
-    pub angle: Option<f64>,
-    /// −dL/dφ about that joint, φ in radians.
-    pub moment_arm: Option<f64>,
-    /// The solution.
-    pub solved: Solved,
-}
 
 impl Document {
     /// Measures all muscles at these times of the clip that `state` names; all else stays as `state` has it. One list a muscle, by
@@ -26,7 +13,7 @@ impl Document {
         let clip = state.clip.and_then(|clip| self.clips.get(clip));
         for time in times {
             let time = clip.map_or(*time, |clip| time.max(clip.start).min(clip.end.max(clip.start)));
-            self.pose(&PoseState { time, ..*state }, &mut buffers, &mut frame);
+            self.pose(&state.at_time(time), &mut buffers, &mut frame);
             for (rig, first) in self.rigs() {
                 let angle = rig.joint().and_then(|joint| joint.angle(&self.scene, &frame.world));
                 for index in 0..rig.len() {
@@ -34,7 +21,7 @@ impl Document {
                     let (Some(row), Some(solved)) = (rows.get_mut(id), buffers.solved().get(id)) else { continue };
                     let moment_arm = rig.moment_arm(index, &self.scene, &frame.world);
                     let angle = angle.filter(|_| rig.is_attached(index));
-                    row.push(MuscleSample { time, angle, moment_arm, solved: solved.clone() });
+                    row.push(MuscleSample { time: Some(time), angle, moment_arm, solved: solved.clone() });
                 }
             }
         }

@@ -95,15 +95,15 @@ impl Document {
             clip.sample(if state.time.is_finite() { state.time } else { clip.start }, pose);
         }
         for (rig, _) in self.rigs() {
-            rig.apply(state.drive, pose);
+            rig.apply(state.joints.drive, pose);
         }
         pose.locals(&mut buffers.local);
-        if let Some(turn) = state.joint_rotation
+        if let Some(turn) = &state.joints.rotation
             && let Some(local) = buffers.local.get_mut(turn.node.index())
         {
             *local = turn.apply(*local, self.scene.graph.node(turn.node).transform.matrix());
         }
-        for turn in &self.joint_overrides {
+        for turn in state.joints.overrides() {
             if let Some(local) = buffers.local.get_mut(turn.node.index()) {
                 *local *= turn.matrix();
             }
@@ -121,7 +121,7 @@ impl Document {
         for (rig, _) in self.rigs() {
             for index in 0..rig.len() {
                 if let Some(solved) = buffers.solved.get_mut(next) {
-                    rig.solve_into(index, state.drive, &frame.world, solved);
+                    rig.solve_into(index, state.joints.drive, &frame.world, solved);
                 }
                 next += 1;
             }

@@ -60,7 +60,7 @@ impl<'a> SequenceRenderer<'a> {
         }
         self.document.pose(&spec.state, &mut self.buffers, &mut self.frame);
         if let Some((overlays, frame_rate)) = &mut self.overlays {
-            overlays.append_to(&PoseContext::new(self.document, spec.state, *frame_rate, &self.display), &mut self.frame);
+            overlays.append_to(&PoseContext::new(self.document, spec.state.clone(), *frame_rate, &self.display), &mut self.frame);
         }
         let camera = (self.camera)(&self.document.scene, &self.frame, spec.turntable);
         let Framebuffer { width, height, pixels } = picture;

@@ -13,7 +13,7 @@ pub(super) const DEFAULT_SECONDS: f64 = 4.0;
 pub const MAX_FRAMES: usize = 100_000;
 
 /// One frame: the pose and the turntable angle.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct FrameSpec {
     /// The pose state.
     pub state: PoseState,
@@ -82,7 +82,7 @@ enum MotionKind {
 }
 
 /// A sequence of frames.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Sequence {
     /// Number of frames.
     pub count: usize,
@@ -99,7 +99,8 @@ pub struct Sequence {
 impl Sequence {
     /// A single frame of `state`.
     pub fn single(state: PoseState) -> Self {
-        Self { count: 1, fps: DEFAULT_FPS, state, from: state.time, to: state.time, kind: MotionKind::Still, joint: None, turntable: false }
+        let time = state.time;
+        Self { count: 1, fps: DEFAULT_FPS, state, from: time, to: time, kind: MotionKind::Still, joint: None, turntable: false }
     }
 
     /// The sequence that `options` describes, from start to end, both included. Defaults: the whole clip;
@@ -167,7 +168,7 @@ impl Sequence {
         let time = self.from + index as f64 / self.fps;
         // A sweep includes both of its ends.
         let fraction = index as f64 / (self.count.max(2) - 1) as f64;
-        let mut state = self.state;
+        let mut state = self.state.clone();
         match self.kind {
             MotionKind::Still => {}
             MotionKind::Clip => {
@@ -178,22 +179,22 @@ impl Sequence {
             MotionKind::Angle(from, to) => {
                 let angle = from + (to - from) * fraction;
                 match (&self.joint, document.driven_rig()) {
-                    (Some(joint), _) => state.joint_rotation = Some(joint.absolute(angle)),
-                    (None, Some(rig)) => state.drive = rig.at_flexion(angle),
+                    (Some(joint), _) => state.joints.rotation = Some(joint.absolute(angle)),
+                    (None, Some(rig)) => state.joints.drive = rig.at_flexion(angle),
                     (None, None) => {}
                 }
             }
             MotionKind::Contraction(from, to) => {
                 let per_cent = from + (to - from) * fraction;
                 match document.driven_rig().filter(|rig| rig.is_drivable()) {
-                    Some(rig) => state.drive = rig.at_contraction(per_cent),
-                    None => state.joint_rotation = document.joint_rotation_for_contraction(&state, per_cent),
+                    Some(rig) => state.joints.drive = rig.at_contraction(per_cent),
+                    None => state.joints.rotation = document.joint_rotation_for_contraction(&state, per_cent),
                 }
             }
             MotionKind::Swing => {
                 if let Some(rig) = document.driven_rig() {
                     let turntable = (time - self.from) / (self.to - self.from).max(f64::MIN_POSITIVE) * std::f64::consts::TAU;
-                    state.drive = rig.at_contraction(50.0 - 50.0 * turntable.cos());
+                    state.joints.drive = rig.at_contraction(50.0 - 50.0 * turntable.cos());
                 }
             }
         }

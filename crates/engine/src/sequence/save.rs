@@ -120,7 +120,7 @@ fn save_pictures(
     note: &(dyn Fn(&FrameSpec) -> String + Sync),
     progress: &Progress,
 ) -> Result<(), ExportError> {
-    let (alpha, sequence, document) = (renderer.is_transparent(), renderer.sequence, renderer.document());
+    let (alpha, sequence, document) = (renderer.is_transparent(), renderer.sequence.clone(), renderer.document());
     let mut pending = Vec::new();
     let convert = |(): &mut (), index: usize, picture: &Framebuffer| {
         let comment = note(&sequence.frame_spec(document, index));

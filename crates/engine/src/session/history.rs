@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use super::joint_control::HeldJoint;
-use crate::document::JointOverride;
+use super::joint_control::JointSlider;
+use crate::document::JointControl;
 use crate::view::{LightDirection, ModelTransform};
-use sinew_muscle::{MuscleFile, MuscleState};
+use sinew_muscle::MuscleFile;
 use sinew_scene::NodeId;
 use sinew_scene::message::Message;
 
@@ -20,12 +20,10 @@ pub(super) struct Snapshot {
     pub hidden: Vec<NodeId>,
     /// What the muscle files say.
     pub files: Vec<MuscleFile>,
-    /// Joint overrides.
-    pub joint_overrides: Vec<JointOverride>,
-    /// Elbow angle and contraction.
-    pub drive: MuscleState,
-    /// The joint that the slider bends, and how it is bent.
-    pub held_joint: HeldJoint,
+    /// How joints are turned by hand.
+    pub joints: JointControl,
+    /// Which joint the slider turns, and whether on top of the clip.
+    pub slider: JointSlider,
 }
 
 /// Whether a change begins a step of its own or goes on with the last one. After an undo or a redo, whatever is changed begins one.
@@ -139,9 +137,8 @@ mod tests {
             light: None,
             hidden: Vec::new(),
             files: Vec::new(),
-            joint_overrides: Vec::new(),
-            drive: MuscleState::default(),
-            held_joint: HeldJoint::default(),
+            joints: JointControl::default(),
+            slider: JointSlider::default(),
         }
     }
 

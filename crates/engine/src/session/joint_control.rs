@@ -27,11 +27,10 @@ pub enum JointAxis {
 pub(super) struct JointController {
     /// The elbow found in the skeleton.
     elbow: OnceCell<Option<JointDof>>,
-    chosen: Option<(NodeId, JointAxis)>,
+    slider: JointSlider,
     joint: OnceCell<Option<JointDof>>,
     /// The muscle that was added last and found no place, and the joint that turns about its own bone: that is why.
     pub(super) twisted: Option<(MuscleId, NodeId)>,
-    on_top: bool,
 }
 
 impl JointController {
@@ -41,12 +40,11 @@ impl JointController {
     }
 }
 
-/// What undo brings back of it.
+/// What was chosen for the slider: undo brings it back with the rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct HeldJoint {
+pub(super) struct JointSlider {
     chosen: Option<(NodeId, JointAxis)>,
     on_top: bool,
-    turn: Option<JointRotation>,
 }
 
 /// What the elbow slider shows, degrees.
@@ -68,7 +66,7 @@ impl Session {
 
     /// The joint of the clip's skeleton that the elbow slider turns: the one that was chosen, else the one that [`Document::joint`] finds.
     pub fn joint(&self) -> Option<JointDof> {
-        let find = || match self.joint.chosen {
+        let find = || match self.joint.slider.chosen {
             Some((node, axis)) => self.joint_at(node, axis),
             None => self.document.muscles_joint().or_else(|| self.found_elbow()),
         };
@@ -95,16 +93,16 @@ impl Session {
 
     /// The joint and axis that were chosen; `None` = the joint that is found.
     pub fn chosen_joint(&self) -> Option<(NodeId, JointAxis)> {
-        self.joint.chosen
+        self.joint.slider.chosen
     }
 
     /// Chooses which joint the slider turns; `None` = the one that is found. The one before goes back to the clip.
     pub fn choose_joint(&mut self, chosen: Option<(NodeId, JointAxis)>) {
         let chosen = chosen.filter(|(node, _)| node.index() < self.document.scene.graph.len());
-        if chosen != self.joint.chosen {
-            self.joint.chosen = chosen;
+        if chosen != self.joint.slider.chosen {
+            self.joint.slider.chosen = chosen;
             self.joint.joint = OnceCell::new();
-            self.state.joint_rotation = None;
+            self.state.joints.rotation = None;
             self.changed(ChangeSet::DRIVE);
         }
     }
@@ -116,19 +114,19 @@ impl Session {
 
     /// Whether the joint turns on top of what the clip does; else instead of it.
     pub fn is_on_top(&self) -> bool {
-        self.joint.on_top
+        self.joint.slider.on_top
     }
 
     /// Turns on top of the clip, or instead of it. The pose stays as it is.
     pub fn set_on_top(&mut self, on_top: bool) {
-        if on_top == self.joint.on_top {
+        if on_top == self.joint.slider.on_top {
             return;
         }
-        self.joint.on_top = on_top;
-        if let (Some(turn), Some(joint)) = (self.state.joint_rotation, self.joint()) {
-            self.state.joint_rotation = match self.joint_angle() {
+        self.joint.slider.on_top = on_top;
+        if let (Some(turn), Some(joint)) = (self.state.joints.rotation, self.joint()) {
+            self.state.joints.rotation = match self.joint_angle() {
                 Some(angle) if on_top => {
-                    self.state.joint_rotation = None;
+                    self.state.joints.rotation = None;
                     self.needs_posing = true;
                     Some(joint.relative(angle - self.joint_angle().unwrap_or(angle)))
                 }
@@ -149,13 +147,13 @@ impl Session {
     /// What the elbow slider shows; `None` where nothing can be bent.
     pub fn angle_slider(&mut self) -> Option<SliderState> {
         if let Some(range) = self.document.driven_rig().and_then(|rig| rig.flexion_range()) {
-            return Some(SliderState { value: self.state.drive.flexion, range, is_manual: false });
+            return Some(SliderState { value: self.state.joints.drive.flexion, range, is_manual: false });
         }
         let joint = self.joint()?;
         let [low, high] = joint.range;
-        let by_hand = self.state.joint_rotation.is_some();
-        if self.joint.on_top {
-            let value = self.state.joint_rotation.map_or(0.0, |turn| turn.degrees);
+        let by_hand = self.state.joints.rotation.is_some();
+        if self.joint.slider.on_top {
+            let value = self.state.joints.rotation.map_or(0.0, |turn| turn.degrees);
             return Some(SliderState { value, range: low - high..=high - low, is_manual: by_hand });
         }
         // A clip may bend a joint beyond the range of the slider.
@@ -167,7 +165,7 @@ impl Session {
     pub fn set_joint_angle(&mut self, degrees: f64) {
         let Some(joint) = self.joint().filter(|_| degrees.is_finite()) else { return };
         let [low, high] = joint.range;
-        let turn = if self.joint.on_top { joint.relative(degrees.clamp(low - high, high - low)) } else { joint.absolute(degrees) };
+        let turn = if self.joint.slider.on_top { joint.relative(degrees.clamp(low - high, high - low)) } else { joint.absolute(degrees) };
         self.set_joint_rotation(Some(turn));
     }
 
@@ -177,8 +175,8 @@ impl Session {
     }
 
     fn set_joint_rotation(&mut self, turn: Option<JointRotation>) {
-        if turn != self.state.joint_rotation {
-            self.state.joint_rotation = turn;
+        if turn != self.state.joints.rotation {
+            self.state.joints.rotation = turn;
             self.changed(ChangeSet::DRIVE);
         }
     }
@@ -200,24 +198,24 @@ impl Session {
 
     /// Says that a joint stands still, whatever the clip does, and at which angle; `None` where none does.
     pub fn held_joint_text(&mut self) -> Option<Message> {
-        let turn = self.state.joint_rotation.filter(|turn| !turn.on_top && self.playback.duration() > 0.0)?;
+        let turn = self.state.joints.rotation.filter(|turn| !turn.on_top && self.playback.duration() > 0.0)?;
         let angle = signed(self.joint_angle()?, 0);
-        let elbow = self.joint.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
+        let elbow = self.joint.slider.chosen.is_none() && self.found_elbow().is_some_and(|elbow| elbow.node == turn.node);
         Some(match elbow {
             true => message!("app-joint-held-elbow", angle = angle),
             false => message!("app-joint-held", joint = self.document.scene.graph.label(turn.node), angle = angle),
         })
     }
 
-    pub(super) fn held_joint(&self) -> HeldJoint {
-        HeldJoint { chosen: self.joint.chosen, on_top: self.joint.on_top, turn: self.state.joint_rotation }
+    pub(super) fn joint_slider(&self) -> JointSlider {
+        self.joint.slider
     }
 
-    pub(super) fn restore_held_joint(&mut self, held: HeldJoint) {
-        if held.chosen != self.joint.chosen {
+    pub(super) fn restore_joint_slider(&mut self, slider: JointSlider) {
+        if slider.chosen != self.joint.slider.chosen {
             self.joint.joint = OnceCell::new();
         }
-        (self.joint.chosen, self.joint.on_top, self.state.joint_rotation) = (held.chosen, held.on_top, held.turn);
+        self.joint.slider = slider;
     }
 
     /// How the clip's joint drives the muscle that is shown; `None` where it does not.
@@ -231,7 +229,7 @@ impl Session {
     /// The contraction of the muscle that is shown, per cent; `None` where neither an arm, nor the joint, nor the slider sets it.
     pub fn contraction(&mut self) -> Option<f64> {
         if self.contracts_freely() {
-            return Some(self.state.drive.contraction);
+            return Some(self.state.joints.drive.contraction);
         }
         let angle = self.joint_angle()?;
         self.driving().map(|driving| driving.at_angle(angle).contraction)
@@ -247,18 +245,18 @@ impl Session {
     pub(super) fn contract_by_joint(&mut self, per_cent: f64) {
         let Some(present) = self.joint_angle() else { return };
         let Some(MuscleState { flexion, .. }) = self.driving().map(|driving| driving.at_contraction(per_cent)) else { return };
-        let turned = self.state.joint_rotation.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
+        let turned = self.state.joints.rotation.filter(|turn| turn.on_top).map_or(0.0, |turn| turn.degrees);
         // What the clip does by itself. The angle in the pose is known but for whole turns, and the user may bend the joint past half of one.
         let own = (present - turned + 180.0).rem_euclid(360.0) - 180.0;
-        self.set_joint_angle(if self.joint.on_top { flexion - own } else { flexion });
+        self.set_joint_angle(if self.joint.slider.on_top { flexion - own } else { flexion });
     }
 
     /// The controlled joint, to find it again after a reload.
     pub(super) fn joint_for_reload(&self) -> Option<(String, Option<JointAxis>, Option<f64>)> {
         let joint = self.joint.joint.get().copied().flatten()?;
         let name = self.document.scene.graph.label(joint.node).plain().into_owned();
-        let turned = self.state.joint_rotation.map(|turn| if turn.on_top { turn.degrees } else { turn.degrees + joint.at_rest });
-        Some((name, self.joint.chosen.map(|(_, axis)| axis), turned))
+        let turned = self.state.joints.rotation.map(|turn| if turn.on_top { turn.degrees } else { turn.degrees + joint.at_rest });
+        Some((name, self.joint.slider.chosen.map(|(_, axis)| axis), turned))
     }
 
     /// Turns that joint again.
@@ -274,7 +272,8 @@ impl Session {
 
     /// Forgets what was known of another document's joints.
     pub(super) fn clear_joint(&mut self) {
-        self.joint = JointController { on_top: self.joint.on_top, ..JointController::default() };
+        let slider = JointSlider { on_top: self.joint.slider.on_top, ..JointSlider::default() };
+        self.joint = JointController { slider, ..JointController::default() };
     }
 }
 
@@ -316,7 +315,7 @@ mod tests {
         session.set_on_top(false);
         assert!((session.joint_angle().unwrap() - turned.unwrap()).abs() < 1e-6, "the pose stays");
         session.release_joint();
-        assert_eq!(session.state().joint_rotation, None);
+        assert_eq!(session.state().joints.rotation, None);
     }
 
     #[test]
@@ -324,10 +323,10 @@ mod tests {
         let mut session = clip();
         let joint = session.document().joint().unwrap();
         session.set_flexion(75.0);
-        assert_eq!(session.state().joint_rotation, Some(joint.absolute(75.0)));
+        assert_eq!(session.state().joints.rotation, Some(joint.absolute(75.0)));
         session.set_on_top(true);
         session.set_flexion(-20.0);
-        assert_eq!(session.state().joint_rotation, Some(joint.relative(-20.0)));
+        assert_eq!(session.state().joints.rotation, Some(joint.relative(-20.0)));
     }
 
     #[test]
@@ -339,6 +338,6 @@ mod tests {
         assert!((session.joint_angle().unwrap() - 40.0).abs() < 1e-9);
         assert_eq!(session.angle_slider().unwrap().range, -150.0..=150.0);
         session.choose_joint(None);
-        assert_eq!((session.state().joint_rotation, session.chosen_joint()), (None, None));
+        assert_eq!((session.state().joints.rotation, session.chosen_joint()), (None, None));
     }
 }

@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use super::{Session, UndoStep};
 use sinew_muscle::parameter_fit::{Model, fitted_file};
 use sinew_muscle::validation::{CompareError, Table};
-use sinew_muscle::{MuscleFile, MuscleRig, Solved};
+use sinew_muscle::{MuscleFile, MuscleSample};
 use sinew_scene::MuscleId;
 use sinew_scene::message;
 
@@ -24,30 +24,12 @@ pub enum MeasureAxis {
     Time,
 }
 
-/// A muscle at one angle or moment. Lengths are in the unit of its file.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Measurement {
-    /// Seconds on the clip's axis.
-    pub time: Option<f64>,
-    /// Degrees.
-    pub angle: Option<f64>,
-    /// −dL/dφ, φ in radians.
-    pub moment_arm: Option<f64>,
-    /// The solution.
-    pub solved: Solved,
-}
-
-impl Measurement {
-    /// The largest radius.
-    pub fn belly(&self) -> f64 {
-        self.solved.radii.iter().copied().fold(0.0, f64::max)
-    }
-
-    /// Where it stands on the axis.
-    pub fn at(&self, axis: MeasureAxis) -> f64 {
-        match axis {
-            MeasureAxis::Angle => self.angle,
-            MeasureAxis::Time => self.time,
+impl MeasureAxis {
+    /// Where a sample stands on the axis.
+    pub fn of(self, sample: &MuscleSample) -> f64 {
+        match self {
+            Self::Angle => sample.angle,
+            Self::Time => sample.time,
         }
         .unwrap_or(f64::NAN)
     }
@@ -68,20 +50,13 @@ impl Session {
     }
 
     /// Measures a muscle over its whole range; empty where it has none.
-    pub fn measure(&self, muscle: MuscleId, axis: MeasureAxis) -> Vec<Measurement> {
+    pub fn measure(&self, muscle: MuscleId, axis: MeasureAxis) -> Vec<MuscleSample> {
         let Some((range, (rig, index))) = self.measurable(muscle, axis).zip(self.document.muscle(muscle)) else { return Vec::new() };
         match axis {
-            MeasureAxis::Angle => over_angles(rig, index, &steps(&range, ANGLE_STEPS)),
+            MeasureAxis::Angle => rig.measure(index, &steps(&range, ANGLE_STEPS)),
             MeasureAxis::Time => {
                 let mut rows = self.document.measure_times(&self.state(), &steps(&range, TIME_STEPS));
-                let samples = if muscle.index() < rows.len() { rows.swap_remove(muscle.index()) } else { Vec::new() };
-                let reading = |sample: crate::document::MuscleSample| Measurement {
-                    time: Some(sample.time),
-                    angle: sample.angle,
-                    moment_arm: sample.moment_arm,
-                    solved: sample.solved,
-                };
-                samples.into_iter().map(reading).collect()
+                if muscle.index() < rows.len() { rows.swap_remove(muscle.index()) } else { Vec::new() }
             }
         }
     }
@@ -113,7 +88,7 @@ impl Session {
         let (rig, _) = self.document.muscle(muscle)?;
         match axis {
             MeasureAxis::Time => Some(self.playback.time),
-            MeasureAxis::Angle if rig.flexion_range().is_some() => Some(self.state.drive.flexion),
+            MeasureAxis::Angle if rig.flexion_range().is_some() => Some(self.state.joints.drive.flexion),
             MeasureAxis::Angle => rig.joint()?.angle(&self.document.scene, &self.posed().world),
         }
     }
@@ -124,15 +99,10 @@ fn steps(range: &RangeInclusive<f64>, count: u32) -> Vec<f64> {
     (0..=count).map(|index| range.start() + f64::from(index) * step).collect()
 }
 
-fn over_angles(rig: &MuscleRig, index: usize, angles: &[f64]) -> Vec<Measurement> {
-    let samples = rig.measure(index, angles).into_iter();
-    samples.map(|s| Measurement { time: None, angle: Some(s.angle), moment_arm: Some(s.moment_arm), solved: s.solved }).collect()
-}
-
-/// One row a reading, with decimal points; lengths in the file's unit.
-pub fn csv(readings: &[Measurement]) -> String {
-    let nodes = readings.first().map_or(0, |reading| reading.solved.radii.len());
-    let timed = readings.iter().any(|reading| reading.time.is_some());
+/// One row a sample, with decimal points; lengths in the file's unit.
+pub fn csv(samples: &[MuscleSample]) -> String {
+    let nodes = samples.first().map_or(0, |sample| sample.solved.radii.len());
+    let timed = samples.iter().any(|sample| sample.time.is_some());
     let mut text = String::from(if timed { "time,angle" } else { "angle" });
     text.push_str(",length,moment_arm,volume,volume_error,delta");
     for node in 1..=nodes {
@@ -142,14 +112,14 @@ pub fn csv(readings: &[Measurement]) -> String {
     text.push('\n');
     // `+ 0.0` turns a negative zero into zero.
     let cell = |value: Option<f64>| value.map(|value| (value + 0.0).to_string()).unwrap_or_default();
-    for reading in readings {
-        let solved = &reading.solved;
+    for sample in samples {
+        let solved = &sample.solved;
         if timed {
-            let _ = write!(text, "{},", cell(reading.time));
+            let _ = write!(text, "{},", cell(sample.time));
         }
         let numbers = [solved.length, solved.volume, solved.volume_error, solved.delta].map(|value| cell(Some(value)));
         let [length, volume, error, delta] = numbers;
-        let _ = write!(text, "{},{length},{},{volume},{error},{delta}", cell(reading.angle), cell(reading.moment_arm));
+        let _ = write!(text, "{},{length},{},{volume},{error},{delta}", cell(sample.angle), cell(sample.moment_arm));
         for radius in &solved.radii {
             let _ = write!(text, ",{radius}");
         }
@@ -161,12 +131,13 @@ pub fn csv(readings: &[Measurement]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sinew_muscle::Solved;
 
     #[test]
     fn the_table_has_a_column_a_radius_and_one_for_time_where_there_is_any() {
         let solved = Solved { length: 2.5, radii: vec![1.0, 2.0], delta: -0.0, ..Solved::default() };
-        let bent = Measurement { time: None, angle: Some(30.0), moment_arm: Some(0.5), solved };
-        let moving = Measurement { time: Some(0.25), angle: None, ..bent.clone() };
+        let bent = MuscleSample { time: None, angle: Some(30.0), moment_arm: Some(0.5), solved };
+        let moving = MuscleSample { time: Some(0.25), angle: None, ..bent.clone() };
         assert_eq!(csv(&[bent]), "angle,length,moment_arm,volume,volume_error,delta,r1,r2\n30,2.5,0.5,0,0,0,1,2\n");
         assert_eq!(csv(&[moving]), "time,angle,length,moment_arm,volume,volume_error,delta,r1,r2\n0.25,,2.5,0.5,0,0,0,1,2\n");
     }

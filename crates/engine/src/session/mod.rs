@@ -39,7 +39,7 @@ pub use gizmo::{Gizmo, GizmoHandle, ModelDrag};
 pub use history::UndoStep;
 pub use joint_control::{JointAxis, SliderState};
 pub use manipulators::{AttachmentDrag, AttachmentHandle, WrapSphereCircle};
-pub use measure::{MeasureAxis, Measurement, csv};
+pub use measure::{MeasureAxis, csv};
 pub use pick_mode::{PickMode, PickTarget};
 pub use presets::DisplayPreset;
 pub use probe::Matrices;
@@ -169,7 +169,7 @@ impl Session {
 
     /// Shows another document.
     pub fn show(&mut self, document: Document, arrival: LoadMode) {
-        let (old_state, old_playback, old_model) = (self.state, self.playback, self.model);
+        let (old_state, old_playback, old_model) = (self.state.clone(), self.playback, self.model);
         let old_clip = self.clip_index().and_then(|index| self.document.clip_key(index));
         let name_of = |document: &Document, node: Option<NodeId>| {
             node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.label(id).plain().into_owned())
@@ -180,8 +180,9 @@ impl Session {
             Viewpoint::Orbit | Viewpoint::Fly(_) => None,
         };
         let turned: Vec<_> = self
-            .document
-            .joint_overrides()
+            .state
+            .joints
+            .overrides()
             .iter()
             .map(|turn| (self.document.scene.graph.label(turn.node).plain().into_owned(), turn.degrees))
             .collect();
@@ -224,16 +225,16 @@ impl Session {
                 self.playback.time = old_playback.time.clamp(range.start, range.end);
                 self.playback.playing &= range.duration() > 0.0;
                 self.state.time = self.playback.time;
-                self.state.drive = match self.document.driven_rig() {
-                    Some(rig) => rig.at_contraction(old_state.drive.contraction),
-                    None => self.state.drive,
+                self.state.joints.drive = match self.document.driven_rig() {
+                    Some(rig) => rig.at_contraction(old_state.joints.drive.contraction),
+                    None => self.state.joints.drive,
                 };
                 self.model = old_model;
                 self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));
                 self.restore_joint(joint);
                 for (name, degrees) in turned {
                     if let Some(node) = self.document.scene.graph.find(&name) {
-                        self.document.set_joint_override(node, degrees);
+                        self.state.joints.set_override(node, degrees);
                     }
                 }
                 self.display.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
@@ -311,7 +312,7 @@ impl Session {
 
     /// The moment that is shown.
     pub fn state(&self) -> PoseState {
-        PoseState { time: self.playback.time, model: self.model.matrix(), ..self.state }
+        PoseState { time: self.playback.time, model: self.model.matrix(), ..self.state.clone() }
     }
 
     /// The scene posed at the present moment.

@@ -117,7 +117,7 @@ impl Session {
 
     /// The nodes of the scene with a joint straight.
     pub(super) fn straight(&self, joint: &JointDof) -> Frame {
-        let straight = PoseState { joint_rotation: Some(joint.absolute(0.0)), ..PoseState::default() };
+        let straight = PoseState::default().with_rotation(Some(joint.absolute(0.0)));
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose_nodes(&straight, &mut buffers, &mut frame);
         frame
@@ -189,7 +189,7 @@ impl Session {
     pub fn fit_length(&mut self, id: MuscleId, step: UndoStep) -> Result<(), EditError> {
         self.frame();
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
-        let solved = rig.solve(index, self.state.drive, &self.frame.world);
+        let solved = rig.solve(index, self.state.joints.drive, &self.frame.world);
         let tendons = rig.spec(index).map_or(0.0, MuscleSpec::tendon_length);
         let length = (1e3 * (solved.path_length / rig.scale(index) - tendons)).round() / 1e3;
         self.edit_muscle(id, &Edit::RestLength(length), step)

@@ -100,8 +100,8 @@ impl Session {
         self.saved_files.resize(files.len(), MuscleFile::default());
         self.joint.muscles_changed();
         if let Some(rig) = self.document.driven_rig() {
-            let drive = self.state.drive;
-            self.state.drive =
+            let drive = self.state.joints.drive;
+            self.state.joints.drive =
                 if rig.flexion_range().is_some() { rig.at_flexion(drive.flexion) } else { rig.at_contraction(drive.contraction) };
         }
         let count = self.document.scene.graph.len();

@@ -175,7 +175,7 @@ impl Session {
         let (rig, own) = self.document.muscle(muscle)?;
         let surface = self.frame.surfaces.get(index as usize)?;
         if surface.muscle == Some(muscle) && self.picks_via() {
-            return rig.via_inside(own, point, self.state.drive, &self.frame.world);
+            return rig.via_inside(own, point, self.state.joints.drive, &self.frame.world);
         }
         if rig.arm_bones().is_some() {
             return rig.bone_name(&self.document.scene.graph, pick.node).map(|_| (pick.node, point));

@@ -152,22 +152,22 @@ impl Session {
 
     /// Sets the override of a joint, degrees about its own axes. Within [`Session::undoable`] undo takes it back.
     pub fn override_joint(&mut self, node: NodeId, degrees: DVec3) {
-        let before = self.document.joint_override(node);
-        self.document.set_joint_override(node, degrees);
-        if self.document.joint_override(node) != before {
+        let joints = &mut self.state.joints;
+        let before = joints.joint_override(node);
+        if node.index() < self.document.scene.graph.len() {
+            joints.set_override(node, degrees);
+        }
+        if joints.joint_override(node) != before {
             self.changed(ChangeSet::JOINT_OVERRIDES);
         }
     }
 
     /// Removes the joint override of one node, or all overrides.
     pub fn reset_joint_overrides(&mut self, node: Option<NodeId>) {
-        let kept: Vec<JointOverride> = match node {
-            Some(node) => self.document.joint_overrides().iter().copied().filter(|turn| turn.node != node).collect(),
-            None => Vec::new(),
-        };
-        if kept.len() != self.document.joint_overrides().len() {
+        let is_kept = |turn: &JointOverride| node.is_some_and(|node| turn.node != node);
+        if !self.state.joints.overrides().iter().all(is_kept) {
             self.undoable(message!("app-edit-reset-rotations"), UndoStep::New, |session| {
-                session.document.set_joint_overrides(&kept);
+                session.state.joints.retain_overrides(is_kept);
                 session.changed(ChangeSet::JOINT_OVERRIDES);
             });
         }

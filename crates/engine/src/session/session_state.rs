@@ -72,8 +72,9 @@ impl Session {
             },
             follow: self.followed().map(|node| saved_node(document, node)),
             compared: self.saved_comparison(&beside),
-            turned: document
-                .joint_overrides()
+            turned: self
+                .joint_control()
+                .overrides()
                 .iter()
                 .map(|turn| SavedRotation { joint: saved_node(document, turn.node), degrees: turn.degrees.to_array() })
                 .collect(),
@@ -96,6 +97,7 @@ impl Session {
         saved.apply_to_document(&mut document);
         let selected = saved.selected.as_ref().and_then(|node| node.find(&document));
         self.show(document, LoadMode::New);
+        saved.apply_to_joints(&self.document, &mut self.state.joints);
         self.change_display(|display| saved.apply_to_display(display));
         self.set_backdrop(saved.backdrop);
         self.choose_rate(saved.frame_rate.filter(|rate| (1.0..=1000.0).contains(rate)));
@@ -237,7 +239,7 @@ mod tests {
         for _ in 0..2 {
             overlays.remove_from(&mut frame);
             document.pose(&state, &mut PoseBuffers::default(), &mut frame);
-            overlays.append_to(&PoseContext::new(&document, state, rate, &display), &mut frame);
+            overlays.append_to(&PoseContext::new(&document, state.clone(), rate, &display), &mut frame);
         }
         let shown = other.frame();
         assert!(shown.overlay_lines.len() > 10 && frame.overlay_lines == shown.overlay_lines);

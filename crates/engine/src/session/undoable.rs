@@ -4,14 +4,20 @@ use glam::DVec2;
 
 use super::history::{Snapshot, UndoStep};
 use super::{ChangeSet, Gizmo, ModelDrag, ModelTransform, Session, Tool};
+use crate::document::JointControl;
 use sinew_muscle::MuscleState;
 use sinew_scene::NodeId;
 use sinew_scene::message::Message;
 
 impl Session {
+    /// How joints are turned by hand.
+    pub fn joint_control(&self) -> &JointControl {
+        &self.state.joints
+    }
+
     /// Elbow angle and contraction.
     pub fn drive(&self) -> MuscleState {
-        self.state.drive
+        self.state.joints.drive
     }
 
     /// Sets the elbow angle of the arm or of the clip's joint (see [`Session::angle_slider`]), degrees; the contraction follows.
@@ -33,8 +39,8 @@ impl Session {
     }
 
     fn set_drive(&mut self, drive: Option<MuscleState>) {
-        if let Some(drive) = drive.filter(|drive| *drive != self.state.drive) {
-            self.state.drive = drive;
+        if let Some(drive) = drive.filter(|drive| *drive != self.state.joints.drive) {
+            self.state.joints.drive = drive;
             self.changed(ChangeSet::DRIVE);
         }
     }
@@ -132,9 +138,8 @@ impl Session {
             light: self.light,
             hidden,
             files: self.document.muscle_files().cloned().collect(),
-            joint_overrides: self.document.joint_overrides().to_vec(),
-            drive: self.state.drive,
-            held_joint: self.held_joint(),
+            joints: self.state.joints.clone(),
+            slider: self.joint_slider(),
         }
     }
 
@@ -149,9 +154,8 @@ impl Session {
                 let id = NodeId(index);
                 self.document.scene.graph.node_mut(id).visible = step.hidden.binary_search(&id).is_err();
             }
-            self.document.set_joint_overrides(&step.joint_overrides);
-            self.state.drive = step.drive;
-            self.restore_held_joint(step.held_joint);
+            self.state.joints = step.joints;
+            self.restore_joint_slider(step.slider);
             self.changed(ChangeSet::MODEL | ChangeSet::LIGHT | ChangeSet::DISPLAY | ChangeSet::JOINT_OVERRIDES | ChangeSet::DRIVE);
         }
         self.changed(ChangeSet::HISTORY);
@@ -342,7 +346,7 @@ mod tests {
     #[test]
     fn bending_by_the_slider_is_undone_and_an_edit_after_an_undo_is_a_step_of_its_own() {
         let mut session = clip();
-        let turn = |session: &Session| session.state().joint_rotation;
+        let turn = |session: &Session| session.state().joints.rotation;
         session.set_angle_undoable(50.0);
         session.set_angle_undoable(107.0);
         let bent = turn(&session);

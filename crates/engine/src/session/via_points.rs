@@ -12,7 +12,7 @@ impl Session {
     pub fn add_via(&mut self, id: MuscleId) -> Result<(), EditError> {
         self.frame();
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
-        let (number, node, place) = rig.via_half_way(index, self.state.drive, &self.frame.world).ok_or(EditError::NoEnds)?;
+        let (number, node, place) = rig.via_half_way(index, self.state.joints.drive, &self.frame.world).ok_or(EditError::NoEnds)?;
         let anchor = rig.anchor_at(&self.document.scene.graph, node, place, &self.frame.world).ok_or(EditError::NoName)?;
         self.edit_muscle(id, &Edit::AddVia(number, anchor), UndoStep::New)
     }
@@ -36,7 +36,7 @@ impl Session {
         if !rig.is_attached(index) {
             return Err(EditError::NoEnds);
         }
-        let wrap = rig.wrap_on(index, node, &self.document.scene, self.state.drive, &self.frame.world).ok_or(EditError::NoName)?;
+        let wrap = rig.wrap_on(index, node, &self.document.scene, self.state.joints.drive, &self.frame.world).ok_or(EditError::NoName)?;
         self.edit_muscle(id, &Edit::Wrap(Some(wrap)), UndoStep::New)
     }
 

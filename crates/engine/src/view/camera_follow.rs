@@ -50,7 +50,7 @@ mod tests {
         let camera = OrbitCamera::default().camera();
         let mut offsets = Vec::new();
         for step in 0..5 {
-            let state = PoseState { time: start.time + 0.2 * f64::from(step), ..start };
+            let state = start.at_time(start.time + 0.2 * f64::from(step));
             let mut frame = Frame::default();
             document.pose_nodes(&state, &mut PoseBuffers::default(), &mut frame);
             let moved = follow.moved(camera, &frame);

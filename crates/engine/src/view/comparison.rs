@@ -6,7 +6,7 @@ use glam::{DMat4, DVec3};
 
 use super::overlays::{PoseContext, color};
 use super::session_file::SavedComparison;
-use crate::document::{Document, PoseState, PosedCopy, Skinning};
+use crate::document::{Document, JointControl, PoseState, PosedCopy, Skinning};
 use sinew_scene::{Bounds, Frame, Ghost, NodeId, NodeKind};
 
 /// Tint of the compared pose, `0xRRGGBB`.
@@ -249,16 +249,16 @@ impl Comparison {
             CompareTarget::File(other, _) => {
                 let drive = other.driven_rig().map(|rig| {
                     if rig.flexion_range().is_some() {
-                        rig.at_flexion(state.drive.flexion)
+                        rig.at_flexion(state.joints.drive.flexion)
                     } else {
-                        rig.at_contraction(state.drive.contraction)
+                        rig.at_contraction(state.joints.drive.contraction)
                     }
                 });
                 let (clip, time) = (self.clip, moment(other, self.clip));
-                PoseState { clip, time, drive: drive.unwrap_or_default(), joint_rotation: None, model, skinning: state.skinning }
+                PoseState { clip, time, joints: JointControl::driven(drive.unwrap_or_default()), model, skinning: state.skinning }
             }
-            CompareTarget::Clip(clip) => PoseState { clip: Some(*clip), time: moment(document, Some(*clip)), model, ..*state },
-            CompareTarget::Skinning => PoseState { model, skinning: other_skinning(state.skinning), ..*state },
+            CompareTarget::Clip(clip) => PoseState { clip: Some(*clip), time: moment(document, Some(*clip)), model, ..state.clone() },
+            CompareTarget::Skinning => PoseState { model, skinning: other_skinning(state.skinning), ..state.clone() },
         }
     }
 }

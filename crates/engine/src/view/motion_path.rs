@@ -22,7 +22,7 @@ impl MotionPath {
         let clip = context.state.clip.and_then(|clip| context.document.clips.get(clip));
         let Some(clip) = clip.filter(|clip| clip.duration() > 0.0) else { return };
         let path = cached.get_or_insert_with(|| {
-            let untransformed = PoseState { model: DMat4::IDENTITY, ..context.state };
+            let untransformed = PoseState { model: DMat4::IDENTITY, ..context.state.clone() };
             let samples = ((clip.duration() * context.frame_rate).ceil() as usize).clamp(1, MAX_SEGMENTS) + 1;
             let keys = clip.key_times(Some(node));
             Self {

@@ -2,7 +2,7 @@
 
 use super::onion_skin_settings::OnionSkinSettings;
 use super::overlays::{PoseContext, color};
-use crate::document::{PoseState, PosedCopy};
+use crate::document::PosedCopy;
 use sinew_scene::animation::Clip;
 use sinew_scene::{Frame, Ghost};
 
@@ -36,7 +36,7 @@ impl OnionSkins {
         for ((time, share, past), skin) in moments.into_iter().zip(&mut self.skins) {
             let tint = color(if past { PAST_TINT } else { FUTURE_TINT });
             let opacity = NEAREST_OPACITY * (1.0 - 0.75 * (share - 0.1).max(0.0));
-            skin.pose(context.document, &PoseState { time, ..context.state });
+            skin.pose(context.document, &context.state.at_time(time));
             if context.bones {
                 skin.append_bone_lines(&context.document.scene, tint, opacity * 1.6, &mut frame.overlay_lines);
             }

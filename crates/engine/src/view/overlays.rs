@@ -12,7 +12,7 @@ use sinew_render::Display;
 use sinew_scene::{Bounds, Frame, NodeId};
 
 /// The main pose that overlays are added to.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct PoseContext<'a> {
     /// The document.
     pub document: &'a Document,

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::{BackgroundPreset, DISPLAY_FLAGS, LightDirection, ModelTransform, OnionSkinSettings, SHADINGS};
-use crate::document::{Document, OpenErrorKind, PoseBuffers, PoseState, Skinning};
+use crate::document::{Document, JointControl, OpenErrorKind, PoseBuffers, PoseState, Skinning};
 use crate::input;
 use sinew_render::{Display, Samples, Shading, Theme};
 use sinew_scene::limits;
@@ -253,6 +253,14 @@ impl SavedNode {
     }
 }
 
+/// The nodes that are meant, in the same order.
+fn find_nodes<'a>(document: &Document, wanted: impl Iterator<Item = &'a SavedNode>) -> Vec<Option<NodeId>> {
+    let known = nodes_by_label(document);
+    let unnamed = |name: &str| known.get(&Label::Unnamed(Unnamed::parse(name)?)).copied();
+    let first = |name: &str| known.get(&Label::Name(name)).copied().or_else(|| unnamed(name));
+    wanted.map(|node| node.find_by(document, first)).collect()
+}
+
 /// The first node that is called so: a session may name many.
 fn nodes_by_label(document: &Document) -> FxHashMap<Label<'_>, NodeId> {
     let graph = &document.scene.graph;
@@ -287,19 +295,20 @@ impl SavedModel {
 }
 
 impl SessionState {
-    /// Hides nodes and rotates joints of a document that has just been opened. Nodes that no longer exist are skipped.
+    /// Hides nodes of a document that has just been opened. Nodes that no longer exist are skipped.
     pub fn apply_to_document(&self, document: &mut Document) {
-        let known = nodes_by_label(document);
-        let unnamed = |name: &str| known.get(&Label::Unnamed(Unnamed::parse(name)?)).copied();
-        let first = |name: &str| known.get(&Label::Name(name)).copied().or_else(|| unnamed(name));
-        let find = |node: &SavedNode| node.find_by(document, first);
-        let hidden: Vec<NodeId> = self.hidden.iter().filter_map(find).collect();
-        let turned: Vec<_> = self.turned.iter().filter_map(|turn| Some((find(&turn.joint)?, turn.degrees))).collect();
-        for id in hidden {
+        for id in find_nodes(document, self.hidden.iter()).into_iter().flatten() {
             document.scene.graph.node_mut(id).visible = false;
         }
-        for (node, degrees) in turned {
-            document.set_joint_override(node, DVec3::from_array(degrees));
+    }
+
+    /// Turns the joints that a file of the session has turned. Nodes that no longer exist are skipped.
+    pub fn apply_to_joints(&self, document: &Document, joints: &mut JointControl) {
+        let nodes = find_nodes(document, self.turned.iter().map(|turn| &turn.joint));
+        for (turn, node) in self.turned.iter().zip(nodes) {
+            if let Some(node) = node {
+                joints.set_override(node, DVec3::from_array(turn.degrees));
+            }
         }
     }
 
@@ -313,8 +322,9 @@ impl SessionState {
             state.time = time.clamp(clip.start, clip.end.max(clip.start));
         }
         if let (Some(degrees), Some(rig)) = (self.flexion.filter(|degrees| degrees.is_finite()), document.driven_rig()) {
-            state.drive = rig.at_flexion(degrees);
+            state.joints.drive = rig.at_flexion(degrees);
         }
+        self.apply_to_joints(document, &mut state.joints);
         state.skinning = if self.dual_quaternions { Skinning::DualQuaternion } else { Skinning::Linear };
         if let Some(saved) = &self.model {
             let mut frame = Frame::default();
@@ -408,10 +418,9 @@ mod tests {
         let turned = |name: &str| SavedRotation { joint: SavedNode { node: 9, name: name.into() }, degrees: [1.0; 3] };
         for (names, node) in [(["Elbow", "Локоть"], elbow), (["Muscle 2", "Мышца 2"], muscles[1])] {
             for name in names {
-                let mut document = document.clone();
                 assert_eq!(SavedNode { node: 9, name: name.into() }.find(&document), Some(node), "{name}");
-                SessionState { turned: vec![turned(name)], ..SessionState::default() }.apply_to_document(&mut document);
-                assert_eq!(document.joint_overrides().iter().map(|turn| turn.node).collect::<Vec<_>>(), [node], "{name}");
+                let state = SessionState { turned: vec![turned(name)], ..SessionState::default() }.pose_state(&document);
+                assert_eq!(state.joints.overrides().iter().map(|turn| turn.node).collect::<Vec<_>>(), [node], "{name}");
             }
         }
     }
@@ -472,6 +481,6 @@ mod tests {
         let saved = SessionState { flexion: Some(50.0), hidden: vec![saved_node(&document, NodeId(1))], ..SessionState::default() };
         saved.apply_to_document(&mut document);
         assert!(!document.scene.graph.node(NodeId(1)).visible);
-        assert!((saved.pose_state(&document).drive.flexion - 50.0).abs() < 1e-9);
+        assert!((saved.pose_state(&document).joints.drive.flexion - 50.0).abs() < 1e-9);
     }
 }

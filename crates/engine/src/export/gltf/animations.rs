@@ -67,14 +67,12 @@ impl AnimationRange {
         let start = document.start_state();
         let part = ((at - self.span.0) / (self.span.1 - self.span.0)).clamp(0.0, 1.0);
         let drive = |make: fn(&sinew_muscle::MuscleRig, f64) -> sinew_muscle::MuscleState, value: f64| {
-            document.driven_rig().map_or(start.drive, |rig| make(rig, value))
+            document.driven_rig().map_or(start.joints.drive, |rig| make(rig, value))
         };
         match self.kind {
             AnimationSource::Clip(clip) => PoseState { clip: Some(clip), time: at, ..start },
-            AnimationSource::Bend([from, to]) => {
-                PoseState { drive: drive(sinew_muscle::MuscleRig::at_flexion, from + (to - from) * part), ..start }
-            }
-            AnimationSource::Contract => PoseState { drive: drive(sinew_muscle::MuscleRig::at_contraction, 100.0 * part), ..start },
+            AnimationSource::Bend([from, to]) => start.with_drive(drive(sinew_muscle::MuscleRig::at_flexion, from + (to - from) * part)),
+            AnimationSource::Contract => start.with_drive(drive(sinew_muscle::MuscleRig::at_contraction, 100.0 * part)),
         }
     }
 
@@ -195,7 +193,7 @@ impl Stage<'_> {
         let Some(rig) = self.document.driven_rig() else { return };
         let mut pose = Pose::rest(&self.document.scene);
         let mut at = |time: f64, node: NodeId| {
-            rig.apply(range.state(self.document, time).drive, &mut pose);
+            rig.apply(range.state(self.document, time).joints.drive, &mut pose);
             local(&pose, node)
         };
         for (id, _) in self.document.scene.graph.iter() {

@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use serde::Serialize;
 
 use super::{TableError, csv_cell, csv_number};
-use crate::document::{Document, MuscleSample, PoseBuffers, PoseState, SourceKind};
-use sinew_muscle::{MuscleRig, Sample, Solved};
+use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
+use sinew_muscle::{MuscleRig, MuscleSample, Solved};
 use sinew_scene::{Frame, MuscleId, OwnedLabel};
 
 /// Default elbow angles.
@@ -89,8 +89,7 @@ impl MuscleTable {
         TableError::hold(document.muscle_count(), times.len(), TableError::NoMuscle)?;
         let names = document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.label(index).to_owned()));
         let rows = document.measure_times(state, times);
-        let muscles =
-            names.zip(&rows).map(|(name, samples)| MuscleRows { name, samples: samples.iter().map(MuscleRow::at_time).collect() });
+        let muscles = names.zip(&rows).map(|(name, samples)| MuscleRows { name, samples: samples.iter().map(MuscleRow::of).collect() });
         Ok(Self { file, unit: unit(document), muscles: muscles.collect() })
     }
 
@@ -131,14 +130,14 @@ impl MuscleTable {
 
 fn samples(document: &Document, rig: &MuscleRig, first: MuscleId, index: usize, angles: Option<&[f64]>) -> Option<Vec<MuscleRow>> {
     if rig.measured_range().is_some() {
-        return Some(rig.measure(index, angles.unwrap_or(&ANGLES)).iter().map(MuscleRow::at_angle).collect());
+        return Some(rig.measure(index, angles.unwrap_or(&ANGLES)).iter().map(MuscleRow::of).collect());
     }
     if angles.is_some() {
         return None;
     }
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let rows = CONTRACTIONS.iter().filter_map(|contraction| {
-        let state = PoseState { drive: rig.at_contraction(*contraction), ..document.start_state() };
+        let state = document.start_state().with_drive(rig.at_contraction(*contraction));
         document.pose(&state, &mut buffers, &mut frame);
         buffers.solved().get(first.index() + index).map(MuscleRow::alone)
     });
@@ -146,14 +145,11 @@ fn samples(document: &Document, rig: &MuscleRig, first: MuscleId, index: usize, 
 }
 
 impl MuscleRow {
-    /// A sample at an elbow angle.
-    pub fn at_angle(sample: &Sample) -> Self {
-        Self { angle: Some(sample.angle), moment_arm: Some(sample.moment_arm + 0.0), ..Self::alone(&sample.solved) }
-    }
-
-    fn at_time(sample: &MuscleSample) -> Self {
+    /// The row of a sample.
+    pub fn of(sample: &MuscleSample) -> Self {
+        // `+ 0.0` turns a negative zero into zero.
         let plain = |value: Option<f64>| value.map(|value| value + 0.0);
-        Self { time: Some(sample.time), angle: plain(sample.angle), moment_arm: plain(sample.moment_arm), ..Self::alone(&sample.solved) }
+        Self { time: sample.time, angle: plain(sample.angle), moment_arm: plain(sample.moment_arm), ..Self::alone(&sample.solved) }
     }
 
     fn alone(solved: &Solved) -> Self {
@@ -164,10 +160,9 @@ impl MuscleRow {
             moment_arm: None,
             volume: solved.volume,
             volume_error: solved.volume_error + 0.0,
-            // `+ 0.0` turns a negative zero into zero.
             delta: solved.delta + 0.0,
             radii: solved.radii.clone(),
-            largest_radius: solved.radii.iter().copied().fold(0.0, f64::max),
+            largest_radius: solved.largest_radius(),
             path_length: solved.path_length,
             held: solved.held,
         }
