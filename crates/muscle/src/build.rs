@@ -11,6 +11,7 @@ use super::joint_dof::{FoundBy, JointDof};
 use super::line_of_action::{CenterlineOffset, Line, Point};
 use super::muscle_rig::{Muscle, MuscleRig};
 use super::muscle_state::LengthRange;
+use super::profile::Profile;
 use super::revolute_joint::RevoluteJoint;
 use super::tessellation::MuscleTopology;
 use super::wrap::WrapObject;
@@ -227,6 +228,11 @@ fn new_muscle(spec: MuscleSpec, number: u32, scene: &mut Scene, tendon: Material
     Muscle { materials, spec, number, scale: 1.0, shape, tendons, line: None, layout, mesh: OnceLock::new(), free_middle }
 }
 
+/// Radius of the arcs at the via points of a muscle of this shape.
+pub(super) fn rounding(shape: &Profile) -> f64 {
+    ROUNDING * shape.radii().iter().copied().fold(0.0, f64::max)
+}
+
 /// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.
 pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<usize>) -> Result<Option<Line>, String> {
     let (Some(origin), Some(insertion)) = (&spec.origin, &spec.insertion) else { return Ok(None) };
@@ -245,8 +251,7 @@ pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<us
         }
         None => None,
     };
-    let thickest = spec.profile.radii().iter().copied().fold(0.0, f64::max);
-    Ok(Some(Line { origin, insertion, via, wrap_object, rounding: ROUNDING * thickest, drawn: None }))
+    Ok(Some(Line { origin, insertion, via, wrap_object, rounding: rounding(&spec.profile), drawn: None }))
 }
 
 /// A node by id, scoped id or name, joints first; nodes below `own` are the rig's own and don't count.

@@ -27,6 +27,7 @@
 //! | `validation` | models compared with measured radii |
 //! | `parameter_fit` | growth parameters fitted to measured radii |
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
+//! | `reshape` | another shape for a muscle that is in a scene already |
 //! | `scaling` | muscles that scale with their bones |
 //! | `muscle_findings`, `finding` | diagnostics of a muscle over the range of its joint; what they are and how they are said |
 //! | `muscle_rig` | muscles in a scene: solving, centrelines, surfaces, measuring |
@@ -58,6 +59,7 @@ mod path_editing;
 pub mod presets;
 mod primitive_meshes;
 mod profile;
+mod reshape;
 mod retarget;
 mod revolute_joint;
 mod rounded_centerline;

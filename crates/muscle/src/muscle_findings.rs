@@ -1,6 +1,6 @@
 //! What is wrong with a muscle over the range of its joint, or over a clip: found on the line of action and the profile, without any surface.
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 use super::line_of_action::{Frames, Line};
 use super::measure::moment_arm;
@@ -51,6 +51,25 @@ struct BonePenetration {
 impl MuscleRig {
     /// Looks at all muscles over the range of the joint that measurements turn.
     pub(super) fn check_joint_range(&mut self, graph: &Graph) {
+        let all: Vec<usize> = (0..self.muscles.len()).collect();
+        self.check_over_joint(&all, graph);
+    }
+
+    /// Looks at all muscles at some moments of a clip: seconds, and one matrix a node.
+    pub fn check_clip(&mut self, moments: &[(f64, Vec<DMat4>)]) {
+        let all: Vec<usize> = (0..self.muscles.len()).collect();
+        self.check_at_moments(&all, moments);
+    }
+
+    /// Looks again at muscles whose shape has changed, and puts what is found in place of what was found before.
+    pub(super) fn check_again(&mut self, changed: &[usize], graph: &Graph, moments: &[(f64, Vec<DMat4>)]) {
+        let muscles = &self.muscles;
+        self.findings.retain(|found| !changed.iter().any(|index| found.element.as_label() == muscles[*index].label()));
+        self.check_over_joint(changed, graph);
+        self.check_at_moments(changed, moments);
+    }
+
+    fn check_over_joint(&mut self, muscles: &[usize], graph: &Graph) {
         let Some(hinge) = &self.hinge else { return };
         let names: Vec<OwnedLabel> = self.bones.iter().map(|bone| graph.label(*bone).to_owned()).collect();
         let limbs = self.limbs(graph, hinge);
@@ -58,7 +77,7 @@ impl MuscleRig {
         // What the file asks for, although the belly does not let the joint go so far.
         let asked = self.arm.as_ref().and_then(|(arm, _)| arm.flexion).unwrap_or(hinge.range);
         let mut findings = Vec::new();
-        for muscle in &self.muscles {
+        for muscle in muscles.iter().filter_map(|index| self.muscles.get(*index)) {
             let Some(line) = &muscle.line else { continue };
             let sample = |angle: f64| AngleSample { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
             let samples: Vec<AngleSample> = (0..=steps).map(|step| sample(between(hinge.range, step, steps))).collect();
@@ -68,16 +87,13 @@ impl MuscleRig {
         self.findings.append(&mut findings);
     }
 
-    /// Looks at all muscles at some moments of a clip: seconds, and one matrix a node.
-    pub fn check_clip(&mut self, moments: &[(f64, Vec<glam::DMat4>)]) {
+    fn check_at_moments(&mut self, muscles: &[usize], moments: &[(f64, Vec<DMat4>)]) {
         let mut findings = Vec::new();
-        for (index, muscle) in self.muscles.iter().enumerate() {
-            if !self.is_attached(index)
-                || self.findings.iter().any(|found| found.element.as_label() == muscle.label() && is_about_length(&found.finding))
-            {
+        for muscle in muscles.iter().filter_map(|index| self.muscles.get(*index)) {
+            let Some(line) = &muscle.line else { continue };
+            if self.findings.iter().any(|found| found.element.as_label() == muscle.label() && is_about_length(&found.finding)) {
                 continue;
             }
-            let Some(line) = &muscle.line else { continue };
             let lengths = moments.iter().map(|(time, world)| (*time, line.length(&self.frames(world))));
             let Some((time, length)) = lengths.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
             let mut collector = FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: false, findings: &mut findings };

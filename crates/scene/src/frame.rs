@@ -103,6 +103,8 @@ pub struct Frame {
     pub bounds: Bounds,
     /// Changes whenever the list of surfaces, meshes or nodes changes, so that caches made from them can be invalidated.
     pub layout_revision: u64,
+    /// Changes whenever the muscles do, which stand behind all other surfaces.
+    pub muscle_revision: u64,
 }
 
 impl Frame {

@@ -106,8 +106,10 @@ pub struct Document {
     pub diagnostics: Vec<Diagnostic<Finding>>,
     /// How much of the scene is not muscles'.
     scene_baseline: muscle_sources::SceneBaseline,
-    /// Changes whenever nodes, meshes or muscles do, so that frames know when to lay out their buffers anew.
+    /// Changes whenever nodes or meshes of the files do, so that frames know when to lay out their buffers anew.
     revision: u64,
+    /// Changes whenever the muscles do, whose nodes stand behind all others: then only what belongs to muscles is laid out anew.
+    muscle_revision: u64,
 }
 
 /// How joints bend a skin.
@@ -154,6 +156,12 @@ impl PoseState {
         state.joints.rotation = rotation;
         state
     }
+}
+
+/// A number that no document has had yet: copies of a document share buffers until one of them changes.
+fn next_revision() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 impl Document {
@@ -265,9 +273,14 @@ impl Document {
         self.rigs().map(|(rig, _)| rig.len()).sum()
     }
 
-    /// Says that nodes, meshes, materials or muscles were changed, so that the next pose lays out its buffers anew.
+    /// Says that nodes, meshes or materials were changed, so that the next pose lays out its buffers anew.
     pub fn bump_revision(&mut self) {
-        static NEXT: AtomicU64 = AtomicU64::new(1);
-        self.revision = NEXT.fetch_add(1, Ordering::Relaxed);
+        self.revision = next_revision();
+        self.bump_muscle_revision();
+    }
+
+    /// Says that muscles were changed and nothing else.
+    fn bump_muscle_revision(&mut self) {
+        self.muscle_revision = next_revision();
     }
 }

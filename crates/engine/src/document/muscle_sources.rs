@@ -12,6 +12,7 @@ use super::arm_placement::ArmPlacer;
 use super::{Document, Source, SourceKind};
 use sinew_muscle::{MuscleFile, MuscleRig};
 use sinew_scene::animation::Pose;
+use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::message::SourceName;
 use sinew_scene::{Bounds, MuscleId, TransformOp};
 
@@ -41,6 +42,7 @@ impl Document {
             self.scene_baseline.bounds = self.outline(&self.start_state());
         }
         self.build_muscles();
+        self.bump_revision();
     }
 
     fn build_muscles(&mut self) {
@@ -66,10 +68,30 @@ impl Document {
             let SourceKind::Muscles(_, rig) = &mut source.kind else { continue };
             rig.attach_moving(&self.scene, &self.clips);
             rig.check_clip(&moments);
-            self.diagnostics.retain(|found| found.file != source.name || !matches!(found.finding, Finding::Muscle(_)));
-            self.diagnostics.extend(rig.findings().iter().cloned().map(|found| found.map(Finding::Muscle).in_file(source.name.clone())));
+            tell_findings(&mut self.diagnostics, &source.name, rig);
         }
-        self.bump_revision();
+    }
+
+    /// Gives the muscles the shapes of these files, where nothing but shapes differs, so that nothing is built anew; whether that was enough. The rigs of
+    /// files that were done until one was found that needs more stay as they are to be.
+    fn reshape_muscles(&mut self, files: &[MuscleFile]) -> bool {
+        if self.muscle_files().count() != files.len() {
+            return false;
+        }
+        let moments = self.clip_samples();
+        let (scene, diagnostics) = (&self.scene, &mut self.diagnostics);
+        let sources = self.sources.iter_mut().filter_map(|source| match &mut source.kind {
+            SourceKind::Muscles(file, rig) => Some((&source.name, file, rig)),
+            SourceKind::Collada(_) => None,
+        });
+        for ((name, file, rig), new) in sources.zip(files).filter(|((_, file, _), new)| ***file != **new) {
+            if !rig.reshape(file, new, &scene.graph, &moments) {
+                return false;
+            }
+            file.as_mut().clone_from(new);
+            tell_findings(diagnostics, name, rig);
+        }
+        true
     }
 
     /// The nodes at some moments of the clips, for muscles on bones to be looked at; none where there are no such muscles.
@@ -112,6 +134,10 @@ impl Document {
     /// Puts other muscle files in place of those that are there, in the same order, and builds their muscles anew. Nodes of other files keep their ids.
     /// Files beyond those that are there come in as new ones, kept nowhere yet; where there are fewer, the last ones leave the scene.
     pub fn set_muscle_files(&mut self, files: &[MuscleFile]) {
+        self.bump_muscle_revision();
+        if self.reshape_muscles(files) {
+            return;
+        }
         let count = self.muscle_files().count();
         for number in count..files.len() {
             let kind = SourceKind::Muscles(Box::default(), Box::default());
@@ -154,7 +180,18 @@ impl Document {
         self.diagnostics.iter_mut().filter(|finding| finding.file == before).for_each(|finding| finding.file.clone_from(&name));
     }
 
+    /// The index of the first node that belongs to muscles.
+    pub(super) fn first_muscle_node(&self) -> usize {
+        self.scene_baseline.nodes
+    }
+
     fn muscle_sources_mut(&mut self) -> impl Iterator<Item = &mut Source> {
         self.sources.iter_mut().filter(|source| matches!(source.kind, SourceKind::Muscles(..)))
     }
+}
+
+/// Puts the findings of a rig in place of those that were told of its file.
+fn tell_findings(diagnostics: &mut Vec<Diagnostic<Finding>>, name: &SourceName, rig: &MuscleRig) {
+    diagnostics.retain(|found| found.file != *name || !matches!(found.finding, Finding::Muscle(_)));
+    diagnostics.extend(rig.findings().iter().cloned().map(|found| found.map(Finding::Muscle).in_file(name.clone())));
 }

@@ -16,6 +16,7 @@ use sinew_scene::{Bounds, Content, Frame, FrameJoint, MeshInstance, MuscleId, No
 #[derive(Debug, Clone, Default)]
 pub struct PoseBuffers {
     revision: u64,
+    muscle_revision: u64,
     pose: Pose,
     local: Vec<DMat4>,
     shown: Vec<bool>,
@@ -88,6 +89,8 @@ impl Document {
     pub fn pose_nodes(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
         if buffers.revision != self.revision || frame.layout_revision != self.revision {
             self.prepare(buffers, frame);
+        } else if buffers.muscle_revision != self.muscle_revision || frame.muscle_revision != self.muscle_revision {
+            self.prepare_muscles(buffers, frame);
         }
         let pose = &mut buffers.pose;
         pose.reset(&self.scene);
@@ -194,10 +197,17 @@ impl Document {
 
     /// Makes buffers and frame fit the document's nodes, muscles and joints; no surfaces.
     pub(super) fn prepare_nodes(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
-        *buffers = PoseBuffers { revision: self.revision, pose: Pose::rest(&self.scene), ..PoseBuffers::default() };
+        *buffers = PoseBuffers { revision: self.revision, ..PoseBuffers::default() };
         *frame = Frame { layout_revision: self.revision, ..Frame::default() };
+        self.prepare_nodes_from(0, buffers, frame);
+    }
+
+    /// The same for the nodes from `first` on, where the buffers and the frame fit those before.
+    fn prepare_nodes_from(&self, first: usize, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        (buffers.muscle_revision, frame.muscle_revision) = (self.muscle_revision, self.muscle_revision);
+        buffers.pose = Pose::rest(&self.scene);
         buffers.solved.resize(self.muscle_count(), Solved::default());
-        for (id, node) in self.scene.graph.iter() {
+        for (id, node) in self.scene.graph.iter().skip(first) {
             if node.kind == NodeKind::Joint {
                 frame.joints.push(FrameJoint { node: id, parent: self.joint_above(id) });
             }
@@ -207,9 +217,25 @@ impl Document {
     /// Makes buffers and frame fit the document: one surface for each mesh and muscle, in the order of the nodes.
     fn prepare(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
         self.prepare_nodes(buffers, frame);
-        frame.materials = self.scene.materials.clone();
+        self.prepare_surfaces_from(0, buffers, frame);
+    }
+
+    /// The same where nothing changed but the muscles, whose nodes stand behind all others: what the skins of a clip were prepared for stays.
+    fn prepare_muscles(&self, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        let first = self.first_muscle_node();
+        frame.joints.retain(|joint| joint.node.index() < first);
+        let kept = frame.surfaces.partition_point(|surface| surface.node.index() < first);
+        frame.surfaces.truncate(kept);
+        buffers.plans.truncate(kept);
+        buffers.covering_surfaces_marked = false;
+        self.prepare_nodes_from(first, buffers, frame);
+        self.prepare_surfaces_from(first, buffers, frame);
+    }
+
+    fn prepare_surfaces_from(&self, first: usize, buffers: &mut PoseBuffers, frame: &mut Frame) {
+        frame.materials.clone_from(&self.scene.materials);
         let deformed = || SurfaceGeometry::Deformed { positions: Vec::new(), normals: Vec::new() };
-        for (id, node) in self.scene.graph.iter() {
+        for (id, node) in self.scene.graph.iter().skip(first) {
             for (content, thing) in node.contents.iter().enumerate() {
                 let content = content as u32;
                 let blank = |mesh, materials, placement, muscle| Surface {

@@ -150,8 +150,92 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use proptest::prelude::*;
+
     use super::*;
-    use crate::document::Document;
+    use crate::document::{Document, PoseBuffers};
+    use crate::session::tests::{biceps, clip};
+    use sinew_muscle::Tendon;
+    use sinew_scene::{Frame, Mesh};
+
+    /// The surfaces of the muscles of a session, in the memory where they stand.
+    fn meshes(session: &mut Session) -> Vec<*const Mesh> {
+        session.frame().surfaces.iter().filter(|surface| surface.muscle.is_some()).map(|surface| Arc::as_ptr(&surface.mesh)).collect()
+    }
+
+    fn edit() -> impl Strategy<Value = Edit> {
+        prop_oneof![
+            (0..5_usize, 2.0..60.0).prop_map(|(node, radius)| Edit::Radius(node, radius)),
+            (1..4_usize, 0.1..2.0).prop_map(|(node, growth)| Edit::Growth(node, growth)),
+            (50.0..400.0).prop_map(Edit::RestLength),
+            (0..2_usize, 0.0..60.0, 0.5..4.0).prop_map(|(end, length, radius)| Edit::Tendon(end, Tendon { length, radius })),
+            (0..4_usize).prop_map(Edit::AddNode),
+            Just(Edit::Name("same".into())),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn a_muscle_that_is_reshaped_is_the_one_that_is_built_anew(edits in prop::collection::vec((0..2_u32, edit()), 1..6), time in 0.0..2.0) {
+            let mut session = clip();
+            session.new_muscle(biceps()).expect("a muscle");
+            session.new_muscle(biceps()).expect("another");
+            session.frame();
+            for (muscle, edit) in edits {
+                // A change that would make no muscle is refused.
+                let _ = session.edit_muscle(MuscleId(muscle), &edit, UndoStep::New);
+                session.frame();
+            }
+            session.time(|cursor| cursor.seek(time));
+            let files: Vec<MuscleFile> = session.document().muscle_files().cloned().collect();
+            // A file without muscles is no reshaping, so those that come back are built anew.
+            let mut anew = session.document().clone();
+            anew.set_muscle_files(&vec![MuscleFile::default(); files.len()]);
+            anew.set_muscle_files(&files);
+            let mut frame = Frame::default();
+            anew.pose(&session.state(), &mut PoseBuffers::default(), &mut frame);
+            let found = |document: &Document| {
+                let mut found: Vec<String> = document.diagnostics.iter().map(|found| format!("{found:?}")).collect();
+                found.sort();
+                found
+            };
+            prop_assert_eq!(found(session.document()), found(&anew));
+            let shown = session.frame();
+            prop_assert_eq!(shown.surfaces.len(), frame.surfaces.len());
+            for (ours, theirs) in shown.surfaces.iter().zip(&frame.surfaces) {
+                let count = ours.mesh.positions.len() as u32;
+                prop_assert_eq!((count, ours.node, ours.muscle, ours.skin), (theirs.mesh.positions.len() as u32, theirs.node, theirs.muscle, theirs.skin));
+                prop_assert!((0..count).all(|vertex| ours.position(vertex) == theirs.position(vertex)));
+            }
+            prop_assert_eq!((&shown.joints.len(), &shown.world), (&frame.joints.len(), &frame.world));
+        }
+    }
+
+    #[test]
+    fn a_radius_on_a_clip_builds_no_muscle_anew() {
+        let mut session = clip();
+        session.new_muscle(biceps()).unwrap();
+        session.new_muscle(biceps()).unwrap();
+        let before = meshes(&mut session);
+        let belly = |session: &mut Session| -> Vec<_> {
+            let surface = session.frame().surfaces.iter().find(|surface| surface.muscle.is_some()).unwrap();
+            (0..surface.mesh.positions.len() as u32).map(|vertex| surface.position(vertex)).collect()
+        };
+        let place = belly(&mut session);
+        session.edit_muscle(MuscleId(0), &Edit::Radius(1, 9.0), UndoStep::New).unwrap();
+        assert_eq!(meshes(&mut session), before);
+        assert_ne!(belly(&mut session), place);
+        session.edit_muscle(MuscleId(1), &Edit::AddNode(1), UndoStep::New).unwrap();
+        let with_node = meshes(&mut session);
+        assert!(with_node.len() == 2 && with_node[1] != before[1]);
+        session.undo();
+        session.undo();
+        assert_eq!(belly(&mut session), place);
+    }
 
     #[test]
     fn an_edit_is_unsaved_until_it_is_undone() {
