@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use sinew::document::{Document, PoseBuffers};
 use sinew::progress::Progress;
-use sinew::render::{Display, Renderer, Samples};
+use sinew::render::{Display, RenderJob, Renderer, Samples};
 use sinew::scene::{Frame, OrbitCamera};
 
 /// The files to draw: those that ship, and larger ones beside the checkout where they are.
@@ -50,7 +50,9 @@ fn main() {
                     let drive = document.driven_rig().map_or(start.joints.drive, |rig| rig.at_contraction(share * 100.0));
                     let state = start.at_time(start.time + share * duration).with_drive(drive);
                     document.pose(&state, &mut buffers, &mut frame);
-                    black_box(renderer.draw(&document.scene, &frame, &camera, &display, width as u32, height as u32));
+                    let (scene, width, height) = (&document.scene, width as u32, height as u32);
+                    let job = RenderJob { scene, frame: &frame, camera: &camera, display: &display, width, height };
+                    black_box(renderer.draw(&job).expect("there is memory for the picture"));
                 })
             });
             let pose = support::median(|| document.pose(black_box(&start), &mut buffers, &mut frame));

@@ -8,7 +8,7 @@ use crate::export::ExportError;
 use crate::export::atomic_file::write_atomic;
 use crate::export::guard::Output;
 use crate::progress::Progress;
-use crate::render::{Background, Display, OverlayPalette, Renderer, Theme};
+use crate::render::{Background, Display, OverlayPalette, RenderJob, Renderer, Theme};
 use crate::scene::{Frame, OrbitCamera, ViewDirection};
 
 /// A shipped scene.
@@ -51,7 +51,7 @@ impl Demo {
         Ok(self.files.first().map(|(name, _)| folder.join(name)))
     }
 
-    /// Draws it, a third of its clip on or half bent, in the colours of a theme; `width · height` pixels of `0xAARRGGBB`. `None` where it cannot be written.
+    /// Draws it, a third of its clip on or half bent, in the colours of a theme; `width · height` pixels of `0xAARRGGBB`. `None` where it cannot be written or there is no memory for it.
     pub(super) fn draw(&self, folder: &Path, theme: Theme, width: u32, height: u32) -> Option<Vec<u32>> {
         let document = match self.unpack(folder).ok()? {
             Some(path) => Document::open(&[path], &Progress::default()).ok()?,
@@ -77,7 +77,8 @@ impl Demo {
         orbit.look_from(ViewDirection::Start);
         orbit.fit(&frame.bounds, width as f32 / height as f32);
         let mut renderer = Renderer::new(Some(1));
-        Some(renderer.draw(&document.scene, &frame, &orbit.camera(), &display, width, height).pixels.to_vec())
+        let job = RenderJob { scene: &document.scene, frame: &frame, camera: &orbit.camera(), display: &display, width, height };
+        Some(renderer.draw(&job).ok()?.pixels.to_vec())
     }
 }
 

@@ -11,7 +11,7 @@ use super::save_as::{self, SaveRequest};
 use super::window::Window;
 use crate::export::png::{self, SOFTWARE};
 use crate::i18n::Sentence;
-use crate::render::{Background, Framebuffer};
+use crate::render::{Background, Framebuffer, RenderError, RenderJob};
 use crate::sequence::FrameSpec;
 use crate::tr;
 
@@ -23,7 +23,7 @@ struct ScreenshotImage {
 }
 
 /// The picture as it is on the screen, without what stands over it.
-fn take(window: &Rc<Window>, transparent: bool) -> ScreenshotImage {
+fn take(window: &Rc<Window>, transparent: bool) -> Result<ScreenshotImage, RenderError> {
     let scale = window.viewport.scale();
     let (width, height) = window.viewport.size();
     let (width, height) = ((width * scale).max(1), (height * scale).max(1));
@@ -35,9 +35,9 @@ fn take(window: &Rc<Window>, transparent: bool) -> ScreenshotImage {
         if transparent {
             display.background = Background::Transparent;
         }
-        let pixels =
-            window.viewport.with_renderer(|renderer| renderer.draw(scene, frame, &camera, &display, width as u32, height as u32).clone());
-        ScreenshotImage { pixels, transparent, note }
+        let job = RenderJob { scene, frame, camera: &camera, display: &display, width: width as u32, height: height as u32 };
+        let pixels = window.viewport.with_renderer(|renderer| renderer.draw(&job).cloned())?;
+        Ok(ScreenshotImage { pixels, transparent, note })
     })
 }
 
@@ -54,13 +54,21 @@ fn texture(picture: &ScreenshotImage) -> gdk::Texture {
 
 /// Copies the picture.
 pub(super) fn copy(window: &Rc<Window>) {
-    window.widget.clipboard().set_texture(&texture(&take(window, false)));
-    window.viewport.toast(&tr!("app-picture-copied"), None);
+    match take(window, false) {
+        Ok(picture) => {
+            window.widget.clipboard().set_texture(&texture(&picture));
+            window.viewport.toast(&tr!("app-picture-copied"), None);
+        }
+        Err(error) => window.viewport.toast(&error.sentence(), None),
+    }
 }
 
 /// Asks where to and saves the picture.
 pub(super) fn save(window: &Rc<Window>, transparent: bool) {
-    let picture = take(window, transparent);
+    let picture = match take(window, transparent) {
+        Ok(picture) => picture,
+        Err(error) => return window.viewport.toast(&error.sentence(), None),
+    };
     let name = save_as::name_like_open(window, "png");
     let wanted = SaveRequest { title: tr!("app-picture-title"), name, folder: None, endings: &["png"], own: None };
     save_as::ask(window, wanted, move |window, output| {

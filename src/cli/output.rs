@@ -10,6 +10,7 @@ use clap::ArgMatches;
 use crate::document::OpenError;
 use crate::export::ExportError;
 use crate::i18n::{self, Sentence};
+use crate::render::RenderError;
 use crate::sequence::FilePattern;
 use crate::system::{Doing, reason};
 
@@ -62,6 +63,12 @@ impl Failure {
 
 impl From<OpenError> for Failure {
     fn from(error: OpenError) -> Self {
+        Self::Files(vec![one_line(&error.sentence())])
+    }
+}
+
+impl From<RenderError> for Failure {
+    fn from(error: RenderError) -> Self {
         Self::Files(vec![one_line(&error.sentence())])
     }
 }

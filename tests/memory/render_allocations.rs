@@ -27,11 +27,11 @@ pub(crate) fn frames_after_the_first_allocate_nothing() {
         ] {
             // The second frame like the first may keep the ground.
             for _ in 0..2 {
-                renderer.draw(&world.scene, &world.frame, &camera, &display, 300, 200);
+                renderer.draw(&world.job(&camera, &display, [300, 200])).expect("there is memory for the picture");
             }
             let before = allocations();
             for _ in 0..5 {
-                renderer.draw(&world.scene, &world.frame, &camera, &display, 300, 200);
+                renderer.draw(&world.job(&camera, &display, [300, 200])).expect("there is memory for the picture");
             }
             assert_eq!(allocations() - before, 0, "{shading:?}");
         }

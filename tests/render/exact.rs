@@ -6,7 +6,7 @@ use crate::render_support::rng::Rng;
 use crate::render_support::{World, camera_at, plain};
 use glam::{Mat4, Vec3, Vec4};
 use proptest::prelude::*;
-use sinew::render::{Background, Display, Renderer, Samples, Shading};
+use sinew::render::{Background, Display, RenderJob, RenderTarget, Renderer, Samples, Shading};
 use sinew::scene::{Bounds, Camera, Material, OrbitCamera, Paint, Projection, ShadingModel, WrapMode};
 
 const SIZE: [u32; 2] = [96, 72];
@@ -29,6 +29,11 @@ fn world_of(triangles: &[[Corner; 3]]) -> World {
     mesh.colors = corners().map(|c| Vec4::new(c.color[0] as f32, c.color[1] as f32, c.color[2] as f32, 255.0) / 255.0).collect();
     world.place(mesh, Mat4::IDENTITY, Some(unlit));
     world
+}
+
+/// Draws into the test's own memory.
+fn draw_into(renderer: &mut Renderer, job: &RenderJob<'_>, bytes: &mut [u8], stride: usize) {
+    renderer.draw_into(job, RenderTarget { bytes, stride }).expect("there is memory for the picture");
 }
 
 #[test]
@@ -169,10 +174,10 @@ fn sizes_from_nothing_to_wide() {
     for samples in [Samples::One, Samples::Four] {
         let display = Display { samples, background: Background::Transparent, grid: false, ..Display::default() };
         top.fill(0);
-        renderer.draw_into(&world.scene, &world.frame, &camera, &display, 16_384, 16_384, &mut top, stride);
+        draw_into(&mut renderer, &world.job(&camera, &display, [16_384, 16_384]), &mut top, stride);
         assert!(top.as_chunks::<4>().0.iter().all(|pixel| u32::from_ne_bytes(*pixel) >> 24 == 255), "{samples:?}");
     }
-    let clamped = renderer.draw(&world.scene, &world.frame, &camera_at(3.0), &plain(), u32::MAX, 2);
+    let clamped = renderer.draw(&world.job(&camera_at(3.0), &plain(), [u32::MAX, 2])).expect("there is memory for the picture");
     assert_eq!((clamped.width, clamped.height), (16_384, 2));
 }
 
@@ -183,15 +188,15 @@ fn a_target_with_another_stride_or_too_small_gets_what_fits() {
     let whole = world.draw(&mut renderer, &camera_at(3.0), &plain(), [40, 70]);
     let (stride, rows) = (40 * 4 + 13, 66);
     let mut bytes = vec![0xABu8; stride * rows - 20];
-    renderer.draw_into(&world.scene, &world.frame, &camera_at(3.0), &plain(), 40, 70, &mut bytes, stride);
+    draw_into(&mut renderer, &world.job(&camera_at(3.0), &plain(), [40, 70]), &mut bytes, stride);
     for (y, row) in bytes.chunks(stride).enumerate() {
         let (pixels, rest) = row.split_at(row.len().min(160) / 4 * 4);
         let expected: Vec<u8> = whole[y * 40..][..40].iter().flat_map(|p| p.to_ne_bytes()).collect();
         assert_eq!(pixels, &expected[..pixels.len()], "row {y}");
         assert!(rest.iter().all(|b| *b == 0xAB), "row {y} wrote beyond its end");
     }
-    renderer.draw_into(&world.scene, &world.frame, &camera_at(3.0), &plain(), 40, 70, &mut [], 160);
-    renderer.draw_into(&world.scene, &world.frame, &camera_at(3.0), &plain(), 40, 70, &mut [0; 7], 3);
+    draw_into(&mut renderer, &world.job(&camera_at(3.0), &plain(), [40, 70]), &mut [], 160);
+    draw_into(&mut renderer, &world.job(&camera_at(3.0), &plain(), [40, 70]), &mut [0; 7], 3);
 }
 
 #[test]
@@ -208,11 +213,11 @@ fn a_kept_ground_is_the_ground() {
         let mut renderer = Renderer::new(Some(2));
         // The second picture is the one that is kept; a target that ends early must not leave holes in what later ones are made of.
         let mut short = vec![0; 211 * 4 * 40];
-        renderer.draw_into(&world.scene, &world.frame, &camera, &display, 211, 149, &mut short, 211 * 4);
-        renderer.draw_into(&world.scene, &world.frame, &camera, &display, 211, 149, &mut short, 211 * 4);
+        draw_into(&mut renderer, &world.job(&camera, &display, [211, 149]), &mut short, 211 * 4);
+        draw_into(&mut renderer, &world.job(&camera, &display, [211, 149]), &mut short, 211 * 4);
         for turn in 0..5 {
             assert!(world.draw(&mut renderer, &camera, &display, size) == here, "{samples:?}, turn {turn}");
-            renderer.pick(&world.scene, &world.frame, &camera, &display, 211, 149, 100.0, 70.0);
+            world.pick(&mut renderer, &camera, &display, [211, 149], 100.0, 70.0);
         }
         for turn in 0..4 {
             assert!(world.draw(&mut renderer, &other, &display, size) == there, "{samples:?}, turn {turn}");
@@ -327,7 +332,7 @@ proptest! {
             let mut renderer = Renderer::new(Some(threads));
             if renderer.set_simd(simd) {
                 pictures.push(world.draw(&mut renderer, &camera, &display, [50, 40]));
-                renderer.pick(&world.scene, &world.frame, &camera, &display, 50, 40, 25.0, 20.0);
+                world.pick(&mut renderer, &camera, &display, [50, 40], 25.0, 20.0);
             }
         }
         for other in &pictures[1..] {
@@ -348,6 +353,6 @@ proptest! {
         let background = Background::Solid(0x112233);
         let pixels = world.draw(&mut Renderer::new(Some(1)), &camera, &Display { background, ..Display::default() }, [20, 15]);
         prop_assert_eq!(pixels.len(), 300);
-        Renderer::new(Some(1)).pick(&world.scene, &world.frame, &camera, &Display::default(), 20, 15, 10.0, 7.0);
+        world.pick(&mut Renderer::new(Some(1)), &camera, &Display::default(), [20, 15], 10.0, 7.0);
     }
 }

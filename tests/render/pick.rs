@@ -31,7 +31,7 @@ fn every_pixel_picks_what_it_shows() {
         let picture = world.draw(&mut renderer, &camera, &display, SIZE);
         for (i, pixel) in picture.iter().enumerate() {
             let (x, y) = ((i as u32 % SIZE[0]) as f32 + 0.5, (i as u32 / SIZE[0]) as f32 + 0.5);
-            let pick = renderer.pick(&world.scene, &world.frame, &camera, &display, SIZE[0], SIZE[1], x, y);
+            let pick = world.pick(&mut renderer, &camera, &display, SIZE, x, y);
             let shown = ((pixel >> 16 & 255) as f32 / 255.0 * 8.0).round() as u32;
             assert_eq!(pick.map_or(0, |pick| pick.node.0 + 1), shown, "at {distance}, pixel ({x}, {y})");
             let Some(pick) = pick else { continue };
@@ -58,9 +58,7 @@ fn bones_are_picked_where_they_show() {
     let mut renderer = Renderer::new(Some(1));
     let mut at = |display: &Display, point: Vec3| {
         let pixel = camera.project(point, Vec2::new(SIZE[0] as f32, SIZE[1] as f32)).expect("in front of the eye");
-        renderer
-            .pick(&world.scene, &world.frame, &camera, display, SIZE[0], SIZE[1], pixel.x, pixel.y)
-            .map(|pick| (pick.node, pick.surface))
+        world.pick(&mut renderer, &camera, display, SIZE, pixel.x, pixel.y).map(|pick| (pick.node, pick.surface))
     };
     let shown = Display { bones: true, ..Display::default() };
     assert_eq!(at(&shown, Vec3::new(0.4, 0.0, 0.0)), Some((joints[0], None)));
@@ -78,6 +76,6 @@ fn outside_the_picture_there_is_nothing() {
     let world = coloured();
     let mut renderer = Renderer::new(Some(1));
     for (x, y) in [(-0.1, 5.0), (80.0, 5.0), (5.0, 60.0), (f32::NAN, 5.0), (5.0, f32::INFINITY)] {
-        assert_eq!(renderer.pick(&world.scene, &world.frame, &camera_at(3.0), &plain(), 80, 60, x, y), None);
+        assert_eq!(world.pick(&mut renderer, &camera_at(3.0), &plain(), [80, 60], x, y), None);
     }
 }

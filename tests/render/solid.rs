@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use crate::render_support::plain;
 use glam::{DMat4, DVec3, Quat, Vec3};
 use sinew::document::{Document, PoseBuffers, PoseState};
-use sinew::render::{Background, Display, Renderer, Samples};
+use sinew::render::{Background, Display, RenderJob, Renderer, Samples};
 use sinew::scene::{Camera, Frame, Projection, Surface};
 
 const SIZE: [u32; 2] = [320, 240];
@@ -93,7 +93,8 @@ fn camera(frame: &Frame, yaw: f32, pitch: f32, distance: f32) -> Camera {
 fn both(renderer: &mut Renderer, posed: &WorldMesh, camera: &Camera, display: &Display) -> [Vec<u32>; 2] {
     let mut open = posed.frame.clone();
     open.surfaces.iter_mut().for_each(|surface| surface.solid = None);
-    [&posed.frame, &open].map(|frame| renderer.draw(&posed.document.scene, frame, camera, display, SIZE[0], SIZE[1]).pixels.clone())
+    let job = |frame| RenderJob { scene: &posed.document.scene, frame, camera, display, width: SIZE[0], height: SIZE[1] };
+    [&posed.frame, &open].map(|frame| renderer.draw(&job(frame)).expect("there is memory for the picture").pixels.clone())
 }
 
 #[test]

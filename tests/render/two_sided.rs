@@ -204,7 +204,7 @@ fn a_sheet_with_two_sides_shows_the_right_one_and_what_is_picked_is_what_is_seen
                 assert!(!lit.is_empty());
                 for at in lit.iter().step_by(97) {
                     let (x, y) = (*at as f32 % SIZE[0] as f32 + 0.5, (*at as u32 / SIZE[0]) as f32 + 0.5);
-                    if let Some(pick) = renderer.pick(&world.scene, &world.frame, &camera, &display, SIZE[0], SIZE[1], x, y) {
+                    if let Some(pick) = world.pick(&mut renderer, &camera, &display, SIZE, x, y) {
                         assert_eq!(pick.surface, Some(u32::from(!facing)), "round {round}, {side}");
                     }
                 }

@@ -7,7 +7,7 @@ pub(crate) mod reference;
 pub(crate) mod rng;
 
 use glam::{Quat, Vec3};
-use sinew::render::{Background, Display, Renderer, Samples};
+use sinew::render::{Background, Display, PickHit, PickJob, RenderJob, Renderer, Samples};
 use sinew::scene::{Camera, Frame, Projection, Scene};
 
 /// A scene with its frame.
@@ -18,9 +18,27 @@ pub(crate) struct World {
 }
 
 impl World {
+    /// The picture of this world.
+    pub(crate) fn job<'a>(&'a self, camera: &'a Camera, display: &'a Display, size: [u32; 2]) -> RenderJob<'a> {
+        RenderJob { scene: &self.scene, frame: &self.frame, camera, display, width: size[0], height: size[1] }
+    }
+
+    /// What lies under a pixel of it.
+    pub(crate) fn pick(
+        &self,
+        renderer: &mut Renderer,
+        camera: &Camera,
+        display: &Display,
+        size: [u32; 2],
+        x: f32,
+        y: f32,
+    ) -> Option<PickHit> {
+        renderer.pick(&PickJob { picture: self.job(camera, display, size), x, y }).expect("there is memory for picking")
+    }
+
     /// Draws into a fresh vector of pixels.
     pub(crate) fn draw(&self, renderer: &mut Renderer, camera: &Camera, display: &Display, size: [u32; 2]) -> Vec<u32> {
-        renderer.draw(&self.scene, &self.frame, camera, display, size[0], size[1]).pixels.clone()
+        renderer.draw(&self.job(camera, display, size)).expect("there is memory for the picture").pixels.clone()
     }
 }
 

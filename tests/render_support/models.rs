@@ -133,6 +133,7 @@ impl World {
         self.frame.bounds.merge(&bounds);
         let materials = vec![material; mesh.parts.len()].into();
         let mirrored = matrix.determinant() < 0.0;
+        let fibers = if muscle.is_some() { sinew::muscle::fibers(&mesh) } else { Arc::default() };
         let placement = SurfaceGeometry::Rigid(matrix);
         self.frame.surfaces.push(Surface {
             node,
@@ -142,6 +143,7 @@ impl World {
             mirrored,
             solid: None,
             muscle,
+            fibers,
             visible: true,
             content: 0,
             skin: false,
@@ -225,6 +227,7 @@ pub(crate) fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
         mirrored: false,
         solid: None,
         muscle: None,
+        fibers: Arc::default(),
         visible: true,
         content: 0,
         skin: false,

@@ -78,6 +78,7 @@ pub use edit::{Edit, EditError};
 pub use finding::{Finding, FoundAt, LinePoint, MomentArmAt};
 pub use joint_dof::rotation;
 pub use joint_dof::{FoundBy, JointDof, JointRotation};
+pub use materials::fibers;
 pub use measured_shapes::Pose;
 pub use muscle_rig::MuscleRig;
 pub use muscle_sample::MuscleSample;

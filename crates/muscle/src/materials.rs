@@ -1,13 +1,27 @@
 //! Materials of muscles, tendons and bones, in the colours of the palette.
 
-use sinew_scene::{BodyPart, Material, MaterialId, Paint, Scene, ShadingModel, Unnamed};
+use std::sync::Arc;
+
+use sinew_scene::{BodyPart, Fibers, Material, MaterialId, Mesh, Paint, Scene, ShadingModel, Unnamed};
 
 /// Flesh without a colour of its own, sRGB: #B8322E.
 pub(super) const FLESH: [u8; 3] = [0xB8, 0x32, 0x2E];
 /// Tendon, sRGB: #E8DFC8.
 pub(super) const TENDON: [u8; 3] = [0xE8, 0xDF, 0xC8];
+/// The symbol of the parts of a muscle's mesh that are tendons.
+pub(super) const TENDON_PART: &str = "tendon";
 /// Bone, sRGB: #E9E2D0.
 const BONE: [u8; 3] = [0xE9, 0xE2, 0xD0];
+
+/// How the parts of a muscle's mesh are drawn: flesh as fibres that pass into tendon at both ends, a tendon as fibres all along.
+pub fn fibers(mesh: &Mesh) -> Arc<[Fibers]> {
+    let number = |[red, green, blue]: [u8; 3]| u32::from_be_bytes([0, red, green, blue]);
+    let (flesh, tendon) = (number(FLESH), number(TENDON));
+    let of_part = |symbol: &str| {
+        if symbol == TENDON_PART { Fibers { color: tendon, ends: None } } else { Fibers { color: flesh, ends: Some(tendon) } }
+    };
+    mesh.parts.iter().map(|part| of_part(&part.symbol)).collect()
+}
 
 /// A new material for a muscle of this name, or at this place in its file where it has none.
 pub(super) fn muscle(scene: &mut Scene, name: &str, number: u32, color: Option<[u8; 3]>) -> MaterialId {

@@ -11,6 +11,7 @@ use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 use super::Solved;
 use super::Tendon;
 use super::centerline::{CrossSectionFrame, Cursor, Path};
+use super::materials::TENDON_PART;
 use sinew_scene::{Mesh, Part};
 
 /// Corners of a ring.
@@ -125,7 +126,7 @@ impl MuscleTopology {
                 }
             }
             mesh.parts.push(Part {
-                symbol: if tube == 0 { "muscle" } else { "tendon" }.to_owned(),
+                symbol: if tube == 0 { "muscle" } else { TENDON_PART }.to_owned(),
                 triangles: before..mesh.triangles.len() as u32,
                 lines: 0..0,
             });

@@ -5,16 +5,19 @@
 
 use std::time::Instant;
 
+use super::RenderError;
 use super::bin_lists::{BinLists, ColumnRange};
 use super::binning::BandLayout;
 use super::draw_data::{DrawCall, FrameData, WorkUnit};
+use super::frame_stages::TargetLayout;
 use super::line::{self, LinePass, LineSegments, LineTarget};
 use super::material_state::RenderPass;
+use super::memory::grow;
 use super::raster::{DrawRun, fill};
-use super::renderer::{Sorted, TargetLayout};
 use super::resolve::{SampleRows, copy_row, lay_over, resolve};
 use super::static_layer_cache::BandPixels;
 use super::tile_buffer::BandBuffer;
+use super::triangle_bins::Sorted;
 use sinew_simd::SimdLevel;
 
 /// Opacity of bones behind a surface, where they show through it.
@@ -47,21 +50,22 @@ pub(super) struct WorkerScratch {
 }
 
 impl WorkerScratch {
-    /// Makes room for any band of a picture.
-    pub(super) fn reserve(&mut self, job: &BandJob<'_>) {
+    /// Makes room for any band of a picture, so that drawing one asks for no memory.
+    pub(super) fn reserve(&mut self, job: &BandJob<'_>) -> Result<(), RenderError> {
         let TargetLayout { width, samples, bands: BandLayout { rows, .. }, .. } = *job.target;
         let bands = 0..job.target.bands.count;
         let any = |stage: LinePass| bands.clone().any(|band| !job.segments.is_empty(stage, band));
-        self.row.resize(width as usize, 0);
-        self.buffer.reserve(rows, width as usize, samples);
+        self.row.clear();
+        grow(&mut self.row, width as usize)?;
+        self.buffer.reserve(rows, width as usize, samples)?;
         if any(LinePass::Under) {
-            self.static_layer.reserve(rows, width as usize, 1);
+            self.static_layer.reserve(rows, width as usize, 1)?;
         }
         if any(LinePass::Overlay) || job.units.iter().any(|unit| job.is_overlay(unit)) {
-            self.overlay.reserve(rows, width as usize, samples);
+            self.overlay.reserve(rows, width as usize, samples)?;
         }
         self.entries.clear();
-        self.entries.reserve(job.units.iter().map(|unit| unit.bins.max_len()).max().unwrap_or(0));
+        Ok(self.entries.try_reserve(job.units.iter().map(|unit| unit.bins.max_len()).max().unwrap_or(0))?)
     }
 }
 

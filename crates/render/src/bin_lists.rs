@@ -1,5 +1,7 @@
 //! Lists of what touches each band, in the order in which it was given, and the columns that it touches there.
 
+use super::memory::push;
+
 /// Numbers in a block; with its head a block fills four cache lines.
 const BLOCK: usize = 62;
 
@@ -35,31 +37,43 @@ impl ColumnRange {
 }
 
 /// One list a band. Blocks are taken from one arena that is kept from frame to frame.
+///
+/// Where there is no memory for a value it is left out and the lists are incomplete from then on, which the stage that fills them asks once at its end.
 #[derive(Debug, Default)]
 pub(super) struct BinLists {
     heads: Vec<u32>,
     tails: Vec<u32>,
     columns: Vec<ColumnRange>,
     blocks: Vec<BinBlock>,
+    incomplete: bool,
 }
 
 impl BinLists {
     /// Empties all and makes room for `bands` lists.
     pub(super) fn reset(&mut self, bands: usize) {
         self.heads.clear();
-        self.heads.resize(bands, NONE);
         self.tails.clear();
-        self.tails.resize(bands, NONE);
         self.columns.clear();
-        self.columns.resize(bands, ColumnRange::NONE);
         self.blocks.clear();
+        let room = [self.heads.try_reserve(bands), self.tails.try_reserve(bands), self.columns.try_reserve(bands)];
+        self.incomplete = room.iter().any(Result::is_err);
+        if !self.incomplete {
+            self.heads.resize(bands, NONE);
+            self.tails.resize(bands, NONE);
+            self.columns.resize(bands, ColumnRange::NONE);
+        }
+    }
+
+    /// Whether values were left out since the last [`BinLists::reset`].
+    pub(super) fn is_incomplete(&self) -> bool {
+        self.incomplete
     }
 
     /// Adds `value`, which touches these columns, to the list of `band`.
     #[inline(always)]
     pub(super) fn push(&mut self, band: usize, columns: ColumnRange, value: u32) {
-        self.columns[band] = self.columns[band].union(columns);
-        let tail = self.tails[band];
+        let (Some(touched), Some(&tail)) = (self.columns.get_mut(band), self.tails.get(band)) else { return };
+        *touched = touched.union(columns);
         if let Some(block) = self.blocks.get_mut(tail as usize)
             && let Some(slot) = block.values.get_mut(block.len as usize)
         {
@@ -75,7 +89,10 @@ impl BinLists {
         let index = u32::try_from(self.blocks.len()).unwrap_or(NONE);
         let mut values = [0; BLOCK];
         values[0] = value;
-        self.blocks.push(BinBlock { next: NONE, len: 1, values });
+        if push(&mut self.blocks, BinBlock { next: NONE, len: 1, values }).is_err() {
+            self.incomplete = true;
+            return;
+        }
         match self.blocks.get_mut(self.tails[band] as usize) {
             Some(tail) => tail.next = index,
             None => self.heads[band] = index,

@@ -3,6 +3,7 @@
 use super::bin_lists::{BinLists, ColumnRange};
 use super::clip::clip;
 use super::draw_data::{CLIPPED_FLAG, DrawCall, FrameData, WorkUnit};
+use super::memory::push;
 use super::projection::{BAD, ScreenVertex};
 use super::setup::{Rect, area};
 
@@ -32,6 +33,7 @@ pub(super) fn bin(frame_data: &FrameData<'_>, bands: &BandLayout, unit: &mut Wor
     unit.bins.reset(bands.count);
     unit.clipped.clear();
     unit.blended.clear();
+    unit.incomplete = false;
     let mut number = unit.range.start;
     while number < unit.range.end {
         let Some(item) = frame_data.draw_call_of(number) else { break };
@@ -39,6 +41,7 @@ pub(super) fn bin(frame_data: &FrameData<'_>, bands: &BandLayout, unit: &mut Wor
         bin_draw_call(frame_data, bands, unit, item, number..end);
         number = end;
     }
+    unit.incomplete |= unit.bins.is_incomplete();
 }
 
 fn bin_draw_call(frame_data: &FrameData<'_>, bands: &BandLayout, unit: &mut WorkUnit, item: &DrawCall, numbers: std::ops::Range<u32>) {
@@ -69,7 +72,10 @@ fn bin_draw_call(frame_data: &FrameData<'_>, bands: &BandLayout, unit: &mut Work
         clip(&frame_data.view, corners, &screen, number, |piece| {
             if let Some(rect) = keep(t, &piece.screen) {
                 let entry = CLIPPED_FLAG | unit.clipped.len() as u32;
-                unit.clipped.push(piece);
+                if push(&mut unit.clipped, piece).is_err() {
+                    unit.incomplete = true;
+                    return;
+                }
                 push_triangle(unit, bands, item, &rect, &piece.screen, entry);
             }
         });
@@ -79,7 +85,7 @@ fn bin_draw_call(frame_data: &FrameData<'_>, bands: &BandLayout, unit: &mut Work
 #[inline(always)]
 fn push_triangle(unit: &mut WorkUnit, bands: &BandLayout, item: &DrawCall, rect: &Rect, screen: &[ScreenVertex; 3], entry: u32) {
     if item.is_blended() {
-        unit.blended.push((screen[0].q + screen[1].q + screen[2].q, entry));
+        unit.incomplete |= push(&mut unit.blended, (screen[0].q + screen[1].q + screen[2].q, entry)).is_err();
     } else {
         bands.push_to_bands(&mut unit.bins, rect, entry);
     }

@@ -2,11 +2,11 @@
 
 use glam::{Vec3, Vec4};
 
-use super::Display;
 use super::debug_lines::LineBuilder;
 use super::draw_data::GeneratedMesh;
 use super::draw_list::rgb;
 use super::line::{LinePass, LineStyle};
+use super::{Display, RenderError};
 use sinew_scene::{Frame, NodeId, Scene};
 
 /// Triangles of an octahedron.
@@ -67,15 +67,21 @@ pub(super) fn color(display: &Display, node: NodeId) -> [f32; 3] {
 
 impl GeneratedMesh {
     /// Makes the octahedra of all bones.
-    pub(super) fn bones(&mut self, scene: &Scene, frame: &Frame, display: &Display) {
+    pub(super) fn bones(&mut self, scene: &Scene, frame: &Frame, display: &Display) -> Result<(), RenderError> {
         self.positions.clear();
         self.normals.clear();
         self.colors.clear();
         self.triangles.clear();
+        let faces = bones(scene, frame).count() * FACES;
+        self.positions.try_reserve(faces * 3)?;
+        self.normals.try_reserve(faces * 3)?;
+        self.colors.try_reserve(faces * 3)?;
+        self.triangles.try_reserve(faces)?;
         for bone in bones(scene, frame) {
             let paint = color(display, bone.owner);
             self.octahedron(frame, &bone, Vec4::new(paint[0], paint[1], paint[2], 1.0));
         }
+        Ok(())
     }
 
     fn octahedron(&mut self, frame: &Frame, bone: &Bone, paint: Vec4) {

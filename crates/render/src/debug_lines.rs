@@ -85,7 +85,7 @@ impl LineBuilder<'_> {
     fn normals(&mut self, frame: &Frame, length: f32) {
         let line_style = self.line_style(rgb(self.display.palette.axes[2]), 0.9, 1.0);
         for surface in frame.surfaces.iter().filter(|surface| surface.visible && surface.ghost.is_none()) {
-            if !(if surface.muscle.is_some() { self.display.muscle } else { self.display.mesh }) {
+            if !(if surface.is_fibrous() { self.display.muscle } else { self.display.mesh }) {
                 continue;
             }
             let mut one = |p: Vec3, n: Vec3| self.line(p, p + n.normalize_or_zero() * length, &line_style);

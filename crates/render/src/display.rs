@@ -98,9 +98,9 @@ pub struct Display {
     pub samples: Samples,
     /// Meshes of files.
     pub mesh: bool,
-    /// Muscles.
+    /// Surfaces of fibres: muscles.
     pub muscle: bool,
-    /// Meshes let the muscles beneath them be seen.
+    /// Skins let the fibres beneath them be seen.
     pub see_through: bool,
     /// Materials and textures; without, everything has the neutral skin colour.
     pub materials: bool,

@@ -37,7 +37,7 @@ pub(super) struct DrawCall {
     pub cull: bool,
     /// For each triangle of its mesh whether another one of the opposite winding lies on it, which is seen from the other side in its stead; `None` where
     /// none does. See [`sinew_scene::backed_triangles`].
-    pub backed_triangles: Option<Arc<[bool]>>,
+    pub backed_triangles: Option<Arc<Vec<bool>>>,
     /// Its vertices in the flat arrays.
     pub vertices: Range<usize>,
     /// See [`VertexSource::first`] and [`VertexSource::expanded`].
@@ -89,6 +89,8 @@ pub(super) struct WorkUnit {
     pub clipped: Vec<Clipped>,
     /// Blended triangles with their nearness, not yet in bins.
     pub blended: Vec<(f32, u32)>,
+    /// Whether there was no memory for some of it.
+    pub incomplete: bool,
 }
 
 /// Marks an entry that stands for a cut piece.

@@ -1,34 +1,36 @@
 //! Builds the list of draw calls from the scene, the frame and the display options, in drawing order.
 
-use std::sync::{Arc, Weak};
+use std::sync::Arc;
 
-use glam::{Affine2, Vec3};
+use glam::{Vec3, Vec4};
 use rustc_hash::FxHashSet;
 
-use super::binning::BandLayout;
-use super::debug_lines::LineBuilder;
-use super::draw_data::{DrawCall, GeometrySource};
-use super::edges::Edge;
-use super::light::Specular;
-use super::line::{LinePass, LineStyle};
-use super::material_state::{Normals, RenderPass, ResolvedMaterial, ShaderKind, VertexOutput};
+use super::draw_data::{CLIPPED_FLAG, DrawCall, FrameData, GeneratedMesh, GeometrySource};
+use super::frame_stages::TargetLayout;
+use super::light::Lights;
+use super::material_state::{RenderPass, ResolvedMaterial};
+use super::memory::push;
+use super::mesh_cache::MeshCaches;
 use super::projection::ViewTransform;
-use super::renderer::Buffers;
-use super::texture::{Alpha, TextureCache, TextureSampler};
-use super::{Display, Shading};
-use sinew_scene::{
-    AlphaSource, Bounds, Frame, Ghost, Material, MaterialBinding, Mesh, Scene, ShadingModel, Surface, SurfaceGeometry, TextureRef,
-    backed_triangles,
-};
+use super::resolve_material::{SurfacePart, resolve_material};
+use super::texture::TextureCache;
+use super::vertex_arrays::VertexArrays;
+use super::weight_colormap::append_weight_colors;
+use super::{Display, RenderError, RenderJob};
+use sinew_scene::{Bounds, Frame, Surface, SurfaceGeometry};
 
-/// What was found out about meshes, kept from frame to frame.
+/// What is drawn in a frame, in drawing order, with what it is made from.
 #[derive(Debug, Default)]
-pub(super) struct DrawListBuilder {
-    mesh_caches: Vec<MeshCache>,
-    /// Items by layer before they are put in order.
-    pending: Vec<DrawCall>,
+pub(super) struct DrawList {
+    pub draw_calls: Vec<DrawCall>,
+    pub bones: GeneratedMesh,
+    pub weight_colors: Vec<Vec4>,
+    pub meshes: MeshCaches,
     /// Which triangles of a surface face the camera, while its outline is drawn.
-    facing: Vec<bool>,
+    pub facing: Vec<bool>,
+    textures: TextureCache,
+    /// Draw calls before they are put in order.
+    pending: Vec<DrawCall>,
     /// Opaque parts of shared meshes that are drawn in this frame: one more in the very same place would change no pixel.
     drawn_keys: FxHashSet<DuplicateKey>,
 }
@@ -47,55 +49,13 @@ impl DuplicateKey {
     fn of(surface: &Surface, part: usize, material: &ResolvedMaterial) -> Option<Self> {
         let SurfaceGeometry::Rigid(matrix) = &surface.geometry else { return None };
         // The scene holds each mesh once, the frame once for each of its surfaces.
-        let shared = Arc::strong_count(&surface.mesh) > 2 && surface.ghost.is_none() && surface.muscle.is_none();
+        let shared = Arc::strong_count(&surface.mesh) > 2 && surface.ghost.is_none() && !surface.is_fibrous();
         (shared && material.pass == RenderPass::Opaque && material.mark_share == 0.0).then(|| Self {
             mesh: Arc::as_ptr(&surface.mesh) as usize,
             part,
             materials: surface.materials.as_ptr() as usize,
             matrix: matrix.to_cols_array().map(f32::to_bits),
         })
-    }
-}
-
-/// Facts about one mesh.
-#[derive(Debug)]
-struct MeshCache {
-    /// Keeps the address from being given to another mesh.
-    mesh: Weak<Mesh>,
-    /// For each part the mesh vertices it uses: first and one past the last.
-    ranges: Vec<(u32, u32)>,
-    edges: Option<Vec<Edge>>,
-    /// See [`DrawCall::backed_triangles`], for the whole mesh; found when it is first drawn.
-    backed: Option<Option<Arc<[bool]>>>,
-}
-
-impl DrawListBuilder {
-    /// The facts about a mesh, found when first asked for: an index in `known`.
-    fn mesh_cache(&mut self, mesh: &Arc<Mesh>) -> usize {
-        let known = self.mesh_caches.iter().position(|mesh_cache| std::ptr::eq(mesh_cache.mesh.as_ptr(), Arc::as_ptr(mesh)));
-        known.unwrap_or_else(|| {
-            self.mesh_caches.retain(|mesh_cache| mesh_cache.mesh.strong_count() > 0);
-            let range = |part: &sinew_scene::Part| {
-                let triangles = mesh.triangles.get(part.triangles.start as usize..part.triangles.end as usize).unwrap_or(&[]);
-                let corners = || triangles.iter().flatten().copied().filter(|v| (*v as usize) < mesh.positions.len());
-                (corners().min().unwrap_or(0), corners().max().map_or(0, |v| v + 1))
-            };
-            self.mesh_caches.push(MeshCache {
-                mesh: Arc::downgrade(mesh),
-                ranges: mesh.parts.iter().map(range).collect(),
-                edges: None,
-                backed: None,
-            });
-            self.mesh_caches.len() - 1
-        })
-    }
-}
-
-impl MeshCache {
-    /// Which triangles lie on others of the opposite winding; `None` where none does.
-    fn backed(&mut self, mesh: &Mesh) -> Option<Arc<[bool]>> {
-        let find = || Some(backed_triangles(mesh)).filter(|backed| !backed.is_empty()).map(Arc::from);
-        self.backed.get_or_insert_with(find).clone()
     }
 }
 
@@ -115,28 +75,64 @@ pub(super) fn rgb(color: u32) -> [f32; 3] {
     [16, 8, 0].map(|shift| (color >> shift & 255) as f32 / 255.0)
 }
 
-impl Buffers {
-    /// Makes the list of items and numbers their vertices and triangles.
+impl DrawList {
+    /// Makes the list of the triangles that are to be drawn, or with `picking` that can be picked.
     pub(super) fn build(
         &mut self,
-        cache: &mut TextureCache,
-        (scene, frame): (&Scene, &Frame),
-        view: &ViewTransform,
-        display: &Display,
-        without_ghosts: bool,
-    ) {
-        let mut pending = std::mem::take(&mut self.collector.pending);
-        pending.clear();
+        job: &RenderJob<'_>,
+        layout: &TargetLayout,
+        picking: bool,
+    ) -> Result<(ViewTransform, Lights), RenderError> {
+        let view = ViewTransform::new(job.camera, layout.width, layout.height);
+        // Without a camera nothing is drawn but the background.
+        let seen = view.is_some();
+        let view = view.unwrap_or_else(ViewTransform::degenerate);
+        let position = light_position(job.frame, &view, job.display);
+        self.draw_calls.clear();
+        if seen {
+            self.textures.begin();
+            self.collect(job, &view, picking)?;
+            self.number();
+        }
+        Ok((view, Lights::new(position, job.display.ambient, &view)))
+    }
+
+    /// What the stages after the vertex stage read.
+    pub(super) fn frame_data<'a>(
+        &'a self,
+        vertices: &'a VertexArrays,
+        frame: &'a Frame,
+        view: ViewTransform,
+        lights: Lights,
+    ) -> FrameData<'a> {
+        FrameData {
+            view,
+            lights,
+            frame,
+            bones: &self.bones,
+            draw_calls: &self.draw_calls,
+            textures: self.textures.textures(),
+            weight_colors: &self.weight_colors,
+            screen: &vertices.screen,
+            front: &vertices.front,
+            back: &vertices.back,
+        }
+    }
+
+    /// Makes the list of draw calls, by pass.
+    fn collect(&mut self, job: &RenderJob<'_>, view: &ViewTransform, without_ghosts: bool) -> Result<(), RenderError> {
+        let RenderJob { scene, frame, display, .. } = *job;
+        self.pending.clear();
         self.weight_colors.clear();
-        self.collector.drawn_keys.clear();
+        self.drawn_keys.clear();
         for (index, surface) in frame.surfaces.iter().enumerate() {
             if is_shown(display, surface) && !(without_ghosts && surface.ghost.is_some()) {
-                self.surface(&mut pending, cache, (scene, frame), view, display, index as u32, surface);
+                self.surface(job, view, index as u32, surface)?;
             }
         }
         if display.bones {
-            self.bones.bones(scene, frame, display);
-            pending.push(DrawCall {
+            self.bones.bones(scene, frame, display)?;
+            let bones = DrawCall {
                 source: GeometrySource::Bones,
                 material: ResolvedMaterial {
                     pass: RenderPass::Overlay,
@@ -151,101 +147,42 @@ impl Buffers {
                 triangles: 0..self.bones.triangles.len() as u32,
                 backed_triangles: None,
                 weight_colors: None,
-            });
+            };
+            push(&mut self.pending, bones)?;
         }
-        self.items.clear();
+        self.draw_calls.try_reserve(self.pending.len())?;
         for layer in [RenderPass::Opaque, RenderPass::Blended, RenderPass::Overlay] {
             let of_layer = |item: &&DrawCall| item.material.pass == layer && !item.triangles.is_empty();
-            self.items.extend(pending.iter().filter(of_layer).cloned());
+            self.draw_calls.extend(self.pending.iter().filter(of_layer).cloned());
         }
+        Ok(())
+    }
+
+    /// Numbers the vertices and triangles of the draw calls through the picture.
+    fn number(&mut self) {
         let (mut vertices, mut triangles) = (0usize, 0u32);
         let mut fitting = 0;
-        for item in &mut self.items {
+        for item in &mut self.draw_calls {
             let (count, after) = (item.triangles.len() as u32, triangles);
             // Beyond this the numbers do not fit in their 31 bits.
-            let Some(end) = after.checked_add(count).filter(|end| *end < super::draw_data::CLIPPED_FLAG) else { break };
+            let Some(end) = after.checked_add(count).filter(|end| *end < CLIPPED_FLAG) else { break };
             item.triangles = after..end;
             item.vertices = vertices..vertices + item.vertices.len();
             (vertices, triangles) = (item.vertices.end, end);
             fitting += 1;
         }
-        self.items.truncate(fitting);
-        self.collector.pending = pending;
+        self.draw_calls.truncate(fitting);
     }
 
-    /// Makes all lines; those of the ground only where they are not the same as before.
-    pub(super) fn add_lines(
-        &mut self,
-        scene: &Scene,
-        frame: &Frame,
-        view: &ViewTransform,
-        bands: &BandLayout,
-        display: &Display,
-        light: Vec3,
-    ) {
-        let mut segments = std::mem::take(&mut self.segments);
-        segments.reset(LinePass::Over, bands);
-        segments.reset(LinePass::Overlay, bands);
-        let mut builder = LineBuilder { view, bands, display, segments: &mut segments };
-        if self.ground.is_new() {
-            builder.segments.reset(LinePass::Under, bands);
-            if display.grid {
-                builder.grid(&display.ground.unwrap_or(frame.bounds));
-            }
-        }
-        builder.helpers(frame, light);
-        for surface in frame.surfaces.iter().filter(|surface| is_shown(display, surface)) {
-            let selected = display.selected == Some(surface.node) && surface.ghost.is_none();
-            let wireframe = display.wireframe && surface.ghost.is_none_or(|ghost| ghost.opacity >= 1.0);
-            if wireframe || selected {
-                let index = self.collector.mesh_cache(&surface.mesh);
-                let mesh_cache = &mut self.collector.mesh_caches[index];
-                let edges = mesh_cache.edges.get_or_insert_with(|| super::edges::find(&surface.mesh));
-                if wireframe {
-                    builder.wireframe(surface, edges);
-                }
-                if selected {
-                    builder.outline(surface, edges, display.palette.selected, &mut self.collector.facing);
-                }
-            }
-            // A muscle's own lines are the rings of its nodes, of interest while it is selected.
-            if surface.muscle.is_none() || selected {
-                let color = match surface.ghost {
-                    Some(ghost) => ghost.tint.to_array(),
-                    None if selected => rgb(display.palette.selected),
-                    None => default_color(frame, display, surface),
-                };
-                builder.mesh_lines(surface, color);
-            }
-        }
-        if display.bones || display.bone_axes {
-            builder.joints(scene, frame);
-        }
-        builder.selected_bones(scene, frame);
-        for mark in &frame.overlay_lines {
-            let line_style = builder.line_style(mark.color.to_array(), mark.opacity, mark.width);
-            builder.line(mark.from, mark.to, &LineStyle { pass: LinePass::Overlay, ..line_style });
-        }
-        self.segments = segments;
-    }
-
-    #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
-    fn surface(
-        &mut self,
-        pending: &mut Vec<DrawCall>,
-        cache: &mut TextureCache,
-        (scene, frame): (&Scene, &Frame),
-        view: &ViewTransform,
-        display: &Display,
-        index: u32,
-        surface: &Surface,
-    ) {
+    /// Makes the draw calls of a surface, one a part.
+    fn surface(&mut self, job: &RenderJob<'_>, view: &ViewTransform, index: u32, surface: &Surface) -> Result<(), RenderError> {
+        let RenderJob { scene, frame, display, .. } = *job;
         let mesh = &surface.mesh;
-        let weight_colors = display.weights.filter(|_| surface.muscle.is_none() && surface.ghost.is_none()).map(|joint| {
-            let from = self.weight_colors.len();
-            super::weight_colormap::append_weight_colors(scene, surface, joint, &mut self.weight_colors);
-            from
-        });
+        let mut weight_colors = None;
+        if let Some(joint) = display.weights.filter(|_| !surface.is_fibrous() && surface.ghost.is_none()) {
+            weight_colors = Some(self.weight_colors.len());
+            append_weight_colors(scene, surface, joint, &mut self.weight_colors)?;
+        }
         for part in 0..mesh.parts.len() {
             let triangles = mesh.parts[part].triangles.clone();
             if triangles.is_empty() || triangles.end as usize > mesh.triangles.len() {
@@ -254,7 +191,7 @@ impl Buffers {
             let binding = surface.materials.get(part).and_then(Option::as_ref);
             let foreign = surface.ghost.is_some_and(|ghost| !ghost.materials);
             let material = binding.filter(|_| !foreign).and_then(|binding| frame.materials.get(binding.material.index()));
-            let mut resolved = resolve_material(cache, scene, display, surface, part, material, binding);
+            let mut resolved = resolve_material(&mut self.textures, &SurfacePart { scene, display, surface, part, material, binding })?;
             let is_see_through = is_see_through(display, surface) && resolved.pass == RenderPass::Opaque;
             if is_see_through {
                 (resolved.opacity, resolved.pass) = (SEE_THROUGH_OPACITY, RenderPass::Blended);
@@ -266,18 +203,19 @@ impl Buffers {
             }
             if weight_colors.is_none()
                 && let Some(spot) = DuplicateKey::of(surface, part, &resolved)
-                && !self.collector.drawn_keys.insert(spot)
             {
-                continue;
+                self.drawn_keys.try_reserve(1)?;
+                if !self.drawn_keys.insert(spot) {
+                    continue;
+                }
             }
-            let mesh_cache = self.collector.mesh_cache(mesh);
-            let mesh_cache = &mut self.collector.mesh_caches[mesh_cache];
+            let mesh_cache = self.meshes.of(mesh)?;
             let (first, end) = mesh_cache.ranges[part];
-            // A muscle has no second surface, and its mesh is another one with every edit.
-            let backed = if surface.muscle.is_none() { mesh_cache.backed(mesh) } else { None };
+            // A surface of fibres has no second one on its back, and while it is edited its mesh is another one in each frame.
+            let backed = if surface.is_fibrous() { None } else { mesh_cache.backed(mesh)? };
             let expanded = (end.saturating_sub(first)) as usize > triangles.len() * 3;
             let count = if expanded { triangles.len() * 3 } else { end.saturating_sub(first) as usize };
-            pending.push(DrawCall {
+            let draw_call = DrawCall {
                 // The far side of a ghost, or of a skin that is seen through, would only cloud the near one.
                 cull: hides
                     || ((display.cull_back_faces || is_see_through || surface.ghost.is_some_and(|ghost| ghost.opacity < 1.0))
@@ -291,14 +229,16 @@ impl Buffers {
                 backed_triangles: backed,
                 weight_colors,
                 material: resolved,
-            });
+            };
+            push(&mut self.pending, draw_call)?;
         }
+        Ok(())
     }
 }
 
 /// Whether a surface is drawn at all.
 pub(super) fn is_shown(display: &Display, surface: &Surface) -> bool {
-    surface.visible && if surface.muscle.is_some() { display.muscle } else { display.mesh }
+    surface.visible && if surface.is_fibrous() { display.muscle } else { display.mesh }
 }
 
 /// Whether back faces of an opaque surface cannot be seen anyway: it is solid, and all of it lies in front of the camera.
@@ -309,147 +249,7 @@ fn hides_inside(view: &ViewTransform, surface: &Surface, display: &Display) -> b
 /// How much of a skin that is seen through is seen itself.
 const SEE_THROUGH_OPACITY: f32 = 0.38;
 
-/// Whether a surface lets the muscles beneath it be seen.
+/// Whether a surface lets the fibres beneath it be seen.
 fn is_see_through(display: &Display, surface: &Surface) -> bool {
     surface.skin && display.see_through && display.muscle && display.weights.is_none() && surface.ghost.is_none()
-}
-
-/// The colour of the lines that a mesh brings along: its material's.
-fn default_color(frame: &Frame, display: &Display, surface: &Surface) -> [f32; 3] {
-    let material = surface.materials.iter().flatten().next().and_then(|binding| frame.materials.get(binding.material.index()));
-    let neutral = Material::default();
-    material.filter(|_| display.materials).unwrap_or(&neutral).diffuse.color.to_array()
-}
-
-/// How a part of a surface is drawn.
-#[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
-fn resolve_material(
-    cache: &mut TextureCache,
-    scene: &Scene,
-    display: &Display,
-    surface: &Surface,
-    part: usize,
-    material: Option<&Material>,
-    binding: Option<&MaterialBinding>,
-) -> ResolvedMaterial {
-    let neutral = Material::default();
-    let heated = display.weights.is_some() && surface.muscle.is_none() && surface.ghost.is_none();
-    let colored = display.materials && !heated && surface.ghost.is_none_or(|ghost| ghost.materials);
-    let tinted = colored && !surface.mesh.colors.is_empty();
-    // Colours of vertices stand for a material where none is bound; they multiply white.
-    let white = heated || (tinted && material.is_none());
-    let material = material.filter(|_| colored).unwrap_or(&neutral);
-    let mut resolved = ResolvedMaterial {
-        albedo: if white { [1.0; 3] } else { material.diffuse.color.to_array() },
-        opacity: if material.opacity.is_finite() { material.opacity.clamp(0.0, 1.0) } else { 1.0 },
-        emission: material.emission.color.to_array(),
-        mirrored: surface.mirrored,
-        tinted: heated || tinted,
-        depth_test: display.depth_test,
-        both_sides: !display.cull_back_faces || material.double_sided || surface.mesh.double_sided,
-        ..ResolvedMaterial::default()
-    };
-    if colored {
-        let mut sampler = |texture: &TextureRef, alpha: Alpha| {
-            let set = binding.map_or(0, |binding| binding.uv_set(texture));
-            let pixels = scene.images.get(texture.image.index())?.pixels.as_ref()?;
-            surface.mesh.uv_sets.get(set as usize)?;
-            let wrap = [texture.wrap_s, texture.wrap_t];
-            let uv_transform = texture.transform.map(|uv_transform| uv_transform.matrix()).filter(Affine2::is_finite);
-            Some(TextureSampler { uv_transform, texture: cache.get(pixels, alpha, wrap), wrap, uv_set: set })
-        };
-        resolved.diffuse = material.diffuse.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
-        let cutout = |(texture, source): &(TextureRef, AlphaSource)| sampler(texture, Alpha::From(*source));
-        resolved.cutout = material.opacity_texture.as_ref().and_then(cutout);
-        resolved.cutout_share =
-            if material.opacity_texture_share.is_finite() { material.opacity_texture_share.clamp(0.0, 1.0) } else { 1.0 };
-        resolved.emission_texture = material.emission.texture.as_ref().and_then(|texture| sampler(texture, Alpha::Solid));
-        let shiny = matches!(material.model, ShadingModel::Phong | ShadingModel::Blinn) && material.specular.color.max_element() > 0.0;
-        if shiny {
-            resolved.specular = material.specular.color.clamp(Vec3::ZERO, Vec3::ONE).to_array();
-            resolved.highlight =
-                Specular { exponent: material.shininess.clamp(1.0, 1000.0), mirrored: material.model == ShadingModel::Phong };
-        }
-        resolved.unlit = material.model == ShadingModel::Constant;
-        if resolved.unlit && resolved.emission.iter().any(|e| *e > 0.0) {
-            resolved.albedo = [0.0; 3];
-        }
-        if surface.muscle.is_some() {
-            apply_muscle_material(&mut resolved, cache, display, surface, part, material, &neutral);
-        }
-    }
-    match surface.ghost {
-        Some(ghost) => apply_ghost(&mut resolved, &ghost),
-        None => apply_selection(&mut resolved, display, surface),
-    }
-    let textured = resolved.diffuse.is_some() || resolved.cutout.is_some() || resolved.emission_texture.is_some();
-    resolved.pass = if resolved.opacity < 1.0 || resolved.cutout.is_some() { RenderPass::Blended } else { RenderPass::Opaque };
-    resolved.normals = match (display.shading, display.smooth_normals) {
-        (Shading::Flat, _) => Normals::Flat,
-        (_, false) => Normals::Face,
-        _ => Normals::Smooth,
-    };
-    (resolved.shader, resolved.vertex_output) = match (display.shading, textured) {
-        (Shading::Phong, false) => (ShaderKind::Phong, VertexOutput::Geometry),
-        (Shading::Phong, true) => (ShaderKind::PhongTextured, VertexOutput::Geometry),
-        (_, false) => (ShaderKind::Gouraud, VertexOutput::Color),
-        (_, true) => (ShaderKind::Textured, VertexOutput::Light),
-    };
-    if resolved.normals != Normals::Smooth {
-        resolved.vertex_output = VertexOutput::Geometry;
-    }
-    resolved
-}
-
-/// Replaces a muscle's plain colour by the fibre texture, with a soft highlight; flat shading has none.
-#[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
-fn apply_muscle_material(
-    resolved: &mut ResolvedMaterial,
-    cache: &mut TextureCache,
-    display: &Display,
-    surface: &Surface,
-    part: usize,
-    material: &Material,
-    neutral: &Material,
-) {
-    let tendon = surface.mesh.parts.get(part).is_some_and(|part| part.symbol == "tendon");
-    if std::ptr::eq(material, neutral) {
-        // `#B8322E` and, for a tendon, `#E8DFC8`.
-        resolved.albedo = rgb(if tendon { 0xE8DFC8 } else { 0xB8322E });
-    }
-    if resolved.highlight.exponent == 0.0 {
-        resolved.specular = [0.28; 3];
-        resolved.highlight = Specular { exponent: 26.0, mirrored: false };
-    }
-    if display.shading == Shading::Flat || surface.mesh.uv_sets.is_empty() || resolved.diffuse.is_some() {
-        return;
-    }
-    let color = resolved.albedo.map(|c| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8);
-    let texture = cache.muscle(color, !tendon);
-    resolved.diffuse = Some(TextureSampler { uv_transform: None, texture, wrap: super::muscle_texture::WRAP, uv_set: 0 });
-    // The fibres bring their own colour.
-    resolved.albedo = [1.0; 3];
-    resolved.tinted = false;
-}
-
-/// Applies tint, opacity and depth offset of a secondary pose.
-fn apply_ghost(material: &mut ResolvedMaterial, ghost: &Ghost) {
-    let within = |share: f32| if share.is_finite() { share.clamp(0.0, 1.0) } else { 1.0 };
-    (material.mark, material.mark_share) = (ghost.tint.to_array(), within(ghost.tint_share));
-    material.opacity *= within(ghost.opacity);
-    material.depth_offset = if ghost.depth_offset.is_finite() { ghost.depth_offset.clamp(0.0, 100.0) } else { 0.0 };
-}
-
-/// Tints what is selected or under the pointer.
-fn apply_selection(material: &mut ResolvedMaterial, display: &Display, surface: &Surface) {
-    let found = if display.selected == Some(surface.node) {
-        Some((display.palette.selected, 0.14))
-    } else if display.hovered == Some(surface.node) {
-        Some((display.palette.hovered, 0.10))
-    } else {
-        None
-    };
-    if let Some((color, share)) = found {
-        (material.mark, material.mark_share) = (rgb(color), share);
-    }
 }

@@ -8,6 +8,7 @@ use glam::Vec3;
 use super::bin_lists::{BinLists, ColumnRange};
 use super::binning::BandLayout;
 use super::clip::clip_line;
+use super::memory::push;
 use super::projection::ViewTransform;
 use super::setup::Rect;
 use super::tile_buffer::BandBuffer;
@@ -70,9 +71,15 @@ struct LineSegment {
 pub(super) struct LineSegments {
     all: [Vec<LineSegment>; 3],
     bins: [BinLists; 3],
+    incomplete: bool,
 }
 
 impl LineSegments {
+    /// Whether there was no memory for some segments.
+    pub(super) fn is_incomplete(&self) -> bool {
+        self.incomplete || self.bins.iter().any(BinLists::is_incomplete)
+    }
+
     /// Removes the segments of a pass.
     pub(super) fn reset(&mut self, pass: LinePass, bands: &BandLayout) {
         self.all[pass as usize].clear();
@@ -128,7 +135,7 @@ impl LineSegments {
         if visible && !rect.is_empty() && (segment.alpha[0] > 0.0 || segment.alpha[1] > 0.0) {
             let all = &mut self.all[line_style.pass as usize];
             bands.push_to_bands(&mut self.bins[line_style.pass as usize], &rect, all.len() as u32);
-            all.push(segment);
+            self.incomplete |= push(all, segment).is_err();
         }
     }
 }

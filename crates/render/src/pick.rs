@@ -5,13 +5,13 @@ use glam::{DVec3, Vec3};
 use super::bones::{DEPTH_BIAS, DOT_RADIUS, FACES, bones};
 use super::clip::clip;
 use super::draw_data::{DrawCall, FrameData, GeometrySource};
+use super::frame_stages::{Buffers, TargetLayout};
 use super::material_state::RenderPass;
 use super::pool::Pool;
 use super::projection::{BAD, ScreenVertex};
-use super::renderer::{Buffers, TargetLayout};
 use super::setup::{AttributePlanes, Edges, Rect, area};
-use super::{Display, PickHit};
-use sinew_scene::{Camera, Frame, NodeId, Scene};
+use super::{Display, PickHit, PickJob, RenderError, RenderJob};
+use sinew_scene::{NodeId, Scene};
 use sinew_simd::SimdLevel;
 
 /// The nearest thing so far.
@@ -23,26 +23,23 @@ struct Hit {
 
 impl Buffers {
     /// What lies under the pixel that holds (`x`, `y`).
-    #[allow(clippy::too_many_arguments, reason = "parts of the renderer that are borrowed apart from each other")]
-    pub(super) fn pick(
-        &mut self,
-        pool: &Pool,
-        level: SimdLevel,
-        (scene, frame, camera, display): (&Scene, &Frame, &Camera, &Display),
-        (width, height): (u32, u32),
-        x: f32,
-        y: f32,
-    ) -> Option<PickHit> {
+    pub(super) fn pick(&mut self, pool: &Pool, level: SimdLevel, job: &PickJob<'_>) -> Result<Option<PickHit>, RenderError> {
+        let PickJob { picture, x, y } = *job;
+        let RenderJob { scene, frame, display, width, height, .. } = picture;
         if !(x >= 0.0 && y >= 0.0 && x < width as f32 && y < height as f32) {
-            return None;
+            return Ok(None);
         }
         let (px, py) = (x as i32, y as i32);
-        let canvas = TargetLayout::new(display, width, height);
-        let (view, lights) = self.prepare(scene, frame, camera, display, &canvas, true);
-        self.vertex_stage(pool, level, frame, &view, &lights);
-        let frame_data = self.frame_data(frame, view, lights);
+        let layout = TargetLayout::new(display, width, height);
+        let (view, lights) = self.list.build(&picture, &layout, true)?;
+        self.vertices.fill((pool, level), &self.list, frame, &view, &lights)?;
+        let frame_data = self.list.frame_data(&self.vertices, frame, view, lights);
         let (mut surface, mut overlay) = (None, None);
-        let owners: Vec<NodeId> = if display.bones { bones(scene, frame).map(|bone| bone.owner).collect() } else { Vec::new() };
+        let mut owners: Vec<NodeId> = Vec::new();
+        if display.bones {
+            owners.try_reserve(bones(scene, frame).count())?;
+            owners.extend(bones(scene, frame).map(|bone| bone.owner));
+        }
         for item in frame_data.draw_calls {
             let best = if item.material.pass == RenderPass::Overlay { &mut overlay } else { &mut surface };
             look(&frame_data, item, &owners, (px, py), best);
@@ -51,7 +48,7 @@ impl Buffers {
             dots(&frame_data, scene, display, [x, y], &mut overlay);
         }
         let in_front = |bone: &Hit| display.xray || !display.depth_test || surface.is_none_or(|surface: Hit| bone.q >= surface.q);
-        overlay.filter(in_front).or(surface).map(|hit| hit.pick)
+        Ok(overlay.filter(in_front).or(surface).map(|hit| hit.pick))
     }
 }
 

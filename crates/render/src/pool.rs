@@ -55,6 +55,11 @@ impl std::fmt::Debug for Pool {
     }
 }
 
+/// The next part of the work, each part once: workers take parts until none is left.
+pub(super) fn take<T>(from: &Mutex<impl Iterator<Item = T>>) -> Option<T> {
+    from.lock().unwrap_or_else(PoisonError::into_inner).next()
+}
+
 /// How often a worker looks for a new job before it goes to sleep: the stages of one frame follow each other faster than a wake-up.
 const SPINS: u32 = 4_000;
 

@@ -3,6 +3,7 @@
 //! Lines of the ground are drawn on the background first. Surfaces then cover it, and the lines are drawn once more where a surface is behind them. Kept or
 //! not, a pixel goes through the same steps, so its bits are the same.
 
+use super::memory::zeroed;
 use super::{Background, Display};
 use sinew_scene::{Bounds, Camera};
 
@@ -71,8 +72,10 @@ impl BackgroundCache {
         };
         self.key = Some(key);
         if room <= MAX_PIXELS && self.pixels.len() < room && grid.is_some() {
-            // In the first frame already, though only the second may write it: the system hands memory out only as it is touched.
-            self.pixels = vec![0; room];
+            // In the first frame already, though only the second may write it: the system hands memory out only as it is touched. Where it refuses, the
+            // static layer is drawn in each frame.
+            self.pixels = Vec::new();
+            self.pixels = zeroed(room).unwrap_or_default();
         }
     }
 

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use glam::Affine2;
 
-use super::muscle_texture::FiberTexture;
+use super::RenderError;
+use super::fiber_texture::FiberTexture;
+use super::memory::{collect, push};
 use super::srgb::Srgb;
 use sinew_scene::{AlphaSource, Pixels, WrapMode};
 use sinew_simd::{Simd, always};
@@ -51,7 +53,7 @@ pub(super) struct Texture {
 
 impl Texture {
     /// The chain of an image.
-    pub(super) fn from_pixels(pixels: &Pixels, alpha: Alpha, wrap: [WrapMode; 2]) -> Self {
+    pub(super) fn from_pixels(pixels: &Pixels, alpha: Alpha, wrap: [WrapMode; 2]) -> Result<Self, RenderError> {
         let texel = |p: &[u8]| {
             let [r, g, b, a] = [p[0], p[1], p[2], p[3]];
             let luminance = 0.212_671 * f32::from(r) + 0.715_160 * f32::from(g) + 0.072_169 * f32::from(b);
@@ -65,22 +67,21 @@ impl Texture {
             u32::from_be_bytes([a, r, g, b])
         };
         let full = pixels.width as usize * pixels.height as usize;
-        // The first level, then all levels. Where the system refuses so much, one white texel is drawn rather than the program ended.
-        if Vec::<u32>::new().try_reserve_exact(full.saturating_mul(3)).is_err() {
-            return Self::from_texels(Vec::new(), 0, 0, wrap);
-        }
-        let mut texels: Vec<u32> = pixels.rgba.chunks_exact(4).take(full).map(texel).collect();
+        let mut texels = Vec::new();
+        texels.try_reserve_exact(full)?;
+        texels.extend(pixels.rgba.chunks_exact(4).take(full).map(texel));
         // An image whose pixels are missing is white where they are.
         texels.resize(full, u32::MAX);
         Self::from_texels(texels, pixels.width, pixels.height, wrap)
     }
 
     /// The chain over a first level of `width` × `height` texels.
-    pub(super) fn from_texels(mut level: Vec<u32>, mut width: u32, mut height: u32, wrap: [WrapMode; 2]) -> Self {
+    pub(super) fn from_texels(mut level: Vec<u32>, mut width: u32, mut height: u32, wrap: [WrapMode; 2]) -> Result<Self, RenderError> {
         if width == 0 || height == 0 || level.len() < width as usize * height as usize {
             (level, width, height) = (vec![u32::MAX], 1, 1);
         }
         let mut chain = Self::default();
+        chain.texels.try_reserve_exact(chain_len(width, height))?;
         for k in 0..LEVELS {
             (chain.width[k], chain.height[k], chain.last) = (width, height, k as u32);
             chain.origin[k] = chain.texels.len() as u32;
@@ -92,9 +93,9 @@ impl Texture {
             if width == 1 && height == 1 {
                 break;
             }
-            (level, width, height) = halve(&level, width, height);
+            (level, width, height) = halve(&level, width, height)?;
         }
-        chain
+        Ok(chain)
     }
 
     /// How much is to be seen, for a change of (u, v) a pixel to the right and a pixel downward: see [`MipDetail`].
@@ -239,11 +240,12 @@ fn wrapped_texel(wrap: WrapMode, at: i32, size: u32) -> Option<i32> {
 
 /// The next level: what the texels beneath send out together in light, and the mean of their opacities. An odd side is shared out evenly,
 /// three texels to one, so that none is left out.
-fn halve(level: &[u32], width: u32, height: u32) -> (Vec<u32>, u32, u32) {
+fn halve(level: &[u32], width: u32, height: u32) -> Result<(Vec<u32>, u32, u32), RenderError> {
     let to = [(width / 2).max(1), (height / 2).max(1)];
     let tables = Srgb::tables();
-    let columns: Vec<[(usize, u32); 3]> = (0..to[0]).map(|x| source_texels(x, width)).collect();
-    let mut texels = Vec::with_capacity(to[0] as usize * to[1] as usize);
+    let columns = collect((0..to[0]).map(|x| source_texels(x, width)))?;
+    let mut texels = Vec::new();
+    texels.try_reserve_exact(to[0] as usize * to[1] as usize)?;
     let all = u64::from(box_weights(width)) * u64::from(box_weights(height));
     // A division of such numbers takes longer than all the rest, and most sides are even.
     let part = |sum: u64| (if all == 4 { sum >> 2 } else { sum / all }) as u32;
@@ -264,7 +266,20 @@ fn halve(level: &[u32], width: u32, height: u32) -> (Vec<u32>, u32, u32) {
             texels.push(a << 24 | tables.byte(r) << 16 | tables.byte(g) << 8 | tables.byte(b));
         }
     }
-    (texels, to[0], to[1])
+    Ok((texels, to[0], to[1]))
+}
+
+/// Texels of all levels with their aprons.
+fn chain_len(mut width: u32, mut height: u32) -> usize {
+    let mut len = 0;
+    for _ in 0..LEVELS {
+        len += (width + BORDER) as usize * (height + BORDER) as usize;
+        if width == 1 && height == 1 {
+            break;
+        }
+        (width, height) = ((width / 2).max(1), (height / 2).max(1));
+    }
+    len
 }
 
 /// Into how many shares a texel's place on the next level is divided along a side.
@@ -290,7 +305,7 @@ fn source_texels(at: u32, side: u32) -> [(usize, u32); 3] {
 pub(super) struct TextureCache {
     entries: Vec<CacheEntry>,
     textures: Vec<Texture>,
-    fibres: FiberTexture,
+    fibers: FiberTexture,
     frame: u64,
 }
 
@@ -305,8 +320,8 @@ struct CacheEntry {
 enum TextureKey {
     /// The image is held, so that its address cannot be given to another one while the entry lives.
     Image(Arc<Pixels>, Alpha, [WrapMode; 2]),
-    /// Muscle fibres of a colour, with or without tendons.
-    Muscle([u8; 3], bool),
+    /// Fibres of a colour, and the colour of their ends where these have another.
+    Fibers([u8; 3], Option<u32>),
 }
 
 impl CacheEntry {
@@ -336,26 +351,33 @@ impl TextureCache {
     }
 
     /// The index of an image's texture.
-    pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha, wrap: [WrapMode; 2]) -> u32 {
+    pub(super) fn get(&mut self, pixels: &Arc<Pixels>, alpha: Alpha, wrap: [WrapMode; 2]) -> Result<u32, RenderError> {
         let same = |key: &TextureKey| matches!(key, TextureKey::Image(known, kind, edge) if Arc::ptr_eq(known, pixels) && *kind == alpha && *edge == wrap);
-        self.find(same, |_| (TextureKey::Image(Arc::clone(pixels), alpha, wrap), Texture::from_pixels(pixels, alpha, wrap)))
+        self.find(same, |_| Ok((TextureKey::Image(Arc::clone(pixels), alpha, wrap), Texture::from_pixels(pixels, alpha, wrap)?)))
     }
 
-    /// The index of the fibres of a muscle.
-    pub(super) fn muscle(&mut self, color: [u8; 3], tendon: bool) -> u32 {
-        let same = |key: &TextureKey| matches!(key, TextureKey::Muscle(known, end) if *known == color && *end == tendon);
-        self.find(same, |fibres| (TextureKey::Muscle(color, tendon), fibres.texture(color, tendon)))
+    /// The index of the texture of fibres of this colour (0 to 255), whose ends pass into the colour `ends`, `0xRRGGBB`.
+    pub(super) fn fibers(&mut self, color: [u8; 3], ends: Option<u32>) -> Result<u32, RenderError> {
+        let same = |key: &TextureKey| matches!(key, TextureKey::Fibers(known, end) if *known == color && *end == ends);
+        self.find(same, |fibers| Ok((TextureKey::Fibers(color, ends), fibers.texture(color, ends)?)))
     }
 
-    fn find(&mut self, same: impl Fn(&TextureKey) -> bool, make: impl FnOnce(&mut FiberTexture) -> (TextureKey, Texture)) -> u32 {
-        let index = self.entries.iter().position(|entry| same(&entry.key)).unwrap_or_else(|| {
-            let (key, texture) = make(&mut self.fibres);
-            self.entries.push(CacheEntry { key, used: 0 });
-            self.textures.push(texture);
-            self.entries.len() - 1
-        });
+    fn find(
+        &mut self,
+        same: impl Fn(&TextureKey) -> bool,
+        make: impl FnOnce(&mut FiberTexture) -> Result<(TextureKey, Texture), RenderError>,
+    ) -> Result<u32, RenderError> {
+        let index = match self.entries.iter().position(|entry| same(&entry.key)) {
+            Some(index) => index,
+            None => {
+                let (key, texture) = make(&mut self.fibers)?;
+                push(&mut self.textures, texture)?;
+                push(&mut self.entries, CacheEntry { key, used: 0 })?;
+                self.entries.len() - 1
+            }
+        };
         self.entries[index].used = self.frame;
-        index as u32
+        Ok(index as u32)
     }
 
     /// The textures by index.
@@ -377,8 +399,8 @@ mod tests {
             cache.begin();
             // A file that is read again brings another one each time.
             let (read, wrap) = (image(), [WrapMode::Repeat; 2]);
-            cache.get(&read, Alpha::Solid, wrap);
-            cache.get(&kept, Alpha::Solid, wrap);
+            cache.get(&read, Alpha::Solid, wrap).expect("two texels fit into memory");
+            cache.get(&kept, Alpha::Solid, wrap).expect("two texels fit into memory");
             assert!(cache.textures().len() <= 2, "{}", cache.textures().len());
         }
         cache.begin();

@@ -3,7 +3,9 @@
 //! Only the columns in use are cleared, filled and handed on. What stands in the others is left over from earlier bands: vectors that reach there
 //! read it and write it back, but no lane of theirs is ever covered.
 
+use super::RenderError;
 use super::bin_lists::ColumnRange;
+use super::memory::zeroed;
 use sinew_simd::{Simd, always, map};
 
 /// Columns beyond the right edge that a vector may touch.
@@ -33,24 +35,24 @@ pub(super) struct BandBuffer {
 }
 
 impl BandBuffer {
-    /// Takes this shape; what is in it stays as it was until [`BandBuffer::clear_depth`] and the rows are written.
+    /// Takes this shape, for which [`BandBuffer::reserve`] made room; what is in it stays as it was until [`BandBuffer::clear_depth`] and the rows are written.
     pub(super) fn resize(&mut self, top: i32, rows: usize, width: usize, used: ColumnRange, samples: usize) {
         (self.top, self.rows, self.width, self.samples) = (top, rows, width, samples);
         let end = (used.last + 1).clamp(0, width as i32) as usize;
         self.used = [(used.first.max(0) as usize).min(end), end];
         self.pitch = width + MARGIN;
         self.area = self.pitch * (rows + TRAILING_ROWS) + MARGIN;
-        self.reserve(rows, width, samples);
     }
 
     /// Makes room for a shape.
-    pub(super) fn reserve(&mut self, rows: usize, width: usize, samples: usize) {
+    pub(super) fn reserve(&mut self, rows: usize, width: usize, samples: usize) -> Result<(), RenderError> {
         let needed = ((width + MARGIN) * (rows + TRAILING_ROWS) + MARGIN) * samples;
         if self.color.len() < needed {
             // Fresh zeros, not a longer copy: the system hands them out only as they are touched.
-            self.color = vec![0; needed];
-            self.depth = vec![0.0; needed];
+            self.color = zeroed(needed)?;
+            self.depth = zeroed(needed)?;
         }
+        Ok(())
     }
 
     /// The columns in use of row `row` (from the band's first) of sample `s`.

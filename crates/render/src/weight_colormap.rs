@@ -2,6 +2,7 @@
 
 use glam::Vec4;
 
+use super::RenderError;
 use sinew_scene::{Content, Deformer, NodeId, Scene, Surface};
 
 /// The ramp from weight 0 to 1: ordered in lightness too, so it can be read in grey.
@@ -22,8 +23,9 @@ pub fn weight_color(weight: f32) -> [f32; 3] {
 }
 
 /// Adds one colour for each vertex of the surface's mesh.
-pub(super) fn append_weight_colors(scene: &Scene, surface: &Surface, joint: NodeId, out: &mut Vec<Vec4>) {
+pub(super) fn append_weight_colors(scene: &Scene, surface: &Surface, joint: NodeId, out: &mut Vec<Vec4>) -> Result<(), RenderError> {
     let mesh = &surface.mesh;
+    out.try_reserve(mesh.positions.len())?;
     let found = || {
         if surface.node.index() >= scene.graph.len() {
             return None;
@@ -36,7 +38,7 @@ pub(super) fn append_weight_colors(scene: &Scene, surface: &Surface, joint: Node
     };
     let Some((skin, joints)) = found() else {
         out.extend(std::iter::repeat_n(ramp(0.0), mesh.positions.len()));
-        return;
+        return Ok(());
     };
     let moved = |index: i32| usize::try_from(index).ok().and_then(|i| joints.get(i)) == Some(&Some(joint));
     out.extend((0..mesh.positions.len()).map(|v| {
@@ -44,6 +46,7 @@ pub(super) fn append_weight_colors(scene: &Scene, surface: &Surface, joint: Node
         let weight: f32 = skin.influences_of(point).iter().filter(|i| moved(i.joint)).map(|i| i.weight).sum();
         ramp(weight)
     }));
+    Ok(())
 }
 
 #[cfg(test)]

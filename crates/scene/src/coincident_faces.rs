@@ -4,6 +4,8 @@
 //! may be cut into triangles along other diagonals and belong to other parts of the mesh: a triangle counts if all over it, at seven places, something
 //! of the opposite winding lies in its plane. Meshes without such faces, which most are, are told by a glance at the corners.
 
+use std::collections::TryReserveError;
+
 use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 
@@ -31,32 +33,52 @@ const SAMPLE_POINTS: [[f64; 3]; 7] = [
 ];
 
 /// For each triangle of `mesh` whether triangles of the opposite winding lie on it all over; empty where that is so for none.
-pub fn backed_triangles(mesh: &Mesh) -> Vec<bool> {
+///
+/// # Errors
+/// Where the system gives no memory for the search, which takes some hundred bytes a triangle.
+pub fn backed_triangles(mesh: &Mesh) -> Result<Vec<bool>, TryReserveError> {
     if mesh.solid || mesh.triangles.len() < 2 {
-        return Vec::new();
+        return Ok(Vec::new());
     }
-    let welded = Welded { points: weld(&mesh.positions), triangles: &mesh.triangles };
+    let welded = Welded { points: weld(&mesh.positions)?, triangles: &mesh.triangles };
     // A triangle without an area has a normal of zero, and so has one whose corners aren't there.
-    let normals: Vec<Vec3> = mesh.triangles.iter().map(|corners| normal(mesh, *corners).as_vec3()).collect();
-    let Some(candidate_points) = opposite_normal_points(&welded, &normals) else { return Vec::new() };
-    let fans = Fans::new(&welded);
+    let normals = collect(mesh.triangles.iter().map(|corners| normal(mesh, *corners).as_vec3()))?;
+    let Some(candidate_points) = opposite_normal_points(&welded, &normals)? else { return Ok(Vec::new()) };
+    let fans = Fans::new(&welded)?;
     let search = Search { mesh, welded: &welded, normals: &normals, fans: &fans };
     let (mut near, mut seen) = (Vec::new(), Vec::new());
     let is_backed = |t: usize| {
         let may_be = welded.corners(t).is_some_and(|corners| corners.iter().any(|point| candidate_points[*point as usize]));
         may_be && search.is_backed(t, &mut near, &mut seen)
     };
-    let backed: Vec<bool> = (0..mesh.triangles.len()).map(is_backed).collect();
-    if backed.contains(&true) { backed } else { Vec::new() }
+    let backed = collect((0..mesh.triangles.len()).map(is_backed))?;
+    Ok(if backed.contains(&true) { backed } else { Vec::new() })
+}
+
+/// The elements as a list.
+fn collect<T>(elements: impl ExactSizeIterator<Item = T>) -> Result<Vec<T>, TryReserveError> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(elements.len())?;
+    list.extend(elements);
+    Ok(list)
+}
+
+/// So many of one value.
+fn filled<T: Clone>(value: T, count: usize) -> Result<Vec<T>, TryReserveError> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(count)?;
+    list.resize(count, value);
+    Ok(list)
 }
 
 /// For each vertex the first one at the same place.
-fn weld(positions: &[Vec3]) -> Vec<u32> {
+fn weld(positions: &[Vec3]) -> Result<Vec<u32>, TryReserveError> {
     let mut first: FxHashMap<[u32; 3], u32> = FxHashMap::default();
-    first.reserve(positions.len());
+    first.try_reserve(positions.len())?;
     // Adding zero makes the negative zero a positive one.
     let place = |position: &Vec3| (*position + 0.0).to_array().map(f32::to_bits);
-    (0..).zip(positions).map(|(vertex, position)| *first.entry(place(position)).or_insert(vertex)).collect()
+    let weld = |(vertex, position)| *first.entry(place(position)).or_insert(vertex as u32);
+    collect(positions.iter().enumerate().map(weld))
 }
 
 /// The triangles of a mesh whose vertices at one place are one point.
@@ -90,9 +112,9 @@ fn normal(mesh: &Mesh, corners: [u32; 3]) -> DVec3 {
 }
 
 /// Which points have triangles that face apart, as those have where a surface lies on its own back; `None` where no point has.
-fn opposite_normal_points(welded: &Welded<'_>, normals: &[Vec3]) -> Option<Vec<bool>> {
-    let mut first = vec![Vec3::ZERO; welded.points.len()];
-    let (mut candidate_points, mut any) = (vec![false; welded.points.len()], false);
+fn opposite_normal_points(welded: &Welded<'_>, normals: &[Vec3]) -> Result<Option<Vec<bool>>, TryReserveError> {
+    let mut first = filled(Vec3::ZERO, welded.points.len())?;
+    let (mut candidate_points, mut any) = (filled(false, welded.points.len())?, false);
     for (t, corners) in welded.all() {
         let normal = normals[t as usize];
         for point in corners {
@@ -104,7 +126,7 @@ fn opposite_normal_points(welded: &Welded<'_>, normals: &[Vec3]) -> Option<Vec<b
             }
         }
     }
-    any.then_some(candidate_points)
+    Ok(any.then_some(candidate_points))
 }
 
 /// The triangles round each point.
@@ -114,15 +136,15 @@ struct Fans {
 }
 
 impl Fans {
-    fn new(welded: &Welded<'_>) -> Self {
+    fn new(welded: &Welded<'_>) -> Result<Self, TryReserveError> {
         let points = welded.points.len();
-        let mut start = vec![0_u32; points + 1];
+        let mut start = filled(0_u32, points + 1)?;
         welded.all().flat_map(|(_, corners)| corners).for_each(|point| start[point as usize + 1] += 1);
         for point in 0..points {
             start[point + 1] += start[point];
         }
-        let mut next = start.clone();
-        let mut triangles = vec![0; start[points] as usize];
+        let mut next = collect(start.iter().copied())?;
+        let mut triangles = filled(0, start[points] as usize)?;
         for (t, corners) in welded.all() {
             for point in corners {
                 let next = &mut next[point as usize];
@@ -130,7 +152,7 @@ impl Fans {
                 *next += 1;
             }
         }
-        Self { start, triangles }
+        Ok(Self { start, triangles })
     }
 
     fn of(&self, point: u32) -> &[u32] {
@@ -211,17 +233,21 @@ mod tests {
         Mesh { positions: positions.iter().map(|p| Vec3::from_array(*p)).collect(), triangles: triangles.to_vec(), ..Mesh::default() }
     }
 
+    fn backed(mesh: &Mesh) -> Vec<bool> {
+        backed_triangles(mesh).expect("there is memory for a few triangles")
+    }
+
     const SQUARE: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.2], [1.0, 1.0, 0.2], [0.0, 1.0, 0.0]];
 
     #[test]
     fn two_sides_are_found_along_either_diagonal() {
         for back in [[[0, 2, 1], [0, 3, 2]], [[1, 0, 3], [1, 3, 2]]] {
             let triangles = [[0, 1, 2], [0, 2, 3], back[0], back[1]];
-            assert_eq!(backed_triangles(&mesh(&SQUARE, &triangles)), [true; 4]);
+            assert_eq!(backed(&mesh(&SQUARE, &triangles)), [true; 4]);
             // With points of its own.
             let twice: Vec<_> = SQUARE.iter().chain(&SQUARE).copied().collect();
             let apart = [[0, 1, 2], [0, 2, 3], back[0].map(|v| v + 4), back[1].map(|v| v + 4)];
-            assert_eq!(backed_triangles(&mesh(&twice, &apart)), [true; 4]);
+            assert_eq!(backed(&mesh(&twice, &apart)), [true; 4]);
         }
     }
 
@@ -233,45 +259,45 @@ mod tests {
         let positions: Vec<_> = (0..n).map(rim).map(|(y, x)| [x as f32, y as f32, 3.0]).collect();
         let fan = |hub: u32| (1..n - 1).map(move |k| [hub, (hub + k) % n, (hub + k + 1) % n]);
         let triangles: Vec<_> = fan(0).chain(fan(n / 2).map(|[a, b, c]| [a, c, b])).collect();
-        assert_eq!(backed_triangles(&mesh(&positions, &triangles)), vec![true; triangles.len()]);
+        assert_eq!(backed(&mesh(&positions, &triangles)), vec![true; triangles.len()]);
     }
 
     #[test]
     fn other_surfaces_have_no_backs() {
         // The same winding twice; a half of the back; a fold; a gap between the sides; a closed box.
         let twice = [[0, 1, 2], [0, 2, 3], [1, 2, 3], [1, 3, 0]];
-        assert!(backed_triangles(&mesh(&SQUARE, &twice)).is_empty());
-        assert!(backed_triangles(&mesh(&SQUARE, &[[0, 1, 2], [0, 2, 3]])).is_empty());
-        let half = backed_triangles(&mesh(&SQUARE, &[[0, 1, 2], [0, 2, 3], [0, 3, 2]]));
+        assert!(backed(&mesh(&SQUARE, &twice)).is_empty());
+        assert!(backed(&mesh(&SQUARE, &[[0, 1, 2], [0, 2, 3]])).is_empty());
+        let half = backed(&mesh(&SQUARE, &[[0, 1, 2], [0, 2, 3], [0, 3, 2]]));
         assert_eq!(half, [false, true, true]);
         let fold = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 1.0, 0.01]];
-        assert!(backed_triangles(&mesh(&fold, &[[0, 1, 2], [0, 3, 1]])).is_empty());
+        assert!(backed(&mesh(&fold, &[[0, 1, 2], [0, 3, 1]])).is_empty());
         let raised: Vec<_> = SQUARE.iter().copied().chain(SQUARE.map(|[x, y, z]| [x, y, z + 0.01])).collect();
-        assert!(backed_triangles(&mesh(&raised, &[[4, 5, 6], [4, 6, 7], [0, 2, 1], [0, 3, 2]])).is_empty());
+        assert!(backed(&mesh(&raised, &[[4, 5, 6], [4, 6, 7], [0, 2, 1], [0, 3, 2]])).is_empty());
         let corner = |i: u32| [(i & 1) as f32, (i >> 1 & 1) as f32, (i >> 2) as f32];
         let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let cube: Vec<_> = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
         let corners: Vec<_> = (0..8).map(corner).collect();
-        assert!(backed_triangles(&mesh(&corners, &cube)).is_empty());
+        assert!(backed(&mesh(&corners, &cube)).is_empty());
         let both: Vec<_> = cube.iter().copied().chain(cube.iter().map(|[a, b, c]| [*b, *a, *c])).collect();
-        assert_eq!(backed_triangles(&mesh(&corners, &both)), vec![true; 24]);
+        assert_eq!(backed(&mesh(&corners, &both)), vec![true; 24]);
     }
 
     #[test]
     fn broken_and_crowded_meshes_take_no_time() {
         let broken = mesh(&[[f32::NAN; 3], [f32::INFINITY; 3], [0.0; 3]], &[[0, 1, 2], [0, 2, 1], [7, 8, 9], [2, 2, 2]]);
-        assert!(backed_triangles(&broken).is_empty());
-        assert!(backed_triangles(&Mesh::default()).is_empty());
+        assert!(backed(&broken).is_empty());
+        assert!(backed(&Mesh::default()).is_empty());
         // A hundred thousand times the same triangle, and as many round one point.
         let same = vec![[0, 1, 2]; 100_000];
-        assert!(backed_triangles(&mesh(&SQUARE, &same)).is_empty());
+        assert!(backed(&mesh(&SQUARE, &same)).is_empty());
         let spokes = 100_000;
         let rim = |k: u32| (f64::from(k) / f64::from(spokes) * 6.0).sin_cos();
         let mut positions: Vec<_> = (0..spokes).map(rim).map(|(y, x)| [x as f32, y as f32, 0.0]).collect();
         positions.push([0.0; 3]);
         let fan = |k: u32| [spokes, k, k + 1];
         let triangles: Vec<_> = (0..spokes - 1).map(fan).chain((0..spokes - 1).map(|k| [spokes, k + 1, k])).collect();
-        let backed = backed_triangles(&mesh(&positions, &triangles));
-        assert!(backed.iter().filter(|backed| **backed).count() > triangles.len() / 2);
+        let found = backed(&mesh(&positions, &triangles));
+        assert!(found.iter().filter(|backed| **backed).count() > triangles.len() / 2);
     }
 }

@@ -50,6 +50,15 @@ pub struct OverlayLine {
     pub width: f32,
 }
 
+/// A procedural texture that a part of a surface is drawn with: fibres along v of the first set of texture coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Fibers {
+    /// Their colour where the part has no material, `0xRRGGBB`, sRGB; else the material's counts.
+    pub color: u32,
+    /// What the fibres pass into at both ends, v = 0 and v = 1, `0xRRGGBB`, sRGB; `None` = they stay as they are.
+    pub ends: Option<u32>,
+}
+
 /// A surface to draw.
 #[derive(Debug, Clone)]
 pub struct Surface {
@@ -67,6 +76,8 @@ pub struct Surface {
     pub muscle: Option<MuscleId>,
     /// The box round it in the world where it is known to be closed, with its outside outward everywhere; a camera outside of that box cannot see its back faces.
     pub solid: Option<Bounds>,
+    /// One a part of the mesh where the surface is made of fibres; else none.
+    pub fibers: Arc<[Fibers]>,
     /// Whether its node is shown.
     pub visible: bool,
     /// Which of its node's contents it shows, so that skin, morph and weights can be found.
@@ -115,6 +126,11 @@ impl Frame {
 }
 
 impl Surface {
+    /// Whether it is made of fibres. Such a surface is made by the program: it has no skin weights, and the lines of its mesh show how it is made.
+    pub fn is_fibrous(&self) -> bool {
+        !self.fibers.is_empty()
+    }
+
     /// Position of vertex `v` in the world; NaN where it isn't there.
     pub fn position(&self, v: u32) -> Vec3 {
         match &self.geometry {

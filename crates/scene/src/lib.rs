@@ -24,7 +24,7 @@ pub mod visible;
 pub use bounds::Bounds;
 pub use camera::{Camera, FileCamera, OrbitCamera, Projection, ViewDirection};
 pub use coincident_faces::backed_triangles;
-pub use frame::{Frame, FrameJoint, Ghost, OverlayLine, Surface, SurfaceGeometry};
+pub use frame::{Fibers, Frame, FrameJoint, Ghost, OverlayLine, Surface, SurfaceGeometry};
 pub use graph::{Content, Graph, Node, NodeId, NodeKind};
 pub use light::{Light, LightKind};
 pub use material::{AlphaSource, Image, Material, MaterialBinding, Paint, Pixels, ShadingModel, TextureRef, TextureTransform, WrapMode};

@@ -9,7 +9,7 @@ use gtk::cairo::{Context, Filter, Format, ImageSurface, Operator};
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::render::{Renderer, Stats};
+use crate::render::{RenderJob, RenderTarget, Renderer, Stats};
 use crate::session::Session;
 
 /// How many frames the frame rate is taken over.
@@ -74,7 +74,9 @@ impl FrameSurface {
             let mut data = surface.data().ok()?;
             let (scene, frame, camera, mut display) = session.picture();
             display.scale = scale as f32 / part as f32;
-            self.renderer.draw_into(scene, frame, &camera, &display, drawn_width as u32, drawn_height as u32, &mut data, stride);
+            let job =
+                RenderJob { scene, frame, camera: &camera, display: &display, width: drawn_width as u32, height: drawn_height as u32 };
+            self.renderer.draw_into(&job, RenderTarget { bytes: &mut data, stride }).ok()?;
         }
         self.surfaces.rotate_right(1);
         self.surfaces[0] = Some(surface);

@@ -31,7 +31,7 @@ use super::icons::{self, Glyph};
 use super::window::{Window, object};
 use super::{format, ui};
 use crate::muscle::AttachmentPoint;
-use crate::render::{PickHit, Renderer, Stats};
+use crate::render::{PickHit, PickJob, RenderJob, Renderer, Stats};
 use crate::session::{ChangeSet, PickTarget, Session, Tool, Viewpoint};
 use crate::tr;
 
@@ -187,7 +187,10 @@ impl Viewport {
         display.scale = scale as f32;
         let scale = f64::from(scale);
         let (width, height) = ((f64::from(width) * scale) as u32, (f64::from(height) * scale) as u32);
-        self.screen.borrow_mut().renderer.pick(scene, frame, &camera, &display, width, height, (x * scale) as f32, (y * scale) as f32)
+        let picture = RenderJob { scene, frame, camera: &camera, display: &display, width, height };
+        let job = PickJob { picture, x: (x * scale) as f32, y: (y * scale) as f32 };
+        // Where there is no memory for picking, there is none for the picture either, and nothing is seen there.
+        self.screen.borrow_mut().renderer.pick(&job).ok().flatten()
     }
 
     /// The renderer, for pictures to take away.

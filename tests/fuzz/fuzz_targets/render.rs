@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{Mat4, Quat, Vec2, Vec3, Vec4};
 use libfuzzer_sys::fuzz_target;
-use sinew::render::{Display, Renderer, Samples, Shading};
+use sinew::render::{Display, PickJob, RenderJob, Renderer, Samples, Shading};
 use sinew::scene::{Bounds, Camera, Frame, Material, MaterialBinding, MaterialId, Mesh, Node, Part, SurfaceGeometry, Projection, Scene, Surface};
 
 /// Numbers out of the input, one after the other; zeros when it is used up.
@@ -58,7 +58,7 @@ fuzz_target!(|bytes: &[u8]| {
     let mut scene = Scene::default();
     let node = scene.graph.add(None, Node::new("any"));
     let material = Material { opacity: from.float(), double_sided: on(0), ..Material::default() };
-    let placement = if on(1) {
+    let geometry = if on(1) {
         let columns = std::array::from_fn(|_| Vec4::new(from.float(), from.float(), from.float(), from.float()));
         let [a, b, c, d] = columns;
         SurfaceGeometry::Rigid(Mat4::from_cols(a, b, c, d))
@@ -70,10 +70,11 @@ fuzz_target!(|bytes: &[u8]| {
         node,
         mesh: Arc::new(mesh),
         materials: vec![Some(MaterialBinding::plain(MaterialId(0)))].into(),
-        placement,
+        geometry,
         mirrored: on(2),
         solid: on(17).then_some(bounds),
         muscle: None,
+        fibers: Arc::default(),
         ghost: None,
         visible: true,
         content: 0,
@@ -102,8 +103,10 @@ fuzz_target!(|bytes: &[u8]| {
     for name in Renderer::simd_names() {
         let mut renderer = Renderer::new(Some(1));
         renderer.set_simd(name);
-        let picture = renderer.draw(&scene, &frame, &camera, &display, width, height).pixels.clone();
+        let job = RenderJob { scene: &scene, frame: &frame, camera: &camera, display: &display, width, height };
+        let picture = renderer.draw(&job).expect("there is memory for the picture").pixels.clone();
         assert!(*first.get_or_insert_with(|| picture.clone()) == picture, "{name} differs");
-        renderer.pick(&scene, &frame, &camera, &display, width, height, width as f32 / 2.0, height as f32 / 2.0);
+        let pick = PickJob { picture: job, x: width as f32 / 2.0, y: height as f32 / 2.0 };
+        renderer.pick(&pick).expect("there is memory for picking");
     }
 });

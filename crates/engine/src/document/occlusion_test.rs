@@ -77,6 +77,7 @@ mod tests {
             mirrored: false,
             solid: None,
             muscle,
+            fibers: Arc::default(),
             visible: true,
             content: 0,
             skin: false,

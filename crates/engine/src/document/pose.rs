@@ -238,7 +238,7 @@ impl Document {
         for (id, node) in self.scene.graph.iter().skip(first) {
             for (content, thing) in node.contents.iter().enumerate() {
                 let content = content as u32;
-                let blank = |mesh, materials, placement, muscle| Surface {
+                let blank = |mesh, materials, placement, (muscle, fibers)| Surface {
                     node: id,
                     mesh,
                     materials,
@@ -246,6 +246,7 @@ impl Document {
                     mirrored: false,
                     solid: None,
                     muscle,
+                    fibers,
                     visible: true,
                     content,
                     skin: false,
@@ -260,12 +261,14 @@ impl Document {
                             (SurfacePlan::Bent(Box::new(MeshDeformer::new(&self.scene, instance, mesh))), deformed())
                         };
                         buffers.plans.push(plan);
-                        frame.surfaces.push(blank(Arc::clone(mesh), Arc::clone(&instance.materials), placement, None));
+                        frame.surfaces.push(blank(Arc::clone(mesh), Arc::clone(&instance.materials), placement, (None, Arc::default())));
                     }
                     Content::Muscle(muscle) => {
                         let Some((rig, index)) = self.muscle(*muscle) else { continue };
                         buffers.plans.push(SurfacePlan::Muscle(*muscle));
-                        frame.surfaces.push(blank(rig.mesh(index), rig.materials(index).into(), deformed(), Some(*muscle)));
+                        let (mesh, materials) = (rig.mesh(index), rig.materials(index).into());
+                        let shown = (Some(*muscle), sinew_muscle::fibers(&mesh));
+                        frame.surfaces.push(blank(mesh, materials, deformed(), shown));
                     }
                     Content::Light(_) | Content::Camera(_) => {}
                 }

@@ -152,6 +152,7 @@ mod tests {
             mirrored,
             solid: None,
             muscle: None,
+            fibers: Arc::default(),
             ghost: None,
             visible: true,
             content: 0,

@@ -41,11 +41,11 @@ impl<W: Write> Write for CancellableWriter<'_, W> {
 /// other threads, and passes the results to `write` in order, on one more thread. `converter` makes the state of each converting thread.
 ///
 /// # Errors
-/// The first that `convert` or `write` returns; [`ExportError::Cancelled`] (inside the [`io::Error`]) when `progress` was cancelled.
+/// The first that `draw`, `convert` or `write` returns; [`ExportError::Cancelled`] (inside the [`io::Error`]) when `progress` was cancelled.
 pub fn run<C, T: Send>(
     (count, size, threads): (usize, (u32, u32), usize),
     progress: &Progress,
-    mut draw: impl FnMut(usize, &mut Framebuffer),
+    mut draw: impl FnMut(usize, &mut Framebuffer) -> io::Result<()>,
     converter: impl Fn() -> C + Sync,
     convert: impl Fn(&mut C, usize, &Framebuffer) -> io::Result<T> + Sync,
     mut write: impl FnMut(T) -> io::Result<()> + Send,
@@ -58,7 +58,7 @@ pub fn run<C, T: Send>(
         match Framebuffer::new(size.0, size.1) {
             // The receiver is there, so sending cannot fail.
             Ok(picture) => drop(free_sender.send(picture)),
-            Err(error) if made == 0 => return Err(error),
+            Err(error) if made == 0 => return Err(error.into()),
             // With fewer pictures the export only takes longer.
             Err(_) => break,
         }
@@ -113,12 +113,16 @@ pub fn run<C, T: Send>(
             }
             result
         })?;
+        let mut not_drawn = Ok(());
         for index in 0..count {
             if failed.load(Ordering::Relaxed) || progress.is_cancelled() {
                 break;
             }
             let Ok(mut picture) = free.recv() else { break };
-            draw(index, &mut picture);
+            if let Err(error) = draw(index, &mut picture) {
+                not_drawn = Err(error);
+                break;
+            }
             if drawn_sender.send((index, picture)).is_err() {
                 break;
             }
@@ -126,7 +130,8 @@ pub fn run<C, T: Send>(
         drop(drawn_sender);
         match writer.join() {
             Ok(Ok(())) if progress.is_cancelled() => Err(cancelled_error()),
-            Ok(result) => result,
+            // Frames before the one that could not be drawn may have failed too, and were first.
+            Ok(result) => result.and(not_drawn),
             Err(panic) => std::panic::resume_unwind(panic),
         }
     })
@@ -145,7 +150,10 @@ mod tests {
     use super::*;
 
     fn numbered(count: usize, threads: usize, mut write: impl FnMut(u32) -> io::Result<()> + Send) -> io::Result<()> {
-        let draw = |index: usize, picture: &mut Framebuffer| picture.pixels.fill(index as u32);
+        let draw = |index: usize, picture: &mut Framebuffer| {
+            picture.pixels.fill(index as u32);
+            Ok(())
+        };
         let convert = |made: &mut u32, index: usize, picture: &Framebuffer| {
             // Later frames are ready earlier.
             thread::sleep(std::time::Duration::from_micros(if index.is_multiple_of(3) { 600 } else { 50 }));
@@ -180,6 +188,19 @@ mod tests {
     }
 
     #[test]
+    fn a_frame_that_cannot_be_drawn_ends_it() {
+        let draw = |index: usize, _: &mut Framebuffer| if index == 4 { Err(io::ErrorKind::OutOfMemory.into()) } else { Ok(()) };
+        let mut written = 0;
+        let write = |()| {
+            written += 1;
+            Ok(())
+        };
+        let result = run((1000, (2, 2), 2), &Progress::default(), draw, || (), |(), _, _| Ok(()), write);
+        assert_eq!(result.map_err(|error| error.kind()), Err(io::ErrorKind::OutOfMemory));
+        assert_eq!(written, 4);
+    }
+
+    #[test]
     fn nothing_is_written_after_a_cancellation() {
         let (progress, mut out) = (Progress::default(), Vec::new());
         let mut guarded = cancellable(&mut out, &progress);
@@ -198,6 +219,7 @@ mod tests {
             if index >= 3 {
                 progress.cancel();
             }
+            Ok(())
         };
         let result = run((1000, (1, 1), 2), &progress, draw, || (), |_, _, _| Ok(()), |()| Ok(()));
         assert!(matches!(ExportError::io(std::path::Path::new("x"), result.expect_err("stopped")), ExportError::Cancelled));

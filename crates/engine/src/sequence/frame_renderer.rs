@@ -3,7 +3,7 @@
 use super::{FrameSpec, Sequence};
 use crate::document::{Document, PoseBuffers};
 use crate::view::{PoseContext, SceneOverlays};
-use sinew_render::{Background, Display, Framebuffer, Renderer};
+use sinew_render::{Background, Display, Framebuffer, RenderError, RenderJob, RenderTarget, Renderer};
 use sinew_scene::{Camera, Frame, Scene};
 
 /// Durations of one frame's stages, milliseconds: pose, deform, vertex, raster, resolve.
@@ -53,7 +53,10 @@ impl<'a> SequenceRenderer<'a> {
     }
 
     /// Poses and draws frame `index` into `picture`, in its size.
-    pub fn draw(&mut self, index: usize, picture: &mut Framebuffer) -> FrameSpec {
+    ///
+    /// # Errors
+    /// [`RenderError::OutOfMemory`] where the system gives no memory for what the picture is made from.
+    pub fn draw(&mut self, index: usize, picture: &mut Framebuffer) -> Result<FrameSpec, RenderError> {
         let spec = self.sequence.frame_spec(self.document, index);
         if let Some((overlays, _)) = &mut self.overlays {
             overlays.remove_from(&mut self.frame);
@@ -64,12 +67,12 @@ impl<'a> SequenceRenderer<'a> {
         }
         let camera = (self.camera)(&self.document.scene, &self.frame, spec.turntable);
         let Framebuffer { width, height, pixels } = picture;
-        let target = bytemuck::cast_slice_mut(pixels);
-        let stride = *width as usize * 4;
-        self.renderer.draw_into(&self.document.scene, &self.frame, &camera, &self.display, *width, *height, target, stride);
+        let target = RenderTarget { bytes: bytemuck::cast_slice_mut(pixels), stride: *width as usize * 4 };
+        let (scene, frame, display) = (&self.document.scene, &self.frame, &self.display);
+        self.renderer.draw_into(&RenderJob { scene, frame, camera: &camera, display, width: *width, height: *height }, target)?;
         let (posed, drawn) = (self.buffers.times(), self.renderer.stats());
         self.times.push([posed.pose_ms, posed.deform_ms, drawn.vertex_ms, drawn.raster_ms, drawn.resolve_ms]);
-        spec
+        Ok(spec)
     }
 
     /// The durations of the frames drawn since the last call.

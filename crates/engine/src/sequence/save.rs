@@ -10,7 +10,7 @@ use crate::export::guard::{Output, OverwriteGuard};
 use crate::export::png::{Compression, SOFTWARE};
 use crate::export::video::{self, VideoFormat};
 use crate::export::{ExportError, apng, gif, pipeline, png};
-use sinew_render::Framebuffer;
+use sinew_render::{Framebuffer, RenderError};
 use sinew_scene::progress::Progress;
 
 /// Number of frames from which the palette of a GIF is computed.
@@ -81,8 +81,9 @@ fn write(
 ) -> Result<(), ExportError> {
     match target {
         OutputTarget::Picture(file) => {
-            let mut picture = Framebuffer::new(size.0, size.1).map_err(|error| ExportError::io(file, error))?;
-            let spec = renderer.draw(0, &mut picture);
+            let refused = |error: RenderError| ExportError::io(file, error.into());
+            let mut picture = Framebuffer::new(size.0, size.1).map_err(refused)?;
+            let spec = renderer.draw(0, &mut picture).map_err(refused)?;
             let (alpha, comment) = (renderer.is_transparent(), note(&spec));
             let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
             write_atomic(&guard.output(file)?, |out| {
@@ -150,12 +151,13 @@ fn save_gif(renderer: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output
     let count = renderer.sequence.count;
     let tries = count.min(PALETTE_SAMPLES);
     let mut sampler = ColorSampler::new(tries);
-    let mut picture = Framebuffer::new(size.0, size.1).map_err(|error| ExportError::io(file.file(), error))?;
+    let refused = |error: RenderError| ExportError::io(file.file(), error.into());
+    let mut picture = Framebuffer::new(size.0, size.1).map_err(refused)?;
     for i in 0..tries {
         if progress.is_cancelled() {
             return Err(ExportError::Cancelled);
         }
-        renderer.draw(i * count / tries, &mut picture);
+        renderer.draw(i * count / tries, &mut picture).map_err(refused)?;
         sampler.add(&picture);
     }
     drop(picture);
@@ -179,8 +181,6 @@ fn run_pipeline<C, T: Send>(
 ) -> std::io::Result<()> {
     let threads = thread::available_parallelism().map_or(2, usize::from);
     let count = renderer.sequence.count;
-    let draw = |index: usize, picture: &mut Framebuffer| {
-        renderer.draw(index, picture);
-    };
+    let draw = |index: usize, picture: &mut Framebuffer| Ok(renderer.draw(index, picture).map(drop)?);
     pipeline::run((count, size, threads), progress, draw, converter, convert, write)
 }

@@ -180,12 +180,13 @@ mod tests {
 
     #[test]
     fn a_file_compared_with_itself_looks_as_without_it() {
-        use sinew_render::Renderer;
+        use sinew_render::{RenderJob, Renderer};
         let mut session = super::super::tests::clip();
         let mut renderer = Renderer::new(Some(1));
         let mut pixels = |session: &mut Session| {
             let (scene, frame, camera, display) = session.picture();
-            renderer.draw(scene, frame, &camera, &display, 320, 240).pixels.clone()
+            let job = RenderJob { scene, frame, camera: &camera, display: &display, width: 320, height: 240 };
+            renderer.draw(&job).expect("there is memory for it").pixels.clone()
         };
         let alone = pixels(&mut session);
         session.compare(Some(CompareTarget::File(Box::new(session.document().clone()), "same.dae".into())));

@@ -76,8 +76,7 @@ pub fn save(file: &Output, form: GltfContainer, document: &Document) -> Result<V
 /// # Errors
 /// As [`save`].
 pub fn prepare(file: &Output, form: GltfContainer, document: &Document) -> Result<(PendingFile, Vec<UnsupportedFeature>), ExportError> {
-    let (mut root, bytes, unsupported) =
-        GltfWriter::new(document).write().ok_or_else(|| ExportError::TooMuch { file: file.file().to_owned() })?;
+    let (mut root, bytes, unsupported) = GltfWriter::new(document).write().map_err(|why| why.about(file.file()))?;
     let pending = atomic_file::prepare(file, |out| match form {
         GltfContainer::Binary => container::binary(out, &root, &bytes),
         GltfContainer::Text => container::text(out, &mut root, &bytes),
@@ -88,6 +87,24 @@ pub fn prepare(file: &Output, form: GltfContainer, document: &Document) -> Resul
 /// What the format cannot express of the document, without writing a file; empty where the document cannot be converted.
 pub fn unsupported_features(document: &Document) -> Vec<UnsupportedFeature> {
     GltfWriter::new(document).write().map(|(_, _, unsupported)| unsupported).unwrap_or_default()
+}
+
+/// Why a document is not converted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum NotConverted {
+    /// It would take more than [`sinew_scene::limits::CONVERTED_BYTES`].
+    TooMuch,
+    /// The system gives no memory for it.
+    OutOfMemory,
+}
+
+impl NotConverted {
+    fn about(self, file: &Path) -> ExportError {
+        match self {
+            Self::TooMuch => ExportError::TooMuch { file: file.to_owned() },
+            Self::OutOfMemory => ExportError::io(file, std::io::ErrorKind::OutOfMemory.into()),
+        }
+    }
 }
 
 /// The parts of a glTF file under construction.
@@ -133,8 +150,8 @@ impl<'a> GltfWriter<'a> {
         }
     }
 
-    /// The JSON, the buffer and what got lost; `None` where the document would take more than converting may.
-    fn write(mut self) -> Option<(Value, Vec<u8>, Vec<UnsupportedFeature>)> {
+    /// The JSON, the buffer and what got lost.
+    fn write(mut self) -> Result<(Value, Vec<u8>, Vec<UnsupportedFeature>), NotConverted> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         self.document.pose(&self.document.start_state(), &mut buffers, &mut frame);
         let length = f64::from(frame.bounds.diagonal()) * MAX_ERROR;
@@ -160,7 +177,7 @@ impl<'a> GltfWriter<'a> {
             nodes_writer.write(range, &mut pose, animation, &mut self.buffer, &mut self.unsupported);
             for (node, morphs) in &self.morphed {
                 if self.buffer.is_full() {
-                    return None;
+                    return Err(NotConverted::TooMuch);
                 }
                 Weights { node: *node, morphs }.write(self.document, range, animation, &mut self.buffer);
             }
@@ -182,13 +199,13 @@ impl<'a> GltfWriter<'a> {
             }
         }
         if self.buffer.is_full() {
-            return None;
+            return Err(NotConverted::TooMuch);
         }
         // One thing may be met in several clips or on several meshes; it is told once, where it was first met.
         let mut reported = FxHashSet::default();
         self.unsupported.retain(|feature| reported.insert(feature.clone()));
         let animations = ranges.iter().zip(animations).filter_map(|(range, animation)| animation.value(range)).collect();
-        Some(self.assemble(animations))
+        Ok(self.assemble(animations))
     }
 
     /// World scale above each node, the cube root of the volume that its parent's matrix makes of a unit cube.
@@ -260,14 +277,13 @@ impl<'a> GltfWriter<'a> {
         new
     }
 
-    /// `None` where it would be too much.
-    fn write_contents(&mut self) -> Option<()> {
+    fn write_contents(&mut self) -> Result<(), NotConverted> {
         let document = self.document;
         for (id, node) in document.scene.graph.iter() {
             for (place, content) in node.contents.iter().enumerate() {
                 self.buffer.spend(ENTRY);
                 if self.buffer.is_full() {
-                    return None;
+                    return Err(NotConverted::TooMuch);
                 }
                 match content {
                     Content::Mesh(instance) => match self.still.remove(&(id, place)) {
@@ -280,7 +296,7 @@ impl<'a> GltfWriter<'a> {
                 }
             }
         }
-        Some(())
+        if self.surfaces.out_of_memory { Err(NotConverted::OutOfMemory) } else { Ok(()) }
     }
 
     /// A surface in the world, at the root.

@@ -27,6 +27,16 @@ pub(super) struct Surfaces {
     matrices: FxHashMap<(MeshId, SkinId), BindMatrices>,
     /// The number of each mesh that was written; `None` where nothing of it can be drawn.
     written: FxHashMap<MeshKey, Option<usize>>,
+    /// Whether the system gave no memory for something, so that what is written is of no use.
+    pub out_of_memory: bool,
+}
+
+/// Which triangles of a mesh lie on others of the opposite winding.
+fn backed(mesh: &Mesh, out_of_memory: &mut bool) -> Vec<bool> {
+    backed_triangles(mesh).unwrap_or_else(|_| {
+        *out_of_memory = true;
+        Vec::new()
+    })
 }
 
 /// Inverse bind matrices of a skin, and the accessor that holds them.
@@ -137,7 +147,7 @@ impl Surfaces {
                 }
             }
         }
-        let backed = self.backed.entry(instance.mesh).or_insert_with(|| backed_triangles(mesh));
+        let backed = self.backed.entry(instance.mesh).or_insert_with(|| backed(mesh, &mut self.out_of_memory));
         let sides = MeshSides { mirrored, backed };
         let indices = self.indices.entry(instance.mesh).or_default();
         let primitives = primitives(scene, mesh, &instance.materials, &attributes, &targets, sides, indices, materials, buffer, losses);
@@ -172,7 +182,7 @@ impl Surfaces {
             bindings,
             &attributes,
             &[],
-            MeshSides { mirrored, backed: &backed_triangles(mesh) },
+            MeshSides { mirrored, backed: &backed(mesh, &mut self.out_of_memory) },
             &mut Indices::default(),
             materials,
             buffer,

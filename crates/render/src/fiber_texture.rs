@@ -1,8 +1,10 @@
-//! Procedural texture of a muscle: fibres along its length, paler towards the tendons.
+//! Procedural texture of fibres along v, whose ends may pass into another colour.
 //!
-//! The muscle's mesh brings u round the belly and v along it, so fibres that are straight in the texture follow the nodes, close in where the muscle
-//! is thin and spread where it bulges. A texture, not a formula at each pixel: its mip chain keeps distant fibres from glittering.
+//! The mesh brings u round the bundle and v along it, so fibres that are straight in the texture follow its rings, close in where it is thin and spread
+//! where it bulges. A texture, not a formula at each pixel: its mip chain keeps distant fibres from glittering.
 
+use super::RenderError;
+use super::memory::collect;
 use super::texture::Texture;
 use sinew_scene::WrapMode;
 
@@ -13,10 +15,7 @@ const HEIGHT: u32 = 128;
 /// Round and round, but not from one end to the other.
 pub(super) const WRAP: [WrapMode; 2] = [WrapMode::Repeat, WrapMode::Clamp];
 
-/// Tendon, `#E8DFC8`.
-const TENDON: [f32; 3] = [232.0, 223.0, 200.0];
-
-/// The pattern without colour: how light the fibre is, and how much of it is tendon.
+/// The pattern without colour: how light the fibre is, and how much of it has the colour of the ends.
 #[derive(Debug, Default)]
 pub(super) struct FiberTexture {
     texels: Vec<(f32, f32)>,
@@ -47,7 +46,7 @@ fn step(from: f32, to: f32, x: f32) -> f32 {
 }
 
 impl FiberTexture {
-    fn new() -> Self {
+    fn new() -> Result<Self, RenderError> {
         let texel = |i: u32| {
             let (u, v) = ((i % WIDTH) as f32 / WIDTH as f32, (i / WIDTH) as f32 / (HEIGHT - 1) as f32);
             // Fibres wander a little, whole bundles together.
@@ -59,37 +58,41 @@ impl FiberTexture {
             let fibre = noise(x * 96.0, v * 2.2, 96, 3);
             let grain = noise(x * 240.0, v * 4.0, 240, 4);
             let light = 1.22 - 0.20 * furrow - 0.26 * (1.0 - fibre) - 0.13 * (1.0 - grain);
-            // The tendon reaches between the bundles in tongues.
+            // The end reaches between the bundles in tongues.
             let tongue = 0.05 + 0.10 * noise(x * 30.0, 0.0, 30, 5);
             let end = v.min(1.0 - v);
-            let tendon = 1.0 - step(tongue * 0.35, tongue * 1.25, end);
-            (light, tendon)
+            let end_share = 1.0 - step(tongue * 0.35, tongue * 1.25, end);
+            (light, end_share)
         };
-        Self { texels: (0..WIDTH * HEIGHT).map(texel).collect() }
+        Ok(Self { texels: collect((0..WIDTH * HEIGHT).map(texel))? })
     }
 
-    /// The texture of a muscle of this colour (0 to 255), with or without its own tendons at the ends.
-    pub(super) fn texture(&mut self, color: [u8; 3], tendon: bool) -> Texture {
+    /// The texture of fibres of this colour (0 to 255), whose ends pass into the colour `ends`, `0xRRGGBB`.
+    pub(super) fn texture(&mut self, color: [u8; 3], ends: Option<u32>) -> Result<Texture, RenderError> {
         if self.texels.is_empty() {
-            *self = Self::new();
+            *self = Self::new()?;
         }
+        let end_color = [16, 8, 0].map(|shift| (ends.unwrap_or(0) >> shift & 255) as f32);
         let paint = |&(light, share): &(f32, f32)| {
-            let share = if tendon { share } else { 0.0 };
-            // On the tendon the fibres are fainter.
+            let share = if ends.is_some() { share } else { 0.0 };
+            // Towards the ends the fibres are fainter.
             let shade = light + (0.5 + 0.5 * light - light) * share;
             let channel = |i: usize| {
                 let base = f32::from(color[i]);
                 // Furrows are darker and a little more saturated than a mere shadow.
                 let deep = if i == 0 { shade } else { shade * (0.6 + 0.4 * shade) };
-                let muscle_color = base * deep;
-                let out = muscle_color + (TENDON[i] * (0.25 + 0.75 * shade) - muscle_color) * share;
+                let fiber_color = base * deep;
+                let out = fiber_color + (end_color[i] * (0.25 + 0.75 * shade) - fiber_color) * share;
                 out.clamp(0.0, 255.0) as u32
             };
             0xFF00_0000 | channel(0) << 16 | channel(1) << 8 | channel(2)
         };
         // Row 0 of a texture is the top, v = 1.
         let rows = self.texels.chunks(WIDTH as usize).rev();
-        Texture::from_texels(rows.flatten().map(paint).collect(), WIDTH, HEIGHT, WRAP)
+        let mut texels = Vec::new();
+        texels.try_reserve_exact(self.texels.len())?;
+        texels.extend(rows.flatten().map(paint));
+        Texture::from_texels(texels, WIDTH, HEIGHT, WRAP)
     }
 }
 
@@ -98,8 +101,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_pattern_closes_round_the_muscle() {
-        let pattern = FiberTexture::new();
+    fn the_pattern_closes_round_the_bundle() {
+        let pattern = FiberTexture::new().expect("there is memory for it");
         for row in pattern.texels.chunks(WIDTH as usize) {
             let (first, last) = (row[0].0, row[WIDTH as usize - 1].0);
             assert!((first - last).abs() < 0.12, "a seam: {first} beside {last}");

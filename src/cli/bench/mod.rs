@@ -1,4 +1,9 @@
-//! `sinew bench`: speed of the rasterizer on this machine.
+//! `sinew bench`: speed of the rasterizer on this machine, with the floor that no program gets below.
+
+mod bench_scene;
+mod floor;
+mod spheres;
+mod timing;
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -13,10 +18,11 @@ use super::{files, value};
 use crate::document::{Document, PoseBuffers};
 use crate::i18n::decimal;
 use crate::progress::Progress;
-use crate::render::bench::{self, BenchRow, Stages, label, lit_pixels};
-use crate::render::{Display, Renderer, Samples};
+use crate::render::{Display, RenderError, RenderJob, Renderer, Samples};
 use crate::scene::{Frame, OrbitCamera};
 use crate::tr;
+use spheres::{BenchRow, label, lit_pixels};
+use timing::{Stages, time};
 
 /// Sizes that models are drawn in.
 const SIZES: [(u32, u32); 2] = [(800, 600), (1920, 1080)];
@@ -93,14 +99,14 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         models.push((name, Document::open(&[file], &Progress::default())?));
     }
     let mut renderer = Renderer::new(value(given, "threads"));
-    let mut rows = bench::spheres(&mut renderer, budget, wanted);
+    let mut rows = spheres::spheres(&mut renderer, budget, wanted)?;
     for (name, document) in &models {
         for size in SIZES {
             for samples in [Samples::One, Samples::Four] {
                 let display = Display { samples, ..Display::default() };
                 let size_too = format!("{} {}×{}", label(name, "moving", "gouraud", count(samples)), size.0, size.1);
                 if wanted(&size_too) {
-                    rows.push(model(&mut renderer, name, document, &display, size, budget));
+                    rows.push(model(&mut renderer, name, document, &display, size, budget)?);
                 }
             }
         }
@@ -108,7 +114,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if let Some(text) = only.filter(|_| rows.is_empty()) {
         return Err(Failure::usage(tr!("cli-bench-no-scene", text = text)));
     }
-    let floor = bench::floor(&renderer, budget);
+    let floor = floor::measure(&renderer, budget);
     let report = BenchReport {
         simd: renderer.simd(),
         threads: renderer.threads(),
@@ -130,7 +136,7 @@ fn model(
     display: &Display,
     (width, height): (u32, u32),
     budget: Duration,
-) -> BenchRow {
+) -> Result<BenchRow, RenderError> {
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     let start = document.start_state();
     let mut orbit = OrbitCamera::default();
@@ -145,14 +151,16 @@ fn model(
         let begin = Instant::now();
         document.pose(&start.at_time(start.time + share * duration).with_drive(drive), &mut buffers, &mut frame);
         let pose_ms = begin.elapsed().as_secs_f64() * 1e3;
-        black_box(renderer.draw(&document.scene, &frame, &camera, display, width, height));
-        Stages::of(renderer.stats(), pose_ms)
+        let job = RenderJob { scene: &document.scene, frame: &frame, camera: &camera, display, width, height };
+        black_box(renderer.draw(&job)?);
+        Ok::<_, RenderError>(Stages::of(renderer.stats(), pose_ms))
     };
-    let times = bench::time(budget, |step| draw(renderer, step));
+    let times = time(budget, |step| draw(renderer, step))?;
     let triangles = renderer.stats().triangles;
     let bare = Display { grid: false, ..display.clone() };
-    let lit_pixels = lit_pixels(renderer, &document.scene, &frame, &camera, &bare, (width, height));
-    BenchRow {
+    let job = RenderJob { scene: &document.scene, frame: &frame, camera: &camera, display: &bare, width, height };
+    let lit_pixels = lit_pixels(renderer, &job)?;
+    Ok(BenchRow {
         scene: name.to_owned(),
         view: "moving",
         width,
@@ -162,7 +170,7 @@ fn model(
         shading: "gouraud",
         samples: count(display.samples),
         times,
-    }
+    })
 }
 
 impl BenchReport {

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use glam::{Mat4, Quat, Vec2, Vec3};
 
-use sinew_scene::{
+use super::spheres::{HEIGHT, WIDTH};
+use crate::render::{Display, RenderJob};
+use crate::scene::{
     Bounds, Camera, Frame, Image, ImageId, Material, MaterialBinding, MaterialId, Mesh, Node, Paint, Part, Pixels, Projection, Scene,
     Surface, SurfaceGeometry, TextureRef, WrapMode,
 };
@@ -43,6 +45,7 @@ impl BenchScene {
             mirrored: false,
             solid: None,
             muscle: None,
+            fibers: Arc::default(),
             ghost: None,
             visible: true,
             content: 0,
@@ -51,6 +54,11 @@ impl BenchScene {
         let bounds = Bounds { min: Vec3::NEG_ONE, max: Vec3::ONE };
         let frame = Frame { surfaces: vec![surface], materials: vec![material], bounds, ..Frame::default() };
         Self { scene, frame }
+    }
+
+    /// The picture of the sphere.
+    pub(super) fn job<'a>(&'a self, camera: &'a Camera, display: &'a Display) -> RenderJob<'a> {
+        RenderJob { scene: &self.scene, frame: &self.frame, camera, display, width: WIDTH, height: HEIGHT }
     }
 
     /// Turns the sphere to this angle, radians.

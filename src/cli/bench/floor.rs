@@ -1,14 +1,17 @@
 //! What any program that makes this picture has to do at least, on one thread and with the widest vectors that the kernels use.
 
+use std::convert::Infallible;
 use std::hint::black_box;
 use std::time::Duration;
 
-use super::{HEIGHT, WIDTH, time};
+use super::spheres::{HEIGHT, WIDTH};
+use super::timing::{Stages, time};
+use crate::render::Renderer;
 use sinew_simd::{Simd, SimdLevel, kernel};
 
 /// Medians, milliseconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BenchFloor {
+pub(super) struct BenchFloor {
     /// Writing every colour and every depth of the picture once.
     pub clear_ms: f64,
     /// Comparing the depth of as many pixels as the sphere covers, and writing colour and depth of each.
@@ -17,28 +20,33 @@ pub struct BenchFloor {
     pub memcpy_ms: f64,
 }
 
-impl BenchFloor {
-    /// What a sphere that covers those pixels costs at least.
-    pub fn frame_ms(&self) -> f64 {
-        self.clear_ms + self.z_pass_ms
-    }
-}
+/// How many pixels the 10k sphere covers in the view "fill".
+const LIT: usize = 411_000;
 
-/// Measures it, for a picture in which `lit` pixels are covered.
-pub(super) fn measure(level: SimdLevel, lit: usize, budget: Duration) -> BenchFloor {
+/// Measures it with a renderer's instruction set.
+pub(super) fn measure(renderer: &Renderer, budget: Duration) -> BenchFloor {
+    let level = SimdLevel::named(renderer.simd()).unwrap_or_else(SimdLevel::detect);
+    let time = |frame: &mut dyn FnMut(u32)| {
+        let staged = |turn| {
+            frame(turn);
+            Ok::<_, Infallible>(Stages::default())
+        };
+        let Ok(times) = time(budget, staged);
+        times
+    };
     let pixels = (WIDTH * HEIGHT) as usize;
     let (mut color, mut depth, mut copy) = (vec![0u32; pixels], vec![0f32; pixels], vec![0u32; pixels]);
-    let clear = time(budget, |turn| {
+    let clear = time(&mut |turn| {
         color.fill(turn);
         depth.fill(1.0);
         black_box((&mut color, &mut depth));
     });
-    let lit = lit.min(pixels);
-    let pass = time(budget, |turn| {
+    let lit = LIT.min(pixels);
+    let pass = time(&mut |turn| {
         z_pass(level, turn, &mut color[..lit], &mut depth[..lit]);
         black_box((&mut color, &mut depth));
     });
-    let memcpy = time(budget, |_| {
+    let memcpy = time(&mut |_| {
         copy.copy_from_slice(&color);
         black_box(&mut copy);
     });
