@@ -10,9 +10,9 @@ use sinew::document::Document;
 use sinew::export::gltf;
 use sinew::export::guard::OverwriteGuard;
 use sinew::progress::Progress;
-use sinew::render::Display;
 use sinew::scene::ViewDirection;
 use sinew::sequence::{self, Direction, FittedOrbit, OutputTarget, Sequence, SequenceOptions, SequenceRenderer};
+use sinew::view::ViewState;
 
 const SIZE: (u32, u32) = (1280, 720);
 /// Seconds of film.
@@ -36,8 +36,7 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     );
     let target = OutputTarget::of(out)?;
     let begun = Instant::now();
-    let mut studio =
-        SequenceRenderer::new(document, sequence.clone(), Display::default(), None, Box::new(move |_, _, turn| eye.camera(turn)));
+    let mut studio = SequenceRenderer::new(document, sequence.clone(), ViewState::orbiting(eye.orbit()), None);
     sequence::save(&mut studio, SIZE, (&target, &OverwriteGuard::default()), &|_| String::new(), &Progress::default()).ok()?;
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }

@@ -23,7 +23,10 @@ pub(super) fn write_all(session: &mut Session, canvas: &PaintWidget, snapshot: &
         .filter(|(place, _)| place.z <= 1.0 && place.x > 0.0 && place.y > 0.0 && place.x < size.x && place.y < size.y)
         .collect();
     // The selected one is never left out, and the one under the pointer neither.
-    let rank = |node| u8::from(display.selected != Some(node)) + u8::from(display.selected != Some(node) && display.hovered != Some(node));
+    let rank = |node| {
+        u8::from(display.highlight.selected != Some(node))
+            + u8::from(display.highlight.selected != Some(node) && display.highlight.hovered != Some(node))
+    };
     names.sort_by(|(a, one), (b, other)| rank(*one).cmp(&rank(*other)).then(a.z.total_cmp(&b.z)));
     let mut taken: Vec<(f64, f64, f64)> = Vec::new();
     for (place, node) in names.into_iter().take(MOST) {
@@ -38,7 +41,7 @@ pub(super) fn write_all(session: &mut Session, canvas: &PaintWidget, snapshot: &
             Background::Solid(color) => color,
             Background::Transparent => display.palette.background.0,
         });
-        let color = if display.selected == Some(node) { display.palette.selected } else { display.palette.bone };
+        let color = if display.highlight.selected == Some(node) { display.palette.selected } else { display.palette.bone };
         let written = write_with_background(canvas, snapshot, name, (x, y), 0.8, &rgb(color), &ground.with_alpha(0.8));
         taken.push((x, x + written, y));
     }

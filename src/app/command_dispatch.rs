@@ -92,7 +92,7 @@ fn flag_state(command: Command, session: &Session) -> Option<bool> {
         Command::Play => Some(session.playback().playing),
         Command::Reverse => Some(session.playback().speed < 0.0),
         Command::Orthographic => Some(session.camera_controller().orbit().orthographic),
-        Command::Weights => Some(session.display().weights.is_some()),
+        Command::Weights => Some(session.display().highlight.weights.is_some()),
         Command::SmoothEdges => Some(session.display().samples == Samples::Four),
         Command::BoneNames => Some(session.bone_names()),
         Command::Ghosts => Some(session.onion_skin_settings().shown),
@@ -148,7 +148,7 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::ElbowMore | C::ElbowLess => session.bends_arm() || session.joint().is_some(),
         C::PickOrigin | C::PickInsertion => !session.bones_for(session.shown_muscle()).is_empty(),
         C::SeeThrough => session.posed().surfaces.iter().any(|surface| surface.skin),
-        C::Weights => session.selected().is_some_and(|node| session.is_bone(node)) || session.display().weights.is_some(),
+        C::Weights => session.selected().is_some_and(|node| session.is_bone(node)) || session.display().highlight.weights.is_some(),
         C::ResetLight => session.light().is_some(),
         C::ResetModel => !session.model().is_identity(),
         C::Save | C::SaveAs => session.document().muscle_count() > 0,
@@ -332,7 +332,7 @@ fn change_session(command: Command, session: &mut Session) {
         C::Hide => session.hide_selected(),
         C::ShowAll => session.show_all(),
         C::BoneNames => session.set_bone_names(!session.bone_names()),
-        C::Weights => session.set_weights(session.display().weights.is_none()),
+        C::Weights => session.set_weights(session.display().highlight.weights.is_none()),
         C::SmoothEdges => session.change_display(|display| {
             display.samples = if display.samples == Samples::Four { Samples::One } else { Samples::Four };
         }),

@@ -11,12 +11,12 @@ use crate::export::tables::{self, MeasureTable, TableError, TableSubject};
 use crate::export::{ExportError, gif, mtl, video};
 use crate::i18n::{self, Sentence};
 use crate::progress::Progress;
-use crate::render::{Background, Display};
-use crate::scene::{Frame, OrbitCamera};
+use crate::render::{Background, Highlight};
+use crate::scene::Frame;
 use crate::sequence::{self, FilePattern, FrameSpec, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions, SequenceRenderer};
-use crate::session::{CameraController, Session, Viewpoint};
+use crate::session::Session;
 use crate::tr;
-use crate::view::{CameraFollow, SceneOverlays};
+use crate::view::{CameraController, SceneOverlays, ViewState};
 
 /// The kinds of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -299,9 +299,7 @@ pub(super) struct ExportJob {
     overlays: (SceneOverlays, f64),
     state: PoseState,
     sequence: Sequence,
-    controller: CameraController,
-    follow: Option<CameraFollow>,
-    display: Display,
+    view: ViewState,
     options: ExportOptions,
     guard: OverwriteGuard,
 }
@@ -313,9 +311,11 @@ impl ExportJob {
     /// As [`ExportOptions::check`].
     pub(super) fn new(session: &mut Session, options: ExportOptions, guard: OverwriteGuard) -> Result<Self, ExportRefusal> {
         let sequence = options.check(session)?;
-        let (_, _, _, mut display) = session.picture();
+        let mut view = session.view_state();
+        let display = &mut view.display;
         display.scale = options.scale;
-        (display.hovered, display.selected) = (None, display.selected.filter(|_| options.helps));
+        let selected = display.highlight.selected.filter(|_| options.helps);
+        display.highlight = Highlight { hovered: None, selected, ..display.highlight };
         if options.transparent {
             display.background = Background::Transparent;
         }
@@ -332,9 +332,8 @@ impl ExportJob {
             }
         }
         let overlays = (session.overlays(), session.frame_rate());
-        let (document, state, controller) = (session.document().clone(), session.state(), session.camera_controller().clone());
-        let follow = session.camera_follow();
-        Ok(Self { document, overlays, state, sequence, controller, follow, display, options, guard })
+        let (document, state) = (session.document().clone(), session.state());
+        Ok(Self { document, overlays, state, sequence, view, options, guard })
     }
 
     /// How many frames it has.
@@ -370,16 +369,9 @@ impl ExportJob {
             ExportKind::Muscles(form) => return self.table(TableSubject::Muscles, form, file, work),
             ExportKind::Joints(form) => return self.table(TableSubject::Joints, form, file, work),
         };
-        let Self { document, overlays: (overlays, rate), sequence, controller, follow, display, options, guard, .. } = self;
-        let note = note(&document, &controller);
-        let camera_fn = move |scene: &_, frame: &_, turn: f32| match controller.viewpoint() {
-            Viewpoint::Orbit => {
-                let camera = OrbitCamera { yaw: controller.orbit().yaw + turn, ..*controller.orbit() }.camera();
-                follow.map_or(camera, |follow| follow.moved(camera, frame))
-            }
-            Viewpoint::Fly(_) | Viewpoint::File(..) => controller.camera(scene, frame),
-        };
-        let mut renderer = SequenceRenderer::new(&document, sequence, display, None, Box::new(camera_fn)).with_overlays(overlays, rate);
+        let Self { document, overlays: (overlays, rate), sequence, view, options, guard, .. } = self;
+        let note = note(&document, &view.camera);
+        let mut renderer = SequenceRenderer::new(&document, sequence, view, None).with_overlays(overlays, rate);
         sequence::save(&mut renderer, options.size, (&target, &guard), &note, work)
     }
 

@@ -31,7 +31,7 @@ fn take(window: &Rc<Window>, transparent: bool) -> Result<ScreenshotImage, Rende
         let note = note(session.document(), session.camera_controller())(&FrameSpec { state: session.state(), turntable: 0.0 });
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;
-        display.hovered = None;
+        display.highlight.hovered = None;
         if transparent {
             display.background = Background::Transparent;
         }

@@ -18,13 +18,13 @@ use crate::limits;
 use crate::muscle::MuscleRig;
 use crate::progress::Progress;
 use crate::render::{Background, Display, Samples, Shading};
-use crate::scene::{Bounds, Frame, OrbitCamera, ViewDirection};
+use crate::scene::ViewDirection;
 use crate::sequence::{
-    self, CameraFn, Direction, FittedOrbit, FrameSpec, FrameTimes, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions,
-    SequenceRenderer, posed_bounds,
+    self, Direction, FittedOrbit, FrameSpec, FrameTimes, Motion, OutputTarget, Sequence, SequenceError, SequenceOptions, SequenceRenderer,
+    posed_bounds,
 };
 use crate::tr;
-use crate::view::{self, CameraFollow, Opened, SceneOverlays, SessionState};
+use crate::view::{self, Opened, SceneOverlays, ViewState};
 
 /// Columns and rows where the call does not say.
 const SIZE: (u32, u32) = (1280, 720);
@@ -71,21 +71,21 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if let Some(other) = overlays.motion_bounds(&document, &state) {
         wide.merge(&other);
     }
-    let camera = match saved.as_deref().filter(|_| !chooses_direction(given)) {
-        Some(saved) => session_camera(saved, &document, &wide, CameraFollow::from_session(saved, &document, &start)),
-        None => None,
+    let mut view = match saved.as_deref() {
+        Some(saved) => saved.view_state(&document, &start, &wide, &bounds),
+        // What is only a help on the screen, such as the ground grid, stays away unless it is asked for or a session shows it.
+        None => ViewState { display: Display { grid: false, ..Display::default() }, ..ViewState::default() },
     };
-    let camera = camera.unwrap_or_else(|| {
-        let eye = FittedOrbit::fit(direction(given), &wide, aspect, sequence.has_turntable());
-        Box::new(move |_, _, turn| eye.camera(turn))
-    });
-    // What is only a help on the screen, such as the ground grid, stays away unless it is asked for or a session shows it.
-    let orbit = saved.as_ref().map_or_else(|| Display { grid: false, ..Display::default() }, |saved| saved.display(&document, &bounds));
+    if chooses_direction(given) || !saved.as_ref().is_some_and(|saved| saved.has_camera(&document)) {
+        let fitted = FittedOrbit::fit(direction(given), &wide, aspect, sequence.has_turntable());
+        view.camera.change(|orbit| *orbit = fitted.orbit());
+        view.follow = None;
+    }
     // In a film the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
-    let display = Display { scale, ground, ..display(given, orbit, !document.shows_surface()) };
+    view.display = Display { scale, ground, ..display(given, view.display, !document.shows_surface()) };
     let count = sequence.count;
-    let mut renderer = SequenceRenderer::new(&document, sequence, display, value(given, "threads"), camera).with_overlays(overlays, rate);
+    let mut renderer = SequenceRenderer::new(&document, sequence, view, value(given, "threads")).with_overlays(overlays, rate);
     let call = call_note(given, &files, size, scale);
     let note = |spec: &FrameSpec| format!("{call}{}", frame_note(&document, spec));
     progress::run_with_progress(count, |work| sequence::save(&mut renderer, size, (&target, &guard), &note, work))?;
@@ -185,24 +185,6 @@ fn direction(given: &ArgMatches) -> Direction {
 /// Whether the options say where to look from.
 fn chooses_direction(given: &ArgMatches) -> bool {
     ["camera", "yaw", "pitch", "zoom"].into_iter().any(|id| given.contains_id(id))
-}
-
-/// The camera of a session: a camera of the file, else its orbit camera, which may follow a node; `None` where it has neither.
-fn session_camera(saved: &SessionState, document: &Document, bounds: &Bounds, follow: Option<CameraFollow>) -> Option<CameraFn<'static>> {
-    let orbit = saved.camera.and_then(|camera| camera.orbit(bounds));
-    let node = saved.file_camera.as_ref().and_then(|node| node.find(document));
-    let file_camera = node.and_then(|node| view::file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node));
-    let usual = orbit.unwrap_or_default();
-    let orbit_camera = move |frame: &Frame, turn: f32| {
-        let camera = OrbitCamera { yaw: usual.yaw + turn, ..usual }.camera();
-        follow.map_or(camera, |follow| follow.moved(camera, frame))
-    };
-    match file_camera {
-        Some((node, id)) => {
-            Some(Box::new(move |scene, frame, turn| view::file_camera(scene, frame, node, id).unwrap_or_else(|| orbit_camera(frame, turn))))
-        }
-        None => orbit.map(|_| -> CameraFn<'static> { Box::new(move |_, frame, turn| orbit_camera(frame, turn)) }),
-    }
 }
 
 /// Display options: those of the command line over `defaults`. The bones of a file without surfaces are always drawn.

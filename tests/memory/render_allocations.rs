@@ -4,7 +4,7 @@ use crate::counting::allocations;
 use crate::render_support::World;
 use crate::render_support::models::{self, belly, profile, sphere};
 use glam::{Mat4, Vec3};
-use sinew::render::{Display, Renderer, Samples, Shading};
+use sinew::render::{Display, Highlight, Renderer, Samples, Shading};
 use sinew::scene::{Material, OrbitCamera};
 
 pub(crate) fn frames_after_the_first_allocate_nothing() {
@@ -22,8 +22,18 @@ pub(crate) fn frames_after_the_first_allocate_nothing() {
         let base = Display { shading, bones: true, bone_axes: true, wireframe: true, ..Display::default() };
         for display in [
             base.clone(),
-            Display { samples: Samples::One, weights: Some(joints[1]), selected: Some(joints[1]), ..base.clone() },
-            Display { selected: Some(world.frame.surfaces[0].node), normal_glyphs: true, bounding_box: true, axes: true, ..base },
+            Display {
+                samples: Samples::One,
+                highlight: Highlight { weights: Some(joints[1]), selected: Some(joints[1]), hovered: None },
+                ..base.clone()
+            },
+            Display {
+                highlight: Highlight { selected: Some(world.frame.surfaces[0].node), ..Highlight::default() },
+                normal_glyphs: true,
+                bounding_box: true,
+                axes: true,
+                ..base
+            },
         ] {
             // The second frame like the first may keep the ground.
             for _ in 0..2 {

@@ -6,7 +6,7 @@ use crate::render_support::rng::Rng;
 use crate::render_support::{World, camera_at, plain};
 use glam::{Mat4, Vec3, Vec4};
 use proptest::prelude::*;
-use sinew::render::{Background, Display, RenderJob, RenderTarget, Renderer, Samples, Shading};
+use sinew::render::{Background, Display, Highlight, RenderJob, RenderTarget, Renderer, Samples, Shading};
 use sinew::scene::{Bounds, Camera, Material, OrbitCamera, Paint, Projection, ShadingModel, WrapMode};
 
 const SIZE: [u32; 2] = [96, 72];
@@ -111,7 +111,7 @@ fn everything() -> (World, Display, Camera) {
         wireframe: true,
         normal_glyphs: true,
         light_marker: true,
-        selected: Some(sinew::scene::NodeId(0)),
+        highlight: Highlight { selected: Some(sinew::scene::NodeId(0)), ..Highlight::default() },
         ..Display::default()
     };
     (world, display, orbit.camera())
@@ -326,7 +326,8 @@ proptest! {
             camera.projection = Projection::Orthographic { height: 3.0 };
         }
         let samples = if four { Samples::Four } else { Samples::One };
-        let display = Display { samples, shading, wireframe: true, normal_glyphs: true, bounding_box: true, selected: Some(node), ..Display::default() };
+        let highlight = Highlight { selected: Some(node), ..Highlight::default() };
+        let display = Display { samples, shading, wireframe: true, normal_glyphs: true, bounding_box: true, highlight, ..Display::default() };
         let mut pictures = Vec::new();
         for (threads, simd) in [(1, "scalar"), (2, "sse2"), (3, "avx2"), (2, "avx512")] {
             let mut renderer = Renderer::new(Some(threads));

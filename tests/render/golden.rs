@@ -4,7 +4,7 @@ use crate::render_support::golden::check;
 use crate::render_support::models::{self, belly, checker, profile, sphere, square};
 use crate::render_support::{World, camera_at};
 use glam::{Mat4, Vec2, Vec3};
-use sinew::render::{Background, Display, OverlayPalette, Renderer, Samples, Shading, Theme};
+use sinew::render::{Background, Display, Highlight, OverlayPalette, Renderer, Samples, Shading, Theme};
 use sinew::scene::{AlphaSource, Camera, Material, OrbitCamera, Paint, ShadingModel, TextureRef, ViewDirection, WrapMode};
 
 const SIZE: [u32; 2] = [160, 120];
@@ -151,8 +151,13 @@ fn muscles_have_fibres() {
     golden("muscle", &world, &camera, &quiet());
     golden("muscle-phong", &world, &camera, &Display { shading: Shading::Phong, ..quiet() });
     golden("muscle-flat", &world, &camera, &Display { shading: Shading::Flat, ..quiet() });
-    golden("muscle-selected", &world, &camera, &Display { selected: Some(node), ..quiet() });
-    golden("muscle-hovered", &world, &camera, &Display { hovered: Some(node), ..quiet() });
+    golden(
+        "muscle-selected",
+        &world,
+        &camera,
+        &Display { highlight: Highlight { selected: Some(node), ..Highlight::default() }, ..quiet() },
+    );
+    golden("muscle-hovered", &world, &camera, &Display { highlight: Highlight { hovered: Some(node), ..Highlight::default() }, ..quiet() });
     golden("muscle-off", &world, &camera, &Display { muscle: false, ..quiet() });
 }
 
@@ -165,10 +170,16 @@ fn bones() {
     golden("bones", &world, &camera, &base);
     golden("bones-no-xray", &world, &camera, &Display { xray: false, ..base.clone() });
     golden("bones-alone", &world, &camera, &Display { mesh: false, ..base.clone() });
-    golden("bones-selected", &world, &camera, &Display { selected: Some(joints[1]), hovered: Some(joints[0]), ..base.clone() });
+    golden(
+        "bones-selected",
+        &world,
+        &camera,
+        &Display { highlight: Highlight { selected: Some(joints[1]), hovered: Some(joints[0]), weights: None }, ..base.clone() },
+    );
     golden("bones-axes", &world, &camera, &Display { bone_axes: true, ..base.clone() });
-    golden("weights", &world, &camera, &Display { weights: Some(joints[1]), ..base.clone() });
-    golden("weights-phong", &world, &camera, &Display { weights: Some(joints[1]), shading: Shading::Phong, bones: false, ..base });
+    let highlight = Highlight { weights: Some(joints[1]), ..Highlight::default() };
+    golden("weights", &world, &camera, &Display { highlight, ..base.clone() });
+    golden("weights-phong", &world, &camera, &Display { highlight, shading: Shading::Phong, bones: false, ..base });
 }
 
 #[test]
@@ -188,7 +199,13 @@ fn helpers() {
         "light-theme",
         &world,
         &camera,
-        &Display { palette, background, bones: true, selected: Some(sinew::scene::NodeId(3)), ..Display::default() },
+        &Display {
+            palette,
+            background,
+            bones: true,
+            highlight: Highlight { selected: Some(sinew::scene::NodeId(3)), ..Highlight::default() },
+            ..Display::default()
+        },
     );
 }
 

@@ -56,9 +56,9 @@ fn ring(frame: &Frame, bone: &Bone) -> [Vec3; 4] {
 /// The palette's colour for what hangs on `node`.
 pub(super) fn color(display: &Display, node: NodeId) -> [f32; 3] {
     let palette = &display.palette;
-    rgb(if display.selected == Some(node) {
+    rgb(if display.highlight.selected == Some(node) {
         palette.selected
-    } else if display.hovered == Some(node) {
+    } else if display.highlight.hovered == Some(node) {
         palette.hovered
     } else {
         palette.bone
@@ -107,7 +107,9 @@ impl GeneratedMesh {
 impl LineBuilder<'_> {
     /// Outlines the bones of the selected joint; where bones are not shown, its own place is marked too.
     pub(super) fn selected_bones(&mut self, scene: &Scene, frame: &Frame) {
-        let Some(selected) = self.display.selected.filter(|node| frame.joints.iter().any(|joint| joint.node == *node)) else { return };
+        let Some(selected) = self.display.highlight.selected.filter(|node| frame.joints.iter().any(|joint| joint.node == *node)) else {
+            return;
+        };
         if selected.index() >= scene.graph.len() || !scene.graph.is_shown(selected) {
             return;
         }

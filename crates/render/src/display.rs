@@ -89,6 +89,17 @@ impl OverlayPalette {
     }
 }
 
+/// What of a scene is marked.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Highlight {
+    /// The selected node: its bone or surface is marked.
+    pub selected: Option<NodeId>,
+    /// The node under the pointer.
+    pub hovered: Option<NodeId>,
+    /// The joint whose weights are painted over the skin.
+    pub weights: Option<NodeId>,
+}
+
 /// Everything that decides how a frame looks, apart from the camera.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Display {
@@ -116,8 +127,6 @@ pub struct Display {
     pub bone_axes: bool,
     /// Bones show through surfaces.
     pub xray: bool,
-    /// Paints the weights of this joint over the skin.
-    pub weights: Option<NodeId>,
     /// Ground grid.
     pub grid: bool,
     /// What the grid is laid out for; `None` = the frame's bounds, so that it changes as the model moves.
@@ -138,10 +147,8 @@ pub struct Display {
     pub ambient: f32,
     /// A small mark where the light is.
     pub light_marker: bool,
-    /// The selected node: its bone or surface is marked.
-    pub selected: Option<NodeId>,
-    /// The node under the pointer.
-    pub hovered: Option<NodeId>,
+    /// What is marked.
+    pub highlight: Highlight,
     /// Colours of what is drawn over the model.
     pub palette: OverlayPalette,
     /// Pixels of the device a logical pixel: widths of lines follow it.
@@ -168,7 +175,6 @@ impl Default for Display {
             bones: false,
             bone_axes: false,
             xray: true,
-            weights: None,
             grid: true,
             ground: None,
             axes: false,
@@ -179,8 +185,7 @@ impl Default for Display {
             light: None,
             ambient: 0.25,
             light_marker: false,
-            selected: None,
-            hovered: None,
+            highlight: Highlight::default(),
             palette,
             scale: 1.0,
             grid_cell: None,

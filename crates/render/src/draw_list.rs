@@ -179,7 +179,7 @@ impl DrawList {
         let RenderJob { scene, frame, display, .. } = *job;
         let mesh = &surface.mesh;
         let mut weight_colors = None;
-        if let Some(joint) = display.weights.filter(|_| !surface.is_fibrous() && surface.ghost.is_none()) {
+        if let Some(joint) = display.highlight.weights.filter(|_| !surface.is_fibrous() && surface.ghost.is_none()) {
             weight_colors = Some(self.weight_colors.len());
             append_weight_colors(scene, surface, joint, &mut self.weight_colors)?;
         }
@@ -251,5 +251,5 @@ const SEE_THROUGH_OPACITY: f32 = 0.38;
 
 /// Whether a surface lets the fibres beneath it be seen.
 fn is_see_through(display: &Display, surface: &Surface) -> bool {
-    surface.skin && display.see_through && display.muscle && display.weights.is_none() && surface.ghost.is_none()
+    surface.skin && display.see_through && display.muscle && display.highlight.weights.is_none() && surface.ghost.is_none()
 }

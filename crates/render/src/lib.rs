@@ -44,7 +44,7 @@ mod vertex;
 mod vertex_arrays;
 mod weight_colormap;
 
-pub use display::{Background, Display, OverlayPalette, Samples, Shading, Theme};
+pub use display::{Background, Display, Highlight, OverlayPalette, Samples, Shading, Theme};
 pub use error::RenderError;
 pub use framebuffer::Framebuffer;
 pub use pick_job::{PickHit, PickJob};

@@ -27,7 +27,7 @@ pub(super) struct SurfacePart<'a> {
 pub(super) fn resolve_material(cache: &mut TextureCache, part: &SurfacePart<'_>) -> Result<ResolvedMaterial, RenderError> {
     let SurfacePart { scene, display, surface, material, binding, .. } = *part;
     let neutral = Material::default();
-    let heated = display.weights.is_some() && !surface.is_fibrous() && surface.ghost.is_none();
+    let heated = display.highlight.weights.is_some() && !surface.is_fibrous() && surface.ghost.is_none();
     let colored = display.materials && !heated && surface.ghost.is_none_or(|ghost| ghost.materials);
     let tinted = colored && !surface.mesh.colors.is_empty();
     // Colours of vertices stand for a material where none is bound; they multiply white.
@@ -134,9 +134,9 @@ fn apply_ghost(material: &mut ResolvedMaterial, ghost: &Ghost) {
 
 /// Tints what is selected or under the pointer.
 fn apply_selection(material: &mut ResolvedMaterial, display: &Display, surface: &Surface) {
-    let found = if display.selected == Some(surface.node) {
+    let found = if display.highlight.selected == Some(surface.node) {
         Some((display.palette.selected, 0.14))
-    } else if display.hovered == Some(surface.node) {
+    } else if display.highlight.hovered == Some(surface.node) {
         Some((display.palette.hovered, 0.10))
     } else {
         None

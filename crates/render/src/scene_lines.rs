@@ -48,7 +48,7 @@ impl DrawList {
         }
         builder.helpers(frame, light);
         for surface in frame.surfaces.iter().filter(|surface| is_shown(display, surface)) {
-            let selected = display.selected == Some(surface.node) && surface.ghost.is_none();
+            let selected = display.highlight.selected == Some(surface.node) && surface.ghost.is_none();
             let wireframe = display.wireframe && surface.ghost.is_none_or(|ghost| ghost.opacity >= 1.0);
             if wireframe || selected {
                 let edges = self.meshes.of(&surface.mesh)?.edges(&surface.mesh)?;

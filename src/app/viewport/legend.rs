@@ -17,7 +17,7 @@ const BELOW: f64 = 96.0;
 
 /// Draws the ramp with the bone's name, while weights are painted.
 pub(super) fn draw(session: &Session, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
-    let Some(bone) = session.display().weights else { return };
+    let Some(bone) = session.display().highlight.weights else { return };
     let (x, y) = (width - RIGHT - WIDTH, height - BELOW);
     if x < 60.0 || y < 60.0 {
         return;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{Mat4, Quat, Vec2, Vec3, Vec4};
 use libfuzzer_sys::fuzz_target;
-use sinew::render::{Display, PickJob, RenderJob, Renderer, Samples, Shading};
+use sinew::render::{Display, Highlight, PickJob, RenderJob, Renderer, Samples, Shading};
 use sinew::scene::{Bounds, Camera, Frame, Material, MaterialBinding, MaterialId, Mesh, Node, Part, SurfaceGeometry, Projection, Scene, Surface};
 
 /// Numbers out of the input, one after the other; zeros when it is used up.
@@ -95,7 +95,7 @@ fuzz_target!(|bytes: &[u8]| {
         smooth_normals: on(13),
         depth_test: on(14),
         cull_back_faces: on(15),
-        selected: on(16).then_some(node),
+        highlight: Highlight { selected: on(16).then_some(node), ..Highlight::default() },
         ..Display::default()
     };
     let (width, height) = (u32::from(from.byte()), u32::from(from.byte()));

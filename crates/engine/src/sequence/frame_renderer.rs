@@ -2,24 +2,20 @@
 
 use super::{FrameSpec, Sequence};
 use crate::document::{Document, PoseBuffers};
-use crate::view::{PoseContext, SceneOverlays};
-use sinew_render::{Background, Display, Framebuffer, RenderError, RenderJob, RenderTarget, Renderer};
-use sinew_scene::{Camera, Frame, Scene};
+use crate::view::{PoseContext, SceneOverlays, ViewState};
+use sinew_render::{Background, Framebuffer, RenderError, RenderJob, RenderTarget, Renderer};
+use sinew_scene::Frame;
 
 /// Durations of one frame's stages, milliseconds: pose, deform, vertex, raster, resolve.
 pub type FrameTimes = [f64; 5];
-
-/// Gives the camera for a posed scene and a turntable angle, degrees.
-pub type CameraFn<'a> = Box<dyn Fn(&Scene, &Frame, f32) -> Camera + Send + 'a>;
 
 /// Draws the frames of a sequence; its buffers are reused from frame to frame.
 pub struct SequenceRenderer<'a> {
     document: &'a Document,
     /// The sequence.
     pub sequence: Sequence,
-    camera: CameraFn<'a>,
-    /// Display options.
-    pub display: Display,
+    /// How it is looked at.
+    view: ViewState,
     renderer: Renderer,
     buffers: PoseBuffers,
     frame: Frame,
@@ -29,11 +25,12 @@ pub struct SequenceRenderer<'a> {
 }
 
 impl<'a> SequenceRenderer<'a> {
-    /// A renderer that draws `sequence` through the camera that `camera_fn` gives, with `threads` threads (`None`: one per core).
-    pub fn new(document: &'a Document, sequence: Sequence, display: Display, threads: Option<usize>, camera_fn: CameraFn<'a>) -> Self {
+    /// A renderer that draws `sequence` looked at as `view` says, with `threads` threads (`None`: one per core). The light stands where
+    /// [`ViewState::place_light`] has put it.
+    pub fn new(document: &'a Document, sequence: Sequence, view: ViewState, threads: Option<usize>) -> Self {
         let renderer = Renderer::new(threads);
         let (buffers, frame) = (PoseBuffers::default(), Frame::default());
-        Self { document, sequence, camera: camera_fn, display, renderer, buffers, frame, times: Vec::new(), overlays: None }
+        Self { document, sequence, view, renderer, buffers, frame, times: Vec::new(), overlays: None }
     }
 
     /// Draws overlays too; `frame_rate` = frames per second of the document's frame numbers.
@@ -49,7 +46,7 @@ impl<'a> SequenceRenderer<'a> {
 
     /// Whether the frames have an alpha channel.
     pub fn is_transparent(&self) -> bool {
-        self.display.background == Background::Transparent
+        self.view.display.background == Background::Transparent
     }
 
     /// Poses and draws frame `index` into `picture`, in its size.
@@ -63,12 +60,12 @@ impl<'a> SequenceRenderer<'a> {
         }
         self.document.pose(&spec.state, &mut self.buffers, &mut self.frame);
         if let Some((overlays, frame_rate)) = &mut self.overlays {
-            overlays.append_to(&PoseContext::new(self.document, spec.state.clone(), *frame_rate, &self.display), &mut self.frame);
+            overlays.append_to(&PoseContext::new(self.document, spec.state.clone(), *frame_rate, &self.view.display), &mut self.frame);
         }
-        let camera = (self.camera)(&self.document.scene, &self.frame, spec.turntable);
+        let camera = self.view.camera(&self.document.scene, &self.frame, spec.turntable);
         let Framebuffer { width, height, pixels } = picture;
         let target = RenderTarget { bytes: bytemuck::cast_slice_mut(pixels), stride: *width as usize * 4 };
-        let (scene, frame, display) = (&self.document.scene, &self.frame, &self.display);
+        let (scene, frame, display) = (&self.document.scene, &self.frame, &self.view.display);
         self.renderer.draw_into(&RenderJob { scene, frame, camera: &camera, display, width: *width, height: *height }, target)?;
         let (posed, drawn) = (self.buffers.times(), self.renderer.stats());
         self.times.push([posed.pose_ms, posed.deform_ms, drawn.vertex_ms, drawn.raster_ms, drawn.resolve_ms]);

@@ -4,7 +4,7 @@
 //! the same frame of an animation is, and two pictures of one file can be laid over each other.
 
 use crate::document::{Document, PoseBuffers, PoseState};
-use sinew_scene::{Bounds, Camera, Frame, OrbitCamera};
+use sinew_scene::{Bounds, Frame, OrbitCamera};
 
 /// Number of directions for which a turntable is fitted: every five degrees.
 const TURNTABLE_STEPS: u16 = 72;
@@ -45,9 +45,9 @@ impl FittedOrbit {
         Self { orbit }
     }
 
-    /// The camera, orbited by `turntable` degrees to the right round the model.
-    pub fn camera(&self, turntable: f32) -> Camera {
-        OrbitCamera { yaw: self.orbit.yaw + turntable, ..self.orbit }.camera()
+    /// The orbit.
+    pub fn orbit(&self) -> OrbitCamera {
+        self.orbit
     }
 }
 

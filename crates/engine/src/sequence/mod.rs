@@ -7,7 +7,7 @@ mod motion;
 mod pattern;
 mod save;
 
-pub use frame_renderer::{CameraFn, FrameTimes, SequenceRenderer};
+pub use frame_renderer::{FrameTimes, SequenceRenderer};
 pub use framing::{Direction, FittedOrbit, posed_bounds};
 pub use motion::{DEFAULT_FPS, FrameSpec, MAX_FRAMES, Motion, Sequence, SequenceError, SequenceOptions};
 pub use pattern::FilePattern;

@@ -49,12 +49,12 @@ impl Session {
         // Only a file that is in the scene without its arm has axes to lay a muscle in; its intermediate state is not drawn.
         let mut files = before.clone();
         files[place] = loose;
-        let (drive, selected) = (self.state.joints.drive, self.display.selected);
+        let (drive, selected) = (self.state.joints.drive, self.view.display.highlight.selected);
         self.put_muscle_files(&files);
         let hung: Option<Vec<MuscleSpec>> =
             on_arm.muscles.iter().map(|muscle| self.attached_muscle(place, muscle, &on_arm, &joint)).collect();
         self.put_muscle_files(&before);
-        (self.state.joints.drive, self.display.selected) = (drive, selected);
+        (self.state.joints.drive, self.view.display.highlight.selected) = (drive, selected);
         files[place].muscles = hung?;
         let joint = Value::from(self.document.scene.graph.label(joint.node));
         self.change_files(&files, message!("muscle-edit-hang", joint = joint.clone()), UndoStep::New);

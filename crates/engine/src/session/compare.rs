@@ -56,7 +56,7 @@ impl Session {
         self.remove_overlays();
         self.overlays.compare(None);
         self.needs_posing = true;
-        let yaw = self.camera.orbit().yaw;
+        let yaw = self.view.camera.orbit().yaw;
         let Some(mut comparison) = target.and_then(|target| Comparison::new(target, &self.document, yaw)) else { return false };
         let beside = comparison.place_beside(&self.frame().bounds);
         self.remove_overlays();

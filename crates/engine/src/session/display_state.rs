@@ -12,17 +12,17 @@ use sinew_scene::{Bounds, Content, Deformer, NodeId, NodeKind, ViewDirection};
 impl Session {
     /// The selected node.
     pub fn selected(&self) -> Option<NodeId> {
-        self.display.selected
+        self.view.display.highlight.selected
     }
 
     /// Selects a node, or none.
     pub fn select(&mut self, node: Option<NodeId>) {
         let node = node.filter(|id| id.index() < self.document.scene.graph.len());
-        if node != self.display.selected {
-            self.display.selected = node;
+        if node != self.view.display.highlight.selected {
+            self.view.display.highlight.selected = node;
             // A mesh that is selected has no weights to show: those of the bone stay.
-            if self.display.weights.is_some() && node.is_none_or(|node| self.is_bone(node)) {
-                self.display.weights = node;
+            if self.view.display.highlight.weights.is_some() && node.is_none_or(|node| self.is_bone(node)) {
+                self.view.display.highlight.weights = node;
             }
             let carried = node.and_then(|node| {
                 let contents = &self.document.scene.graph.node(node).contents;
@@ -48,8 +48,8 @@ impl Session {
 
     /// Marks the node under the pointer.
     pub fn hover(&mut self, node: Option<NodeId>) {
-        if node != self.display.hovered {
-            self.display.hovered = node;
+        if node != self.view.display.highlight.hovered {
+            self.view.display.highlight.hovered = node;
             self.changed(ChangeSet::HOVER);
         }
     }
@@ -67,55 +67,55 @@ impl Session {
 
     /// The switches.
     pub fn display(&self) -> &Display {
-        &self.display
+        &self.view.display
     }
 
     /// Changes switches.
     pub fn change_display(&mut self, change: impl FnOnce(&mut Display)) {
-        let before = self.display.clone();
-        change(&mut self.display);
-        if before != self.display {
+        let before = self.view.display.clone();
+        change(&mut self.view.display);
+        if before != self.view.display {
             self.changed(ChangeSet::DISPLAY);
         }
     }
 
     /// The colours of the surroundings.
     pub fn theme(&self) -> Theme {
-        self.theme
+        self.view.theme
     }
 
     /// Follows the desktop's light or dark.
     pub fn set_theme(&mut self, theme: Theme) {
-        self.theme = theme;
-        self.update_colors();
+        self.change_colors(theme, self.view.backdrop);
     }
 
     /// What stands behind the scene.
     pub fn backdrop(&self) -> BackgroundPreset {
-        self.backdrop
+        self.view.backdrop
     }
 
     /// Puts something else behind the scene.
     pub fn set_backdrop(&mut self, backdrop: BackgroundPreset) {
-        self.backdrop = backdrop;
-        self.update_colors();
+        self.change_colors(self.view.theme, backdrop);
     }
 
-    /// Background and what is drawn over the model: on white, what is meant for light surroundings, whatever the window wears.
-    fn update_colors(&mut self) {
-        let (palette, background) = self.backdrop.palette_and_background(self.theme);
-        self.change_display(|display| (display.palette, display.background) = (palette, background));
+    fn change_colors(&mut self, theme: Theme, backdrop: BackgroundPreset) {
+        let before = self.view.display.background;
+        self.view.set_colors(theme, backdrop);
+        if before != self.view.display.background {
+            self.changed(ChangeSet::DISPLAY);
+        }
     }
 
     /// Whether the names of bones are written beside them.
     pub fn bone_names(&self) -> bool {
-        self.bone_names
+        self.view.bone_names
     }
 
     /// Writes the names of bones, or no longer.
     pub fn set_bone_names(&mut self, shown: bool) {
-        if shown != self.bone_names {
-            self.bone_names = shown;
+        if shown != self.view.bone_names {
+            self.view.bone_names = shown;
             self.changed(ChangeSet::DISPLAY);
         }
     }
@@ -131,8 +131,8 @@ impl Session {
 
     /// Paints the weights of the selected node, or no longer.
     pub fn set_weights(&mut self, shown: bool) {
-        let selected = self.display.selected.filter(|node| self.is_bone(*node));
-        self.change_display(|display| display.weights = selected.filter(|_| shown));
+        let selected = self.view.display.highlight.selected.filter(|node| self.is_bone(*node));
+        self.change_display(|display| display.highlight.weights = selected.filter(|_| shown));
     }
 
     /// Whether a node is a bone, or moves a skin.
@@ -148,12 +148,12 @@ impl Session {
 
     /// The eye.
     pub fn camera_controller(&self) -> &CameraController {
-        &self.camera
+        &self.view.camera
     }
 
     /// Whether jumps of the camera are eased.
     pub fn set_eased(&mut self, eased: bool) {
-        self.camera.animated = eased;
+        self.view.camera.animated = eased;
     }
 
     /// Nothing changed but what surrounds the document, such as a reading that ended without one.
@@ -163,14 +163,14 @@ impl Session {
 
     /// Changes the camera. Navigation from a camera of the file continues from that camera's view.
     pub fn change_camera(&mut self, change: impl FnOnce(&mut CameraController)) {
-        if let Viewpoint::File(node, camera) = self.camera.viewpoint() {
+        if let Viewpoint::File(node, camera) = self.view.camera.viewpoint() {
             self.frame();
             if let Some(camera) = file_camera(&self.document.scene, &self.frame, node, camera) {
                 let middle = self.motion_bounds().center();
-                self.camera.place_at(&camera, middle);
+                self.view.camera.place_at(&camera, middle);
             }
         }
-        change(&mut self.camera);
+        change(&mut self.view.camera);
         self.fit_on_resize = false;
         self.changed(ChangeSet::CAMERA);
     }
@@ -180,9 +180,9 @@ impl Session {
         if aspect.is_finite() && aspect > 0.0 && aspect != self.aspect {
             self.aspect = aspect;
             if self.fit_on_resize {
-                let eased = std::mem::take(&mut self.camera.animated);
+                let eased = std::mem::take(&mut self.view.camera.animated);
                 self.fit();
-                self.camera.animated = eased;
+                self.view.camera.animated = eased;
             }
         }
     }
@@ -190,7 +190,7 @@ impl Session {
     /// Fits everything into the picture, and again after a change of its size until the camera is moved.
     pub fn fit(&mut self) {
         let (bounds, aspect) = (self.motion_bounds(), self.aspect);
-        self.ground = Some(bounds);
+        self.view.display.ground = Some(bounds);
         self.change_camera(|eye| eye.fit(&bounds, aspect));
         self.fit_on_resize = true;
     }
@@ -198,7 +198,7 @@ impl Session {
     /// Back to the start view, fitted.
     pub fn reset_camera(&mut self) {
         let (bounds, aspect) = (self.motion_bounds(), self.aspect);
-        self.ground = Some(bounds);
+        self.view.display.ground = Some(bounds);
         self.change_camera(|eye| {
             eye.animate_to(|orbit| {
                 orbit.orthographic = false;
@@ -236,35 +236,35 @@ impl Session {
 
     /// Where the light comes from; `None` = with the camera, high on the left.
     pub fn light(&self) -> Option<LightDirection> {
-        self.light
+        self.view.light
     }
 
     /// Moves the light by degrees.
     pub fn rotate_light(&mut self, yaw: f32, pitch: f32) {
         let mut aim = self.light_direction();
         aim.rotate(yaw, pitch);
-        self.light = Some(aim);
+        self.view.light = Some(aim);
         self.changed(ChangeSet::LIGHT);
     }
 
     /// Puts the light where these angles say.
     pub fn set_light(&mut self, aim: LightDirection) {
-        if self.light != Some(aim) && aim.yaw.is_finite() && aim.pitch.is_finite() {
-            self.light = Some(aim);
+        if self.view.light != Some(aim) && aim.yaw.is_finite() && aim.pitch.is_finite() {
+            self.view.light = Some(aim);
             self.changed(ChangeSet::LIGHT);
         }
     }
 
     /// Direction to the light: the user's, else beside the camera.
     pub fn light_direction(&self) -> LightDirection {
-        self.light.unwrap_or_else(|| LightDirection::beside_camera(self.camera.orbit().yaw))
+        self.view.light.unwrap_or_else(|| LightDirection::beside_camera(self.view.camera.orbit().yaw))
     }
 
     /// The light goes back to its place beside the camera.
     pub fn reset_light(&mut self) {
-        if self.light.is_some() {
+        if self.view.light.is_some() {
             self.undoable(message!("app-edit-light"), UndoStep::New, |session| {
-                session.light = None;
+                session.view.light = None;
                 session.changed(ChangeSet::LIGHT);
             });
         }

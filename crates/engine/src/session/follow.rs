@@ -1,29 +1,13 @@
 //! Camera that follows a node that the clip moves.
 
-use glam::Vec3;
-
 use super::{ChangeSet, Session};
 use crate::view::CameraFollow;
 use sinew_scene::{NodeId, NodeKind};
 
-/// The node that the camera follows, and its last position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Follow {
-    node: NodeId,
-    last: Vec3,
-    time: f64,
-}
-
 impl Session {
     /// The node that the camera follows.
     pub fn followed(&self) -> Option<NodeId> {
-        self.follow.map(|follow| follow.node)
-    }
-
-    /// The same for exports: the followed node and its position at this pose.
-    pub fn camera_follow(&mut self) -> Option<CameraFollow> {
-        let node = self.followed()?;
-        Some(CameraFollow { node, reference: self.frame().position(node) })
+        self.view.follow.map(|follow| follow.node)
     }
 
     /// Whether there is something to go along with.
@@ -39,34 +23,34 @@ impl Session {
 
     /// Goes along with the selection, or with the skeleton where nothing is selected; or stays behind again.
     pub fn toggle_follow(&mut self) {
-        let node = if self.follow.is_some() { None } else { self.to_follow() };
+        let node = if self.view.follow.is_some() { None } else { self.to_follow() };
         self.follow_node(node);
     }
 
     /// Goes along with a node from here on; `None` = with nothing.
     pub(super) fn follow_node(&mut self, node: Option<NodeId>) {
-        let time = self.playback.time;
-        self.follow = node.filter(|node| node.index() < self.document.scene.graph.len()).map(|node| {
-            let last = self.frame().position(node);
-            Follow { node, last, time }
-        });
+        self.followed_at = self.playback.time;
+        self.view.follow = node
+            .filter(|node| node.index() < self.document.scene.graph.len())
+            .map(|node| CameraFollow { node, reference: self.frame().position(node) });
         self.changed(ChangeSet::CAMERA);
     }
 
     /// Moves the camera by the displacement of the followed node after time has changed.
     pub(super) fn update_follow(&mut self) {
-        let Some(follow) = &mut self.follow else { return };
-        let (here, time) = (self.frame.position(follow.node), self.playback.time);
-        let offset = here - follow.last;
-        if time != follow.time && offset.is_finite() {
-            self.camera.move_by(offset);
+        let Some(follow) = &mut self.view.follow else { return };
+        let (time, offset) = (self.playback.time, follow.offset(&self.frame));
+        follow.reference += offset;
+        if std::mem::replace(&mut self.followed_at, time) != time {
+            self.view.camera.move_by(offset);
         }
-        *follow = Follow { last: here, time, ..*follow };
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3;
+
     use super::super::tests::swinging;
     use super::*;
     use crate::session::LoadMode;

@@ -20,7 +20,7 @@ impl Session {
         if let Some(hidden) = self.isolated.take() {
             return self.undoable(message!("app-edit-isolate"), UndoStep::New, |session| session.hide_exactly(&hidden));
         }
-        let Some(selected) = self.display.selected else { return };
+        let Some(selected) = self.view.display.highlight.selected else { return };
         let graph = &self.document.scene.graph;
         let hidden: Vec<NodeId> = graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| id).collect();
         let above: Vec<NodeId> = std::iter::successors(Some(selected), |id| graph.node(*id).parent()).collect();
@@ -35,14 +35,14 @@ impl Session {
         self.isolated = Some(hidden);
         // A bone without its skin is seen as a bone.
         let hidden = !self.frame().surfaces.iter().any(|surface| surface.visible && surface.ghost.is_none());
-        if hidden && !self.display.bones {
+        if hidden && !self.view.display.bones {
             self.change_display(|display| display.bones = true);
         }
     }
 
     /// Hides the selected node with what is below it.
     pub fn hide_selected(&mut self) {
-        if let Some(selected) = self.display.selected {
+        if let Some(selected) = self.view.display.highlight.selected {
             self.set_visible(selected, false);
         }
     }

@@ -46,8 +46,8 @@ impl Session {
     /// The dots of the muscle that is shown, in a picture of this size (logical pixels); none where muscles are hidden.
     pub fn attachment_handles(&mut self, size: DVec2) -> Vec<AttachmentHandle> {
         self.frame();
-        let camera = self.camera.camera(&self.document.scene, &self.frame);
-        let Some((rig, index)) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle) else { return Vec::new() };
+        let camera = self.view.camera.camera(&self.document.scene, &self.frame);
+        let Some((rig, index)) = self.document.muscle(self.shown_muscle).filter(|_| self.view.display.muscle) else { return Vec::new() };
         let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
         let grip = |hold: AttachmentPoint| {
             let point = rig.hold(index, hold, &self.frame.world)?;
@@ -68,7 +68,7 @@ impl Session {
     /// [`EditError`] where the point cannot be there; nothing is changed then.
     pub fn drag_attachment(&mut self, drag: &AttachmentDrag, to: DVec2, size: DVec2, step: UndoStep) -> Result<(), EditError> {
         self.frame();
-        let camera = self.camera.camera(&self.document.scene, &self.frame);
+        let camera = self.view.camera.camera(&self.document.scene, &self.frame);
         let moved = on_level(&camera, drag.handle.position, to, size) - on_level(&camera, drag.handle.position, drag.from, size);
         let Some((rig, index)) = self.document.muscle(drag.muscle) else { return Ok(()) };
         let Some(node) = rig.hold_bone(index, drag.handle.attachment) else { return Ok(()) };
@@ -83,8 +83,8 @@ impl Session {
     /// The outline of the ball that the muscle shown goes round, in a picture of this size (logical pixels); `None` where muscles are hidden.
     pub fn wrap_sphere_circle(&mut self, size: DVec2) -> Option<WrapSphereCircle> {
         self.frame();
-        let camera = self.camera.camera(&self.document.scene, &self.frame);
-        let (rig, index) = self.document.muscle(self.shown_muscle).filter(|_| self.display.muscle)?;
+        let camera = self.view.camera.camera(&self.document.scene, &self.frame);
+        let (rig, index) = self.document.muscle(self.shown_muscle).filter(|_| self.view.display.muscle)?;
         let ball = rig.wrap_sphere(index, &self.frame.world)?;
         let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
         let radius = ball.radius / f64::from(camera.height_at(ball.center.as_vec3())) * size.y;

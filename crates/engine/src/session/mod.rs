@@ -2,7 +2,6 @@
 //! session and passes user actions to it, and the session returns what changed.
 
 mod attach_to_skeleton;
-mod camera_controller;
 mod change_set;
 mod compare;
 mod display_state;
@@ -28,10 +27,10 @@ mod via_points;
 mod view_settings;
 
 pub use crate::view::{
-    BackgroundPreset, COMPARED_TINT, CompareTarget, DEFAULT_FRAME_RATE, LightDirection, ModelTransform, OnionSkinSettings, file_cameras,
+    BackgroundPreset, COMPARED_TINT, CameraController, CompareTarget, DEFAULT_FRAME_RATE, FlyCamera, LightDirection, ModelTransform,
+    OnionSkinSettings, ViewState, Viewpoint, file_cameras,
 };
 pub use attach_to_skeleton::AttachResult;
-pub use camera_controller::{CameraController, FlyCamera, Viewpoint};
 pub use change_set::ChangeSet;
 pub use compare::{ComparisonState, top_of};
 pub use dope_sheet::{AnimatedItem, Graph, GraphKind, SheetRow, ValueGraph};
@@ -51,7 +50,6 @@ use std::cell::OnceCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use follow::Follow;
 use history::History;
 use joint_control::JointController;
 use probe::Probe;
@@ -60,7 +58,7 @@ use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
 use crate::export::guard::OverwriteGuard;
 use crate::view::{self, SceneOverlays};
 use sinew_muscle::MuscleFile;
-use sinew_render::{Display, Theme};
+use sinew_render::Display;
 use sinew_scene::animation::Playback;
 use sinew_scene::{Bounds, Camera, Frame, MuscleId, NodeId, Scene, ViewDirection};
 
@@ -82,20 +80,13 @@ pub struct Session {
     /// Whether the user drags the time cursor.
     time_held: bool,
     frame_rate: f64,
-    /// The frame rate that a person chose; `None` = the one that the keys tell.
-    chosen_rate: Option<f64>,
     sheet_rows: OnceCell<Arc<Vec<SheetRow>>>,
     keys: Vec<f64>,
     own_keys: Vec<f64>,
-    display: Display,
-    /// What the ground is laid out for: what was in the picture when it was last fitted, so that the grid lies still while a clip plays.
-    ground: Option<Bounds>,
-    theme: Theme,
-    backdrop: BackgroundPreset,
-    bone_names: bool,
-    camera: CameraController,
-    follow: Option<Follow>,
-    light: Option<LightDirection>,
+    /// How it is looked at. The ground is laid out for what was in the picture when it was last fitted, so that it lies still while a clip plays.
+    view: ViewState,
+    /// The time at which the followed node was looked for.
+    followed_at: f64,
     model: ModelTransform,
     tool: Tool,
     history: History,
@@ -133,18 +124,11 @@ impl Session {
             playback: Playback::default(),
             time_held: false,
             frame_rate: DEFAULT_FRAME_RATE,
-            chosen_rate: None,
             sheet_rows: OnceCell::new(),
             keys: Vec::new(),
             own_keys: Vec::new(),
-            display: Display::default(),
-            ground: None,
-            theme: Theme::Dark,
-            backdrop: BackgroundPreset::default(),
-            bone_names: false,
-            camera: CameraController::default(),
-            follow: None,
-            light: None,
+            view: ViewState::default(),
+            followed_at: 0.0,
             model: ModelTransform::default(),
             tool: Tool::default(),
             history: History::default(),
@@ -174,8 +158,8 @@ impl Session {
         let name_of = |document: &Document, node: Option<NodeId>| {
             node.filter(|id| id.index() < document.scene.graph.len()).map(|id| document.scene.graph.label(id).plain().into_owned())
         };
-        let selected = name_of(&self.document, self.display.selected);
-        let lens = match self.camera.viewpoint() {
+        let selected = name_of(&self.document, self.view.display.highlight.selected);
+        let lens = match self.view.camera.viewpoint() {
             Viewpoint::File(node, _) => name_of(&self.document, Some(node)),
             Viewpoint::Orbit | Viewpoint::Fly(_) => None,
         };
@@ -188,7 +172,7 @@ impl Session {
             .collect();
         let joint = self.joint_for_reload();
         let followed = name_of(&self.document, self.followed());
-        self.follow = None;
+        self.view.follow = None;
         self.stop_picking();
         self.time_held = false;
         self.document = document;
@@ -198,7 +182,8 @@ impl Session {
         (self.frame, self.buffers) = (Frame::default(), PoseBuffers::default());
         self.isolated = None;
         self.overlays.rebind(&self.document, arrival == LoadMode::Again);
-        (self.display.selected, self.display.hovered, self.display.weights) = (None, None, None);
+        (self.view.display.highlight.selected, self.view.display.highlight.hovered, self.view.display.highlight.weights) =
+            (None, None, None);
         self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
         self.history = History::default();
         self.saved_files = self.document.muscle_files().cloned().collect();
@@ -207,15 +192,15 @@ impl Session {
         self.take_clip(self.state.clip);
         match arrival {
             LoadMode::New => {
-                self.light = None;
+                self.view.light = None;
                 self.shown_muscle = MuscleId(0);
                 // A file of bones alone is shown as far as it goes.
-                self.display.bones |= !self.is_empty() && !self.document.shows_surface();
+                self.view.display.bones |= !self.is_empty() && !self.document.shows_surface();
                 self.model.pivot = self.bounds().center().as_dvec3();
-                let eased = std::mem::take(&mut self.camera.animated);
-                self.camera.animate_to(|orbit| orbit.look_from(ViewDirection::Start));
+                let eased = std::mem::take(&mut self.view.camera.animated);
+                self.view.camera.animate_to(|orbit| orbit.look_from(ViewDirection::Start));
                 self.fit();
-                self.camera.animated = eased;
+                self.view.camera.animated = eased;
             }
             LoadMode::Again => {
                 let same = old_clip.and_then(|key| self.document.clip_named(&key));
@@ -237,18 +222,24 @@ impl Session {
                         self.state.joints.set_override(node, degrees);
                     }
                 }
-                self.display.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
+                self.view.display.highlight.selected = selected.and_then(|name| self.document.scene.graph.find(&name));
                 self.follow_node(followed.and_then(|name| self.document.scene.graph.find(&name)));
                 if let Some(lens) = lens {
                     let same = |(node, _): &(NodeId, _)| self.document.scene.graph.label(*node).is(&lens);
                     match file_cameras(&self.document.scene).into_iter().find(same) {
-                        Some((node, camera)) => self.camera.look_through(node, camera),
-                        None => self.camera.change(|_| ()),
+                        Some((node, camera)) => self.view.camera.look_through(node, camera),
+                        None => self.view.camera.change(|_| ()),
                     }
                 }
             }
         }
         self.changes = ChangeSet::ALL;
+    }
+
+    /// How the document is looked at, for pictures that are made elsewhere: the camera follows from the present moment on, the light stands still.
+    pub fn view_state(&mut self) -> ViewState {
+        self.picture();
+        self.view.clone()
     }
 
     /// What changed since this was last asked.
@@ -341,16 +332,16 @@ impl Session {
     /// Everything that a picture is made of.
     pub fn picture(&mut self) -> (&Scene, &Frame, Camera, Display) {
         self.frame();
-        let mut camera = self.camera.camera(&self.document.scene, &self.frame);
-        if matches!(self.camera.viewpoint(), Viewpoint::Orbit) {
+        let mut camera = self.view.camera(&self.document.scene, &self.frame, 0.0);
+        if matches!(self.view.camera.viewpoint(), Viewpoint::Orbit) {
             let mut shown = self.frame.bounds;
             if let Some(comparison) = self.overlays.comparison() {
                 shown.merge(&comparison.bounds());
             }
             camera = camera.moved_back(&shown);
         }
-        let light = self.light.map(|aim| aim.position(&self.frame.bounds));
-        (&self.document.scene, &self.frame, camera, Display { light, ground: self.ground, ..self.display.clone() })
+        self.view.place_light(&self.frame.bounds);
+        (&self.document.scene, &self.frame, camera, self.view.display.clone())
     }
 
     /// The box round everything that the clip, or the arm's swing, covers.

@@ -105,7 +105,7 @@ impl Session {
                 if rig.flexion_range().is_some() { rig.at_flexion(drive.flexion) } else { rig.at_contraction(drive.contraction) };
         }
         let count = self.document.scene.graph.len();
-        for marked in [&mut self.display.selected, &mut self.display.hovered] {
+        for marked in [&mut self.view.display.highlight.selected, &mut self.view.display.highlight.hovered] {
             *marked = marked.filter(|node| node.index() < count);
         }
         self.shown_muscle.0 = self.shown_muscle.0.min((self.document.muscle_count() as u32).saturating_sub(1));

@@ -30,7 +30,7 @@ impl Session {
 
     /// Poses what accompanies the scene and puts it into the frame, which has just been posed.
     pub(super) fn append_overlays(&mut self) {
-        let host = PoseContext::new(&self.document, self.state(), self.frame_rate, &self.display);
+        let host = PoseContext::new(&self.document, self.state(), self.frame_rate, &self.view.display);
         self.overlays.append_to(&host, &mut self.frame);
     }
 }

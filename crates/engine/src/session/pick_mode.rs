@@ -44,15 +44,15 @@ impl Session {
         let Some((rig, index)) = self.document.muscle(muscle) else { return };
         // A muscle that lies on its own needs both ends first, of these the origin.
         let what = if rig.is_attached(index) { what } else { ORIGIN };
-        self.picking = Some(PickMode { muscle, target: what, first: None, bones: [self.display.bones, self.display.xray] });
-        (self.display.bones, self.display.xray) = (true, true);
+        self.picking = Some(PickMode { muscle, target: what, first: None, bones: [self.view.display.bones, self.view.display.xray] });
+        (self.view.display.bones, self.view.display.xray) = (true, true);
         self.changed(ChangeSet::PICKING | ChangeSet::DISPLAY);
     }
 
     /// Leaves picking; whether there was any.
     pub fn stop_picking(&mut self) -> bool {
         let Some(picking) = self.picking.take() else { return false };
-        [self.display.bones, self.display.xray] = picking.bones;
+        [self.view.display.bones, self.view.display.xray] = picking.bones;
         self.changed(ChangeSet::PICKING | ChangeSet::DISPLAY);
         true
     }

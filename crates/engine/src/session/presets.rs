@@ -1,7 +1,7 @@
 //! Display presets: several display options in one choice.
 
 use super::{BackgroundPreset, Session};
-use sinew_render::{Display, Samples, Shading};
+use sinew_render::{Display, Highlight, Samples, Shading};
 
 /// A display preset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,8 +37,8 @@ impl Session {
                 background: before.background,
                 light: before.light,
                 light_marker: before.light_marker,
-                selected: before.selected,
-                hovered: before.hovered,
+                highlight: Highlight { weights: None, ..before.highlight },
+                ground: before.ground,
                 palette: before.palette,
                 scale: before.scale,
                 grid_cell: before.grid_cell,

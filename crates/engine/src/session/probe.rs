@@ -81,7 +81,7 @@ impl Session {
     pub fn vertex_influences(&mut self) -> Option<VertexInfluences> {
         self.frame();
         let (surface, vertex) = self.probe.vertex?;
-        let same = self.frame.surfaces.get(surface).map(|surface| surface.node) == self.display.selected;
+        let same = self.frame.surfaces.get(surface).map(|surface| surface.node) == self.view.display.highlight.selected;
         self.document.vertex_influences(&self.buffers, &self.frame, surface, vertex).filter(|_| same)
     }
 

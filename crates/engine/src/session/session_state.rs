@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::{CompareTarget, LoadMode, Session, Viewpoint, file_cameras};
+use super::{CompareTarget, LoadMode, Session, Viewpoint};
 use crate::document::{Document, Skinning};
-use crate::view::{RecoveryFile, SavedCamera, SavedComparison, SavedModel, SavedRotation, SessionState, Settings, saved_node};
+use crate::view::{RecoveryFile, SavedCamera, SavedComparison, SavedModel, SavedRotation, SessionState, saved_node};
 use sinew_muscle::MuscleFile;
 use sinew_scene::animation::LoopMode;
 
@@ -27,8 +27,6 @@ impl Session {
             std::path::absolute(folder).ok().and_then(|folder| whole.strip_prefix(folder).ok().map(Path::to_path_buf)).unwrap_or(whole)
         };
         let document = self.document();
-        let mut display = Settings::default();
-        display.capture(self);
         let orbit = self.camera_controller().orbit();
         let model = self.model();
         SessionState {
@@ -50,19 +48,11 @@ impl Session {
                 scale: model.scale,
             }),
             dual_quaternions: self.state().skinning == Skinning::DualQuaternion,
-            bone_names: self.bone_names(),
-            shading: display.shading,
-            smooth_edges: display.smooth_edges,
-            shown: display.shown,
+            display: self.display_options(),
             hidden: document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| saved_node(document, id)).collect(),
             selected: self.selected().map(|node| saved_node(document, node)),
-            backdrop: self.backdrop(),
-            grid_cell: display.grid_cell,
-            line_width: Some(display.line_width),
-            ambient: Some(display.ambient),
-            weights: self.display().weights.is_some(),
+            weights: self.display().highlight.weights.is_some(),
             onion_skins: self.onion_skin_settings(),
-            frame_rate: self.chosen_rate(),
             speed: Some(self.playback().speed),
             loop_mode: MODES.iter().find(|(_, mode)| *mode == self.playback().mode).map_or("loop", |(name, _)| name).into(),
             marks: [self.playback().mark_a, self.playback().mark_b],
@@ -98,10 +88,7 @@ impl Session {
         let selected = saved.selected.as_ref().and_then(|node| node.find(&document));
         self.show(document, LoadMode::New);
         saved.apply_to_joints(&self.document, &mut self.state.joints);
-        self.change_display(|display| saved.apply_to_display(display));
-        self.set_backdrop(saved.backdrop);
-        self.choose_rate(saved.frame_rate.filter(|rate| (1.0..=1000.0).contains(rate)));
-        self.set_bone_names(saved.bone_names);
+        self.set_display_options(&saved.display);
         let clip = saved.clip.as_ref().and_then(|name| self.document().clip_named(name));
         if clip.is_some() {
             self.set_clip(clip);
@@ -123,7 +110,7 @@ impl Session {
         if let Some(degrees) = saved.flexion {
             self.set_flexion(degrees);
         }
-        self.light = saved.light_direction();
+        self.view.light = saved.light_direction();
         if let Some(model) = saved.model {
             self.change_model(|ours| model.apply_to(ours));
         }
@@ -140,11 +127,8 @@ impl Session {
                 }
             }
         }
-        if let Some(node) = saved.file_camera.as_ref().and_then(|node| node.find(self.document())) {
-            let found = file_cameras(&self.document().scene).into_iter().find(|(carrier, _)| *carrier == node);
-            if let Some((node, camera)) = found {
-                self.change_camera(|eye| eye.look_through(node, camera));
-            }
+        if let Some((node, camera)) = saved.found_file_camera(self.document()) {
+            self.change_camera(|eye| eye.look_through(node, camera));
         }
         self.follow_node(saved.follow.as_ref().and_then(|node| node.find(self.document())));
         self.select(selected);
@@ -193,7 +177,7 @@ mod tests {
         let mut other = Session::default();
         other.show_session(Document::built_in(), &read);
         assert_eq!(other.session_state(Path::new("/somewhere")), saved);
-        assert_eq!((other.display(), other.selected()), (session.display(), session.selected()));
+        assert_eq!((other.display_options(), other.display().highlight), (session.display_options(), session.display().highlight));
     }
 
     #[test]
@@ -235,7 +219,8 @@ mod tests {
         let document = swinging();
         let (mut overlays, rate) = SceneOverlays::from_session(&saved, &document, None);
         let (mut frame, state) = (Frame::default(), saved.pose_state(&document));
-        let display = Display { palette: other.display().palette, ..saved.display(&document, &Bounds::EMPTY) };
+        let display =
+            Display { palette: other.display().palette, ..saved.view_state(&document, &state, &Bounds::EMPTY, &Bounds::EMPTY).display };
         for _ in 0..2 {
             overlays.remove_from(&mut frame);
             document.pose(&state, &mut PoseBuffers::default(), &mut frame);

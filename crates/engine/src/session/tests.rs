@@ -326,16 +326,16 @@ fn weights_are_those_of_a_bone_whatever_else_is_selected() {
     assert!(bone.is_some() && other.is_some() && mesh.is_some());
     session.select(mesh);
     session.set_weights(true);
-    assert_eq!(session.display().weights, None, "a mesh has none");
+    assert_eq!(session.display().highlight.weights, None, "a mesh has none");
     session.select(bone);
     session.set_weights(true);
-    assert_eq!(session.display().weights, bone);
+    assert_eq!(session.display().highlight.weights, bone);
     session.select(mesh);
-    assert_eq!(session.display().weights, bone);
+    assert_eq!(session.display().highlight.weights, bone);
     session.select(other);
-    assert_eq!(session.display().weights, other);
+    assert_eq!(session.display().highlight.weights, other);
     session.select(None);
-    assert_eq!(session.display().weights, None);
+    assert_eq!(session.display().highlight.weights, None);
 }
 
 #[test]

@@ -38,7 +38,7 @@ impl Session {
 
     /// The frame rate that was chosen; `None` = the one that the keys tell.
     pub fn chosen_rate(&self) -> Option<f64> {
-        self.chosen_rate
+        self.view.frame_rate
     }
 
     /// The frame rate that the keys of the clip tell.
@@ -48,8 +48,8 @@ impl Session {
 
     /// Chooses the frame rate, above 0; `None` = the one that the keys tell.
     pub fn choose_rate(&mut self, rate: Option<f64>) {
-        self.chosen_rate = rate.filter(|rate| rate.is_finite() && *rate > 0.0);
-        self.frame_rate = self.chosen_rate.unwrap_or_else(|| self.own_rate());
+        self.view.frame_rate = rate.filter(|rate| rate.is_finite() && *rate > 0.0);
+        self.frame_rate = self.view.frame_rate.unwrap_or_else(|| self.own_rate());
         self.changed(ChangeSet::PLAYBACK);
     }
 
@@ -125,7 +125,7 @@ impl Session {
         let Playback { speed, mode, .. } = self.playback;
         self.playback = Playback { speed: speed.abs(), mode, ..Playback::new(start, end) };
         self.find_keys();
-        self.frame_rate = self.chosen_rate.unwrap_or_else(|| self.own_rate());
+        self.frame_rate = self.view.frame_rate.unwrap_or_else(|| self.own_rate());
         self.needs_posing = true;
     }
 
@@ -136,7 +136,7 @@ impl Session {
     }
 
     pub(super) fn find_own_keys(&mut self) {
-        let own = self.clip().zip(self.display.selected).map(|(clip, node)| clip.key_times(Some(node)));
+        let own = self.clip().zip(self.view.display.highlight.selected).map(|(clip, node)| clip.key_times(Some(node)));
         self.own_keys = own.unwrap_or_default();
     }
 
@@ -204,13 +204,13 @@ impl Session {
                 time.advance(seconds);
             });
         }
-        if self.camera.advance(seconds) {
+        if self.view.camera.advance(seconds) {
             self.changed(ChangeSet::CAMERA);
         }
     }
 
     /// Whether something moves by itself, so that another frame is wanted.
     pub fn is_moving(&self) -> bool {
-        self.playback.playing || self.camera.is_animating()
+        self.playback.playing || self.view.camera.is_animating()
     }
 }

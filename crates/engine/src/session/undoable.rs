@@ -78,7 +78,7 @@ impl Session {
             return None;
         }
         self.frame();
-        let camera = self.camera.camera(&self.document.scene, &self.frame);
+        let camera = self.view.camera.camera(&self.document.scene, &self.frame);
         let middle = self.model.pivot + self.model.translation;
         Some(work(&Gizmo { tool: self.tool, camera: &camera, size, middle }))
     }
@@ -135,7 +135,7 @@ impl Session {
         let hidden = self.document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| id).collect();
         Snapshot {
             model: self.model,
-            light: self.light,
+            light: self.view.light,
             hidden,
             files: self.document.muscle_files().cloned().collect(),
             joints: self.state.joints.clone(),
@@ -148,7 +148,7 @@ impl Session {
             if step.hidden != self.snapshot().hidden {
                 self.isolated = None;
             }
-            (self.model, self.light) = (step.model, step.light);
+            (self.model, self.view.light) = (step.model, step.light);
             self.put_muscle_files(&step.files);
             for index in 0..self.document.scene.graph.len() as u32 {
                 let id = NodeId(index);

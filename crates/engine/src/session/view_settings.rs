@@ -1,73 +1,53 @@
 //! The view settings that are copied to and from a session.
 
-use super::{Session, Tool};
-use crate::view::{DISPLAY_FLAGS, SHADINGS, Settings};
-use sinew_render::{Samples, Shading};
+use super::{ChangeSet, Session, Tool};
+use crate::view::{DisplayOptions, Settings};
+
+impl Session {
+    /// What is drawn and how.
+    pub fn display_options(&self) -> DisplayOptions {
+        self.view.options()
+    }
+
+    /// Changes what is drawn and how.
+    pub fn set_display_options(&mut self, options: &DisplayOptions) {
+        if *options != self.display_options() {
+            self.view.set_options(options);
+            self.choose_rate(options.frame_rate);
+            self.changed(ChangeSet::DISPLAY);
+        }
+    }
+}
 
 impl Settings {
     /// Applies the view settings to a session.
     pub fn apply(&self, session: &mut Session) {
-        let shading = SHADINGS.iter().find(|(name, _)| *name == self.shading).map_or(Shading::Gouraud, |(_, shading)| *shading);
-        let samples = if self.smooth_edges { Samples::Four } else { Samples::One };
-        session.change_display(|display| {
-            (display.shading, display.samples) = (shading, samples);
-            (display.grid_cell, display.line_width, display.ambient) = (self.grid_cell, self.line_width, self.ambient);
-            for (name, switch) in DISPLAY_FLAGS {
-                *switch(display) = self.shown.iter().any(|shown| shown == name);
-            }
-        });
-        session.set_bone_names(self.bone_names);
-        session.set_backdrop(self.backdrop);
-        session.choose_rate(self.frame_rate);
+        session.set_display_options(&self.display);
         session.set_tool(Tool::Navigate);
     }
 
     /// Captures the view settings of a session.
     pub fn capture(&mut self, session: &Session) {
-        let mut display = session.display().clone();
-        self.shading = SHADINGS.iter().find(|(_, shading)| *shading == display.shading).map_or("gouraud", |(name, _)| name).into();
-        self.smooth_edges = display.samples == Samples::Four;
-        (self.grid_cell, self.line_width, self.ambient) = (display.grid_cell, display.line_width, display.ambient);
-        (self.bone_names, self.backdrop, self.frame_rate) = (session.bone_names(), session.backdrop(), session.chosen_rate());
-        self.shown = DISPLAY_FLAGS.iter().filter(|(_, switch)| *switch(&mut display)).map(|(name, _)| (*name).to_owned()).collect();
+        self.display = session.display_options();
     }
 }
 
 /// The user's view settings while a session file's are shown.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SavedViewSettings {
-    own: Settings,
-    file: Settings,
+    own: DisplayOptions,
+    file: DisplayOptions,
 }
 
 impl SavedViewSettings {
     /// The view settings before the session file was opened, and those of the file.
     pub fn new(own: Settings, file: Settings) -> Self {
-        Self { own, file }
+        Self { own: own.display, file: file.display }
     }
 
     /// The user's view settings, where `now` is shown: values of the file are not the user's, later changes are.
     pub fn merged_into(&self, now: &Settings) -> Settings {
-        fn own<T: PartialEq + Clone>(now: &T, file: &T, own: &T) -> T {
-            if now == file { own.clone() } else { now.clone() }
-        }
-        let (mine, file) = (&self.own, &self.file);
-        let shown = DISPLAY_FLAGS.iter().map(|(name, _)| *name).filter(|name| {
-            let on = |settings: &Settings| settings.shown.iter().any(|shown| shown == name);
-            own(&on(now), &on(file), &on(mine))
-        });
-        Settings {
-            frame_rate: own(&now.frame_rate, &file.frame_rate, &mine.frame_rate),
-            bone_names: own(&now.bone_names, &file.bone_names, &mine.bone_names),
-            backdrop: own(&now.backdrop, &file.backdrop, &mine.backdrop),
-            grid_cell: own(&now.grid_cell, &file.grid_cell, &mine.grid_cell),
-            line_width: own(&now.line_width, &file.line_width, &mine.line_width),
-            ambient: own(&now.ambient, &file.ambient, &mine.ambient),
-            shading: own(&now.shading, &file.shading, &mine.shading),
-            smooth_edges: own(&now.smooth_edges, &file.smooth_edges, &mine.smooth_edges),
-            shown: shown.map(String::from).collect(),
-            ..now.clone()
-        }
+        Settings { display: self.file.give_back(&self.own, &now.display), ..now.clone() }
     }
 }
 
@@ -75,6 +55,7 @@ impl SavedViewSettings {
 mod tests {
     use super::*;
     use crate::view::ColorScheme;
+    use sinew_render::{Samples, Shading};
 
     #[test]
     fn what_is_saved_comes_back() {
@@ -95,21 +76,6 @@ mod tests {
         let mut other = Session::default();
         loaded.apply(&mut other);
         assert_eq!(other.display(), session.display());
-    }
-
-    #[test]
-    fn looks_of_a_file_are_not_the_users_but_changes_to_them_are() {
-        let own = Settings { line_width: 2.0, shown: vec!["grid".into(), "mesh".into()], ..Settings::default() };
-        let file = Settings { line_width: 1.0, shading: "flat".into(), shown: vec!["bones".into(), "mesh".into()], ..own.clone() };
-        let held = SavedViewSettings::new(own.clone(), file.clone());
-        let back = held.merged_into(&file);
-        assert_eq!((back.line_width, back.shading.as_str()), (2.0, "gouraud"));
-        assert!(back.shown.contains(&"grid".into()) && back.shown.contains(&"mesh".into()) && back.shown.len() == 2, "{:?}", back.shown);
-        let touched = Settings { shading: "phong".into(), shown: vec!["bones".into(), "axes".into()], ..file };
-        let back = held.merged_into(&touched);
-        assert_eq!(back.shading, "phong");
-        let has = |name: &str| back.shown.iter().any(|shown| shown == name);
-        assert!(has("grid") && has("axes") && !has("mesh") && !has("bones"), "{:?}", back.shown);
     }
 
     #[test]

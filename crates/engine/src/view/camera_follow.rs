@@ -24,10 +24,15 @@ impl CameraFollow {
         Some(Self { node, reference: frame.position(node) })
     }
 
+    /// How far the node is from where it was when the camera was placed, world, metres; zero where it is nowhere.
+    pub fn offset(&self, frame: &Frame) -> Vec3 {
+        let offset = frame.position(self.node) - self.reference;
+        if offset.is_finite() { offset } else { Vec3::ZERO }
+    }
+
     /// The camera moved by the node's displacement in `frame`.
     pub fn moved(&self, camera: Camera, frame: &Frame) -> Camera {
-        let offset = frame.position(self.node) - self.reference;
-        if offset.is_finite() { Camera { eye: camera.eye + offset, ..camera } } else { camera }
+        Camera { eye: camera.eye + self.offset(frame), ..camera }
     }
 }
 

@@ -1,9 +1,11 @@
 //! How a document is shown, without a window: the movable light and the model's own transform, display presets, overlays (onion skins, motion path,
 //! comparison), and the files that keep it: sessions, settings, recovery of recovery_file muscles. Used by the window's session and the subcommands.
 
+mod camera_controller;
 mod camera_follow;
 mod cameras;
 mod comparison;
+mod display_options;
 mod display_presets;
 mod frames;
 mod light;
@@ -17,10 +19,13 @@ mod recovery_file;
 mod save_error;
 mod session_file;
 mod settings;
+mod view_state;
 
+pub use camera_controller::{CameraController, FlyCamera, Viewpoint};
 pub use camera_follow::CameraFollow;
 pub use cameras::{file_camera, file_cameras};
 pub use comparison::{CompareTarget, Comparison, TINT as COMPARED_TINT};
+pub use display_options::DisplayOptions;
 pub use display_presets::{BackgroundPreset, DISPLAY_FLAGS, DisplayFlag, SHADINGS};
 pub use frames::{DEFAULT_FRAME_RATE, infer_frame_rate};
 pub use light::LightDirection;
@@ -32,3 +37,4 @@ pub use recovery_file::RecoveryFile;
 pub use save_error::SaveError;
 pub use session_file::{SavedCamera, SavedComparison, SavedModel, SavedNode, SavedRotation, SessionError, SessionState, saved_node};
 pub use settings::{ColorScheme, Settings, SheetPage};
+pub use view_state::ViewState;

@@ -32,7 +32,7 @@ impl<'a> PoseContext<'a> {
     /// A document in a state, looked at through `display`.
     pub fn new(document: &'a Document, state: PoseState, rate: f64, display: &Display) -> Self {
         let bones = display.bones || !document.shows_surface();
-        Self { document, state, frame_rate: rate, selected: display.selected, selection_color: display.palette.selected, bones }
+        Self { document, state, frame_rate: rate, selected: display.highlight.selected, selection_color: display.palette.selected, bones }
     }
 }
 
@@ -49,8 +49,7 @@ impl SceneOverlays {
     /// The overlays that a session file describes, and the frame rate; `other` is the file that it compares with.
     pub fn from_session(saved: &SessionState, document: &Document, other: Option<(String, Document)>) -> (Self, f64) {
         let clip = saved.pose_state(document).clip.and_then(|clip| document.clips.get(clip));
-        let chosen = saved.frame_rate.filter(|rate| (1.0..=1000.0).contains(rate));
-        let rate = chosen.unwrap_or_else(|| infer_frame_rate(&clip.map_or_else(Vec::new, |clip| clip.key_times(None))));
+        let rate = saved.display.frame_rate.unwrap_or_else(|| infer_frame_rate(&clip.map_or_else(Vec::new, |clip| clip.key_times(None))));
         let target = match other {
             Some((name, other)) => Some(CompareTarget::File(Box::new(other), name)),
             None => saved.compared.as_ref().and_then(|compared| compared.target_within(document)),

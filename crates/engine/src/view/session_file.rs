@@ -6,12 +6,12 @@ use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
-use super::{BackgroundPreset, DISPLAY_FLAGS, LightDirection, ModelTransform, OnionSkinSettings, SHADINGS};
+use super::{CameraFollow, DisplayOptions, LightDirection, ModelTransform, OnionSkinSettings, ViewState, file_cameras};
 use crate::document::{Document, JointControl, OpenErrorKind, PoseBuffers, PoseState, Skinning};
 use crate::input;
-use sinew_render::{Display, Samples, Shading, Theme};
+use sinew_render::Highlight;
 use sinew_scene::limits;
-use sinew_scene::{Bounds, Frame, Label, NodeId, OrbitCamera, Unnamed};
+use sinew_scene::{Bounds, CameraId, Frame, Label, NodeId, OrbitCamera, Unnamed};
 use sinew_yaml::{Node, Value, YamlError};
 
 /// The key that tells a session file from a muscle file.
@@ -19,9 +19,9 @@ const KEY: &str = "sinew_session";
 
 /// A whole session file.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct SessionFile {
-    /// The session.
-    pub sinew_session: SessionState,
+pub(super) struct SessionFile<T> {
+    /// The session, or a part of its keys.
+    pub sinew_session: T,
 }
 
 /// Contents of a session file. A missing key has its value of a fresh start.
@@ -44,37 +44,20 @@ pub struct SessionState {
     pub model: Option<SavedModel>,
     /// Whether dual quaternions are blended.
     pub dual_quaternions: bool,
-    /// Whether the names of bones are written.
-    pub bone_names: bool,
-    /// `flat`, `gouraud` or `phong`.
-    pub shading: String,
-    /// Anti-aliasing.
-    #[serde(default = "default_smooth_edges")]
-    pub smooth_edges: bool,
-    /// Names of the display flags that are on, as in the settings.
-    #[serde(default = "default_flags")]
-    pub shown: Vec<String>,
+    /// What is drawn and how.
+    #[serde(flatten, skip_deserializing)]
+    pub display: DisplayOptions,
     /// The hidden nodes.
     pub hidden: Vec<SavedNode>,
     /// The selected node.
     pub selected: Option<SavedNode>,
     /// Joints with an overridden rotation.
     pub turned: Vec<SavedRotation>,
-    /// Background of the viewport.
-    pub backdrop: BackgroundPreset,
-    /// Side of a cell of the ground grid, metres; none = after the size of the scene.
-    pub grid_cell: Option<f32>,
-    /// How many times as wide as usual lines are; none = once.
-    pub line_width: Option<f32>,
-    /// Ambient light, 0 to 1; none = as usual.
-    pub ambient: Option<f32>,
     /// Whether the weights of the selected bone are painted.
     pub weights: bool,
     /// Onion skins and motion path.
     #[serde(rename = "ghosts")]
     pub onion_skins: OnionSkinSettings,
-    /// Frames a second of the frame numbers; none = what the keys tell.
-    pub frame_rate: Option<f64>,
     /// Playback speed; negative = backwards; none = 1.
     pub speed: Option<f64>,
     /// `loop`, `once` or `ping-pong`.
@@ -87,17 +70,6 @@ pub struct SessionState {
     pub follow: Option<SavedNode>,
     /// The comparison.
     pub compared: Option<SavedComparison>,
-}
-
-/// Whether anti-aliasing is on at a fresh start.
-fn default_smooth_edges() -> bool {
-    Display::default().samples == Samples::Four
-}
-
-/// The display flags that are on at a fresh start.
-fn default_flags() -> Vec<String> {
-    let mut default = Display::default();
-    DISPLAY_FLAGS.iter().filter(|(_, flag)| *flag(&mut default)).map(|(name, _)| (*name).to_owned()).collect()
 }
 
 /// A comparison: one of file, clip and skinning.
@@ -203,7 +175,10 @@ impl SessionState {
     /// Reads a session file's text; `None` where it has not the key of one.
     pub fn parse(text: &str) -> Option<Result<Self, SessionError>> {
         is_session(text).then(|| {
-            let saved = sinew_yaml::from_text::<SessionFile>(text, limits::YAML_BYTES)?.sinew_session;
+            let saved = sinew_yaml::from_text::<SessionFile<Self>>(text, limits::YAML_BYTES)?.sinew_session;
+            // Read apart, so that an error in either has its line.
+            let display = sinew_yaml::from_text::<SessionFile<DisplayOptions>>(text, limits::YAML_BYTES)?.sinew_session;
+            let saved = Self { display: display.clamped(), ..saved };
             let files = saved.files.len();
             if files > limits::SESSION_FILES {
                 return Err(SessionError { line: None, kind: OpenErrorKind::TooManyFiles(files) });
@@ -336,30 +311,34 @@ impl SessionState {
         state
     }
 
-    /// Sets flags, shading and numbers of a display; numbers out of range are clamped.
-    pub fn apply_to_display(&self, display: &mut Display) {
-        let default = Display::default();
-        let named = SHADINGS.iter().find(|(name, _)| *name == self.shading);
-        display.shading = named.map_or(Shading::Gouraud, |(_, shading)| *shading);
-        display.samples = if self.smooth_edges { Samples::Four } else { Samples::One };
-        display.grid_cell = self.grid_cell.filter(|cell| cell.is_finite() && *cell > 0.0);
-        display.line_width = self.line_width.filter(|width| width.is_finite()).map_or(default.line_width, |width| width.clamp(0.5, 4.0));
-        display.ambient = self.ambient.filter(|ambient| ambient.is_finite()).map_or(default.ambient, |ambient| ambient.clamp(0.0, 1.0));
-        for (name, flag) in DISPLAY_FLAGS {
-            *flag(display) = self.shown.iter().any(|shown| shown == name);
+    /// How a document is looked at without a window, in the dark theme. `state` is the pose that the file stores; the orbit camera is made for a scene that
+    /// reaches as far as `reach`, the light stands round `lit`. Whether the file has a camera of its own is for [`SessionState::has_camera`] to say.
+    pub fn view_state(&self, document: &Document, state: &PoseState, reach: &Bounds, lit: &Bounds) -> ViewState {
+        let orbit = self.camera.and_then(|camera| camera.orbit(reach)).unwrap_or_default();
+        let mut view = ViewState {
+            light: self.light_direction(),
+            follow: CameraFollow::from_session(self, document, state),
+            ..ViewState::orbiting(orbit)
+        };
+        if let Some((node, camera)) = self.found_file_camera(document) {
+            view.camera.look_through(node, camera);
         }
+        view.set_options(&self.display);
+        view.place_light(lit);
+        let selected = self.selected.as_ref().and_then(|node| node.find(document));
+        view.display.highlight = Highlight { selected, weights: selected.filter(|_| self.weights), hovered: None };
+        view
     }
 
-    /// The display of a picture without a window, in the dark theme.
-    pub fn display(&self, document: &Document, bounds: &Bounds) -> Display {
-        let mut display = Display::default();
-        self.apply_to_display(&mut display);
-        (display.palette, display.background) = self.backdrop.palette_and_background(Theme::Dark);
-        display.light = self.light_direction().map(|direction| direction.position(bounds));
-        let selected = self.selected.as_ref().and_then(|node| node.find(document));
-        display.weights = selected.filter(|_| self.weights);
-        display.selected = selected;
-        display
+    /// Whether the file says from where to look.
+    pub fn has_camera(&self, document: &Document) -> bool {
+        self.camera.is_some_and(|camera| camera.orbit(&Bounds::EMPTY).is_some()) || self.found_file_camera(document).is_some()
+    }
+
+    /// The camera of the document that is looked through.
+    pub fn found_file_camera(&self, document: &Document) -> Option<(NodeId, CameraId)> {
+        let node = self.file_camera.as_ref()?.find(document)?;
+        file_cameras(&document.scene).into_iter().find(|(carrier, _)| *carrier == node)
     }
 
     /// Direction to the light; `None` = the light is at the camera.
@@ -376,17 +355,6 @@ impl SessionState {
 mod tests {
     use super::*;
     use sinew_scene::Node;
-
-    #[test]
-    fn a_key_that_is_missing_means_a_fresh_start() {
-        let file: SessionFile = sinew_yaml::from_text("sinew_session: {time: 1}", 100).expect("a session");
-        let (mut display, default) = (Display { wireframe: true, mesh: false, ..Display::default() }, Display::default());
-        file.sinew_session.apply_to_display(&mut display);
-        assert_eq!((display.mesh, display.wireframe, display.samples), (default.mesh, default.wireframe, default.samples));
-        let bare: SessionFile = sinew_yaml::from_text("sinew_session: {shown: [], smooth-edges: false}", 100).expect("a session");
-        bare.sinew_session.apply_to_display(&mut display);
-        assert!(!display.mesh && display.samples == Samples::One);
-    }
 
     #[test]
     fn a_node_without_a_name_is_found_by_its_place_and_by_what_any_language_calls_it() {

@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::BackgroundPreset;
+use super::DisplayOptions;
 use super::save_error::{self, SaveError};
 use crate::input;
-use sinew_render::Display;
 use sinew_scene::limits;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
@@ -76,28 +75,13 @@ pub struct Settings {
     pub colours: ColorScheme,
     /// The page that is open below the timeline.
     pub sheet: SheetPage,
-    /// Frames per second of the frame numbers; none = inferred from the keys.
-    pub frame_rate: Option<f64>,
     /// Whether jumps of the camera are eased, where the desktop wants animation.
     pub smooth_camera: bool,
-    /// Whether the names of bones are shown.
-    pub bone_names: bool,
-    /// Background of the viewport.
-    pub backdrop: BackgroundPreset,
-    /// Side of a cell of the ground grid, metres; none = after the size of the scene.
-    pub grid_cell: Option<f32>,
-    /// How many times as wide as usual lines are.
-    pub line_width: f32,
-    /// Ambient light, 0 to 1.
-    pub ambient: f32,
     /// Whether frame times are shown over the picture.
     pub frame_times: bool,
-    /// `flat`, `gouraud` or `phong`.
-    pub shading: String,
-    /// Anti-aliasing.
-    pub smooth_edges: bool,
-    /// Names of the display flags that are on.
-    pub shown: Vec<String>,
+    /// What is drawn and how.
+    #[serde(flatten, skip_deserializing)]
+    pub display: DisplayOptions,
 }
 
 impl Default for Settings {
@@ -112,19 +96,9 @@ impl Default for Settings {
             folder: None,
             colours: ColorScheme::System,
             sheet: SheetPage::None,
-            frame_rate: None,
             smooth_camera: true,
-            bone_names: false,
-            backdrop: BackgroundPreset::Theme,
-            grid_cell: None,
-            line_width: 1.0,
-            ambient: Display::default().ambient,
             frame_times: false,
-            shading: "gouraud".into(),
-            smooth_edges: true,
-            shown: ["mesh", "muscle", "see-through", "materials", "smooth-normals", "xray", "grid", "depth-test"]
-                .map(String::from)
-                .to_vec(),
+            display: DisplayOptions::default(),
         }
     }
 }
@@ -148,7 +122,10 @@ impl Settings {
     /// # Errors
     /// [`YamlError`].
     pub fn parse(text: &str) -> Result<Self, YamlError> {
-        sinew_yaml::from_text::<Self>(text, limits::YAML_BYTES).map(Self::clamped)
+        let own = sinew_yaml::from_text::<Self>(text, limits::YAML_BYTES)?;
+        // Read apart, so that an error in either has its line.
+        let display = sinew_yaml::from_text::<DisplayOptions>(text, limits::YAML_BYTES)?;
+        Ok(Self { display, ..own }.clamped())
     }
 
     /// As YAML.
@@ -170,11 +147,7 @@ impl Settings {
     fn clamped(mut self) -> Self {
         self.width = self.width.clamp(640, 16_384);
         self.height = self.height.clamp(480, 16_384);
-        let default = Self::default();
-        self.line_width = if self.line_width.is_finite() { self.line_width.clamp(0.5, 4.0) } else { default.line_width };
-        self.ambient = if self.ambient.is_finite() { self.ambient.clamp(0.0, 1.0) } else { default.ambient };
-        self.grid_cell = self.grid_cell.filter(|cell| cell.is_finite() && *cell > 0.0);
-        self.frame_rate = self.frame_rate.filter(|rate| rate.is_finite() && (1.0..=1000.0).contains(rate));
+        self.display = self.display.clamped();
         self
     }
 }

@@ -2,7 +2,7 @@
 
 use glam::{Quat, Vec3};
 
-use crate::view::file_camera;
+use super::file_camera;
 use sinew_scene::{Bounds, Camera, CameraId, Frame, NodeId, OrbitCamera, Projection, Scene, ViewDirection};
 
 /// Seconds that a jump of the camera takes.
@@ -221,10 +221,15 @@ impl CameraController {
 
     /// The camera to draw with.
     pub fn camera(&self, scene: &Scene, frame: &Frame) -> Camera {
+        self.fixed_camera(scene, frame).unwrap_or_else(|| self.orbit.camera())
+    }
+
+    /// The camera of a flight or of the file; `None` where the orbit is looked from, also for a camera of the file that is not usable.
+    pub(super) fn fixed_camera(&self, scene: &Scene, frame: &Frame) -> Option<Camera> {
         match self.viewpoint {
-            Viewpoint::Orbit => self.orbit.camera(),
-            Viewpoint::Fly(fly) => Camera { eye: fly.eye, rotation: fly.rotation(), ..self.flight_planes(&fly) },
-            Viewpoint::File(node, id) => file_camera(scene, frame, node, id).unwrap_or_else(|| self.orbit.camera()),
+            Viewpoint::Orbit => None,
+            Viewpoint::Fly(fly) => Some(Camera { eye: fly.eye, rotation: fly.rotation(), ..self.flight_planes(&fly) }),
+            Viewpoint::File(node, id) => file_camera(scene, frame, node, id),
         }
     }
 
