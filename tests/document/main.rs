@@ -5,6 +5,7 @@ mod support;
 
 mod conformance;
 mod inspect;
+mod older_files;
 mod open;
 mod posing;
 mod shared_models;
