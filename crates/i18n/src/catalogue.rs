@@ -37,7 +37,7 @@ impl Language {
     fn files(self) -> &'static [(&'static str, &'static str); FILES] {
         macro_rules! files {
             ($language:literal: $($name:literal),*) => {
-                &[$(($name, include_str!(concat!("../../../resources/locales/", $language, "/", $name, ".ftl")))),*]
+                &[$(($name, include_str!(concat!("../locales/", $language, "/", $name, ".ftl")))),*]
             };
         }
         match self {

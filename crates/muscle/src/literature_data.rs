@@ -29,7 +29,7 @@ pub const ARM26: Published = Published {
 };
 
 /// Radii that were measured on a biceps at four angles, as [`super::validation::Table::parse`] reads them; the source stands in its first lines.
-pub const MEASURED_RADII: &str = include_str!("../../../configs/biceps-radii.csv");
+pub const MEASURED_RADII: &str = include_str!("../presets/biceps-radii.csv");
 
 /// How much the biceps of Arm26 shortens from 0° to 130°.
 pub const ARM26_SHORTENING: f64 = 8.39;

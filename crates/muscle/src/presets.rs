@@ -15,11 +15,11 @@ pub struct Preset {
 
 /// All presets, in the order in which a menu shows them.
 pub const PRESETS: [Preset; 5] = [
-    Preset { id: "report", yaml: include_str!("../../../configs/biceps.yaml") },
-    Preset { id: "measured", yaml: include_str!("../../../configs/biceps-measured.yaml") },
-    Preset { id: "biceps", yaml: include_str!("../../../configs/biceps-human-wrapped.yaml") },
-    Preset { id: "triceps", yaml: include_str!("../../../configs/triceps-human.yaml") },
-    Preset { id: "brachialis", yaml: include_str!("../../../configs/brachialis-human.yaml") },
+    Preset { id: "report", yaml: include_str!("../presets/biceps.yaml") },
+    Preset { id: "measured", yaml: include_str!("../presets/biceps-measured.yaml") },
+    Preset { id: "biceps", yaml: include_str!("../presets/biceps-human-wrapped.yaml") },
+    Preset { id: "triceps", yaml: include_str!("../presets/triceps-human.yaml") },
+    Preset { id: "brachialis", yaml: include_str!("../presets/brachialis-human.yaml") },
 ];
 
 impl Preset {

@@ -3,7 +3,7 @@
 //! There are two forms. The **report's form** describes one muscle on a two-rod arm, in millimetres:
 //!
 //! ```yaml
-#![doc = include_str!("../../../../configs/biceps.yaml")]
+#![doc = include_str!("../../presets/biceps.yaml")]
 //! ```
 //!
 //! `carcass_config.data` is `[[a, p], [d, b]]`: free end of the upper rod to the attachment, attachment to elbow; elbow to the attachment on the
@@ -13,7 +13,7 @@
 //! The **richer form** describes any number of muscles, on the arm or on the bones of any clip. All keys, with comments:
 //!
 //! ```yaml
-#![doc = include_str!("../../../../configs/example.yaml")]
+#![doc = include_str!("../../presets/example.yaml")]
 //! ```
 //!
 //! `resources/muscle.schema.json` is the same as a JSON schema, for editors. Reading refuses what it does not know or cannot use, with line,
