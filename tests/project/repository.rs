@@ -162,3 +162,22 @@ fn nothing_is_written_but_through_the_guard() {
     }
     assert!(found.is_empty(), "written past the guard: {found:#?}");
 }
+
+#[test]
+fn what_a_crate_includes_lies_in_its_folder() {
+    // What lies outside would be missing from the published package.
+    let mut outside = Vec::new();
+    for path in
+        files().into_iter().filter(|path| path.starts_with(root().join("crates")) && path.extension().is_some_and(|end| end == "rs"))
+    {
+        let inside = path.strip_prefix(root().join("crates")).expect("it was found there").components().count() - 2;
+        let text = std::fs::read_to_string(&path).expect("source is UTF-8");
+        for (number, line) in text.lines().enumerate() {
+            let included = line.split(['"']).find(|piece| piece.starts_with("../")).filter(|_| line.contains("include_"));
+            if included.is_some_and(|included| included.matches("../").count() > inside) {
+                outside.push(format!("{}:{}", path.display(), number + 1));
+            }
+        }
+    }
+    assert!(outside.is_empty(), "included from outside of the package: {outside:#?}");
+}

@@ -40,6 +40,15 @@ use error::DecodeError;
 impl MuscleFile {
     /// Reads YAML: the report's form or the richer one.
     ///
+    /// ```
+    /// use sinew_muscle::MuscleFile;
+    ///
+    /// let file = MuscleFile::parse("muscle_config: {radiuses: [5, 18, 5], grow_mults: [0, 1, 0], len: 250}")?;
+    /// assert_eq!(file.muscles[0].profile.rest_length(), 250.0);
+    /// assert_eq!(MuscleFile::parse(&file.to_yaml())?, file);
+    /// # Ok::<(), sinew_muscle::ConfigError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ConfigError`] with line, column and remedy.
     pub fn parse(text: &str) -> Result<Self, ConfigError> {
