@@ -1,5 +1,40 @@
-//! Everything between the readers and the programs: documents of several files, posing, skinning, measuring, sessions with undo, sequences of
-//! frames, and export. Nothing here knows a window or a command line.
+//! Everything between the readers and the programs. Nothing here knows a window or a command line.
+//!
+//! # From files to a picture
+//!
+//! [`document::Document::open`] reads files and puts them side by side into one scene. [`document::Document::pose`] makes a
+//! [`Frame`](sinew_scene::Frame) of any moment of it: curves are sampled, matrices composed, muscles solved, skins deformed. A
+//! [`Renderer`](sinew_render::Renderer) draws the frame. The window, the command line, the tests and the benches call these and nothing else.
+//!
+//! ```
+//! use sinew_engine::document::{Document, PoseBuffers};
+//! use sinew_render::{Display, RenderJob, Renderer};
+//! use sinew_scene::{Frame, OrbitCamera};
+//!
+//! let document = Document::built_in();
+//! let mut state = document.start_state();
+//! state.drive = document.driven_rig().map_or(state.drive, |rig| rig.at_flexion(90.0));
+//! let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+//! document.pose(&state, &mut buffers, &mut frame);
+//! let mut orbit = OrbitCamera::default();
+//! orbit.fit(&frame.bounds, 1.0);
+//! let (camera, display) = (orbit.camera(), Display::default());
+//! let job = RenderJob { scene: &document.scene, frame: &frame, camera: &camera, display: &display, width: 64, height: 64 };
+//! assert_eq!(Renderer::new(Some(1)).draw(&job)?.pixels.len(), 64 * 64);
+//! # Ok::<(), sinew_render::RenderError>(())
+//! ```
+//!
+//! # What is where
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`document`] | files, posing, skinning, joints that are held, muscles on the bones of clips |
+//! | [`view`] | how a document is shown: cameras, light, display presets, onion skins, motion paths, comparison; session files and settings |
+//! | [`session`] | what is open in a window: selection, tools, undo |
+//! | [`sequence`] | frames one after the other, and the files that they become |
+//! | [`export`] | images, videos, meshes, glTF, tables; nothing replaces a file that it is made from |
+//! | [`plot`] | quantities against an angle or a time |
+//! | [`input`], [`system`] | files from outside, and why the operating system refused |
 
 pub mod document;
 pub mod export;
@@ -9,3 +44,7 @@ pub mod sequence;
 pub mod session;
 pub mod system;
 pub mod view;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

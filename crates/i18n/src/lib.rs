@@ -1,7 +1,22 @@
-//! The translation catalogue: English and Russian, in `resources/locales/<language>/*.ftl` (Project Fluent).
+//! The translation catalogue: English and Russian, in `locales/<language>/*.ftl` (Project Fluent).
 //!
-//! Everything a person reads goes through [`tr!`](crate::tr). A message that a catalogue lacks falls back to English, then to its own
-//! name, so a slip is seen but never stops the program; a test holds the two catalogues and the sources against each other.
+//! # How something comes to be said
+//!
+//! Libraries report enums. [`ToMessage`](sinew_scene::message::ToMessage) gives their key and parameters, [`Sentence::sentence`] looks the key up in the
+//! language of the process, and numbers choose plural forms:
+//!
+//! ```
+//! use sinew_i18n::{Language, Sentence, set_language};
+//! use sinew_scene::message;
+//!
+//! set_language(Language::English);
+//! assert_eq!(message!("io-full").sentence(), "the disk is full");
+//! ```
+//!
+//! The program itself says things with [`tr!`](crate::tr). A message that a catalogue lacks falls back to English, then to its own name, so a slip is seen
+//! but never stops the program; a test holds the two catalogues and the sources against each other.
+//!
+//! What comes from a file may hold anything: [`shown`] makes characters visible that would act on a terminal, and [`tr!`](crate::tr) does that by itself.
 
 mod catalogue;
 mod labels;
@@ -27,3 +42,7 @@ macro_rules! tr {
         $crate::message($key, &[$((stringify!($name), $crate::FluentValue::from($value))),+])
     };
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,4 +1,38 @@
-//! Muscles: the volume-conserving profile, the arm that carries it, its surface, and the YAML that describes it.
+//! Muscles of constant volume: the profile that conserves it, the path from bone to bone, the surface, and the YAML that describes them.
+//!
+//! # How a muscle keeps its volume
+//!
+//! A muscle at rest is a row of nodes at equal spacing, each with a radius; between neighbours lies a truncated cone. When the muscle shortens, every radius
+//! grows by its own multiplier times one number `δ`: the belly more than the ends. The volume of the cones is a quadratic in the radii, so that *equal
+//! volume* is a quadratic equation in `δ`, with coefficients that follow from the shape at rest and the new length alone. Of its two roots the one is taken
+//! that goes to 0 as the length goes back to rest. The equations stand at [`Profile`].
+//!
+//! ```
+//! use sinew_muscle::Profile;
+//!
+//! let profile = Profile::new(vec![5.0, 18.0, 5.0], vec![0.0, 1.0, 0.0], 250.0)?;
+//! for length in [180.0, 220.0, 250.0, 260.0] {
+//!     let solved = profile.solve(length);
+//!     assert!((solved.volume / profile.volume() - 1.0).abs() < 1e-12);
+//! }
+//! # Ok::<(), sinew_muscle::ProfileError>(())
+//! ```
+//!
+//! A muscle is always solved from rest, so that its shape depends on the length alone and never on the way there. Where the discriminant reaches 0, a radius
+//! reaches 0, or the belly gets shorter than 40 % of its rest length, the length is held ([`Profile::limits`] says which it was). Measured radii at several
+//! lengths take the place of multipliers where there are such ([`Profile::of_poses`]); one factor then brings the blended radii to the volume.
+//!
+//! The volume is kept along a bent line too. The length is that of the **line of action**: the shortest path from origin to insertion, over via points and
+//! round a sphere at the joint, exact and without jumps. What is drawn is another line of *exactly the same length*, made of straight segments and circular
+//! arcs; where radius times curvature stays below 1, Pappus' theorem makes the volume round a bent line that round a straight one. Cross-sections are turned
+//! by frames that do not twist.
+//!
+//! # From a file to a surface
+//!
+//! [`MuscleFile::parse`] reads the YAML, [`MuscleRig::build`] puts the muscles into a scene, on an arm of two rods or on the bones of a clip. In each frame
+//! [`MuscleRig::solve_into`] solves one and [`MuscleRig::deform`] moves the vertices of its mesh. See `examples/solve_muscle.rs`.
+//!
+//! # Where what is
 //!
 //! | file | what it holds |
 //! |---|---|
@@ -128,3 +162,7 @@ impl Solved {
         self.radii.iter().copied().fold(0.0, f64::max)
     }
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -122,6 +122,25 @@ pub struct Limit {
 pub(super) const LARGEST: f64 = 1e12;
 
 /// A muscle's shape at rest, checked, with everything about the quadratic that does not change with the length.
+///
+/// Nodes `i = 1..n` stand at equal spacing `Δx = L / (n − 1)`, each with a radius `rᵢ` and a growth multiplier `mᵢ`; between neighbours lies a
+/// truncated cone. The volume is `V = π Δx F(r)` with
+///
+/// ```text
+/// F(r) = Σ (rᵢ² + rᵢ rᵢ₊₁ + rᵢ₊₁²) / 3
+/// ```
+///
+/// When the length goes from `L` to `L′`, every radius goes to `r′ᵢ = rᵢ + mᵢ δ`. Equal volumes make a quadratic in `δ`:
+///
+/// ```text
+/// A δ² + B δ + C = 0
+/// A = Σ (mᵢ² + mᵢ mᵢ₊₁ + mᵢ₊₁²) / 3
+/// B = Σ (2 rᵢ mᵢ + rᵢ mᵢ₊₁ + rᵢ₊₁ mᵢ + 2 rᵢ₊₁ mᵢ₊₁) / 3
+/// C = F(r) (1 − L / L′)
+/// ```
+///
+/// Of its roots the one that goes to 0 as `L′ → L` is taken, in the form that does not cancel: `δ = −2C / (B ± √(B² − 4AC))` with the sign of
+/// `B`. A profile is always solved from its rest shape, so the result depends on `L′` alone and never on the way there.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     radii: Vec<f64>,

@@ -20,6 +20,19 @@ pub struct Stats {
 }
 
 /// Draws frames. Keeps its buffers and worker threads between frames.
+///
+/// ```
+/// use sinew_render::{Background, Display, PickJob, RenderJob, Renderer};
+/// use sinew_scene::{Frame, OrbitCamera, Scene};
+///
+/// let (scene, frame, camera) = (Scene::default(), Frame::default(), OrbitCamera::default().camera());
+/// let display = Display { background: Background::Solid(0x336699), grid: false, ..Display::default() };
+/// let job = RenderJob { scene: &scene, frame: &frame, camera: &camera, display: &display, width: 4, height: 2 };
+/// let mut renderer = Renderer::new(Some(2));
+/// assert_eq!(renderer.draw(&job)?.pixels, [0xFF33_6699; 8]);
+/// assert_eq!(renderer.pick(&PickJob { picture: job, x: 2.5, y: 0.5 })?, None);
+/// # Ok::<(), sinew_render::RenderError>(())
+/// ```
 #[derive(Debug)]
 pub struct Renderer {
     framebuffer: Framebuffer,

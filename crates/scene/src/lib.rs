@@ -1,7 +1,38 @@
 //! The scene graph and its contents. Independent of formats, drawing and the window.
 //!
-//! World: right-handed, +Y up, metres. A loaded file hangs under an *asset* node that carries its unit and up axis, so local values
-//! stay as the file wrote them. Transforms are composed in `f64`; geometry is `f32`.
+//! # What a scene is
+//!
+//! A [`Scene`] is everything at rest, in flat lists that are joined by small ids ([`NodeId`], [`MeshId`], …): a [`Graph`] of [`Node`]s, each with a
+//! [`Transform`] and with what hangs on it, and the meshes, skins, morphs, materials, images, lights and cameras that the nodes share.
+//!
+//! World: right-handed, +Y up, metres. A loaded file hangs under an *asset* node that carries its unit and up axis, so local values stay as the file
+//! wrote them. Transforms are composed in `f64`; geometry is `f32`.
+//!
+//! # How it moves
+//!
+//! An [`animation::Clip`] holds channels: a curve, and the numbers of the scene that it sets. [`animation::Clip::sample`] writes the values of a moment
+//! into an [`animation::Pose`], which gives the local matrices, and [`Graph::world_from_local`] composes them:
+//!
+//! ```
+//! use sinew_scene::animation::{Clip, Pose};
+//! use sinew_scene::{Node, Scene};
+//!
+//! let mut scene = Scene::default();
+//! scene.graph.add(None, Node::new("hip"));
+//! let (mut pose, mut local, mut world) = (Pose::rest(&scene), Vec::new(), Vec::new());
+//! Clip::default().sample(0.5, &mut pose);
+//! pose.locals(&mut local);
+//! scene.graph.world_from_local(&local, &mut world);
+//! assert_eq!(world.len(), 1);
+//! ```
+//!
+//! Posed and deformed, the scene is a [`Frame`]: what a renderer or an exporter reads. It owes nothing to the clip or the file any more.
+//!
+//! # What readers report
+//!
+//! Libraries have no language. What they tell people is an enum that implements [`message::ToMessage`]: a key of a catalogue, typed parameters, a place.
+//! A [`diagnostics::Diagnostic`] is a finding with its file, line and element; findings add up instead of stopping the reading. [`limits`] lists every bound
+//! on what a file may ask for, [`progress::Progress`] tells how far a long task is and lets it be stopped.
 
 pub mod animation;
 mod bounds;
@@ -34,6 +65,10 @@ pub use skin::{Deformer, Influence, MeshInstance, Morph, MorphMethod, MorphTarge
 pub use transform::{Transform, TransformOp, affine, compose};
 
 use std::sync::Arc;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 macro_rules! id {
     ($(#[$doc:meta])* $name:ident) => {

@@ -59,6 +59,15 @@ pub struct Location {
 }
 
 /// A sentence without a language: a key of the catalogue with its parameters, and the place that it speaks of.
+///
+/// ```
+/// use sinew_scene::message;
+/// use sinew_scene::message::Location;
+///
+/// let message = message!("collada-count-mismatch", said = 12_u32, found = 9_u32).at(Location::file("arm.dae"));
+/// // Its text without a catalogue, as a log has it.
+/// assert_eq!(message.to_string(), "arm.dae: collada-count-mismatch (said: 12, found: 9)");
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Message {
     /// The key in the catalogue.

@@ -1,11 +1,50 @@
-//! Vectors of `f32` and `i32`, and the choice of instruction set.
+//! Vectors of `f32` and `i32` that give the same bits on every instruction set.
 //!
-//! Every kernel is written once, generic over [`Simd`], and compiled for each instruction set. All operations are those that IEEE 754 rounds
-//! exactly (no fused multiply-add, no approximate reciprocals), each lane on its own, so a pixel gets the same bits whether 1, 4, 8
-//! or 16 of them are computed at a time. `f32` stays correct where a compiler's own vectorizer would have to be trusted to see the pattern;
-//! that was tried first and lost the masked stores.
+//! # How a kernel is written
 //!
-//! A value of an instruction set's type ([`Avx2`], …) is the proof that the processor has it: only [`SimdLevel::detect`] makes one.
+//! Once, generic over [`Simd`]: a value `l` of that trait stands for an instruction set, `L::N` is its number of lanes, and its methods are the
+//! operations. [`kernel!`] compiles the function for each instruction set and makes another one that takes a [`SimdLevel`] and calls the right copy.
+//!
+//! ```
+//! use sinew_simd::{Simd, SimdLevel, kernel};
+//!
+//! kernel! {
+//!     /// Writes the larger of two numbers.
+//!     fn larger(a: &[f32], b: &[f32], to: &mut [f32]) = larger_in_lanes
+//! }
+//!
+//! #[inline(always)]
+//! fn larger_in_lanes<L: Simd>(l: L, a: &[f32], b: &[f32], to: &mut [f32]) {
+//!     for ((a, b), to) in a.chunks_exact(L::N).zip(b.chunks_exact(L::N)).zip(to.chunks_exact_mut(L::N)) {
+//!         l.store(l.max(l.load(a), l.load(b)), to);
+//!     }
+//! }
+//!
+//! let (a, b) = ([1.0; 16], [2.0; 16]);
+//! for level in SimdLevel::all() {
+//!     let mut found = [0.0; 16];
+//!     larger(level, &a, &b, &mut found);
+//!     assert_eq!(found, b, "{}", level.name());
+//! }
+//! ```
+//!
+//! Lists are padded to a multiple of 16 or their rest is done by other means: no operation reads or writes less than a whole vector.
+//!
+//! # Why the bits are the same
+//!
+//! All operations are those that IEEE 754 rounds exactly: no fused multiply-add, no approximate reciprocals. Each lane is on its own, so a pixel gets
+//! the same bits whether 1, 4, 8 or 16 of them are computed at a time. `f32` stays correct where a compiler's own vectorizer would have to be trusted to
+//! see the pattern; that was tried first and lost the masked stores.
+//!
+//! # Why everything is inlined
+//!
+//! An intrinsic can only be inlined where its instruction set is switched on, so every function and closure between a kernel's entry and its intrinsics
+//! has to dissolve; one that does not costs a factor of fifty. Hence `#[inline(always)]` on kernels, [`each`] and [`map`] instead of
+//! `std::array::from_fn` and `array::map`, and [`always!`] round closures.
+//!
+//! # Why it is safe
+//!
+//! A value of an instruction set's type (`Avx2`, `Avx512`) is the proof that the processor has it: only [`SimdLevel`] makes one, after it has asked.
 
 mod scalar;
 #[cfg(target_arch = "x86_64")]
@@ -173,6 +212,16 @@ pub fn same<T>(value: T) -> T {
 }
 
 /// An instruction set that this processor has.
+///
+/// ```
+/// use sinew_simd::SimdLevel;
+///
+/// // The widest, or the one that the environment variable SINEW_SIMD asks for.
+/// assert!(SimdLevel::NAMES.contains(&SimdLevel::detect().name()));
+/// // Scalar code runs everywhere.
+/// assert!(SimdLevel::named("scalar").is_some());
+/// assert!(SimdLevel::named("mmx").is_none());
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub enum SimdLevel {
     /// One number at a time.
@@ -295,6 +344,10 @@ macro_rules! kernel {
         }
     };
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 #[cfg(test)]
 mod tests {

@@ -91,6 +91,16 @@ pub struct Keys {
 }
 
 /// Keys of one animated value of `dimension` numbers. Make one with [`Curve::new`].
+///
+/// ```
+/// use sinew_scene::animation::{Curve, Interpolation, Keys};
+///
+/// let modes = vec![Interpolation::Linear, Interpolation::Step, Interpolation::Linear];
+/// let curve = Curve::new(Keys { times: vec![0.0, 1.0, 2.0], dimension: 1, values: vec![0.0, 10.0, 20.0], modes, ..Keys::default() });
+/// assert_eq!(curve.value(0.25, 0), 2.5);
+/// // A segment uses the mode of its first key.
+/// assert_eq!(curve.value(1.9, 0), 10.0);
+/// ```
 #[derive(Debug, Clone, Default)]
 pub struct Curve {
     /// Key times, seconds, ascending.
