@@ -19,7 +19,6 @@ pub(super) struct Texels<L: Simd> {
 
 impl<L: Simd> Texels<L> {
     #[inline(always)]
-    #[allow(clippy::too_many_arguments, reason = "values of one loop, which stay in registers")]
     pub(super) fn read<const K: usize>(
         l: L,
         frame_data: &FrameData<'_>,
@@ -38,7 +37,8 @@ impl<L: Simd> Texels<L> {
             if let Some(sampler) = samplers[which]
                 && let Some(texture) = frame_data.textures.get(sampler.texture as usize)
             {
-                let [r, g, b, a] = filtered(l, texture, sampler.wrap, uv, gradients, gradients.levels[which], values, first);
+                let [r, g, b, a] =
+                    filtered(l, texture, sampler.wrap, uv, gradients, gradients.levels[which], TextureAttributes { values, first });
                 match which {
                     0 => texels.color = [r, g, b],
                     1 => texels.opacity = texels.opacity * (a * l.splat(style.cutout_share) + l.splat(1.0 - style.cutout_share)),
@@ -55,9 +55,15 @@ impl<L: Simd> Texels<L> {
     }
 }
 
+/// The interpolated attributes of a pixel, and which of them is the first texture coordinate.
+#[derive(Clone, Copy)]
+struct TextureAttributes<'a, L: Simd, const K: usize> {
+    values: &'a [L::F; K],
+    first: usize,
+}
+
 /// A texture where a pixel sees it: from one level of its mip chain, or from two that pass into each other.
 #[inline(always)]
-#[allow(clippy::too_many_arguments, reason = "values of one loop, which stay in registers")]
 fn filtered<L: Simd, const K: usize>(
     l: L,
     texture: &Texture,
@@ -65,15 +71,14 @@ fn filtered<L: Simd, const K: usize>(
     uv: [L::F; 2],
     gradients: &Gradients<K>,
     half: i32,
-    values: &[L::F; K],
-    first: usize,
+    attributes: TextureAttributes<'_, L, K>,
 ) -> [L::F; 4] {
     let mut mips = [texture.mip(l, half >> 1), texture.mip(l, (half + 1) >> 1)];
     let mut share = l.splat(0.0);
     // Odd, or everything that is mixed.
     let mut two = half & 1 != 0;
     if two {
-        let [across, down] = gradients.of(l, values, first);
+        let [across, down] = gradients.of(l, attributes.values, attributes.first);
         let detail = texture.detail(l, across, down);
         let mut finer = l.isplat(half >> 1);
         if half == Gradients::<K>::MIXED {
