@@ -9,7 +9,8 @@ use gtk4 as gtk;
 
 use super::APPLICATION_ID;
 use super::commands::{Command, Group};
-use super::window::{Window, object};
+use super::ui::object;
+use super::window::Window;
 use crate::tr;
 
 /// What the mouse does: the keys of its names and of its gestures in the catalogue.

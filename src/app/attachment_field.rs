@@ -6,9 +6,9 @@ use std::rc::Rc;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::format;
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::window::object;
-use super::{format, ui};
+use super::ui::{self, object};
 use crate::i18n;
 use crate::muscle::{Anchor, AttachmentPoint, Edit};
 use crate::scene::{MuscleId, NodeId};

@@ -5,7 +5,7 @@ use gtk4 as gtk;
 
 use super::attachment_field::{AttachmentField, Bones};
 use super::muscle_editor::Editor;
-use super::window::object;
+use super::ui::object;
 use crate::muscle::AttachmentPoint;
 use crate::scene::MuscleId;
 use crate::session::Session;

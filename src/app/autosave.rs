@@ -11,8 +11,9 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::window::{Window, object};
-use super::{document_loader, ui};
+use super::document_loader;
+use super::ui::{self, object};
+use super::window::Window;
 use crate::i18n::Sentence;
 use crate::session::Session;
 use crate::tr;

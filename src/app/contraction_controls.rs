@@ -8,8 +8,9 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::window::{Window, object};
-use super::{format, ui};
+use super::format;
+use super::ui::{self, object};
+use super::window::Window;
 use crate::i18n;
 use crate::message;
 use crate::scene::NodeId;

@@ -11,11 +11,12 @@ use gtk4 as gtk;
 
 use super::curve_plot::{CurvePlot, diamond};
 use super::drawing_area::{PaintWidget, cairo, rgb, set_color};
+use super::format;
 use super::settings::SheetPage;
 use super::timeline::{self, hold_while};
 use super::timeline_ruler::Track;
-use super::window::{Window, object};
-use super::{format, ui};
+use super::ui::{self, object};
+use super::window::Window;
 use crate::scene::NodeId;
 use crate::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRow};
 use crate::tr;

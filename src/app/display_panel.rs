@@ -6,9 +6,10 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::format;
 use super::onion_skin_panel::GhostsPanel;
-use super::window::{Window, object};
-use super::{format, ui};
+use super::ui::{self, object};
+use super::window::Window;
 use crate::document::Skinning;
 use crate::message;
 use crate::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};

@@ -154,7 +154,7 @@ pub(super) fn open_with_state(window: &Rc<Window>, paths: Vec<PathBuf>, muscles:
         if paths.is_empty() {
             window.files.stop();
             window.start_page(false);
-            window.restore_view_settings();
+            window.settings.restore_view(&window.session);
             window.files.came_from(None);
             window.viewport.hide_notice();
             window.update(|session| {
@@ -278,12 +278,12 @@ fn show_loaded(window: &Rc<Window>, opened: Opened, paths: &[PathBuf], load_mode
     let warnings = document.diagnostics.len();
     let wanted = saved.as_ref().and_then(|saved| saved.compared.as_ref()?.file.clone()).filter(|_| compared.is_none());
     if load_mode == LoadMode::New {
-        window.restore_view_settings();
+        window.settings.restore_view(&window.session);
         let session = saved.as_ref().zip(paths.first());
         window.files.came_from(session.map(|(saved, file)| (file.clone(), saved.all_files(file.parent().unwrap_or(Path::new(""))))));
     }
     match &saved {
-        Some(saved) => window.use_session_view_settings(|session| {
+        Some(saved) => window.settings.use_view_of_file(&window.session, |session| {
             session.show_session(document, saved);
             if let (Some((path, other)), Some(shift)) = (compared, &saved.compared) {
                 session.compare(Some(CompareTarget::File(Box::new(other), path.display().to_string())));
@@ -428,7 +428,7 @@ fn close_now(window: &Rc<Window>) {
         return;
     }
     forget(window);
-    window.restore_view_settings();
+    window.settings.restore_view(&window.session);
     window.update(|session| session.show(Document::default(), LoadMode::New));
 }
 

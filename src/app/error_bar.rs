@@ -8,8 +8,9 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::window::{Window, object};
-use super::{document_loader, ui};
+use super::document_loader;
+use super::ui::{self, object};
+use super::window::Window;
 use crate::session::LoadMode;
 
 /// The bar.

@@ -11,8 +11,9 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::export_job::{ExportJob, ExportKind, ExportOptions, MotionSource};
-use super::window::{Window, object};
-use super::{document_loader, format, save_as, ui};
+use super::ui::{self, object};
+use super::window::Window;
+use super::{document_loader, format, save_as};
 use crate::export::{ExportError, gltf, video};
 use crate::i18n::Sentence;
 use crate::progress::Progress;

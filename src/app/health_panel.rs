@@ -6,8 +6,9 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::window::{Window, object};
-use super::{format, ui};
+use super::format;
+use super::ui::{self, object};
+use super::window::Window;
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, Finding, SourceKind};
 use crate::i18n;

@@ -6,8 +6,8 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::ui;
-use super::window::{Window, object};
+use super::ui::{self, object};
+use super::window::Window;
 use crate::i18n::Sentence;
 use crate::session::Session;
 

@@ -10,8 +10,9 @@ use gtk4 as gtk;
 
 use super::inspector_text::{self, Space};
 use super::plot_view;
-use super::window::{Window, object};
-use super::{drawing_area::PaintWidget, format, material_preview, ui};
+use super::ui::{self, object};
+use super::window::Window;
+use super::{drawing_area::PaintWidget, format, material_preview};
 use crate::document::{Skinning, angle_at};
 use crate::i18n;
 use crate::message;

@@ -7,8 +7,9 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::window::{Window, object};
-use super::{recent, ui};
+use super::recent;
+use super::ui::{self, object};
+use super::window::Window;
 use crate::i18n::{self, shown};
 use crate::session::{Session, file_cameras};
 use crate::tr;

@@ -55,7 +55,7 @@ impl Editor {
             let (rig, index) = session.document().muscle(id)?;
             rig.spec(index).cloned()
         };
-        self.window.upgrade()?.try_read(spec)?
+        self.window.upgrade()?.session.try_read(spec)?
     }
 
     /// What the muscle shown is called; `None` as above.
@@ -65,7 +65,7 @@ impl Editor {
             let (rig, index) = session.document().muscle(id)?;
             Some(i18n::label(rig.label(index)).into_owned())
         };
-        self.window.upgrade()?.try_read(name)?
+        self.window.upgrade()?.session.try_read(name)?
     }
 }
 

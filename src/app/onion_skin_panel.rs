@@ -7,8 +7,9 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::window::{Window, object};
-use super::{format, ui};
+use super::format;
+use super::ui::{self, object};
+use super::window::Window;
 use crate::i18n;
 use crate::session::{ChangeSet, CompareTarget, ComparisonState, Session};
 use crate::tr;

@@ -7,8 +7,8 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::window::object;
-use super::{format, ui};
+use super::format;
+use super::ui::{self, object};
 use crate::muscle::{Edit, Profile};
 use crate::tr;
 

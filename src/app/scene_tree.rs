@@ -11,8 +11,8 @@ use gtk4 as gtk;
 use super::drawing_area::PaintWidget;
 use super::icons;
 use super::tree_model::{TreeRow, path_to, search, steps};
-use super::ui;
-use super::window::{Window, object};
+use super::ui::{self, object};
+use super::window::Window;
 use crate::i18n::shown;
 use crate::scene::{NodeId, Scene};
 use crate::session::{ChangeSet, Session};
@@ -157,7 +157,7 @@ impl SceneTree {
         selection.connect_selected_item_notify(move |selection| {
             if let Some(window) = window.upgrade() {
                 let node = selection.selected_item().and_then(|item| node_of(&item));
-                match node.filter(|_| window.read_if_free(|session| session.picking().is_some())) {
+                match node.filter(|_| window.session.read_if_free(|session| session.picking().is_some())) {
                     Some(bone) => window.pick_end(|session| session.pick_bone(bone)),
                     None => window.update(|session| session.select(node)),
                 }

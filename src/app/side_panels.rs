@@ -6,7 +6,7 @@ use gtk::gdk;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::window::object;
+use super::ui::object;
 
 /// Below this width of the window there is room for one side panel only: the tree with the inspector, or the right one.
 const ROOM_FOR_BOTH: i32 = 1000;

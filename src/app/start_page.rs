@@ -10,8 +10,9 @@ use gtk4 as gtk;
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::error_bar::ErrorMessage;
 use super::samples::{self, DEMOS, Demo};
-use super::window::{Window, object};
-use super::{document_loader, recent, saving, ui};
+use super::ui::{self, object};
+use super::window::Window;
+use super::{document_loader, recent, saving};
 use crate::document::Document;
 use crate::i18n::Sentence;
 use crate::render::Theme;
@@ -126,7 +127,7 @@ pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
         Ok(None) => saving::confirm_unsaved(window, |window| {
             window.start_page(false);
             document_loader::forget(window);
-            window.restore_view_settings();
+            window.settings.restore_view(&window.session);
             window.update(|session| session.show(Document::built_in(), LoadMode::New));
         }),
         Err(error) => window.error_bar.show(ErrorMessage {

@@ -13,10 +13,11 @@ use gtk4 as gtk;
 use super::commands::Command;
 use super::curve_editor::CurveEditor;
 use super::drawing_area::PaintWidget;
+use super::format;
 use super::icons::{self, Glyph};
 use super::timeline_ruler::{Track, frame_of};
-use super::window::{Window, object};
-use super::{format, ui};
+use super::ui::{self, object};
+use super::window::Window;
 use crate::animation::LoopMode;
 use crate::i18n;
 use crate::session::{ChangeSet, RangeMark, Session};
@@ -389,7 +390,7 @@ pub(super) fn hold_while(drag: &gtk::GestureDrag, window: &Rc<Window>) {
         move || {
             if let Some(window) = weak.upgrade() {
                 // A widget that is destroyed with its document releases too; the session has already ended the drag then.
-                window.try_read(|session| session.hold_time(held));
+                window.session.try_read(|session| session.hold_time(held));
             }
         }
     };

@@ -4,7 +4,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::window::object;
+use super::ui::object;
 use super::{format, memory_usage};
 use crate::document::{Document, Missing, Source, SourceKind};
 use crate::i18n::{self, Sentence, shown, shown_lines};

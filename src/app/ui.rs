@@ -72,6 +72,14 @@ pub(super) fn numbered(text: &str, number: usize) -> Builder {
     builder
 }
 
+/// An object of a `.ui` file.
+///
+/// # Panics
+/// Where the file lacks it: the files are compiled in, and the first start of the window would show the slip.
+pub(super) fn object<T: IsA<Object>>(builder: &Builder, id: &str) -> T {
+    builder.object(id).unwrap_or_else(|| panic!("the .ui file has no {id}"))
+}
+
 /// Sets the text of a label; text that came from a file is [`shown_lines`].
 pub(super) fn set_label(label: &Label, text: &str) {
     label.set_text(&shown_lines(text));
@@ -87,7 +95,7 @@ pub(super) fn words<T: AsRef<str>>(names: &[T]) -> StringList {
 pub(super) fn named<T: IsA<Object>>(class: &str, name: &str) -> T {
     let label = format!("<accessibility><property name=\"label\">{}</property></accessibility>", markup_escape_text(&shown(name)));
     let builder = Builder::from_string(&format!("<interface><object class=\"{class}\" id=\"named\">{label}</object></interface>"));
-    super::window::object(&builder, "named")
+    object(&builder, "named")
 }
 
 /// Lets a list be as narrow as there is room: its button shortens the name that is chosen to some `chars` characters; its rows show names in full.

@@ -7,9 +7,9 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::attachment_field::{AttachmentField, Bones, connect_pick, show_pick};
+use super::format;
 use super::muscle_editor::{Editor, connect_entry, show_text};
-use super::window::object;
-use super::{format, ui};
+use super::ui::{self, object};
 use crate::muscle::edit::VIA;
 use crate::muscle::{AttachmentPoint, Edit, Wrap};
 use crate::scene::MuscleId;

@@ -1,6 +1,6 @@
 //! The main window: assembles the panels and distributes changes to them.
 
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::rc::Rc;
@@ -22,15 +22,18 @@ use super::inspector::Inspector;
 use super::measure_panel::MeasurePanel;
 use super::muscle_panel::MusclePanel;
 use super::scene_tree::SceneTree;
-use super::settings::{self, SavedViewSettings, Settings};
+use super::session_handle::SessionHandle;
+use super::settings::{self, Settings};
+use super::settings_handle::SettingsHandle;
 use super::shortcuts::KeyChords;
 use super::side_panels::SidePanels;
 use super::start_page::StartPage;
 use super::timeline::Timeline;
 use super::timeline_ruler::Track;
 use super::tree_model::TreeRow;
+use super::ui::{self, object};
 use super::viewport::Viewport;
-use super::{appearance, command_dispatch, document_loader, key_controller, menus, onion_skin_panel, saving, side_panels, title_bar, ui};
+use super::{appearance, command_dispatch, document_loader, key_controller, menus, onion_skin_panel, saving, side_panels, title_bar};
 use crate::document::Document;
 use crate::i18n::{self, Sentence};
 use crate::muscle::EditError;
@@ -43,7 +46,9 @@ pub(super) struct Window {
     /// The window itself.
     pub widget: gtk::ApplicationWindow,
     /// What is remembered.
-    pub settings: RefCell<Settings>,
+    pub settings: SettingsHandle,
+    /// The session.
+    pub session: SessionHandle,
     /// The picture.
     pub viewport: Viewport,
     /// Errors.
@@ -56,13 +61,9 @@ pub(super) struct Window {
     pub files: DocumentLoader,
     /// Keys to commands.
     pub keys: KeyChords,
-    session: RefCell<Session>,
-    refreshing: Cell<bool>,
     ticking: Cell<bool>,
     page_turned: Cell<bool>,
     side_panels: SidePanels,
-    /// The user's view settings while those of a session file are shown.
-    own_looks: RefCell<Option<SavedViewSettings>>,
     actions: HashMap<Command, gio::SimpleAction>,
     builder: gtk::Builder,
     timeline: Timeline,
@@ -76,14 +77,6 @@ pub(super) struct Window {
     /// Over the picture and over the timeline.
     held: [HeldJointBanner; 2],
     start: StartPage,
-}
-
-/// An object of a `.ui` file.
-///
-/// # Panics
-/// Where the file lacks it: the files are compiled in, and the first start of the window would show the slip.
-pub(super) fn object<T: IsA<glib::Object>>(builder: &gtk::Builder, id: &str) -> T {
-    builder.object(id).unwrap_or_else(|| panic!("the .ui file has no {id}"))
 }
 
 impl Window {
@@ -107,19 +100,17 @@ impl Window {
 
         let window = Rc::new(Self {
             widget,
-            settings: RefCell::new(settings),
+            settings: SettingsHandle::new(settings),
+            session: SessionHandle::new(session),
             viewport: Viewport::new(),
             error_bar: ErrorBar::new(),
             recovery: Autosave::new(),
             menu: object(&builder, "menu"),
             files: DocumentLoader::default(),
             keys: KeyChords::default(),
-            session: RefCell::new(session),
-            refreshing: Cell::new(false),
             ticking: Cell::new(false),
             page_turned: Cell::new(false),
             side_panels: SidePanels::new(&builder),
-            own_looks: RefCell::default(),
             actions: command_dispatch::make_actions(),
             timeline: Timeline::new(),
             tree: SceneTree::new(),
@@ -134,12 +125,24 @@ impl Window {
             builder,
         });
         window.assemble();
+        let weak = Rc::downgrade(&window);
+        window.session.subscribe(move |session, changes| {
+            if let Some(window) = weak.upgrade() {
+                window.refresh(session, changes);
+            }
+        });
+        let weak = Rc::downgrade(&window);
+        window.session.observe(move |changes| {
+            if let Some(window) = weak.upgrade() {
+                window.follow_up(changes);
+            }
+        });
         // Reading has begun before anything is shown, or the start page would flash.
         if !files.is_empty() {
             document_loader::open(&window, files, LoadMode::New);
         }
         appearance::follow(&window);
-        window.refresh();
+        window.session.refresh();
         if let Some(notice) = notice {
             window.viewport.notice(&notice.sentence());
         }
@@ -223,78 +226,59 @@ impl Window {
         ));
     }
 
-    /// Does something to the session and shows what came of it. Nothing happens while widgets are being refreshed: their signals are echoes.
-    pub(super) fn update(self: &Rc<Self>, change: impl FnOnce(&mut Session)) {
-        if self.refreshing.get() {
-            return;
-        }
-        change(&mut self.session.borrow_mut());
-        self.refresh();
+    /// Changes the session and shows the result.
+    pub(super) fn update(&self, change: impl FnOnce(&mut Session)) {
+        self.session.update(change);
     }
 
-    /// Looks at the session.
+    /// Reads the session.
     pub(super) fn read<T>(&self, read: impl FnOnce(&mut Session) -> T) -> T {
-        read(&mut self.session.borrow_mut())
-    }
-
-    /// Looks at the session, unless widgets are being refreshed: what one that goes away meanwhile still tells is about what is no longer open.
-    pub(super) fn try_read<T>(&self, read: impl FnOnce(&mut Session) -> T) -> Option<T> {
-        self.session.try_borrow_mut().ok().map(|mut session| read(&mut session))
-    }
-
-    /// Asks the session something, unless widgets are being refreshed: then no.
-    pub(super) fn read_if_free(&self, ask: impl FnOnce(&Session) -> bool) -> bool {
-        !self.refreshing.get() && ask(&self.session.borrow())
+        self.session.read(read)
     }
 
     /// Refreshes the parts that show what changed.
-    pub(super) fn refresh(self: &Rc<Self>) {
-        let changes = self.session.borrow_mut().take_changes();
-        if changes == ChangeSet::default() {
-            return;
+    fn refresh(self: &Rc<Self>, session: &mut Session, changes: ChangeSet) {
+        self.timeline.refresh(session, changes);
+        self.tree.refresh(session, changes);
+        self.muscle.refresh(session, changes);
+        self.display.refresh(session, changes);
+        self.measure.refresh(session, changes);
+        self.health.refresh(session, changes);
+        self.inspector.refresh(session, changes);
+        self.viewport.refresh(session, changes);
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::DRIVE | ChangeSet::PLAYBACK) {
+            self.held.iter().for_each(|held| held.refresh(session));
         }
-        self.refreshing.set(true);
-        {
-            let session = &mut *self.session.borrow_mut();
-            self.timeline.refresh(session, changes);
-            self.tree.refresh(session, changes);
-            self.muscle.refresh(session, changes);
-            self.display.refresh(session, changes);
-            self.measure.refresh(session, changes);
-            self.health.refresh(session, changes);
-            self.inspector.refresh(session, changes);
-            self.viewport.refresh(session, changes);
-            if changes.any(ChangeSet::DOCUMENT | ChangeSet::DRIVE | ChangeSet::PLAYBACK) {
-                self.held.iter().for_each(|held| held.refresh(session));
-            }
-            if changes.any(ChangeSet::DOCUMENT) {
-                menus::list_cameras(&object(&self.builder, "camera_menu"), session);
-                self.show_page(session);
-                self.empty_state.refresh(session);
-            }
-            if changes.any(ChangeSet::DOCUMENT | ChangeSet::SURROUNDINGS) {
-                self.start.refresh(session, self.files.is_loading());
-            }
-            if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::EDIT) {
-                title_bar::name(&self.builder, &self.widget, session);
-            }
-            if changes.any(ChangeSet::DOCUMENT | ChangeSet::EDIT) {
-                self.recovery.note(self, session);
-            }
-            if changes.any(ChangeSet::HISTORY | ChangeSet::DOCUMENT) {
-                title_bar::name_steps(&self.builder, session);
-            }
-            if changes.any(ChangeSet::SELECTION | ChangeSet::DOCUMENT) {
-                let name = session.selected().map(|id| i18n::label(session.document().scene.graph.label(id)).into_owned());
-                ui::set_label(&object(&self.builder, "status_selection"), &name.unwrap_or_default());
-            }
-            if changes.any(ChangeSet::PICTURE) {
-                let compared = session.compared().map(|compared| onion_skin_panel::difference(session, &compared));
-                ui::set_label(&object(&self.builder, "status_compared"), &compared.unwrap_or_default());
-            }
-            command_dispatch::show_states(self, session, &self.actions);
+        if changes.any(ChangeSet::DOCUMENT) {
+            menus::list_cameras(&object(&self.builder, "camera_menu"), session);
+            self.show_page(session);
+            self.empty_state.refresh(session);
         }
-        self.refreshing.set(false);
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::SURROUNDINGS) {
+            self.start.refresh(session, self.files.is_loading());
+        }
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::EDIT) {
+            title_bar::name(&self.builder, &self.widget, session);
+        }
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::EDIT) {
+            self.recovery.note(self, session);
+        }
+        if changes.any(ChangeSet::HISTORY | ChangeSet::DOCUMENT) {
+            title_bar::name_steps(&self.builder, session);
+        }
+        if changes.any(ChangeSet::SELECTION | ChangeSet::DOCUMENT) {
+            let name = session.selected().map(|id| i18n::label(session.document().scene.graph.label(id)).into_owned());
+            ui::set_label(&object(&self.builder, "status_selection"), &name.unwrap_or_default());
+        }
+        if changes.any(ChangeSet::PICTURE) {
+            let compared = session.compared().map(|compared| onion_skin_panel::difference(session, &compared));
+            ui::set_label(&object(&self.builder, "status_compared"), &compared.unwrap_or_default());
+        }
+        command_dispatch::show_states(self, session, &self.actions);
+    }
+
+    /// Lets what follows from a change happen once all parts show it.
+    fn follow_up(self: &Rc<Self>, changes: ChangeSet) {
         let moves = ChangeSet::CAMERA
             | ChangeSet::TIME
             | ChangeSet::DOCUMENT
@@ -305,7 +289,7 @@ impl Window {
         if changes.any(moves) {
             self.viewport.refresh_hover(self);
         }
-        if self.session.borrow().is_moving() {
+        if self.session.read(|session| session.is_moving()) {
             self.tick();
         }
     }
@@ -323,7 +307,7 @@ impl Window {
             let seconds = last.replace(Some(now)).map_or(0.0, |before| (now - before) as f64 * 1e-6);
             let flying = window.viewport.fly(&window, seconds);
             window.update(|session| session.advance(seconds));
-            if flying || window.session.borrow().is_moving() {
+            if flying || window.session.read(|session| session.is_moving()) {
                 glib::ControlFlow::Continue
             } else {
                 window.ticking.set(false);
@@ -340,10 +324,7 @@ impl Window {
 
     /// Lets what lies below the track show something else of the session. Signals of its widgets are no hand's meanwhile.
     pub(super) fn sheet(&self, work: impl FnOnce(&CurveEditor, &Session)) {
-        if !self.refreshing.replace(true) {
-            work(&self.timeline.sheet, &self.session.borrow());
-            self.refreshing.set(false);
-        }
+        self.session.set_widgets(|session| work(&self.timeline.sheet, session));
     }
 
     /// Changes the visible range of the timeline.
@@ -396,9 +377,7 @@ impl Window {
 
     /// Shows the states of the actions anew.
     pub(super) fn show_states(self: &Rc<Self>) {
-        if let Ok(session) = self.session.try_borrow() {
-            command_dispatch::show_states(self, &session, &self.actions);
-        }
+        self.session.show(|session| command_dispatch::show_states(self, session, &self.actions));
     }
 
     /// Brings the start page up over what is open, or sends it away.
@@ -416,7 +395,7 @@ impl Window {
 
     /// Sends the start page away where it came up over a scene; whether it did.
     pub(super) fn leave_start_page(self: &Rc<Self>) -> bool {
-        let came = self.start.root.is_visible() && !self.session.borrow().is_empty();
+        let came = self.start.root.is_visible() && !self.session.read(|session| session.is_empty());
         if came {
             self.start_page(false);
         }
@@ -443,30 +422,6 @@ impl Window {
         self.muscle.change(self, command);
     }
 
-    /// `settings` with the user's view settings instead of those of a session file.
-    fn user_view_settings(&self, settings: &Settings) -> Settings {
-        let mut now = settings.clone();
-        now.capture(&self.session.borrow());
-        self.own_looks.borrow().as_ref().map_or(now.clone(), |held| held.merged_into(&now))
-    }
-
-    /// Restores the user's view settings before another document is shown.
-    pub(super) fn restore_view_settings(self: &Rc<Self>) {
-        let own = self.user_view_settings(&self.settings.borrow());
-        if self.own_looks.take().is_some() {
-            self.update(|session| own.apply(session));
-        }
-    }
-
-    /// Applies the view settings of a session file and keeps the user's for later.
-    pub(super) fn use_session_view_settings(self: &Rc<Self>, show: impl FnOnce(&mut Session)) {
-        let own = self.user_view_settings(&self.settings.borrow());
-        self.update(show);
-        let mut file = own.clone();
-        file.capture(&self.session.borrow());
-        self.own_looks.replace(Some(SavedViewSettings::new(own, file)));
-    }
-
     /// The actions, to connect them.
     pub(super) fn actions(&self) -> &HashMap<Command, gio::SimpleAction> {
         &self.actions
@@ -485,7 +440,7 @@ impl Window {
         if let Some(page) = object::<gtk::Stack>(&self.builder, "stack").visible_child_name() {
             settings.page = if self.page_turned.get() { "muscle".into() } else { page.into() };
         }
-        *settings = self.user_view_settings(&settings);
+        *settings = self.settings.with_user_view(&settings, &self.session);
         if let Err(error) = settings.save(&settings::path()) {
             eprintln!("{}", tr!("app-settings-unsaved", reason = error.sentence()));
         }

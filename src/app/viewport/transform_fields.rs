@@ -8,8 +8,8 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use crate::app::ui;
-use crate::app::window::{Window, object};
+use crate::app::ui::{self, object};
+use crate::app::window::Window;
 use crate::message;
 use crate::session::{ModelTransform, Tool, UndoStep};
 use crate::tr;
