@@ -1,7 +1,6 @@
 //! The shortcuts window, made from the table of commands, and the about window.
 
 use std::fmt::Write;
-use std::rc::Rc;
 
 use gtk::glib::markup_escape_text;
 use gtk::prelude::*;
@@ -10,7 +9,6 @@ use gtk4 as gtk;
 use super::APPLICATION_ID;
 use super::commands::{Command, Group};
 use super::ui::object;
-use super::window::Window;
 use crate::tr;
 
 /// What the mouse does: the keys of its names and of its gestures in the catalogue.
@@ -36,9 +34,9 @@ const SECTIONS: [&[Group]; 4] = [
 ];
 
 /// Shows all keys and what the mouse does.
-pub(super) fn shortcuts(window: &Rc<Window>) {
+pub(super) fn shortcuts(parent: &gtk::ApplicationWindow) {
     let shortcuts: gtk::ShortcutsWindow = object(&gtk::Builder::from_string(&shortcuts_ui()), "shortcuts");
-    shortcuts.set_transient_for(Some(&window.widget));
+    shortcuts.set_transient_for(Some(parent));
     shortcuts.present();
 }
 
@@ -103,9 +101,9 @@ fn write_mouse(text: &mut String, open_group: &dyn Fn(&mut String, &str)) {
 }
 
 /// Shows what the program is.
-pub(super) fn about(window: &Rc<Window>) {
+pub(super) fn about(parent: &gtk::ApplicationWindow) {
     let about = gtk::AboutDialog::builder()
-        .transient_for(&window.widget)
+        .transient_for(parent)
         .modal(true)
         .program_name("Sinew")
         .version(env!("CARGO_PKG_VERSION"))

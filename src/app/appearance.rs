@@ -6,9 +6,9 @@ use gtk::prelude::*;
 use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
+use super::app_context::AppContext;
 use super::drawing_area::text_color;
 use super::settings::ColorScheme;
-use super::window::Window;
 use crate::render::Theme;
 
 const PORTAL: &str = "org.freedesktop.portal.Desktop";
@@ -31,30 +31,30 @@ pub(super) fn animates() -> bool {
 }
 
 /// Follows the desktop's colours, or the user's choice, from now on.
-pub(super) fn follow(window: &Rc<Window>) {
-    choose(window.settings.borrow().colours);
-    show(window);
+pub(super) fn follow(app: &Rc<AppContext>) {
+    choose(app.settings.borrow().colours);
+    show(app);
     let Some(settings) = gtk::Settings::default() else { return };
-    let weak = Rc::downgrade(window);
+    let weak = Rc::downgrade(app);
     let changed = move |_: &gtk::Settings| {
         let weak = weak.clone();
         // The new style is there once the main loop has run.
         glib::idle_add_local_once(move || {
-            if let Some(window) = weak.upgrade() {
-                show(&window);
+            if let Some(app) = weak.upgrade() {
+                show(&app);
             }
         });
     };
     settings.connect_gtk_application_prefer_dark_theme_notify(changed.clone());
     settings.connect_gtk_theme_name_notify(changed.clone());
-    let weak = Rc::downgrade(window);
+    let weak = Rc::downgrade(app);
     settings.connect_gtk_enable_animations_notify(move |_| {
-        if let Some(window) = weak.upgrade() {
-            let smooth = window.settings.borrow().smooth_camera;
-            window.update(|session| session.set_eased(smooth && animates()));
+        if let Some(app) = weak.upgrade() {
+            let smooth = app.settings.borrow().smooth_camera;
+            app.session.update(|session| session.set_eased(smooth && animates()));
         }
     });
-    follow_portal(window);
+    follow_portal(app);
 }
 
 /// Sets light or dark. What the desktop wants is asked of its portal, which GTK before 4.20 does not do by itself.
@@ -73,11 +73,11 @@ pub(super) fn choose(colours: ColorScheme) {
 }
 
 /// Takes over whether the window is dark: text that is lighter than its ground says so, in any theme.
-fn show(window: &Rc<Window>) {
-    let color = text_color(&window.widget);
+fn show(app: &Rc<AppContext>) {
+    let color = text_color(&app.widget);
     let light = color.red() * 0.3 + color.green() * 0.6 + color.blue() * 0.1;
     let theme = if light > 0.5 { Theme::Dark } else { Theme::Light };
-    window.update(|session| session.set_theme(theme));
+    app.session.update(|session| session.set_theme(theme));
 }
 
 /// What the desktop's portal says, if there is one that answers at once.
@@ -105,8 +105,8 @@ fn scheme(value: &glib::Variant) -> Option<bool> {
 }
 
 /// Hears of changes while the program runs.
-fn follow_portal(window: &Rc<Window>) {
-    let weak = Rc::downgrade(window);
+fn follow_portal(app: &Rc<AppContext>) {
+    let weak = Rc::downgrade(app);
     glib::spawn_future_local(async move {
         let Ok(bus) = gio::bus_get_future(gio::BusType::Session).await else { return };
         let flags = gio::DBusProxyFlags::DO_NOT_AUTO_START | gio::DBusProxyFlags::DO_NOT_LOAD_PROPERTIES;
@@ -114,14 +114,14 @@ fn follow_portal(window: &Rc<Window>) {
         let Ok(proxy) = proxy else { return };
         let listener = weak.clone();
         proxy.connect_local("g-signal", false, move |_| {
-            if let Some(window) = listener.upgrade() {
-                choose(window.settings.borrow().colours);
+            if let Some(app) = listener.upgrade() {
+                choose(app.settings.borrow().colours);
             }
             None
         });
         // The proxy lives as long as the window.
-        if let Some(window) = weak.upgrade() {
-            window.widget.connect_destroy(move |_| {
+        if let Some(app) = weak.upgrade() {
+            app.widget.connect_destroy(move |_| {
                 let _ = &proxy;
             });
         }

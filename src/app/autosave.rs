@@ -11,9 +11,8 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::document_loader;
+use super::document_loader::DocumentLoader;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::i18n::Sentence;
 use crate::session::Session;
 use crate::tr;
@@ -40,6 +39,7 @@ pub(super) struct Autosave {
     lock: RefCell<Option<Lock>>,
     told: Cell<bool>,
     offered: RefCell<Option<LeftoverFile>>,
+    loader: Rc<DocumentLoader>,
 }
 
 /// A recovery file of a program that has ended, locked against others.
@@ -70,12 +70,12 @@ impl Lock {
 }
 
 impl Autosave {
-    /// Nothing written, nothing offered.
-    pub(super) fn new() -> Self {
+    /// Nothing written, nothing offered; what is brought back is opened by `loader`.
+    pub(super) fn new(loader: &Rc<DocumentLoader>) -> Rc<Self> {
         static NEXT: AtomicU32 = AtomicU32::new(0);
         let builder = ui::builder(ui::RECOVERY_BAR);
         let name = format!("{NAME}{}-{}.yaml", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
-        Self {
+        let autosave = Rc::new(Self {
             root: object(&builder, "root"),
             message: object(&builder, "message"),
             path: folder().join(name),
@@ -84,41 +84,42 @@ impl Autosave {
             lock: RefCell::default(),
             told: Cell::default(),
             offered: RefCell::default(),
+            loader: loader.clone(),
+        });
+        autosave.root.set_visible(false);
+        autosave.root.connect_response(glib::clone!(
+            #[weak]
+            autosave,
+            move |_, response| autosave.answer(response)
+        ));
+        autosave
+    }
+
+    /// Does what the user answered to the offer.
+    fn answer(&self, response: gtk::ResponseType) {
+        // Else the keyboard goes from the button that is hidden to the next widget, the search, and Ctrl+Z with it.
+        self.loader.app.focus.take();
+        self.fold();
+        let Some(left) = self.offered.take() else { return };
+        match response {
+            gtk::ResponseType::Accept => restore(&self.loader, left),
+            gtk::ResponseType::Reject => left.forget(),
+            _ => {}
         }
     }
 
-    /// Lets the bar's buttons work.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        self.root.set_visible(false);
-        self.root.connect_response(glib::clone!(
-            #[weak]
-            window,
-            move |_, response| {
-                // Else the keyboard goes from the button that is hidden to the next widget, the search, and Ctrl+Z with it.
-                window.viewport.take_focus();
-                window.recovery.fold();
-                let Some(left) = window.recovery.offered.take() else { return };
-                match response {
-                    gtk::ResponseType::Accept => restore(&window, left),
-                    gtk::ResponseType::Reject => left.forget(),
-                    _ => {}
-                }
-            }
-        ));
-    }
-
     /// Offers what a program that ended without saving has left.
-    pub(super) fn offer(&self, window: &Rc<Window>) {
-        self.look(&Rc::downgrade(window), MAX_CHECKS);
+    pub(super) fn offer(self: &Rc<Self>) {
+        self.look(MAX_CHECKS);
     }
 
-    fn look(&self, window: &Weak<Window>, checks: u32) {
+    fn look(self: &Rc<Self>, checks: u32) {
         let Some(left) = left_behind(&folder()) else {
             if checks > 1 && has_others(&folder(), &self.path) {
-                let window = window.clone();
+                let weak = Rc::downgrade(self);
                 glib::timeout_add_local_once(CHECK_INTERVAL, move || {
-                    if let Some(of) = window.upgrade() {
-                        of.recovery.look(&window, checks - 1);
+                    if let Some(autosave) = weak.upgrade() {
+                        autosave.look(checks - 1);
                     }
                 });
             }
@@ -139,7 +140,7 @@ impl Autosave {
     }
 
     /// The muscles, or whether they are saved, changed: at once they are written down, or the file goes.
-    pub(super) fn note(&self, window: &Rc<Window>, session: &Session) {
+    pub(super) fn note(self: &Rc<Self>, session: &Session) {
         if !session.is_unsaved() {
             return self.clear();
         }
@@ -147,7 +148,7 @@ impl Autosave {
         if self.gathering.replace(true) {
             return;
         }
-        let weak = Rc::downgrade(window);
+        let weak = Rc::downgrade(self);
         glib::idle_add_local_once(move || write_recovery_file(&weak));
     }
 
@@ -176,19 +177,19 @@ impl Autosave {
 }
 
 /// Writes down what is not saved, and again a moment later where it changed meanwhile.
-fn write_recovery_file(weak: &Weak<Window>) {
-    let Some(window) = weak.upgrade() else { return };
-    match window.read(|session| session.recovery_file()) {
-        Some(unsaved) => window.recovery.write(&unsaved),
-        None => window.recovery.clear(),
+fn write_recovery_file(weak: &Weak<Autosave>) {
+    let Some(autosave) = weak.upgrade() else { return };
+    match autosave.loader.app.session.read(|session| session.recovery_file()) {
+        Some(unsaved) => autosave.write(&unsaved),
+        None => autosave.clear(),
     }
     let weak = weak.clone();
     glib::timeout_add_local_once(WRITE_DELAY, move || {
-        let Some(window) = weak.upgrade() else { return };
-        if window.recovery.changed.get() {
+        let Some(autosave) = weak.upgrade() else { return };
+        if autosave.changed.get() {
             return write_recovery_file(&weak);
         }
-        window.recovery.gathering.set(false);
+        autosave.gathering.set(false);
     });
 }
 
@@ -200,9 +201,9 @@ impl LeftoverFile {
 }
 
 /// Opens the files that were open, and puts the muscles that were not saved into them. What was left is kept until they are there.
-fn restore(window: &Rc<Window>, left: LeftoverFile) {
+fn restore(loader: &Rc<DocumentLoader>, left: LeftoverFile) {
     let Some(muscles) = left.unsaved.muscle_files() else { return };
-    document_loader::open_with_state(window, left.unsaved.files.clone(), muscles, move || left.forget());
+    loader.open_with_state(left.unsaved.files.clone(), muscles, move || left.forget());
 }
 
 /// A file that cannot be removed is offered again; nothing is lost by that.

@@ -7,10 +7,10 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+use super::command_context::CommandContext;
 use super::commands::Command;
 use super::settings::{ColorScheme, SheetPage};
-use super::window::Window;
-use super::{about, appearance, compare_file, document_loader, export_dialog, help, save_session, saving, screenshot};
+use super::{about, appearance, compare_file, export_dialog, help, save_session, saving, screenshot};
 use crate::message;
 use crate::muscle::AttachmentPoint;
 use crate::render::{Samples, Shading};
@@ -29,24 +29,36 @@ pub(super) fn make_actions() -> HashMap<Command, gio::SimpleAction> {
 }
 
 /// Lets the actions perform their commands.
-pub(super) fn connect(window: &Rc<Window>) {
-    for (command, action) in window.actions() {
+pub(super) fn connect(context: &Rc<CommandContext>) {
+    for (command, action) in &context.actions {
         let command = *command;
         action.connect_activate(glib::clone!(
             #[weak]
-            window,
-            move |_, _| perform(&window, command)
+            context,
+            move |_, _| perform(&context, command)
         ));
+        context.app.widget.add_action(action);
     }
 }
 
+/// Shows in the actions what is on and what can be done, unless the session is being changed just now.
+pub(super) fn refresh_states(context: &CommandContext) {
+    context.app.session.show(|session| show_states(context, session));
+}
+
+/// Shows or folds away the tree and the right panel. Where there is no room for both, the one that comes takes the other's place.
+pub(super) fn show_sides(context: &CommandContext, tree: bool, panel: bool) {
+    context.side_panels.show(&context.app.widget, tree, panel);
+    refresh_states(context);
+}
+
 /// Shows in the actions what is on and what can be done.
-pub(super) fn show_states(window: &Rc<Window>, session: &Session, actions: &HashMap<Command, gio::SimpleAction>) {
-    for (command, action) in actions {
-        if let Some(on) = flag_state(*command, session).or_else(|| window_state(window, *command)) {
+pub(super) fn show_states(context: &CommandContext, session: &Session) {
+    for (command, action) in &context.actions {
+        if let Some(on) = flag_state(*command, session).or_else(|| window_state(context, *command)) {
             action.set_state(&on.to_variant());
         }
-        action.set_enabled(is_possible(window, *command, session));
+        action.set_enabled(is_possible(context, *command, session));
     }
 }
 
@@ -110,20 +122,20 @@ fn has_window_state(command: Command) -> bool {
         || color_scheme_of(command).is_some()
 }
 
-fn window_state(window: &Rc<Window>, command: Command) -> Option<bool> {
+fn window_state(context: &CommandContext, command: Command) -> Option<bool> {
     match command {
-        Command::Tree => Some(window.shown_side_panels().0),
-        Command::Panel => Some(window.shown_side_panels().1),
-        Command::Fullscreen => Some(window.widget.is_fullscreen()),
-        Command::FrameTimes => Some(window.settings.borrow().frame_times),
-        Command::Sheet => Some(window.settings.borrow().sheet == SheetPage::Keys),
-        Command::Curves => Some(window.settings.borrow().sheet == SheetPage::Curves),
-        Command::SmoothCamera => Some(window.settings.borrow().smooth_camera),
-        _ => color_scheme_of(command).map(|colours| window.settings.borrow().colours == colours),
+        Command::Tree => Some(context.side_panels.shown().0),
+        Command::Panel => Some(context.side_panels.shown().1),
+        Command::Fullscreen => Some(context.app.widget.is_fullscreen()),
+        Command::FrameTimes => Some(context.app.settings.borrow().frame_times),
+        Command::Sheet => Some(context.app.settings.borrow().sheet == SheetPage::Keys),
+        Command::Curves => Some(context.app.settings.borrow().sheet == SheetPage::Curves),
+        Command::SmoothCamera => Some(context.app.settings.borrow().smooth_camera),
+        _ => color_scheme_of(command).map(|colours| context.app.settings.borrow().colours == colours),
     }
 }
 
-fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool {
+fn is_possible(context: &CommandContext, command: Command, session: &Session) -> bool {
     use Command as C;
     let has_time = session.playback().duration() > 0.0;
     match command {
@@ -153,17 +165,17 @@ fn is_possible(window: &Rc<Window>, command: Command, session: &Session) -> bool
         C::ResetModel => !session.model().is_identity(),
         C::Save | C::SaveAs => session.document().muscle_count() > 0,
         C::Revert => session.is_unsaved(),
-        C::Reload | C::PreviousFile | C::NextFile => !session.files().is_empty() || window.files.can_retry(),
+        C::Reload | C::PreviousFile | C::NextFile => !session.files().is_empty() || context.loader.can_retry(),
         C::SaveSession | C::Picture | C::PictureTransparent | C::CopyPicture | C::Export => !session.is_empty(),
         _ => true,
     }
 }
 
 /// Does it.
-pub(super) fn perform(window: &Rc<Window>, command: Command) {
+pub(super) fn perform(context: &Rc<CommandContext>, command: Command) {
     use Command as C;
     if let Some(switch) = command.display_flag() {
-        return window.update(|session| {
+        return context.app.session.update(|session| {
             session.change_display(|display| {
                 let on = switch(display);
                 *on = !*on;
@@ -171,33 +183,33 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         });
     }
     if let Some(tool) = tool_of(command) {
-        return window.update(|session| session.set_tool(tool));
+        return context.app.session.update(|session| session.set_tool(tool));
     }
     if let Some(shading) = shading_of(command) {
-        return window.update(|session| session.change_display(|display| display.shading = shading));
+        return context.app.session.update(|session| session.change_display(|display| display.shading = shading));
     }
     if let Some(colours) = color_scheme_of(command) {
-        window.settings.borrow_mut().colours = colours;
+        context.app.settings.borrow_mut().colours = colours;
         appearance::choose(colours);
-        return window.show_states();
+        return refresh_states(context);
     }
-    let look_from = |view: ViewDirection| window.update(|session| session.change_camera(|camera| camera.look_from(view)));
+    let look_from = |view: ViewDirection| context.app.session.update(|session| session.change_camera(|camera| camera.look_from(view)));
     match command {
-        C::Open => document_loader::choose(window),
-        C::CompareFile => compare_file::choose(window),
-        C::Reload => document_loader::reload(window),
-        C::Save => saving::save(window, || ()),
-        C::SaveAs => saving::save_as(window),
-        C::PreviousFile => document_loader::neighbour(window, -1),
-        C::NextFile => document_loader::neighbour(window, 1),
-        C::Close => document_loader::close(window),
-        C::Quit => window.widget.close(),
-        C::SaveSession => save_session::save(window),
-        C::StartPage => window.start_page(true),
-        C::Picture => screenshot::save(window, false),
-        C::PictureTransparent => screenshot::save(window, true),
-        C::CopyPicture => screenshot::copy(window),
-        C::Export => export_dialog::show(window),
+        C::Open => context.loader.choose(),
+        C::CompareFile => compare_file::choose(&context.app),
+        C::Reload => context.loader.reload(),
+        C::Save => saving::save(&context.app, || ()),
+        C::SaveAs => saving::save_as(&context.app),
+        C::PreviousFile => context.loader.open_neighbour(-1),
+        C::NextFile => context.loader.open_neighbour(1),
+        C::Close => context.loader.close(),
+        C::Quit => context.app.widget.close(),
+        C::SaveSession => save_session::save(&context.app),
+        C::StartPage => context.app.start_page.want(true),
+        C::Picture => screenshot::save(&context.app, &context.viewport, false),
+        C::PictureTransparent => screenshot::save(&context.app, &context.viewport, true),
+        C::CopyPicture => screenshot::copy(&context.app, &context.viewport),
+        C::Export => export_dialog::show(&context.app, &context.viewport),
         C::Front => look_from(ViewDirection::Front),
         C::Back => look_from(ViewDirection::Back),
         C::Right => look_from(ViewDirection::Right),
@@ -206,52 +218,54 @@ pub(super) fn perform(window: &Rc<Window>, command: Command) {
         C::Bottom => look_from(ViewDirection::Bottom),
         C::Iso => look_from(ViewDirection::Iso),
         C::Sidebars => {
-            let shown = window.shown_side_panels() != (false, false);
-            window.show_side(!shown, !shown);
+            let shown = context.side_panels.shown() != (false, false);
+            show_sides(context, !shown, !shown);
         }
-        C::Tree => window.show_side(!window.shown_side_panels().0, window.shown_side_panels().1),
-        C::Panel => window.show_side(window.shown_side_panels().0, !window.shown_side_panels().1),
+        C::Tree => show_sides(context, !context.side_panels.shown().0, context.side_panels.shown().1),
+        C::Panel => show_sides(context, context.side_panels.shown().0, !context.side_panels.shown().1),
         C::Fullscreen => {
-            if window.widget.is_fullscreen() {
-                window.widget.unfullscreen()
+            if context.app.widget.is_fullscreen() {
+                context.app.widget.unfullscreen()
             } else {
-                window.widget.fullscreen()
+                context.app.widget.fullscreen()
             }
-            window.show_states();
+            refresh_states(context);
         }
         C::FrameTimes => {
-            let shown = !window.settings.borrow().frame_times;
-            window.settings.borrow_mut().frame_times = shown;
-            window.viewport.show_times(shown);
-            window.show_states();
+            let shown = !context.app.settings.borrow().frame_times;
+            context.app.settings.borrow_mut().frame_times = shown;
+            context.viewport.show_times(shown);
+            refresh_states(context);
         }
-        C::TimeCloser => window.change_visible_range(|track| track.zoom(1.5, track.time)),
-        C::TimeWider => window.change_visible_range(|track| track.zoom(1.0 / 1.5, track.time)),
-        C::TimeWhole => window.change_visible_range(|track| track.range = track.whole),
-        C::Sheet => unfold(window, SheetPage::Keys),
-        C::Curves => unfold(window, SheetPage::Curves),
+        C::TimeCloser => context.timeline.axis.change(|track| track.zoom(1.5, track.time)),
+        C::TimeWider => context.timeline.axis.change(|track| track.zoom(1.0 / 1.5, track.time)),
+        C::TimeWhole => context.timeline.axis.change(|track| track.range = track.whole),
+        C::Sheet => unfold(context, SheetPage::Keys),
+        C::Curves => unfold(context, SheetPage::Curves),
         C::SmoothCamera => {
-            let smooth = !window.settings.borrow().smooth_camera;
-            window.settings.borrow_mut().smooth_camera = smooth;
-            window.update(|session| session.set_eased(smooth && appearance::animates()));
-            window.show_states();
+            let smooth = !context.app.settings.borrow().smooth_camera;
+            context.app.settings.borrow_mut().smooth_camera = smooth;
+            context.app.session.update(|session| session.set_eased(smooth && appearance::animates()));
+            refresh_states(context);
         }
-        C::Menu => window.menu.popup(),
-        C::Help => help::show(window),
-        C::Shortcuts => about::shortcuts(window),
-        C::About => about::about(window),
-        C::Fly => window.viewport.toggle_flight(window),
-        C::NewMuscle | C::DuplicateMuscle | C::DeleteMuscle => window.change_muscles(command),
-        in_session => window.update(|session| change_session(in_session, session)),
+        C::Menu => context.menu.popup(),
+        C::Help => help::show(&context.app.widget),
+        C::Shortcuts => about::shortcuts(&context.app.widget),
+        C::About => about::about(&context.app.widget),
+        C::Fly => context.viewport.toggle_flight(),
+        C::NewMuscle => context.muscle.add_muscle(),
+        C::DuplicateMuscle => context.muscle.duplicate_muscle(),
+        C::DeleteMuscle => context.muscle.delete_muscle(),
+        in_session => context.app.session.update(|session| change_session(in_session, session)),
     }
 }
 
 /// Unfolds a page below the track, or folds it away where it is shown.
-fn unfold(window: &Rc<Window>, page: SheetPage) {
-    let shown = window.settings.borrow().sheet == page;
-    window.settings.borrow_mut().sheet = if shown { SheetPage::None } else { page };
-    window.show_sheet();
-    window.show_states();
+fn unfold(context: &Rc<CommandContext>, page: SheetPage) {
+    let shown = context.app.settings.borrow().sheet == page;
+    context.app.settings.borrow_mut().sheet = if shown { SheetPage::None } else { page };
+    context.show_sheet();
+    refresh_states(context);
 }
 
 /// The commands that change the session and nothing else.

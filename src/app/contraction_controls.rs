@@ -9,8 +9,8 @@ use gtk4 as gtk;
 
 use super::commands::Command;
 use super::format;
+use super::session_handle::SessionHandle;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::i18n;
 use crate::message;
 use crate::scene::NodeId;
@@ -34,12 +34,12 @@ pub(super) struct ContractionControls {
 
 impl ContractionControls {
     /// Those of a panel.
-    pub(super) fn new(builder: &gtk::Builder) -> Self {
+    pub(super) fn new(builder: &gtk::Builder, session: &SessionHandle) -> Self {
         let (joint, axis): (gtk::DropDown, gtk::DropDown) = (object(builder, "joint"), object(builder, "joint_axis"));
         ui::narrow(&joint, 14);
         let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
         axis.set_model(Some(&ui::words(&names)));
-        Self {
+        let controls = Self {
             contraction: object(builder, "contraction"),
             flexion: object(builder, "flexion"),
             joint,
@@ -47,31 +47,33 @@ impl ContractionControls {
             on_top: object(builder, "on_top"),
             bones: Rc::default(),
             builder: builder.clone(),
-        }
+        };
+        controls.connect(session);
+        controls
     }
 
     /// Lets the sliders drive.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    fn connect(&self, session: &SessionHandle) {
         self.contraction.connect_value_changed(glib::clone!(
             #[weak]
-            window,
-            move |slider| window.update(|session| session.set_contraction_undoable(slider.value()))
+            session,
+            move |slider| session.update(|session| session.set_contraction_undoable(slider.value()))
         ));
         self.flexion.connect_value_changed(glib::clone!(
             #[weak]
-            window,
-            move |slider| window.update(|session| session.set_angle_undoable(slider.value()))
+            session,
+            move |slider| session.update(|session| session.set_angle_undoable(slider.value()))
         ));
         for list in [&self.joint, &self.axis] {
             let (joint, axis, bones) = (self.joint.downgrade(), self.axis.downgrade(), self.bones.clone());
             list.connect_selected_notify(glib::clone!(
                 #[weak]
-                window,
+                session,
                 move |_| {
                     let (Some(joint), Some(axis)) = (joint.upgrade(), axis.upgrade()) else { return };
                     let bone = (joint.selected() as usize).checked_sub(1).and_then(|row| bones.borrow().get(row).copied());
                     let axis = AXES.get(axis.selected() as usize).copied().unwrap_or_default();
-                    window.update(|session| {
+                    session.update(|session| {
                         // Another axis of the joint that was found is a choice too.
                         let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Hinge);
                         let chosen = bone.or_else(found).map(|node| (node, axis));
@@ -82,15 +84,15 @@ impl ContractionControls {
         }
         self.on_top.connect_toggled(glib::clone!(
             #[weak]
-            window,
-            move |on_top| window.update(|session| {
+            session,
+            move |on_top| session.update(|session| {
                 session.undoable(message!("app-edit-on-top"), UndoStep::New, |session| session.set_on_top(on_top.is_active()));
             })
         ));
         object::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(
             #[weak]
-            window,
-            move |_| window.update(Session::release_undoable)
+            session,
+            move |_| session.update(Session::release_undoable)
         ));
     }
 

@@ -12,11 +12,11 @@ use gtk4 as gtk;
 use super::curve_plot::{CurvePlot, diamond};
 use super::drawing_area::{PaintWidget, cairo, rgb, set_color};
 use super::format;
+use super::session_handle::SessionHandle;
 use super::settings::SheetPage;
-use super::timeline::{self, hold_while};
+use super::time_axis::{TimeAxis, hold_while};
 use super::timeline_ruler::Track;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::scene::NodeId;
 use crate::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRow};
 use crate::tr;
@@ -74,11 +74,11 @@ pub(super) struct CurveEditor {
 }
 
 impl CurveEditor {
-    /// An empty one, below this track.
-    pub(super) fn new(track: Rc<RefCell<Track>>, track_canvas: &PaintWidget) -> Self {
+    /// That of a session, below a track with this time axis.
+    pub(super) fn new(session: &SessionHandle, axis: &TimeAxis, track_canvas: &PaintWidget) -> Rc<Self> {
         let builder = ui::builder(ui::SHEET);
         let shown = Rc::new(EditorState {
-            track,
+            track: axis.track.clone(),
             track_canvas: track_canvas.clone(),
             rows: RefCell::default(),
             plot: RefCell::new(CurvePlot::new(tr!("app-sheet-none"))),
@@ -104,7 +104,7 @@ impl CurveEditor {
         let list: gtk::ListView = object(&builder, "list");
         list.set_model(Some(&selection));
         ui::narrow(&object(&builder, "row"), 24);
-        Self {
+        let editor = Rc::new(Self {
             root: object(&builder, "root"),
             stack: object(&builder, "stack"),
             list,
@@ -121,42 +121,52 @@ impl CurveEditor {
             moved: Cell::default(),
             kind: Cell::default(),
             page: Cell::default(),
-        }
+        });
+        editor.connect(session, axis);
+        editor
     }
 
-    /// Connects selection of rows and graphs, and seeking.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        self.list.set_factory(Some(&factory(window, &self.shown)));
+    fn connect(self: &Rc<Self>, session: &SessionHandle, axis: &TimeAxis) {
+        self.list.set_factory(Some(&factory(session, &self.shown)));
         self.selection.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
-            move |selection| choose(&window, selection.selected())
+            session,
+            #[weak(rename_to = editor)]
+            self,
+            move |selection| editor.take_row(&session, selection.selected())
         ));
         self.row.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
-            move |list| choose(&window, list.selected())
+            session,
+            #[weak(rename_to = editor)]
+            self,
+            move |list| editor.take_row(&session, list.selected())
         ));
         self.graph.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
+            #[weak(rename_to = editor)]
+            self,
             move |list| {
                 let place = list.selected() as usize;
-                window.sheet(|sheet, session| {
-                    sheet.kind.set(sheet.graphs.borrow().get(place).map(|graph| graph.kind));
-                    sheet.show_graph(session, place);
+                session.set_widgets(|session| {
+                    editor.kind.set(editor.graphs.borrow().get(place).map(|graph| graph.kind));
+                    editor.show_graph(session, place);
                 });
             }
         ));
-        seek_by_hand(window, &self.curves, &self.shown, None);
+        seek_by_hand(session, &self.curves, &self.shown, None);
         let motion = gtk::EventControllerMotion::new();
-        let (shown, weak) = (self.shown.clone(), Rc::downgrade(window));
-        let point = move |x: Option<f64>| {
-            shown.pointer.set(x);
-            if let Some(window) = weak.upgrade() {
-                window.sheet(|sheet, session| sheet.show_values(session));
+        let point = glib::clone!(
+            #[weak]
+            session,
+            #[weak(rename_to = editor)]
+            self,
+            move |x: Option<f64>| {
+                editor.shown.pointer.set(x);
+                session.set_widgets(|session| editor.show_values(session));
             }
-        };
+        );
         let moved = point.clone();
         motion.connect_motion(move |_, x, _| moved(Some(x)));
         motion.connect_leave(move |_| point(None));
@@ -164,15 +174,15 @@ impl CurveEditor {
         let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL | gtk::EventControllerScrollFlags::DISCRETE);
         let shown = self.shown.clone();
         wheel.connect_scroll(glib::clone!(
-            #[weak]
-            window,
+            #[strong]
+            axis,
             #[weak(rename_to = curves)]
             self.curves,
             #[upgrade_or]
             glib::Propagation::Proceed,
             move |controller, _, dy| {
                 let about = shown.pointer.get().map(|x| shown.time_at(&curves, x));
-                timeline::look_about(&window, controller.current_event_state(), dy, about)
+                axis.wheel(controller.current_event_state(), dy, about)
             }
         ));
         self.curves.add_controller(wheel);
@@ -307,6 +317,23 @@ impl CurveEditor {
         self.values.set_text(&text);
     }
 
+    /// The user selected a row: its node is selected everywhere, and its curves are shown.
+    fn take_row(&self, session: &SessionHandle, place: u32) {
+        if place == gtk::INVALID_LIST_POSITION {
+            return;
+        }
+        let mut node: Option<NodeId> = None;
+        session.set_widgets(|_| {
+            if let Some(AnimatedItem::Node(found)) = self.moved_at(place as usize) {
+                node = Some(found);
+            }
+        });
+        match node {
+            Some(node) => session.update(|session| session.select(Some(node))),
+            None => session.set_widgets(|session| self.choose(session, place as usize)),
+        }
+    }
+
     /// The row at a place was chosen.
     fn choose(&self, session: &Session, place: usize) {
         if session.selected().is_none_or(|node| self.moved_at(place) != Some(AnimatedItem::Node(node))) {
@@ -316,23 +343,6 @@ impl CurveEditor {
 
     fn moved_at(&self, place: usize) -> Option<AnimatedItem> {
         self.shown.rows.borrow().get(place).map(|row| row.item)
-    }
-}
-
-/// The user selected a row: its node is selected everywhere, and its curves are shown.
-fn choose(window: &Rc<Window>, place: u32) {
-    if place == gtk::INVALID_LIST_POSITION {
-        return;
-    }
-    let mut node: Option<NodeId> = None;
-    window.sheet(|sheet, _| {
-        if let Some(AnimatedItem::Node(found)) = sheet.moved_at(place as usize) {
-            node = Some(found);
-        }
-    });
-    match node {
-        Some(node) => window.update(|session| session.select(Some(node))),
-        None => window.sheet(|sheet, session| sheet.choose(session, place as usize)),
     }
 }
 
@@ -349,9 +359,9 @@ fn kind_name(kind: GraphKind) -> String {
     })
 }
 
-fn factory(window: &Rc<Window>, shown: &Rc<EditorState>) -> gtk::SignalListItemFactory {
+fn factory(session: &SessionHandle, shown: &Rc<EditorState>) -> gtk::SignalListItemFactory {
     let factory = gtk::SignalListItemFactory::new();
-    let weak = Rc::downgrade(window);
+    let weak = session.downgrade();
     let shown = shown.clone();
     factory.connect_setup(move |_, item| {
         let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
@@ -369,8 +379,8 @@ fn factory(window: &Rc<Window>, shown: &Rc<EditorState>) -> gtk::SignalListItemF
         });
         content.append(&keys);
         item.set_child(Some(&content));
-        if let Some(window) = weak.upgrade() {
-            seek_by_hand(&window, &keys, &shown, Some(item.downgrade()));
+        if let Some(session) = weak.upgrade() {
+            seek_by_hand(&session, &keys, &shown, Some(item.downgrade()));
         }
     });
     factory.connect_bind(|_, item| {
@@ -389,11 +399,11 @@ fn factory(window: &Rc<Window>, shown: &Rc<EditorState>) -> gtk::SignalListItemF
 }
 
 /// A drag over a canvas goes to the moment under it; near a key of its row, to the key.
-fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<EditorState>, item: Option<glib::WeakRef<gtk::ListItem>>) {
+fn seek_by_hand(session: &SessionHandle, canvas: &PaintWidget, shown: &Rc<EditorState>, item: Option<glib::WeakRef<gtk::ListItem>>) {
     let drag = gtk::GestureDrag::new();
-    let (shown, weak) = (shown.clone(), Rc::downgrade(window));
+    let (shown, weak) = (shown.clone(), session.downgrade());
     let seek = move |gesture: &gtk::GestureDrag, x: f64| {
-        let (Some(window), Some(canvas)) = (weak.upgrade(), gesture.widget().and_downcast::<PaintWidget>()) else { return };
+        let (Some(session), Some(canvas)) = (weak.upgrade(), gesture.widget().and_downcast::<PaintWidget>()) else { return };
         let mut time = shown.time_at(&canvas, x);
         if let Some(item) = item.as_ref().and_then(glib::WeakRef::upgrade) {
             let (left, width) = shown.axis(&canvas);
@@ -404,7 +414,7 @@ fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<EditorStat
                 time = *key;
             }
         }
-        window.update(|session| session.time(|cursor| cursor.seek(time)));
+        session.update(|session| session.time(|cursor| cursor.seek(time)));
     };
     let begin = seek.clone();
     drag.connect_drag_begin(move |gesture, x, _| begin(gesture, x));
@@ -413,7 +423,7 @@ fn seek_by_hand(window: &Rc<Window>, canvas: &PaintWidget, shown: &Rc<EditorStat
             seek(gesture, x + dx);
         }
     });
-    hold_while(&drag, window);
+    hold_while(&drag, session);
     canvas.add_controller(drag);
 }
 

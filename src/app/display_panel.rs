@@ -1,15 +1,14 @@
 //! The display panel: every display option of the viewport.
 
-use std::rc::Rc;
-
 use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::format;
 use super::onion_skin_panel::GhostsPanel;
+use super::panel::Panel;
+use super::session_handle::SessionHandle;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::document::Skinning;
 use crate::message;
 use crate::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};
@@ -31,7 +30,7 @@ fn cell_name(cell: Option<f32>) -> String {
 /// The panel.
 pub(super) struct DisplayPanel {
     /// The whole.
-    pub root: gtk::ScrolledWindow,
+    root: gtk::ScrolledWindow,
     shading: gtk::DropDown,
     skinning: gtk::DropDown,
     ambient: gtk::Scale,
@@ -47,8 +46,11 @@ pub(super) struct DisplayPanel {
 }
 
 impl DisplayPanel {
-    /// A panel that is not connected yet.
-    pub(super) fn new() -> Self {
+    /// The name of the page.
+    pub(super) const ID: &'static str = "display";
+
+    /// The panel of a session.
+    pub(super) fn new(session: &SessionHandle) -> Self {
         let builder = ui::builder(ui::DISPLAY_PANEL);
         let list = |id: &str, keys: &[&str]| {
             let words: Vec<String> = keys.iter().map(|key| tr!(key)).collect();
@@ -56,9 +58,9 @@ impl DisplayPanel {
             list.set_model(Some(&ui::words(&words)));
             list
         };
-        let ghosts = GhostsPanel::new();
+        let ghosts = GhostsPanel::new(session);
         object::<gtk::Box>(&builder, "ghosts_slot").append(&ghosts.root);
-        Self {
+        let panel = Self {
             root: object(&builder, "root"),
             ghosts,
             shading: list("shading", &["app-do-flat", "app-do-gouraud", "app-do-phong"]),
@@ -77,54 +79,55 @@ impl DisplayPanel {
             backdrop: list("backdrop", &["app-background-theme", "app-background-white", "app-background-grey", "app-background-black"]),
             line_width: object(&builder, "line_width"),
             line_width_value: object(&builder, "line_width_value"),
-        }
+        };
+        panel.connect(session);
+        panel
     }
 
     /// Lets the lists and the slider change the display.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        self.ghosts.connect(window);
+    fn connect(&self, session: &SessionHandle) {
         self.shading.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 if let Some((_, shading)) = SHADINGS.get(list.selected() as usize) {
-                    window.update(|session| session.change_display(|display| display.shading = *shading));
+                    session.update(|session| session.change_display(|display| display.shading = *shading));
                 }
             }
         ));
         self.skinning.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 let skinning = if list.selected() == 1 { Skinning::DualQuaternion } else { Skinning::Linear };
-                window.update(|session| session.set_skinning(skinning));
+                session.update(|session| session.set_skinning(skinning));
             }
         ));
         self.ambient.connect_value_changed(glib::clone!(
             #[weak]
-            window,
-            move |slider| window.update(|session| session.change_display(|display| display.ambient = slider.value() as f32))
+            session,
+            move |slider| session.update(|session| session.change_display(|display| display.ambient = slider.value() as f32))
         ));
         self.line_width.connect_value_changed(glib::clone!(
             #[weak]
-            window,
-            move |slider| window.update(|session| session.change_display(|display| display.line_width = slider.value() as f32))
+            session,
+            move |slider| session.update(|session| session.change_display(|display| display.line_width = slider.value() as f32))
         ));
         self.grid_cell.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 if let Some(cell) = CELLS.get(list.selected() as usize) {
-                    window.update(|session| session.change_display(|display| display.grid_cell = *cell));
+                    session.update(|session| session.change_display(|display| display.grid_cell = *cell));
                 }
             }
         ));
         self.backdrop.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 if let Some(backdrop) = BackgroundPreset::ALL.get(list.selected() as usize) {
-                    window.update(|session| session.set_backdrop(*backdrop));
+                    session.update(|session| session.set_backdrop(*backdrop));
                 }
             }
         ));
@@ -132,19 +135,32 @@ impl DisplayPanel {
             let (yaw, pitch) = (self.light_yaw.clone(), self.light_pitch.clone());
             number.connect_value_changed(glib::clone!(
                 #[weak]
-                window,
+                session,
                 move |_| {
                     let aim = LightDirection { yaw: yaw.value() as f32, pitch: pitch.value() as f32 };
-                    window.update(|session| {
+                    session.update(|session| {
                         session.undoable(message!("app-edit-light"), UndoStep::near(0), |session| session.set_light(aim));
                     });
                 }
             ));
         }
     }
+}
 
-    /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+impl Panel for DisplayPanel {
+    fn id(&self) -> &'static str {
+        Self::ID
+    }
+
+    fn title(&self) -> String {
+        tr!("app-page-display")
+    }
+
+    fn widget(&self) -> gtk::Widget {
+        self.root.clone().upcast()
+    }
+
+    fn refresh(&self, session: &mut Session, changes: ChangeSet) {
         self.ghosts.refresh(session, changes);
         if changes.any(ChangeSet::DISPLAY) {
             let display = session.display();

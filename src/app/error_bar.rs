@@ -8,9 +8,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::document_loader;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::session::LoadMode;
 
 /// The bar.
@@ -40,9 +38,9 @@ pub(super) struct ErrorMessage {
 
 impl ErrorBar {
     /// A folded bar.
-    pub(super) fn new() -> Self {
+    pub(super) fn new() -> Rc<Self> {
         let builder = ui::builder(ui::ERROR_BAR);
-        Self {
+        let bar = Rc::new(Self {
             root: object(&builder, "root"),
             headline: object(&builder, "headline"),
             message: object(&builder, "message"),
@@ -51,34 +49,35 @@ impl ErrorBar {
             retry: object(&builder, "retry"),
             close: object(&builder, "close"),
             again: RefCell::new(None),
-        }
-    }
-
-    /// Lets the buttons work.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        self.root.connect_response(glib::clone!(
+        });
+        bar.root.connect_response(glib::clone!(
             #[weak]
-            window,
-            move |_, _| window.error_bar.hide()
+            bar,
+            move |_, _| bar.hide()
         ));
-        self.close.connect_clicked(glib::clone!(
+        bar.close.connect_clicked(glib::clone!(
             #[weak]
-            window,
-            move |_| window.error_bar.hide()
+            bar,
+            move |_| bar.hide()
         ));
-        self.root.set_visible(false);
-        self.more.connect_toggled(glib::clone!(
+        bar.root.set_visible(false);
+        bar.more.connect_toggled(glib::clone!(
             #[weak(rename_to = details)]
-            self.details,
+            bar.details,
             move |more| details.set_visible(more.is_active())
         ));
+        bar
+    }
+
+    /// Calls `retry` with the files that could not be opened when they are to be opened once more.
+    pub(super) fn connect_retry(self: &Rc<Self>, retry: impl Fn(Vec<PathBuf>, LoadMode) + 'static) {
         self.retry.connect_clicked(glib::clone!(
-            #[weak]
-            window,
+            #[weak(rename_to = bar)]
+            self,
             move |_| {
-                let again = window.error_bar.again.borrow().clone();
-                if let Some((paths, arrival)) = again {
-                    document_loader::retry(&window, paths, arrival);
+                let again = bar.again.borrow().clone();
+                if let Some((paths, load_mode)) = again {
+                    retry(paths, load_mode);
                 }
             }
         ));

@@ -8,11 +8,11 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::app_context::AppContext;
 use super::error_bar::ErrorMessage;
 use super::format;
 use super::muscle_panel::Unit;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::i18n::{self, Sentence};
 use crate::input;
 use crate::limits;
@@ -34,15 +34,15 @@ struct Experiment {
 }
 
 /// Opens the experiment of a muscle.
-pub(super) fn show(window: &Rc<Window>, muscle: MuscleId) {
+pub(super) fn show(app: &Rc<AppContext>, muscle: MuscleId) {
     // The table that comes with the program is parsed by a test.
     let Ok(table) = Table::parse(literature_data::MEASURED_RADII) else { return };
     let data = RefCell::new((table, "biceps-radii.csv".to_owned()));
     let experiment = Rc::new(Experiment { builder: ui::builder(ui::EXPERIMENT), muscle, data });
     let root = experiment.root();
-    root.set_transient_for(Some(&window.widget));
-    experiment.connect(window);
-    experiment.refresh(window);
+    root.set_transient_for(Some(&app.widget));
+    experiment.connect(app);
+    experiment.refresh(app);
     root.present();
 }
 
@@ -51,19 +51,19 @@ impl Experiment {
         object(&self.builder, "root")
     }
 
-    fn connect(self: &Rc<Self>, window: &Rc<Window>) {
+    fn connect(self: &Rc<Self>, app: &Rc<AppContext>) {
         for (id, model) in [("fit", Model::Growth), ("poses", Model::Poses)] {
             object::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
                 #[strong(rename_to = experiment)]
                 self,
                 #[weak]
-                window,
+                app,
                 move |_| {
                     let table = experiment.data.borrow().0.clone();
                     let mut result = Ok(());
-                    window.update(|session| result = session.fit_muscle(experiment.muscle, &table, model));
+                    app.session.update(|session| result = session.fit_muscle(experiment.muscle, &table, model));
                     match result {
-                        Ok(()) => experiment.refresh(&window),
+                        Ok(()) => experiment.refresh(&app),
                         Err(error) => experiment.say(&error.sentence()),
                     }
                 }
@@ -73,16 +73,16 @@ impl Experiment {
             #[strong(rename_to = experiment)]
             self,
             #[weak]
-            window,
-            move |_| experiment.choose(&window)
+            app,
+            move |_| experiment.choose(&app)
         ));
         self.root().connect_close_request(glib::clone!(
             #[weak]
-            window,
+            app,
             #[upgrade_or]
             glib::Propagation::Proceed,
             move |_| {
-                window.files.compares_table(None);
+                app.open_files.compares_table(None);
                 glib::Propagation::Proceed
             }
         ));
@@ -101,7 +101,7 @@ impl Experiment {
     }
 
     /// Asks for another table.
-    fn choose(self: &Rc<Self>, window: &Rc<Window>) {
+    fn choose(self: &Rc<Self>, app: &Rc<AppContext>) {
         let dialog = gtk::FileChooserNative::new(
             Some(&tr!("app-validation-choose")),
             Some(&self.root()),
@@ -114,7 +114,7 @@ impl Experiment {
             #[strong(rename_to = experiment)]
             self,
             #[weak]
-            window,
+            app,
             move |dialog, response| {
                 keep.take();
                 let Some(path) = dialog.file().and_then(|file| file.path()).filter(|_| response == gtk::ResponseType::Accept) else {
@@ -123,10 +123,10 @@ impl Experiment {
                 match read(&path) {
                     Ok(data) => {
                         experiment.data.replace(data);
-                        window.files.compares_table(Some(path));
-                        experiment.refresh(&window);
+                        app.open_files.compares_table(Some(path));
+                        experiment.refresh(&app);
                     }
-                    Err(message) => window.error_bar.show(ErrorMessage {
+                    Err(message) => app.error_bar.show(ErrorMessage {
                         headline: tr!("app-validation-unread"),
                         message,
                         details: path.display().to_string(),
@@ -146,10 +146,10 @@ impl Experiment {
         object::<gtk::Box>(&self.builder, "tables").set_visible(why.is_empty());
     }
 
-    fn refresh(&self, window: &Rc<Window>) {
+    fn refresh(&self, app: &Rc<AppContext>) {
         let data = self.data.borrow();
         let (table, name) = &*data;
-        let told = window.read(|session| {
+        let told = app.session.read(|session| {
             let document = session.document();
             let (rig, index) = document.muscle(self.muscle)?;
             let found = compare(rig, index, table).and_then(|comparison| Ok((comparison, fit(rig, index, table)?)));

@@ -10,10 +10,11 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+use super::app_context::AppContext;
 use super::export_job::{ExportJob, ExportKind, ExportOptions, MotionSource};
 use super::ui::{self, object};
-use super::window::Window;
-use super::{document_loader, format, save_as};
+use super::viewport::Viewport;
+use super::{format, save_as};
 use crate::export::{ExportError, gltf, video};
 use crate::i18n::Sentence;
 use crate::progress::Progress;
@@ -25,7 +26,8 @@ const PULSE: Duration = Duration::from_millis(80);
 /// The dialog while it is open.
 struct Dialog {
     builder: gtk::Builder,
-    window: Rc<Window>,
+    app: Rc<AppContext>,
+    viewport: Rc<Viewport>,
     work: RefCell<Option<Arc<Progress>>>,
     /// What glTF cannot hold of the document, once that is known.
     losses: RefCell<Option<Vec<String>>>,
@@ -36,26 +38,27 @@ struct Dialog {
 }
 
 /// Opens the dialog.
-pub(super) fn show(window: &Rc<Window>) {
+pub(super) fn show(app: &Rc<AppContext>, viewport: &Rc<Viewport>) {
     let builder = ui::builder(ui::EXPORT);
     let dialog = Rc::new(Dialog {
         builder,
-        window: window.clone(),
+        app: app.clone(),
+        viewport: viewport.clone(),
         work: RefCell::new(None),
         losses: RefCell::new(None),
         looking: Cell::new(false),
         no_ffmpeg: Cell::new(false),
     });
     let root = dialog.object::<gtk::Window>("root");
-    root.set_transient_for(Some(&window.widget));
+    root.set_transient_for(Some(&app.widget));
     let list = |id: &str, labels: Vec<String>| {
         let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
         dialog.object::<gtk::DropDown>(id).set_model(Some(&ui::words(&labels)));
     };
     list("kind", ExportKind::ALL.iter().map(|kind| kind.label()).collect());
     list("course", MotionSource::ALL.iter().map(|motion| motion.label()).collect());
-    let scale = window.viewport.scale().max(1);
-    let (width, height) = window.viewport.size();
+    let scale = viewport.scale().max(1);
+    let (width, height) = viewport.size();
     dialog.spin("width").set_value(f64::from((width * scale).max(16)));
     dialog.spin("height").set_value(f64::from((height * scale).max(16)));
     dialog.connect();
@@ -122,7 +125,7 @@ impl Dialog {
     fn options(&self) -> ExportOptions {
         let chosen = |id: &str| self.object::<gtk::DropDown>(id).selected() as usize;
         let (width, height) = (self.spin("width").value().max(1.0), self.spin("height").value().max(1.0));
-        let on_screen = f64::from(self.window.viewport.size().0.max(1));
+        let on_screen = f64::from(self.viewport.size().0.max(1));
         ExportOptions {
             kind: ExportKind::ALL.get(chosen("kind")).copied().unwrap_or(ExportKind::Picture),
             motion: MotionSource::ALL.get(chosen("course")).copied().unwrap_or(MotionSource::Whole),
@@ -146,7 +149,7 @@ impl Dialog {
     fn show_choice(self: &Rc<Self>) {
         let options = self.options();
         let (drawn, film) = (options.kind.is_drawn(), options.kind.is_film());
-        let over_time = options.kind.table().is_some() && self.window.read(|session| session.state().clip.is_some());
+        let over_time = options.kind.table().is_some() && self.app.session.read(|session| session.state().clip.is_some());
         for (ids, shown) in [
             (&["size_label", "size_box", "transparent", "helps"][..], drawn),
             (&["course_label", "course"], film),
@@ -156,7 +159,7 @@ impl Dialog {
         ] {
             ids.iter().for_each(|id| self.object::<gtk::Widget>(id).set_visible(shown));
         }
-        let summary = self.window.read(|session| options.check(session)).map(|sequence| match options.kind {
+        let summary = self.app.session.read(|session| options.check(session)).map(|sequence| match options.kind {
             _ if film => tr!(
                 "app-export-frames",
                 count = sequence.count,
@@ -202,7 +205,7 @@ impl Dialog {
         if self.looking.replace(true) {
             return;
         }
-        let document = self.window.read(|session| session.document().clone());
+        let document = self.app.session.read(|session| session.document().clone());
         let dialog = self.clone();
         glib::spawn_future_local(async move {
             let found = gio::spawn_blocking(move || {
@@ -222,11 +225,11 @@ impl Dialog {
 
     fn ask_where(self: &Rc<Self>) {
         let options = self.options();
-        let (window, kind) = (&self.window, options.kind);
-        let folder = save_as::usual_folder(window);
-        let name = save_as::name_like_open(window, kind.ending());
+        let (app, kind) = (&self.app, options.kind);
+        let folder = save_as::usual_folder(app);
+        let name = save_as::name_like_open(app, kind.ending());
         let there = folder.clone().unwrap_or_default();
-        let name = document_loader::guard(window).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
+        let name = app.open_files.guard(&app.session).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
         let name = save_as::name_of(&kind.completed(Path::new(&name)));
         let (asked, dialog) = (save_as::FileDialogOptions { title: tr!("app-export-title"), name, folder }, self.clone());
         save_as::choose(&self.object("root"), asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
@@ -235,8 +238,8 @@ impl Dialog {
     /// Completes the name, refuses files that are open, and asks about those that are there and that the chooser did not ask about.
     fn prepare(self: &Rc<Self>, options: ExportOptions, chosen: PathBuf) {
         let file = options.kind.completed(&chosen);
-        let guard = document_loader::guard(&self.window);
-        let job = match self.window.read(|session| ExportJob::new(session, options, guard.clone())) {
+        let guard = self.app.open_files.guard(&self.app.session);
+        let job = match self.app.session.read(|session| ExportJob::new(session, options, guard.clone())) {
             Ok(job) => job,
             Err(cannot) => return self.say(&cannot.to_string()),
         };
@@ -265,7 +268,7 @@ impl Dialog {
                 Ok(Ok(())) => {
                     let file = kind.first_files(&file).into_iter().next().unwrap_or(file);
                     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                    dialog.window.viewport.toast(&tr!("app-saved", file = name), Some(file));
+                    dialog.app.toasts.toast(&tr!("app-saved", file = name), Some(file));
                     dialog.object::<gtk::Window>("root").close();
                 }
                 Ok(Err(ExportError::Cancelled)) => dialog.say(&tr!("export-cancelled")),

@@ -1,14 +1,14 @@
 //! The health panel: diagnostics of reading, and the metadata of the file.
 
-use std::rc::Rc;
-
 use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::format;
+use super::panel::Panel;
+use super::session_handle::SessionHandle;
+use super::toasts::Toasts;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, Finding, SourceKind};
 use crate::i18n;
@@ -19,7 +19,7 @@ use crate::tr;
 /// The panel.
 pub(super) struct HealthPanel {
     /// The whole.
-    pub root: gtk::Box,
+    root: gtk::Box,
     summary: gtk::Label,
     facts: gtk::Label,
     copy: gtk::Button,
@@ -28,30 +28,32 @@ pub(super) struct HealthPanel {
 }
 
 impl HealthPanel {
-    /// A panel of nothing.
-    pub(super) fn new() -> Self {
+    /// The panel of a session.
+    pub(super) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
         let builder = ui::builder(ui::HEALTH_PANEL);
         let list: gtk::ListView = object(&builder, "list");
         list.set_factory(Some(&factory()));
-        Self {
+        let panel = Self {
             root: object(&builder, "root"),
             summary: object(&builder, "summary"),
             facts: object(&builder, "facts"),
             copy: object(&builder, "copy"),
             scroller: object(&builder, "scroller"),
             list,
-        }
+        };
+        panel.connect(session, toasts);
+        panel
     }
 
     /// Lets a click select what a finding speaks of.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    fn connect(&self, session: &SessionHandle, toasts: &Toasts) {
         self.list.connect_activate(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list, position| {
                 let item = list.model().and_then(|model| model.item(position)).and_downcast::<glib::BoxedAnyObject>();
                 let Some(item) = item else { return };
-                window.update(|session| {
+                session.update(|session| {
                     let node = node_named(session.document(), &item.borrow::<Diagnostic<Finding>>().element.to_string());
                     if node.is_some() {
                         session.select(node);
@@ -61,17 +63,32 @@ impl HealthPanel {
         ));
         self.copy.connect_clicked(glib::clone!(
             #[weak]
-            window,
+            session,
+            #[strong]
+            toasts,
             move |button| {
-                let text = window.read(|session| report(session.document()));
+                let text = session.read(|session| report(session.document()));
                 button.clipboard().set_text(&text);
-                window.viewport.toast(&tr!("app-copied"), None);
+                toasts.toast(&tr!("app-copied"), None);
             }
         ));
     }
+}
 
-    /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+impl Panel for HealthPanel {
+    fn id(&self) -> &'static str {
+        "health"
+    }
+
+    fn title(&self) -> String {
+        tr!("app-page-health")
+    }
+
+    fn widget(&self) -> gtk::Widget {
+        self.root.clone().upcast()
+    }
+
+    fn refresh(&self, session: &mut Session, changes: ChangeSet) {
         if !changes.any(ChangeSet::DOCUMENT) {
             return;
         }

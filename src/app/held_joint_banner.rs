@@ -1,13 +1,12 @@
 //! Banners over the viewport and the timeline for a joint that is held while the clip plays, with a button that releases it.
 
-use std::rc::Rc;
-
 use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::picture_focus::PictureFocus;
+use super::session_handle::SessionHandle;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::i18n::Sentence;
 use crate::session::Session;
 
@@ -21,20 +20,24 @@ pub(super) struct HeldJointBanner {
 
 impl HeldJointBanner {
     /// Hidden until a joint is held.
-    pub(super) fn new() -> Self {
+    pub(super) fn new(session: &SessionHandle, focus: &PictureFocus) -> Self {
         let builder = ui::builder(ui::HELD);
-        Self { root: object(&builder, "root"), label: object(&builder, "label"), release: object(&builder, "release") }
+        let banner = Self { root: object(&builder, "root"), label: object(&builder, "label"), release: object(&builder, "release") };
+        banner.connect(session, focus);
+        banner
     }
 
     /// Lets the button release the joint.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    fn connect(&self, session: &SessionHandle, focus: &PictureFocus) {
         self.release.connect_clicked(glib::clone!(
             #[weak]
-            window,
+            session,
+            #[strong]
+            focus,
             move |_| {
                 // Else the keyboard goes from the button that is hidden to the next widget.
-                window.viewport.take_focus();
-                window.update(Session::release_undoable);
+                focus.take();
+                session.update(Session::release_undoable);
             }
         ));
     }

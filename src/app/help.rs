@@ -1,13 +1,10 @@
 //! The help window: what one can do, in a few paragraphs, with the keys of the table of commands.
 
-use std::rc::Rc;
-
 use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::window::Window;
 use crate::i18n::{FluentValue, message};
 use crate::tr;
 
@@ -32,7 +29,7 @@ fn text(key: &str, key_of: impl Fn(Command) -> String) -> String {
 }
 
 /// Shows the help beside the window, so that it can be read while doing what it says.
-pub(super) fn show(window: &Rc<Window>) {
+pub(super) fn show(parent: &gtk::ApplicationWindow) {
     if let Some(open) = gtk::Window::list_toplevels().into_iter().find(|open| open.widget_name() == NAME) {
         // A second one would hide the first.
         return open.downcast::<gtk::Window>().map_or((), |open| open.present());
@@ -52,7 +49,7 @@ pub(super) fn show(window: &Rc<Window>) {
     let help = gtk::Window::builder()
         .title(tr!("app-help-title"))
         .name(NAME)
-        .transient_for(&window.widget)
+        .transient_for(parent)
         .destroy_with_parent(true)
         .default_width(480)
         .default_height(600)

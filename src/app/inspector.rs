@@ -10,8 +10,9 @@ use gtk4 as gtk;
 
 use super::inspector_text::{self, Space};
 use super::plot_view;
+use super::session_handle::SessionHandle;
+use super::toasts::Toasts;
 use super::ui::{self, object};
-use super::window::Window;
 use super::{drawing_area::PaintWidget, format, material_preview};
 use crate::document::{Skinning, angle_at};
 use crate::i18n;
@@ -51,8 +52,8 @@ fn number_label() -> gtk::Label {
 }
 
 impl Inspector {
-    /// An inspector of nothing.
-    pub(super) fn new() -> Self {
+    /// The inspector of a session.
+    pub(super) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
         let builder = ui::builder(ui::INSPECTOR);
         let transform: gtk::Grid = object(&builder, "transform");
         let labels = std::array::from_fn(|row| {
@@ -88,7 +89,7 @@ impl Inspector {
         let corners = ["angle_from", "angle_corner", "angle_to"].map(|id| object::<gtk::DropDown>(&builder, id));
         corners.iter().for_each(|list| ui::narrow(list, 12));
         let joints = Rc::default();
-        Self {
+        let inspector = Self {
             corners,
             joints,
             root,
@@ -102,41 +103,45 @@ impl Inspector {
             dual,
             plot,
             curve,
-        }
+        };
+        inspector.connect(session, toasts);
+        inspector
     }
 
     /// Connects the input of the widgets.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    fn connect(&self, session: &SessionHandle, toasts: &Toasts) {
         let wanted = self.wanted.clone();
         self.space.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
-            move |list| window.update(|session| {
+            session,
+            move |list| session.update(|session| {
                 wanted.set(Space::ALL.get(list.selected() as usize).copied().unwrap_or(Space::World));
                 session.refresh_probe();
             })
         ));
         object::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
             #[weak]
-            window,
+            session,
+            #[strong]
+            toasts,
             move |button| {
-                let text = window.read(inspector_text::report);
+                let text = session.read(inspector_text::report);
                 button.clipboard().set_text(&text);
-                window.viewport.toast(&tr!("app-copied"), None);
+                toasts.toast(&tr!("app-copied"), None);
             }
         ));
         for (axis, scale) in self.turns.iter().enumerate() {
             scale.connect_value_changed(glib::clone!(
                 #[weak]
-                window,
-                move |scale| window.update(|session| turn(session, axis, scale.value()))
+                session,
+                move |scale| session.update(|session| turn(session, axis, scale.value()))
             ));
         }
         for (id, all) in [("reset", false), ("reset_all", true)] {
             object::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
                 #[weak]
-                window,
-                move |_| window.update(|session| {
+                session,
+                move |_| session.update(|session| {
                     let node = session.selected();
                     if all || node.is_some() {
                         session.reset_joint_overrides(node.filter(|_| !all));
@@ -146,29 +151,29 @@ impl Inspector {
         }
         self.dual.connect_toggled(glib::clone!(
             #[weak]
-            window,
+            session,
             move |dual| {
                 let skinning = if dual.is_active() { Skinning::DualQuaternion } else { Skinning::Linear };
-                window.update(|session| session.set_skinning(skinning));
+                session.update(|session| session.set_skinning(skinning));
             }
         ));
         for list in &self.corners {
             let (corners, joints) = (self.corners.clone(), self.joints.clone());
             list.connect_selected_notify(glib::clone!(
                 #[weak]
-                window,
+                session,
                 move |_| {
                     let chosen = corners.each_ref().map(|list| joints.borrow().get(list.selected() as usize).copied());
                     if let [Some(from), Some(corner), Some(to)] = chosen {
-                        window.update(|session| session.choose_angle(Some([from, corner, to])));
+                        session.update(|session| session.choose_angle(Some([from, corner, to])));
                     }
                 }
             ));
         }
         object::<gtk::Button>(&self.builder, "angle_own").connect_clicked(glib::clone!(
             #[weak]
-            window,
-            move |_| window.update(|session| session.choose_angle(None))
+            session,
+            move |_| session.update(|session| session.choose_angle(None))
         ));
         let curve = self.curve.clone();
         self.plot.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&curve.borrow(), canvas, snapshot, width, height));
@@ -195,7 +200,7 @@ impl Inspector {
         let click = gtk::GestureClick::new();
         click.connect_released(glib::clone!(
             #[weak]
-            window,
+            session,
             #[strong(rename_to = curve)]
             self.curve,
             #[weak(rename_to = plot)]
@@ -203,7 +208,7 @@ impl Inspector {
             move |_, _, x, _| {
                 let time = curve.borrow().x_at(x, f64::from(plot.width()));
                 if let Some(time) = time {
-                    window.update(|session| session.time(|cursor| cursor.seek(time)));
+                    session.update(|session| session.time(|cursor| cursor.seek(time)));
                 }
             }
         ));

@@ -9,13 +9,14 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::app_context::AppContext;
 use super::drawing_area::PaintWidget;
 use super::experiment;
 use super::muscle_panel::Unit;
+use super::panel::Panel;
 use super::plot_view;
 use super::save_as::{self, SaveRequest};
 use super::ui::{self, object};
-use super::window::Window;
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
 use crate::i18n::{self, Sentence};
@@ -49,7 +50,7 @@ const PICTURE_SCALE: f64 = 2.0;
 /// The panel.
 pub(super) struct MeasurePanel {
     /// The whole.
-    pub root: gtk::ScrolledWindow,
+    root: gtk::ScrolledWindow,
     builder: gtk::Builder,
     plots: [(PaintWidget, Rc<RefCell<Plot>>); 5],
     readings: RefCell<Vec<MuscleSample>>,
@@ -58,8 +59,8 @@ pub(super) struct MeasurePanel {
 }
 
 impl MeasurePanel {
-    /// A panel of no muscle.
-    pub(super) fn new() -> Self {
+    /// The panel of a session.
+    pub(super) fn new(app: &Rc<AppContext>) -> Rc<Self> {
         let builder = ui::builder(ui::MEASURE_PANEL);
         let slot: gtk::Box = object(&builder, "slot");
         let plots = std::array::from_fn(|_| {
@@ -69,31 +70,39 @@ impl MeasurePanel {
             slot.append(&canvas);
             (canvas, plot)
         });
-        Self {
+        let panel = Rc::new(Self {
             root: object(&builder, "root"),
             builder,
             plots,
             readings: RefCell::default(),
             muscle: Cell::new(MuscleId(0)),
             stale: Cell::new(true),
-        }
+        });
+        panel.connect(app);
+        panel
     }
 
-    /// Lets the plots set the angle.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    fn connect(self: &Rc<Self>, app: &Rc<AppContext>) {
+        let session = &app.session;
         for (canvas, plot) in &self.plots {
-            let set = {
-                let (weak, plot, canvas) = (Rc::downgrade(window), plot.clone(), canvas.downgrade());
+            let set = glib::clone!(
+                #[weak]
+                session,
+                #[weak(rename_to = panel)]
+                self,
+                #[weak]
+                canvas,
+                #[strong]
+                plot,
                 move |x: f64| {
-                    let Some((window, canvas)) = weak.upgrade().zip(canvas.upgrade()) else { return };
                     let place = plot.borrow().x_at(x, f64::from(canvas.width()));
                     let Some(place) = place else { return };
-                    match window.measure.against() {
-                        MeasureAxis::Angle => window.update(|session| session.set_angle_undoable(place)),
-                        MeasureAxis::Time => window.update(|session| session.time(|playback| playback.seek(place))),
+                    match panel.against() {
+                        MeasureAxis::Angle => session.update(|session| session.set_angle_undoable(place)),
+                        MeasureAxis::Time => session.update(|session| session.time(|playback| playback.seek(place))),
                     }
                 }
-            };
+            );
             let drag = gtk::GestureDrag::new();
             let begin = set.clone();
             drag.connect_drag_begin(move |_, x, _| begin(x));
@@ -120,35 +129,40 @@ impl MeasurePanel {
         }
         object::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
             #[weak]
-            window,
+            app,
+            #[weak(rename_to = panel)]
+            self,
             move |button| {
-                button.clipboard().set_text(&csv(&window.measure.readings.borrow()));
-                window.viewport.toast(&tr!("app-copied"), None);
+                button.clipboard().set_text(&csv(&panel.readings.borrow()));
+                app.toasts.toast(&tr!("app-copied"), None);
             }
         ));
         object::<gtk::Button>(&self.builder, "save").connect_clicked(glib::clone!(
             #[weak]
-            window,
-            move |_| save(&window)
+            app,
+            #[weak(rename_to = panel)]
+            self,
+            move |_| panel.save(&app)
         ));
-        let again = |window: &Rc<Window>| window.update(Session::show_selected_muscle);
         object::<gtk::CheckButton>(&self.builder, "published").connect_toggled(glib::clone!(
             #[weak]
-            window,
-            move |_| again(&window)
+            session,
+            move |_| session.update(Session::show_selected_muscle)
         ));
         self.axis().connect_selected_notify(glib::clone!(
             #[weak]
-            window,
-            move |_| again(&window)
+            session,
+            move |_| session.update(Session::show_selected_muscle)
         ));
         object::<gtk::Button>(&self.builder, "experiment").connect_clicked(glib::clone!(
             #[weak]
-            window,
+            app,
+            #[weak(rename_to = panel)]
+            self,
             move |_| {
-                let muscle = window.measure.muscle.get();
-                if let Some(muscle) = window.read(|session| session.muscle_on_joint(muscle)) {
-                    experiment::show(&window, muscle);
+                let muscle = panel.muscle.get();
+                if let Some(muscle) = app.session.read(|session| session.muscle_on_joint(muscle)) {
+                    experiment::show(&app, muscle);
                 }
             }
         ));
@@ -160,46 +174,9 @@ impl MeasurePanel {
         // Measuring waits until the panel is visible.
         self.root.connect_map(glib::clone!(
             #[weak]
-            window,
-            move |_| window.update(Session::show_selected_muscle)
+            session,
+            move |_| session.update(Session::show_selected_muscle)
         ));
-    }
-
-    /// Shows what changed.
-    pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
-        if changes.any(ChangeSet::DOCUMENT) {
-            self.muscle.set(MuscleId(0));
-            self.stale.set(true);
-        }
-        if changes.any(ChangeSet::SELECTION)
-            && let Some(node) = session.selected()
-        {
-            let contents = &session.document().scene.graph.node(node).contents;
-            let chosen = contents.iter().find_map(|content| if let Content::Muscle(id) = content { Some(*id) } else { None });
-            if let Some(muscle) = chosen.filter(|muscle| *muscle != self.muscle.get()) {
-                self.muscle.set(muscle);
-                self.stale.set(true);
-            }
-        }
-        if changes.any(ChangeSet::EDIT | ChangeSet::MUSCLE) || (changes.any(ChangeSet::PLAYBACK) && self.against() == MeasureAxis::Time) {
-            self.stale.set(true);
-        }
-        if !self.root.is_mapped() {
-            return;
-        }
-        if self.stale.replace(false) {
-            self.measure(session);
-        }
-        if changes.any(ChangeSet::DRIVE | ChangeSet::TIME | ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::DISPLAY | ChangeSet::EDIT)
-        {
-            let present = session.current_value(self.muscle.get(), self.against());
-            for (canvas, plot) in &self.plots {
-                let mut plot = plot.borrow_mut();
-                (plot.cursor, plot.color) = (present, session.display().palette.selected);
-                plot.reference_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
-                canvas.queue_draw();
-            }
-        }
     }
 
     fn axis(&self) -> gtk::DropDown {
@@ -272,6 +249,22 @@ impl MeasurePanel {
         self.readings.replace(readings);
     }
 
+    /// Asks where to and saves the table or the plots.
+    fn save(self: &Rc<Self>, app: &Rc<AppContext>) {
+        let (title, name) = (tr!("app-measure-save-title"), "measure.csv".to_owned());
+        let request = SaveRequest { title, name, folder: None, endings: &["csv", "svg", "png"], own: None };
+        let panel = Rc::downgrade(self);
+        save_as::ask(app, request, move |app, output| {
+            let (path, Some(panel)) = (output.file(), panel.upgrade()) else { return };
+            let written =
+                panel.bytes(path).and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.sentence()));
+            match written {
+                Ok(()) => save_as::done(app, path),
+                Err(message) => save_as::failed(app, path, message),
+            }
+        });
+    }
+
     /// The plots as a page to keep, without the pointer.
     fn page(&self) -> Page {
         let name = object::<gtk::Label>(&self.builder, "name").text().to_string();
@@ -290,18 +283,52 @@ impl MeasurePanel {
     }
 }
 
-/// Asks where to and saves the table or the plots.
-fn save(window: &Rc<Window>) {
-    let (title, name) = (tr!("app-measure-save-title"), "measure.csv".to_owned());
-    save_as::ask(window, SaveRequest { title, name, folder: None, endings: &["csv", "svg", "png"], own: None }, |window, output| {
-        let path = output.file();
-        let written = window
-            .measure
-            .bytes(path)
-            .and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.sentence()));
-        match written {
-            Ok(()) => save_as::done(window, path),
-            Err(message) => save_as::failed(window, path, message),
+impl Panel for MeasurePanel {
+    fn id(&self) -> &'static str {
+        "measure"
+    }
+
+    fn title(&self) -> String {
+        tr!("app-page-measure")
+    }
+
+    fn widget(&self) -> gtk::Widget {
+        self.root.clone().upcast()
+    }
+
+    fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::DOCUMENT) {
+            self.muscle.set(MuscleId(0));
+            self.stale.set(true);
         }
-    });
+        if changes.any(ChangeSet::SELECTION)
+            && let Some(node) = session.selected()
+        {
+            let contents = &session.document().scene.graph.node(node).contents;
+            let chosen = contents.iter().find_map(|content| if let Content::Muscle(id) = content { Some(*id) } else { None });
+            if let Some(muscle) = chosen.filter(|muscle| *muscle != self.muscle.get()) {
+                self.muscle.set(muscle);
+                self.stale.set(true);
+            }
+        }
+        if changes.any(ChangeSet::EDIT | ChangeSet::MUSCLE) || (changes.any(ChangeSet::PLAYBACK) && self.against() == MeasureAxis::Time) {
+            self.stale.set(true);
+        }
+        if !self.root.is_mapped() {
+            return;
+        }
+        if self.stale.replace(false) {
+            self.measure(session);
+        }
+        if changes.any(ChangeSet::DRIVE | ChangeSet::TIME | ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::DISPLAY | ChangeSet::EDIT)
+        {
+            let present = session.current_value(self.muscle.get(), self.against());
+            for (canvas, plot) in &self.plots {
+                let mut plot = plot.borrow_mut();
+                (plot.cursor, plot.color) = (present, session.display().palette.selected);
+                plot.reference_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
+                canvas.queue_draw();
+            }
+        }
+    }
 }

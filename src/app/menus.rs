@@ -7,9 +7,9 @@ use gtk::{gio, glib};
 use gtk4 as gtk;
 
 use super::commands::Command;
-use super::recent;
+use super::document_loader::DocumentLoader;
+use super::open_buttons;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::i18n::{self, shown};
 use crate::session::{Session, file_cameras};
 use crate::tr;
@@ -18,24 +18,25 @@ use crate::tr;
 const LOOK_THROUGH: &str = "look-through";
 
 /// Puts the menus into the header.
-pub(super) fn connect(window: &Rc<Window>, builder: &gtk::Builder) {
-    window.menu.set_menu_model(Some(&main_menu()));
+pub(super) fn connect(loader: &Rc<DocumentLoader>, menu: &gtk::MenuButton, builder: &gtk::Builder) {
+    menu.set_menu_model(Some(&main_menu()));
     object::<gtk::MenuButton>(builder, "display_menu").set_menu_model(Some(&display_menu()));
     let look = gio::SimpleAction::new(LOOK_THROUGH, Some(glib::VariantTy::UINT32));
+    let session = &loader.app.session;
     look.connect_activate(glib::clone!(
         #[weak]
-        window,
+        session,
         move |_, place| {
             let Some(place) = place.and_then(glib::Variant::get::<u32>) else { return };
-            window.update(|session| {
+            session.update(|session| {
                 if let Some((node, camera)) = file_cameras(&session.document().scene).get(place as usize).copied() {
                     session.change_camera(|controller| controller.look_through(node, camera));
                 }
             });
         }
     ));
-    window.widget.add_action(&look);
-    recent_menu(window, &object(builder, "recent"));
+    loader.app.widget.add_action(&look);
+    recent_menu(loader, &object(builder, "recent"));
 }
 
 fn section(menu: &gio::Menu, commands: &[Command]) {
@@ -126,7 +127,7 @@ fn add_compare(slot: &gtk::Box, done: impl Fn() + 'static) {
 }
 
 /// Recent files, listed anew whenever they are looked at.
-fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
+fn recent_menu(loader: &Rc<DocumentLoader>, button: &gtk::MenuButton) {
     let slot = gtk::Box::new(gtk::Orientation::Vertical, 6);
     for set in [gtk::Box::set_margin_start, gtk::Box::set_margin_end, gtk::Box::set_margin_top, gtk::Box::set_margin_bottom] {
         set(&slot, 6);
@@ -136,7 +137,7 @@ fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
     // Before the popover is shown: one that is shown empty has a surface of no width, in which what comes in then finds no room.
     button.set_create_popup_func(glib::clone!(
         #[weak]
-        window,
+        loader,
         #[weak]
         popover,
         move |_| {
@@ -146,8 +147,8 @@ fn recent_menu(window: &Rc<Window>, button: &gtk::MenuButton) {
                     popover.popdown();
                 }
             };
-            recent::fill(&window, &slot, done.clone());
-            recent::add_demos(&window, &slot, done.clone());
+            open_buttons::list_recent(&loader, &slot, done.clone());
+            open_buttons::add_demos(&loader, &slot, done.clone());
             add_compare(&slot, done);
         }
     ));

@@ -2,20 +2,27 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`commands`], `shortcuts`, `command_dispatch` | the one table of commands, their keys, and what they do |
-//! | `window` | assembles the panels and distributes changes to them |
+//! | [`commands`] | the one table of commands and their keys |
+//! | `session_handle`, `settings_handle`, `toasts`, `error_bar`, … | small handles that widgets are given; `app_context` holds those of a window |
 //! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
-//! | `document_loader`, `recent`, `screenshot` | opening off the interface thread, watching, recent files, pictures |
+//! | `panel`, `pages` | what a page of the right-hand panel is, and the list of them |
+//! | `document_loader`, `background_reader`, `file_watcher`, `file_chooser`, `drop_target` | opening off the interface thread, watching, choosing, drops |
+//! | `command_dispatch`, `key_controller`, `shortcuts` | what commands do, by actions and keys |
+//! | `window` | assembles the panels and lets them hear of changes; nothing imports it but this module |
 //!
-//! Changes flow in one direction: a widget calls `Window::update` with a change of the session; the session records what changed; the window
-//! refreshes the panels that show it. While it refreshes, signals of the widgets are not taken for user input.
+//! Changes flow in one direction: a widget calls `SessionHandle::update` with a change of the session; the session records what changed; the
+//! subscribers refresh the widgets that show it. While they do, signals of the widgets are not taken for user input.
 
 mod about;
+mod app_context;
 mod appearance;
+mod attach_muscles;
 mod attachment_field;
 mod attachments_editor;
 mod autosave;
+mod background_reader;
 mod bone_names;
+mod command_context;
 mod command_dispatch;
 pub mod commands;
 mod compare_file;
@@ -25,11 +32,15 @@ mod curve_plot;
 mod display_panel;
 mod document_loader;
 mod drawing_area;
+mod drop_target;
 mod empty_state;
 mod error_bar;
 mod experiment;
 mod export_dialog;
 mod export_job;
+mod file_chooser;
+mod file_watcher;
+mod frame_clock;
 mod health_panel;
 mod held_joint_banner;
 mod help;
@@ -37,13 +48,21 @@ mod icons;
 mod inspector;
 mod inspector_text;
 mod key_controller;
+mod loading_bar;
 mod material_preview;
 mod measure_panel;
 mod memory_usage;
 mod menus;
 mod muscle_editor;
 mod muscle_panel;
+mod named_sources;
 mod onion_skin_panel;
+mod open_buttons;
+mod open_error;
+mod open_files;
+mod pages;
+mod panel;
+mod picture_focus;
 mod plot_view;
 mod profile_plot;
 mod profile_table;
@@ -62,9 +81,12 @@ mod settings_handle;
 mod shortcuts;
 mod side_panels;
 mod start_page;
+mod status_line;
+mod time_axis;
 mod timeline;
 mod timeline_ruler;
 mod title_bar;
+mod toasts;
 mod tree_model;
 mod ui;
 mod via_points_editor;

@@ -1,13 +1,13 @@
 //! Edits of muscles for the widgets of the muscle panel; a refused edit shows its reason beside the widget.
 
 use std::cell::{Cell, RefCell};
-use std::rc::{Rc, Weak};
+use std::rc::Rc;
 
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use super::session_handle::{SessionHandle, WeakSession};
 use super::ui;
-use super::window::Window;
 use crate::i18n::{self, Sentence, shown};
 use crate::muscle::{Edit, EditError, MuscleSpec};
 use crate::scene::MuscleId;
@@ -16,15 +16,24 @@ use crate::session::{Session, UndoStep};
 /// Changes the muscle that is shown.
 #[derive(Clone)]
 pub(super) struct Editor {
-    /// The window.
-    pub window: Weak<Window>,
+    session: WeakSession,
     /// The muscle that is shown.
-    pub shown: Rc<Cell<u32>>,
+    shown: Rc<Cell<u32>>,
     /// Where the reason for a rejected change is shown.
-    pub refused: gtk::Label,
+    refused: gtk::Label,
 }
 
 impl Editor {
+    /// The editor of a panel: `shown` is the muscle that it shows, `refused` is where it gives the reason for a rejected change.
+    pub(super) fn new(session: &SessionHandle, shown: &Rc<Cell<u32>>, refused: &gtk::Label) -> Self {
+        Self { session: session.downgrade(), shown: shown.clone(), refused: refused.clone() }
+    }
+
+    /// The same editor with another place for its reasons.
+    pub(super) fn refusing_in(&self, refused: gtk::Label) -> Self {
+        Self { refused, ..self.clone() }
+    }
+
     /// The muscle that is shown.
     pub(super) fn id(&self) -> MuscleId {
         MuscleId(self.shown.get())
@@ -38,9 +47,9 @@ impl Editor {
 
     /// Does something to the session that may be refused; whether it was done.
     pub(super) fn tell(&self, change: impl FnOnce(&mut Session) -> Result<(), EditError>) -> bool {
-        let Some(window) = self.window.upgrade() else { return false };
+        let Some(session) = self.session.upgrade() else { return false };
         let mut result = Ok(());
-        window.update(|session| result = change(session));
+        session.update(|session| result = change(session));
         self.refused.set_visible(result.is_err());
         if let Err(error) = &result {
             ui::set_label(&self.refused, &error.sentence());
@@ -55,7 +64,7 @@ impl Editor {
             let (rig, index) = session.document().muscle(id)?;
             rig.spec(index).cloned()
         };
-        self.window.upgrade()?.session.try_read(spec)?
+        self.session.upgrade()?.try_read(spec)?
     }
 
     /// What the muscle shown is called; `None` as above.
@@ -65,7 +74,7 @@ impl Editor {
             let (rig, index) = session.document().muscle(id)?;
             Some(i18n::label(rig.label(index)).into_owned())
         };
-        self.window.upgrade()?.session.try_read(name)?
+        self.session.upgrade()?.try_read(name)?
     }
 }
 

@@ -12,21 +12,22 @@ use super::attachment_field::Bones;
 use super::attachments_editor::AttachmentsEditor;
 use super::commands::Command;
 use super::contraction_controls::ContractionControls;
-use super::format;
 use super::muscle_editor::{Editor, connect_entry, show_text};
+use super::panel::Panel;
 use super::profile_plot::{ProfilePlot, ProfileShape};
 use super::profile_table::ProfileTable;
+use super::session_handle::SessionHandle;
+use super::toasts::Toasts;
 use super::ui::{self, object};
 use super::via_points_editor::ViaPointsEditor;
-use super::window::Window;
+use super::{attach_muscles, format};
 use crate::document::{Document, SourceKind};
 use crate::i18n::{self, Sentence};
-use crate::message;
 use crate::muscle::presets::{PRESETS, Preset};
 use crate::muscle::solver_report::{Root, SolverReport};
 use crate::muscle::{Edit, LimitCause, MuscleRig, MuscleSpec, Solved, Tendon};
 use crate::scene::MuscleId;
-use crate::session::{AttachResult, ChangeSet, Session, UndoStep};
+use crate::session::{ChangeSet, Session, UndoStep};
 use crate::tr;
 
 /// The panel.
@@ -41,6 +42,7 @@ pub(super) struct MusclePanel {
     name: gtk::Entry,
     which: gtk::DropDown,
     shown: Rc<Cell<u32>>,
+    editor: Editor,
     profile: ProfilePlot,
     nodes: ProfileTable,
     /// Rest length; length and radius of both tendons.
@@ -145,8 +147,11 @@ impl Unit {
 }
 
 impl MusclePanel {
-    /// A panel of no muscle.
-    pub(super) fn new() -> Self {
+    /// The name of the page.
+    pub(super) const ID: &'static str = "muscle";
+
+    /// The panel of a session.
+    pub(super) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
         let builder = ui::builder(ui::MUSCLE_PANEL);
         let bones = Bones::new();
         let profile = ProfilePlot::new();
@@ -167,58 +172,74 @@ impl MusclePanel {
         );
         let quadratic =
             rows(&object(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
-        Self {
+        let (shown, refused) = (Rc::default(), object(&builder, "refused"));
+        let panel = Self {
             root: object(&builder, "root"),
-            joint: ContractionControls::new(&builder),
+            joint: ContractionControls::new(&builder, session),
             ends: AttachmentsEditor::new(&builder, &bones),
             way: ViaPointsEditor::new(&builder, &bones),
             bones,
             name: object(&builder, "name"),
             which: object(&builder, "which"),
-            shown: Rc::default(),
+            editor: Editor::new(session, &shown, &refused),
+            shown,
             profile,
             nodes: ProfileTable::new(&object(&builder, "nodes")),
             ledger,
             quadratic,
             solved: RefCell::default(),
             fields: FIELDS.map(|id| object(&builder, id)),
-            refused: object(&builder, "refused"),
+            refused,
             builder,
-        }
+        };
+        panel.connect(session, toasts);
+        panel
     }
 
-    /// Lets the sliders drive.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        self.joint.connect(window);
-        self.connect_edits(&self.editor(window));
+    fn connect(&self, session: &SessionHandle, toasts: &Toasts) {
+        self.connect_edits(&self.editor);
+        self.connect_menus(&self.editor);
         self.which.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 if list.selected() != gtk::INVALID_LIST_POSITION {
-                    window.update(|session| session.show_muscle(MuscleId(list.selected())));
+                    session.update(|session| session.show_muscle(MuscleId(list.selected())));
                 }
+            }
+        ));
+        object::<gtk::Button>(&self.builder, "hang").connect_clicked(glib::clone!(
+            #[weak]
+            session,
+            #[strong]
+            toasts,
+            move |_| {
+                let file = session.read(|session| session.shown_file());
+                attach_muscles::attach(&session, &toasts, file);
             }
         ));
     }
 
-    /// What changes the muscle that is shown.
-    pub(super) fn editor(&self, window: &Rc<Window>) -> Editor {
-        Editor { window: Rc::downgrade(window), shown: self.shown.clone(), refused: self.refused.clone() }
+    /// What changes the muscle that is shown; the panel says why it cannot.
+    pub(super) fn editor(&self) -> &Editor {
+        &self.editor
     }
 
-    /// Adds, copies or takes away a muscle.
-    pub(super) fn change(&self, window: &Rc<Window>, command: Command) {
-        let editor = self.editor(window);
-        let id = editor.id();
-        editor.tell(|session| match command {
-            Command::DuplicateMuscle => session.duplicate_muscle(id),
-            Command::DeleteMuscle => session.delete_muscle(id),
-            _ => Ok(()),
-        });
-        if command == Command::NewMuscle {
-            editor.tell(|session| session.new_muscle(NEW));
-        }
+    /// Adds a muscle.
+    pub(super) fn add_muscle(&self) {
+        self.editor.tell(|session| session.new_muscle(NEW));
+    }
+
+    /// Copies the muscle that is shown.
+    pub(super) fn duplicate_muscle(&self) {
+        let id = self.editor.id();
+        self.editor.tell(|session| session.duplicate_muscle(id));
+    }
+
+    /// Takes the muscle that is shown away.
+    pub(super) fn delete_muscle(&self) {
+        let id = self.editor.id();
+        self.editor.tell(|session| session.delete_muscle(id));
     }
 
     fn connect_edits(&self, editor: &Editor) {
@@ -259,14 +280,6 @@ impl MusclePanel {
             let byte = |part: f32| (part * 255.0).round().clamp(0.0, 255.0) as u8;
             own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), UndoStep::New);
         });
-        let weak = editor.window.clone();
-        object::<gtk::Button>(&self.builder, "hang").connect_clicked(move |_| {
-            if let Some(window) = weak.upgrade() {
-                let file = window.read(|session| session.shown_file());
-                attach_to_skeleton(&window, file);
-            }
-        });
-        self.connect_menus(editor);
     }
 
     /// The menus of new muscles and of what can be done with the one that is shown.
@@ -298,38 +311,6 @@ impl MusclePanel {
         }
         menu.append_section(Some(&tr!("app-muscle-replace")), &ready);
         button.set_menu_model(Some(&menu));
-    }
-
-    /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
-        if changes.any(ChangeSet::DOCUMENT) {
-            self.refresh_document(session);
-        }
-        self.shown.set(session.shown_muscle().0);
-        if changes.any(ChangeSet::MUSCLE) {
-            self.which.set_selected(self.shown.get());
-        }
-        let bends = ChangeSet::DRIVE | ChangeSet::JOINT_OVERRIDES | ChangeSet::MUSCLE | ChangeSet::EDIT;
-        if changes.any(ChangeSet::DOCUMENT | bends) || changes.any(ChangeSet::TIME) && self.root.is_mapped() {
-            self.joint.refresh(session, changes);
-        }
-        if changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::SELECTION) {
-            self.refresh_attachment(session);
-        }
-        if changes.any(ChangeSet::HISTORY) {
-            self.refused.set_visible(false);
-            self.way.forget_refusals();
-        }
-        let moves = ChangeSet::DOCUMENT
-            | ChangeSet::DRIVE
-            | ChangeSet::TIME
-            | ChangeSet::MUSCLE
-            | ChangeSet::EDIT
-            | ChangeSet::JOINT_OVERRIDES
-            | ChangeSet::PICKING;
-        if changes.any(moves) && self.root.is_mapped() || changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE) {
-            self.refresh_solver_report(session, changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE));
-        }
     }
 
     /// Offers to hang muscles that are on an arm of their own on the clip that is open with them.
@@ -440,26 +421,49 @@ impl MusclePanel {
     }
 }
 
-/// Hangs the muscles of all files that are on an arm of their own on the clip that is open with them; whether there were any.
-pub(super) fn attach_all_to_skeleton(window: &Rc<Window>) -> bool {
-    let files = window.read(|session| session.document().muscle_files().count());
-    attach_to_skeleton(window, 0..files)
-}
-
-/// Hangs the muscles of these files on the clip, and says where they went.
-fn attach_to_skeleton(window: &Rc<Window>, files: impl IntoIterator<Item = usize>) -> bool {
-    let mut hung: Option<AttachResult> = None;
-    window.update(|session| {
-        for new in files.into_iter().filter_map(|place| session.attach_to_skeleton(place)) {
-            let before = hung.take().map_or(0, |hung| hung.muscles);
-            hung = Some(AttachResult { muscles: before + new.muscles, ..new });
-        }
-    });
-    let told = hung.map(|AttachResult { muscles, joint }| message!("app-attached", count = muscles, joint = joint).sentence());
-    if let Some(told) = &told {
-        window.viewport.toast(told, None);
+impl Panel for MusclePanel {
+    fn id(&self) -> &'static str {
+        Self::ID
     }
-    told.is_some()
+
+    fn title(&self) -> String {
+        tr!("app-page-muscle")
+    }
+
+    fn widget(&self) -> gtk::Widget {
+        self.root.clone().upcast()
+    }
+
+    fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::DOCUMENT) {
+            self.refresh_document(session);
+        }
+        self.shown.set(session.shown_muscle().0);
+        if changes.any(ChangeSet::MUSCLE) {
+            self.which.set_selected(self.shown.get());
+        }
+        let bends = ChangeSet::DRIVE | ChangeSet::JOINT_OVERRIDES | ChangeSet::MUSCLE | ChangeSet::EDIT;
+        if changes.any(ChangeSet::DOCUMENT | bends) || changes.any(ChangeSet::TIME) && self.root.is_mapped() {
+            self.joint.refresh(session, changes);
+        }
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::SELECTION) {
+            self.refresh_attachment(session);
+        }
+        if changes.any(ChangeSet::HISTORY) {
+            self.refused.set_visible(false);
+            self.way.forget_refusals();
+        }
+        let moves = ChangeSet::DOCUMENT
+            | ChangeSet::DRIVE
+            | ChangeSet::TIME
+            | ChangeSet::MUSCLE
+            | ChangeSet::EDIT
+            | ChangeSet::JOINT_OVERRIDES
+            | ChangeSet::PICKING;
+        if changes.any(moves) && self.root.is_mapped() || changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE) {
+            self.refresh_solver_report(session, changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE));
+        }
+    }
 }
 
 /// How short and how long the muscle can get, and what sets that.

@@ -1,15 +1,14 @@
 //! The part of the display panel for onion skins, motion paths and comparisons.
 
 use std::path::Path;
-use std::rc::Rc;
 
 use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::format;
+use super::session_handle::SessionHandle;
 use super::ui::{self, object};
-use super::window::Window;
 use crate::i18n;
 use crate::session::{ChangeSet, CompareTarget, ComparisonState, Session};
 use crate::tr;
@@ -29,11 +28,11 @@ pub(super) struct GhostsPanel {
 }
 
 impl GhostsPanel {
-    /// One that is not connected yet.
-    pub(super) fn new() -> Self {
+    /// The panel of a session.
+    pub(super) fn new(session: &SessionHandle) -> Self {
         let builder = ui::builder(ui::GHOSTS);
         ui::narrow(&object(&builder, "with"), 18);
-        Self {
+        let panel = Self {
             root: object(&builder, "root"),
             before: object(&builder, "before"),
             after: object(&builder, "after"),
@@ -43,19 +42,21 @@ impl GhostsPanel {
             aside: object(&builder, "aside"),
             later: object(&builder, "later"),
             found: object(&builder, "found"),
-        }
+        };
+        panel.connect(session);
+        panel
     }
 
     /// Connects the input of the widgets.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    fn connect(&self, session: &SessionHandle) {
         for number in [&self.before, &self.after, &self.step] {
             let [before, after, step] = [&self.before, &self.after, &self.step].map(gtk::SpinButton::clone);
             number.connect_value_changed(glib::clone!(
                 #[weak]
-                window,
+                session,
                 move |_| {
                     let [before, after, step] = [&before, &after, &step].map(|number| number.value_as_int().max(0) as u32);
-                    window.update(|session| {
+                    session.update(|session| {
                         session.change_onion_skin_settings(|ghosts| (ghosts.before, ghosts.after, ghosts.step) = (before, after, step));
                     });
                 }
@@ -65,16 +66,16 @@ impl GhostsPanel {
             let (aside, later) = (self.aside.clone(), self.later.clone());
             number.connect_value_changed(glib::clone!(
                 #[weak]
-                window,
-                move |_| window.update(|session| session.set_compare_offsets(later.value(), aside.value()))
+                session,
+                move |_| session.update(|session| session.set_compare_offsets(later.value(), aside.value()))
             ));
         }
         self.with.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 let chosen = list.selected();
-                window.update(|session| choose(session, chosen));
+                session.update(|session| choose(session, chosen));
             }
         ));
     }

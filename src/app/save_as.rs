@@ -8,9 +8,8 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::document_loader;
+use super::app_context::AppContext;
 use super::error_bar::ErrorMessage;
-use super::window::Window;
 use crate::export::file_extension::with_extension;
 use crate::export::guard::{Output, is_same};
 use crate::i18n::{Sentence, shown};
@@ -32,44 +31,44 @@ pub(super) struct SaveRequest {
 
 /// Asks for a place; `then` gets it unless the person thinks better of it. A file that is open, or belongs to one that is, is refused, whatever the
 /// file dialog was answered.
-pub(super) fn ask(window: &Rc<Window>, wanted: SaveRequest, then: impl FnOnce(&Rc<Window>, &Output) + 'static) {
+pub(super) fn ask(app: &Rc<AppContext>, wanted: SaveRequest, then: impl FnOnce(&Rc<AppContext>, &Output) + 'static) {
     let SaveRequest { title, name, folder, endings, own } = wanted;
-    let folder = folder.or_else(|| usual_folder(window));
+    let folder = folder.or_else(|| usual_folder(app));
     let its = own.clone();
     let is_own = move |file: &Path| its.as_deref().is_some_and(|own| is_same(own, file));
     let there = folder.clone().unwrap_or_default();
     let name = if is_own(&there.join(&name)) {
         name
     } else {
-        document_loader::guard(window).free_name(&there, &name, |file| vec![file.to_owned()])
+        app.open_files.guard(&app.session).free_name(&there, &name, |file| vec![file.to_owned()])
     };
     let complete = move |chosen: &Path| if is_own(chosen) { chosen.to_owned() } else { with_extension(chosen, endings) };
     let asked = FileDialogOptions { title, name, folder };
     choose(
-        window.widget.upcast_ref(),
+        app.widget.upcast_ref(),
         asked,
         complete.clone(),
         glib::clone!(
             #[weak]
-            window,
+            app,
             move |chosen: PathBuf| {
                 let path = complete(&chosen);
-                let output = match document_loader::guard(&window).without(own.as_deref()).output(&path) {
+                let output = match app.open_files.guard(&app.session).without(own.as_deref()).output(&path) {
                     Ok(output) => output,
-                    Err(error) => return failed(&window, &path, error.sentence()),
+                    Err(error) => return failed(&app, &path, error.sentence()),
                 };
                 // The dialog asked about the name that it showed.
                 let unasked = if path == chosen { Vec::new() } else { vec![path] };
-                let again = window.clone();
-                ask_to_replace(window.widget.upcast_ref(), unasked, move || then(&again, &output));
+                let again = app.clone();
+                ask_to_replace(app.widget.upcast_ref(), unasked, move || then(&again, &output));
             }
         ),
     );
 }
 
 /// The folder that was opened from last.
-pub(super) fn usual_folder(window: &Rc<Window>) -> Option<PathBuf> {
-    window.settings.borrow().folder.clone().filter(|folder| folder.is_dir())
+pub(super) fn usual_folder(app: &Rc<AppContext>) -> Option<PathBuf> {
+    app.settings.borrow().folder.clone().filter(|folder| folder.is_dir())
 }
 
 /// Initial state of a file dialog.
@@ -160,8 +159,8 @@ pub(super) fn ask_to_replace(parent: &gtk::Window, files: Vec<PathBuf>, then: im
 }
 
 /// The name of the first open file with another ending, else the program's.
-pub(super) fn name_like_open(window: &Rc<Window>, ending: &str) -> String {
-    let stem = window.read(|session| session.files().first().and_then(|path| Some(path.file_stem()?.to_string_lossy().into_owned())));
+pub(super) fn name_like_open(app: &Rc<AppContext>, ending: &str) -> String {
+    let stem = app.session.read(|session| session.files().first().and_then(|path| Some(path.file_stem()?.to_string_lossy().into_owned())));
     format!("{}.{ending}", stem.unwrap_or_else(|| "sinew".into()))
 }
 
@@ -171,14 +170,14 @@ pub(super) fn name_of(path: &Path) -> String {
 }
 
 /// Says that a file was saved, by the name that it has now.
-pub(super) fn done(window: &Rc<Window>, path: &Path) {
-    window.error_bar.hide();
-    window.viewport.toast(&tr!("app-saved", file = name_of(path)), Some(path.to_owned()));
+pub(super) fn done(app: &Rc<AppContext>, path: &Path) {
+    app.error_bar.hide();
+    app.toasts.toast(&tr!("app-saved", file = name_of(path)), Some(path.to_owned()));
 }
 
 /// Says that something could not be saved, and why.
-pub(super) fn failed(window: &Rc<Window>, path: &Path, reason: String) {
-    window.error_bar.show(ErrorMessage {
+pub(super) fn failed(app: &Rc<AppContext>, path: &Path, reason: String) {
+    app.error_bar.show(ErrorMessage {
         headline: tr!("app-unsaved", file = name_of(path)),
         message: reason,
         details: path.display().to_string(),

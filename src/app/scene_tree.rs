@@ -10,9 +10,11 @@ use gtk4 as gtk;
 
 use super::drawing_area::PaintWidget;
 use super::icons;
+use super::muscle_editor::Editor;
+use super::picture_focus::PictureFocus;
+use super::session_handle::SessionHandle;
 use super::tree_model::{TreeRow, path_to, search, steps};
 use super::ui::{self, object};
-use super::window::Window;
 use crate::i18n::shown;
 use crate::scene::{NodeId, Scene};
 use crate::session::{ChangeSet, Session};
@@ -36,14 +38,15 @@ pub(super) struct SceneTree {
     rows: Rc<RefCell<Vec<TreeRow>>>,
     /// How far it is scrolled after the user has just selected the row at this position, until the list has another height.
     chosen: Rc<Cell<Option<(f64, u32)>>>,
-    window: RefCell<std::rc::Weak<Window>>,
+    session: SessionHandle,
+    editor: Editor,
 }
 
 impl SceneTree {
-    /// A tree of nothing.
-    pub(super) fn new() -> Self {
+    /// The tree of a session; `editor` takes the bone that is picked for a muscle.
+    pub(super) fn new(session: &SessionHandle, editor: &Editor, focus: &PictureFocus) -> Self {
         let builder = ui::builder(ui::SCENE_TREE);
-        Self {
+        let tree = Self {
             root: object(&builder, "root"),
             list: object(&builder, "list"),
             search: object(&builder, "search"),
@@ -52,14 +55,15 @@ impl SceneTree {
             selection: RefCell::new(gtk::SingleSelection::new(None::<gio::ListModel>)),
             rows: Rc::default(),
             chosen: Rc::default(),
-            window: RefCell::default(),
-        }
+            session: session.clone(),
+            editor: editor.clone(),
+        };
+        tree.connect(session, focus);
+        tree
     }
 
-    /// Connects selection, search and visibility toggles.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        self.window.replace(Rc::downgrade(window));
-        self.list.set_factory(Some(&factory(window)));
+    fn connect(&self, session: &SessionHandle, focus: &PictureFocus) {
+        self.list.set_factory(Some(&factory(session, &self.rows)));
         // The inspector comes up below with the first selection; the row stays under the pointer that chose it, for a second click.
         let (chosen, list) = (self.chosen.clone(), self.list.downgrade());
         self.scroller.vadjustment().connect_page_size_notify(move |scrolled| {
@@ -73,24 +77,24 @@ impl SceneTree {
         });
         self.search.connect_search_changed(glib::clone!(
             #[weak]
-            window,
-            move |_| window.update(Session::refresh_tree)
+            session,
+            move |_| session.update(Session::refresh_tree)
         ));
         self.search.connect_stop_search(glib::clone!(
-            #[weak]
-            window,
+            #[strong]
+            focus,
             move |entry| {
                 entry.set_text("");
-                window.viewport.take_focus();
+                focus.take();
             }
         ));
         self.list.connect_activate(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list, position| {
                 let node = list.model().and_then(|model| model.item(position)).and_then(|item| node_of(&item));
                 if let Some(node) = node {
-                    window.update(|session| session.centre_on(node));
+                    session.update(|session| session.centre_on(node));
                 }
             }
         ));
@@ -153,16 +157,21 @@ impl SceneTree {
         selection.set_autoselect(false);
         selection.set_can_unselect(true);
         selection.set_selected(gtk::INVALID_LIST_POSITION);
-        let window = self.window.borrow().clone();
-        selection.connect_selected_item_notify(move |selection| {
-            if let Some(window) = window.upgrade() {
+        selection.connect_selected_item_notify(glib::clone!(
+            #[weak(rename_to = session)]
+            self.session,
+            #[strong(rename_to = editor)]
+            self.editor,
+            move |selection| {
                 let node = selection.selected_item().and_then(|item| node_of(&item));
-                match node.filter(|_| window.session.read_if_free(|session| session.picking().is_some())) {
-                    Some(bone) => window.pick_end(|session| session.pick_bone(bone)),
-                    None => window.update(|session| session.select(node)),
+                match node.filter(|_| session.read_if_free(|session| session.picking().is_some())) {
+                    Some(bone) => {
+                        editor.tell(|session| session.pick_bone(bone));
+                    }
+                    None => session.update(|session| session.select(node)),
                 }
             }
-        });
+        ));
         self.list.set_model(Some(&selection));
         self.selection.replace(selection);
     }
@@ -230,9 +239,9 @@ fn node_of(item: &glib::Object) -> Option<NodeId> {
 }
 
 /// Makes and fills the rows: expander, icon, name, eye.
-fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
+fn factory(session: &SessionHandle, rows: &Rc<RefCell<Vec<TreeRow>>>) -> gtk::SignalListItemFactory {
     let factory = gtk::SignalListItemFactory::new();
-    let weak = Rc::downgrade(window);
+    let weak = session.downgrade();
     factory.connect_setup(move |_, item| {
         let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
         let expander = gtk::TreeExpander::new();
@@ -251,14 +260,14 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
         let item = item.downgrade();
         eye.connect_clicked(move |eye| {
             let node = item.upgrade().and_then(|item| item.item()).and_then(|item| node_of(&item));
-            if let (Some(window), Some(node)) = (weak.upgrade(), node) {
+            if let (Some(session), Some(node)) = (weak.upgrade(), node) {
                 let visible = !eye.is_active();
                 show_eye(eye, visible);
-                window.update(|session| session.set_visible(node, visible));
+                session.update(|session| session.set_visible(node, visible));
             }
         });
     });
-    let weak = Rc::downgrade(window);
+    let rows = Rc::downgrade(rows);
     factory.connect_bind(move |_, item| {
         let Some(item) = item.downcast_ref::<gtk::ListItem>() else { return };
         let (Some(row), Some(expander)) =
@@ -267,9 +276,9 @@ fn factory(window: &Rc<Window>) -> gtk::SignalListItemFactory {
             return;
         };
         expander.set_list_row(Some(&row));
-        let Some(window) = weak.upgrade() else { return };
+        let Some(rows) = rows.upgrade() else { return };
         let Some(node) = node_of(row.upcast_ref()) else { return };
-        let Some(row) = window.tree_row(node) else { return };
+        let Some(row) = rows.borrow().get(node.index()).cloned() else { return };
         let Some(content) = expander.child() else { return };
         let (icon, eye) = (content.first_child().and_downcast::<PaintWidget>(), content.last_child().and_downcast::<gtk::ToggleButton>());
         let label = icon.as_ref().and_then(|icon| icon.next_sibling()).and_downcast::<gtk::Label>();
@@ -289,12 +298,5 @@ fn show_eye(eye: &gtk::ToggleButton, visible: bool) {
     eye.set_icon_name(if visible { "view-reveal-symbolic" } else { "view-conceal-symbolic" });
     if let Some(row) = eye.parent() {
         if visible { row.remove_css_class("hidden-node") } else { row.add_css_class("hidden-node") }
-    }
-}
-
-impl SceneTree {
-    /// The row of a node.
-    pub(super) fn row(&self, node: NodeId) -> Option<TreeRow> {
-        self.rows.borrow().get(node.index()).cloned()
     }
 }

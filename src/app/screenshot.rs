@@ -6,9 +6,10 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
+use super::app_context::AppContext;
 use super::export_job::note;
 use super::save_as::{self, SaveRequest};
-use super::window::Window;
+use super::viewport::Viewport;
 use crate::export::png::{self, SOFTWARE};
 use crate::i18n::Sentence;
 use crate::render::{Background, Framebuffer, RenderError, RenderJob};
@@ -23,11 +24,11 @@ struct ScreenshotImage {
 }
 
 /// The picture as it is on the screen, without what stands over it.
-fn take(window: &Rc<Window>, transparent: bool) -> Result<ScreenshotImage, RenderError> {
-    let scale = window.viewport.scale();
-    let (width, height) = window.viewport.size();
+fn take(viewport: &Viewport, transparent: bool) -> Result<ScreenshotImage, RenderError> {
+    let scale = viewport.scale();
+    let (width, height) = viewport.size();
     let (width, height) = ((width * scale).max(1), (height * scale).max(1));
-    window.read(|session| {
+    viewport.session().read(|session| {
         let note = note(session.document(), session.camera_controller())(&FrameSpec { state: session.state(), turntable: 0.0 });
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;
@@ -36,7 +37,7 @@ fn take(window: &Rc<Window>, transparent: bool) -> Result<ScreenshotImage, Rende
             display.background = Background::Transparent;
         }
         let job = RenderJob { scene, frame, camera: &camera, display: &display, width: width as u32, height: height as u32 };
-        let pixels = window.viewport.with_renderer(|renderer| renderer.draw(&job).cloned())?;
+        let pixels = viewport.with_renderer(|renderer| renderer.draw(&job).cloned())?;
         Ok(ScreenshotImage { pixels, transparent, note })
     })
 }
@@ -53,30 +54,30 @@ fn texture(picture: &ScreenshotImage) -> gdk::Texture {
 }
 
 /// Copies the picture.
-pub(super) fn copy(window: &Rc<Window>) {
-    match take(window, false) {
+pub(super) fn copy(app: &AppContext, viewport: &Viewport) {
+    match take(viewport, false) {
         Ok(picture) => {
-            window.widget.clipboard().set_texture(&texture(&picture));
-            window.viewport.toast(&tr!("app-picture-copied"), None);
+            app.widget.clipboard().set_texture(&texture(&picture));
+            app.toasts.toast(&tr!("app-picture-copied"), None);
         }
-        Err(error) => window.viewport.toast(&error.sentence(), None),
+        Err(error) => app.toasts.toast(&error.sentence(), None),
     }
 }
 
 /// Asks where to and saves the picture.
-pub(super) fn save(window: &Rc<Window>, transparent: bool) {
-    let picture = match take(window, transparent) {
+pub(super) fn save(app: &Rc<AppContext>, viewport: &Viewport, transparent: bool) {
+    let picture = match take(viewport, transparent) {
         Ok(picture) => picture,
-        Err(error) => return window.viewport.toast(&error.sentence(), None),
+        Err(error) => return app.toasts.toast(&error.sentence(), None),
     };
-    let name = save_as::name_like_open(window, "png");
+    let name = save_as::name_like_open(app, "png");
     let wanted = SaveRequest { title: tr!("app-picture-title"), name, folder: None, endings: &["png"], own: None };
-    save_as::ask(window, wanted, move |window, output| {
+    save_as::ask(app, wanted, move |app, output| {
         let path = output.file();
         let notes = [("Software", SOFTWARE), ("Comment", picture.note.as_str())];
         match png::save(output, &picture.pixels, picture.transparent, &notes) {
-            Ok(()) => save_as::done(window, path),
-            Err(error) => save_as::failed(window, path, error.sentence()),
+            Ok(()) => save_as::done(app, path),
+            Err(error) => save_as::failed(app, path, error.sentence()),
         }
     });
 }

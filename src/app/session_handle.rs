@@ -6,7 +6,7 @@
 use std::cell::{Cell, RefCell};
 use std::rc::{Rc, Weak};
 
-use gtk::glib::clone::{Downgrade, Upgrade};
+use gtk::glib;
 use gtk4 as gtk;
 
 use crate::session::{ChangeSet, Session};
@@ -41,6 +41,11 @@ impl SessionHandle {
             subscribers: RefCell::default(),
             observers: RefCell::default(),
         }))
+    }
+
+    /// A handle that does not keep the session alive.
+    pub(super) fn downgrade(&self) -> WeakSession {
+        WeakSession(Rc::downgrade(&self.0))
     }
 
     /// Lets `refresh` show each change. Subscribers are called in the order in which they came; they hold their widgets weakly, or these would never end.
@@ -108,19 +113,27 @@ impl SessionHandle {
     }
 }
 
-impl Downgrade for SessionHandle {
-    type Weak = WeakSession;
-
-    fn downgrade(&self) -> WeakSession {
-        WeakSession(Rc::downgrade(&self.0))
+impl WeakSession {
+    /// The handle, while the window is there.
+    pub(super) fn upgrade(&self) -> Option<SessionHandle> {
+        self.0.upgrade().map(SessionHandle)
     }
 }
 
-impl Upgrade for WeakSession {
+// So that `glib::clone!` can hold a session weakly.
+impl glib::clone::Downgrade for SessionHandle {
+    type Weak = WeakSession;
+
+    fn downgrade(&self) -> WeakSession {
+        self.downgrade()
+    }
+}
+
+impl glib::clone::Upgrade for WeakSession {
     type Strong = SessionHandle;
 
     fn upgrade(&self) -> Option<SessionHandle> {
-        self.0.upgrade().map(SessionHandle)
+        self.upgrade()
     }
 }
 

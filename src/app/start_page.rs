@@ -8,15 +8,12 @@ use gtk::{cairo, gio, glib};
 use gtk4 as gtk;
 
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
-use super::error_bar::ErrorMessage;
+use super::picture_focus::PictureFocus;
 use super::samples::{self, DEMOS, Demo};
+use super::session_handle::SessionHandle;
 use super::ui::{self, object};
-use super::window::Window;
-use super::{document_loader, recent, saving};
-use crate::document::Document;
-use crate::i18n::Sentence;
 use crate::render::Theme;
-use crate::session::{LoadMode, Session};
+use crate::session::Session;
 use crate::tr;
 
 /// Size of a demo's picture, logical pixels.
@@ -30,18 +27,28 @@ pub(super) struct StartPage {
     pictures: Vec<PaintWidget>,
     drawn_for: Cell<Option<Theme>>,
     wanted: Cell<bool>,
+    session: SessionHandle,
+    focus: PictureFocus,
 }
 
 impl StartPage {
     /// A page that is not connected yet.
-    pub(super) fn new() -> Self {
+    pub(super) fn new(session: &SessionHandle, focus: &PictureFocus) -> Rc<Self> {
         let builder = ui::builder(ui::START);
         let pictures = DEMOS.iter().map(|_| PaintWidget::new(PICTURE.0, PICTURE.1)).collect();
-        Self { root: object(&builder, "root"), builder, pictures, drawn_for: Cell::default(), wanted: Cell::default() }
+        Rc::new(Self {
+            root: object(&builder, "root"),
+            builder,
+            pictures,
+            drawn_for: Cell::default(),
+            wanted: Cell::default(),
+            session: session.clone(),
+            focus: focus.clone(),
+        })
     }
 
-    /// Lets the buttons work; recent files are listed anew whenever the page appears.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    /// Lets the buttons work: `open` opens a demo, `list_recent` fills a box with the recent files, anew whenever the page appears.
+    pub(super) fn connect(self: &Rc<Self>, open: impl Fn(Demo) + Clone + 'static, list_recent: impl Fn(&gtk::Box) + 'static) {
         self.root.set_visible(false);
         let flow: gtk::FlowBox = object(&self.builder, "demos");
         for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
@@ -53,37 +60,42 @@ impl StartPage {
             let button: gtk::Button = ui::named("GtkButton", &tr!(demo.name));
             button.set_child(Some(&card));
             button.set_has_frame(false);
-            button.connect_clicked(glib::clone!(
-                #[weak]
-                window,
-                move |_| open_demo(&window, *demo)
-            ));
+            let open = open.clone();
+            button.connect_clicked(move |_| open(*demo));
             flow.append(&button);
             if let Some(child) = button.parent() {
                 child.set_focusable(false);
             }
         }
         object::<gtk::Button>(&self.builder, "back").connect_clicked(glib::clone!(
-            #[weak]
-            window,
-            move |_| window.start_page(false)
+            #[weak(rename_to = page)]
+            self,
+            move |_| page.want(false)
         ));
         let slot: gtk::Box = object(&self.builder, "recent_slot");
-        self.root.connect_map(glib::clone!(
-            #[weak]
-            window,
-            move |_| recent::fill(&window, &slot, || ())
-        ));
+        self.root.connect_map(move |_| list_recent(&slot));
     }
 
-    /// Asks for the page, or sends it away.
+    /// Brings the page up over what is open, or sends it away.
     pub(super) fn want(&self, wanted: bool) {
+        let was_there = self.root.is_visible();
         self.wanted.set(wanted);
+        self.session.update(Session::touch);
+        // The keyboard goes with what is seen.
+        if wanted {
+            object::<gtk::Button>(&self.builder, "open").grab_focus();
+        } else if was_there {
+            self.focus.take();
+        }
     }
 
-    /// Gives the keyboard to the page.
-    pub(super) fn take_focus(&self) {
-        object::<gtk::Button>(&self.builder, "open").grab_focus();
+    /// Sends the page away where it came up over a scene; whether it did.
+    pub(super) fn leave(&self) -> bool {
+        let came = self.root.is_visible() && !self.session.read(|session| session.is_empty());
+        if came {
+            self.want(false);
+        }
+        came
     }
 
     /// Shows the page where it belongs: wanted, or nothing is open and nothing on its way.
@@ -118,23 +130,4 @@ fn draw(demo: Demo, canvas: &PaintWidget, theme: Theme) {
             let _ = context.paint();
         });
     });
-}
-
-/// Opens a demo.
-pub(super) fn open_demo(window: &Rc<Window>, demo: Demo) {
-    match demo.unpack(&samples::folder()) {
-        Ok(Some(path)) => document_loader::open(window, vec![path], LoadMode::New),
-        Ok(None) => saving::confirm_unsaved(window, |window| {
-            window.start_page(false);
-            document_loader::forget(window);
-            window.settings.restore_view(&window.session);
-            window.update(|session| session.show(Document::built_in(), LoadMode::New));
-        }),
-        Err(error) => window.error_bar.show(ErrorMessage {
-            headline: tr!("app-demo-unwritten", folder = samples::folder().display().to_string()),
-            message: error.sentence(),
-            details: String::new(),
-            again: None,
-        }),
-    }
 }

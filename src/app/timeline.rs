@@ -15,9 +15,10 @@ use super::curve_editor::CurveEditor;
 use super::drawing_area::PaintWidget;
 use super::format;
 use super::icons::{self, Glyph};
+use super::session_handle::SessionHandle;
+use super::time_axis::{TimeAxis, hold_while};
 use super::timeline_ruler::{Track, frame_of};
 use super::ui::{self, object};
-use super::window::Window;
 use crate::animation::LoopMode;
 use crate::i18n;
 use crate::session::{ChangeSet, RangeMark, Session};
@@ -26,8 +27,6 @@ use crate::tr;
 /// The frame rates to choose from, beside the one that the keys tell.
 const RATES: [f64; 9] = [12.0, 15.0, 24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 120.0];
 
-/// Zoom factor of one wheel notch.
-const ZOOM_STEP: f64 = 1.25;
 /// A menu of more clips than this can be searched.
 const MANY: usize = 12;
 
@@ -47,7 +46,9 @@ pub(super) struct Timeline {
     /// The whole.
     pub root: gtk::Box,
     /// What is unfolded below the track.
-    pub sheet: CurveEditor,
+    pub sheet: Rc<CurveEditor>,
+    /// The time axis of the track and of what lies below it.
+    pub axis: TimeAxis,
     over_track: gtk::Overlay,
     canvas: PaintWidget,
     track: Rc<RefCell<Track>>,
@@ -62,8 +63,8 @@ pub(super) struct Timeline {
 }
 
 impl Timeline {
-    /// A timeline of nothing.
-    pub(super) fn new() -> Self {
+    /// The timeline of a session.
+    pub(super) fn new(session: &SessionHandle) -> Self {
         let builder = ui::builder(ui::TIMELINE);
         let canvas = PaintWidget::new(160, 72);
         let over_track: gtk::Overlay = object(&builder, "track");
@@ -77,17 +78,29 @@ impl Timeline {
         ] {
             object::<gtk::Button>(&builder, id).set_child(Some(&icons::image(glyph)));
         }
-        let track = Rc::new(RefCell::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() }));
+        let axis = TimeAxis::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() });
+        let track = axis.track.clone();
         let painted = track.clone();
         canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
         let root: gtk::Box = object(&builder, "root");
         // Exporters make clip names that are longer than the window is wide.
         ui::narrow(&object(&builder, "clip"), 12);
-        let sheet = CurveEditor::new(track.clone(), &canvas);
+        let sheet = CurveEditor::new(session, &axis, &canvas);
         root.append(&sheet.root);
-        Self {
+        axis.connect_changed(glib::clone!(
+            #[weak]
+            canvas,
+            #[weak]
+            sheet,
+            move || {
+                canvas.queue_draw();
+                sheet.draw_anew();
+            }
+        ));
+        let timeline = Self {
             root,
             sheet,
+            axis,
             over_track,
             canvas,
             track,
@@ -99,14 +112,9 @@ impl Timeline {
             rate: object(&builder, "rate"),
             play_image: object(&builder, "play_image"),
             loop_mode: object(&builder, "loop_mode"),
-        }
-    }
-
-    /// Shows another part of the clip.
-    pub(super) fn change_visible_range(&self, look: impl FnOnce(&mut Track)) {
-        look(&mut self.track.borrow_mut());
-        self.canvas.queue_draw();
-        self.sheet.draw_anew();
+        };
+        timeline.connect(session);
+        timeline
     }
 
     /// What lies over the track.
@@ -119,25 +127,23 @@ impl Timeline {
         self.time.upcast_ref::<gtk::Widget>() == widget
     }
 
-    /// Connects seeking and the controls.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        self.connect_track(window);
-        self.sheet.connect(window);
+    fn connect(&self, session: &SessionHandle) {
+        self.connect_track(session);
         self.rate.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 let chosen = (list.selected() as usize).checked_sub(1).and_then(|place| RATES.get(place));
-                window.update(|session| session.choose_rate(chosen.copied()));
+                session.update(|session| session.choose_rate(chosen.copied()));
             }
         ));
         for (widget, of_frame) in [(&self.seconds, false), (&self.frame, true)] {
             widget.connect_value_changed(glib::clone!(
                 #[weak]
-                window,
+                session,
                 move |number| {
                     let value = number.value();
-                    window.update(|session| {
+                    session.update(|session| {
                         let rate = session.frame_rate();
                         session.time(|time| time.seek(if of_frame { value / rate } else { value }));
                     });
@@ -146,39 +152,39 @@ impl Timeline {
         }
         self.time.connect_value_changed(glib::clone!(
             #[weak]
-            window,
-            move |scale| window.update(|session| session.time(|time| time.seek(scale.value())))
+            session,
+            move |scale| session.update(|session| session.time(|time| time.seek(scale.value())))
         ));
         self.speed.connect_value_changed(glib::clone!(
             #[weak]
-            window,
+            session,
             move |number| {
                 let speed = number.value();
                 // Zero lies on the way from forwards to backwards and is passed over.
                 if speed.abs() >= *crate::animation::Playback::SPEED.start() {
-                    window.update(|session| session.time(|time| time.speed = speed));
+                    session.update(|session| session.time(|time| time.speed = speed));
                 }
             }
         ));
         self.clip.connect_selected_notify(glib::clone!(
             #[weak]
-            window,
+            session,
             move |list| {
                 let chosen = list.selected();
                 if chosen != gtk::INVALID_LIST_POSITION {
-                    window.update(|session| session.set_clip(Some(chosen as usize)));
+                    session.update(|session| session.set_clip(Some(chosen as usize)));
                 }
             }
         ));
     }
 
-    fn connect_track(&self, window: &Rc<Window>) {
+    fn connect_track(&self, session: &SessionHandle) {
         let drag = gtk::GestureDrag::new();
         let track = self.track.clone();
         let grip = Rc::new(Cell::new(RulerDrag::Seek));
         drag.connect_drag_begin(glib::clone!(
             #[weak]
-            window,
+            session,
             #[strong]
             track,
             #[weak(rename_to = time)]
@@ -198,14 +204,14 @@ impl Timeline {
                     None => RulerDrag::Seek,
                 });
                 if grip.get() == RulerDrag::Seek {
-                    seek(&window, &track, gesture, x);
+                    seek(&session, &track, gesture, x);
                 }
             }
         ));
-        hold_while(&drag, window);
+        hold_while(&drag, session);
         drag.connect_drag_update(glib::clone!(
             #[weak]
-            window,
+            session,
             #[strong]
             track,
             #[strong]
@@ -215,9 +221,9 @@ impl Timeline {
                 let moment = |x: f64| track.borrow().time_at(x, f64::from(canvas.width()));
                 let (from, to) = (moment(x), moment(x + dx));
                 match grip.get() {
-                    RulerDrag::Seek => seek(&window, &track, gesture, x + dx),
-                    RulerDrag::Mark(mark) => window.update(|session| session.set_mark(mark, to)),
-                    RulerDrag::Range if dx.abs() > 3.0 => window.update(|session| session.set_marks(from, to)),
+                    RulerDrag::Seek => seek(&session, &track, gesture, x + dx),
+                    RulerDrag::Mark(mark) => session.update(|session| session.set_mark(mark, to)),
+                    RulerDrag::Range if dx.abs() > 3.0 => session.update(|session| session.set_marks(from, to)),
                     RulerDrag::Range => {}
                 }
             }
@@ -246,9 +252,11 @@ impl Timeline {
         let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL | gtk::EventControllerScrollFlags::DISCRETE);
         wheel.connect_scroll(glib::clone!(
             #[weak]
-            window,
+            session,
             #[strong]
             track,
+            #[strong(rename_to = axis)]
+            self.axis,
             #[upgrade_or]
             glib::Propagation::Proceed,
             move |controller, _, dy| {
@@ -257,8 +265,8 @@ impl Timeline {
                     let track = track.borrow();
                     track.pointer.map(|x| track.time_at(x, width))
                 };
-                if look_about(&window, controller.current_event_state(), dy, about) == glib::Propagation::Proceed {
-                    window.update(|session| session.step_frames(if dy > 0.0 { 1 } else { -1 }));
+                if axis.wheel(controller.current_event_state(), dy, about) == glib::Propagation::Proceed {
+                    session.update(|session| session.step_frames(if dy > 0.0 { 1 } else { -1 }));
                 }
                 glib::Propagation::Stop
             }
@@ -371,36 +379,7 @@ impl Timeline {
     }
 }
 
-/// The wheel over a time axis: with Ctrl it zooms around the pointer, with Shift it scrolls.
-pub(super) fn look_about(window: &Rc<Window>, held: gdk::ModifierType, notches: f64, about: Option<f64>) -> glib::Propagation {
-    if held.contains(gdk::ModifierType::CONTROL_MASK) {
-        window.change_visible_range(|track| track.zoom(ZOOM_STEP.powf(-notches), about.unwrap_or(track.time)));
-    } else if held.contains(gdk::ModifierType::SHIFT_MASK) {
-        window.change_visible_range(|track| track.slide(0.1 * notches));
-    } else {
-        return glib::Propagation::Proceed;
-    }
-    glib::Propagation::Stop
-}
-
-/// While the user drags the cursor, playback does not move it; after the release playback continues from there.
-pub(super) fn hold_while(drag: &gtk::GestureDrag, window: &Rc<Window>) {
-    let hold = |held: bool| {
-        let weak = Rc::downgrade(window);
-        move || {
-            if let Some(window) = weak.upgrade() {
-                // A widget that is destroyed with its document releases too; the session has already ended the drag then.
-                window.session.try_read(|session| session.hold_time(held));
-            }
-        }
-    };
-    let (taken, left, lost) = (hold(true), hold(false), hold(false));
-    drag.connect_drag_begin(move |_, _, _| taken());
-    drag.connect_drag_end(move |_, _, _| left());
-    drag.connect_cancel(move |_, _| lost());
-}
-
-fn seek(window: &Rc<Window>, track: &Rc<RefCell<Track>>, gesture: &gtk::GestureDrag, x: f64) {
+fn seek(session: &SessionHandle, track: &Rc<RefCell<Track>>, gesture: &gtk::GestureDrag, x: f64) {
     let Some(canvas) = gesture.widget() else { return };
     if gesture.current_event().is_some_and(|event| event.event_type() == gdk::EventType::TouchCancel) {
         return;
@@ -410,5 +389,5 @@ fn seek(window: &Rc<Window>, track: &Rc<RefCell<Track>>, gesture: &gtk::GestureD
         track.pointer = Some(x);
         track.time_at(x, f64::from(canvas.width()))
     };
-    window.update(|session| session.time(|cursor| cursor.seek(time)));
+    session.update(|session| session.time(|cursor| cursor.seek(time)));
 }

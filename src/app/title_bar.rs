@@ -1,55 +1,96 @@
-//! Contents of the header bar and the status line.
+//! Contents of the header bar.
 
 use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::commands::Command;
+use super::menus;
+use super::named_sources::sources;
 use super::ui::object;
-use super::{format, memory_usage};
-use crate::document::{Document, Missing, Source, SourceKind};
+use crate::document::{Document, Missing, Source};
 use crate::i18n::{self, Sentence, shown, shown_lines};
-use crate::session::Session;
+use crate::session::{ChangeSet, Session};
 use crate::tr;
 
-/// Names what is open in the header bar and in the title of the window, with what it lacks.
-pub(super) fn name(builder: &gtk::Builder, window: &gtk::ApplicationWindow, session: &Session) {
-    let names = names(session.document());
-    let mut title = title_of(&names).unwrap_or_else(|| tr!("app-name"));
-    if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
-        title = format!("{title} / {}", i18n::label(clip.label()));
-    }
-    if session.is_unsaved() {
-        title = format!("• {title}");
-    }
-    let title = shown(&title);
-    let missing = session.document().missing();
-    let lacks = |what| missing.contains(&what);
-    let subtitle = if session.is_empty() || missing.is_empty() {
-        String::new()
-    } else {
-        let words = [
-            (Missing::Mesh, "app-missing-mesh"),
-            (Missing::Skeleton, "app-missing-skeleton"),
-            (Missing::Animation, "app-missing-animation"),
-        ];
-        let what = words.iter().filter(|(what, _)| lacks(*what)).map(|(_, key)| tr!(key)).collect::<Vec<_>>().join(", ");
-        if lacks(Missing::Animation) { tr!("app-missing-still", what = what) } else { tr!("app-missing", what = what) }
-    };
-    let heading = object::<gtk::Label>(builder, "title");
-    heading.set_text(&title);
-    heading.set_tooltip_text(Some(&*shown_lines(&names.join("\n"))).filter(|_| names.len() > 1));
-    window.set_title(Some(&title));
-    let label = object::<gtk::Label>(builder, "subtitle");
-    label.set_text(&subtitle);
-    label.set_tooltip_text(Some(&subtitle));
-    label.set_visible(!subtitle.is_empty());
+/// What the header bar shows of the session.
+pub(super) struct TitleBar {
+    window: gtk::ApplicationWindow,
+    title: gtk::Label,
+    subtitle: gtk::Label,
+    undo: gtk::Button,
+    redo: gtk::Button,
+    cameras: gtk::MenuButton,
 }
 
-/// The open files, the one that the others belong to first: clips before muscles, else as they were named.
-pub(super) fn sources(document: &Document) -> Vec<&Source> {
-    let mut sources: Vec<&Source> = document.sources.iter().collect();
-    sources.sort_by_key(|source| !matches!(source.kind, SourceKind::Collada(_)));
-    sources
+impl TitleBar {
+    /// That of a window.
+    pub(super) fn new(builder: &gtk::Builder, window: &gtk::ApplicationWindow) -> Self {
+        Self {
+            window: window.clone(),
+            title: object(builder, "title"),
+            subtitle: object(builder, "subtitle"),
+            undo: object(builder, "undo"),
+            redo: object(builder, "redo"),
+            cameras: object(builder, "camera_menu"),
+        }
+    }
+
+    /// Shows what changed.
+    pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::DOCUMENT) {
+            menus::list_cameras(&self.cameras, session);
+        }
+        if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::EDIT) {
+            self.name(session);
+        }
+        if changes.any(ChangeSet::HISTORY | ChangeSet::DOCUMENT) {
+            self.name_steps(session);
+        }
+    }
+
+    /// Names what is open, here and in the title of the window, with what it lacks.
+    fn name(&self, session: &Session) {
+        let names = names(session.document());
+        let mut title = title_of(&names).unwrap_or_else(|| tr!("app-name"));
+        if let Some(clip) = session.clip().filter(|_| !session.is_empty()) {
+            title = format!("{title} / {}", i18n::label(clip.label()));
+        }
+        if session.is_unsaved() {
+            title = format!("• {title}");
+        }
+        let title = shown(&title);
+        let missing = session.document().missing();
+        let lacks = |what| missing.contains(&what);
+        let subtitle = if session.is_empty() || missing.is_empty() {
+            String::new()
+        } else {
+            let words = [
+                (Missing::Mesh, "app-missing-mesh"),
+                (Missing::Skeleton, "app-missing-skeleton"),
+                (Missing::Animation, "app-missing-animation"),
+            ];
+            let what = words.iter().filter(|(what, _)| lacks(*what)).map(|(_, key)| tr!(key)).collect::<Vec<_>>().join(", ");
+            if lacks(Missing::Animation) { tr!("app-missing-still", what = what) } else { tr!("app-missing", what = what) }
+        };
+        self.title.set_text(&title);
+        self.title.set_tooltip_text(Some(&*shown_lines(&names.join("\n"))).filter(|_| names.len() > 1));
+        self.window.set_title(Some(&title));
+        self.subtitle.set_text(&subtitle);
+        self.subtitle.set_tooltip_text(Some(&subtitle));
+        self.subtitle.set_visible(!subtitle.is_empty());
+    }
+
+    /// Says at the buttons what undo and redo would do.
+    fn name_steps(&self, session: &Session) {
+        let (back, forward) = session.undo_names();
+        for (button, command, step) in [(&self.undo, Command::Undo, back), (&self.redo, Command::Redo, forward)] {
+            let text = match step {
+                Some(step) => tr!("app-step", what = command.label(), step = step.sentence(), key = command.key_label()),
+                None => command.tooltip(),
+            };
+            button.set_tooltip_text(Some(&text));
+        }
+    }
 }
 
 /// Their names.
@@ -68,27 +109,6 @@ fn title_of(names: &[String]) -> Option<String> {
         [only] => Some(only.clone()),
         [one, other] => Some(format!("{one} + {other}")),
         [first, others @ ..] => Some(tr!("app-title-more", file = first.clone(), count = others.len())),
-    }
-}
-
-/// Says at the buttons what undo and redo would do.
-pub(super) fn name_steps(builder: &gtk::Builder, session: &Session) {
-    let (back, forward) = session.undo_names();
-    for (id, command, step) in [("undo", Command::Undo, back), ("redo", Command::Redo, forward)] {
-        let text = match step {
-            Some(step) => tr!("app-step", what = command.label(), step = step.sentence(), key = command.key_label()),
-            None => command.tooltip(),
-        };
-        object::<gtk::Button>(builder, id).set_tooltip_text(Some(&text));
-    }
-}
-
-/// Says in the status line how many triangles are drawn and how much memory the program takes.
-pub(super) fn tell_size(builder: &gtk::Builder, triangles: u64) {
-    let text = tr!("app-status-triangles", count = triangles, shown = format::group_digits(triangles));
-    object::<gtk::Label>(builder, "status_triangles").set_text(&text);
-    if let Some(megabytes) = memory_usage::resident() {
-        object::<gtk::Label>(builder, "status_memory").set_text(&tr!("app-status-memory", size = format::number(megabytes, 0)));
     }
 }
 

@@ -66,7 +66,7 @@ impl ViaPointsEditor {
 
     /// Connects the input of the widgets. A rejected change is reported beside its widget.
     pub(super) fn connect(&self, editor: &Editor) {
-        let [of_via, of_wrap] = self.refused.clone().map(|refused| Editor { refused, ..editor.clone() });
+        let [of_via, of_wrap] = self.refused.clone().map(|refused| editor.refusing_in(refused));
         let own = of_via.clone();
         self.rows.add.connect_clicked(move |_| {
             let id = own.id();

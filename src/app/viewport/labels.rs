@@ -5,7 +5,7 @@ use gtk4 as gtk;
 
 use crate::app::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::app::onion_skin_panel::file_name;
-use crate::app::{format, title_bar};
+use crate::app::{format, named_sources};
 use crate::document::Skinning;
 use crate::i18n;
 use crate::session::{COMPARED_TINT, CompareTarget, Session, top_of};
@@ -38,7 +38,7 @@ pub(super) fn draw(session: &mut Session, canvas: &PaintWidget, snapshot: &gtk::
 }
 
 fn names(session: &Session) -> Option<[String; 2]> {
-    let own_path = || title_bar::sources(session.document()).first().map(|source| i18n::source_name(&source.name));
+    let own_path = || named_sources::sources(session.document()).first().map(|source| i18n::source_name(&source.name));
     let own = || own_path().map_or_else(|| tr!("app-name"), |path| file_name(&path));
     let ahead = |name: String, later: f64| {
         if later == 0.0 { name } else { tr!("app-compare-ahead", name = name, seconds = format::number(later, 2)) }

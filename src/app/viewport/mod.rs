@@ -13,23 +13,27 @@ mod tool_gizmo;
 mod transform_fields;
 mod zoom_gestures;
 
-use std::cell::{Cell, RefCell};
-use std::path::PathBuf;
+use std::cell::RefCell;
 use std::rc::{Rc, Weak};
 use std::time::{Duration, Instant};
 
 use glam::DVec2;
 use gtk::prelude::*;
-use gtk::{cairo, gio, glib};
+use gtk::{cairo, glib};
 use gtk4 as gtk;
 
 use self::frame_surface::FrameSurface;
 use self::transform_fields::TransformFields;
 use super::bone_names;
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
+use super::frame_clock::FrameClock;
 use super::icons::{self, Glyph};
+use super::muscle_editor::Editor;
+use super::picture_focus::PictureFocus;
+use super::session_handle::SessionHandle;
+use super::settings_handle::SettingsHandle;
+use super::status_line::StatusLine;
 use super::ui::object;
-use super::window::Window;
 use super::{format, ui};
 use crate::muscle::AttachmentPoint;
 use crate::render::{PickHit, PickJob, RenderJob, Renderer, Stats};
@@ -40,6 +44,23 @@ use crate::tr;
 const HEAVY_MS: f64 = 14.0;
 /// Time without interaction after which a coarse picture is drawn in full.
 const REST: Duration = Duration::from_millis(120);
+/// What the viewport knows of the window.
+pub(super) struct ViewportHandles {
+    /// The session.
+    pub session: SessionHandle,
+    /// What is remembered.
+    pub settings: SettingsHandle,
+    /// Where the pointer and the size of the picture are told.
+    pub status: StatusLine,
+    /// Drives flight.
+    pub clock: FrameClock,
+    /// Gives the keyboard to the picture.
+    pub focus: PictureFocus,
+    /// Takes the place that is picked for the end of a muscle.
+    pub editor: Editor,
+    /// The page of muscles: while it is looked at, the picture shows the dots of their ends.
+    pub muscle_page: glib::WeakRef<gtk::Widget>,
+}
 
 /// The picture with what stands over it.
 pub(super) struct Viewport {
@@ -50,73 +71,73 @@ pub(super) struct Viewport {
     builder: gtk::Builder,
     transform_fields: TransformFields,
     input: input::ViewportInput,
-    toasts: Rc<Cell<u32>>,
-    toast_file: Rc<RefCell<Option<PathBuf>>>,
-    /// Whether what is said in passing is about the program, not about what is open.
-    toast_stays: Cell<bool>,
+    handles: ViewportHandles,
 }
 
 impl Viewport {
-    /// An empty one; [`Viewport::connect`] brings it to life.
-    pub(super) fn new() -> Self {
-        let builder = ui::builder(ui::VIEWPORT);
+    /// The viewport of a session, from its `.ui` file.
+    pub(super) fn new(builder: gtk::Builder, handles: ViewportHandles) -> Rc<Self> {
         let root: gtk::Overlay = object(&builder, "root");
         let canvas = PaintWidget::named(&tr!("app-viewport"), 150, 150);
         canvas.set_focusable(true);
         canvas.add_css_class("scene");
-        frame_when_reached(&canvas);
+        handles.focus.set_picture(&canvas);
         root.set_child(Some(&canvas));
         for (id, glyph) in
             [("tool_navigate", Glyph::Navigate), ("tool_move", Glyph::Move), ("tool_rotate", Glyph::Rotate), ("tool_scale", Glyph::Scale)]
         {
             object::<gtk::ToggleButton>(&builder, id).set_child(Some(&icons::image(glyph)));
         }
-        Self {
+        let viewport = Rc::new(Self {
             root,
             canvas,
             screen: Rc::new(RefCell::new(FrameSurface::new())),
             transform_fields: TransformFields::new(&builder),
             builder,
             input: input::ViewportInput::default(),
-            toasts: Rc::default(),
-            toast_file: Rc::default(),
-            toast_stays: Cell::default(),
-        }
+            handles,
+        });
+        viewport.connect();
+        viewport
     }
 
-    /// Connects painter, input and buttons.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
-        let weak = Rc::downgrade(window);
-        let screen = self.screen.clone();
-        self.canvas.set_painter(move |canvas, snapshot, width, height| {
-            if let Some(window) = weak.upgrade() {
-                paint(&window, &screen, canvas, snapshot, width, height);
+    /// Connects painter and input.
+    fn connect(self: &Rc<Self>) {
+        let weak = Rc::downgrade(self);
+        self.canvas.set_painter(move |_, snapshot, width, height| {
+            if let Some(viewport) = weak.upgrade() {
+                viewport.paint(snapshot, width, height);
             }
         });
-        let weak = Rc::downgrade(window);
+        let weak = Rc::downgrade(self);
         self.canvas.set_resized(move |width, height| {
-            if let Some(window) = weak.upgrade() {
-                window.update(|session| session.set_aspect(width as f32 / height.max(1) as f32));
-                window.viewport.invalidate();
-                window.viewport.fit_later(width);
+            if let Some(viewport) = weak.upgrade() {
+                viewport.session().update(|session| session.set_aspect(width as f32 / height.max(1) as f32));
+                viewport.invalidate();
+                viewport.fit_later(width);
             }
         });
-        self.transform_fields.connect(window);
-        input::connect(window, &self.canvas);
-        self.show_times(window.settings.borrow().frame_times);
-        let file = self.toast_file.clone();
-        let weak = Rc::downgrade(window);
-        object::<gtk::Button>(&self.builder, "toast_folder").connect_clicked(move |button| {
-            let file = file.borrow().as_deref().and_then(|file| std::path::absolute(file).ok());
-            let Some(folder) = file.as_deref().and_then(std::path::Path::parent) else { return };
-            let (uri, weak) = (gio::File::for_path(folder).uri(), weak.clone());
-            let context = button.display().app_launch_context();
-            gio::AppInfo::launch_default_for_uri_async(&uri, Some(&context), gio::Cancellable::NONE, move |shown| {
-                if let (Err(error), Some(window)) = (shown, weak.upgrade()) {
-                    window.viewport.toast(&tr!("app-folder-failed", reason = error.message().to_owned()), None);
-                }
-            });
+        self.transform_fields.connect(self.session());
+        input::connect(self, &self.canvas);
+        let weak = Rc::downgrade(self);
+        self.handles.clock.drive(move |seconds| weak.upgrade().is_some_and(|viewport| input::fly(&viewport, seconds)));
+        let weak = Rc::downgrade(self);
+        self.session().observe(move |changes| {
+            if let Some(viewport) = weak.upgrade().filter(|_| moves_what_is_seen(changes)) {
+                input::refresh_hover(&viewport);
+            }
         });
+        self.show_times(self.handles.settings.borrow().frame_times);
+    }
+
+    /// The session that is shown.
+    pub(super) fn session(&self) -> &SessionHandle {
+        &self.handles.session
+    }
+
+    /// Whether the page of muscles is looked at; then the picture shows the dots of their ends.
+    fn shows_muscles(&self) -> bool {
+        self.handles.muscle_page.upgrade().is_some_and(|page| page.is_mapped())
     }
 
     /// Shows what changed.
@@ -170,17 +191,6 @@ impl Viewport {
         self.canvas.scale_factor()
     }
 
-    /// Where dropped files are accepted.
-    pub(super) fn add_controller(&self, controller: &impl IsA<gtk::EventController>) {
-        self.root.add_controller(controller.clone());
-    }
-
-    /// Gives the keyboard to the picture. A hand that did so knows where it is: nothing frames the picture then.
-    pub(super) fn take_focus(&self) {
-        self.canvas.grab_focus();
-        self.canvas.remove_css_class(REACHED);
-    }
-
     /// What lies under a point, logical pixels.
     pub(super) fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<PickHit> {
         let ((width, height), scale) = (self.size(), self.scale());
@@ -212,65 +222,14 @@ impl Viewport {
         self.invalidate();
     }
 
-    /// Says something in passing; with the file that was written, offers its folder.
-    pub(super) fn toast(&self, text: &str, file: Option<PathBuf>) {
-        ui::set_label(&object(&self.builder, "toast_label"), text);
-        object::<gtk::Button>(&self.builder, "toast_folder").set_visible(file.is_some());
-        self.toast_file.replace(file);
-        self.toast_stays.set(false);
-        let revealer: gtk::Revealer = object(&self.builder, "toast");
-        revealer.set_can_target(true);
-        revealer.set_reveal_child(true);
-        let (number, toasts) = (self.toasts.get().wrapping_add(1), self.toasts.clone());
-        toasts.set(number);
-        glib::timeout_add_local_once(Duration::from_secs(6), move || {
-            if toasts.get() == number {
-                revealer.set_reveal_child(false);
-                revealer.set_can_target(false);
-            }
-        });
-    }
-
-    /// Says something in passing that is about the program, whatever is open.
-    pub(super) fn notice(&self, text: &str) {
-        self.toast(text, None);
-        self.toast_stays.set(true);
-    }
-
-    /// Hides notices about documents that are no longer open.
-    pub(super) fn hide_notice(&self) {
-        if !self.toast_stays.get() {
-            self.toasts.set(self.toasts.get().wrapping_add(1));
-            object::<gtk::Label>(&self.builder, "toast_label").set_text("");
-            let revealer: gtk::Revealer = object(&self.builder, "toast");
-            revealer.set_reveal_child(false);
-            revealer.set_can_target(false);
-        }
-    }
-
-    /// Shows how far reading is; `None` = nothing is being read.
-    pub(super) fn loading(&self, state: Option<(&str, f64)>) {
-        object::<gtk::Box>(&self.builder, "loading").set_visible(state.is_some());
-        if let Some((text, part_done)) = state {
-            ui::set_label(&object(&self.builder, "loading_label"), text);
-            let bar: gtk::ProgressBar = object(&self.builder, "loading_bar");
-            if part_done > 0.0 { bar.set_fraction(part_done.min(1.0)) } else { bar.pulse() }
-        }
-    }
-
-    /// The button that stops reading.
-    pub(super) fn cancel_button(&self) -> gtk::Button {
-        object(&self.builder, "loading_cancel")
-    }
-
-    /// Marks the place where files can be dropped.
-    pub(super) fn drop_here(&self, shown: bool) {
-        object::<gtk::Label>(&self.builder, "drop_here").set_visible(shown);
+    /// The mark of the place where files can be dropped.
+    pub(super) fn drop_mark(&self) -> gtk::Label {
+        object(&self.builder, "drop_here")
     }
 
     /// Flies, or lands.
-    pub(super) fn toggle_flight(&self, window: &Rc<Window>) {
-        self.input.toggle_flight(window);
+    pub(super) fn toggle_flight(&self) {
+        self.input.toggle_flight(self.session());
     }
 
     /// Releases all keys of flight.
@@ -278,35 +237,102 @@ impl Viewport {
         self.input.release_flight_keys();
     }
 
-    /// Updates the hover text of a resting pointer after the scene changed under it.
-    pub(super) fn refresh_hover(&self, window: &Rc<Window>) {
-        input::refresh_hover(window);
-    }
-
     /// Takes a key in flight; whether it was one of flight's.
-    pub(super) fn flight_key(&self, window: &Rc<Window>, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
-        self.input.flight_key(window, letter, key, pressed)
+    pub(super) fn flight_key(&self, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
+        input::flight_key(self, letter, key, pressed)
     }
 
-    /// Flies on for `seconds`; whether a key is held.
-    pub(super) fn fly(&self, window: &Rc<Window>, seconds: f64) -> bool {
-        self.input.fly(window, seconds)
+    /// Draws what is stale and shows it.
+    fn paint(self: &Rc<Self>, snapshot: &gtk::Snapshot, width: f64, height: f64) {
+        let (screen, canvas) = (&self.screen, &self.canvas);
+        let scale = canvas.scale_factor();
+        let (pixel_width, pixel_height) = (width as i32 * scale, height as i32 * scale);
+        let was_fresh = screen.borrow().is_fresh(pixel_width, pixel_height);
+        if !was_fresh {
+            // Most frames were posed before they are painted: the panels show the moment too.
+            let pose_ms = self.session().read(|session| {
+                session.frame();
+                session.take_posing_ms()
+            });
+            let begun = Instant::now();
+            let mut screen = screen.borrow_mut();
+            let coarse = screen.full_ms > HEAVY_MS && self.input.is_dragging();
+            let drawn = self.session().read(|session| screen.draw(session, pixel_width, pixel_height, scale, coarse));
+            let total_ms = pose_ms + begun.elapsed().as_secs_f64() * 1e3;
+            if let Some(stats) = drawn {
+                if !coarse {
+                    screen.full_ms = total_ms;
+                }
+                drop(screen);
+                if coarse {
+                    draw_in_full_when_at_rest(Rc::downgrade(self));
+                }
+                // Labels must not change while the frame is being put together.
+                let weak = Rc::downgrade(self);
+                glib::idle_add_local_once(move || {
+                    if let Some(viewport) = weak.upgrade() {
+                        viewport.show_stats(pose_ms, total_ms, stats);
+                    }
+                });
+            }
+        }
+        let context = cairo_over(snapshot, width, height);
+        screen.borrow().show(&context, scale);
+        drop(context);
+        self.session().read(|session| {
+            if session.bone_names() {
+                bone_names::write_all(session, canvas, snapshot, width, height);
+            }
+            if !session.is_empty() {
+                let input = &self.input;
+                orientation_gizmo::draw(session, canvas, snapshot, height, input.pointer());
+                legend::draw(session, canvas, snapshot, width, height);
+                bounding_box_labels::draw(session, canvas, snapshot, width, height);
+                labels::draw(session, canvas, snapshot, width, height);
+                if session.display().light_marker {
+                    light_gizmo::draw(session, snapshot, width, height);
+                }
+                let colors = session.display().palette.axes;
+                session.with_gizmo(DVec2::new(width, height), |shown| tool_gizmo::draw(shown, colors, input.handle(), canvas, snapshot));
+                if self.shows_muscles() && session.tool() == Tool::Navigate {
+                    let size = DVec2::new(width, height);
+                    let ring = session.wrap_sphere_circle(size);
+                    attachment_overlay::draw(&session.attachment_handles(size), ring, input.dot(), canvas, snapshot, (width, height));
+                }
+            }
+        });
+    }
+
+    /// Frame times and counts.
+    fn show_stats(&self, pose_ms: f64, total_ms: f64, stats: Stats) {
+        self.handles.status.show_size(stats.triangles);
+        let label: gtk::Label = object(&self.builder, "times");
+        if label.is_visible() {
+            let rate = self.screen.borrow().rate();
+            label.set_text(&tr!(
+                "app-times",
+                rate = format::number(rate, 0),
+                total = format::number(total_ms, 1),
+                pose = format::number(pose_ms, 1),
+                vertex = format::number(stats.vertex_ms, 1),
+                raster = format::number(stats.raster_ms, 1),
+                resolve = format::number(stats.resolve_ms, 1)
+            ));
+        }
     }
 }
 
-/// Marks the picture that the keyboard has come to by itself.
-const REACHED: &str = "reached";
-
-/// Frames the picture while the keyboard is there, once it has come by Tab. A key such as Space alone is no reason to.
-fn frame_when_reached(canvas: &PaintWidget) {
-    let focus = gtk::EventControllerFocus::new();
-    let weak = canvas.downgrade();
-    focus.connect_enter(move |_| {
-        if let Some(canvas) = weak.upgrade() {
-            canvas.add_css_class(REACHED);
-        }
-    });
-    canvas.add_controller(focus);
+/// Whether something else may have come to lie under a resting pointer.
+fn moves_what_is_seen(changes: ChangeSet) -> bool {
+    changes.any(
+        ChangeSet::CAMERA
+            | ChangeSet::TIME
+            | ChangeSet::DOCUMENT
+            | ChangeSet::MODEL
+            | ChangeSet::JOINT_OVERRIDES
+            | ChangeSet::EDIT
+            | ChangeSet::DRIVE,
+    )
 }
 
 /// What drags and keys do at present.
@@ -331,93 +357,12 @@ fn hint(session: &Session) -> String {
     }
 }
 
-/// Draws what is stale and shows it.
-fn paint(window: &Rc<Window>, screen: &Rc<RefCell<FrameSurface>>, canvas: &PaintWidget, snapshot: &gtk::Snapshot, width: f64, height: f64) {
-    let scale = canvas.scale_factor();
-    let (pixel_width, pixel_height) = (width as i32 * scale, height as i32 * scale);
-    let was_fresh = screen.borrow().is_fresh(pixel_width, pixel_height);
-    if !was_fresh {
-        // Most frames were posed before they are painted: the panels show the moment too.
-        let pose_ms = window.read(|session| {
-            session.frame();
-            session.take_posing_ms()
-        });
-        let begun = Instant::now();
-        let mut screen = screen.borrow_mut();
-        let coarse = screen.full_ms > HEAVY_MS && window.viewport.input.is_dragging();
-        let drawn = window.read(|session| screen.draw(session, pixel_width, pixel_height, scale, coarse));
-        let total_ms = pose_ms + begun.elapsed().as_secs_f64() * 1e3;
-        if let Some(stats) = drawn {
-            if !coarse {
-                screen.full_ms = total_ms;
-            }
-            drop(screen);
-            if coarse {
-                draw_in_full_when_at_rest(&Rc::downgrade(window));
-            }
-            // Labels must not change while the frame is being put together.
-            let weak = Rc::downgrade(window);
-            glib::idle_add_local_once(move || {
-                if let Some(window) = weak.upgrade() {
-                    tell(&window, pose_ms, total_ms, stats);
-                }
-            });
-        }
-    }
-    let context = cairo_over(snapshot, width, height);
-    screen.borrow().show(&context, scale);
-    drop(context);
-    window.read(|session| {
-        if session.bone_names() {
-            bone_names::write_all(session, canvas, snapshot, width, height);
-        }
-        if !session.is_empty() {
-            let input = &window.viewport.input;
-            orientation_gizmo::draw(session, canvas, snapshot, height, input.pointer());
-            legend::draw(session, canvas, snapshot, width, height);
-            bounding_box_labels::draw(session, canvas, snapshot, width, height);
-            labels::draw(session, canvas, snapshot, width, height);
-            if session.display().light_marker {
-                light_gizmo::draw(session, snapshot, width, height);
-            }
-            let colors = session.display().palette.axes;
-            session.with_gizmo(DVec2::new(width, height), |shown| tool_gizmo::draw(shown, colors, input.handle(), canvas, snapshot));
-            if window.shows_muscles() && session.tool() == Tool::Navigate {
-                let size = DVec2::new(width, height);
-                let ring = session.wrap_sphere_circle(size);
-                attachment_overlay::draw(&session.attachment_handles(size), ring, input.dot(), canvas, snapshot, (width, height));
-            }
-        }
-    });
-}
-
-fn draw_in_full_when_at_rest(weak: &Weak<Window>) {
-    let weak = weak.clone();
+fn draw_in_full_when_at_rest(weak: Weak<Viewport>) {
     glib::timeout_add_local_once(REST, move || {
-        if let Some(window) = weak.upgrade()
-            && !window.viewport.input.is_dragging()
-        {
-            window.viewport.invalidate();
+        if let Some(viewport) = weak.upgrade().filter(|viewport| !viewport.input.is_dragging()) {
+            viewport.invalidate();
         }
     });
-}
-
-/// Frame times and counts.
-fn tell(window: &Rc<Window>, pose_ms: f64, total_ms: f64, stats: Stats) {
-    window.show_stats(stats.triangles);
-    let label: gtk::Label = object(&window.viewport.builder, "times");
-    if label.is_visible() {
-        let rate = window.viewport.screen.borrow().rate();
-        label.set_text(&tr!(
-            "app-times",
-            rate = format::number(rate, 0),
-            total = format::number(total_ms, 1),
-            pose = format::number(pose_ms, 1),
-            vertex = format::number(stats.vertex_ms, 1),
-            raster = format::number(stats.raster_ms, 1),
-            resolve = format::number(stats.resolve_ms, 1)
-        ));
-    }
 }
 
 /// Cairo's own words are of no use to a person; a picture that could not be shown is drawn again with the next change.

@@ -8,8 +8,8 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
+use crate::app::session_handle::SessionHandle;
 use crate::app::ui::{self, object};
-use crate::app::window::Window;
 use crate::message;
 use crate::session::{ModelTransform, Tool, UndoStep};
 use crate::tr;
@@ -46,15 +46,15 @@ impl TransformFields {
     }
 
     /// Lets the boxes change the model.
-    pub(super) fn connect(&self, window: &Rc<Window>) {
+    pub(super) fn connect(&self, session: &SessionHandle) {
         for (axis, number) in (0..).zip(&self.boxes) {
             let (boxes, tool) = (self.boxes.clone(), self.tool.clone());
             number.connect_value_changed(glib::clone!(
                 #[weak]
-                window,
+                session,
                 move |_| {
                     let [x, y, z] = boxes.each_ref().map(gtk::SpinButton::value);
-                    window.update(|session| {
+                    session.update(|session| {
                         let change = |model: &mut ModelTransform| match tool.get() {
                             Tool::Navigate => {}
                             Tool::Move => model.translation = DVec3::new(x, y, z),

@@ -7,8 +7,8 @@ use gtk::prelude::*;
 use gtk::{gdk, glib};
 use gtk4 as gtk;
 
+use super::Viewport;
 use crate::app::drawing_area::PaintWidget;
-use crate::app::window::Window;
 use crate::scene::OrbitCamera;
 use crate::session::CameraController;
 
@@ -47,18 +47,18 @@ impl PinchState {
 }
 
 /// Lets wheel and fingers zoom.
-pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
+pub(super) fn connect(viewport: &Rc<Viewport>, canvas: &PaintWidget) {
     let wheel = gtk::EventControllerScroll::new(gtk::EventControllerScrollFlags::VERTICAL);
     wheel.connect_scroll(glib::clone!(
         #[weak]
-        window,
+        viewport,
         #[upgrade_or]
         glib::Propagation::Proceed,
         move |controller, _, dy| {
             let to_pointer = controller.current_event_state().contains(gdk::ModifierType::CONTROL_MASK);
-            let point = if to_pointer { window.viewport.input.pointer() } else { None };
-            let size = size(&window);
-            window.update(|session| session.change_camera(|camera| zoom(camera, NOTCH.powf(-dy) as f32, point, size)));
+            let point = if to_pointer { viewport.input.pointer() } else { None };
+            let size = size(&viewport);
+            viewport.session().update(|session| session.change_camera(|camera| zoom(camera, NOTCH.powf(-dy) as f32, point, size)));
             glib::Propagation::Stop
         }
     ));
@@ -67,21 +67,21 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
     let fingers = Rc::new(PinchState::default());
     pinch.connect_begin(glib::clone!(
         #[weak]
-        window,
+        viewport,
         #[strong]
         fingers,
         move |_, _| {
-            window.viewport.input.drop_drag();
+            viewport.input.drop_drag();
             fingers.begin();
         }
     ));
     pinch.connect_scale_changed(glib::clone!(
         #[weak]
-        window,
+        viewport,
         move |gesture, scale| {
-            let (middle, size) = (gesture.bounding_box_center(), size(&window));
+            let (middle, size) = (gesture.bounding_box_center(), size(&viewport));
             let (delta, factor) = (fingers.shift(middle), fingers.factor(scale));
-            window.update(|session| {
+            viewport.session().update(|session| {
                 session.change_camera(|camera| {
                     if camera.flying().is_none() {
                         camera.change(|orbit| pan(orbit, delta, size.1));
@@ -94,8 +94,8 @@ pub(super) fn connect(window: &Rc<Window>, canvas: &PaintWidget) {
     canvas.add_controller(pinch);
 }
 
-fn size(window: &Rc<Window>) -> (f64, f64) {
-    let (width, height) = window.viewport.size();
+fn size(viewport: &Rc<Viewport>) -> (f64, f64) {
+    let (width, height) = viewport.size();
     (f64::from(width), f64::from(height.max(1)))
 }
 

@@ -1,0 +1,106 @@
+//! Notices over the picture that go away by themselves.
+
+use std::cell::{Cell, RefCell};
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::time::Duration;
+
+use gtk::prelude::*;
+use gtk::{gio, glib};
+use gtk4 as gtk;
+
+use super::ui::{self, object};
+use crate::tr;
+
+/// How long a notice stays.
+const SHOWN: Duration = Duration::from_secs(6);
+
+/// The notices of a window.
+#[derive(Clone)]
+pub(super) struct Toasts(Rc<Notice>);
+
+/// The widgets of the notice, and what it is about.
+struct Notice {
+    revealer: gtk::Revealer,
+    label: gtk::Label,
+    folder: gtk::Button,
+    /// Counts the notices, so that only the last one's time ends it.
+    number: Rc<Cell<u32>>,
+    /// The file that was written.
+    file: RefCell<Option<PathBuf>>,
+    /// Whether the notice is about the program, not about what is open.
+    stays: Cell<bool>,
+}
+
+impl Toasts {
+    /// Those of the viewport's `.ui` file.
+    pub(super) fn new(builder: &gtk::Builder) -> Self {
+        let notice = Rc::new(Notice {
+            revealer: object(builder, "toast"),
+            label: object(builder, "toast_label"),
+            folder: object(builder, "toast_folder"),
+            number: Rc::default(),
+            file: RefCell::default(),
+            stays: Cell::default(),
+        });
+        let weak = Rc::downgrade(&notice);
+        notice.folder.connect_clicked(move |button| {
+            if let Some(notice) = weak.upgrade() {
+                Self(notice).open_folder(button);
+            }
+        });
+        Self(notice)
+    }
+
+    /// Says something in passing; with the file that was written, offers its folder.
+    pub(super) fn toast(&self, text: &str, file: Option<PathBuf>) {
+        let notice = &self.0;
+        ui::set_label(&notice.label, text);
+        notice.folder.set_visible(file.is_some());
+        notice.file.replace(file);
+        notice.stays.set(false);
+        notice.revealer.set_can_target(true);
+        notice.revealer.set_reveal_child(true);
+        let (number, numbers, revealer) = (notice.number.get().wrapping_add(1), notice.number.clone(), notice.revealer.clone());
+        numbers.set(number);
+        glib::timeout_add_local_once(SHOWN, move || {
+            if numbers.get() == number {
+                fold(&revealer);
+            }
+        });
+    }
+
+    /// Says something in passing that is about the program, whatever is open.
+    pub(super) fn notice(&self, text: &str) {
+        self.toast(text, None);
+        self.0.stays.set(true);
+    }
+
+    /// Hides notices about documents that are no longer open.
+    pub(super) fn hide_notice(&self) {
+        if !self.0.stays.get() {
+            self.0.number.set(self.0.number.get().wrapping_add(1));
+            self.0.label.set_text("");
+            fold(&self.0.revealer);
+        }
+    }
+
+    /// Shows the folder of the file that was written.
+    fn open_folder(self, button: &gtk::Button) {
+        let file = self.0.file.borrow().as_deref().and_then(|file| std::path::absolute(file).ok());
+        let Some(folder) = file.as_deref().and_then(Path::parent) else { return };
+        let (uri, weak) = (gio::File::for_path(folder).uri(), Rc::downgrade(&self.0));
+        let context = button.display().app_launch_context();
+        gio::AppInfo::launch_default_for_uri_async(&uri, Some(&context), gio::Cancellable::NONE, move |shown| {
+            if let (Err(error), Some(notice)) = (shown, weak.upgrade()) {
+                Self(notice).toast(&tr!("app-folder-failed", reason = error.message().to_owned()), None);
+            }
+        });
+    }
+}
+
+/// Folds a notice away; what lies under it takes clicks again.
+fn fold(revealer: &gtk::Revealer) {
+    revealer.set_reveal_child(false);
+    revealer.set_can_target(false);
+}
