@@ -2,12 +2,12 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`commands`] | the one table of commands and their keys |
+//! | [`commands`], `command_action`, `command_conditions`, `session_commands` | the one table of commands: keys, what each does, when it is possible |
 //! | `session_handle`, `settings_handle`, `toasts`, `error_bar`, … | small handles that widgets are given; `app_context` holds those of a window |
 //! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
 //! | `panel`, `pages` | what a page of the right-hand panel is, and the list of them |
 //! | `document_loader`, `background_reader`, `file_watcher`, `file_chooser`, `drop_target` | opening off the interface thread, watching, choosing, drops |
-//! | `command_dispatch`, `key_controller`, `shortcuts` | what commands do, by actions and keys |
+//! | `command_dispatch`, `key_controller`, `shortcuts` | performs commands, by actions and keys |
 //! | `window` | assembles the panels and lets them hear of changes; nothing imports it but this module |
 //!
 //! Changes flow in one direction: a widget calls `SessionHandle::update` with a change of the session; the session records what changed; the
@@ -22,6 +22,8 @@ mod attachments_editor;
 mod autosave;
 mod background_reader;
 mod bone_names;
+mod command_action;
+mod command_conditions;
 mod command_context;
 mod command_dispatch;
 pub mod commands;
@@ -75,6 +77,7 @@ mod save_session;
 mod saving;
 mod scene_tree;
 mod screenshot;
+mod session_commands;
 mod session_handle;
 pub mod settings;
 mod settings_handle;
