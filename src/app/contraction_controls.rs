@@ -10,7 +10,7 @@ use gtk4 as gtk;
 use super::commands::Command;
 use super::format;
 use super::session_handle::SessionHandle;
-use super::ui::{self, object};
+use super::ui;
 use crate::i18n;
 use crate::message;
 use crate::scene::NodeId;
@@ -20,14 +20,29 @@ use crate::tr;
 /// The axes, in the order of their list.
 const AXES: [JointAxis; 4] = [JointAxis::Hinge, JointAxis::Own(0), JointAxis::Own(1), JointAxis::Own(2)];
 
+ui::widgets! {
+    /// The widgets of the muscle panel for contraction and joint.
+    struct ContractionWidgets from MUSCLE_PANEL {
+        sliders: gtk::Grid,
+        contraction_label: gtk::Label,
+        contraction: gtk::Scale,
+        contraction_value: gtk::Label,
+        flexion_label: gtk::Label,
+        flexion: gtk::Scale,
+        flexion_value: gtk::Label,
+        joint_label: gtk::Label,
+        joint_box: gtk::Box,
+        joint: gtk::DropDown,
+        joint_axis: gtk::DropDown,
+        joint_more: gtk::Box,
+        on_top: gtk::CheckButton,
+        joint_release: gtk::Button,
+    }
+}
+
 /// Sliders and joint.
 pub(super) struct ContractionControls {
-    builder: gtk::Builder,
-    contraction: gtk::Scale,
-    flexion: gtk::Scale,
-    joint: gtk::DropDown,
-    axis: gtk::DropDown,
-    on_top: gtk::CheckButton,
+    widgets: ContractionWidgets,
     /// The bones behind the list's rows, the first row left out.
     bones: Rc<RefCell<Vec<NodeId>>>,
 }
@@ -35,37 +50,29 @@ pub(super) struct ContractionControls {
 impl ContractionControls {
     /// Those of a panel.
     pub(super) fn new(builder: &gtk::Builder, session: &SessionHandle) -> Self {
-        let (joint, axis): (gtk::DropDown, gtk::DropDown) = (object(builder, "joint"), object(builder, "joint_axis"));
-        ui::narrow(&joint, 14);
+        let widgets = ContractionWidgets::of(builder);
+        ui::narrow(&widgets.joint, 14);
         let names = [tr!("app-joint-axis-hinge"), "X".to_owned(), "Y".to_owned(), "Z".to_owned()];
-        axis.set_model(Some(&ui::words(&names)));
-        let controls = Self {
-            contraction: object(builder, "contraction"),
-            flexion: object(builder, "flexion"),
-            joint,
-            axis,
-            on_top: object(builder, "on_top"),
-            bones: Rc::default(),
-            builder: builder.clone(),
-        };
+        widgets.joint_axis.set_model(Some(&ui::words(&names)));
+        let controls = Self { widgets, bones: Rc::default() };
         controls.connect(session);
         controls
     }
 
     /// Lets the sliders drive.
     fn connect(&self, session: &SessionHandle) {
-        self.contraction.connect_value_changed(glib::clone!(
+        self.widgets.contraction.connect_value_changed(glib::clone!(
             #[weak]
             session,
             move |slider| session.update(|session| session.set_contraction_undoable(slider.value()))
         ));
-        self.flexion.connect_value_changed(glib::clone!(
+        self.widgets.flexion.connect_value_changed(glib::clone!(
             #[weak]
             session,
             move |slider| session.update(|session| session.set_angle_undoable(slider.value()))
         ));
-        for list in [&self.joint, &self.axis] {
-            let (joint, axis, bones) = (self.joint.downgrade(), self.axis.downgrade(), self.bones.clone());
+        for list in [&self.widgets.joint, &self.widgets.joint_axis] {
+            let (joint, axis, bones) = (self.widgets.joint.downgrade(), self.widgets.joint_axis.downgrade(), self.bones.clone());
             list.connect_selected_notify(glib::clone!(
                 #[weak]
                 session,
@@ -82,14 +89,14 @@ impl ContractionControls {
                 }
             ));
         }
-        self.on_top.connect_toggled(glib::clone!(
+        self.widgets.on_top.connect_toggled(glib::clone!(
             #[weak]
             session,
             move |on_top| session.update(|session| {
                 session.undoable(message!("app-edit-on-top"), UndoStep::New, |session| session.set_on_top(on_top.is_active()));
             })
         ));
-        object::<gtk::Button>(&self.builder, "joint_release").connect_clicked(glib::clone!(
+        self.widgets.joint_release.connect_clicked(glib::clone!(
             #[weak]
             session,
             move |_| session.update(Session::release_undoable)
@@ -102,41 +109,42 @@ impl ContractionControls {
             self.list_joints(session);
         }
         let (there, bend, contraction) = (session.document().muscle_count() > 0, session.angle_slider(), session.contraction());
-        let (text, show) = (
-            |id: &str, value: String| object::<gtk::Label>(&self.builder, id).set_text(&value),
-            |id: &str, shown: bool| object::<gtk::Widget>(&self.builder, id).set_visible(shown),
-        );
-        show("sliders", there || bend.is_some());
-        for id in ["contraction_label", "contraction", "contraction_value"] {
-            show(id, there);
-        }
-        self.contraction.set_sensitive(contraction.is_some());
-        ui::show_value(&self.contraction.adjustment(), contraction.unwrap_or(0.0));
-        text("contraction_value", contraction.map_or_else(|| "–".into(), |value| format::with_unit(value, 1, "%")));
+        let widgets = &self.widgets;
+        widgets.sliders.set_visible(there || bend.is_some());
+        widgets.contraction_label.set_visible(there);
+        widgets.contraction.set_visible(there);
+        widgets.contraction_value.set_visible(there);
+        self.widgets.contraction.set_sensitive(contraction.is_some());
+        ui::show_value(&self.widgets.contraction.adjustment(), contraction.unwrap_or(0.0));
+        widgets.contraction_value.set_text(&contraction.map_or_else(|| "–".into(), |value| format::with_unit(value, 1, "%")));
         let of_clip = !session.bends_arm() && session.joint().is_some();
-        for id in ["joint_label", "joint_box", "joint_more"] {
-            show(id, of_clip);
-        }
-        self.flexion.set_sensitive(bend.is_some());
-        let Some(bend) = bend else { return text("flexion_value", "–".into()) };
+        widgets.joint_label.set_visible(of_clip);
+        widgets.joint_box.set_visible(of_clip);
+        widgets.joint_more.set_visible(of_clip);
+        self.widgets.flexion.set_sensitive(bend.is_some());
+        let Some(bend) = bend else { return widgets.flexion_value.set_text("–") };
         let (low, high) = bend.range.into_inner();
         // A clip can bend a joint farther than the slider's hand.
-        self.flexion.set_range(low.min(bend.value), high.max(bend.value).max(low + 1e-9));
-        ui::show_value(&self.flexion.adjustment(), bend.value);
+        self.widgets.flexion.set_range(low.min(bend.value), high.max(bend.value).max(low + 1e-9));
+        ui::show_value(&self.widgets.flexion.adjustment(), bend.value);
         let sign = if of_clip && session.is_on_top() && bend.value > 0.0 { "+" } else { "" };
-        text("flexion_value", format!("{sign}{}°", format::number(bend.value, 1)));
+        widgets.flexion_value.set_text(&format!("{sign}{}°", format::number(bend.value, 1)));
         if of_clip {
-            self.on_top.set_active(session.is_on_top());
-            self.on_top.set_visible(!session.document().clips.is_empty());
-            object::<gtk::Button>(&self.builder, "joint_release").set_sensitive(bend.is_manual);
+            self.widgets.on_top.set_active(session.is_on_top());
+            self.widgets.on_top.set_visible(!session.document().clips.is_empty());
+            self.widgets.joint_release.set_sensitive(bend.is_manual);
             let row = |node: NodeId| self.bones.borrow().iter().position(|bone| *bone == node).map_or(0, |row| row as u32 + 1);
             let (bone, axis) = session.chosen_joint().map_or((0, JointAxis::Hinge), |(node, axis)| (row(node), axis));
-            self.joint.set_selected(bone);
-            self.axis.set_selected(AXES.iter().position(|own| *own == axis).unwrap_or(0) as u32);
+            self.widgets.joint.set_selected(bone);
+            self.widgets.joint_axis.set_selected(AXES.iter().position(|own| *own == axis).unwrap_or(0) as u32);
         }
         let tip = if of_clip { tr!("app-elbow-clip-tip") } else { tr!("app-elbow-tip") };
-        self.flexion.set_tooltip_text(Some(&Command::with_keys(&tip, &[Command::ElbowMore, Command::ElbowLess])));
-        text("flexion_label", if of_clip && session.chosen_joint().is_some() { tr!("app-joint-angle") } else { tr!("app-elbow") });
+        self.widgets.flexion.set_tooltip_text(Some(&Command::with_keys(&tip, &[Command::ElbowMore, Command::ElbowLess])));
+        widgets.flexion_label.set_text(&if of_clip && session.chosen_joint().is_some() {
+            tr!("app-joint-angle")
+        } else {
+            tr!("app-elbow")
+        });
     }
 
     fn list_joints(&self, session: &Session) {
@@ -145,6 +153,6 @@ impl ContractionControls {
         let bones = if found.is_some() { session.turnable() } else { Vec::new() };
         let names = found.into_iter().chain(bones.iter().map(|bone| i18n::label(graph.label(*bone)).into_owned())).collect::<Vec<_>>();
         self.bones.replace(bones);
-        self.joint.set_model(Some(&ui::words(&names)));
+        self.widgets.joint.set_model(Some(&ui::words(&names)));
     }
 }

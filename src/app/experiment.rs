@@ -12,7 +12,7 @@ use super::app_context::AppContext;
 use super::error_bar::ErrorMessage;
 use super::format;
 use super::muscle_panel::Unit;
-use super::ui::{self, object};
+use super::ui;
 use crate::i18n::{self, Sentence};
 use crate::input;
 use crate::limits;
@@ -25,9 +25,29 @@ use crate::tr;
 /// Millilitres of a cubic metre.
 const MILLILITRES: f64 = 1e6;
 
+ui::widgets! {
+    /// The widgets of the window.
+    struct ExperimentWidgets from EXPERIMENT {
+        root: gtk::Window,
+        title: gtk::Label,
+        open: gtk::Button,
+        fit: gtk::Button,
+        poses: gtk::Button,
+        trouble: gtk::Label,
+        tables: gtk::Box,
+        radii_title: gtk::Label,
+        radii: gtk::Grid,
+        growth_title: gtk::Label,
+        growth: gtk::Grid,
+        why: gtk::Label,
+        rms_title: gtk::Label,
+        rms: gtk::Grid,
+    }
+}
+
 /// The window, and what it shows.
 struct Experiment {
-    builder: gtk::Builder,
+    widgets: ExperimentWidgets,
     muscle: MuscleId,
     /// What was measured, and where that stands.
     data: RefCell<(Table, String)>,
@@ -38,8 +58,8 @@ pub(super) fn show(app: &Rc<AppContext>, muscle: MuscleId) {
     // The table that comes with the program is parsed by a test.
     let Ok(table) = Table::parse(literature_data::MEASURED_RADII) else { return };
     let data = RefCell::new((table, "biceps-radii.csv".to_owned()));
-    let experiment = Rc::new(Experiment { builder: ui::builder(ui::EXPERIMENT), muscle, data });
-    let root = experiment.root();
+    let experiment = Rc::new(Experiment { widgets: ExperimentWidgets::of(&ui::builder(ui::EXPERIMENT)), muscle, data });
+    let root = experiment.root().clone();
     root.set_transient_for(Some(&app.widget));
     experiment.connect(app);
     experiment.refresh(app);
@@ -47,13 +67,13 @@ pub(super) fn show(app: &Rc<AppContext>, muscle: MuscleId) {
 }
 
 impl Experiment {
-    fn root(&self) -> gtk::Window {
-        object(&self.builder, "root")
+    fn root(&self) -> &gtk::Window {
+        &self.widgets.root
     }
 
     fn connect(self: &Rc<Self>, app: &Rc<AppContext>) {
-        for (id, model) in [("fit", Model::Growth), ("poses", Model::Poses)] {
-            object::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
+        for (button, model) in [(&self.widgets.fit, Model::Growth), (&self.widgets.poses, Model::Poses)] {
+            button.connect_clicked(glib::clone!(
                 #[strong(rename_to = experiment)]
                 self,
                 #[weak]
@@ -69,7 +89,7 @@ impl Experiment {
                 }
             ));
         }
-        object::<gtk::Button>(&self.builder, "open").connect_clicked(glib::clone!(
+        self.widgets.open.connect_clicked(glib::clone!(
             #[strong(rename_to = experiment)]
             self,
             #[weak]
@@ -104,7 +124,7 @@ impl Experiment {
     fn choose(self: &Rc<Self>, app: &Rc<AppContext>) {
         let dialog = gtk::FileChooserNative::new(
             Some(&tr!("app-validation-choose")),
-            Some(&self.root()),
+            Some(self.root()),
             gtk::FileChooserAction::Open,
             Some(&tr!("app-open")),
             Some(&tr!("app-cancel")),
@@ -140,10 +160,9 @@ impl Experiment {
 
     /// Says why there are no tables.
     fn say(&self, why: &str) {
-        let label = object::<gtk::Label>(&self.builder, "trouble");
-        ui::set_label(&label, why);
-        label.set_visible(!why.is_empty());
-        object::<gtk::Box>(&self.builder, "tables").set_visible(why.is_empty());
+        ui::set_label(&self.widgets.trouble, why);
+        self.widgets.trouble.set_visible(!why.is_empty());
+        self.widgets.tables.set_visible(why.is_empty());
     }
 
     fn refresh(&self, app: &Rc<AppContext>) {
@@ -156,7 +175,7 @@ impl Experiment {
             Some((i18n::label(rig.label(index)).into_owned(), Unit::of_rig(document, rig), found))
         });
         let Some((muscle, unit, found)) = told else { return self.root().close() };
-        object::<gtk::Label>(&self.builder, "title").set_text(&tr!("app-validation-title", muscle = muscle, file = name.as_str()));
+        self.widgets.title.set_text(&tr!("app-validation-title", muscle = muscle, file = name.as_str()));
         match found {
             Ok((comparison, fits)) => {
                 self.say("");
@@ -168,13 +187,13 @@ impl Experiment {
 
     fn show_tables(&self, found: &Comparison, fits: &Fits, unit: &Unit) {
         let length = unit.length.as_str();
-        object::<gtk::Label>(&self.builder, "radii_title").set_text(&tr!("app-validation-radii", unit = length));
-        fill(&object(&self.builder, "radii"), &radii(found, unit));
+        self.widgets.radii_title.set_text(&tr!("app-validation-radii", unit = length));
+        fill(&self.widgets.radii, &radii(found, unit));
         let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
         let (from, to) = (format::number(from, 0), format::number(to, 0));
         let title = tr!("cli-compare-growth", from = from.clone(), to = to.clone(), unit = length);
-        object::<gtk::Label>(&self.builder, "growth_title").set_text(&title);
-        fill(&object(&self.builder, "growth"), &growth(found));
+        self.widgets.growth_title.set_text(&title);
+        fill(&self.widgets.growth, &growth(found));
         let mut why = Vec::new();
         if found.growth_ratio.is_finite() {
             why.push(tr!("cli-compare-ratio", from = from, to = to, ratio = format::number(found.growth_ratio, 1)));
@@ -184,10 +203,10 @@ impl Experiment {
         if least > 0.0 && most > least * 1.01 {
             why.push(tr!("cli-compare-explained", spread = format::number((most / least - 1.0) * 100.0, 0)));
         }
-        object::<gtk::Label>(&self.builder, "why").set_text(&why.join("\n"));
-        object::<gtk::Label>(&self.builder, "rms_title").set_text(&tr!("cli-rms-title", unit = length));
+        self.widgets.why.set_text(&why.join("\n"));
+        self.widgets.rms_title.set_text(&tr!("cli-rms-title", unit = length));
         let rows = [("cli-rms-own", fits.own), ("cli-rms-fitted", fits.fitted), ("cli-rms-poses", fits.poses)];
-        fill(&object(&self.builder, "rms"), &rows.map(|(key, rms)| vec![tr!(key), format::number(rms, 2)]));
+        fill(&self.widgets.rms, &rows.map(|(key, rms)| vec![tr!(key), format::number(rms, 2)]));
     }
 }
 

@@ -12,7 +12,7 @@ use gtk4 as gtk;
 
 use super::app_context::AppContext;
 use super::export_job::{ExportJob, ExportKind, ExportOptions, MotionSource};
-use super::ui::{self, object};
+use super::ui;
 use super::viewport::Viewport;
 use super::{format, save_as};
 use crate::export::{ExportError, gltf, video};
@@ -23,9 +23,40 @@ use crate::tr;
 /// How often the bar moves.
 const PULSE: Duration = Duration::from_millis(80);
 
+ui::widgets! {
+    /// The widgets of the dialog.
+    struct ExportWidgets from EXPORT {
+        root: gtk::Window,
+        choices: gtk::Grid,
+        kind: gtk::DropDown,
+        size_label: gtk::Label,
+        size_box: gtk::Box,
+        width: gtk::SpinButton,
+        height: gtk::SpinButton,
+        course_label: gtk::Label,
+        course: gtk::DropDown,
+        sweep_label: gtk::Label,
+        sweep_box: gtk::Box,
+        from: gtk::SpinButton,
+        to: gtk::SpinButton,
+        duration_label: gtk::Label,
+        duration: gtk::SpinButton,
+        fps_label: gtk::Label,
+        fps: gtk::SpinButton,
+        helps: gtk::CheckButton,
+        transparent: gtk::CheckButton,
+        summary: gtk::Label,
+        losses_box: gtk::ScrolledWindow,
+        losses: gtk::Label,
+        bar: gtk::ProgressBar,
+        cancel: gtk::Button,
+        export: gtk::Button,
+    }
+}
+
 /// The dialog while it is open.
 struct Dialog {
-    builder: gtk::Builder,
+    widgets: ExportWidgets,
     app: Rc<AppContext>,
     viewport: Rc<Viewport>,
     work: RefCell<Option<Arc<Progress>>>,
@@ -39,9 +70,8 @@ struct Dialog {
 
 /// Opens the dialog.
 pub(super) fn show(app: &Rc<AppContext>, viewport: &Rc<Viewport>) {
-    let builder = ui::builder(ui::EXPORT);
     let dialog = Rc::new(Dialog {
-        builder,
+        widgets: ExportWidgets::of(&ui::builder(ui::EXPORT)),
         app: app.clone(),
         viewport: viewport.clone(),
         work: RefCell::new(None),
@@ -49,18 +79,14 @@ pub(super) fn show(app: &Rc<AppContext>, viewport: &Rc<Viewport>) {
         looking: Cell::new(false),
         no_ffmpeg: Cell::new(false),
     });
-    let root = dialog.object::<gtk::Window>("root");
+    let root = &dialog.widgets.root;
     root.set_transient_for(Some(&app.widget));
-    let list = |id: &str, labels: Vec<String>| {
-        let labels: Vec<&str> = labels.iter().map(String::as_str).collect();
-        dialog.object::<gtk::DropDown>(id).set_model(Some(&ui::words(&labels)));
-    };
-    list("kind", ExportKind::ALL.iter().map(|kind| kind.label()).collect());
-    list("course", MotionSource::ALL.iter().map(|motion| motion.label()).collect());
+    dialog.widgets.kind.set_model(Some(&ui::words(&ExportKind::ALL.map(ExportKind::label))));
+    dialog.widgets.course.set_model(Some(&ui::words(&MotionSource::ALL.map(MotionSource::label))));
     let scale = viewport.scale().max(1);
     let (width, height) = viewport.size();
-    dialog.spin("width").set_value(f64::from((width * scale).max(16)));
-    dialog.spin("height").set_value(f64::from((height * scale).max(16)));
+    dialog.widgets.width.set_value(f64::from((width * scale).max(16)));
+    dialog.widgets.height.set_value(f64::from((height * scale).max(16)));
     dialog.connect();
     dialog.show_choice();
     let asking = dialog.clone();
@@ -74,33 +100,26 @@ pub(super) fn show(app: &Rc<AppContext>, viewport: &Rc<Viewport>) {
 }
 
 impl Dialog {
-    fn object<T: IsA<glib::Object>>(&self, id: &str) -> T {
-        object(&self.builder, id)
-    }
-
-    fn spin(&self, id: &str) -> gtk::SpinButton {
-        self.object(id)
-    }
-
     fn connect(self: &Rc<Self>) {
-        let root = self.object::<gtk::Window>("root");
-        for id in ["kind", "course"] {
+        let root = &self.widgets.root;
+        for list in [&self.widgets.kind, &self.widgets.course] {
             let dialog = self.clone();
-            self.object::<gtk::DropDown>(id).connect_selected_notify(move |list| {
+            list.connect_selected_notify(move |list| {
                 if list.widget_name() == "course" {
                     dialog.usual_sweep();
                 }
                 dialog.show_choice();
             });
         }
-        for id in ["width", "height", "from", "to", "fps", "duration"] {
+        let widgets = &self.widgets;
+        for number in [&widgets.width, &widgets.height, &widgets.from, &widgets.to, &widgets.fps, &widgets.duration] {
             let dialog = self.clone();
-            self.spin(id).connect_value_changed(move |_| dialog.show_choice());
+            number.connect_value_changed(move |_| dialog.show_choice());
         }
         let dialog = self.clone();
-        self.object::<gtk::Button>("cancel").connect_clicked(move |_| dialog.object::<gtk::Window>("root").close());
+        self.widgets.cancel.connect_clicked(move |_| dialog.widgets.root.close());
         let dialog = self.clone();
-        self.object::<gtk::Button>("export").connect_clicked(move |_| dialog.ask_where());
+        self.widgets.export.connect_clicked(move |_| dialog.ask_where());
         // A running export is stopped first; the dialog stays to say so.
         let dialog = self.clone();
         root.connect_close_request(move |_| {
@@ -123,26 +142,26 @@ impl Dialog {
     }
 
     fn options(&self) -> ExportOptions {
-        let chosen = |id: &str| self.object::<gtk::DropDown>(id).selected() as usize;
-        let (width, height) = (self.spin("width").value().max(1.0), self.spin("height").value().max(1.0));
+        let chosen = |list: &gtk::DropDown| list.selected() as usize;
+        let (width, height) = (self.widgets.width.value().max(1.0), self.widgets.height.value().max(1.0));
         let on_screen = f64::from(self.viewport.size().0.max(1));
         ExportOptions {
-            kind: ExportKind::ALL.get(chosen("kind")).copied().unwrap_or(ExportKind::Picture),
-            motion: MotionSource::ALL.get(chosen("course")).copied().unwrap_or(MotionSource::Whole),
-            sweep: (self.spin("from").value(), self.spin("to").value()),
+            kind: ExportKind::ALL.get(chosen(&self.widgets.kind)).copied().unwrap_or(ExportKind::Picture),
+            motion: MotionSource::ALL.get(chosen(&self.widgets.course)).copied().unwrap_or(MotionSource::Whole),
+            sweep: (self.widgets.from.value(), self.widgets.to.value()),
             size: (width as u32, height as u32),
             scale: (width / on_screen).clamp(0.25, 16.0) as f32,
-            fps: self.spin("fps").value(),
-            duration: self.spin("duration").value(),
-            transparent: self.object::<gtk::CheckButton>("transparent").is_active(),
-            helps: self.object::<gtk::CheckButton>("helps").is_active(),
+            fps: self.widgets.fps.value(),
+            duration: self.widgets.duration.value(),
+            transparent: self.widgets.transparent.is_active(),
+            helps: self.widgets.helps.is_active(),
         }
     }
 
     fn usual_sweep(&self) {
         let end = if self.options().motion == MotionSource::Contraction { 100.0 } else { 130.0 };
-        self.spin("from").set_value(0.0);
-        self.spin("to").set_value(end);
+        self.widgets.from.set_value(0.0);
+        self.widgets.to.set_value(end);
     }
 
     /// Shows the rows that the choice needs, and what will come of it.
@@ -150,15 +169,14 @@ impl Dialog {
         let options = self.options();
         let (drawn, film) = (options.kind.is_drawn(), options.kind.is_film());
         let over_time = options.kind.table().is_some() && self.app.session.read(|session| session.state().clip.is_some());
-        for (ids, shown) in [
-            (&["size_label", "size_box", "transparent", "helps"][..], drawn),
-            (&["course_label", "course"], film),
-            (&["fps_label", "fps"], film || over_time),
-            (&["sweep_label", "sweep_box"], film && options.motion.is_sweep()),
-            (&["duration_label", "duration"], film && options.motion.has_duration()),
-        ] {
-            ids.iter().for_each(|id| self.object::<gtk::Widget>(id).set_visible(shown));
-        }
+        let widgets = &self.widgets;
+        let show = |parts: &[&gtk::Widget], shown: bool| parts.iter().for_each(|part| part.set_visible(shown));
+        show(&[widgets.size_label.upcast_ref(), widgets.size_box.upcast_ref()], drawn);
+        show(&[widgets.transparent.upcast_ref(), widgets.helps.upcast_ref()], drawn);
+        show(&[widgets.course_label.upcast_ref(), widgets.course.upcast_ref()], film);
+        show(&[widgets.fps_label.upcast_ref(), widgets.fps.upcast_ref()], film || over_time);
+        show(&[widgets.sweep_label.upcast_ref(), widgets.sweep_box.upcast_ref()], film && options.motion.is_sweep());
+        show(&[widgets.duration_label.upcast_ref(), widgets.duration.upcast_ref()], film && options.motion.has_duration());
         let summary = self.app.session.read(|session| options.check(session)).map(|sequence| match options.kind {
             _ if film => tr!(
                 "app-export-frames",
@@ -184,14 +202,14 @@ impl Dialog {
             Ok(summary) => Ok(summary),
             Err(cannot) => Err(cannot.to_string()),
         };
-        self.object::<gtk::Button>("export").set_sensitive(summary.is_ok());
+        self.widgets.export.set_sensitive(summary.is_ok());
         self.say(&summary.unwrap_or_else(|trouble| trouble));
         self.show_losses(options.kind);
     }
 
     /// Lists what glTF cannot express of the document. Computed off the interface thread, when it is first requested.
     fn show_losses(self: &Rc<Self>, kind: ExportKind) {
-        let scroller = self.object::<gtk::Widget>("losses_box");
+        let scroller = &self.widgets.losses_box;
         scroller.set_visible(false);
         if !kind.is_scene() {
             return;
@@ -199,7 +217,7 @@ impl Dialog {
         if let Some(losses) = &*self.losses.borrow() {
             scroller.set_visible(!losses.is_empty());
             let lines: Vec<&str> = losses.iter().map(String::as_str).collect();
-            ui::set_label(&self.object("losses"), &format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
+            ui::set_label(&self.widgets.losses, &format!("{}\n{}", tr!("app-export-losses"), lines.join("\n")));
             return;
         }
         if self.looking.replace(true) {
@@ -220,7 +238,7 @@ impl Dialog {
     }
 
     fn say(&self, text: &str) {
-        ui::set_label(&self.object("summary"), text);
+        ui::set_label(&self.widgets.summary, text);
     }
 
     fn ask_where(self: &Rc<Self>) {
@@ -232,7 +250,7 @@ impl Dialog {
         let name = app.open_files.guard(&app.session).free_name(&there, &name, |file| kind.first_files(&kind.completed(file)));
         let name = save_as::name_of(&kind.completed(Path::new(&name)));
         let (asked, dialog) = (save_as::FileDialogOptions { title: tr!("app-export-title"), name, folder }, self.clone());
-        save_as::choose(&self.object("root"), asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
+        save_as::choose(&self.widgets.root, asked, move |file| kind.completed(file), move |path| dialog.prepare(options, path));
     }
 
     /// Completes the name, refuses files that are open, and asks about those that are there and that the chooser did not ask about.
@@ -249,7 +267,7 @@ impl Dialog {
         }
         let unasked = written.into_iter().filter(|file| *file != chosen).collect();
         let dialog = self.clone();
-        save_as::ask_to_replace(&self.object("root"), unasked, move || dialog.start(job, options.kind, file));
+        save_as::ask_to_replace(&self.widgets.root, unasked, move || dialog.start(job, options.kind, file));
     }
 
     /// Runs the export beside the interface.
@@ -269,7 +287,7 @@ impl Dialog {
                     let file = kind.first_files(&file).into_iter().next().unwrap_or(file);
                     let name = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
                     dialog.app.toasts.toast(&tr!("app-saved", file = name), Some(file));
-                    dialog.object::<gtk::Window>("root").close();
+                    dialog.widgets.root.close();
                 }
                 Ok(Err(ExportError::Cancelled)) => dialog.say(&tr!("export-cancelled")),
                 Ok(Err(error)) => dialog.say(&error.sentence()),
@@ -279,10 +297,10 @@ impl Dialog {
     }
 
     fn show_running(&self, running: bool) {
-        ui::set_sensitive(&self.object::<gtk::Grid>("choices"), !running);
-        self.object::<gtk::Button>("export").set_sensitive(!running);
-        self.object::<gtk::ProgressBar>("bar").set_visible(running);
-        self.object::<gtk::ProgressBar>("bar").set_fraction(0.0);
+        ui::set_sensitive(&self.widgets.choices, !running);
+        self.widgets.export.set_sensitive(!running);
+        self.widgets.bar.set_visible(running);
+        self.widgets.bar.set_fraction(0.0);
     }
 
     fn watch(self: &Rc<Self>, count: usize, work: &Arc<Progress>) {
@@ -291,7 +309,7 @@ impl Dialog {
             if dialog.work.borrow().is_none() {
                 return glib::ControlFlow::Break;
             }
-            let bar = dialog.object::<gtk::ProgressBar>("bar");
+            let bar = &dialog.widgets.bar;
             let done = work.steps();
             if count > 1 {
                 bar.set_fraction(done as f64 / count as f64);

@@ -27,19 +27,49 @@ const MOMENTS: usize = 241;
 /// Most materials and bones that are listed.
 const MOST: usize = 12;
 
+ui::widgets! {
+    /// The widgets of the inspector.
+    struct InspectorWidgets from INSPECTOR {
+        root: gtk::Box,
+        name: gtk::Label,
+        copy: gtk::Button,
+        space: gtk::DropDown,
+        transform: gtk::Grid,
+        matrix: gtk::Grid,
+        hand: gtk::Box,
+        turns: gtk::Grid,
+        reset: gtk::Button,
+        reset_all: gtk::Button,
+        dual: gtk::CheckButton,
+        angle: gtk::Box,
+        angle_value: gtk::Label,
+        angle_slot: gtk::Box,
+        angle_from: gtk::DropDown,
+        angle_corner: gtk::DropDown,
+        angle_to: gtk::DropDown,
+        angle_own: gtk::Button,
+        mesh: gtk::Box,
+        mesh_facts: gtk::Label,
+        materials: gtk::Box,
+        vertex: gtk::Box,
+        vertex_title: gtk::Label,
+        shares: gtk::Grid,
+        vertex_note: gtk::Label,
+        distance: gtk::Label,
+    }
+}
+
 /// The inspector.
 pub(super) struct Inspector {
     /// The whole; hidden while nothing is selected.
     pub root: gtk::Box,
-    builder: gtk::Builder,
-    space: gtk::DropDown,
+    widgets: InspectorWidgets,
     /// The space that the user chose.
     wanted: Rc<Cell<Space>>,
     transform: [[gtk::Label; 3]; 3],
     matrix: [[gtk::Label; 4]; 4],
     turns: [gtk::Scale; 3],
     turn_values: [gtk::Label; 3],
-    dual: gtk::CheckButton,
     plot: PaintWidget,
     curve: Rc<RefCell<Plot>>,
     /// The lists that the three bones of the angle are chosen from.
@@ -54,53 +84,46 @@ fn number_label() -> gtk::Label {
 impl Inspector {
     /// The inspector of a session.
     pub(super) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
-        let builder = ui::builder(ui::INSPECTOR);
-        let transform: gtk::Grid = object(&builder, "transform");
+        let widgets = InspectorWidgets::of(&ui::builder(ui::INSPECTOR));
         let labels = std::array::from_fn(|row| {
             let key = ["app-position", "app-rotation", "app-scale"][row];
             let name = gtk::Label::builder().label(tr!(key)).xalign(0.0).css_classes(["small"]).build();
-            transform.attach(&name, 0, row as i32, 1, 1);
+            widgets.transform.attach(&name, 0, row as i32, 1, 1);
             std::array::from_fn(|column| {
                 let label = number_label();
-                transform.attach(&label, column as i32 + 1, row as i32, 1, 1);
+                widgets.transform.attach(&label, column as i32 + 1, row as i32, 1, 1);
                 label
             })
         });
-        let grid: gtk::Grid = object(&builder, "matrix");
         let matrix = std::array::from_fn(|row| {
             std::array::from_fn(|column| {
                 let label = number_label();
-                grid.attach(&label, column as i32, row as i32, 1, 1);
+                widgets.matrix.attach(&label, column as i32, row as i32, 1, 1);
                 label
             })
         });
-        let turns: gtk::Grid = object(&builder, "turns");
-        let scales = std::array::from_fn(|row| turn_scale(&turns, row));
+        let scales = std::array::from_fn(|row| turn_scale(&widgets.turns, row));
         let turn_values = std::array::from_fn(|row| {
             let label = gtk::Label::builder().xalign(1.0).width_chars(7).css_classes(["numeric", "small"]).build();
-            turns.attach(&label, 2, row as i32, 1, 1);
+            widgets.turns.attach(&label, 2, row as i32, 1, 1);
             label
         });
         let (plot, curve) = (PaintWidget::new(200, 130), Rc::new(RefCell::new(Plot::default())));
         plot.set_hexpand(true);
-        object::<gtk::Box>(&builder, "angle_slot").append(&plot);
-        let space: gtk::DropDown = object(&builder, "space");
-        let (dual, root) = (object(&builder, "dual"), object(&builder, "root"));
-        let corners = ["angle_from", "angle_corner", "angle_to"].map(|id| object::<gtk::DropDown>(&builder, id));
+        widgets.angle_slot.append(&plot);
+        let corners = [&widgets.angle_from, &widgets.angle_corner, &widgets.angle_to].map(gtk::DropDown::clone);
         corners.iter().for_each(|list| ui::narrow(list, 12));
         let joints = Rc::default();
         let inspector = Self {
             corners,
             joints,
-            root,
-            builder,
-            space,
+            root: widgets.root.clone(),
+            widgets,
             wanted: Rc::new(Cell::new(Space::World)),
             transform: labels,
             matrix,
             turns: scales,
             turn_values,
-            dual,
             plot,
             curve,
         };
@@ -111,7 +134,7 @@ impl Inspector {
     /// Connects the input of the widgets.
     fn connect(&self, session: &SessionHandle, toasts: &Toasts) {
         let wanted = self.wanted.clone();
-        self.space.connect_selected_notify(glib::clone!(
+        self.widgets.space.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| session.update(|session| {
@@ -119,7 +142,7 @@ impl Inspector {
                 session.refresh_probe();
             })
         ));
-        object::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
+        self.widgets.copy.connect_clicked(glib::clone!(
             #[weak]
             session,
             #[strong]
@@ -137,8 +160,8 @@ impl Inspector {
                 move |scale| session.update(|session| turn(session, axis, scale.value()))
             ));
         }
-        for (id, all) in [("reset", false), ("reset_all", true)] {
-            object::<gtk::Button>(&self.builder, id).connect_clicked(glib::clone!(
+        for (button, all) in [(&self.widgets.reset, false), (&self.widgets.reset_all, true)] {
+            button.connect_clicked(glib::clone!(
                 #[weak]
                 session,
                 move |_| session.update(|session| {
@@ -149,7 +172,7 @@ impl Inspector {
                 })
             ));
         }
-        self.dual.connect_toggled(glib::clone!(
+        self.widgets.dual.connect_toggled(glib::clone!(
             #[weak]
             session,
             move |dual| {
@@ -170,7 +193,7 @@ impl Inspector {
                 }
             ));
         }
-        object::<gtk::Button>(&self.builder, "angle_own").connect_clicked(glib::clone!(
+        self.widgets.angle_own.connect_clicked(glib::clone!(
             #[weak]
             session,
             move |_| session.update(|session| session.choose_angle(None))
@@ -241,7 +264,7 @@ impl Inspector {
         self.show_joint_overrides(session, node);
         self.show_angle(session, node);
         self.show_vertex(session);
-        let distance: gtk::Label = object(&self.builder, "distance");
+        let distance = &self.widgets.distance;
         let pinned = session.probed_point();
         distance.set_visible(pinned[1].is_some());
         distance.set_text(&inspector_text::distance(pinned));
@@ -250,18 +273,18 @@ impl Inspector {
     fn show_kind(&self, session: &Session, node: NodeId) {
         let scene = &session.document().scene;
         let shown = scene.graph.node(node);
-        let name: gtk::Label = object(&self.builder, "name");
+        let name = &self.widgets.name;
         let label = i18n::label(scene.graph.label(node));
         let text = i18n::shown(&label);
         name.set_text(&text);
         name.set_tooltip_text(Some(&text));
         let is_joint = shown.kind == NodeKind::Joint;
-        object::<gtk::Box>(&self.builder, "hand").set_visible(is_joint);
+        self.widgets.hand.set_visible(is_joint);
         let instance = shown.contents.iter().find_map(|content| if let Content::Mesh(mesh) = content { Some(mesh) } else { None });
-        object::<gtk::Box>(&self.builder, "mesh").set_visible(instance.is_some());
+        self.widgets.mesh.set_visible(instance.is_some());
         let Some(instance) = instance else { return };
-        object::<gtk::Label>(&self.builder, "mesh_facts").set_text(&i18n::shown_lines(&inspector_text::mesh(scene, instance)));
-        let materials: gtk::Box = object(&self.builder, "materials");
+        self.widgets.mesh_facts.set_text(&i18n::shown_lines(&inspector_text::mesh(scene, instance)));
+        let materials = &self.widgets.materials;
         while let Some(child) = materials.first_child() {
             materials.remove(&child);
         }
@@ -300,13 +323,13 @@ impl Inspector {
     /// The matrix in the chosen space, where the node has one there; else in the world. The list names what there is.
     fn choose_space(&self, matrices: &Matrices) -> DMat4 {
         let there: Vec<Space> = Space::ALL.into_iter().filter(|space| space.of(matrices).is_some()).collect();
-        if self.space.model().map_or(0, |list| list.n_items() as usize) != there.len() {
+        if self.widgets.space.model().map_or(0, |list| list.n_items() as usize) != there.len() {
             let words: Vec<String> = there.iter().map(|space| space.label()).collect();
-            self.space.set_model(Some(&ui::words(&words)));
+            self.widgets.space.set_model(Some(&ui::words(&words)));
         }
         let wanted = there.iter().position(|space| *space == self.wanted.get());
         let world = || there.iter().position(|space| *space == Space::World);
-        self.space.set_selected(wanted.or_else(world).unwrap_or(0) as u32);
+        self.widgets.space.set_selected(wanted.or_else(world).unwrap_or(0) as u32);
         self.wanted.get().of(matrices).unwrap_or(matrices.world)
     }
 
@@ -316,9 +339,9 @@ impl Inspector {
             ui::show_value(&scale.adjustment(), value);
             label.set_text(&format!("{}°", format::number(value, 1)));
         }
-        object::<gtk::Button>(&self.builder, "reset").set_sensitive(degrees != DVec3::ZERO);
-        object::<gtk::Button>(&self.builder, "reset_all").set_sensitive(!session.joint_control().overrides().is_empty());
-        self.dual.set_active(session.state().skinning == Skinning::DualQuaternion);
+        self.widgets.reset.set_sensitive(degrees != DVec3::ZERO);
+        self.widgets.reset_all.set_sensitive(!session.joint_control().overrides().is_empty());
+        self.widgets.dual.set_active(session.state().skinning == Skinning::DualQuaternion);
     }
 
     fn show_curve(&self, session: &Session, node: NodeId) {
@@ -345,9 +368,9 @@ impl Inspector {
     fn show_angle(&self, session: &mut Session, node: NodeId) {
         let bones = session.angle_bones(node);
         let is_joint = session.document().scene.graph.node(node).kind == NodeKind::Joint;
-        object::<gtk::Box>(&self.builder, "angle").set_visible(bones.is_some() || is_joint);
-        let told: gtk::Label = object(&self.builder, "angle_value");
-        object::<gtk::Button>(&self.builder, "angle_own").set_sensitive(session.chosen_angle().is_some());
+        self.widgets.angle.set_visible(bones.is_some() || is_joint);
+        let told = &self.widgets.angle_value;
+        self.widgets.angle_own.set_sensitive(session.chosen_angle().is_some());
         let Some(bones) = bones else {
             told.set_text(&tr!("app-angle-end"));
             self.corners.iter().for_each(|list| list.set_selected(gtk::INVALID_LIST_POSITION));
@@ -367,10 +390,10 @@ impl Inspector {
 
     fn show_vertex(&self, session: &mut Session) {
         let told = session.vertex_influences();
-        object::<gtk::Box>(&self.builder, "vertex").set_visible(told.is_some());
+        self.widgets.vertex.set_visible(told.is_some());
         let Some(told) = told else { return };
-        object::<gtk::Label>(&self.builder, "vertex_title").set_text(&tr!("app-vertex", number = told.point));
-        let grid: gtk::Grid = object(&self.builder, "shares");
+        self.widgets.vertex_title.set_text(&tr!("app-vertex", number = told.point));
+        let grid = &self.widgets.shares;
         let rows = inspector_text::shares(&told, MOST);
         // The cells are used again: while a clip plays only their text changes.
         for (row, texts) in rows.iter().enumerate() {
@@ -390,7 +413,7 @@ impl Inspector {
         while grid.child_at(0, rows.len() as i32).is_some() {
             grid.remove_row(rows.len() as i32);
         }
-        object::<gtk::Label>(&self.builder, "vertex_note").set_text(&i18n::shown_lines(&inspector_text::vertex_note(&told)));
+        self.widgets.vertex_note.set_text(&i18n::shown_lines(&inspector_text::vertex_note(&told)));
     }
 }
 

@@ -16,7 +16,7 @@ use super::muscle_panel::Unit;
 use super::panel::Panel;
 use super::plot_view;
 use super::save_as::{self, SaveRequest};
-use super::ui::{self, object};
+use super::ui;
 use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
 use crate::i18n::{self, Sentence};
@@ -47,11 +47,29 @@ const ON_PAPER: u32 = 0xB8_322E;
 /// Pixels of a saved picture to a logical pixel.
 const PICTURE_SCALE: f64 = 2.0;
 
+ui::widgets! {
+    /// The widgets of the panel.
+    struct MeasureWidgets from MEASURE_PANEL {
+        root: gtk::ScrolledWindow,
+        none: gtk::Label,
+        plots: gtk::Box,
+        name: gtk::Label,
+        axes: gtk::Box,
+        axis: gtk::DropDown,
+        hint: gtk::Label,
+        slot: gtk::Box,
+        published: gtk::CheckButton,
+        sources: gtk::Label,
+        copy: gtk::Button,
+        save: gtk::Button,
+        experiment: gtk::Button,
+    }
+}
+
 /// The panel.
 pub(super) struct MeasurePanel {
     /// The whole.
-    root: gtk::ScrolledWindow,
-    builder: gtk::Builder,
+    widgets: MeasureWidgets,
     plots: [(PaintWidget, Rc<RefCell<Plot>>); 5],
     readings: RefCell<Vec<MuscleSample>>,
     muscle: Cell<MuscleId>,
@@ -61,23 +79,15 @@ pub(super) struct MeasurePanel {
 impl MeasurePanel {
     /// The panel of a session.
     pub(super) fn new(app: &Rc<AppContext>) -> Rc<Self> {
-        let builder = ui::builder(ui::MEASURE_PANEL);
-        let slot: gtk::Box = object(&builder, "slot");
+        let widgets = MeasureWidgets::of(&ui::builder(ui::MEASURE_PANEL));
         let plots = std::array::from_fn(|_| {
             let (canvas, plot) = (PaintWidget::new(200, 170), Rc::new(RefCell::new(Plot::default())));
             let painted = plot.clone();
             canvas.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&painted.borrow(), canvas, snapshot, width, height));
-            slot.append(&canvas);
+            widgets.slot.append(&canvas);
             (canvas, plot)
         });
-        let panel = Rc::new(Self {
-            root: object(&builder, "root"),
-            builder,
-            plots,
-            readings: RefCell::default(),
-            muscle: Cell::new(MuscleId(0)),
-            stale: Cell::new(true),
-        });
+        let panel = Rc::new(Self { widgets, plots, readings: RefCell::default(), muscle: Cell::new(MuscleId(0)), stale: Cell::new(true) });
         panel.connect(app);
         panel
     }
@@ -127,7 +137,7 @@ impl MeasurePanel {
             motion.connect_leave(move |_| leave(None));
             canvas.add_controller(motion);
         }
-        object::<gtk::Button>(&self.builder, "copy").connect_clicked(glib::clone!(
+        self.widgets.copy.connect_clicked(glib::clone!(
             #[weak]
             app,
             #[weak(rename_to = panel)]
@@ -137,24 +147,24 @@ impl MeasurePanel {
                 app.toasts.toast(&tr!("app-copied"), None);
             }
         ));
-        object::<gtk::Button>(&self.builder, "save").connect_clicked(glib::clone!(
+        self.widgets.save.connect_clicked(glib::clone!(
             #[weak]
             app,
             #[weak(rename_to = panel)]
             self,
             move |_| panel.save(&app)
         ));
-        object::<gtk::CheckButton>(&self.builder, "published").connect_toggled(glib::clone!(
+        self.widgets.published.connect_toggled(glib::clone!(
             #[weak]
             session,
             move |_| session.update(Session::show_selected_muscle)
         ));
-        self.axis().connect_selected_notify(glib::clone!(
+        self.widgets.axis.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |_| session.update(Session::show_selected_muscle)
         ));
-        object::<gtk::Button>(&self.builder, "experiment").connect_clicked(glib::clone!(
+        self.widgets.experiment.connect_clicked(glib::clone!(
             #[weak]
             app,
             #[weak(rename_to = panel)]
@@ -166,38 +176,30 @@ impl MeasurePanel {
                 }
             }
         ));
-        object::<gtk::Label>(&self.builder, "sources").set_text(&format!(
-            "{}\n{}",
-            literature_data::MURRAY_2000.source,
-            literature_data::ARM26.source
-        ));
+        self.widgets.sources.set_text(&format!("{}\n{}", literature_data::MURRAY_2000.source, literature_data::ARM26.source));
         // Measuring waits until the panel is visible.
-        self.root.connect_map(glib::clone!(
+        self.widgets.root.connect_map(glib::clone!(
             #[weak]
             session,
             move |_| session.update(Session::show_selected_muscle)
         ));
     }
 
-    fn axis(&self) -> gtk::DropDown {
-        object(&self.builder, "axis")
-    }
-
     /// What goes right.
     fn against(&self) -> MeasureAxis {
-        AXES.get(self.axis().selected() as usize).copied().unwrap_or_default()
+        AXES.get(self.widgets.axis.selected() as usize).copied().unwrap_or_default()
     }
 
     /// Offers the axes that there are, and takes the other one where the chosen one is not there.
     fn offer(&self, session: &Session) -> bool {
         let there = AXES.map(|against| session.measurable(self.muscle.get(), against).is_some());
-        let chosen = self.axis().selected() as usize;
+        let chosen = self.widgets.axis.selected() as usize;
         if !there.get(chosen).copied().unwrap_or(false)
             && let Some(other) = there.iter().position(|there| *there)
         {
-            self.axis().set_selected(other as u32);
+            self.widgets.axis.set_selected(other as u32);
         }
-        object::<gtk::Box>(&self.builder, "axes").set_visible(there == [true; 2]);
+        self.widgets.axes.set_visible(there == [true; 2]);
         there.contains(&true)
     }
 
@@ -205,18 +207,18 @@ impl MeasurePanel {
         let found = self.offer(session);
         let against = self.against();
         let document = session.document();
-        object::<gtk::Button>(&self.builder, "experiment").set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
+        self.widgets.experiment.set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
         let muscle = document.muscle(self.muscle.get()).filter(|_| found);
-        object::<gtk::Label>(&self.builder, "none").set_visible(muscle.is_none());
-        object::<gtk::Box>(&self.builder, "plots").set_visible(muscle.is_some());
+        self.widgets.none.set_visible(muscle.is_none());
+        self.widgets.plots.set_visible(muscle.is_some());
         let Some((rig, index)) = muscle else { return };
         let readings = session.measure(self.muscle.get(), against);
-        ui::set_label(&object(&self.builder, "name"), &i18n::label(rig.label(index)));
+        ui::set_label(&self.widgets.name, &i18n::label(rig.label(index)));
         let (across, hint) = match against {
             MeasureAxis::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
             MeasureAxis::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
         };
-        object::<gtk::Label>(&self.builder, "hint").set_text(&hint);
+        self.widgets.hint.set_text(&hint);
         let unit = Unit::of_rig(document, rig);
         for ((canvas, plot), (key, read, least_span)) in self.plots.iter().zip(QUANTITIES) {
             let mut plot = plot.borrow_mut();
@@ -230,11 +232,10 @@ impl MeasurePanel {
         }
         // The published figures are of a flexor of the elbow.
         let comparable = against == MeasureAxis::Angle && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
-        for id in ["published", "sources"] {
-            object::<gtk::Widget>(&self.builder, id).set_visible(comparable);
-        }
+        self.widgets.published.set_visible(comparable);
+        self.widgets.sources.set_visible(comparable);
         if comparable
-            && object::<gtk::CheckButton>(&self.builder, "published").is_active()
+            && self.widgets.published.is_active()
             && let Some((_, plot)) = self.plots.get(PUBLISHED)
         {
             // Centimetres to the file's unit.
@@ -267,7 +268,7 @@ impl MeasurePanel {
 
     /// The plots as a page to keep, without the pointer.
     fn page(&self) -> Page {
-        let name = object::<gtk::Label>(&self.builder, "name").text().to_string();
+        let name = self.widgets.name.text().to_string();
         let shown = self.plots.iter().filter(|(canvas, _)| canvas.get_visible());
         let plots = shown.map(|(_, plot)| Plot { pointer: None, color: ON_PAPER, reference_color: 0x5B_6B82, ..plot.borrow().clone() });
         Page { sections: vec![(name, plots.collect())] }
@@ -293,7 +294,7 @@ impl Panel for MeasurePanel {
     }
 
     fn widget(&self) -> gtk::Widget {
-        self.root.clone().upcast()
+        self.widgets.root.clone().upcast()
     }
 
     fn refresh(&self, session: &mut Session, changes: ChangeSet) {
@@ -314,7 +315,7 @@ impl Panel for MeasurePanel {
         if changes.any(ChangeSet::EDIT | ChangeSet::MUSCLE) || (changes.any(ChangeSet::PLAYBACK) && self.against() == MeasureAxis::Time) {
             self.stale.set(true);
         }
-        if !self.root.is_mapped() {
+        if !self.widgets.root.is_mapped() {
             return;
         }
         if self.stale.replace(false) {

@@ -30,24 +30,50 @@ use crate::scene::MuscleId;
 use crate::session::{ChangeSet, Session, UndoStep};
 use crate::tr;
 
+ui::widgets! {
+    /// The widgets of the panel that are not those of one of its editors.
+    struct MuscleWidgets from MUSCLE_PANEL {
+        root: gtk::ScrolledWindow,
+        none: gtk::Label,
+        which: gtk::DropDown,
+        new_muscle: gtk::MenuButton,
+        muscle_menu: gtk::MenuButton,
+        details: gtk::Box,
+        alone: gtk::Label,
+        hang_box: gtk::Box,
+        hang: gtk::Button,
+        held: gtk::Label,
+        refused: gtk::Label,
+        profile_slot: gtk::Box,
+        ledger: gtk::Grid,
+        limits: gtk::Label,
+        equation: gtk::Label,
+        quadratic: gtk::Grid,
+        root_why: gtk::Label,
+        nodes: gtk::ColumnView,
+        add_node: gtk::Button,
+        delete_node: gtk::Button,
+        name: gtk::Entry,
+        fit_length: gtk::Button,
+        colour: gtk::ColorButton,
+    }
+}
+
 /// The panel.
 pub(super) struct MusclePanel {
-    /// The whole.
-    pub root: gtk::ScrolledWindow,
-    builder: gtk::Builder,
+    widgets: MuscleWidgets,
     joint: ContractionControls,
     bones: Bones,
     ends: AttachmentsEditor,
     way: ViaPointsEditor,
-    name: gtk::Entry,
-    which: gtk::DropDown,
     shown: Rc<Cell<u32>>,
     editor: Editor,
     profile: ProfilePlot,
     nodes: ProfileTable,
     /// Rest length; length and radius of both tendons.
     fields: [gtk::Entry; 5],
-    refused: gtk::Label,
+    /// The signs of their units.
+    units: [gtk::Label; 5],
     ledger: [gtk::Label; 9],
     quadratic: [gtk::Label; 6],
     solved: RefCell<Solved>,
@@ -153,11 +179,12 @@ impl MusclePanel {
     /// The panel of a session.
     pub(super) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
         let builder = ui::builder(ui::MUSCLE_PANEL);
+        let widgets = MuscleWidgets::of(&builder);
         let bones = Bones::new();
         let profile = ProfilePlot::new();
-        object::<gtk::Box>(&builder, "profile_slot").append(&profile.canvas);
+        widgets.profile_slot.append(&profile.canvas);
         let ledger = rows(
-            &object(&builder, "ledger"),
+            &widgets.ledger,
             &[
                 "app-length",
                 "app-rest-length",
@@ -170,27 +197,23 @@ impl MusclePanel {
                 "app-largest-radius",
             ],
         );
-        let quadratic =
-            rows(&object(&builder, "quadratic"), &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
-        let (shown, refused) = (Rc::default(), object(&builder, "refused"));
+        let quadratic = rows(&widgets.quadratic, &["app-a", "app-b", "app-c", "app-discriminant", "app-root-taken", "app-root-other"]);
+        let shown = Rc::default();
         let panel = Self {
-            root: object(&builder, "root"),
             joint: ContractionControls::new(&builder, session),
             ends: AttachmentsEditor::new(&builder, &bones),
             way: ViaPointsEditor::new(&builder, &bones),
             bones,
-            name: object(&builder, "name"),
-            which: object(&builder, "which"),
-            editor: Editor::new(session, &shown, &refused),
+            editor: Editor::new(session, &shown, &widgets.refused),
             shown,
             profile,
-            nodes: ProfileTable::new(&object(&builder, "nodes")),
+            nodes: ProfileTable::new(&widgets.nodes),
             ledger,
             quadratic,
             solved: RefCell::default(),
             fields: FIELDS.map(|id| object(&builder, id)),
-            refused,
-            builder,
+            units: FIELDS.map(|id| object(&builder, &format!("{id}_unit"))),
+            widgets,
         };
         panel.connect(session, toasts);
         panel
@@ -199,7 +222,7 @@ impl MusclePanel {
     fn connect(&self, session: &SessionHandle, toasts: &Toasts) {
         self.connect_edits(&self.editor);
         self.connect_menus(&self.editor);
-        self.which.connect_selected_notify(glib::clone!(
+        self.widgets.which.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -208,7 +231,7 @@ impl MusclePanel {
                 }
             }
         ));
-        object::<gtk::Button>(&self.builder, "hang").connect_clicked(glib::clone!(
+        self.widgets.hang.connect_clicked(glib::clone!(
             #[weak]
             session,
             #[strong]
@@ -243,16 +266,17 @@ impl MusclePanel {
     }
 
     fn connect_edits(&self, editor: &Editor) {
-        let (delete, own) = (object::<gtk::Button>(&self.builder, "delete_node"), editor.clone());
+        let (delete, own) = (self.widgets.delete_node.clone(), editor.clone());
         let name_node = move |node: usize| delete.set_label(&tr!("app-node-delete-number", node = node + 1));
         self.nodes.connect(move |edit| own.edit(&edit, UndoStep::New), name_node);
         let own = editor.clone();
         self.profile.connect(move |edit, first| {
             own.edit(&edit, if first { UndoStep::New } else { UndoStep::Same });
         });
-        for (id, edit) in [("add_node", Edit::AddNode as fn(usize) -> Edit), ("delete_node", Edit::DeleteNode)] {
+        for (button, edit) in [(&self.widgets.add_node, Edit::AddNode as fn(usize) -> Edit), (&self.widgets.delete_node, Edit::DeleteNode)]
+        {
             let (own, current) = (editor.clone(), self.nodes.at_hand());
-            object::<gtk::Button>(&self.builder, id).connect_clicked(move |_| {
+            button.connect_clicked(move |_| {
                 own.edit(&edit(current()), UndoStep::New);
             });
         }
@@ -263,19 +287,19 @@ impl MusclePanel {
         self.ends.connect(editor);
         self.way.connect(editor);
         let own = editor.clone();
-        connect_entry(&self.name, move |entry| {
+        connect_entry(&self.widgets.name, move |entry| {
             let name = entry.text().trim().to_owned();
             if own.name().is_some_and(|shown| shown != name && !name.is_empty()) {
                 own.edit(&Edit::Name(name), UndoStep::New);
             }
         });
         let own = editor.clone();
-        object::<gtk::Button>(&self.builder, "fit_length").connect_clicked(move |_| {
+        self.widgets.fit_length.connect_clicked(move |_| {
             let id = own.id();
             own.tell(|session| session.fit_length(id, UndoStep::New));
         });
         let own = editor.clone();
-        object::<gtk::ColorButton>(&self.builder, "colour").connect_color_set(move |button| {
+        self.widgets.colour.connect_color_set(move |button| {
             let color = button.rgba();
             let byte = |part: f32| (part * 255.0).round().clamp(0.0, 255.0) as u8;
             own.edit(&Edit::Color(Some([byte(color.red()), byte(color.green()), byte(color.blue())])), UndoStep::New);
@@ -296,11 +320,11 @@ impl MusclePanel {
             button.insert_action_group(group, Some(&actions));
             menu
         };
-        let button: gtk::MenuButton = object(&self.builder, "new_muscle");
+        let button = &self.widgets.new_muscle;
         button.set_menu_model(Some(&list(&button, "new", |editor, preset| {
             editor.tell(|session| session.new_muscle(preset));
         })));
-        let button: gtk::MenuButton = object(&self.builder, "muscle_menu");
+        let button = &self.widgets.muscle_menu;
         let ready = list(&button, "ready", |own, preset| {
             let id = own.id();
             own.tell(|session| session.apply_preset(id, preset));
@@ -316,10 +340,10 @@ impl MusclePanel {
     /// Offers to hang muscles that are on an arm of their own on the clip that is open with them.
     fn refresh_attachment(&self, session: &Session) {
         let joint = session.shown_file().and_then(|place| session.joint_to_attach_to(place));
-        object::<gtk::Widget>(&self.builder, "hang_box").set_visible(joint.is_some());
+        self.widgets.hang_box.set_visible(joint.is_some());
         if let Some(joint) = joint {
             let name = &i18n::label(session.document().scene.graph.label(joint.node));
-            let button: gtk::Button = object(&self.builder, "hang");
+            let button = &self.widgets.hang;
             button.set_label(&tr!("app-attach", joint = name.clone()));
             if let Some(label) = button.child().and_downcast::<gtk::Label>() {
                 label.set_ellipsize(gtk::pango::EllipsizeMode::Middle);
@@ -334,12 +358,12 @@ impl MusclePanel {
             .flat_map(|(rig, _)| (0..rig.len()).map(|index| i18n::label(rig.label(index)).into_owned()).collect::<Vec<_>>())
             .collect();
         let there = !names.is_empty();
-        self.which.set_model(Some(&ui::words(&names)));
-        self.which.set_visible(names.len() > 1);
-        self.which.set_selected(if there { session.shown_muscle().0 } else { gtk::INVALID_LIST_POSITION });
-        object::<gtk::Label>(&self.builder, "none").set_visible(!there);
-        object::<gtk::Widget>(&self.builder, "details").set_visible(there);
-        object::<gtk::Widget>(&self.builder, "muscle_menu").set_visible(there);
+        self.widgets.which.set_model(Some(&ui::words(&names)));
+        self.widgets.which.set_visible(names.len() > 1);
+        self.widgets.which.set_selected(if there { session.shown_muscle().0 } else { gtk::INVALID_LIST_POSITION });
+        self.widgets.none.set_visible(!there);
+        self.widgets.details.set_visible(there);
+        self.widgets.muscle_menu.set_visible(there);
     }
 
     fn refresh_solver_report(&self, session: &mut Session, anew: bool) {
@@ -370,14 +394,14 @@ impl MusclePanel {
         let [a, b, c] = solved.quadratic;
         let [taken, other] = solved.roots;
         set_all(&self.quadratic, &[a, b, c, solved.discriminant, taken, other].map(|value| format::significant(value, 7)));
-        object::<gtk::Label>(&self.builder, "held").set_visible(solved.held);
-        let (alone, why) = (object::<gtk::Label>(&self.builder, "alone"), session.standalone_reason());
+        self.widgets.held.set_visible(solved.held);
+        let (alone, why) = (&self.widgets.alone, session.standalone_reason());
         alone.set_visible(why.is_some());
         if let Some(why) = why.map(|why| why.sentence()).filter(|why| alone.text() != *why) {
             alone.set_text(&why);
         }
         let sign = |value: f64| if value < 0.0 { '−' } else { '+' };
-        object::<gtk::Label>(&self.builder, "equation").set_text(&format!(
+        self.widgets.equation.set_text(&format!(
             "{} δ² {} {} δ {} {} = 0",
             format::significant(a, 5),
             sign(b),
@@ -394,8 +418,8 @@ impl MusclePanel {
             unit: unit.length.clone(),
             growth: spec.profile.growth().to_vec(),
         });
-        object::<gtk::Label>(&self.builder, "limits").set_text(&limits(&ledger, &unit.length));
-        object::<gtk::Label>(&self.builder, "root_why").set_text(&tr!(match ledger.taken {
+        self.widgets.limits.set_text(&limits(&ledger, &unit.length));
+        self.widgets.root_why.set_text(&tr!(match ledger.taken {
             Root::Larger => "app-root-larger",
             Root::Smaller => "app-root-smaller",
             Root::Double => "app-root-double",
@@ -403,20 +427,20 @@ impl MusclePanel {
         for (field, entry) in self.fields.iter().enumerate() {
             let text = field_text(spec, field);
             show_text(entry, &text, anew);
-            object::<gtk::Label>(&self.builder, &format!("{}_unit", FIELDS[field])).set_text(&unit.length);
+            self.units[field].set_text(&unit.length);
             if anew {
                 entry.set_tooltip_text(Some(&format!("{}, {}", tr!(FIELD_NAMES[field]), unit.length)));
             }
         }
         let [red, green, blue] = spec.color.unwrap_or([0xB8, 0x32, 0x2E]).map(|part| f32::from(part) / 255.0);
-        object::<gtk::ColorButton>(&self.builder, "colour").set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
-        show_text(&self.name, &i18n::label(rig.label(index)), anew);
+        self.widgets.colour.set_rgba(&gdk::RGBA::new(red, green, blue, 1.0));
+        show_text(&self.widgets.name, &i18n::label(rig.label(index)), anew);
         if anew {
             self.bones.list(session, id);
         }
         self.ends.show(session, id, &unit.length, anew);
         self.way.show(session, id, &unit.length, anew);
-        object::<gtk::Widget>(&self.builder, "fit_length").set_sensitive(rig.is_attached(index));
+        self.widgets.fit_length.set_sensitive(rig.is_attached(index));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
 }
@@ -431,7 +455,7 @@ impl Panel for MusclePanel {
     }
 
     fn widget(&self) -> gtk::Widget {
-        self.root.clone().upcast()
+        self.widgets.root.clone().upcast()
     }
 
     fn refresh(&self, session: &mut Session, changes: ChangeSet) {
@@ -440,17 +464,17 @@ impl Panel for MusclePanel {
         }
         self.shown.set(session.shown_muscle().0);
         if changes.any(ChangeSet::MUSCLE) {
-            self.which.set_selected(self.shown.get());
+            self.widgets.which.set_selected(self.shown.get());
         }
         let bends = ChangeSet::DRIVE | ChangeSet::JOINT_OVERRIDES | ChangeSet::MUSCLE | ChangeSet::EDIT;
-        if changes.any(ChangeSet::DOCUMENT | bends) || changes.any(ChangeSet::TIME) && self.root.is_mapped() {
+        if changes.any(ChangeSet::DOCUMENT | bends) || changes.any(ChangeSet::TIME) && self.widgets.root.is_mapped() {
             self.joint.refresh(session, changes);
         }
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::SELECTION) {
             self.refresh_attachment(session);
         }
         if changes.any(ChangeSet::HISTORY) {
-            self.refused.set_visible(false);
+            self.widgets.refused.set_visible(false);
             self.way.forget_refusals();
         }
         let moves = ChangeSet::DOCUMENT
@@ -460,7 +484,7 @@ impl Panel for MusclePanel {
             | ChangeSet::EDIT
             | ChangeSet::JOINT_OVERRIDES
             | ChangeSet::PICKING;
-        if changes.any(moves) && self.root.is_mapped() || changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE) {
+        if changes.any(moves) && self.widgets.root.is_mapped() || changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE) {
             self.refresh_solver_report(session, changes.any(ChangeSet::DOCUMENT | ChangeSet::MUSCLE));
         }
     }

@@ -11,7 +11,7 @@ use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::picture_focus::PictureFocus;
 use super::samples::{self, DEMOS, Demo};
 use super::session_handle::SessionHandle;
-use super::ui::{self, object};
+use super::ui;
 use crate::render::Theme;
 use crate::session::Session;
 use crate::tr;
@@ -19,11 +19,23 @@ use crate::tr;
 /// Size of a demo's picture, logical pixels.
 const PICTURE: (i32, i32) = (144, 108);
 
+ui::widgets! {
+    /// The widgets of the page.
+    struct StartWidgets from START {
+        root: gtk::ScrolledWindow,
+        title: gtk::Label,
+        open: gtk::Button,
+        back: gtk::Button,
+        demos: gtk::FlowBox,
+        recent_slot: gtk::Box,
+    }
+}
+
 /// The page, over the picture.
 pub(super) struct StartPage {
     /// The whole.
     pub root: gtk::ScrolledWindow,
-    builder: gtk::Builder,
+    widgets: StartWidgets,
     pictures: Vec<PaintWidget>,
     drawn_for: Cell<Option<Theme>>,
     wanted: Cell<bool>,
@@ -34,11 +46,11 @@ pub(super) struct StartPage {
 impl StartPage {
     /// A page that is not connected yet.
     pub(super) fn new(session: &SessionHandle, focus: &PictureFocus) -> Rc<Self> {
-        let builder = ui::builder(ui::START);
+        let widgets = StartWidgets::of(&ui::builder(ui::START));
         let pictures = DEMOS.iter().map(|_| PaintWidget::new(PICTURE.0, PICTURE.1)).collect();
         Rc::new(Self {
-            root: object(&builder, "root"),
-            builder,
+            root: widgets.root.clone(),
+            widgets,
             pictures,
             drawn_for: Cell::default(),
             wanted: Cell::default(),
@@ -50,7 +62,7 @@ impl StartPage {
     /// Lets the buttons work: `open` opens a demo, `list_recent` fills a box with the recent files, anew whenever the page appears.
     pub(super) fn connect(self: &Rc<Self>, open: impl Fn(Demo) + Clone + 'static, list_recent: impl Fn(&gtk::Box) + 'static) {
         self.root.set_visible(false);
-        let flow: gtk::FlowBox = object(&self.builder, "demos");
+        let flow = &self.widgets.demos;
         for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
             let card = gtk::Box::new(gtk::Orientation::Vertical, 6);
             let name = gtk::Label::builder().label(tr!(demo.name)).wrap(true).justify(gtk::Justification::Center).max_width_chars(16);
@@ -67,12 +79,12 @@ impl StartPage {
                 child.set_focusable(false);
             }
         }
-        object::<gtk::Button>(&self.builder, "back").connect_clicked(glib::clone!(
+        self.widgets.back.connect_clicked(glib::clone!(
             #[weak(rename_to = page)]
             self,
             move |_| page.want(false)
         ));
-        let slot: gtk::Box = object(&self.builder, "recent_slot");
+        let slot = self.widgets.recent_slot.clone();
         self.root.connect_map(move |_| list_recent(&slot));
     }
 
@@ -83,7 +95,7 @@ impl StartPage {
         self.session.update(Session::touch);
         // The keyboard goes with what is seen.
         if wanted {
-            object::<gtk::Button>(&self.builder, "open").grab_focus();
+            self.widgets.open.grab_focus();
         } else if was_there {
             self.focus.take();
         }
@@ -102,8 +114,8 @@ impl StartPage {
     pub(super) fn refresh(&self, session: &Session, is_loading: bool) {
         let empty = session.is_empty() && !is_loading;
         self.root.set_visible(empty || self.wanted.get());
-        object::<gtk::Button>(&self.builder, "back").set_visible(!session.is_empty());
-        object::<gtk::Label>(&self.builder, "title").set_text(&tr!(if session.is_empty() { "app-start-title" } else { "app-start-more" }));
+        self.widgets.back.set_visible(!session.is_empty());
+        self.widgets.title.set_text(&tr!(if session.is_empty() { "app-start-title" } else { "app-start-more" }));
         if self.root.is_visible() && self.drawn_for.replace(Some(session.theme())) != Some(session.theme()) {
             for (demo, picture) in DEMOS.iter().zip(&self.pictures) {
                 draw(*demo, picture, session.theme());

@@ -50,6 +50,44 @@ files! {
     HELD = "held",
 }
 
+/// A struct of the widgets of a `.ui` file that code works with: a field an id. A test of the module holds ids and classes against the file, so that a slip
+/// is found without a display.
+macro_rules! widgets {
+    ($(#[$doc:meta])* struct $name:ident from $file:ident { $($field:ident: $class:ty,)+ }) => {
+        $(#[$doc])*
+        struct $name {
+            $($field: $class,)+
+        }
+
+        impl $name {
+            /// Finds them among what was built from the file.
+            fn of(builder: &gtk::Builder) -> Self {
+                Self { $($field: $crate::app::ui::object(builder, stringify!($field)),)+ }
+            }
+        }
+
+        #[cfg(test)]
+        mod widgets_of_the_file {
+            use super::*;
+
+            #[test]
+            fn each_is_there_with_its_class() {
+                let text = $crate::app::ui::$file;
+                $($crate::app::ui::assert_declared(text, <$class as gtk::glib::types::StaticType>::static_type().name(), stringify!($field));)+
+            }
+        }
+    };
+}
+pub(super) use widgets;
+
+/// Asserts that a `.ui` text has an object of this class with this id.
+#[cfg(test)]
+pub(super) fn assert_declared(text: &str, class: &str, id: &str) {
+    let document = roxmltree::Document::parse(text).expect("sound XML");
+    let declared = document.descendants().find(|node| node.has_tag_name("object") && node.attribute("id") == Some(id));
+    assert_eq!(declared.and_then(|node| node.attribute("class")), Some(class), "{id}");
+}
+
 /// A builder of one of the files, in the user's language.
 pub(super) fn builder(text: &str) -> Builder {
     numbered(text, 1)

@@ -19,6 +19,29 @@ use crate::tr;
 /// The entries of the ball beside those of its middle, and the digits behind the mark of each: radius, and the side along each axis of the bone.
 const FIELDS: [(&str, usize); 4] = [("wrap_radius", 2), ("wrap_side_x", 3), ("wrap_side_y", 3), ("wrap_side_z", 3)];
 
+ui::widgets! {
+    /// The widgets of the muscle panel for via points and the wrap sphere.
+    struct PathWidgets from MUSCLE_PANEL {
+        via_heading: gtk::Label,
+        way_no_ends: gtk::Label,
+        via_list: gtk::Box,
+        via_buttons: gtk::Box,
+        via_add: gtk::Button,
+        via_pick_new: gtk::ToggleButton,
+        via_refused: gtk::Label,
+        wrap: gtk::Box,
+        wrap_centre_label: gtk::Label,
+        wrap_unit: gtk::Label,
+        wrap_radius_label: gtk::Label,
+        wrap_radius: gtk::Entry,
+        wrap_radius_unit: gtk::Label,
+        wrap_side_label: gtk::Label,
+        wrap_side: gtk::Box,
+        wrap_flip: gtk::Button,
+        wrap_refused: gtk::Label,
+    }
+}
+
 /// The widgets of a via point.
 struct ViaRow {
     root: gtk::Grid,
@@ -37,49 +60,44 @@ struct ViaRows {
 
 /// The whole.
 pub(super) struct ViaPointsEditor {
-    builder: gtk::Builder,
+    widgets: PathWidgets,
     bones: Bones,
-    list: gtk::Box,
     rows: ViaRows,
-    pick: gtk::ToggleButton,
     ball: AttachmentField,
     fields: [gtk::Entry; 4],
-    refused: [gtk::Label; 2],
     editor: RefCell<Option<Editor>>,
 }
 
 impl ViaPointsEditor {
     /// That of a panel.
     pub(super) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
+        let widgets = PathWidgets::of(builder);
         Self {
-            builder: builder.clone(),
             bones: bones.clone(),
-            list: object(builder, "via_list"),
-            rows: ViaRows { rows: Rc::default(), add: object(builder, "via_add") },
-            pick: object(builder, "via_pick_new"),
+            rows: ViaRows { rows: Rc::default(), add: widgets.via_add.clone() },
             ball: AttachmentField::new(builder, "wrap", AttachmentPoint::Wrap, bones),
             fields: FIELDS.map(|(id, _)| object(builder, id)),
-            refused: ["via_refused", "wrap_refused"].map(|id| object(builder, id)),
+            widgets,
             editor: RefCell::default(),
         }
     }
 
     /// Connects the input of the widgets. A rejected change is reported beside its widget.
     pub(super) fn connect(&self, editor: &Editor) {
-        let [of_via, of_wrap] = self.refused.clone().map(|refused| editor.refusing_in(refused));
+        let [of_via, of_wrap] = [&self.widgets.via_refused, &self.widgets.wrap_refused].map(|refused| editor.refusing_in(refused.clone()));
         let own = of_via.clone();
         self.rows.add.connect_clicked(move |_| {
             let id = own.id();
             own.tell(|session| session.add_via(id));
         });
-        connect_pick(&self.pick, &of_via, PickTarget::NewVia);
+        connect_pick(&self.widgets.via_pick_new, &of_via, PickTarget::NewVia);
         self.editor.replace(Some(of_via));
         self.ball.connect(&of_wrap);
         for (field, entry) in self.fields.iter().enumerate() {
             let own = of_wrap.clone();
             connect_entry(entry, move |entry| typed(&own, field, entry));
         }
-        object::<gtk::Button>(&self.builder, "wrap_flip").connect_clicked(move |_| {
+        self.widgets.wrap_flip.connect_clicked(move |_| {
             let id = of_wrap.id();
             of_wrap.tell(|session| session.flip_wrap(id));
         });
@@ -87,7 +105,8 @@ impl ViaPointsEditor {
 
     /// What was refused is no longer of interest.
     pub(super) fn forget_refusals(&self) {
-        self.refused.iter().for_each(|refused| refused.set_visible(false));
+        self.widgets.via_refused.set_visible(false);
+        self.widgets.wrap_refused.set_visible(false);
     }
 
     /// Shows the way of a muscle.
@@ -95,26 +114,34 @@ impl ViaPointsEditor {
         let Some((rig, index)) = session.document().muscle(id) else { return };
         let Some(spec) = rig.spec(index) else { return };
         let (held, has_ends) = (rig.is_attached(index), spec.origin.is_some());
-        let show = |id: &str, shown: bool| object::<gtk::Widget>(&self.builder, id).set_visible(shown);
-        show("way_no_ends", !has_ends);
-        show("via_buttons", has_ends);
-        show("wrap", has_ends);
+        let widgets = &self.widgets;
+        widgets.way_no_ends.set_visible(!has_ends);
+        widgets.via_buttons.set_visible(has_ends);
+        widgets.wrap.set_visible(has_ends);
         self.show_rows(spec.via.len());
         for row in self.rows.rows.borrow().iter().take(spec.via.len()) {
             row.place.show(session, id, anew);
         }
         self.rows.add.set_sensitive(held && spec.via.len() < VIA);
-        self.pick.set_sensitive(held && spec.via.len() < VIA);
-        show_pick(&self.pick, session, id, PickTarget::NewVia);
-        let heading = object::<gtk::Label>(&self.builder, "via_heading");
-        heading.set_text(&if unit.is_empty() || spec.via.is_empty() { tr!("app-via") } else { tr!("app-via-unit", unit = unit) });
+        self.widgets.via_pick_new.set_sensitive(held && spec.via.len() < VIA);
+        show_pick(&self.widgets.via_pick_new, session, id, PickTarget::NewVia);
+        widgets.via_heading.set_text(&if unit.is_empty() || spec.via.is_empty() {
+            tr!("app-via")
+        } else {
+            tr!("app-via-unit", unit = unit)
+        });
         self.ball.show(session, id, anew);
-        for id in ["wrap_centre_label", "wrap_radius_label", "wrap_radius", "wrap_side_label", "wrap_side", "wrap_flip"] {
-            show(id, spec.wrap.is_some());
-        }
-        for id in ["wrap_unit", "wrap_radius_unit"] {
-            show(id, spec.wrap.is_some());
-            object::<gtk::Label>(&self.builder, id).set_text(unit);
+        let of_wrap: [&gtk::Widget; 4] = [
+            widgets.wrap_radius.upcast_ref(),
+            widgets.wrap_side.upcast_ref(),
+            widgets.wrap_flip.upcast_ref(),
+            widgets.wrap_centre_label.upcast_ref(),
+        ];
+        of_wrap.iter().for_each(|widget| widget.set_visible(spec.wrap.is_some()));
+        let labels = [&widgets.wrap_radius_label, &widgets.wrap_side_label, &widgets.wrap_unit, &widgets.wrap_radius_unit];
+        labels.iter().for_each(|label| label.set_visible(spec.wrap.is_some()));
+        for label in [&widgets.wrap_unit, &widgets.wrap_radius_unit] {
+            label.set_text(unit);
         }
         for (field, entry) in self.fields.iter().enumerate() {
             show_text(entry, &spec.wrap.as_ref().map_or_else(String::new, |wrap| field_text(wrap, field)), anew);
@@ -126,7 +153,7 @@ impl ViaPointsEditor {
         while self.rows.rows.borrow().len() < count {
             let Some(editor) = self.editor.borrow().clone() else { return };
             let row = self.rows.make(&editor, &self.bones);
-            self.list.append(&row.root);
+            self.widgets.via_list.append(&row.root);
             self.rows.rows.borrow_mut().push(row);
         }
         for (number, row) in self.rows.rows.borrow().iter().enumerate() {
@@ -134,7 +161,7 @@ impl ViaPointsEditor {
             row.up.set_sensitive(number > 0);
             row.down.set_sensitive(number + 1 < count);
         }
-        self.list.set_visible(count > 0);
+        self.widgets.via_list.set_visible(count > 0);
     }
 }
 

@@ -44,6 +44,17 @@ use crate::tr;
 const HEAVY_MS: f64 = 14.0;
 /// Time without interaction after which a coarse picture is drawn in full.
 const REST: Duration = Duration::from_millis(120);
+ui::widgets! {
+    /// The widgets over the picture.
+    struct ViewportWidgets from VIEWPORT {
+        root: gtk::Overlay,
+        tools: gtk::Box,
+        hint: gtk::Label,
+        times: gtk::Label,
+        drop_here: gtk::Label,
+    }
+}
+
 /// What the viewport knows of the window.
 pub(super) struct ViewportHandles {
     /// The session.
@@ -68,7 +79,7 @@ pub(super) struct Viewport {
     pub root: gtk::Overlay,
     canvas: PaintWidget,
     screen: Rc<RefCell<FrameSurface>>,
-    builder: gtk::Builder,
+    widgets: ViewportWidgets,
     transform_fields: TransformFields,
     input: input::ViewportInput,
     handles: ViewportHandles,
@@ -77,7 +88,8 @@ pub(super) struct Viewport {
 impl Viewport {
     /// The viewport of a session, from its `.ui` file.
     pub(super) fn new(builder: gtk::Builder, handles: ViewportHandles) -> Rc<Self> {
-        let root: gtk::Overlay = object(&builder, "root");
+        let widgets = ViewportWidgets::of(&builder);
+        let root = widgets.root.clone();
         let canvas = PaintWidget::named(&tr!("app-viewport"), 150, 150);
         canvas.set_focusable(true);
         canvas.add_css_class("scene");
@@ -93,7 +105,7 @@ impl Viewport {
             canvas,
             screen: Rc::new(RefCell::new(FrameSurface::new())),
             transform_fields: TransformFields::new(&builder),
-            builder,
+            widgets,
             input: input::ViewportInput::default(),
             handles,
         });
@@ -160,7 +172,7 @@ impl Viewport {
         if changes.any(ChangeSet::TOOL | ChangeSet::DOCUMENT | ChangeSet::PICKING) {
             let name = if session.picking().is_some() { Some("crosshair") } else { None };
             self.canvas.set_cursor_from_name(name);
-            object::<gtk::Box>(&self.builder, "tools").set_visible(!session.is_empty());
+            self.widgets.tools.set_visible(!session.is_empty());
         }
     }
 
@@ -211,20 +223,20 @@ impl Viewport {
 
     /// Says for a while what a drag does.
     pub(super) fn hint(&self, text: &str) {
-        let label: gtk::Label = object(&self.builder, "hint");
+        let label = &self.widgets.hint;
         ui::set_label(&label, text);
         label.set_visible(!text.is_empty());
     }
 
     /// Whether frame times stand over the picture.
     pub(super) fn show_times(&self, shown: bool) {
-        object::<gtk::Label>(&self.builder, "times").set_visible(shown);
+        self.widgets.times.set_visible(shown);
         self.invalidate();
     }
 
     /// The mark of the place where files can be dropped.
     pub(super) fn drop_mark(&self) -> gtk::Label {
-        object(&self.builder, "drop_here")
+        self.widgets.drop_here.clone()
     }
 
     /// Flies, or lands.
@@ -306,7 +318,7 @@ impl Viewport {
     /// Frame times and counts.
     fn show_stats(&self, pose_ms: f64, total_ms: f64, stats: Stats) {
         self.handles.status.show_size(stats.triangles);
-        let label: gtk::Label = object(&self.builder, "times");
+        let label = &self.widgets.times;
         if label.is_visible() {
             let rate = self.screen.borrow().rate();
             label.set_text(&tr!(
