@@ -16,7 +16,7 @@ use super::session_handle::SessionHandle;
 use super::settings::SheetPage;
 use super::time_axis::{TimeAxis, hold_while};
 use super::timeline_ruler::Track;
-use super::ui::{self, object};
+use super::ui;
 use crate::scene::NodeId;
 use crate::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRow};
 use crate::tr;
@@ -50,18 +50,28 @@ impl EditorState {
     }
 }
 
+ui::widgets! {
+    /// The widgets of both pages.
+    struct CurveEditorWidgets from SHEET {
+        list: gtk::ListView,
+        keys_overlay: gtk::Overlay,
+        curves_overlay: gtk::Overlay,
+        root: gtk::Box,
+        row: gtk::DropDown,
+        graph: gtk::DropDown,
+        values: gtk::Label,
+        stack: gtk::Stack,
+        nothing: gtk::Label,
+        scroller: gtk::ScrolledWindow,
+    }
+}
+
 /// The dope sheet and the curve view.
 pub(super) struct CurveEditor {
     /// The whole.
     pub root: gtk::Box,
-    stack: gtk::Stack,
-    list: gtk::ListView,
-    scroller: gtk::ScrolledWindow,
-    nothing: gtk::Label,
+    widgets: CurveEditorWidgets,
     selection: gtk::SingleSelection,
-    row: gtk::DropDown,
-    graph: gtk::DropDown,
-    values: gtk::Label,
     curves: PaintWidget,
     cursors: [PaintWidget; 2],
     shown: Rc<EditorState>,
@@ -76,7 +86,7 @@ pub(super) struct CurveEditor {
 impl CurveEditor {
     /// That of a session, below a track with this time axis.
     pub(super) fn new(session: &SessionHandle, axis: &TimeAxis, track_canvas: &PaintWidget) -> Rc<Self> {
-        let builder = ui::builder(ui::SHEET);
+        let widgets = CurveEditorWidgets::of(&ui::builder(ui::SHEET));
         let shown = Rc::new(EditorState {
             track: axis.track.clone(),
             track_canvas: track_canvas.clone(),
@@ -84,16 +94,16 @@ impl CurveEditor {
             plot: RefCell::new(CurvePlot::new(tr!("app-sheet-none"))),
             pointer: Cell::default(),
         });
-        let cursor = |overlay: &str| {
+        let cursor = |overlay: &gtk::Overlay| {
             let canvas = PaintWidget::new(0, 0);
             canvas.set_can_target(false);
-            object::<gtk::Overlay>(&builder, overlay).add_overlay(&canvas);
+            overlay.add_overlay(&canvas);
             let shown = shown.clone();
             canvas.set_painter(move |canvas, snapshot, width, height| paint_cursor(&shown, canvas, snapshot, width, height));
             canvas
         };
         let curves = PaintWidget::named(&tr!("app-do-curves"), 100, 100);
-        object::<gtk::Overlay>(&builder, "curves_overlay").set_child(Some(&curves));
+        widgets.curves_overlay.set_child(Some(&curves));
         let painted = shown.clone();
         curves.set_painter(move |canvas, snapshot, width, height| {
             painted.plot.borrow().paint(canvas, snapshot, (width, height), &painted.track.borrow(), painted.axis(canvas));
@@ -101,20 +111,13 @@ impl CurveEditor {
         let selection = gtk::SingleSelection::new(None::<gio::ListModel>);
         selection.set_autoselect(false);
         selection.set_can_unselect(true);
-        let list: gtk::ListView = object(&builder, "list");
-        list.set_model(Some(&selection));
-        ui::narrow(&object(&builder, "row"), 24);
+        widgets.list.set_model(Some(&selection));
+        ui::narrow(&widgets.row, 24);
         let editor = Rc::new(Self {
-            root: object(&builder, "root"),
-            stack: object(&builder, "stack"),
-            list,
-            scroller: object(&builder, "scroller"),
-            nothing: object(&builder, "nothing"),
+            root: widgets.root.clone(),
+            cursors: [cursor(&widgets.keys_overlay), cursor(&widgets.curves_overlay)],
+            widgets,
             selection,
-            row: object(&builder, "row"),
-            graph: object(&builder, "graph"),
-            values: object(&builder, "values"),
-            cursors: [cursor("keys_overlay"), cursor("curves_overlay")],
             curves,
             shown,
             graphs: RefCell::default(),
@@ -127,7 +130,7 @@ impl CurveEditor {
     }
 
     fn connect(self: &Rc<Self>, session: &SessionHandle, axis: &TimeAxis) {
-        self.list.set_factory(Some(&factory(session, &self.shown)));
+        self.widgets.list.set_factory(Some(&factory(session, &self.shown)));
         self.selection.connect_selected_notify(glib::clone!(
             #[weak]
             session,
@@ -135,14 +138,14 @@ impl CurveEditor {
             self,
             move |selection| editor.take_row(&session, selection.selected())
         ));
-        self.row.connect_selected_notify(glib::clone!(
+        self.widgets.row.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             #[weak(rename_to = editor)]
             self,
             move |list| editor.take_row(&session, list.selected())
         ));
-        self.graph.connect_selected_notify(glib::clone!(
+        self.widgets.graph.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             #[weak(rename_to = editor)]
@@ -192,7 +195,7 @@ impl CurveEditor {
     pub(super) fn draw_anew(&self) {
         self.curves.queue_draw();
         self.cursors.iter().for_each(PaintWidget::queue_draw);
-        let rows = std::iter::successors(self.list.first_child(), WidgetExt::next_sibling);
+        let rows = std::iter::successors(self.widgets.list.first_child(), WidgetExt::next_sibling);
         // In each row the keys stand last.
         rows.filter_map(|row| row.first_child()?.last_child()).for_each(|keys| keys.queue_draw());
     }
@@ -201,7 +204,7 @@ impl CurveEditor {
     pub(super) fn show(&self, session: &Session, page: SheetPage) {
         self.page.set(page);
         self.root.set_visible(page != SheetPage::None);
-        self.stack.set_visible_child_name(if page == SheetPage::Curves { "curves" } else { "keys" });
+        self.widgets.stack.set_visible_child_name(if page == SheetPage::Curves { "curves" } else { "keys" });
         self.list_rows(session);
     }
 
@@ -234,15 +237,15 @@ impl CurveEditor {
             let model = ui::words(&names);
             self.shown.rows.replace(rows.clone());
             self.selection.set_model(Some(&model));
-            self.row.set_model(Some(&model));
+            self.widgets.row.set_model(Some(&model));
             self.moved.set(None);
         }
-        for list in [&self.row, &self.graph] {
+        for list in [&self.widgets.row, &self.widgets.graph] {
             list.set_visible(self.page.get() == SheetPage::Curves && !rows.is_empty());
         }
         // Nothing to scroll, nothing for the keyboard.
-        self.scroller.set_focusable(!rows.is_empty());
-        self.nothing.set_visible(rows.is_empty());
+        self.widgets.scroller.set_focusable(!rows.is_empty());
+        self.widgets.nothing.set_visible(rows.is_empty());
         self.shown.plot.borrow_mut().colors = session.display().palette.axes;
         self.follow_selection(session);
         self.show_values(session);
@@ -254,7 +257,7 @@ impl CurveEditor {
         let selected = session.selected().and_then(|node| rows.iter().position(|row| row.item == AnimatedItem::Node(node)));
         self.selection.set_selected(selected.map_or(gtk::INVALID_LIST_POSITION, |place| place as u32));
         if let Some(place) = selected {
-            ui::scroll_to(&self.list, place as u32);
+            ui::scroll_to(&self.widgets.list, place as u32);
         }
         let kept = self.moved.get().and_then(|moved| rows.iter().position(|row| row.item == moved));
         let moves = |row: &SheetRow| session.sheet_graphs(row.item).iter().any(Graph::moves);
@@ -268,19 +271,19 @@ impl CurveEditor {
     fn show_row(&self, session: &Session, place: Option<usize>) {
         let row = place.and_then(|place| self.shown.rows.borrow().get(place).map(|row| row.item));
         if let Some(place) = place {
-            self.row.set_selected(place as u32);
+            self.widgets.row.set_selected(place as u32);
         }
         self.moved.set(row);
         let graphs = row.map_or_else(Vec::new, |moved| session.sheet_graphs(moved));
         let names: Vec<String> = graphs.iter().map(|graph| kind_name(graph.kind)).collect();
-        self.graph.set_model(Some(&ui::words(&names)));
-        self.graph.set_sensitive(!names.is_empty());
+        self.widgets.graph.set_model(Some(&ui::words(&names)));
+        self.widgets.graph.set_sensitive(!names.is_empty());
         // The user's previous choice, else the first graph that changes.
         let chosen = graphs.iter().position(|graph| Some(graph.kind) == self.kind.get());
         let kept = chosen.or_else(|| graphs.iter().position(Graph::moves)).unwrap_or(0);
         self.graphs.replace(graphs);
         if !names.is_empty() {
-            self.graph.set_selected(kept as u32);
+            self.widgets.graph.set_selected(kept as u32);
         }
         self.show_graph(session, kept);
     }
@@ -314,7 +317,7 @@ impl CurveEditor {
             }
             _ => String::new(),
         };
-        self.values.set_text(&text);
+        self.widgets.values.set_text(&text);
     }
 
     /// The user selected a row: its node is selected everywhere, and its curves are shown.

@@ -8,7 +8,7 @@ use super::format;
 use super::onion_skin_panel::GhostsPanel;
 use super::panel::Panel;
 use super::session_handle::SessionHandle;
-use super::ui::{self, object};
+use super::ui;
 use crate::document::Skinning;
 use crate::message;
 use crate::session::{BackgroundPreset, ChangeSet, LightDirection, Session, UndoStep};
@@ -27,21 +27,28 @@ fn cell_name(cell: Option<f32>) -> String {
     }
 }
 
+ui::widgets! {
+    /// The widgets of the panel.
+    struct DisplayWidgets from DISPLAY_PANEL {
+        root: gtk::ScrolledWindow,
+        shading: gtk::DropDown,
+        skinning: gtk::DropDown,
+        grid_cell: gtk::DropDown,
+        backdrop: gtk::DropDown,
+        ghosts_slot: gtk::Box,
+        line_width: gtk::Scale,
+        line_width_value: gtk::Label,
+        ambient: gtk::Scale,
+        ambient_value: gtk::Label,
+        light_yaw: gtk::SpinButton,
+        light_pitch: gtk::SpinButton,
+        light_position: gtk::Label,
+    }
+}
+
 /// The panel.
 pub(super) struct DisplayPanel {
-    /// The whole.
-    root: gtk::ScrolledWindow,
-    shading: gtk::DropDown,
-    skinning: gtk::DropDown,
-    ambient: gtk::Scale,
-    ambient_value: gtk::Label,
-    light: gtk::Label,
-    light_yaw: gtk::SpinButton,
-    light_pitch: gtk::SpinButton,
-    grid_cell: gtk::DropDown,
-    backdrop: gtk::DropDown,
-    line_width: gtk::Scale,
-    line_width_value: gtk::Label,
+    widgets: DisplayWidgets,
     ghosts: GhostsPanel,
 }
 
@@ -51,42 +58,25 @@ impl DisplayPanel {
 
     /// The panel of a session.
     pub(super) fn new(session: &SessionHandle) -> Self {
-        let builder = ui::builder(ui::DISPLAY_PANEL);
-        let list = |id: &str, keys: &[&str]| {
+        let widgets = DisplayWidgets::of(&ui::builder(ui::DISPLAY_PANEL));
+        let list = |list: &gtk::DropDown, keys: &[&str]| {
             let words: Vec<String> = keys.iter().map(|key| tr!(key)).collect();
-            let list: gtk::DropDown = object(&builder, id);
             list.set_model(Some(&ui::words(&words)));
-            list
         };
         let ghosts = GhostsPanel::new(session);
-        object::<gtk::Box>(&builder, "ghosts_slot").append(&ghosts.root);
-        let panel = Self {
-            root: object(&builder, "root"),
-            ghosts,
-            shading: list("shading", &["app-do-flat", "app-do-gouraud", "app-do-phong"]),
-            skinning: list("skinning", &["app-skinning-linear", "app-skinning-dual"]),
-            ambient: object(&builder, "ambient"),
-            ambient_value: object(&builder, "ambient_value"),
-            light: object(&builder, "light_position"),
-            light_yaw: object(&builder, "light_yaw"),
-            light_pitch: object(&builder, "light_pitch"),
-            grid_cell: {
-                let list: gtk::DropDown = object(&builder, "grid_cell");
-                let words: Vec<String> = CELLS.iter().map(|cell| cell_name(*cell)).collect();
-                list.set_model(Some(&ui::words(&words)));
-                list
-            },
-            backdrop: list("backdrop", &["app-background-theme", "app-background-white", "app-background-grey", "app-background-black"]),
-            line_width: object(&builder, "line_width"),
-            line_width_value: object(&builder, "line_width_value"),
-        };
+        widgets.ghosts_slot.append(&ghosts.root);
+        list(&widgets.shading, &["app-do-flat", "app-do-gouraud", "app-do-phong"]);
+        list(&widgets.skinning, &["app-skinning-linear", "app-skinning-dual"]);
+        list(&widgets.backdrop, &["app-background-theme", "app-background-white", "app-background-grey", "app-background-black"]);
+        widgets.grid_cell.set_model(Some(&ui::words(&CELLS.map(cell_name))));
+        let panel = Self { widgets, ghosts };
         panel.connect(session);
         panel
     }
 
     /// Lets the lists and the slider change the display.
     fn connect(&self, session: &SessionHandle) {
-        self.shading.connect_selected_notify(glib::clone!(
+        self.widgets.shading.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -95,7 +85,7 @@ impl DisplayPanel {
                 }
             }
         ));
-        self.skinning.connect_selected_notify(glib::clone!(
+        self.widgets.skinning.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -103,17 +93,17 @@ impl DisplayPanel {
                 session.update(|session| session.set_skinning(skinning));
             }
         ));
-        self.ambient.connect_value_changed(glib::clone!(
+        self.widgets.ambient.connect_value_changed(glib::clone!(
             #[weak]
             session,
             move |slider| session.update(|session| session.change_display(|display| display.ambient = slider.value() as f32))
         ));
-        self.line_width.connect_value_changed(glib::clone!(
+        self.widgets.line_width.connect_value_changed(glib::clone!(
             #[weak]
             session,
             move |slider| session.update(|session| session.change_display(|display| display.line_width = slider.value() as f32))
         ));
-        self.grid_cell.connect_selected_notify(glib::clone!(
+        self.widgets.grid_cell.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -122,7 +112,7 @@ impl DisplayPanel {
                 }
             }
         ));
-        self.backdrop.connect_selected_notify(glib::clone!(
+        self.widgets.backdrop.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -131,8 +121,8 @@ impl DisplayPanel {
                 }
             }
         ));
-        for number in [&self.light_yaw, &self.light_pitch] {
-            let (yaw, pitch) = (self.light_yaw.clone(), self.light_pitch.clone());
+        for number in [&self.widgets.light_yaw, &self.widgets.light_pitch] {
+            let (yaw, pitch) = (self.widgets.light_yaw.clone(), self.widgets.light_pitch.clone());
             number.connect_value_changed(glib::clone!(
                 #[weak]
                 session,
@@ -157,7 +147,7 @@ impl Panel for DisplayPanel {
     }
 
     fn widget(&self) -> gtk::Widget {
-        self.root.clone().upcast()
+        self.widgets.root.clone().upcast()
     }
 
     fn refresh(&self, session: &mut Session, changes: ChangeSet) {
@@ -165,24 +155,24 @@ impl Panel for DisplayPanel {
         if changes.any(ChangeSet::DISPLAY) {
             let display = session.display();
             let shading = SHADINGS.iter().position(|(_, shading)| *shading == display.shading).unwrap_or(1);
-            self.shading.set_selected(shading as u32);
-            self.skinning.set_selected(u32::from(session.state().skinning == Skinning::DualQuaternion));
-            self.ambient.set_value(f64::from(display.ambient));
-            self.ambient_value.set_text(&format::with_unit(f64::from(display.ambient) * 100.0, 0, "%"));
+            self.widgets.shading.set_selected(shading as u32);
+            self.widgets.skinning.set_selected(u32::from(session.state().skinning == Skinning::DualQuaternion));
+            self.widgets.ambient.set_value(f64::from(display.ambient));
+            self.widgets.ambient_value.set_text(&format::with_unit(f64::from(display.ambient) * 100.0, 0, "%"));
         }
         if changes.any(ChangeSet::DISPLAY) {
             let display = session.display();
             let cell = CELLS.iter().position(|cell| *cell == display.grid_cell).unwrap_or(0);
-            self.grid_cell.set_selected(cell as u32);
+            self.widgets.grid_cell.set_selected(cell as u32);
             let backdrop = BackgroundPreset::ALL.iter().position(|backdrop| *backdrop == session.backdrop()).unwrap_or(0);
-            self.backdrop.set_selected(backdrop as u32);
-            self.line_width.set_value(f64::from(display.line_width));
-            self.line_width_value.set_text(&format!("{}\u{2009}×", format::number(f64::from(display.line_width), 1)));
+            self.widgets.backdrop.set_selected(backdrop as u32);
+            self.widgets.line_width.set_value(f64::from(display.line_width));
+            self.widgets.line_width_value.set_text(&format!("{}\u{2009}×", format::number(f64::from(display.line_width), 1)));
         }
         if changes.any(ChangeSet::LIGHT | ChangeSet::DOCUMENT | ChangeSet::CAMERA) {
             let aim = session.light_direction();
-            self.light_yaw.set_value(f64::from(aim.yaw.rem_euclid(360.0)));
-            self.light_pitch.set_value(f64::from(aim.pitch));
+            self.widgets.light_yaw.set_value(f64::from(aim.yaw.rem_euclid(360.0)));
+            self.widgets.light_pitch.set_value(f64::from(aim.pitch));
         }
         if changes.any(ChangeSet::LIGHT | ChangeSet::DOCUMENT) {
             let text = match session.light() {
@@ -192,7 +182,7 @@ impl Panel for DisplayPanel {
                     tr!("app-light-position", x = x, y = y, z = z)
                 }
             };
-            self.light.set_text(&text);
+            self.widgets.light_position.set_text(&text);
         }
     }
 }

@@ -8,19 +8,27 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::ui::{self, object};
+use super::ui;
 use crate::session::LoadMode;
+
+ui::widgets! {
+    /// The widgets of the bar.
+    struct ErrorBarWidgets from ERROR_BAR {
+        root: gtk::InfoBar,
+        headline: gtk::Label,
+        message: gtk::Label,
+        details: gtk::Label,
+        more: gtk::ToggleButton,
+        retry: gtk::Button,
+        close: gtk::Button,
+    }
+}
 
 /// The bar.
 pub(super) struct ErrorBar {
     /// The whole.
     pub root: gtk::InfoBar,
-    headline: gtk::Label,
-    message: gtk::Label,
-    details: gtk::Label,
-    more: gtk::ToggleButton,
-    retry: gtk::Button,
-    close: gtk::Button,
+    widgets: ErrorBarWidgets,
     again: RefCell<Option<(Vec<PathBuf>, LoadMode)>>,
 }
 
@@ -39,31 +47,22 @@ pub(super) struct ErrorMessage {
 impl ErrorBar {
     /// A folded bar.
     pub(super) fn new() -> Rc<Self> {
-        let builder = ui::builder(ui::ERROR_BAR);
-        let bar = Rc::new(Self {
-            root: object(&builder, "root"),
-            headline: object(&builder, "headline"),
-            message: object(&builder, "message"),
-            details: object(&builder, "details"),
-            more: object(&builder, "more"),
-            retry: object(&builder, "retry"),
-            close: object(&builder, "close"),
-            again: RefCell::new(None),
-        });
+        let widgets = ErrorBarWidgets::of(&ui::builder(ui::ERROR_BAR));
+        let bar = Rc::new(Self { root: widgets.root.clone(), widgets, again: RefCell::new(None) });
         bar.root.connect_response(glib::clone!(
             #[weak]
             bar,
             move |_, _| bar.hide()
         ));
-        bar.close.connect_clicked(glib::clone!(
+        bar.widgets.close.connect_clicked(glib::clone!(
             #[weak]
             bar,
             move |_| bar.hide()
         ));
         bar.root.set_visible(false);
-        bar.more.connect_toggled(glib::clone!(
+        bar.widgets.more.connect_toggled(glib::clone!(
             #[weak(rename_to = details)]
-            bar.details,
+            bar.widgets.details,
             move |more| details.set_visible(more.is_active())
         ));
         bar
@@ -71,7 +70,7 @@ impl ErrorBar {
 
     /// Calls `retry` with the files that could not be opened when they are to be opened once more.
     pub(super) fn connect_retry(self: &Rc<Self>, retry: impl Fn(Vec<PathBuf>, LoadMode) + 'static) {
-        self.retry.connect_clicked(glib::clone!(
+        self.widgets.retry.connect_clicked(glib::clone!(
             #[weak(rename_to = bar)]
             self,
             move |_| {
@@ -85,12 +84,12 @@ impl ErrorBar {
 
     /// Shows what went wrong, until it is closed or something opens.
     pub(super) fn show(&self, trouble: ErrorMessage) {
-        ui::set_label(&self.headline, &trouble.headline);
-        ui::set_label(&self.message, &trouble.message);
-        ui::set_label(&self.details, &trouble.details);
-        self.more.set_active(false);
-        self.more.set_visible(!trouble.details.is_empty());
-        self.retry.set_visible(trouble.again.is_some());
+        ui::set_label(&self.widgets.headline, &trouble.headline);
+        ui::set_label(&self.widgets.message, &trouble.message);
+        ui::set_label(&self.widgets.details, &trouble.details);
+        self.widgets.more.set_active(false);
+        self.widgets.more.set_visible(!trouble.details.is_empty());
+        self.widgets.retry.set_visible(trouble.again.is_some());
         self.again.replace(trouble.again);
         self.root.set_visible(true);
         self.root.set_revealed(true);

@@ -8,7 +8,7 @@ use super::format;
 use super::panel::Panel;
 use super::session_handle::SessionHandle;
 use super::toasts::Toasts;
-use super::ui::{self, object};
+use super::ui;
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, Finding, SourceKind};
 use crate::i18n;
@@ -16,38 +16,36 @@ use crate::scene::{Content, Deformer, Node, NodeId, Scene};
 use crate::session::{ChangeSet, Session};
 use crate::tr;
 
+ui::widgets! {
+    /// The widgets of the panel.
+    struct HealthWidgets from HEALTH_PANEL {
+        root: gtk::Box,
+        summary: gtk::Label,
+        copy: gtk::Button,
+        scroller: gtk::ScrolledWindow,
+        list: gtk::ListView,
+        facts: gtk::Label,
+    }
+}
+
 /// The panel.
 pub(super) struct HealthPanel {
-    /// The whole.
-    root: gtk::Box,
-    summary: gtk::Label,
-    facts: gtk::Label,
-    copy: gtk::Button,
-    scroller: gtk::ScrolledWindow,
-    list: gtk::ListView,
+    widgets: HealthWidgets,
 }
 
 impl HealthPanel {
     /// The panel of a session.
     pub(super) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
-        let builder = ui::builder(ui::HEALTH_PANEL);
-        let list: gtk::ListView = object(&builder, "list");
-        list.set_factory(Some(&factory()));
-        let panel = Self {
-            root: object(&builder, "root"),
-            summary: object(&builder, "summary"),
-            facts: object(&builder, "facts"),
-            copy: object(&builder, "copy"),
-            scroller: object(&builder, "scroller"),
-            list,
-        };
+        let widgets = HealthWidgets::of(&ui::builder(ui::HEALTH_PANEL));
+        widgets.list.set_factory(Some(&factory()));
+        let panel = Self { widgets };
         panel.connect(session, toasts);
         panel
     }
 
     /// Lets a click select what a finding speaks of.
     fn connect(&self, session: &SessionHandle, toasts: &Toasts) {
-        self.list.connect_activate(glib::clone!(
+        self.widgets.list.connect_activate(glib::clone!(
             #[weak]
             session,
             move |list, position| {
@@ -61,7 +59,7 @@ impl HealthPanel {
                 });
             }
         ));
-        self.copy.connect_clicked(glib::clone!(
+        self.widgets.copy.connect_clicked(glib::clone!(
             #[weak]
             session,
             #[strong]
@@ -85,7 +83,7 @@ impl Panel for HealthPanel {
     }
 
     fn widget(&self) -> gtk::Widget {
-        self.root.clone().upcast()
+        self.widgets.root.clone().upcast()
     }
 
     fn refresh(&self, session: &mut Session, changes: ChangeSet) {
@@ -96,14 +94,14 @@ impl Panel for HealthPanel {
         let store = gio::ListStore::new::<glib::BoxedAnyObject>();
         let items: Vec<_> = document.diagnostics.iter().cloned().map(glib::BoxedAnyObject::new).collect();
         store.extend_from_slice(&items);
-        self.list.set_model(Some(&gtk::NoSelection::new(Some(store))));
+        self.widgets.list.set_model(Some(&gtk::NoSelection::new(Some(store))));
         let count = |severity| document.diagnostics.iter().filter(|finding| finding.severity() == severity).count();
         let counts = [("app-health-warnings", count(Severity::Warning)), ("app-health-notes", count(Severity::Info))];
         let told: Vec<String> = counts.into_iter().filter(|(_, count)| *count > 0).map(|(key, count)| tr!(key, count = count)).collect();
-        self.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
-        self.scroller.set_visible(!document.diagnostics.is_empty());
-        self.copy.set_sensitive(!document.diagnostics.is_empty());
-        ui::set_label(&self.facts, &facts(document));
+        self.widgets.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
+        self.widgets.scroller.set_visible(!document.diagnostics.is_empty());
+        self.widgets.copy.set_sensitive(!document.diagnostics.is_empty());
+        ui::set_label(&self.widgets.facts, &facts(document));
     }
 }
 

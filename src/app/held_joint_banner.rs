@@ -6,30 +6,38 @@ use gtk4 as gtk;
 
 use super::picture_focus::PictureFocus;
 use super::session_handle::SessionHandle;
-use super::ui::{self, object};
+use super::ui;
 use crate::i18n::Sentence;
 use crate::session::Session;
+
+ui::widgets! {
+    /// The widgets of the banner.
+    struct BannerWidgets from HELD {
+        root: gtk::Box,
+        label: gtk::Label,
+        release: gtk::Button,
+    }
+}
 
 /// A few words and a button.
 pub(super) struct HeldJointBanner {
     /// Both; hidden while no joint is held.
     pub root: gtk::Box,
-    label: gtk::Label,
-    release: gtk::Button,
+    widgets: BannerWidgets,
 }
 
 impl HeldJointBanner {
     /// Hidden until a joint is held.
     pub(super) fn new(session: &SessionHandle, focus: &PictureFocus) -> Self {
-        let builder = ui::builder(ui::HELD);
-        let banner = Self { root: object(&builder, "root"), label: object(&builder, "label"), release: object(&builder, "release") };
+        let widgets = BannerWidgets::of(&ui::builder(ui::HELD));
+        let banner = Self { root: widgets.root.clone(), widgets };
         banner.connect(session, focus);
         banner
     }
 
     /// Lets the button release the joint.
     fn connect(&self, session: &SessionHandle, focus: &PictureFocus) {
-        self.release.connect_clicked(glib::clone!(
+        self.widgets.release.connect_clicked(glib::clone!(
             #[weak]
             session,
             #[strong]
@@ -46,6 +54,6 @@ impl HeldJointBanner {
     pub(super) fn refresh(&self, session: &mut Session) {
         let told = session.held_joint_text();
         self.root.set_visible(told.is_some());
-        self.label.set_text(&told.map(|told| told.sentence()).unwrap_or_default());
+        self.widgets.label.set_text(&told.map(|told| told.sentence()).unwrap_or_default());
     }
 }

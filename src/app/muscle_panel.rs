@@ -321,11 +321,11 @@ impl MusclePanel {
             menu
         };
         let button = &self.widgets.new_muscle;
-        button.set_menu_model(Some(&list(&button, "new", |editor, preset| {
+        button.set_menu_model(Some(&list(button, "new", |editor, preset| {
             editor.tell(|session| session.new_muscle(preset));
         })));
         let button = &self.widgets.muscle_menu;
-        let ready = list(&button, "ready", |own, preset| {
+        let ready = list(button, "ready", |own, preset| {
             let id = own.id();
             own.tell(|session| session.apply_preset(id, preset));
         });

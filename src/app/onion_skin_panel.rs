@@ -8,49 +8,47 @@ use gtk4 as gtk;
 
 use super::format;
 use super::session_handle::SessionHandle;
-use super::ui::{self, object};
+use super::ui;
 use crate::i18n;
 use crate::session::{ChangeSet, CompareTarget, ComparisonState, Session};
 use crate::tr;
+
+ui::widgets! {
+    /// The widgets of the panel.
+    struct OnionSkinWidgets from GHOSTS {
+        root: gtk::Box,
+        before: gtk::SpinButton,
+        after: gtk::SpinButton,
+        step: gtk::SpinButton,
+        with: gtk::DropDown,
+        shifts: gtk::Grid,
+        aside: gtk::SpinButton,
+        later: gtk::SpinButton,
+        found: gtk::Label,
+    }
+}
 
 /// Panel of onion skins and comparison.
 pub(super) struct GhostsPanel {
     /// The whole.
     pub root: gtk::Box,
-    before: gtk::SpinButton,
-    after: gtk::SpinButton,
-    step: gtk::SpinButton,
-    with: gtk::DropDown,
-    shifts: gtk::Grid,
-    aside: gtk::SpinButton,
-    later: gtk::SpinButton,
-    found: gtk::Label,
+    widgets: OnionSkinWidgets,
 }
 
 impl GhostsPanel {
     /// The panel of a session.
     pub(super) fn new(session: &SessionHandle) -> Self {
-        let builder = ui::builder(ui::GHOSTS);
-        ui::narrow(&object(&builder, "with"), 18);
-        let panel = Self {
-            root: object(&builder, "root"),
-            before: object(&builder, "before"),
-            after: object(&builder, "after"),
-            step: object(&builder, "step"),
-            with: object(&builder, "with"),
-            shifts: object(&builder, "shifts"),
-            aside: object(&builder, "aside"),
-            later: object(&builder, "later"),
-            found: object(&builder, "found"),
-        };
+        let widgets = OnionSkinWidgets::of(&ui::builder(ui::GHOSTS));
+        ui::narrow(&widgets.with, 18);
+        let panel = Self { root: widgets.root.clone(), widgets };
         panel.connect(session);
         panel
     }
 
     /// Connects the input of the widgets.
     fn connect(&self, session: &SessionHandle) {
-        for number in [&self.before, &self.after, &self.step] {
-            let [before, after, step] = [&self.before, &self.after, &self.step].map(gtk::SpinButton::clone);
+        for number in [&self.widgets.before, &self.widgets.after, &self.widgets.step] {
+            let [before, after, step] = [&self.widgets.before, &self.widgets.after, &self.widgets.step].map(gtk::SpinButton::clone);
             number.connect_value_changed(glib::clone!(
                 #[weak]
                 session,
@@ -62,15 +60,15 @@ impl GhostsPanel {
                 }
             ));
         }
-        for number in [&self.aside, &self.later] {
-            let (aside, later) = (self.aside.clone(), self.later.clone());
+        for number in [&self.widgets.aside, &self.widgets.later] {
+            let (aside, later) = (self.widgets.aside.clone(), self.widgets.later.clone());
             number.connect_value_changed(glib::clone!(
                 #[weak]
                 session,
                 move |_| session.update(|session| session.set_compare_offsets(later.value(), aside.value()))
             ));
         }
-        self.with.connect_selected_notify(glib::clone!(
+        self.widgets.with.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -84,21 +82,21 @@ impl GhostsPanel {
     pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
         if changes.any(ChangeSet::OVERLAYS) {
             let ghosts = session.onion_skin_settings();
-            self.before.set_value(ghosts.before.into());
-            self.after.set_value(ghosts.after.into());
-            self.step.set_value(ghosts.step.into());
+            self.widgets.before.set_value(ghosts.before.into());
+            self.widgets.after.set_value(ghosts.after.into());
+            self.widgets.step.set_value(ghosts.step.into());
         }
         if changes.any(ChangeSet::OVERLAYS | ChangeSet::DOCUMENT) {
             self.list(session);
         }
         if changes.any(ChangeSet::OVERLAYS | ChangeSet::PICTURE) {
             let compared = session.compared();
-            self.shifts.set_visible(compared.is_some());
-            self.found.set_visible(compared.is_some());
+            self.widgets.shifts.set_visible(compared.is_some());
+            self.widgets.found.set_visible(compared.is_some());
             if let Some(compared) = compared {
-                self.aside.set_value(compared.offset);
-                self.later.set_value(compared.time_offset);
-                self.found.set_text(&difference(session, &compared));
+                self.widgets.aside.set_value(compared.offset);
+                self.widgets.later.set_value(compared.time_offset);
+                self.widgets.found.set_text(&difference(session, &compared));
             }
         }
     }
@@ -114,15 +112,15 @@ impl GhostsPanel {
             Some(CompareTarget::Skinning) => (Some(tr!("app-compare-skinning")), words.len()),
         };
         words.extend(other);
-        let listed = self.with.model().and_downcast::<gtk::StringList>();
+        let listed = self.widgets.with.model().and_downcast::<gtk::StringList>();
         let same = listed.is_some_and(|list| {
             list.n_items() as usize == words.len()
                 && words.iter().enumerate().all(|(i, word)| list.string(i as u32).as_deref() == Some(word))
         });
         if !same {
-            self.with.set_model(Some(&ui::words(&words)));
+            self.widgets.with.set_model(Some(&ui::words(&words)));
         }
-        self.with.set_selected(chosen as u32);
+        self.widgets.with.set_selected(chosen as u32);
     }
 }
 

@@ -26,14 +26,22 @@ const UNFOLDED: usize = 300;
 /// After this time panels have their heights.
 const SETTLED: Duration = Duration::from_millis(300);
 
+ui::widgets! {
+    /// The widgets of the tree.
+    struct TreeWidgets from SCENE_TREE {
+        root: gtk::Box,
+        search: gtk::SearchEntry,
+        scroller: gtk::ScrolledWindow,
+        list: gtk::ListView,
+        nothing: gtk::Label,
+    }
+}
+
 /// The tree.
 pub(super) struct SceneTree {
     /// The whole.
     pub root: gtk::Box,
-    list: gtk::ListView,
-    search: gtk::SearchEntry,
-    scroller: gtk::ScrolledWindow,
-    nothing: gtk::Label,
+    widgets: TreeWidgets,
     selection: RefCell<gtk::SingleSelection>,
     rows: Rc<RefCell<Vec<TreeRow>>>,
     /// How far it is scrolled after the user has just selected the row at this position, until the list has another height.
@@ -45,13 +53,10 @@ pub(super) struct SceneTree {
 impl SceneTree {
     /// The tree of a session; `editor` takes the bone that is picked for a muscle.
     pub(super) fn new(session: &SessionHandle, editor: &Editor, focus: &PictureFocus) -> Self {
-        let builder = ui::builder(ui::SCENE_TREE);
+        let widgets = TreeWidgets::of(&ui::builder(ui::SCENE_TREE));
         let tree = Self {
-            root: object(&builder, "root"),
-            list: object(&builder, "list"),
-            search: object(&builder, "search"),
-            scroller: object(&builder, "scroller"),
-            nothing: object(&builder, "nothing"),
+            root: widgets.root.clone(),
+            widgets,
             selection: RefCell::new(gtk::SingleSelection::new(None::<gio::ListModel>)),
             rows: Rc::default(),
             chosen: Rc::default(),
@@ -63,10 +68,10 @@ impl SceneTree {
     }
 
     fn connect(&self, session: &SessionHandle, focus: &PictureFocus) {
-        self.list.set_factory(Some(&factory(session, &self.rows)));
+        self.widgets.list.set_factory(Some(&factory(session, &self.rows)));
         // The inspector comes up below with the first selection; the row stays under the pointer that chose it, for a second click.
-        let (chosen, list) = (self.chosen.clone(), self.list.downgrade());
-        self.scroller.vadjustment().connect_page_size_notify(move |scrolled| {
+        let (chosen, list) = (self.chosen.clone(), self.widgets.list.downgrade());
+        self.widgets.scroller.vadjustment().connect_page_size_notify(move |scrolled| {
             let rows = list.upgrade().and_then(|list| list.model()).map_or(0, |model| model.n_items());
             if let Some((value, position)) = chosen.take().filter(|_| rows > 0) {
                 let bottom = f64::from(position + 1) * scrolled.upper() / f64::from(rows);
@@ -75,12 +80,12 @@ impl SceneTree {
                 glib::idle_add_local_once(move || scrolled.set_value(value));
             }
         });
-        self.search.connect_search_changed(glib::clone!(
+        self.widgets.search.connect_search_changed(glib::clone!(
             #[weak]
             session,
             move |_| session.update(Session::refresh_tree)
         ));
-        self.search.connect_stop_search(glib::clone!(
+        self.widgets.search.connect_stop_search(glib::clone!(
             #[strong]
             focus,
             move |entry| {
@@ -88,7 +93,7 @@ impl SceneTree {
                 focus.take();
             }
         ));
-        self.list.connect_activate(glib::clone!(
+        self.widgets.list.connect_activate(glib::clone!(
             #[weak]
             session,
             move |list, position| {
@@ -105,16 +110,16 @@ impl SceneTree {
         let scene = &session.document().scene;
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::TREE) {
             *self.rows.borrow_mut() = scene.graph.iter().map(|(id, _)| TreeRow::of(scene, id)).collect();
-            let wanted = self.search.text();
+            let wanted = self.widgets.search.text();
             let (roots, flat) =
                 if wanted.trim().is_empty() { (scene.graph.roots().to_vec(), false) } else { (search(scene, &wanted), true) };
-            self.nothing.set_text(&tr!(if scene.graph.is_empty() { "app-tree-nothing" } else { "app-search-nothing" }));
-            self.nothing.set_visible(roots.is_empty());
-            self.scroller.set_visible(!roots.is_empty());
+            self.widgets.nothing.set_text(&tr!(if scene.graph.is_empty() { "app-tree-nothing" } else { "app-search-nothing" }));
+            self.widgets.nothing.set_visible(roots.is_empty());
+            self.widgets.scroller.set_visible(!roots.is_empty());
             let unfolded = scene.graph.len() <= UNFOLDED;
             let steps = if flat { "" } else { steps(scene) };
             let classes = ["navigation-sidebar", "tree", steps];
-            self.list.set_css_classes(if steps.is_empty() { &classes[..2] } else { &classes });
+            self.widgets.list.set_css_classes(if steps.is_empty() { &classes[..2] } else { &classes });
             self.set_model(&roots, flat, unfolded);
             if !unfolded && !flat {
                 self.unfold_first();
@@ -133,7 +138,7 @@ impl SceneTree {
 
     /// Opens and closes the eyes of the rows that are on the screen; those that come into it later are filled anew anyway.
     fn show_eyes(&self, scene: &Scene) {
-        for widget in std::iter::successors(self.list.first_child(), gtk::Widget::next_sibling) {
+        for widget in std::iter::successors(self.widgets.list.first_child(), gtk::Widget::next_sibling) {
             let Some(expander) = widget.first_child().and_downcast::<gtk::TreeExpander>() else { continue };
             let node = expander.list_row().and_then(|row| node_of(row.upcast_ref()));
             let eye = expander.child().and_then(|content| content.last_child()).and_downcast::<gtk::ToggleButton>();
@@ -172,7 +177,7 @@ impl SceneTree {
                 }
             }
         ));
-        self.list.set_model(Some(&selection));
+        self.widgets.list.set_model(Some(&selection));
         self.selection.replace(selection);
     }
 
@@ -196,7 +201,7 @@ impl SceneTree {
             return;
         };
         if selection.selected_item().and_then(|item| node_of(&item)) == Some(node) {
-            self.chosen.set(Some((self.scroller.vadjustment().value(), selection.selected())));
+            self.chosen.set(Some((self.widgets.scroller.vadjustment().value(), selection.selected())));
             let chosen = self.chosen.clone();
             glib::timeout_add_local_once(SETTLED, move || {
                 chosen.take();
@@ -220,7 +225,7 @@ impl SceneTree {
         let there = position.filter(|at| selection.item(*at).and_then(|item| node_of(&item)) == Some(node));
         selection.set_selected(there.unwrap_or(gtk::INVALID_LIST_POSITION));
         if let Some(at) = there {
-            ui::scroll_to(&self.list, at);
+            ui::scroll_to(&self.widgets.list, at);
         }
     }
 }

@@ -18,7 +18,7 @@ use super::icons::{self, Glyph};
 use super::session_handle::SessionHandle;
 use super::time_axis::{TimeAxis, hold_while};
 use super::timeline_ruler::{Track, frame_of};
-use super::ui::{self, object};
+use super::ui;
 use crate::animation::LoopMode;
 use crate::i18n;
 use crate::session::{ChangeSet, RangeMark, Session};
@@ -41,52 +41,63 @@ enum RulerDrag {
     Range,
 }
 
+ui::widgets! {
+    /// The widgets of the timeline.
+    struct TimelineWidgets from TIMELINE {
+        root: gtk::Box,
+        track: gtk::Overlay,
+        previous_key: gtk::Button,
+        next_key: gtk::Button,
+        frame_back: gtk::Button,
+        frame_forward: gtk::Button,
+        unfold: gtk::ToggleButton,
+        play_image: gtk::Image,
+        loop_mode: gtk::Button,
+        clip: gtk::DropDown,
+        speed: gtk::SpinButton,
+        time: gtk::Scale,
+        seconds: gtk::SpinButton,
+        frame: gtk::SpinButton,
+        rate: gtk::DropDown,
+    }
+}
+
 /// The timeline.
 pub(super) struct Timeline {
     /// The whole.
     pub root: gtk::Box,
+    widgets: TimelineWidgets,
     /// What is unfolded below the track.
     pub sheet: Rc<CurveEditor>,
     /// The time axis of the track and of what lies below it.
     pub axis: TimeAxis,
-    over_track: gtk::Overlay,
     canvas: PaintWidget,
     track: Rc<RefCell<Track>>,
-    time: gtk::Scale,
-    seconds: gtk::SpinButton,
-    frame: gtk::SpinButton,
-    speed: gtk::SpinButton,
-    clip: gtk::DropDown,
-    rate: gtk::DropDown,
-    play_image: gtk::Image,
-    loop_mode: gtk::Button,
 }
 
 impl Timeline {
     /// The timeline of a session.
     pub(super) fn new(session: &SessionHandle) -> Self {
-        let builder = ui::builder(ui::TIMELINE);
+        let widgets = TimelineWidgets::of(&ui::builder(ui::TIMELINE));
         let canvas = PaintWidget::new(160, 72);
-        let over_track: gtk::Overlay = object(&builder, "track");
-        over_track.set_child(Some(&canvas));
-        for (id, glyph) in [
-            ("previous_key", Glyph::PreviousKey),
-            ("next_key", Glyph::NextKey),
-            ("frame_back", Glyph::FrameBack),
-            ("frame_forward", Glyph::FrameForward),
-            ("unfold", Glyph::Sheet),
+        widgets.track.set_child(Some(&canvas));
+        for (button, glyph) in [
+            (&widgets.previous_key, Glyph::PreviousKey),
+            (&widgets.next_key, Glyph::NextKey),
+            (&widgets.frame_back, Glyph::FrameBack),
+            (&widgets.frame_forward, Glyph::FrameForward),
         ] {
-            object::<gtk::Button>(&builder, id).set_child(Some(&icons::image(glyph)));
+            button.set_child(Some(&icons::image(glyph)));
         }
+        widgets.unfold.set_child(Some(&icons::image(Glyph::Sheet)));
         let axis = TimeAxis::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() });
         let track = axis.track.clone();
         let painted = track.clone();
         canvas.set_painter(move |canvas, snapshot, width, height| painted.borrow().paint(canvas, snapshot, width, height));
-        let root: gtk::Box = object(&builder, "root");
         // Exporters make clip names that are longer than the window is wide.
-        ui::narrow(&object(&builder, "clip"), 12);
+        ui::narrow(&widgets.clip, 12);
         let sheet = CurveEditor::new(session, &axis, &canvas);
-        root.append(&sheet.root);
+        widgets.root.append(&sheet.root);
         axis.connect_changed(glib::clone!(
             #[weak]
             canvas,
@@ -97,39 +108,24 @@ impl Timeline {
                 sheet.draw_anew();
             }
         ));
-        let timeline = Self {
-            root,
-            sheet,
-            axis,
-            over_track,
-            canvas,
-            track,
-            time: object(&builder, "time"),
-            seconds: object(&builder, "seconds"),
-            frame: object(&builder, "frame"),
-            speed: object(&builder, "speed"),
-            clip: object(&builder, "clip"),
-            rate: object(&builder, "rate"),
-            play_image: object(&builder, "play_image"),
-            loop_mode: object(&builder, "loop_mode"),
-        };
+        let timeline = Self { root: widgets.root.clone(), widgets, sheet, axis, canvas, track };
         timeline.connect(session);
         timeline
     }
 
     /// What lies over the track.
     pub(super) fn over_track(&self) -> gtk::Overlay {
-        self.over_track.clone()
+        self.widgets.track.clone()
     }
 
     /// Whether a widget is the timeline itself, on which the keys of playing mean what they mean everywhere.
     pub(super) fn is_track(&self, widget: &gtk::Widget) -> bool {
-        self.time.upcast_ref::<gtk::Widget>() == widget
+        self.widgets.time.upcast_ref::<gtk::Widget>() == widget
     }
 
     fn connect(&self, session: &SessionHandle) {
         self.connect_track(session);
-        self.rate.connect_selected_notify(glib::clone!(
+        self.widgets.rate.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -137,7 +133,7 @@ impl Timeline {
                 session.update(|session| session.choose_rate(chosen.copied()));
             }
         ));
-        for (widget, of_frame) in [(&self.seconds, false), (&self.frame, true)] {
+        for (widget, of_frame) in [(&self.widgets.seconds, false), (&self.widgets.frame, true)] {
             widget.connect_value_changed(glib::clone!(
                 #[weak]
                 session,
@@ -150,12 +146,12 @@ impl Timeline {
                 }
             ));
         }
-        self.time.connect_value_changed(glib::clone!(
+        self.widgets.time.connect_value_changed(glib::clone!(
             #[weak]
             session,
             move |scale| session.update(|session| session.time(|time| time.seek(scale.value())))
         ));
-        self.speed.connect_value_changed(glib::clone!(
+        self.widgets.speed.connect_value_changed(glib::clone!(
             #[weak]
             session,
             move |number| {
@@ -166,7 +162,7 @@ impl Timeline {
                 }
             }
         ));
-        self.clip.connect_selected_notify(glib::clone!(
+        self.widgets.clip.connect_selected_notify(glib::clone!(
             #[weak]
             session,
             move |list| {
@@ -188,7 +184,7 @@ impl Timeline {
             #[strong]
             track,
             #[weak(rename_to = time)]
-            self.time,
+            self.widgets.time,
             #[strong]
             grip,
             move |gesture, x, y| {
@@ -272,7 +268,7 @@ impl Timeline {
             }
         ));
         self.canvas.add_controller(wheel);
-        self.time.connect_has_focus_notify(glib::clone!(
+        self.widgets.time.connect_has_focus_notify(glib::clone!(
             #[strong]
             track,
             #[weak(rename_to = canvas)]
@@ -288,14 +284,14 @@ impl Timeline {
     /// The rates, with the one that the keys tell first; listed anew only where that one changed, for a list that is open would close.
     fn list_rates(&self, session: &Session) {
         let own = tr!("app-rate-own", rate = format::number(session.own_rate(), 0));
-        let listed = self.rate.model().and_downcast::<gtk::StringList>().and_then(|list| list.string(0));
+        let listed = self.widgets.rate.model().and_downcast::<gtk::StringList>().and_then(|list| list.string(0));
         if listed.as_deref() != Some(own.as_str()) {
             let rates = RATES.map(|rate| tr!("app-rate", rate = format::number(rate, 0)));
             let words: Vec<&str> = std::iter::once(own.as_str()).chain(rates.iter().map(String::as_str)).collect();
-            self.rate.set_model(Some(&ui::words(&words)));
+            self.widgets.rate.set_model(Some(&ui::words(&words)));
         }
         let chosen = session.chosen_rate().and_then(|rate| RATES.iter().position(|known| *known == rate));
-        self.rate.set_selected(chosen.map_or(0, |place| place as u32 + 1));
+        self.widgets.rate.set_selected(chosen.map_or(0, |place| place as u32 + 1));
     }
 
     /// Shows what changed.
@@ -312,29 +308,29 @@ impl Timeline {
             if names.is_empty() {
                 names.push("–".into());
             }
-            self.clip.set_model(Some(&ui::words(&names)));
-            self.clip.set_enable_search(names.len() > MANY);
+            self.widgets.clip.set_model(Some(&ui::words(&names)));
+            self.widgets.clip.set_enable_search(names.len() > MANY);
         }
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK) {
             self.list_rates(session);
         }
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK) {
-            self.clip.set_sensitive(!session.document().clips.is_empty());
-            self.clip.set_selected(session.clip_index().map_or(0, |index| index as u32));
+            self.widgets.clip.set_sensitive(!session.document().clips.is_empty());
+            self.widgets.clip.set_selected(session.clip_index().map_or(0, |index| index as u32));
             let moves = playback.duration() > 0.0;
-            for (widget, per_second, step) in [(&self.seconds, 1.0, 1.0 / rate), (&self.frame, rate, 1.0)] {
+            for (widget, per_second, step) in [(&self.widgets.seconds, 1.0, 1.0 / rate), (&self.widgets.frame, rate, 1.0)] {
                 widget.set_range(playback.start * per_second, playback.end * per_second);
                 widget.set_increments(step, per_second);
                 ui::set_sensitive(widget, moves);
             }
             // A clip that starts between two frames still shows the frame it starts in.
-            self.frame.set_range(frame_of(playback.start, rate), frame_of(playback.end, rate));
-            self.time.set_range(playback.start, playback.end.max(playback.start + 1e-9));
-            self.time.set_increments(1.0 / rate, 1.0);
-            self.time.set_sensitive(moves);
-            ui::set_sensitive(&self.speed, moves);
-            self.speed.set_value(playback.speed);
-            self.play_image.set_icon_name(Some(if playback.playing {
+            self.widgets.frame.set_range(frame_of(playback.start, rate), frame_of(playback.end, rate));
+            self.widgets.time.set_range(playback.start, playback.end.max(playback.start + 1e-9));
+            self.widgets.time.set_increments(1.0 / rate, 1.0);
+            self.widgets.time.set_sensitive(moves);
+            ui::set_sensitive(&self.widgets.speed, moves);
+            self.widgets.speed.set_value(playback.speed);
+            self.widgets.play_image.set_icon_name(Some(if playback.playing {
                 "media-playback-pause-symbolic"
             } else {
                 "media-playback-start-symbolic"
@@ -344,13 +340,13 @@ impl Timeline {
                 LoopMode::Once => ("media-playlist-consecutive-symbolic", tr!("app-once")),
                 LoopMode::PingPong => ("object-flip-horizontal-symbolic", tr!("app-ping-pong")),
             };
-            self.loop_mode.set_icon_name(icon);
-            self.loop_mode.set_tooltip_text(Some(&tr!("app-loop-tip", mode = name, key = Command::LoopMode.key_label())));
+            self.widgets.loop_mode.set_icon_name(icon);
+            self.widgets.loop_mode.set_tooltip_text(Some(&tr!("app-loop-tip", mode = name, key = Command::LoopMode.key_label())));
         }
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::TIME) {
-            self.time.set_value(playback.time);
+            self.widgets.time.set_value(playback.time);
             // A box that is being typed into keeps what is typed.
-            for (number, value) in [(&self.seconds, playback.time), (&self.frame, frame_of(playback.time, rate))] {
+            for (number, value) in [(&self.widgets.seconds, playback.time), (&self.widgets.frame, frame_of(playback.time, rate))] {
                 number.set_value(value);
             }
         }

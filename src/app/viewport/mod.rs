@@ -224,7 +224,7 @@ impl Viewport {
     /// Says for a while what a drag does.
     pub(super) fn hint(&self, text: &str) {
         let label = &self.widgets.hint;
-        ui::set_label(&label, text);
+        ui::set_label(label, text);
         label.set_visible(!text.is_empty());
     }
 
