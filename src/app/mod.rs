@@ -192,11 +192,62 @@ fn restart() {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::{BTreeMap, BTreeSet};
+    use std::path::Path;
 
     #[test]
     fn files_named_by_a_desktop_become_paths() {
         assert_eq!(local("file:///tmp/a%20b.dae".into()), PathBuf::from("/tmp/a b.dae"));
         assert_eq!(local("-".into()), PathBuf::from("-"));
         assert_eq!(local("walks/file:x.dae".into()), PathBuf::from("walks/file:x.dae"));
+    }
+
+    /// The sources of the modules of this folder, without their tests; `viewport` is one of them.
+    fn sources() -> BTreeMap<String, String> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app");
+        let mut sources = BTreeMap::<String, String>::new();
+        for folder in [folder.clone(), folder.join("viewport")] {
+            for entry in std::fs::read_dir(&folder).expect("the sources are there").flatten() {
+                let (path, is_own) = (entry.path(), folder.ends_with("app"));
+                let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                if path.extension().is_some_and(|ending| ending == "rs") && !(is_own && ["main", "mod"].contains(&stem.as_str())) {
+                    let text = std::fs::read_to_string(&path).expect("a source is text");
+                    let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
+                    sources.entry(if is_own { stem } else { "viewport".to_owned() }).or_default().push_str(text);
+                }
+            }
+        }
+        sources
+    }
+
+    /// The words that follow `super::` or `crate::app::` in a source, those in braces too.
+    fn imports(text: &str) -> BTreeSet<&str> {
+        let follow = text.match_indices("super::").map(|(at, word)| at + word.len());
+        let follow = follow.chain(text.match_indices("crate::app::").map(|(at, word)| at + word.len()));
+        let words = follow.flat_map(|at| {
+            let rest = &text[at..];
+            let end = if rest.starts_with('{') { rest.find('}') } else { rest.find(|c: char| !c.is_alphanumeric() && c != '_') };
+            rest[..end.unwrap_or(rest.len())].split(|c: char| !c.is_alphanumeric() && c != '_')
+        });
+        words.collect()
+    }
+
+    #[test]
+    fn modules_do_not_import_one_another_in_circles_and_none_imports_the_window() {
+        let sources = sources();
+        assert!(sources.len() > 50 && sources.contains_key("viewport") && sources.contains_key("window"));
+        let mut left: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        for (module, text) in &sources {
+            let known = imports(text).into_iter().filter(|word| sources.contains_key(*word) && word != module).collect();
+            left.insert(module, known);
+        }
+        assert!(!left.values().any(|imports| imports.contains("window")));
+        // Whatever imports nothing that is left is in no circle.
+        while let Some(free) =
+            left.iter().find(|(_, imports)| imports.iter().all(|import| !left.contains_key(import))).map(|(module, _)| *module)
+        {
+            left.remove(free);
+        }
+        assert!(left.is_empty(), "{left:#?}");
     }
 }
