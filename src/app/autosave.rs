@@ -12,7 +12,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::document_loader::DocumentLoader;
-use super::ui::{self, object};
+use super::ui;
 use crate::i18n::Sentence;
 use crate::session::Session;
 use crate::tr;
@@ -26,11 +26,19 @@ const CHECK_INTERVAL: Duration = Duration::from_millis(500);
 /// What the names of these files begin with; the number of the process follows.
 const NAME: &str = "unsaved-";
 
+ui::widgets! {
+    /// The widgets of the bar.
+    struct RecoveryBarWidgets from RECOVERY_BAR {
+        root: gtk::InfoBar,
+        message: gtk::Label,
+    }
+}
+
 /// The recovery file of a window, and the bar that offers those of others.
 pub(super) struct Autosave {
     /// The bar.
     pub root: gtk::InfoBar,
-    message: gtk::Label,
+    widgets: RecoveryBarWidgets,
     path: PathBuf,
     gathering: Cell<bool>,
     /// Something changed since it was written down last.
@@ -73,11 +81,11 @@ impl Autosave {
     /// Nothing written, nothing offered; what is brought back is opened by `loader`.
     pub(super) fn new(loader: &Rc<DocumentLoader>) -> Rc<Self> {
         static NEXT: AtomicU32 = AtomicU32::new(0);
-        let builder = ui::builder(ui::RECOVERY_BAR);
+        let widgets = RecoveryBarWidgets::of(&ui::builder(ui::RECOVERY_BAR));
         let name = format!("{NAME}{}-{}.yaml", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
         let autosave = Rc::new(Self {
-            root: object(&builder, "root"),
-            message: object(&builder, "message"),
+            root: widgets.root.clone(),
+            widgets,
             path: folder().join(name),
             gathering: Cell::default(),
             changed: Cell::default(),
@@ -128,7 +136,7 @@ impl Autosave {
         let files = &left.unsaved.files;
         let names = files.iter().filter_map(|path| path.file_name()).map(|name| name.to_string_lossy()).collect::<Vec<_>>();
         let what = if names.is_empty() { tr!("document-built-in") } else { names.join(" + ") };
-        self.message.set_text(&tr!("app-recovery", what = what));
+        self.widgets.message.set_text(&tr!("app-recovery", what = what));
         self.offered.replace(Some(left));
         self.root.set_visible(true);
         self.root.set_revealed(true);

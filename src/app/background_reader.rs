@@ -49,7 +49,7 @@ impl BackgroundReader {
             scene: RefCell::default(),
             beside: RefCell::default(),
         });
-        reader.loading.cancel.connect_clicked(glib::clone!(
+        reader.loading.cancel_button().connect_clicked(glib::clone!(
             #[weak]
             reader,
             move |_| {

@@ -6,15 +6,22 @@ use gtk::gdk;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::ui::object;
+use super::ui;
 
 /// Below this width of the window there is room for one side panel only: the tree with the inspector, or the right one.
 const ROOM_FOR_BOTH: i32 = 1000;
 
+ui::widgets! {
+    /// The boxes at the sides.
+    struct SideWidgets from WINDOW {
+        tree_slot: gtk::Box,
+        panel_slot: gtk::Box,
+    }
+}
+
 /// Both sides.
 pub(super) struct SidePanels {
-    tree: gtk::Box,
-    panel: gtk::Box,
+    widgets: SideWidgets,
     /// The tree was folded for lack of room, not by the user.
     tree_gave_way: Cell<bool>,
     /// The right panel was folded for lack of room, not by the user.
@@ -24,17 +31,12 @@ pub(super) struct SidePanels {
 impl SidePanels {
     /// Those of a window.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
-        Self {
-            tree: object(builder, "tree_slot"),
-            panel: object(builder, "panel_slot"),
-            tree_gave_way: Cell::new(false),
-            panel_gave_way: Cell::new(false),
-        }
+        Self { widgets: SideWidgets::of(builder), tree_gave_way: Cell::new(false), panel_gave_way: Cell::new(false) }
     }
 
     /// Whether the tree and the right panel are shown.
     pub(super) fn shown(&self) -> (bool, bool) {
-        (self.tree.is_visible(), self.panel.is_visible())
+        (self.widgets.tree_slot.is_visible(), self.widgets.panel_slot.is_visible())
     }
 
     /// Whether the tree and the right panel would be shown if there were room.
@@ -48,7 +50,7 @@ impl SidePanels {
         self.tree_gave_way.set(false);
         self.panel_gave_way.set(false);
         if tree && panel && window.is_visible() && is_narrow(window) {
-            if self.tree.is_visible() {
+            if self.widgets.tree_slot.is_visible() {
                 tree = false;
             } else {
                 panel = false;
@@ -56,8 +58,8 @@ impl SidePanels {
             self.tree_gave_way.set(!tree);
             self.panel_gave_way.set(!panel);
         }
-        self.tree.set_visible(tree);
-        self.panel.set_visible(panel);
+        self.widgets.tree_slot.set_visible(tree);
+        self.widgets.panel_slot.set_visible(panel);
     }
 
     /// Folds the tree away in a window that has become too narrow for both, and brings back what gave way when it is wide again; whether it did either.
@@ -78,7 +80,7 @@ impl SidePanels {
     /// Makes the right panel as wide from the start as its widest page can get: what a scene brings up or hides must not move the picture.
     pub(super) fn keep_width(&self, pages: &gtk::Stack) {
         let (widest, ..) = pages.measure(gtk::Orientation::Horizontal, -1);
-        self.panel.set_width_request(widest.max(self.panel.width_request()));
+        self.widgets.panel_slot.set_width_request(widest.max(self.widgets.panel_slot.width_request()));
     }
 }
 

@@ -6,39 +6,39 @@ use gtk4 as gtk;
 use super::commands::Command;
 use super::menus;
 use super::named_sources::sources;
-use super::ui::object;
+use super::ui;
 use crate::document::{Document, Missing, Source};
 use crate::i18n::{self, Sentence, shown, shown_lines};
 use crate::session::{ChangeSet, Session};
 use crate::tr;
 
+ui::widgets! {
+    /// The widgets of the header bar.
+    struct TitleWidgets from WINDOW {
+        title: gtk::Label,
+        subtitle: gtk::Label,
+        undo: gtk::Button,
+        redo: gtk::Button,
+        camera_menu: gtk::MenuButton,
+    }
+}
+
 /// What the header bar shows of the session.
 pub(super) struct TitleBar {
+    widgets: TitleWidgets,
     window: gtk::ApplicationWindow,
-    title: gtk::Label,
-    subtitle: gtk::Label,
-    undo: gtk::Button,
-    redo: gtk::Button,
-    cameras: gtk::MenuButton,
 }
 
 impl TitleBar {
     /// That of a window.
     pub(super) fn new(builder: &gtk::Builder, window: &gtk::ApplicationWindow) -> Self {
-        Self {
-            window: window.clone(),
-            title: object(builder, "title"),
-            subtitle: object(builder, "subtitle"),
-            undo: object(builder, "undo"),
-            redo: object(builder, "redo"),
-            cameras: object(builder, "camera_menu"),
-        }
+        Self { window: window.clone(), widgets: TitleWidgets::of(builder) }
     }
 
     /// Shows what changed.
     pub(super) fn refresh(&self, session: &Session, changes: ChangeSet) {
         if changes.any(ChangeSet::DOCUMENT) {
-            menus::list_cameras(&self.cameras, session);
+            menus::list_cameras(&self.widgets.camera_menu, session);
         }
         if changes.any(ChangeSet::DOCUMENT | ChangeSet::PLAYBACK | ChangeSet::EDIT) {
             self.name(session);
@@ -72,18 +72,18 @@ impl TitleBar {
             let what = words.iter().filter(|(what, _)| lacks(*what)).map(|(_, key)| tr!(key)).collect::<Vec<_>>().join(", ");
             if lacks(Missing::Animation) { tr!("app-missing-still", what = what) } else { tr!("app-missing", what = what) }
         };
-        self.title.set_text(&title);
-        self.title.set_tooltip_text(Some(&*shown_lines(&names.join("\n"))).filter(|_| names.len() > 1));
+        self.widgets.title.set_text(&title);
+        self.widgets.title.set_tooltip_text(Some(&*shown_lines(&names.join("\n"))).filter(|_| names.len() > 1));
         self.window.set_title(Some(&title));
-        self.subtitle.set_text(&subtitle);
-        self.subtitle.set_tooltip_text(Some(&subtitle));
-        self.subtitle.set_visible(!subtitle.is_empty());
+        self.widgets.subtitle.set_text(&subtitle);
+        self.widgets.subtitle.set_tooltip_text(Some(&subtitle));
+        self.widgets.subtitle.set_visible(!subtitle.is_empty());
     }
 
     /// Says at the buttons what undo and redo would do.
     fn name_steps(&self, session: &Session) {
         let (back, forward) = session.undo_names();
-        for (button, command, step) in [(&self.undo, Command::Undo, back), (&self.redo, Command::Redo, forward)] {
+        for (button, command, step) in [(&self.widgets.undo, Command::Undo, back), (&self.widgets.redo, Command::Redo, forward)] {
             let text = match step {
                 Some(step) => tr!("app-step", what = command.label(), step = step.sentence(), key = command.key_label()),
                 None => command.tooltip(),

@@ -9,7 +9,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use super::ui::{self, object};
+use super::ui;
 use crate::tr;
 
 /// How long a notice stays.
@@ -19,11 +19,18 @@ const SHOWN: Duration = Duration::from_secs(6);
 #[derive(Clone)]
 pub(super) struct Toasts(Rc<Notice>);
 
+ui::widgets! {
+    /// The widgets of the notice.
+    struct ToastWidgets from VIEWPORT {
+        toast: gtk::Revealer,
+        toast_label: gtk::Label,
+        toast_folder: gtk::Button,
+    }
+}
+
 /// The widgets of the notice, and what it is about.
 struct Notice {
-    revealer: gtk::Revealer,
-    label: gtk::Label,
-    folder: gtk::Button,
+    widgets: ToastWidgets,
     /// Counts the notices, so that only the last one's time ends it.
     number: Rc<Cell<u32>>,
     /// The file that was written.
@@ -35,16 +42,10 @@ struct Notice {
 impl Toasts {
     /// Those of the viewport's `.ui` file.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
-        let notice = Rc::new(Notice {
-            revealer: object(builder, "toast"),
-            label: object(builder, "toast_label"),
-            folder: object(builder, "toast_folder"),
-            number: Rc::default(),
-            file: RefCell::default(),
-            stays: Cell::default(),
-        });
+        let notice =
+            Rc::new(Notice { widgets: ToastWidgets::of(builder), number: Rc::default(), file: RefCell::default(), stays: Cell::default() });
         let weak = Rc::downgrade(&notice);
-        notice.folder.connect_clicked(move |button| {
+        notice.widgets.toast_folder.connect_clicked(move |button| {
             if let Some(notice) = weak.upgrade() {
                 Self(notice).open_folder(button);
             }
@@ -55,13 +56,13 @@ impl Toasts {
     /// Says something in passing; with the file that was written, offers its folder.
     pub(super) fn toast(&self, text: &str, file: Option<PathBuf>) {
         let notice = &self.0;
-        ui::set_label(&notice.label, text);
-        notice.folder.set_visible(file.is_some());
+        ui::set_label(&notice.widgets.toast_label, text);
+        notice.widgets.toast_folder.set_visible(file.is_some());
         notice.file.replace(file);
         notice.stays.set(false);
-        notice.revealer.set_can_target(true);
-        notice.revealer.set_reveal_child(true);
-        let (number, numbers, revealer) = (notice.number.get().wrapping_add(1), notice.number.clone(), notice.revealer.clone());
+        notice.widgets.toast.set_can_target(true);
+        notice.widgets.toast.set_reveal_child(true);
+        let (number, numbers, revealer) = (notice.number.get().wrapping_add(1), notice.number.clone(), notice.widgets.toast.clone());
         numbers.set(number);
         glib::timeout_add_local_once(SHOWN, move || {
             if numbers.get() == number {
@@ -80,8 +81,8 @@ impl Toasts {
     pub(super) fn hide_notice(&self) {
         if !self.0.stays.get() {
             self.0.number.set(self.0.number.get().wrapping_add(1));
-            self.0.label.set_text("");
-            fold(&self.0.revealer);
+            self.0.widgets.toast_label.set_text("");
+            fold(&self.0.widgets.toast);
         }
     }
 

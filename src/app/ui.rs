@@ -55,6 +55,7 @@ files! {
 macro_rules! widgets {
     ($(#[$doc:meta])* struct $name:ident from $file:ident { $($field:ident: $class:ty,)+ }) => {
         $(#[$doc])*
+        #[derive(Clone)]
         struct $name {
             $($field: $class,)+
         }

@@ -33,7 +33,6 @@ use super::picture_focus::PictureFocus;
 use super::session_handle::SessionHandle;
 use super::settings_handle::SettingsHandle;
 use super::status_line::StatusLine;
-use super::ui::object;
 use super::{format, ui};
 use crate::muscle::AttachmentPoint;
 use crate::render::{PickHit, PickJob, RenderJob, Renderer, Stats};
@@ -49,6 +48,10 @@ ui::widgets! {
     struct ViewportWidgets from VIEWPORT {
         root: gtk::Overlay,
         tools: gtk::Box,
+        tool_navigate: gtk::ToggleButton,
+        tool_move: gtk::ToggleButton,
+        tool_rotate: gtk::ToggleButton,
+        tool_scale: gtk::ToggleButton,
         hint: gtk::Label,
         times: gtk::Label,
         drop_here: gtk::Label,
@@ -95,10 +98,13 @@ impl Viewport {
         canvas.add_css_class("scene");
         handles.focus.set_picture(&canvas);
         root.set_child(Some(&canvas));
-        for (id, glyph) in
-            [("tool_navigate", Glyph::Navigate), ("tool_move", Glyph::Move), ("tool_rotate", Glyph::Rotate), ("tool_scale", Glyph::Scale)]
-        {
-            object::<gtk::ToggleButton>(&builder, id).set_child(Some(&icons::image(glyph)));
+        for (button, glyph) in [
+            (&widgets.tool_navigate, Glyph::Navigate),
+            (&widgets.tool_move, Glyph::Move),
+            (&widgets.tool_rotate, Glyph::Rotate),
+            (&widgets.tool_scale, Glyph::Scale),
+        ] {
+            button.set_child(Some(&icons::image(glyph)));
         }
         let viewport = Rc::new(Self {
             root,

@@ -9,7 +9,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use crate::app::session_handle::SessionHandle;
-use crate::app::ui::{self, object};
+use crate::app::ui;
 use crate::message;
 use crate::session::{ModelTransform, Tool, UndoStep};
 use crate::tr;
@@ -19,30 +19,34 @@ const MARGIN: i32 = 12;
 /// Padding and border of what floats over the picture, both sides together.
 const FRAME: i32 = 26;
 
+ui::widgets! {
+    /// The fields, each with the letter of its axis.
+    struct FieldWidgets from VIEWPORT {
+        numbers: gtk::Box,
+        numbers_label: gtk::Label,
+        letter_x: gtk::Label,
+        number_x: gtk::SpinButton,
+        axis_y: gtk::Box,
+        number_y: gtk::SpinButton,
+        axis_z: gtk::Box,
+        number_z: gtk::SpinButton,
+    }
+}
+
 /// Three boxes, of which Scale uses one.
 #[derive(Clone)]
 pub(super) struct TransformFields {
-    root: gtk::Box,
-    label: gtk::Label,
+    widgets: FieldWidgets,
     boxes: [gtk::SpinButton; 3],
-    /// Each box with the letter of its axis.
-    axes: [gtk::Box; 3],
-    /// The letter of the first, which Scale does without.
-    letter: gtk::Label,
     tool: Rc<Cell<Tool>>,
 }
 
 impl TransformFields {
     /// From the viewport's `.ui` file.
     pub(super) fn new(builder: &gtk::Builder) -> Self {
-        Self {
-            root: object(builder, "numbers"),
-            label: object(builder, "numbers_label"),
-            boxes: ["number_x", "number_y", "number_z"].map(|id| object(builder, id)),
-            axes: ["axis_x", "axis_y", "axis_z"].map(|id| object(builder, id)),
-            letter: object(builder, "letter_x"),
-            tool: Rc::default(),
-        }
+        let widgets = FieldWidgets::of(builder);
+        let boxes = [&widgets.number_x, &widgets.number_y, &widgets.number_z].map(gtk::SpinButton::clone);
+        Self { widgets, boxes, tool: Rc::default() }
     }
 
     /// Lets the boxes change the model.
@@ -71,18 +75,18 @@ impl TransformFields {
     /// Takes no more room than a picture of this width has, logical pixels: does without the buttons of the boxes, then without the name of the whole, and
     /// at last stands upright. Typing, the wheel and keys change numbers without buttons too.
     pub(super) fn fit(&self, width: i32) {
-        let room = width - self.root.margin_start() - MARGIN;
+        let room = width - self.widgets.numbers.margin_start() - MARGIN;
         for (buttons, named, upright) in [(true, true, false), (false, true, false), (false, false, false), (true, true, true)] {
             for number in &self.boxes {
                 let parts = std::iter::successors(number.first_child(), WidgetExt::next_sibling);
                 parts.filter(|part| part.is::<gtk::Button>()).for_each(|button| button.set_visible(buttons));
             }
-            self.label.set_visible(named);
-            self.root.set_orientation(if upright { gtk::Orientation::Vertical } else { gtk::Orientation::Horizontal });
+            self.widgets.numbers_label.set_visible(named);
+            self.widgets.numbers.set_orientation(if upright { gtk::Orientation::Vertical } else { gtk::Orientation::Horizontal });
             if upright {
-                self.root.add_css_class("upright")
+                self.widgets.numbers.add_css_class("upright")
             } else {
-                self.root.remove_css_class("upright")
+                self.widgets.numbers.remove_css_class("upright")
             }
             if self.width() <= room {
                 break;
@@ -92,16 +96,16 @@ impl TransformFields {
 
     /// The width that all that is visible takes.
     fn width(&self) -> i32 {
-        let parts = std::iter::successors(self.root.first_child(), WidgetExt::next_sibling).filter(WidgetExt::is_visible);
+        let parts = std::iter::successors(self.widgets.numbers.first_child(), WidgetExt::next_sibling).filter(WidgetExt::is_visible);
         let (widths, count) = parts.fold((0, 0), |(sum, count), part| (sum + part.measure(gtk::Orientation::Horizontal, -1).0, count + 1));
-        widths + self.root.spacing() * (count - 1) + FRAME
+        widths + self.widgets.numbers.spacing() * (count - 1) + FRAME
     }
 
     /// Shows the numbers of a tool.
     pub(super) fn refresh(&self, tool: Tool, model: &ModelTransform) {
         let other = self.tool.replace(tool) != tool;
-        self.root.set_visible(tool != Tool::Navigate);
-        let [_, y, z] = &self.axes;
+        self.widgets.numbers.set_visible(tool != Tool::Navigate);
+        let (y, z) = (&self.widgets.axis_y, &self.widgets.axis_z);
         if other {
             let (limit, step, digits, label) = match tool {
                 Tool::Navigate => return,
@@ -110,7 +114,7 @@ impl TransformFields {
                 Tool::Scale => (1.0 / ModelTransform::MIN_SCALE, 0.05, 3, tr!("app-numbers-scale")),
             };
             let lowest = if tool == Tool::Scale { ModelTransform::MIN_SCALE } else { -limit };
-            self.label.set_text(&label);
+            self.widgets.numbers_label.set_text(&label);
             self.boxes.iter().for_each(|number| number.set_tooltip_text(Some(&label)));
             for number in &self.boxes {
                 number.set_range(lowest, limit);
@@ -119,7 +123,7 @@ impl TransformFields {
             }
             y.set_visible(tool != Tool::Scale);
             z.set_visible(tool != Tool::Scale);
-            self.letter.set_visible(tool != Tool::Scale);
+            self.widgets.letter_x.set_visible(tool != Tool::Scale);
         }
         let values = match tool {
             Tool::Navigate => return,
