@@ -288,7 +288,7 @@ fn factory(session: &SessionHandle, rows: &Rc<RefCell<Vec<TreeRow>>>) -> gtk::Si
         let (icon, eye) = (content.first_child().and_downcast::<PaintWidget>(), content.last_child().and_downcast::<gtk::ToggleButton>());
         let label = icon.as_ref().and_then(|icon| icon.next_sibling()).and_downcast::<gtk::Label>();
         if let (Some(icon), Some(label), Some(eye)) = (icon, label, eye) {
-            icons::set(&icon, row.glyph);
+            icons::set(&icon, row.icon);
             let name = shown(&row.name);
             label.set_text(&name);
             label.set_tooltip_text(Some(&name));

@@ -14,7 +14,7 @@ use super::commands::Command;
 use super::curve_editor::CurveEditor;
 use super::drawing_area::PaintWidget;
 use super::format;
-use super::icons::{self, Glyph};
+use super::icons::{self, Icon};
 use super::session_handle::SessionHandle;
 use super::time_axis::{TimeAxis, hold_while};
 use super::timeline_ruler::{Track, frame_of};
@@ -81,15 +81,15 @@ impl Timeline {
         let widgets = TimelineWidgets::of(&ui::builder(ui::TIMELINE));
         let canvas = PaintWidget::new(160, 72);
         widgets.track.set_child(Some(&canvas));
-        for (button, glyph) in [
-            (&widgets.previous_key, Glyph::PreviousKey),
-            (&widgets.next_key, Glyph::NextKey),
-            (&widgets.frame_back, Glyph::FrameBack),
-            (&widgets.frame_forward, Glyph::FrameForward),
+        for (button, icon) in [
+            (&widgets.previous_key, Icon::PreviousKey),
+            (&widgets.next_key, Icon::NextKey),
+            (&widgets.frame_back, Icon::FrameBack),
+            (&widgets.frame_forward, Icon::FrameForward),
         ] {
-            button.set_child(Some(&icons::image(glyph)));
+            button.set_child(Some(&icons::image(icon)));
         }
-        widgets.unfold.set_child(Some(&icons::image(Glyph::Sheet)));
+        widgets.unfold.set_child(Some(&icons::image(Icon::DopeSheet)));
         let axis = TimeAxis::new(Track { empty: tr!("app-no-animation"), second: tr!("app-unit-s"), ..Track::default() });
         let track = axis.track.clone();
         let painted = track.clone();

@@ -1,6 +1,6 @@
 //! Model of the scene tree: one row a node, built without widgets.
 
-use super::icons::Glyph;
+use super::icons::Icon;
 use crate::i18n;
 use crate::scene::{Content, Node, NodeId, NodeKind, Scene};
 
@@ -12,7 +12,7 @@ pub(super) struct TreeRow {
     /// What a person calls it.
     pub name: String,
     /// Its icon.
-    pub glyph: Glyph,
+    pub icon: Icon,
     /// Whether it is drawn.
     pub visible: bool,
     /// The nodes below it.
@@ -26,26 +26,26 @@ impl TreeRow {
         Self {
             node: id,
             name: i18n::label(scene.graph.label(id)).into_owned(),
-            glyph: glyph(node),
+            icon: icon(node),
             visible: node.visible,
             children: node.children().to_vec(),
         }
     }
 }
 
-fn glyph(node: &Node) -> Glyph {
+fn icon(node: &Node) -> Icon {
     let of = |content: &Content| match content {
-        Content::Muscle(_) => Glyph::Muscle,
-        Content::Mesh(_) => Glyph::Mesh,
-        Content::Camera(_) => Glyph::Camera,
-        Content::Light(_) => Glyph::Light,
+        Content::Muscle(_) => Icon::Muscle,
+        Content::Mesh(_) => Icon::Mesh,
+        Content::Camera(_) => Icon::Camera,
+        Content::Light(_) => Icon::Light,
     };
     let muscle = node.contents.iter().find(|content| matches!(content, Content::Muscle(_)));
     match (node.kind, muscle.or(node.contents.first())) {
-        (NodeKind::Joint, _) => Glyph::Bone,
+        (NodeKind::Joint, _) => Icon::Bone,
         (_, Some(content)) => of(content),
-        (NodeKind::Asset, None) => Glyph::File,
-        (NodeKind::Node, None) => Glyph::Node,
+        (NodeKind::Asset, None) => Icon::File,
+        (NodeKind::Node, None) => Icon::Node,
     }
 }
 
@@ -126,6 +126,6 @@ mod tests {
     #[test]
     fn icons_tell_kinds_apart() {
         let scene = scene();
-        assert_eq!((TreeRow::of(&scene, NodeId(0)).glyph, TreeRow::of(&scene, NodeId(1)).glyph), (Glyph::File, Glyph::Bone));
+        assert_eq!((TreeRow::of(&scene, NodeId(0)).icon, TreeRow::of(&scene, NodeId(1)).icon), (Icon::File, Icon::Bone));
     }
 }

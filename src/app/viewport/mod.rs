@@ -27,7 +27,7 @@ use self::transform_fields::TransformFields;
 use super::bone_names;
 use super::drawing_area::{PaintWidget, cairo as cairo_over};
 use super::frame_clock::FrameClock;
-use super::icons::{self, Glyph};
+use super::icons::{self, Icon};
 use super::muscle_editor::Editor;
 use super::picture_focus::PictureFocus;
 use super::session_handle::SessionHandle;
@@ -98,13 +98,13 @@ impl Viewport {
         canvas.add_css_class("scene");
         handles.focus.set_picture(&canvas);
         root.set_child(Some(&canvas));
-        for (button, glyph) in [
-            (&widgets.tool_navigate, Glyph::Navigate),
-            (&widgets.tool_move, Glyph::Move),
-            (&widgets.tool_rotate, Glyph::Rotate),
-            (&widgets.tool_scale, Glyph::Scale),
+        for (button, icon) in [
+            (&widgets.tool_navigate, Icon::Navigate),
+            (&widgets.tool_move, Icon::Move),
+            (&widgets.tool_rotate, Icon::Rotate),
+            (&widgets.tool_scale, Icon::Scale),
         ] {
-            button.set_child(Some(&icons::image(glyph)));
+            button.set_child(Some(&icons::image(icon)));
         }
         let viewport = Rc::new(Self {
             root,
