@@ -2,17 +2,20 @@
 
 use std::io::{self, Write};
 
-use super::png::{rgb, to_io, unpremultiply};
+use super::png::{check_room, reserved, rgb, to_io, unpremultiply};
 use sinew_render::Framebuffer;
 
 /// The pixels of a frame as the file takes them: red, green, blue, and alpha where the sequence has it.
-pub fn rows(picture: &Framebuffer, alpha: bool) -> Vec<u8> {
-    let mut rows = Vec::with_capacity(picture.pixels.len() * if alpha { 4 } else { 3 });
+///
+/// # Errors
+/// [`io::ErrorKind::OutOfMemory`].
+pub fn rows(picture: &Framebuffer, alpha: bool) -> io::Result<Vec<u8>> {
+    let mut rows = reserved(picture.pixels.len() * if alpha { 4 } else { 3 })?;
     match alpha {
         true => rows.extend(picture.pixels.iter().flat_map(|&pixel| unpremultiply(pixel))),
         false => rows.extend(picture.pixels.iter().flat_map(|&pixel| rgb(pixel))),
     }
-    rows
+    Ok(rows)
 }
 
 /// Writes the frames of an APNG.
@@ -51,6 +54,7 @@ impl<W: Write> ApngWriter<W> {
     /// # Errors
     /// What the file returns.
     pub fn frame(&mut self, rows: Vec<u8>) -> io::Result<()> {
+        check_room()?;
         let (numerator, denominator) = delay(self.frames, self.fps);
         self.writer.set_frame_delay(numerator, denominator).map_err(to_io)?;
         if self.frames == 0 {
@@ -66,8 +70,9 @@ impl<W: Write> ApngWriter<W> {
             let stride = self.width * self.channels;
             let part = (left * self.channels)..((left + width) * self.channels);
             let boxed = rows.chunks_exact(stride.max(1)).skip(top).take(height);
-            let boxed: Vec<u8> = boxed.flat_map(|row| row.get(part.clone()).unwrap_or_default()).copied().collect();
-            self.writer.write_image_data(&boxed).map_err(to_io)?;
+            let mut changed = reserved(width * height * self.channels)?;
+            boxed.for_each(|row| changed.extend_from_slice(row.get(part.clone()).unwrap_or_default()));
+            self.writer.write_image_data(&changed).map_err(to_io)?;
         }
         self.frames += 1;
         self.shown = rows;
@@ -129,7 +134,7 @@ mod tests {
         for alpha in [false, true] {
             let mut file = Vec::new();
             let mut sink = ApngWriter::begin(&mut file, (3, 2), frames.len(), 30.0, alpha, &[("Comment", "x")]).expect("memory");
-            frames.iter().for_each(|frame| sink.frame(rows(frame, alpha)).expect("memory"));
+            frames.iter().for_each(|frame| sink.frame(rows(frame, alpha).expect("memory")).expect("memory"));
             sink.finish().expect("memory");
             let mut reader = ::png::Decoder::new(io::Cursor::new(&file)).read_info().expect("a PNG");
             let control = *reader.info().animation_control().expect("a film");
@@ -148,7 +153,7 @@ mod tests {
                     screen[to..to + row].copy_from_slice(&buffer[y * row..(y + 1) * row]);
                 }
                 boxes.push((info.x_offset, info.y_offset, info.width, info.height));
-                assert!(screen == rows(frame, alpha));
+                assert!(screen == rows(frame, alpha).expect("memory"));
             }
             assert_eq!(boxes[1..3], [(1, 1, 2, 1), (0, 0, 1, 1)]);
         }

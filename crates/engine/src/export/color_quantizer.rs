@@ -1,11 +1,12 @@
 //! Few colours for many: a palette of at most 255 for a whole animation, and ordered dithering that does not crawl from frame to frame.
 
 use std::collections::HashMap;
+use std::sync::atomic::{AtomicU16, Ordering};
 
 use color_quant::NeuQuant;
 
 use super::png::rgb;
-use sinew_render::Framebuffer;
+use sinew_render::{Framebuffer, RenderError};
 
 /// Most colours of a palette; one more index is kept for transparency.
 pub const COLORS: usize = 255;
@@ -21,6 +22,11 @@ const AMPLITUDE: i32 = 6;
 
 /// Squared distance up to which a palette colour is taken without dithering, so that plain areas stay plain.
 const NEAR: i32 = 8;
+
+/// Cells of the table of nearest colours: six bits a channel.
+const CELLS: usize = 1 << 18;
+/// Stands in that table for a cell that was not asked for yet; indices are below.
+const UNKNOWN: u16 = u16::MAX;
 
 /// Collects colours from pictures.
 #[derive(Debug, Clone)]
@@ -44,7 +50,10 @@ impl ColorSampler {
     }
 
     /// The palette of all that was added.
-    pub fn color_table(self) -> ColorTable {
+    ///
+    /// # Errors
+    /// [`RenderError::OutOfMemory`] where the system gives no memory for its table.
+    pub fn color_table(self) -> Result<ColorTable, RenderError> {
         let mut counts: HashMap<[u8; 3], usize> = HashMap::new();
         for color in &self.colors {
             *counts.entry(*color).or_default() += 1;
@@ -75,20 +84,23 @@ pub fn is_solid(pixel: u32) -> bool {
     pixel >> 24 >= 128
 }
 
-/// At most 255 colours, with a table that finds the nearest.
-#[derive(Debug, Clone)]
+/// At most 255 colours, with a table that finds the nearest. Threads share it: what one has found, the others know.
+#[derive(Debug)]
 pub struct ColorTable {
     colors: Vec<[u8; 3]>,
-    /// Index of the nearest colour for each cell of 4 × 4 × 4 colours, filled as asked for.
-    nearest: Vec<Option<u8>>,
+    /// Index of the nearest colour for each cell of 4 × 4 × 4 colours, [`UNKNOWN`] until it is asked for. Whoever finds it first, it is the same.
+    nearest: Vec<AtomicU16>,
 }
 
 impl ColorTable {
-    fn of(mut colors: Vec<[u8; 3]>) -> Self {
+    fn of(mut colors: Vec<[u8; 3]>) -> Result<Self, RenderError> {
         if colors.is_empty() {
             colors.push([0; 3]);
         }
-        Self { colors, nearest: vec![None; 1 << 18] }
+        let mut nearest = Vec::new();
+        nearest.try_reserve_exact(CELLS)?;
+        nearest.resize_with(CELLS, || AtomicU16::new(UNKNOWN));
+        Ok(Self { colors, nearest })
     }
 
     /// The colours as a row of red, green, blue.
@@ -97,7 +109,7 @@ impl ColorTable {
     }
 
     /// The index that stands for `color` at column `x` and row `y`.
-    pub fn index(&mut self, color: [u8; 3], x: usize, y: usize) -> u8 {
+    pub fn index(&self, color: [u8; 3], x: usize, y: usize) -> u8 {
         let plain = self.lookup(color);
         if self.distance(plain, color) <= NEAR {
             return plain;
@@ -106,18 +118,18 @@ impl ColorTable {
         self.lookup(color.map(|channel| (i32::from(channel) + shift).clamp(0, 255) as u8))
     }
 
-    fn lookup(&mut self, color: [u8; 3]) -> u8 {
+    fn lookup(&self, color: [u8; 3]) -> u8 {
         let [r, g, b] = color.map(|channel| usize::from(channel >> 2));
         let cell = r << 12 | g << 6 | b;
-        if let Some(known) = self.nearest.get(cell).copied().flatten() {
+        // Three times six bits are always within the table.
+        let Some(nearest) = self.nearest.get(cell) else { return 0 };
+        if let Ok(known) = u8::try_from(nearest.load(Ordering::Relaxed)) {
             return known;
         }
         // The middle of the cell stands for all of it.
         let middle = color.map(|channel| channel & !3 | 2);
         let found = (0..self.colors.len() as u32).min_by_key(|i| self.distance(*i as u8, middle)).unwrap_or(0) as u8;
-        if let Some(slot) = self.nearest.get_mut(cell) {
-            *slot = Some(found);
-        }
+        nearest.store(found.into(), Ordering::Relaxed);
         found
     }
 
@@ -148,7 +160,7 @@ mod tests {
     fn few_colours_stay_exact() {
         let mut sampler = ColorSampler::new(1);
         sampler.add(&Framebuffer { width: 3, height: 1, pixels: vec![0xFF010203, 0xFFFFFFFF, 0x00000000] });
-        let mut palette = sampler.color_table();
+        let palette = sampler.color_table().expect("there is memory");
         assert_eq!(palette.bytes().len(), 6);
         for color in [[1, 2, 3], [255, 255, 255]] {
             let index = usize::from(palette.index(color, 5, 3));
@@ -162,7 +174,7 @@ mod tests {
         let picture = Framebuffer { width: 256, height: 256, pixels };
         let mut sampler = ColorSampler::new(1);
         sampler.add(&picture);
-        let mut palette = sampler.color_table();
+        let palette = sampler.color_table().expect("there is memory");
         let (mut error, mut worst) = ([0_i64; 3], 0);
         for (i, pixel) in picture.pixels.iter().enumerate() {
             let color = rgb(*pixel);

@@ -8,7 +8,7 @@ use ::gif::{DisposalMethod, Encoder, Frame, Repeat};
 
 use super::color_quantizer::{COLORS, ColorTable, is_solid};
 use super::guard::Output;
-use super::png::unpremultiply;
+use super::png::{check_room, reserved, unpremultiply};
 use super::{ExportError, atomic_file::write_atomic};
 use sinew_render::Framebuffer;
 
@@ -19,8 +19,8 @@ const CLEAR: u8 = COLORS as u8;
 pub const MOST_FPS: f64 = 50.0;
 
 /// How an animation is written.
-#[derive(Debug, Clone)]
-pub struct GifSettings {
+#[derive(Debug)]
+pub struct GifSettings<'a> {
     /// Columns and rows, at most 65535.
     pub size: (u32, u32),
     /// Frames a second.
@@ -28,7 +28,7 @@ pub struct GifSettings {
     /// Whether pixels may be transparent (all or nothing: the format has no more).
     pub alpha: bool,
     /// The colours.
-    pub palette: ColorTable,
+    pub palette: &'a ColorTable,
 }
 
 /// Writes an animation to `file`. `draw` is called once and gives the frames to the [`GifWriter`], one after the other.
@@ -37,7 +37,7 @@ pub struct GifSettings {
 /// [`ExportError`] where the file cannot be written or the size does not fit the format; what `draw` returns.
 pub fn save(
     file: &Output,
-    settings: GifSettings,
+    settings: GifSettings<'_>,
     draw: impl FnOnce(&mut GifWriter<'_, BufWriter<&mut File>>) -> io::Result<()>,
 ) -> Result<(), ExportError> {
     let (width, height) = settings.size;
@@ -48,8 +48,11 @@ pub fn save(
 }
 
 /// The palette's index for each pixel of a frame.
-pub fn indices(palette: &mut ColorTable, picture: &Framebuffer, alpha: bool) -> Vec<u8> {
-    let mut indices = Vec::with_capacity(picture.pixels.len());
+///
+/// # Errors
+/// [`io::ErrorKind::OutOfMemory`].
+pub fn indices(palette: &ColorTable, picture: &Framebuffer, alpha: bool) -> io::Result<Vec<u8>> {
+    let mut indices = reserved(picture.pixels.len())?;
     for (y, row) in picture.pixels.chunks_exact((picture.width as usize).max(1)).enumerate() {
         indices.extend(row.iter().enumerate().map(|(x, &pixel)| {
             if alpha && !is_solid(pixel) {
@@ -59,41 +62,56 @@ pub fn indices(palette: &mut ColorTable, picture: &Framebuffer, alpha: bool) -> 
             palette.index([r, g, b], x, y)
         }));
     }
-    indices
+    Ok(indices)
 }
 
 /// Takes the frames of an animation.
 pub struct GifWriter<'a, W: Write> {
     encoder: Encoder<&'a mut W>,
-    settings: GifSettings,
+    settings: GifSettings<'a>,
     width: u16,
     height: u16,
     frames: u64,
     /// Palette indices of the frame before, empty at first.
     shown: Vec<u8>,
-    next: Vec<u8>,
 }
 
 impl<'a, W: Write> GifWriter<'a, W> {
-    fn begin(out: &'a mut W, width: u16, height: u16, settings: GifSettings) -> io::Result<Self> {
+    fn begin(out: &'a mut W, width: u16, height: u16, settings: GifSettings<'a>) -> io::Result<Self> {
         let mut colors = settings.palette.bytes();
         // The table is as long as the index for nothing asks.
         colors.resize((COLORS + 1) * 3, 0);
         let mut encoder = Encoder::new(out, width, height, &colors).map_err(to_io)?;
         encoder.set_repeat(Repeat::Infinite).map_err(to_io)?;
-        Ok(Self { encoder, settings, width, height, frames: 0, shown: Vec::new(), next: Vec::new() })
+        Ok(Self { encoder, settings, width, height, frames: 0, shown: Vec::new() })
     }
 
     /// Adds a frame: its [`indices`].
     ///
     /// # Errors
-    /// What the file returns.
+    /// What the file returns; [`io::ErrorKind::OutOfMemory`].
     pub fn frame(&mut self, indices: Vec<u8>) -> io::Result<()> {
-        self.next = indices;
-        self.next.resize(usize::from(self.width) * usize::from(self.height), CLEAR);
-        let frame = if self.settings.alpha { self.whole() } else { self.changed() };
+        check_room()?;
+        let mut next = indices;
+        next.resize(usize::from(self.width) * usize::from(self.height), CLEAR);
+        let whole = Frame {
+            delay: self.delay(),
+            dispose: DisposalMethod::Background,
+            transparent: Some(CLEAR),
+            width: self.width,
+            height: self.height,
+            buffer: Cow::Borrowed(&next),
+            ..Frame::default()
+        };
+        let frame = match (self.settings.alpha, self.shown.len() == next.len()) {
+            // Wiped away before the next: what is transparent must not show the frame before.
+            (true, _) => whole,
+            (false, false) => Frame { dispose: DisposalMethod::Keep, transparent: None, ..whole },
+            (false, true) => changed(&self.shown, whole)?,
+        };
         self.encoder.write_frame(&frame).map_err(to_io)?;
-        self.shown = std::mem::take(&mut self.next);
+        drop(frame);
+        self.shown = next;
         self.frames += 1;
         Ok(())
     }
@@ -103,57 +121,31 @@ impl<'a, W: Write> GifWriter<'a, W> {
         let moment = |frame: u64| (frame as f64 * 100.0 / self.settings.fps).round();
         (moment(self.frames + 1) - moment(self.frames)).clamp(1.0, f64::from(u16::MAX)) as u16
     }
+}
 
-    /// The whole frame, wiped away before the next: what is transparent must not show the frame before.
-    fn whole(&self) -> Frame<'static> {
-        Frame {
-            delay: self.delay(),
-            dispose: DisposalMethod::Background,
-            transparent: Some(CLEAR),
-            width: self.width,
-            height: self.height,
-            buffer: Cow::Owned(self.next.clone()),
-            ..Frame::default()
+/// The box round what differs from the frame before, what is the same in it left transparent.
+fn changed<'a>(shown: &[u8], whole: Frame<'a>) -> io::Result<Frame<'a>> {
+    let columns = usize::from(whole.width).max(1);
+    let (mut left, mut right, mut top, mut bottom) = (columns, 0, usize::MAX, 0);
+    for (y, (old, new)) in shown.chunks_exact(columns).zip(whole.buffer.chunks_exact(columns)).enumerate() {
+        if let Some(first) = old.iter().zip(new).position(|(a, b)| a != b) {
+            let last = old.iter().zip(new).rposition(|(a, b)| a != b).unwrap_or(first);
+            (left, right) = (left.min(first), right.max(last));
+            (top, bottom) = (top.min(y), y);
         }
     }
-
-    /// The box round what differs from the frame before, what is the same in it left transparent.
-    fn changed(&self) -> Frame<'static> {
-        let columns = usize::from(self.width).max(1);
-        if self.shown.len() != self.next.len() {
-            return Frame { dispose: DisposalMethod::Keep, transparent: None, ..self.whole() };
-        }
-        let (mut left, mut right, mut top, mut bottom) = (columns, 0, usize::MAX, 0);
-        for (y, (old, new)) in self.shown.chunks_exact(columns).zip(self.next.chunks_exact(columns)).enumerate() {
-            if let Some(first) = old.iter().zip(new).position(|(a, b)| a != b) {
-                let last = old.iter().zip(new).rposition(|(a, b)| a != b).unwrap_or(first);
-                (left, right) = (left.min(first), right.max(last));
-                (top, bottom) = (top.min(y), y);
-            }
-        }
-        if left > right {
-            // Nothing changed; a frame must have a pixel.
-            (left, right, top, bottom) = (0, 0, 0, 0);
-        }
-        let mut buffer = Vec::with_capacity((right - left + 1) * (bottom - top + 1));
-        for (old, new) in self.shown.chunks_exact(columns).zip(self.next.chunks_exact(columns)).take(bottom + 1).skip(top) {
-            let pairs = old.iter().zip(new).take(right + 1).skip(left);
-            buffer.extend(pairs.map(|(old, new)| if old == new { CLEAR } else { *new }));
-        }
-        // All four are within a frame whose sides are u16.
-        let [left, top, width, height] = [left, top, right - left + 1, bottom - top + 1].map(|n| n as u16);
-        Frame {
-            delay: self.delay(),
-            dispose: DisposalMethod::Keep,
-            transparent: Some(CLEAR),
-            left,
-            top,
-            width,
-            height,
-            buffer: Cow::Owned(buffer),
-            ..Frame::default()
-        }
+    if left > right {
+        // Nothing changed; a frame must have a pixel.
+        (left, right, top, bottom) = (0, 0, 0, 0);
     }
+    let mut buffer = reserved((right - left + 1) * (bottom - top + 1))?;
+    for (old, new) in shown.chunks_exact(columns).zip(whole.buffer.chunks_exact(columns)).take(bottom + 1).skip(top) {
+        let pairs = old.iter().zip(new).take(right + 1).skip(left);
+        buffer.extend(pairs.map(|(old, new)| if old == new { CLEAR } else { *new }));
+    }
+    // All four are within a frame whose sides are u16.
+    let [left, top, width, height] = [left, top, right - left + 1, bottom - top + 1].map(|n| n as u16);
+    Ok(Frame { dispose: DisposalMethod::Keep, left, top, width, height, buffer: Cow::Owned(buffer), ..whole })
 }
 
 fn to_io(error: ::gif::EncodingError) -> io::Error {
@@ -179,10 +171,12 @@ mod tests {
         let mut sampler = ColorSampler::new(frames.len());
         frames.iter().for_each(|frame| sampler.add(frame));
         let mut file = Vec::new();
-        let settings = GifSettings { size: (3, 2), fps, alpha, palette: sampler.color_table() };
+        let palette = sampler.color_table().expect("there is memory");
+        let settings = GifSettings { size: (3, 2), fps, alpha, palette: &palette };
         let mut sink = GifWriter::begin(&mut file, 3, 2, settings).expect("memory is writable");
-        let mut palette = sink.settings.palette.clone();
-        frames.iter().for_each(|frame| sink.frame(indices(&mut palette, frame, alpha)).expect("memory is writable"));
+        for frame in frames {
+            sink.frame(indices(&palette, frame, alpha).expect("there is memory")).expect("memory is writable");
+        }
         drop(sink);
         file
     }
@@ -242,8 +236,8 @@ mod tests {
 
     #[test]
     fn a_side_beyond_the_format_is_refused() {
-        let palette = ColorSampler::new(1).color_table();
-        let settings = GifSettings { size: (65_536, 1), fps: 10.0, alpha: false, palette };
+        let palette = ColorSampler::new(1).color_table().expect("there is memory");
+        let settings = GifSettings { size: (65_536, 1), fps: 10.0, alpha: false, palette: &palette };
         assert!(matches!(
             save(&Output::of_program(std::path::Path::new("never.gif")), settings, |_| Ok(())),
             Err(ExportError::TooLarge { .. })

@@ -38,16 +38,15 @@ impl<W: Write> Write for CancellableWriter<'_, W> {
 }
 
 /// Draws `count` pictures of `size` with `draw`, one after the other on the calling thread, converts each with `convert` on `threads`
-/// other threads, and passes the results to `write` in order, on one more thread. `converter` makes the state of each converting thread.
+/// other threads, and passes the results to `write` in order, on one more thread.
 ///
 /// # Errors
 /// The first that `draw`, `convert` or `write` returns; [`ExportError::Cancelled`] (inside the [`io::Error`]) when `progress` was cancelled.
-pub fn run<C, T: Send>(
+pub fn run<T: Send>(
     (count, size, threads): (usize, (u32, u32), usize),
     progress: &Progress,
     mut draw: impl FnMut(usize, &mut Framebuffer) -> io::Result<()>,
-    converter: impl Fn() -> C + Sync,
-    convert: impl Fn(&mut C, usize, &Framebuffer) -> io::Result<T> + Sync,
+    convert: impl Fn(usize, &Framebuffer) -> io::Result<T> + Sync,
     mut write: impl FnMut(T) -> io::Result<()> + Send,
 ) -> io::Result<()> {
     let pixels = size.0 as usize * size.1 as usize;
@@ -67,18 +66,13 @@ pub fn run<C, T: Send>(
     let drawn = Mutex::new(drawn);
     let (converted_sender, converted) = channel::<(usize, io::Result<T>, Framebuffer)>();
     let failed = AtomicBool::new(false);
-    let (convert, converter, failed_flag, drawn) = (&convert, &converter, &failed, &drawn);
+    let (convert, failed_flag, drawn) = (&convert, &failed, &drawn);
     thread::scope(|scope| {
         for started in 0..threads.min(pictures) {
             let finish = converted_sender.clone();
             let spawned = thread::Builder::new().spawn_scoped(scope, move || {
-                let mut converter_state = converter();
                 while let Some((index, picture)) = next(drawn) {
-                    let made = if failed_flag.load(Ordering::Relaxed) {
-                        Err(cancelled_error())
-                    } else {
-                        convert(&mut converter_state, index, &picture)
-                    };
+                    let made = if failed_flag.load(Ordering::Relaxed) { Err(cancelled_error()) } else { convert(index, &picture) };
                     if finish.send((index, made, picture)).is_err() {
                         return;
                     }
@@ -154,13 +148,12 @@ mod tests {
             picture.pixels.fill(index as u32);
             Ok(())
         };
-        let convert = |made: &mut u32, index: usize, picture: &Framebuffer| {
+        let convert = |index: usize, picture: &Framebuffer| {
             // Later frames are ready earlier.
             thread::sleep(std::time::Duration::from_micros(if index.is_multiple_of(3) { 600 } else { 50 }));
-            *made += 1;
             Ok(picture.pixels[0])
         };
-        run((count, (2, 2), threads), &Progress::default(), draw, || 0, convert, &mut write)
+        run((count, (2, 2), threads), &Progress::default(), draw, convert, &mut write)
     }
 
     #[test]
@@ -195,7 +188,7 @@ mod tests {
             written += 1;
             Ok(())
         };
-        let result = run((1000, (2, 2), 2), &Progress::default(), draw, || (), |(), _, _| Ok(()), write);
+        let result = run((1000, (2, 2), 2), &Progress::default(), draw, |_, _| Ok(()), write);
         assert_eq!(result.map_err(|error| error.kind()), Err(io::ErrorKind::OutOfMemory));
         assert_eq!(written, 4);
     }
@@ -221,7 +214,7 @@ mod tests {
             }
             Ok(())
         };
-        let result = run((1000, (1, 1), 2), &progress, draw, || (), |_, _, _| Ok(()), |()| Ok(()));
+        let result = run((1000, (1, 1), 2), &progress, draw, |_, _| Ok(()), |()| Ok(()));
         assert!(matches!(ExportError::io(std::path::Path::new("x"), result.expect_err("stopped")), ExportError::Cancelled));
         assert!(progress.steps() < 10);
     }

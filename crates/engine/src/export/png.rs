@@ -71,10 +71,26 @@ impl<W: Write> Write for ErrorKeepingWriter<'_, W> {
     }
 }
 
+/// Whether the encoders of this folder have the memory that they take without asking.
+///
+/// # Errors
+/// [`io::ErrorKind::OutOfMemory`].
+pub(super) fn check_room() -> io::Result<()> {
+    if limits::is_room(ENCODER_BYTES) { Ok(()) } else { Err(io::ErrorKind::OutOfMemory.into()) }
+}
+
+/// An empty list with room for so many bytes.
+///
+/// # Errors
+/// [`io::ErrorKind::OutOfMemory`].
+pub(super) fn reserved(bytes: usize) -> io::Result<Vec<u8>> {
+    let mut list = Vec::new();
+    list.try_reserve_exact(bytes).map_err(|_| io::ErrorKind::OutOfMemory)?;
+    Ok(list)
+}
+
 fn encode_into(out: impl Write, picture: &Framebuffer, alpha: bool, notes: &[(&str, &str)], compression: Compression) -> io::Result<()> {
-    if !limits::is_room(ENCODER_BYTES) {
-        return Err(io::ErrorKind::OutOfMemory.into());
-    }
+    check_room()?;
     let mut encoder = ::png::Encoder::new(out, picture.width, picture.height);
     encoder.set_color(if alpha { ::png::ColorType::Rgba } else { ::png::ColorType::Rgb });
     encoder.set_depth(::png::BitDepth::Eight);

@@ -99,7 +99,7 @@ fn write(
             let comment = note(&renderer.sequence.frame_spec(renderer.document(), 0));
             write_atomic(&guard.output(file)?, |out| {
                 let mut sink = apng::ApngWriter::begin(out, size, count, fps, alpha, &[("Software", SOFTWARE), ("Comment", &comment)])?;
-                run_pipeline(renderer, size, progress, || (), |(), _, picture| Ok(apng::rows(picture, alpha)), |rows| sink.frame(rows))?;
+                run_pipeline(renderer, size, progress, |_, picture: &Framebuffer| apng::rows(picture, alpha), |rows| sink.frame(rows))?;
                 sink.finish()
             })
         }
@@ -107,7 +107,7 @@ fn write(
             let (alpha, fps) = (renderer.is_transparent(), renderer.sequence.fps);
             let comment = note(&renderer.sequence.frame_spec(renderer.document(), 0));
             let mut sink = video::VideoWriter::begin(&guard.output(file)?, *kind, size, fps, alpha, &comment)?;
-            run_pipeline(renderer, size, progress, || (), |(), _, picture| Ok(apng::rows(picture, alpha)), |rows| sink.frame(&rows))
+            run_pipeline(renderer, size, progress, |_, picture: &Framebuffer| apng::rows(picture, alpha), |rows| sink.frame(&rows))
                 .map_err(|error| ExportError::io(file, error))?;
             sink.finish()
         }
@@ -123,7 +123,7 @@ fn save_pictures(
 ) -> Result<(), ExportError> {
     let (alpha, sequence, document) = (renderer.is_transparent(), renderer.sequence.clone(), renderer.document());
     let mut pending = Vec::new();
-    let convert = |(): &mut (), index: usize, picture: &Framebuffer| {
+    let convert = |index: usize, picture: &Framebuffer| {
         let comment = note(&sequence.frame_spec(document, index));
         let notes = [("Software", SOFTWARE), ("Comment", comment.as_str())];
         let file = pattern.file(index);
@@ -132,17 +132,10 @@ fn save_pictures(
         });
         prepared.map_err(std::io::Error::other)
     };
-    run_pipeline(
-        renderer,
-        size,
-        progress,
-        || (),
-        convert,
-        |file| {
-            pending.push(file);
-            Ok(())
-        },
-    )
+    run_pipeline(renderer, size, progress, convert, |file| {
+        pending.push(file);
+        Ok(())
+    })
     .map_err(|error| ExportError::io(&pattern.file(0), error))?;
     pending.into_iter().try_for_each(|file| file.commit())
 }
@@ -162,25 +155,24 @@ fn save_gif(renderer: &mut SequenceRenderer<'_>, size: (u32, u32), file: &Output
     }
     drop(picture);
     renderer.take_times();
-    let (palette, alpha) = (sampler.color_table(), renderer.is_transparent());
-    let settings = gif::GifSettings { size, fps: renderer.sequence.fps, alpha, palette: palette.clone() };
+    let (palette, alpha) = (sampler.color_table().map_err(refused)?, renderer.is_transparent());
+    let settings = gif::GifSettings { size, fps: renderer.sequence.fps, alpha, palette: &palette };
     gif::save(file, settings, |sink| {
-        let convert = |palette: &mut _, _, picture: &Framebuffer| Ok(gif::indices(palette, picture, alpha));
-        run_pipeline(renderer, size, progress, || palette.clone(), convert, |indices| sink.frame(indices))
+        let convert = |_, picture: &Framebuffer| gif::indices(&palette, picture, alpha);
+        run_pipeline(renderer, size, progress, convert, |indices| sink.frame(indices))
     })
 }
 
 /// Sends every frame of the sequence through the export pipeline.
-fn run_pipeline<C, T: Send>(
+fn run_pipeline<T: Send>(
     renderer: &mut SequenceRenderer<'_>,
     size: (u32, u32),
     progress: &Progress,
-    converter: impl Fn() -> C + Sync,
-    convert: impl Fn(&mut C, usize, &Framebuffer) -> std::io::Result<T> + Sync,
+    convert: impl Fn(usize, &Framebuffer) -> std::io::Result<T> + Sync,
     write: impl FnMut(T) -> std::io::Result<()> + Send,
 ) -> std::io::Result<()> {
     let threads = thread::available_parallelism().map_or(2, usize::from);
     let count = renderer.sequence.count;
     let draw = |index: usize, picture: &mut Framebuffer| Ok(renderer.draw(index, picture).map(drop)?);
-    pipeline::run((count, size, threads), progress, draw, converter, convert, write)
+    pipeline::run((count, size, threads), progress, draw, convert, write)
 }
