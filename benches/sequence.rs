@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use sinew::document::Document;
 use sinew::export::gltf;
-use sinew::export::guard::OverwriteGuard;
+use sinew::output::OverwriteGuard;
 use sinew::progress::Progress;
 use sinew::scene::ViewDirection;
 use sinew::sequence::{self, Direction, FittedOrbit, OutputTarget, Sequence, SequenceOptions, SequenceRenderer};

@@ -12,7 +12,8 @@ pub mod app;
 pub mod cli;
 
 pub use sinew_collada as collada;
-pub use sinew_engine::{document, export, input, plot, sequence, session, system, view};
+pub use sinew_engine::{document, input, output, session, system, view};
+pub use sinew_export::{self as export, plot, sequence};
 pub use sinew_i18n::{self as i18n, tr};
 pub use sinew_muscle as muscle;
 pub use sinew_render as render;

@@ -15,7 +15,7 @@ use super::export_job::{ExportJob, ExportKind, ExportOptions, MotionSource};
 use super::ui;
 use super::viewport::Viewport;
 use super::{format, save_as};
-use crate::export::{ExportError, gltf, video};
+use crate::export::{gltf, video};
 use crate::i18n::Sentence;
 use crate::progress::Progress;
 use crate::tr;
@@ -289,7 +289,7 @@ impl Dialog {
                     dialog.app.toasts.toast(&tr!("app-saved", file = name), Some(file));
                     dialog.widgets.root.close();
                 }
-                Ok(Err(ExportError::Cancelled)) => dialog.say(&tr!("export-cancelled")),
+                Ok(Err(error)) if error.is_cancelled() => dialog.say(&tr!("export-cancelled")),
                 Ok(Err(error)) => dialog.say(&error.sentence()),
                 Err(_) => dialog.say(&tr!("app-export-broke")),
             }

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use crate::document::{Document, PoseBuffers, PoseState};
 use crate::export::file_extension::with_extension;
 use crate::export::gltf::{self, GltfContainer};
-use crate::export::guard::OverwriteGuard;
 use crate::export::surface::SurfaceFormat;
 use crate::export::tables::{self, MeasureTable, TableError, TableSubject};
 use crate::export::{ExportError, gif, mtl, video};
 use crate::i18n::{self, Sentence};
+use crate::output::OverwriteGuard;
 use crate::progress::Progress;
 use crate::render::{Background, Highlight};
 use crate::scene::Frame;
@@ -377,14 +377,14 @@ impl ExportJob {
 
     fn scene(&self, form: GltfContainer, file: &Path, work: &Progress) -> Result<(), ExportError> {
         let (pending, _) = gltf::prepare(&self.guard.output(file)?, form, &self.document)?;
-        if work.is_cancelled() { Err(ExportError::Cancelled) } else { pending.commit() }
+        if work.is_cancelled() { Err(ExportError::CANCELLED) } else { Ok(pending.commit()?) }
     }
 
     fn table(&self, of: TableSubject, form: tables::TableFormat, file: &Path, work: &Progress) -> Result<(), ExportError> {
         // The document is the one that was checked, so nothing is refused now.
         match MeasureTable::measure(of, &self.document, &self.state, self.options.fps) {
             Ok(table) if !work.is_cancelled() => table.save(&self.guard.output(file)?, form, tables::PLOT_SCALE, i18n::sentence),
-            _ => Err(ExportError::Cancelled),
+            _ => Err(ExportError::CANCELLED),
         }
     }
 

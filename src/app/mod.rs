@@ -105,9 +105,9 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use crate::export::atomic_file::cleanup_temp_files;
 /// How numbers are written in the window.
 use crate::i18n::quantity as format;
+use crate::output::cleanup_temp_files;
 use crate::tr;
 
 /// The one id for the application, its icon, its desktop file and its metainfo.

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use super::session_handle::SessionHandle;
-use crate::export::guard::OverwriteGuard;
+use crate::output::OverwriteGuard;
 use crate::{input, limits};
 
 /// What is open beside the files that the session knows of.

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use crate::document::{Document, PoseBuffers};
 use crate::export::ExportError;
-use crate::export::atomic_file::write_atomic;
-use crate::export::guard::Output;
+use crate::output::Output;
+use crate::output::write_atomic;
 use crate::progress::Progress;
 use crate::render::{Background, Display, OverlayPalette, RenderJob, Renderer, Theme};
 use crate::scene::{Frame, OrbitCamera, ViewDirection};

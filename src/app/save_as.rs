@@ -11,8 +11,8 @@ use gtk4 as gtk;
 use super::app_context::AppContext;
 use super::error_bar::ErrorMessage;
 use crate::export::file_extension::with_extension;
-use crate::export::guard::{Output, is_same};
 use crate::i18n::{Sentence, shown};
+use crate::output::{Output, is_same};
 use crate::tr;
 
 /// A file to be saved.

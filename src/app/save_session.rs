@@ -7,9 +7,9 @@ use std::rc::Rc;
 use super::app_context::AppContext;
 use super::recent;
 use super::save_as::{self, SaveRequest};
-use crate::export::atomic_file::write_atomic;
-use crate::export::guard::Output;
 use crate::i18n::Sentence;
+use crate::output::Output;
+use crate::output::write_atomic;
 use crate::tr;
 
 /// Asks where to and saves what is open and how it is looked at. Of the files that are open, only the session file itself may be replaced.

@@ -12,9 +12,9 @@ use gtk4 as gtk;
 use super::app_context::AppContext;
 use super::samples;
 use super::save_as::{self, SaveRequest};
-use crate::export::atomic_file::write_atomic;
-use crate::export::guard::Output;
 use crate::i18n::Sentence;
+use crate::output::Output;
+use crate::output::write_atomic;
 use crate::{input, limits, tr};
 
 /// Saves the muscle files that changed, each over the file it came from; one that has none asks for a name. `then` runs once all are saved.

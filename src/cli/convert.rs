@@ -10,9 +10,9 @@ use super::progress::install_interrupt_handler;
 use super::{files, value};
 use crate::document::{Document, ImageLoading, OpenOptions};
 use crate::export::gltf::{GltfContainer, save};
-use crate::export::guard::OverwriteGuard;
 use crate::i18n;
 use crate::i18n::Sentence;
+use crate::output::OverwriteGuard;
 use crate::progress::Progress;
 use crate::tr;
 

@@ -12,14 +12,14 @@ use super::output::{Failure, display_name, output_name, print_json, print_result
 use super::progress::install_interrupt_handler;
 use super::{files, measured, value};
 use crate::document::{Document, ImageLoading, OpenOptions, SourceKind};
-use crate::export::atomic_file::write_atomic;
 use crate::export::file_extension::extension;
-use crate::export::guard::OverwriteGuard;
 use crate::export::tables::{unit_label, unit_name};
 use crate::i18n::{Sentence, decimal};
 use crate::muscle::parameter_fit::{Fitted, Model, fitted_file};
 use crate::muscle::validation::Table;
 use crate::muscle::{MuscleFile, MuscleRig};
+use crate::output::OverwriteGuard;
+use crate::output::write_atomic;
 use crate::progress::Progress;
 use crate::tr;
 

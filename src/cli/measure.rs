@@ -16,11 +16,11 @@ use super::progress::install_interrupt_handler;
 use super::text_table::columns;
 use super::{files, joints, value};
 use crate::document::{Document, ImageLoading, OpenOptions, PoseState};
-use crate::export::guard::OverwriteGuard;
 use crate::export::tables::{
     JointTable, MeasureTable, MuscleTable, PLOT_SCALE, TableError, TableFormat, TableSubject, even_times, unit_label,
 };
 use crate::i18n::{self, Sentence, decimal};
+use crate::output::OverwriteGuard;
 use crate::progress::Progress;
 use crate::sequence::DEFAULT_FPS;
 use crate::tr;

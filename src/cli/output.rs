@@ -10,6 +10,7 @@ use clap::ArgMatches;
 use crate::document::OpenError;
 use crate::export::ExportError;
 use crate::i18n::{self, Sentence};
+use crate::output::OutputError;
 use crate::render::RenderError;
 use crate::sequence::FilePattern;
 use crate::system::{Doing, reason};
@@ -75,13 +76,20 @@ impl From<RenderError> for Failure {
 
 impl From<ExportError> for Failure {
     fn from(error: ExportError) -> Self {
-        if matches!(error, ExportError::Cancelled) {
-            return Self::Cancelled;
+        match error {
+            ExportError::Output(error) => error.into(),
+            other => Self::Files(vec![one_line(&other.sentence())]),
         }
-        if let ExportError::Held { file } = &error {
-            return Self::Usage(crate::tr!("cli-out-is-input", out = output_name(file)));
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(error: OutputError) -> Self {
+        match error {
+            OutputError::Cancelled => Self::Cancelled,
+            OutputError::Held { file } => Self::Usage(crate::tr!("cli-out-is-input", out = output_name(&file))),
+            other => Self::Files(vec![one_line(&other.sentence())]),
         }
-        Self::Files(vec![one_line(&error.sentence())])
     }
 }
 

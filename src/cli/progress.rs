@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::output::{EXIT_CANCELLED, Failure, is_quiet};
 use crate::export::ExportError;
-use crate::export::atomic_file::cleanup_temp_files;
+use crate::output::cleanup_temp_files;
 use crate::progress::Progress;
 use crate::tr;
 

@@ -10,12 +10,11 @@ use std::process::Stdio;
 use crate::support::{arg, call, config, folder, models, run, sinew, sinew_ru};
 use proptest::prelude::*;
 use sinew::document::{Document, OpenOptions, PoseBuffers};
-use sinew::export::atomic_file::write_atomic;
 use sinew::export::gltf::{self, GltfContainer};
-use sinew::export::guard::{OverwriteGuard, is_same};
 use sinew::export::surface::SurfaceFormat;
 use sinew::export::tables::{self, MeasureTable, TableSubject};
 use sinew::export::{ExportError, png};
+use sinew::output::{OutputError, OverwriteGuard, is_same, write_atomic};
 use sinew::progress::Progress;
 use sinew::render::Framebuffer;
 use sinew::scene::Frame;
@@ -68,7 +67,7 @@ fn write(kind: &str, document: &Document, guard: &OverwriteGuard, out: &Path) ->
         "glb" => gltf::save(&output, GltfContainer::Binary, document).map(drop),
         "csv" => table().save(&output, tables::TableFormat::Csv, 1.0, sinew::i18n::sentence),
         "svg" => table().save(&output, tables::TableFormat::Svg, 1.0, sinew::i18n::sentence),
-        _ => write_atomic(&output, |file| std::io::Write::write_all(file, b"sinew_session: {}\n")),
+        _ => Ok(write_atomic(&output, |file| std::io::Write::write_all(file, b"sinew_session: {}\n"))?),
     }
 }
 
@@ -123,7 +122,7 @@ proptest! {
         prop_assume!(opened != [4] || !matches!(kind, "csv" | "svg"));
         let written = write(kind, &document, &guard, &out);
         if is_open {
-            prop_assert!(matches!(written, Err(ExportError::Held { .. })), "{:?}", written);
+            prop_assert!(matches!(written, Err(ExportError::Output(OutputError::Held { .. }))), "{:?}", written);
         } else {
             prop_assert!(written.is_ok() && out.is_file(), "{:?}", written);
         }
@@ -205,7 +204,7 @@ fn what_belongs_to_a_compared_file_is_held_as_what_is_open_is() {
         for source in held {
             for ending in ["png", "gif"] {
                 let out = alias(&folder, source, way, ending);
-                assert!(guards.iter().all(|guard| matches!(guard.output(&out), Err(ExportError::Held { .. }))), "{}", out.display());
+                assert!(guards.iter().all(|guard| matches!(guard.output(&out), Err(OutputError::Held { .. }))), "{}", out.display());
                 if out.extension().is_some_and(|there| there == ending) {
                     let turning = (ending == "gif").then_some("--turntable");
                     let words = ["render", arg(&session), "-o", arg(&out), "--size", "16x16"].into_iter().chain(turning);

@@ -3,7 +3,7 @@
 
 use sinew::document::Document;
 
-#[path = "../../crates/engine/examples/convert.rs"]
+#[path = "../../crates/export/examples/convert.rs"]
 mod convert;
 #[path = "../../crates/simd/examples/lengths.rs"]
 mod lengths;
@@ -15,7 +15,7 @@ mod pick;
 mod places;
 #[path = "../../crates/engine/examples/pose_vertices.rs"]
 mod pose_vertices;
-#[path = "../../crates/engine/examples/render_clip.rs"]
+#[path = "../../crates/export/examples/render_clip.rs"]
 mod render_clip;
 #[path = "../../crates/i18n/examples/sentences.rs"]
 mod sentences;

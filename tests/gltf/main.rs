@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use sinew::document::{Document, PoseBuffers, PoseState};
 use sinew::export::gltf::{GltfContainer, save};
-use sinew::export::guard::Output;
+use sinew::output::Output;
 use sinew::progress::Progress;
 use sinew::scene::Frame;
 

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use sinew::document::Document;
 use sinew::export::gltf::{GltfContainer, save};
-use sinew::export::guard::Output;
+use sinew::output::Output;
 use sinew::progress::Progress;
 
 use crate::reader::Glb;

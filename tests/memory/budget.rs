@@ -10,8 +10,8 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use sinew::document::{Document, ImageLoading, OpenOptions};
 use sinew::export::gltf::{self, GltfContainer};
-use sinew::export::guard::Output;
 use sinew::limits;
+use sinew::output::Output;
 use sinew::progress::Progress;
 use sinew::scene::Content;
 

@@ -131,7 +131,7 @@ fn shipped_clips_are_well_formed_small_and_ours() {
 
 #[test]
 fn nothing_is_written_but_through_the_guard() {
-    // What a temporary file becomes is decided by `export::atomic`, which asks for a guard; nothing else may make, rename or fill files.
+    // What a temporary file becomes is decided by `engine::output`, which asks for a guard; nothing else may make, rename or fill files.
     let words = [
         "File::create",
         "create_new(",
@@ -148,7 +148,7 @@ fn nothing_is_written_but_through_the_guard() {
         ["src", "crates"].iter().any(|folder| path.starts_with(root().join(folder)))
             && path.extension().is_some_and(|ending| ending == "rs")
     }) {
-        if path.ends_with("export/temporary.rs") {
+        if path.ends_with("output/temporary.rs") {
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("source is UTF-8");

@@ -13,7 +13,7 @@
 //!
 //! let document = Document::built_in();
 //! let mut state = document.start_state();
-//! state.drive = document.driven_rig().map_or(state.drive, |rig| rig.at_flexion(90.0));
+//! state.joints.drive = document.driven_rig().map_or(state.joints.drive, |rig| rig.at_flexion(90.0));
 //! let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
 //! document.pose(&state, &mut buffers, &mut frame);
 //! let mut orbit = OrbitCamera::default();
@@ -31,16 +31,11 @@
 //! | [`document`] | files, posing, skinning, joints that are held, muscles on the bones of clips |
 //! | [`view`] | how a document is shown: cameras, light, display presets, onion skins, motion paths, comparison; session files and settings |
 //! | [`session`] | what is open in a window: selection, tools, undo |
-//! | [`sequence`] | frames one after the other, and the files that they become |
-//! | [`export`] | images, videos, meshes, glTF, tables; nothing replaces a file that it is made from |
-//! | [`plot`] | quantities against an angle or a time |
-//! | [`input`], [`system`] | files from outside, and why the operating system refused |
+//! | [`input`], [`output`], [`system`] | files from outside; files that are written, none of which replaces one that is open; why the operating system refused |
 
 pub mod document;
-pub mod export;
 pub mod input;
-pub mod plot;
-pub mod sequence;
+pub mod output;
 pub mod session;
 pub mod system;
 pub mod view;

@@ -55,7 +55,7 @@ use joint_control::JointController;
 use probe::Probe;
 
 use crate::document::{Document, PoseBuffers, PoseState, SourceKind};
-use crate::export::guard::OverwriteGuard;
+use crate::output::OverwriteGuard;
 use crate::view::{self, SceneOverlays};
 use sinew_muscle::MuscleFile;
 use sinew_render::Display;

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::SessionState;
 use crate::document::{Document, OpenError, OpenOptions};
-use crate::export::guard::OverwriteGuard;
 use crate::input;
+use crate::output::OverwriteGuard;
 use sinew_scene::message::{Location, SourceName};
 use sinew_scene::progress::Progress;
 

@@ -3,9 +3,9 @@
 use std::io::Write;
 use std::path::Path;
 
-use crate::export::ExportError;
-use crate::export::atomic_file::write_atomic;
-use crate::export::guard::Output;
+use crate::output::Output;
+use crate::output::OutputError;
+use crate::output::write_atomic;
 use sinew_scene::message::{Message, ToMessage};
 use sinew_yaml::YamlError;
 
@@ -16,7 +16,7 @@ pub enum SaveError {
     /// It cannot be expressed in YAML.
     Yaml(#[from] YamlError),
     /// The folder or the file could not be written.
-    File(#[from] ExportError),
+    File(#[from] OutputError),
 }
 
 impl ToMessage for SaveError {
@@ -31,7 +31,7 @@ impl ToMessage for SaveError {
 /// Writes a text to a file of the program's own, by way of a temporary one, into a folder that is made where it is missing.
 pub(super) fn write(path: &Path, text: &str) -> Result<(), SaveError> {
     if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder).map_err(|error| ExportError::io(path, error))?;
+        std::fs::create_dir_all(folder).map_err(|error| OutputError::io(path, error))?;
     }
     Ok(write_atomic(&Output::of_program(path), |file| file.write_all(text.as_bytes()))?)
 }
