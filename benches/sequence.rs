@@ -1,7 +1,7 @@
 //! Sequences and conversions: seconds of work per second of video, for a clip in 1280 × 720 at 25 frames a second, and milliseconds a conversion to glTF.
 //!
 //! Runs on the demos and, where they are there, on larger shared models. Every core works, so this one wants a machine that does nothing else. A ratio
-//! below 1 is faster than the film plays.
+//! below 1 is faster than the sequence plays.
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -15,12 +15,12 @@ use sinew::sequence::{self, Direction, FittedOrbit, OutputTarget, Sequence, Sequ
 use sinew::view::ViewState;
 
 const SIZE: (u32, u32) = (1280, 720);
-/// Seconds of film.
+/// Seconds of the sequence.
 const SECONDS: f64 = 4.0;
 /// Runs of each, of which the quickest counts.
 const RUNS: usize = 3;
 
-/// Films the start of a document's clip into `out`; seconds of work, frames and seconds of film. `None` for what does not move.
+/// Draws the start of a document's clip into `out`; seconds of work, frames and seconds of the sequence. `None` for what does not move.
 fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     let state = document.start_state();
     let clip = document.clips.get(state.clip?)?;
@@ -41,11 +41,11 @@ fn shoot(document: &Document, out: &Path) -> Option<(f64, usize, f64)> {
     Some((begun.elapsed().as_secs_f64(), sequence.count, sequence.seconds()))
 }
 
-fn films(name: &str, document: &Document, folder: &Path) {
+fn sequences(name: &str, document: &Document, folder: &Path) {
     for out in ["frame-%04d.png", "film.gif", "film.apng"] {
         let runs = (0..RUNS).filter_map(|_| shoot(document, &folder.join(out)));
         if let Some((took, frames, seconds)) = runs.min_by(|a, b| a.0.total_cmp(&b.0)) {
-            println!("{name:<28} {out:<15} {frames:>4} frames, {took:>6.2} s: {:.2} s a second of film", took / seconds);
+            println!("{name:<28} {out:<15} {frames:>4} frames, {took:>6.2} s: {:.2} s a second shown", took / seconds);
         }
     }
 }
@@ -73,7 +73,7 @@ fn main() {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         conversion(&name, file, folder.path());
         if let Ok(document) = Document::open(&[file], &Progress::default()) {
-            films(&name, &document, folder.path());
+            sequences(&name, &document, folder.path());
         }
     }
 }

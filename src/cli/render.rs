@@ -81,7 +81,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         view.camera.change(|orbit| *orbit = fitted.orbit());
         view.follow = None;
     }
-    // In a film the ground lies still.
+    // In a sequence the ground lies still.
     let ground = (sequence.count > 1).then_some(bounds);
     view.display = Display { scale, ground, ..display(given, view.display, !document.shows_surface()) };
     let count = sequence.count;

@@ -1,4 +1,4 @@
-//! Films and surfaces from the command line: every frame is the single picture, delays are exact, and what fails leaves nothing behind.
+//! Sequences and surfaces from the command line: every frame is the single picture, delays are exact, and what fails leaves nothing behind.
 
 use std::fs;
 use std::io::Cursor;
@@ -26,7 +26,7 @@ fn apng(file: &Path) -> Vec<(Vec<u8>, (u16, u16))> {
     let mut reader = png::Decoder::new(Cursor::new(&bytes)).read_info().expect("a PNG");
     let (width, height, count) = {
         let info = reader.info();
-        (info.width as usize, info.height as usize, info.animation_control().expect("a film").num_frames)
+        (info.width as usize, info.height as usize, info.animation_control().expect("an animation").num_frames)
     };
     let mut screen = vec![0; width * height * 3];
     (0..count)
@@ -117,7 +117,7 @@ fn films_are_made_by_ffmpeg_where_it_is() {
     let file = column(folder.path());
     let there = Command::new("ffmpeg").arg("-version").output().is_ok_and(|output| output.status.success());
     if !there {
-        crate::support::left_out("ffmpeg is not here, so films are not made");
+        crate::support::left_out("ffmpeg is not here, so videos are not made");
         return;
     }
     for name in ["bend.mp4", "bend.webm"] {

@@ -35,13 +35,13 @@ fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
     found
 }
 
-/// The kinds that can be made here: films need `ffmpeg`.
+/// The kinds that can be made here: videos need `ffmpeg`.
 fn kinds() -> impl Iterator<Item = &'static (&'static [&'static str], &'static str, &'static str)> {
-    let films = Command::new("ffmpeg").arg("-version").output().is_ok_and(|output| output.status.success());
-    if !films {
-        crate::support::left_out("ffmpeg is not here, so films are not made");
+    let videos = Command::new("ffmpeg").arg("-version").output().is_ok_and(|output| output.status.success());
+    if !videos {
+        crate::support::left_out("ffmpeg is not here, so videos are not made");
     }
-    KINDS.iter().filter(move |(_, name, _)| films || !(name.ends_with(".mp4") || name.ends_with(".webm")))
+    KINDS.iter().filter(move |(_, name, _)| videos || !(name.ends_with(".mp4") || name.ends_with(".webm")))
 }
 
 /// The call that writes into `folder`.
@@ -258,7 +258,7 @@ fn whoever_stops_a_conversion_finds_the_old_file_or_the_new_one() {
     }
 }
 
-/// A film's bytes do not depend on what else the machine does.
+/// The bytes of a sequence do not depend on what else the machine does.
 #[test]
 fn the_same_call_makes_the_same_bytes() {
     let made = || {

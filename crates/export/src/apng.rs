@@ -137,7 +137,7 @@ mod tests {
             frames.iter().for_each(|frame| sink.frame(rows(frame, alpha).expect("memory")).expect("memory"));
             sink.finish().expect("memory");
             let mut reader = ::png::Decoder::new(io::Cursor::new(&file)).read_info().expect("a PNG");
-            let control = *reader.info().animation_control().expect("a film");
+            let control = *reader.info().animation_control().expect("an animation");
             assert_eq!((control.num_frames, control.num_plays), (4, 0));
             let channels = if alpha { 4 } else { 3 };
             let mut screen = vec![0; 6 * channels];

@@ -54,12 +54,12 @@ pub enum ExportError {
         /// The file that was to be written.
         file: PathBuf,
     },
-    /// The program that makes films is not installed.
+    /// The program that makes videos is not installed.
     NoEncoder {
         /// The file that was to be written.
         file: PathBuf,
     },
-    /// The program that makes films has nothing for this kind of film.
+    /// The program that makes videos has no encoder for this kind.
     NoCodec {
         /// The file that was to be written.
         file: PathBuf,
@@ -73,7 +73,7 @@ pub enum ExportError {
         /// Why not.
         why: PlotError,
     },
-    /// The program that makes films gave up.
+    /// The program that makes videos gave up.
     EncoderFailed {
         /// The file that was to be written.
         file: PathBuf,

@@ -21,7 +21,7 @@ pub enum Compression {
     /// As small as is sensible, for one picture.
     #[default]
     Small,
-    /// Several times quicker and somewhat larger, for the many pictures of a film.
+    /// Several times quicker and somewhat larger, for the many pictures of a sequence.
     Quick,
 }
 

@@ -156,7 +156,7 @@ impl VideoWriter {
         self.pipe = None;
         let ended = self.child.wait().is_ok_and(|status| status.success());
         self.join_stderr();
-        // Some versions tell of a full disk and end well all the same, with a part of the film or nothing.
+        // Some versions tell of a full disk and end well all the same, with a part of the video or nothing.
         let spoiled = FULL.iter().chain(&SPOILED).any(|stderr| self.stderr_text.contains(stderr));
         match self.pending.take() {
             Some(pending) if ended && !spoiled && std::fs::metadata(pending.file()).is_ok_and(|found| found.len() > 0) => {

@@ -43,7 +43,7 @@ impl ChangeSet {
     pub const PROBE: Self = Self(1 << 16);
     /// Joint overrides.
     pub const JOINT_OVERRIDES: Self = Self(1 << 17);
-    /// Ghosts, paths, and what is compared.
+    /// Onion skins, motion paths, and what is compared.
     pub const OVERLAYS: Self = Self(1 << 18);
     /// Whether the end of a muscle is being picked.
     pub const PICKING: Self = Self(1 << 19);

@@ -4,16 +4,16 @@ use super::{ChangeSet, Session};
 use crate::view::{OnionSkinSettings, PoseContext, SceneOverlays};
 
 impl Session {
-    /// Which ghosts are drawn.
+    /// Which onion skins are drawn.
     pub fn onion_skin_settings(&self) -> OnionSkinSettings {
         self.overlays.onion_skin_settings()
     }
 
-    /// Changes which ghosts are drawn.
+    /// Changes which onion skins are drawn.
     pub fn change_onion_skin_settings(&mut self, change: impl FnOnce(&mut OnionSkinSettings)) {
-        let mut ghosts = self.onion_skin_settings();
-        change(&mut ghosts);
-        if self.overlays.set_onion_skin_settings(ghosts) {
+        let mut skins = self.onion_skin_settings();
+        change(&mut skins);
+        if self.overlays.set_onion_skin_settings(skins) {
             self.changed(ChangeSet::OVERLAYS);
         }
     }
@@ -42,30 +42,30 @@ mod tests {
     use sinew_scene::{NodeId, OverlayLine};
 
     #[test]
-    fn ghosts_are_the_moments_round_the_present_one() {
+    fn onion_skins_are_the_moments_round_the_present_one() {
         let mut session = Session::new(swinging());
         let own = session.frame().surfaces.len();
         assert!(own > 0);
         session.choose_rate(Some(10.0));
-        session.change_onion_skin_settings(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 3, after: 2, step: 2, path: false });
+        session.change_onion_skin_settings(|skins| *skins = OnionSkinSettings { shown: true, before: 3, after: 2, step: 2, path: false });
         session.time(|time| time.seek(0.5));
         let frame = session.frame();
         assert_eq!(frame.surfaces.len(), own * 5);
         assert!(frame.surfaces.iter().skip(own).all(|surface| surface.ghost.is_some()));
-        // Each ghost is where the thing itself is at that moment.
-        let ghost = frame.surfaces[own * 3].position(0);
-        session.change_onion_skin_settings(|ghosts| ghosts.shown = false);
+        // Each onion skin is where the thing itself is at that moment.
+        let skin = frame.surfaces[own * 3].position(0);
+        session.change_onion_skin_settings(|skins| skins.shown = false);
         session.time(|time| time.seek(0.7));
         let frame = session.frame();
         assert_eq!(frame.surfaces.len(), own);
-        assert!((frame.surfaces[0].position(0) - ghost).length() < 1e-5);
+        assert!((frame.surfaces[0].position(0) - skin).length() < 1e-5);
     }
 
     #[test]
     fn the_path_goes_through_the_keys() {
         let mut session = Session::new(swinging());
         session.select(session.document().scene.graph.find("arm"));
-        session.change_onion_skin_settings(|ghosts| ghosts.path = true);
+        session.change_onion_skin_settings(|skins| skins.path = true);
         let keys = session.own_keys().len();
         assert!(keys >= 2);
         let node = session.selected().expect("selected");

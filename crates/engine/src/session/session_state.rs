@@ -133,7 +133,7 @@ impl Session {
         self.follow_node(saved.follow.as_ref().and_then(|node| node.find(self.document())));
         self.select(selected);
         self.set_weights(saved.weights);
-        self.change_onion_skin_settings(|ghosts| *ghosts = saved.onion_skins);
+        self.change_onion_skin_settings(|skins| *skins = saved.onion_skins);
     }
 
     /// The orbit stands where a session file says.
@@ -181,13 +181,13 @@ mod tests {
     }
 
     #[test]
-    fn time_ghosts_and_comparison_come_back() {
+    fn time_onion_skins_and_comparison_come_back() {
         let mut session = Session::new(swinging());
         session.time(|time| (time.mode, time.speed, time.mark_a, time.mark_b) = (LoopMode::PingPong, -0.5, Some(0.25), Some(0.75)));
         session.time(|time| time.seek(0.5));
         session.choose_rate(Some(50.0));
         session.select(session.document().scene.graph.find("arm"));
-        session.change_onion_skin_settings(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.change_onion_skin_settings(|skins| *skins = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
         session.compare(Some(CompareTarget::Clip(0)));
         session.set_compare_offsets(0.125, 2.0);
         session.toggle_follow();
@@ -205,7 +205,7 @@ mod tests {
         session.time(|time| time.seek(0.5));
         session.choose_rate(Some(50.0));
         session.select(session.document().scene.graph.find("arm"));
-        session.change_onion_skin_settings(|ghosts| *ghosts = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
+        session.change_onion_skin_settings(|skins| *skins = OnionSkinSettings { shown: true, before: 1, after: 4, step: 3, path: true });
         session.compare(Some(CompareTarget::Skinning));
         session.set_compare_offsets(0.0, 2.0);
         session.fit();

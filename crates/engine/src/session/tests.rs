@@ -68,7 +68,7 @@ fn posing_counts_once_whoever_asks_for_it() {
 }
 
 /// A document with a camera, on a node of that name 6 m before the origin, and something to look at.
-fn filmed(name: &str) -> Document {
+fn with_camera(name: &str) -> Document {
     use sinew_scene::{CameraId, Content, FileCamera, Projection, Transform};
     let mut document = swinging();
     let mut node = Node::new(name);
@@ -82,11 +82,11 @@ fn filmed(name: &str) -> Document {
 
 #[test]
 fn a_camera_of_the_file_outlives_a_reload_and_hands_go_on_from_it() {
-    let mut session = Session::new(filmed("lens"));
+    let mut session = Session::new(with_camera("lens"));
     let (node, camera) = file_cameras(&session.document().scene)[0];
     session.change_camera(|eye| eye.look_through(node, camera));
     let seen = session.picture().2;
-    session.show(filmed("lens"), LoadMode::Again);
+    session.show(with_camera("lens"), LoadMode::Again);
     assert!(matches!(session.camera_controller().viewpoint(), Viewpoint::File(..)) && session.picture().2 == seen);
     // A drag that turns nothing yet: the direction and the size of the middle are what they were.
     session.change_camera(|eye| eye.change(|orbit| orbit.orbit(0.0, 0.0)));
@@ -99,7 +99,7 @@ fn a_camera_of_the_file_outlives_a_reload_and_hands_go_on_from_it() {
     let depth = |camera: &Camera| (session.camera_controller().orbit().target - camera.eye).dot(camera.forward());
     assert!((size(&seen, depth(&seen)) - size(&taken, depth(&taken))).abs() < 1e-3);
     session.change_camera(|eye| eye.look_through(node, camera));
-    session.show(filmed("another"), LoadMode::Again);
+    session.show(with_camera("another"), LoadMode::Again);
     assert!(matches!(session.camera_controller().viewpoint(), Viewpoint::Orbit));
 }
 
