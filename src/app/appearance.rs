@@ -6,9 +6,9 @@ use gtk::prelude::*;
 use gtk::{gdk, gio, glib};
 use gtk4 as gtk;
 
-use super::app_context::AppContext;
-use super::drawing_area::text_color;
 use super::settings::ColorScheme;
+use crate::app::handles::app_context::AppContext;
+use crate::app::widgets::drawing_area::text_color;
 use crate::render::Theme;
 
 const PORTAL: &str = "org.freedesktop.portal.Desktop";
@@ -18,7 +18,7 @@ const APPEARANCE: &str = "org.freedesktop.appearance";
 const COLOR_SCHEME: &str = "color-scheme";
 
 /// Loads the program's few styles.
-pub(super) fn load_style() {
+pub(crate) fn load_style() {
     let Some(display) = gdk::Display::default() else { return };
     let provider = gtk::CssProvider::new();
     provider.load_from_data(include_str!("../../resources/style.css"));
@@ -26,12 +26,12 @@ pub(super) fn load_style() {
 }
 
 /// Whether the desktop wants animation.
-pub(super) fn animates() -> bool {
+pub(crate) fn animates() -> bool {
     gtk::Settings::default().is_none_or(|settings| settings.is_gtk_enable_animations())
 }
 
 /// Follows the desktop's colours, or the user's choice, from now on.
-pub(super) fn follow(app: &Rc<AppContext>) {
+pub(crate) fn follow(app: &Rc<AppContext>) {
     choose(app.settings.borrow().colours);
     show(app);
     let Some(settings) = gtk::Settings::default() else { return };
@@ -58,7 +58,7 @@ pub(super) fn follow(app: &Rc<AppContext>) {
 }
 
 /// Sets light or dark. What the desktop wants is asked of its portal, which GTK before 4.20 does not do by itself.
-pub(super) fn choose(colours: ColorScheme) {
+pub(crate) fn choose(colours: ColorScheme) {
     let Some(settings) = gtk::Settings::default() else { return };
     match colours {
         ColorScheme::System => {

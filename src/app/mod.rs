@@ -2,98 +2,34 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`commands`], `command_action`, `command_conditions`, `session_commands` | the one table of commands: keys, what each does, when it is possible |
-//! | `session_handle`, `settings_handle`, `toasts`, `error_bar`, … | small handles that widgets are given; `app_context` holds those of a window |
-//! | `viewport`, `timeline`, `scene_tree`, `muscle_panel`, … | one widget each, beside `resources/ui/` of the same name |
-//! | `panel`, `pages` | what a page of the right-hand panel is, and the list of them |
-//! | `document_loader`, `background_reader`, `file_watcher`, `file_chooser`, `drop_target` | opening off the interface thread, watching, choosing, drops |
-//! | `command_dispatch`, `key_controller`, `shortcuts` | performs commands, by actions and keys |
-//! | `window` | assembles the panels and lets them hear of changes; nothing imports it but this module |
+//! | `window`, `notices` | the main window and what frames the picture; what is said over the picture |
+//! | `viewport`, `timeline`, `scene_tree`, `inspector` | one part of the window each |
+//! | `panels` | the pages of the right-hand panel, and the list of them |
+//! | `dialogs`, `loading` | dialogs, saving, exporting; opening off the interface thread, watching, drops |
+//! | [`commands`] | the one table of commands: keys, what each does, when it is possible; performs them, by actions and keys |
+//! | `handles` | small handles that widgets are given; `app_context` holds those of a window |
+//! | `widgets` | what all widgets are made with |
+//! | `appearance`, `renderer`, [`settings`] | what holds for the whole program: light and dark, GTK's renderer, where the settings are |
+//!
+//! `window::main_window` assembles the panels and lets them hear of changes; nothing imports it but this module.
 //!
 //! Changes flow in one direction: a widget calls `SessionHandle::update` with a change of the session; the session records what changed; the
 //! subscribers refresh the widgets that show it. While they do, signals of the widgets are not taken for user input.
 
-mod about;
-mod app_context;
 mod appearance;
-mod attach_muscles;
-mod attachment_field;
-mod attachments_editor;
-mod autosave;
-mod background_reader;
-mod bone_names;
-mod command_action;
-mod command_conditions;
-mod command_context;
-mod command_dispatch;
 pub mod commands;
-mod compare_file;
-mod contraction_controls;
-mod curve_editor;
-mod curve_plot;
-mod display_panel;
-mod document_loader;
-mod drawing_area;
-mod drop_target;
-mod empty_state;
-mod error_bar;
-mod experiment;
-mod export_dialog;
-mod export_job;
-mod file_chooser;
-mod file_watcher;
-mod frame_clock;
-mod health_panel;
-mod held_joint_banner;
-mod help;
-mod icons;
+mod dialogs;
+mod handles;
 mod inspector;
-mod inspector_text;
-mod key_controller;
-mod loading_bar;
-mod material_preview;
-mod measure_panel;
-mod memory_usage;
-mod menus;
-mod muscle_editor;
-mod muscle_panel;
-mod named_sources;
-mod onion_skin_panel;
-mod open_buttons;
-mod open_error;
-mod open_files;
-mod pages;
-mod panel;
-mod picture_focus;
-mod plot_view;
-mod profile_plot;
-mod profile_table;
-mod recent;
-mod reload_summary;
+mod loading;
+mod notices;
+mod panels;
 mod renderer;
-mod samples;
-mod save_as;
-mod save_session;
-mod saving;
 mod scene_tree;
-mod screenshot;
-mod session_commands;
-mod session_handle;
 pub mod settings;
-mod settings_handle;
-mod shortcuts;
-mod side_panels;
-mod start_page;
-mod status_line;
-mod time_axis;
 mod timeline;
-mod timeline_ruler;
-mod title_bar;
-mod toasts;
-mod tree_model;
-mod ui;
-mod via_points_editor;
 mod viewport;
+mod widgets;
 mod window;
 
 use std::cell::RefCell;
@@ -105,6 +41,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+use self::window::main_window;
 /// How numbers are written in the window.
 use crate::i18n::quantity as format;
 use crate::output::cleanup_temp_files;
@@ -137,10 +74,10 @@ pub fn run(files: Vec<PathBuf>) -> ExitCode {
     let application = gtk::Application::new(Some(APPLICATION_ID), flags);
     // The files of the command line keep the names that the user gave them; those that the desktop sends come by way of `open`.
     let given = RefCell::new(files.into_iter().map(local).collect::<Vec<_>>());
-    application.connect_activate(move |application| window::Window::open(application, given.take()));
+    application.connect_activate(move |application| main_window::Window::open(application, given.take()));
     application.connect_open(|application, files, _| {
         let path = |file: &gio::File| file.path().unwrap_or_else(|| file.uri().as_str().into());
-        window::Window::open(application, files.iter().map(path).collect());
+        main_window::Window::open(application, files.iter().map(path).collect());
     });
     end_on_signals();
     let code = application.run_with_args(&["sinew"]).get();
@@ -202,49 +139,101 @@ mod tests {
         assert_eq!(local("walks/file:x.dae".into()), PathBuf::from("walks/file:x.dae"));
     }
 
-    /// The sources of the modules of this folder, without their tests; `viewport` is one of them.
+    /// The sources of the modules of this folder and of those in it, without their tests, each with the path of its module.
     fn sources() -> BTreeMap<String, String> {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app");
-        let mut sources = BTreeMap::<String, String>::new();
-        for folder in [folder.clone(), folder.join("viewport")] {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app");
+        let mut sources = BTreeMap::new();
+        let mut folders = vec![root.clone()];
+        while let Some(folder) = folders.pop() {
             for entry in std::fs::read_dir(&folder).expect("the sources are there").flatten() {
-                let (path, is_own) = (entry.path(), folder.ends_with("app"));
-                let stem = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-                if path.extension().is_some_and(|ending| ending == "rs") && !(is_own && ["main", "mod"].contains(&stem.as_str())) {
+                let path = entry.path();
+                let place = path.strip_prefix(&root).expect("it is in the folder").with_extension("");
+                let module = if place.ends_with("mod") { place.parent().unwrap_or(&place) } else { &place };
+                let module = module.iter().map(|name| name.to_string_lossy()).collect::<Vec<_>>().join("::");
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|ending| ending == "rs") && !["", "main"].contains(&module.as_str()) {
                     let text = std::fs::read_to_string(&path).expect("a source is text");
                     let text = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
-                    sources.entry(if is_own { stem } else { "viewport".to_owned() }).or_default().push_str(text);
+                    sources.insert(module, text.to_owned());
                 }
             }
         }
         sources
     }
 
-    /// The words that follow `super::` or `crate::app::` in a source, those in braces too.
-    fn imports(text: &str) -> BTreeSet<&str> {
-        let follow = text.match_indices("super::").map(|(at, word)| at + word.len());
-        let follow = follow.chain(text.match_indices("crate::app::").map(|(at, word)| at + word.len()));
-        let words = follow.flat_map(|at| {
-            let rest = &text[at..];
-            let end = if rest.starts_with('{') { rest.find('}') } else { rest.find(|c: char| !c.is_alphanumeric() && c != '_') };
-            rest[..end.unwrap_or(rest.len())].split(|c: char| !c.is_alphanumeric() && c != '_')
-        });
-        words.collect()
+    /// Reads the path at the start of a text, or the paths where it branches in braces: `a::{b, c::d}` is `a::b` and `a::c::d`.
+    fn read_paths<'a>(rest: &mut &'a str, start: &[&'a str], paths: &mut Vec<Vec<&'a str>>) {
+        *rest = rest.trim_start();
+        if let Some(branches) = rest.strip_prefix('{') {
+            *rest = branches;
+            loop {
+                read_paths(rest, start, paths);
+                // A new name of what is imported does not matter here.
+                *rest = &rest[rest.find([',', '}']).unwrap_or(rest.len())..];
+                match rest.strip_prefix(',') {
+                    Some(next) => *rest = next,
+                    None => break *rest = rest.strip_prefix('}').unwrap_or(rest),
+                }
+            }
+        } else {
+            let (word, tail) = rest.split_at(rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len()));
+            let path = [start, &[word]].concat();
+            *rest = tail.strip_prefix("::").unwrap_or(tail);
+            if rest.len() < tail.len() { read_paths(rest, &path, paths) } else { paths.push(path) }
+        }
+    }
+
+    /// The modules of `known` that the source of a module names after `crate::app::` and `super::`, and those in its folder that it names at all.
+    fn imports(module: &str, text: &str, known: &BTreeSet<&str>) -> BTreeSet<String> {
+        let own: Vec<_> = module.split("::").collect();
+        // An item is one of the longest beginning of its path that is a module.
+        let home = |path: &[&str]| (1..=path.len()).rev().map(|end| path[..end].join("::")).find(|path| known.contains(path.as_str()));
+        let follow = |word: &str| {
+            let mut paths = Vec::new();
+            text.match_indices(word).for_each(|(at, _)| read_paths(&mut &text[at + word.len()..], &[], &mut paths));
+            paths
+        };
+        let mut found: BTreeSet<_> = follow("crate::app::").iter().filter_map(|path| home(path)).collect();
+        for path in follow("super::").iter().filter(|path| path[0] != "super") {
+            // `super` may stand more than once, or in a module within the file: any folder around may be meant.
+            let within = |folder: &[&str]| home(&[folder, path.as_slice()].concat()).filter(|home| home.len() > folder.join("::").len());
+            let homes: Vec<_> = (0..own.len()).map(|end| &own[..end]).filter_map(within).collect();
+            // What is in none of them is an item of the folder.
+            if homes.is_empty() { found.extend(home(&own[..own.len() - 1])) } else { found.extend(homes) }
+        }
+        let children = known.iter().filter(|child| child.rsplit_once("::").is_some_and(|(folder, _)| folder == module));
+        found.extend(children.filter(|child| text.contains(&format!("{}::", &child[module.len() + 2..]))).map(|child| (*child).to_owned()));
+        found
+    }
+
+    #[test]
+    fn imports_are_found_in_all_their_forms() {
+        let known = BTreeSet::from(["a", "a::b", "a::c", "a::d::e", "f"]);
+        let found = |module, text| imports(module, text, &known).into_iter().collect::<Vec<_>>().join(" ");
+        assert_eq!(found("f", "use crate::app::a::b::Item;"), "a::b");
+        assert_eq!(found("f", "use crate::app::{\n    a::{Item, c as x, d::e::{self, *}},\n    y,\n};"), "a a::c a::d::e");
+        assert_eq!(found("f", "use super::a;"), "a");
+        assert_eq!(found("a::b", "super::c::call(); super::item(); super::super::f::call()"), "a a::c f");
+        assert_eq!(found("a::d::e", "mod inner { use super::super::super::b::Item; }"), "a::b");
+        assert_eq!(found("a", "use self::b::Item; fn g() { c::call() }"), "a::b a::c");
     }
 
     #[test]
     fn modules_do_not_import_one_another_in_circles_and_none_imports_the_window() {
         let sources = sources();
-        assert!(sources.len() > 50 && sources.contains_key("viewport") && sources.contains_key("window"));
-        let mut left: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        // The parts of the picture belong together.
+        let known: BTreeSet<_> = sources.keys().map(String::as_str).filter(|module| !module.starts_with("viewport::")).collect();
+        assert!(known.len() > 50 && known.contains("viewport") && known.contains("window::main_window"));
+        let mut left: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
         for (module, text) in &sources {
-            let known = imports(text).into_iter().filter(|word| sources.contains_key(*word) && word != module).collect();
-            left.insert(module, known);
+            let unit = if module.starts_with("viewport::") { "viewport" } else { module };
+            left.entry(unit).or_default().extend(imports(module, text, &known).into_iter().filter(|import| import != unit));
         }
-        assert!(!left.values().any(|imports| imports.contains("window")));
+        assert!(!left.values().any(|imports| imports.contains("window::main_window")));
         // Whatever imports nothing that is left is in no circle.
         while let Some(free) =
-            left.iter().find(|(_, imports)| imports.iter().all(|import| !left.contains_key(import))).map(|(module, _)| *module)
+            left.iter().find(|(_, imports)| imports.iter().all(|import| !left.contains_key(import.as_str()))).map(|(module, _)| *module)
         {
             left.remove(free);
         }

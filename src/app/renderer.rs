@@ -19,7 +19,7 @@ const CHOOSES: (u32, u32) = (4, 14);
 const OTHERS: [&str; 6] = ["nvidia", "dxg", "kgsl", "mali", "pvr", "nvhost"];
 
 /// Chooses cairo where it is known beforehand that nothing better will come. To be called before GTK starts.
-pub(super) fn choose() {
+pub(crate) fn choose() {
     let old = (gtk::major_version(), gtk::minor_version()) < CHOOSES;
     let none = cfg!(target_os = "linux") && !has_device(Path::new("/dev"));
     if std::env::var_os(VARIABLE).is_none() && (old || none) {
@@ -29,7 +29,7 @@ pub(super) fn choose() {
 }
 
 /// Whether GTK, which has started, would draw in software where cairo does better. Then the program is to be restarted with [`command`].
-pub(super) fn is_wrong() -> bool {
+pub(crate) fn is_wrong() -> bool {
     if std::env::var_os(VARIABLE).is_some() || !cfg!(target_os = "linux") {
         return false;
     }
@@ -40,7 +40,7 @@ pub(super) fn is_wrong() -> bool {
 }
 
 /// This very program again, with cairo.
-pub(super) fn command() -> Option<std::process::Command> {
+pub(crate) fn command() -> Option<std::process::Command> {
     let mut command = std::process::Command::new(std::env::current_exe().ok()?);
     command.args(std::env::args_os().skip(1)).env(VARIABLE, "cairo");
     Some(command)

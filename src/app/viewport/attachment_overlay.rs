@@ -4,7 +4,7 @@ use gtk::cairo::Context;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
+use crate::app::widgets::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
 use crate::muscle::AttachmentPoint;
 use crate::session::{AttachmentHandle, WrapSphereCircle};
 use crate::tr;

@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3};
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::app::format;
+use crate::app::widgets::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::render::Background;
 use crate::scene::{Bounds, Camera};
 use crate::session::Session;

@@ -11,9 +11,9 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use super::{Viewport, orientation_gizmo, zoom_gestures};
-use crate::app::drawing_area::PaintWidget;
 use crate::app::format;
-use crate::app::session_handle::SessionHandle;
+use crate::app::handles::session_handle::SessionHandle;
+use crate::app::widgets::drawing_area::PaintWidget;
 use crate::i18n;
 use crate::message;
 use crate::muscle::AttachmentPoint;

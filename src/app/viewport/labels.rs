@@ -3,9 +3,10 @@
 use glam::Vec2;
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{PaintWidget, rgb, write_with_background};
-use crate::app::onion_skin_panel::file_name;
-use crate::app::{format, named_sources};
+use crate::app::format;
+use crate::app::loading::named_sources;
+use crate::app::panels::onion_skin_panel::file_name;
+use crate::app::widgets::drawing_area::{PaintWidget, rgb, write_with_background};
 use crate::document::Skinning;
 use crate::i18n;
 use crate::session::{COMPARED_TINT, CompareTarget, Session, top_of};

@@ -2,8 +2,8 @@
 
 use gtk4 as gtk;
 
-use crate::app::drawing_area::{Align, PaintWidget, cairo, set_color, write};
 use crate::app::format;
+use crate::app::widgets::drawing_area::{Align, PaintWidget, cairo, set_color, write};
 use crate::i18n;
 use crate::render::weight_color;
 use crate::session::Session;

@@ -5,7 +5,7 @@ use gtk::cairo::LineCap;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{cairo, rgb, set_color};
+use crate::app::widgets::drawing_area::{cairo, rgb, set_color};
 use crate::scene::Camera;
 use crate::session::Session;
 

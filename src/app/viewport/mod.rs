@@ -1,8 +1,10 @@
 //! The picture: draws the session into a kept surface and shows what stands over it; its input is in [`input`].
 
 mod attachment_overlay;
+mod bone_names;
 mod bounding_box_labels;
 mod cairo_raster_source;
+pub(crate) mod frame_clock;
 mod frame_surface;
 mod input;
 mod labels;
@@ -22,18 +24,18 @@ use gtk::prelude::*;
 use gtk::{cairo, glib};
 use gtk4 as gtk;
 
+use self::frame_clock::FrameClock;
 use self::frame_surface::FrameSurface;
 use self::transform_fields::TransformFields;
-use super::bone_names;
-use super::drawing_area::{PaintWidget, cairo as cairo_over};
-use super::frame_clock::FrameClock;
-use super::icons::{self, Icon};
-use super::muscle_editor::Editor;
-use super::picture_focus::PictureFocus;
-use super::session_handle::SessionHandle;
-use super::settings_handle::SettingsHandle;
-use super::status_line::StatusLine;
-use super::{format, ui};
+use crate::app::format;
+use crate::app::handles::picture_focus::PictureFocus;
+use crate::app::handles::session_handle::SessionHandle;
+use crate::app::handles::settings_handle::SettingsHandle;
+use crate::app::panels::muscle::muscle_editor::Editor;
+use crate::app::widgets::drawing_area::{PaintWidget, cairo as cairo_over};
+use crate::app::widgets::icons::{self, Icon};
+use crate::app::widgets::ui;
+use crate::app::window::status_line::StatusLine;
 use crate::muscle::AttachmentPoint;
 use crate::render::{PickHit, PickJob, RenderJob, Renderer, Stats};
 use crate::session::{ChangeSet, PickTarget, Session, Tool, Viewpoint};
@@ -59,7 +61,7 @@ ui::widgets! {
 }
 
 /// What the viewport knows of the window.
-pub(super) struct ViewportHandles {
+pub(crate) struct ViewportHandles {
     /// The session.
     pub session: SessionHandle,
     /// What is remembered.
@@ -77,7 +79,7 @@ pub(super) struct ViewportHandles {
 }
 
 /// The picture with what stands over it.
-pub(super) struct Viewport {
+pub(crate) struct Viewport {
     /// The whole.
     pub root: gtk::Overlay,
     canvas: PaintWidget,
@@ -90,7 +92,7 @@ pub(super) struct Viewport {
 
 impl Viewport {
     /// The viewport of a session, from its `.ui` file.
-    pub(super) fn new(builder: gtk::Builder, handles: ViewportHandles) -> Rc<Self> {
+    pub(crate) fn new(builder: gtk::Builder, handles: ViewportHandles) -> Rc<Self> {
         let widgets = ViewportWidgets::of(&builder);
         let root = widgets.root.clone();
         let canvas = PaintWidget::named(&tr!("app-viewport"), 150, 150);
@@ -149,7 +151,7 @@ impl Viewport {
     }
 
     /// The session that is shown.
-    pub(super) fn session(&self) -> &SessionHandle {
+    pub(crate) fn session(&self) -> &SessionHandle {
         &self.handles.session
     }
 
@@ -159,7 +161,7 @@ impl Viewport {
     }
 
     /// Shows what changed.
-    pub(super) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+    pub(crate) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
         if changes.any(ChangeSet::PICTURE) {
             self.invalidate();
         }
@@ -183,7 +185,7 @@ impl Viewport {
     }
 
     /// The picture is no longer true.
-    pub(super) fn invalidate(&self) {
+    pub(crate) fn invalidate(&self) {
         self.screen.borrow_mut().fresh = false;
         self.canvas.queue_draw();
     }
@@ -195,22 +197,22 @@ impl Viewport {
     }
 
     /// What stands over the picture is no longer true.
-    pub(super) fn draw_over(&self) {
+    pub(crate) fn draw_over(&self) {
         self.canvas.queue_draw();
     }
 
     /// Logical width and height.
-    pub(super) fn size(&self) -> (i32, i32) {
+    pub(crate) fn size(&self) -> (i32, i32) {
         (self.canvas.width(), self.canvas.height())
     }
 
     /// Pixels of the device a logical pixel.
-    pub(super) fn scale(&self) -> i32 {
+    pub(crate) fn scale(&self) -> i32 {
         self.canvas.scale_factor()
     }
 
     /// What lies under a point, logical pixels.
-    pub(super) fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<PickHit> {
+    pub(crate) fn pick(&self, session: &mut Session, x: f64, y: f64) -> Option<PickHit> {
         let ((width, height), scale) = (self.size(), self.scale());
         let (scene, frame, camera, mut display) = session.picture();
         display.scale = scale as f32;
@@ -223,40 +225,40 @@ impl Viewport {
     }
 
     /// The renderer, for pictures to take away.
-    pub(super) fn with_renderer<T>(&self, work: impl FnOnce(&mut Renderer) -> T) -> T {
+    pub(crate) fn with_renderer<T>(&self, work: impl FnOnce(&mut Renderer) -> T) -> T {
         work(&mut self.screen.borrow_mut().renderer)
     }
 
     /// Says for a while what a drag does.
-    pub(super) fn hint(&self, text: &str) {
+    pub(crate) fn hint(&self, text: &str) {
         let label = &self.widgets.hint;
         ui::set_label(label, text);
         label.set_visible(!text.is_empty());
     }
 
     /// Whether frame times stand over the picture.
-    pub(super) fn show_times(&self, shown: bool) {
+    pub(crate) fn show_times(&self, shown: bool) {
         self.widgets.times.set_visible(shown);
         self.invalidate();
     }
 
     /// The mark of the place where files can be dropped.
-    pub(super) fn drop_mark(&self) -> gtk::Label {
+    pub(crate) fn drop_mark(&self) -> gtk::Label {
         self.widgets.drop_here.clone()
     }
 
     /// Flies, or lands.
-    pub(super) fn toggle_flight(&self) {
+    pub(crate) fn toggle_flight(&self) {
         self.input.toggle_flight(self.session());
     }
 
     /// Releases all keys of flight.
-    pub(super) fn release_flight_keys(&self) {
+    pub(crate) fn release_flight_keys(&self) {
         self.input.release_flight_keys();
     }
 
     /// Takes a key in flight; whether it was one of flight's.
-    pub(super) fn flight_key(&self, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
+    pub(crate) fn flight_key(&self, letter: Option<char>, key: gtk::gdk::Key, pressed: bool) -> bool {
         input::flight_key(self, letter, key, pressed)
     }
 

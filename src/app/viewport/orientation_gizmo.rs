@@ -4,7 +4,7 @@ use gtk::cairo::LineCap;
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
+use crate::app::widgets::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
 use crate::scene::{Camera, ViewDirection};
 use crate::session::Session;
 use glam::{DVec2, Vec3};

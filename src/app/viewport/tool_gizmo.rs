@@ -5,7 +5,7 @@ use gtk::cairo::{Context, LineCap, LineJoin};
 use gtk4 as gtk;
 
 use super::ignore;
-use crate::app::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
+use crate::app::widgets::drawing_area::{PaintWidget, cairo, rgb, set_color, write_centered};
 use crate::session::{Gizmo, GizmoHandle, Tool};
 
 /// Paints them; `lit` is under the pointer or held.

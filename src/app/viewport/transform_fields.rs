@@ -8,8 +8,8 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use crate::app::session_handle::SessionHandle;
-use crate::app::ui;
+use crate::app::handles::session_handle::SessionHandle;
+use crate::app::widgets::ui;
 use crate::message;
 use crate::session::{ModelTransform, Tool, UndoStep};
 use crate::tr;

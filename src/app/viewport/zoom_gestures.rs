@@ -8,7 +8,7 @@ use gtk::{gdk, glib};
 use gtk4 as gtk;
 
 use super::Viewport;
-use crate::app::drawing_area::PaintWidget;
+use crate::app::widgets::drawing_area::PaintWidget;
 use crate::scene::OrbitCamera;
 use crate::session::CameraController;
 

@@ -1,0 +1,335 @@
+//! The measure panel: length, moment arm and thickness against the elbow angle or the time of the clip; a click on a plot goes there.
+
+use std::cell::{Cell, RefCell};
+use std::io::Write as _;
+use std::path::Path;
+use std::rc::Rc;
+
+use gtk::glib;
+use gtk::prelude::*;
+use gtk4 as gtk;
+
+use super::panel::Panel;
+use crate::app::dialogs::experiment;
+use crate::app::dialogs::save_as::{self, SaveRequest};
+use crate::app::handles::app_context::AppContext;
+use crate::app::panels::muscle::muscle_panel::Unit;
+use crate::app::widgets::drawing_area::PaintWidget;
+use crate::app::widgets::plot_view;
+use crate::app::widgets::ui;
+use crate::export::file_extension::extension;
+use crate::i18n::{self, Sentence};
+use crate::muscle::{MuscleSample, literature_data};
+use crate::output::write_atomic;
+use crate::plot::{Page, Plot, Series};
+use crate::render::Theme;
+use crate::scene::{Content, MuscleId};
+use crate::session::{ChangeSet, MeasureAxis, Session, csv};
+use crate::tr;
+
+/// A quantity: the key of its name, how it is read, and the least that its axis spans.
+type Quantity = (&'static str, fn(&MuscleSample) -> f64, f64);
+
+const QUANTITIES: [Quantity; 5] = [
+    ("app-measure-length", |reading| reading.solved.length, 0.0),
+    ("app-measure-arm", |reading| reading.moment_arm.unwrap_or(f64::NAN), 0.0),
+    ("app-measure-radius", |sample| sample.solved.largest_radius(), 0.0),
+    ("app-measure-section", |reading| std::f64::consts::PI * reading.solved.largest_radius().powi(2), 0.0),
+    // Rounding alone would look like a mountain range.
+    ("app-measure-error", |reading| reading.solved.volume_error, 2e-12),
+];
+/// The quantity that there are published figures of.
+const PUBLISHED: usize = 1;
+/// What can go right, in the order of the list.
+const AXES: [MeasureAxis; 2] = [MeasureAxis::Angle, MeasureAxis::Time];
+/// Colour of a saved curve: dark enough for white paper.
+const ON_PAPER: u32 = 0xB8_322E;
+/// Pixels of a saved picture to a logical pixel.
+const PICTURE_SCALE: f64 = 2.0;
+
+ui::widgets! {
+    /// The widgets of the panel.
+    struct MeasureWidgets from MEASURE_PANEL {
+        root: gtk::ScrolledWindow,
+        none: gtk::Label,
+        plots: gtk::Box,
+        name: gtk::Label,
+        axes: gtk::Box,
+        axis: gtk::DropDown,
+        hint: gtk::Label,
+        slot: gtk::Box,
+        published: gtk::CheckButton,
+        sources: gtk::Label,
+        copy: gtk::Button,
+        save: gtk::Button,
+        experiment: gtk::Button,
+    }
+}
+
+/// The panel.
+pub(crate) struct MeasurePanel {
+    /// The whole.
+    widgets: MeasureWidgets,
+    plots: [(PaintWidget, Rc<RefCell<Plot>>); 5],
+    readings: RefCell<Vec<MuscleSample>>,
+    muscle: Cell<MuscleId>,
+    stale: Cell<bool>,
+}
+
+impl MeasurePanel {
+    /// The panel of a session.
+    pub(crate) fn new(app: &Rc<AppContext>) -> Rc<Self> {
+        let widgets = MeasureWidgets::of(&ui::builder(ui::MEASURE_PANEL));
+        let plots = std::array::from_fn(|_| {
+            let (canvas, plot) = (PaintWidget::new(200, 170), Rc::new(RefCell::new(Plot::default())));
+            let painted = plot.clone();
+            canvas.set_painter(move |canvas, snapshot, width, height| plot_view::paint(&painted.borrow(), canvas, snapshot, width, height));
+            widgets.slot.append(&canvas);
+            (canvas, plot)
+        });
+        let panel = Rc::new(Self { widgets, plots, readings: RefCell::default(), muscle: Cell::new(MuscleId(0)), stale: Cell::new(true) });
+        panel.connect(app);
+        panel
+    }
+
+    fn connect(self: &Rc<Self>, app: &Rc<AppContext>) {
+        let session = &app.session;
+        for (canvas, plot) in &self.plots {
+            let set = glib::clone!(
+                #[weak]
+                session,
+                #[weak(rename_to = panel)]
+                self,
+                #[weak]
+                canvas,
+                #[strong]
+                plot,
+                move |x: f64| {
+                    let place = plot.borrow().x_at(x, f64::from(canvas.width()));
+                    let Some(place) = place else { return };
+                    match panel.against() {
+                        MeasureAxis::Angle => session.update(|session| session.set_angle_undoable(place)),
+                        MeasureAxis::Time => session.update(|session| session.time(|playback| playback.seek(place))),
+                    }
+                }
+            );
+            let drag = gtk::GestureDrag::new();
+            let begin = set.clone();
+            drag.connect_drag_begin(move |_, x, _| begin(x));
+            drag.connect_drag_update(move |gesture, dx, _| {
+                if let Some((x, _)) = gesture.start_point() {
+                    set(x + dx);
+                }
+            });
+            canvas.add_controller(drag);
+            let motion = gtk::EventControllerMotion::new();
+            let point = {
+                let (plot, canvas) = (plot.clone(), canvas.downgrade());
+                move |x: Option<f64>| {
+                    plot.borrow_mut().pointer = x;
+                    if let Some(canvas) = canvas.upgrade() {
+                        canvas.queue_draw();
+                    }
+                }
+            };
+            let leave = point.clone();
+            motion.connect_motion(move |_, x, _| point(Some(x)));
+            motion.connect_leave(move |_| leave(None));
+            canvas.add_controller(motion);
+        }
+        self.widgets.copy.connect_clicked(glib::clone!(
+            #[weak]
+            app,
+            #[weak(rename_to = panel)]
+            self,
+            move |button| {
+                button.clipboard().set_text(&csv(&panel.readings.borrow()));
+                app.toasts.toast(&tr!("app-copied"), None);
+            }
+        ));
+        self.widgets.save.connect_clicked(glib::clone!(
+            #[weak]
+            app,
+            #[weak(rename_to = panel)]
+            self,
+            move |_| panel.save(&app)
+        ));
+        self.widgets.published.connect_toggled(glib::clone!(
+            #[weak]
+            session,
+            move |_| session.update(Session::show_selected_muscle)
+        ));
+        self.widgets.axis.connect_selected_notify(glib::clone!(
+            #[weak]
+            session,
+            move |_| session.update(Session::show_selected_muscle)
+        ));
+        self.widgets.experiment.connect_clicked(glib::clone!(
+            #[weak]
+            app,
+            #[weak(rename_to = panel)]
+            self,
+            move |_| {
+                let muscle = panel.muscle.get();
+                if let Some(muscle) = app.session.read(|session| session.muscle_on_joint(muscle)) {
+                    experiment::show(&app, muscle);
+                }
+            }
+        ));
+        self.widgets.sources.set_text(&format!("{}\n{}", literature_data::MURRAY_2000.source, literature_data::ARM26.source));
+        // Measuring waits until the panel is visible.
+        self.widgets.root.connect_map(glib::clone!(
+            #[weak]
+            session,
+            move |_| session.update(Session::show_selected_muscle)
+        ));
+    }
+
+    /// What goes right.
+    fn against(&self) -> MeasureAxis {
+        AXES.get(self.widgets.axis.selected() as usize).copied().unwrap_or_default()
+    }
+
+    /// Offers the axes that there are, and takes the other one where the chosen one is not there.
+    fn offer(&self, session: &Session) -> bool {
+        let there = AXES.map(|against| session.measurable(self.muscle.get(), against).is_some());
+        let chosen = self.widgets.axis.selected() as usize;
+        if !there.get(chosen).copied().unwrap_or(false)
+            && let Some(other) = there.iter().position(|there| *there)
+        {
+            self.widgets.axis.set_selected(other as u32);
+        }
+        self.widgets.axes.set_visible(there == [true; 2]);
+        there.contains(&true)
+    }
+
+    fn measure(&self, session: &Session) {
+        let found = self.offer(session);
+        let against = self.against();
+        let document = session.document();
+        self.widgets.experiment.set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
+        let muscle = document.muscle(self.muscle.get()).filter(|_| found);
+        self.widgets.none.set_visible(muscle.is_none());
+        self.widgets.plots.set_visible(muscle.is_some());
+        let Some((rig, index)) = muscle else { return };
+        let readings = session.measure(self.muscle.get(), against);
+        ui::set_label(&self.widgets.name, &i18n::label(rig.label(index)));
+        let (across, hint) = match against {
+            MeasureAxis::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
+            MeasureAxis::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
+        };
+        self.widgets.hint.set_text(&hint);
+        let unit = Unit::of_rig(document, rig);
+        for ((canvas, plot), (key, read, least_span)) in self.plots.iter().zip(QUANTITIES) {
+            let mut plot = plot.borrow_mut();
+            plot.x_label.clone_from(&across);
+            plot.y_label = tr!(key, unit = unit.length.as_str());
+            plot.reference_series.clear();
+            plot.min_y_span = least_span;
+            plot.points = readings.iter().map(|reading| (against.of(reading), read(reading))).collect();
+            // There is no moment arm where there is no joint.
+            canvas.set_visible(plot.points.iter().any(|point| point.1.is_finite()));
+        }
+        // The published figures are of a flexor of the elbow.
+        let comparable = against == MeasureAxis::Angle && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
+        self.widgets.published.set_visible(comparable);
+        self.widgets.sources.set_visible(comparable);
+        if comparable
+            && self.widgets.published.is_active()
+            && let Some((_, plot)) = self.plots.get(PUBLISHED)
+        {
+            // Centimetres to the file's unit.
+            let scale = 0.01 / unit.metres;
+            plot.borrow_mut().reference_series = [literature_data::ARM26, literature_data::MURRAY_2000]
+                .map(|series| Series {
+                    name: series.name.to_owned(),
+                    points: series.points.iter().map(|[angle, arm]| (*angle, arm * scale)).collect(),
+                })
+                .to_vec();
+        }
+        self.readings.replace(readings);
+    }
+
+    /// Asks where to and saves the table or the plots.
+    fn save(self: &Rc<Self>, app: &Rc<AppContext>) {
+        let (title, name) = (tr!("app-measure-save-title"), "measure.csv".to_owned());
+        let request = SaveRequest { title, name, folder: None, endings: &["csv", "svg", "png"], own: None };
+        let panel = Rc::downgrade(self);
+        save_as::ask(app, request, move |app, output| {
+            let (path, Some(panel)) = (output.file(), panel.upgrade()) else { return };
+            let written =
+                panel.bytes(path).and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.sentence()));
+            match written {
+                Ok(()) => save_as::done(app, path),
+                Err(message) => save_as::failed(app, path, message),
+            }
+        });
+    }
+
+    /// The plots as a page to keep, without the pointer.
+    fn page(&self) -> Page {
+        let name = self.widgets.name.text().to_string();
+        let shown = self.plots.iter().filter(|(canvas, _)| canvas.get_visible());
+        let plots = shown.map(|(_, plot)| Plot { pointer: None, color: ON_PAPER, reference_color: 0x5B_6B82, ..plot.borrow().clone() });
+        Page { sections: vec![(name, plots.collect())] }
+    }
+
+    /// The file that a name's ending asks for: the table, or the plots.
+    fn bytes(&self, path: &Path) -> Result<Vec<u8>, String> {
+        match extension(path).as_str() {
+            "svg" => Ok(self.page().svg().into_bytes()),
+            "png" => self.page().png(PICTURE_SCALE).map_err(|error| error.sentence()),
+            _ => Ok(csv(&self.readings.borrow()).into_bytes()),
+        }
+    }
+}
+
+impl Panel for MeasurePanel {
+    fn id(&self) -> &'static str {
+        "measure"
+    }
+
+    fn title(&self) -> String {
+        tr!("app-page-measure")
+    }
+
+    fn widget(&self) -> gtk::Widget {
+        self.widgets.root.clone().upcast()
+    }
+
+    fn refresh(&self, session: &mut Session, changes: ChangeSet) {
+        if changes.any(ChangeSet::DOCUMENT) {
+            self.muscle.set(MuscleId(0));
+            self.stale.set(true);
+        }
+        if changes.any(ChangeSet::SELECTION)
+            && let Some(node) = session.selected()
+        {
+            let contents = &session.document().scene.graph.node(node).contents;
+            let chosen = contents.iter().find_map(|content| if let Content::Muscle(id) = content { Some(*id) } else { None });
+            if let Some(muscle) = chosen.filter(|muscle| *muscle != self.muscle.get()) {
+                self.muscle.set(muscle);
+                self.stale.set(true);
+            }
+        }
+        if changes.any(ChangeSet::EDIT | ChangeSet::MUSCLE) || (changes.any(ChangeSet::PLAYBACK) && self.against() == MeasureAxis::Time) {
+            self.stale.set(true);
+        }
+        if !self.widgets.root.is_mapped() {
+            return;
+        }
+        if self.stale.replace(false) {
+            self.measure(session);
+        }
+        if changes.any(ChangeSet::DRIVE | ChangeSet::TIME | ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::DISPLAY | ChangeSet::EDIT)
+        {
+            let present = session.current_value(self.muscle.get(), self.against());
+            for (canvas, plot) in &self.plots {
+                let mut plot = plot.borrow_mut();
+                (plot.cursor, plot.color) = (present, session.display().palette.selected);
+                plot.reference_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
+                canvas.queue_draw();
+            }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! The muscle panel with its editors: shape, attachments, path, contraction.
+
+pub(crate) mod attach_muscles;
+mod attachment_field;
+mod attachments_editor;
+mod contraction_controls;
+pub(crate) mod muscle_editor;
+pub(crate) mod muscle_panel;
+mod profile_plot;
+mod profile_table;
+mod via_points_editor;
