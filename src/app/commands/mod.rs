@@ -30,7 +30,7 @@ use crate::tr;
 pub enum Group {
     /// Files and the program.
     Files,
-    /// Pictures, films, surfaces.
+    /// Pictures, videos, surfaces.
     Pictures,
     /// Playing.
     Playback,
@@ -153,7 +153,7 @@ commands! {
         PictureTransparent = "picture-transparent" ["<Control>F12"] Run(A::PictureTransparent), if is_open;
         /// Copy the picture.
         CopyPicture = "copy-picture" ["<Control>c"] Run(A::CopyPicture), if is_open;
-        /// Save pictures, films, surfaces.
+        /// Save pictures, videos, surfaces.
         Export = "export" ["<Control>e"] Run(A::Export), if is_open;
     }
     Playback {
@@ -328,7 +328,7 @@ commands! {
         /// Weights of the selected bone.
         Weights = "weights" ["w"] Toggle(shows_weights, |session| session.set_weights(!shows_weights(session))), if can_show_weights;
         /// The moments before and after this one.
-        Ghosts = "onion-skins" ["h"] Toggle(shows_onion_skins, toggle_onion_skins), if can_show_onion_skins;
+        OnionSkins = "onion-skins" ["h"] Toggle(shows_onion_skins, toggle_onion_skins), if can_show_onion_skins;
         /// Go along with the selection while a clip plays.
         Follow = "follow" ["<Shift>f"] Toggle(is_following, Session::toggle_follow), if can_follow;
         /// The path of the selection.

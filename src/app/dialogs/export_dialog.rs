@@ -26,7 +26,7 @@ const PULSE: Duration = Duration::from_millis(80);
 
 ui::widgets! {
     /// The widgets of the dialog.
-    struct ExportWidgets from EXPORT {
+    struct ExportWidgets from EXPORT_DIALOG {
         root: gtk::Window,
         choices: gtk::Grid,
         kind: gtk::DropDown,
@@ -65,14 +65,14 @@ struct Dialog {
     losses: RefCell<Option<Vec<String>>>,
     /// Whether it is being computed.
     looking: Cell<bool>,
-    /// Whether there is no `ffmpeg`, which films are made by.
+    /// Whether there is no `ffmpeg`, which videos are made by.
     no_ffmpeg: Cell<bool>,
 }
 
 /// Opens the dialog.
 pub(crate) fn show(app: &Rc<AppContext>, viewport: &Rc<Viewport>) {
     let dialog = Rc::new(Dialog {
-        widgets: ExportWidgets::of(&ui::builder(ui::EXPORT)),
+        widgets: ExportWidgets::of(&ui::builder(ui::EXPORT_DIALOG)),
         app: app.clone(),
         viewport: viewport.clone(),
         work: RefCell::new(None),
@@ -168,18 +168,18 @@ impl Dialog {
     /// Shows the rows that the choice needs, and what will come of it.
     fn show_choice(self: &Rc<Self>) {
         let options = self.options();
-        let (drawn, film) = (options.kind.is_drawn(), options.kind.is_film());
+        let (drawn, is_sequence) = (options.kind.is_drawn(), options.kind.is_sequence());
         let over_time = options.kind.table().is_some() && self.app.session.read(|session| session.state().clip.is_some());
         let widgets = &self.widgets;
         let show = |parts: &[&gtk::Widget], shown: bool| parts.iter().for_each(|part| part.set_visible(shown));
         show(&[widgets.size_label.upcast_ref(), widgets.size_box.upcast_ref()], drawn);
         show(&[widgets.transparent.upcast_ref(), widgets.helps.upcast_ref()], drawn);
-        show(&[widgets.course_label.upcast_ref(), widgets.course.upcast_ref()], film);
-        show(&[widgets.fps_label.upcast_ref(), widgets.fps.upcast_ref()], film || over_time);
-        show(&[widgets.sweep_label.upcast_ref(), widgets.sweep_box.upcast_ref()], film && options.motion.is_sweep());
-        show(&[widgets.duration_label.upcast_ref(), widgets.duration.upcast_ref()], film && options.motion.has_duration());
+        show(&[widgets.course_label.upcast_ref(), widgets.course.upcast_ref()], is_sequence);
+        show(&[widgets.fps_label.upcast_ref(), widgets.fps.upcast_ref()], is_sequence || over_time);
+        show(&[widgets.sweep_label.upcast_ref(), widgets.sweep_box.upcast_ref()], is_sequence && options.motion.is_sweep());
+        show(&[widgets.duration_label.upcast_ref(), widgets.duration.upcast_ref()], is_sequence && options.motion.has_duration());
         let summary = self.app.session.read(|session| options.check(session)).map(|sequence| match options.kind {
-            _ if film => tr!(
+            _ if is_sequence => tr!(
                 "app-export-frames",
                 count = sequence.count,
                 width = options.size.0.to_string(),

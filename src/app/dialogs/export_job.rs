@@ -135,7 +135,7 @@ impl ExportKind {
 
     /// Whether it is drawn.
     pub(crate) fn is_drawn(self) -> bool {
-        self == Self::Picture || self.is_film()
+        self == Self::Picture || self.is_sequence()
     }
 
     /// Whether the whole scene goes into another format, which may not hold all of it.
@@ -158,12 +158,12 @@ impl ExportKind {
     }
 
     /// Whether it has several pictures.
-    pub(crate) fn is_film(self) -> bool {
+    pub(crate) fn is_sequence(self) -> bool {
         matches!(self, Self::Gif | Self::Apng | Self::Pictures | Self::Mp4 | Self::Webm)
     }
 }
 
-/// What moves in a film.
+/// What moves in a sequence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum MotionSource {
     /// The whole clip, or an arm's swing.
@@ -230,8 +230,8 @@ pub(crate) struct ExportOptions {
 /// Why the dialog cannot make what is set in it. Displays as one sentence.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ExportRefusal {
-    /// There is no such film.
-    Film(SequenceError),
+    /// There is no such sequence.
+    Sequence(SequenceError),
     /// There is no such table.
     Table(TableError),
     /// More frames a second than a GIF can show.
@@ -241,10 +241,10 @@ pub(crate) enum ExportRefusal {
 impl std::fmt::Display for ExportRefusal {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&match self {
-            Self::Film(SequenceError::Empty { .. }) => tr!("app-export-empty"),
-            Self::Film(SequenceError::TooMany) => tr!("app-export-too-many", limit = sequence::MAX_FRAMES),
-            Self::Film(SequenceError::NoElbow) => tr!("app-export-no-elbow"),
-            Self::Film(SequenceError::NoMuscle) => tr!("app-export-no-muscle"),
+            Self::Sequence(SequenceError::Empty { .. }) => tr!("app-export-empty"),
+            Self::Sequence(SequenceError::TooMany) => tr!("app-export-too-many", limit = sequence::MAX_FRAMES),
+            Self::Sequence(SequenceError::NoElbow) => tr!("app-export-no-elbow"),
+            Self::Sequence(SequenceError::NoMuscle) => tr!("app-export-no-muscle"),
             Self::Table(why) => why.sentence(),
             Self::GifRate => tr!("app-export-gif-fps", limit = gif::MOST_FPS),
         })
@@ -263,7 +263,7 @@ impl ExportOptions {
         if self.kind == ExportKind::Gif && self.fps > gif::MOST_FPS {
             return Err(ExportRefusal::GifRate);
         }
-        self.sequence(session).map_err(ExportRefusal::Film)
+        self.sequence(session).map_err(ExportRefusal::Sequence)
     }
 
     /// The pictures that a session gives.
@@ -272,7 +272,7 @@ impl ExportOptions {
     /// [`SequenceError`] where there are none.
     pub(crate) fn sequence(&self, session: &Session) -> Result<Sequence, SequenceError> {
         let state = session.state();
-        if !self.kind.is_film() {
+        if !self.kind.is_sequence() {
             return Ok(Sequence::single(state));
         }
         let marks = session.playback().play_range();
@@ -461,7 +461,7 @@ mod tests {
             let file = kind.completed(&folder.path().join(format!("50%d.{}", kind.ending())));
             assert_eq!(kind.completed(&file), file);
             let job = ExportJob::new(&mut session, options(kind, MotionSource::Elbow), OverwriteGuard::default()).expect("the arm bends");
-            assert_eq!(job.count(), if kind.is_film() { 5 } else { 1 });
+            assert_eq!(job.count(), if kind.is_sequence() { 5 } else { 1 });
             job.run(&file, &Progress::default()).expect("written");
             let first = kind.first_files(&file).remove(0);
             assert!(fs::metadata(&first).is_ok_and(|found| found.len() > 100), "{}", first.display());

@@ -424,7 +424,7 @@ impl Inspector {
 
 /// A slider that turns about one axis, in its row of the grid.
 fn turn_scale(grid: &gtk::Grid, row: usize) -> gtk::Scale {
-    let builder = ui::builder(ui::TURN);
+    let builder = ui::builder(ui::JOINT_ROTATION);
     let scale: gtk::Scale = object(&builder, ["turn_x", "turn_y", "turn_z"][row]);
     let name = gtk::Label::builder().label(["X", "Y", "Z"][row]).build();
     grid.attach(&name, 0, row as i32, 1, 1);

@@ -4,7 +4,7 @@ use gtk::glib;
 use gtk::prelude::*;
 use gtk4 as gtk;
 
-use super::onion_skin_panel::GhostsPanel;
+use super::onion_skin_panel::OnionSkinPanel;
 use super::panel::Panel;
 use crate::app::format;
 use crate::app::handles::session_handle::SessionHandle;
@@ -35,7 +35,7 @@ ui::widgets! {
         skinning: gtk::DropDown,
         grid_cell: gtk::DropDown,
         backdrop: gtk::DropDown,
-        ghosts_slot: gtk::Box,
+        onion_skins_slot: gtk::Box,
         line_width: gtk::Scale,
         line_width_value: gtk::Label,
         ambient: gtk::Scale,
@@ -49,7 +49,7 @@ ui::widgets! {
 /// The panel.
 pub(crate) struct DisplayPanel {
     widgets: DisplayWidgets,
-    ghosts: GhostsPanel,
+    onion_skins: OnionSkinPanel,
 }
 
 impl DisplayPanel {
@@ -63,13 +63,13 @@ impl DisplayPanel {
             let words: Vec<String> = keys.iter().map(|key| tr!(key)).collect();
             list.set_model(Some(&ui::words(&words)));
         };
-        let ghosts = GhostsPanel::new(session);
-        widgets.ghosts_slot.append(&ghosts.root);
+        let onion_skins = OnionSkinPanel::new(session);
+        widgets.onion_skins_slot.append(&onion_skins.root);
         list(&widgets.shading, &["app-do-flat", "app-do-gouraud", "app-do-phong"]);
         list(&widgets.skinning, &["app-skinning-linear", "app-skinning-dual"]);
         list(&widgets.backdrop, &["app-background-theme", "app-background-white", "app-background-grey", "app-background-black"]);
         widgets.grid_cell.set_model(Some(&ui::words(&CELLS.map(cell_name))));
-        let panel = Self { widgets, ghosts };
+        let panel = Self { widgets, onion_skins };
         panel.connect(session);
         panel
     }
@@ -151,7 +151,7 @@ impl Panel for DisplayPanel {
     }
 
     fn refresh(&self, session: &mut Session, changes: ChangeSet) {
-        self.ghosts.refresh(session, changes);
+        self.onion_skins.refresh(session, changes);
         if changes.any(ChangeSet::DISPLAY) {
             let display = session.display();
             let shading = SHADINGS.iter().position(|(_, shading)| *shading == display.shading).unwrap_or(1);

@@ -10,7 +10,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::panel::Panel;
-use crate::app::dialogs::experiment;
+use crate::app::dialogs::measurement_comparison;
 use crate::app::dialogs::save_as::{self, SaveRequest};
 use crate::app::handles::app_context::AppContext;
 use crate::app::panels::muscle::muscle_panel::Unit;
@@ -62,7 +62,7 @@ ui::widgets! {
         sources: gtk::Label,
         copy: gtk::Button,
         save: gtk::Button,
-        experiment: gtk::Button,
+        measurement_comparison: gtk::Button,
     }
 }
 
@@ -164,7 +164,7 @@ impl MeasurePanel {
             session,
             move |_| session.update(Session::show_selected_muscle)
         ));
-        self.widgets.experiment.connect_clicked(glib::clone!(
+        self.widgets.measurement_comparison.connect_clicked(glib::clone!(
             #[weak]
             app,
             #[weak(rename_to = panel)]
@@ -172,7 +172,7 @@ impl MeasurePanel {
             move |_| {
                 let muscle = panel.muscle.get();
                 if let Some(muscle) = app.session.read(|session| session.muscle_on_joint(muscle)) {
-                    experiment::show(&app, muscle);
+                    measurement_comparison::show(&app, muscle);
                 }
             }
         ));
@@ -207,7 +207,7 @@ impl MeasurePanel {
         let found = self.offer(session);
         let against = self.against();
         let document = session.document();
-        self.widgets.experiment.set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
+        self.widgets.measurement_comparison.set_visible(session.muscle_on_joint(self.muscle.get()).is_some());
         let muscle = document.muscle(self.muscle.get()).filter(|_| found);
         self.widgets.none.set_visible(muscle.is_none());
         self.widgets.plots.set_visible(muscle.is_some());

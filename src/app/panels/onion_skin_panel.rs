@@ -15,7 +15,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the panel.
-    struct OnionSkinWidgets from GHOSTS {
+    struct OnionSkinWidgets from ONION_SKIN_PANEL {
         root: gtk::Box,
         before: gtk::SpinButton,
         after: gtk::SpinButton,
@@ -29,16 +29,16 @@ ui::widgets! {
 }
 
 /// Panel of onion skins and comparison.
-pub(crate) struct GhostsPanel {
+pub(crate) struct OnionSkinPanel {
     /// The whole.
     pub root: gtk::Box,
     widgets: OnionSkinWidgets,
 }
 
-impl GhostsPanel {
+impl OnionSkinPanel {
     /// The panel of a session.
     pub(crate) fn new(session: &SessionHandle) -> Self {
-        let widgets = OnionSkinWidgets::of(&ui::builder(ui::GHOSTS));
+        let widgets = OnionSkinWidgets::of(&ui::builder(ui::ONION_SKIN_PANEL));
         ui::narrow(&widgets.with, 18);
         let panel = Self { root: widgets.root.clone(), widgets };
         panel.connect(session);
@@ -55,7 +55,9 @@ impl GhostsPanel {
                 move |_| {
                     let [before, after, step] = [&before, &after, &step].map(|number| number.value_as_int().max(0) as u32);
                     session.update(|session| {
-                        session.change_onion_skin_settings(|ghosts| (ghosts.before, ghosts.after, ghosts.step) = (before, after, step));
+                        session.change_onion_skin_settings(|onion_skins| {
+                            (onion_skins.before, onion_skins.after, onion_skins.step) = (before, after, step)
+                        });
                     });
                 }
             ));
@@ -81,10 +83,10 @@ impl GhostsPanel {
     /// Shows what changed.
     pub(crate) fn refresh(&self, session: &mut Session, changes: ChangeSet) {
         if changes.any(ChangeSet::OVERLAYS) {
-            let ghosts = session.onion_skin_settings();
-            self.widgets.before.set_value(ghosts.before.into());
-            self.widgets.after.set_value(ghosts.after.into());
-            self.widgets.step.set_value(ghosts.step.into());
+            let onion_skins = session.onion_skin_settings();
+            self.widgets.before.set_value(onion_skins.before.into());
+            self.widgets.after.set_value(onion_skins.after.into());
+            self.widgets.step.set_value(onion_skins.step.into());
         }
         if changes.any(ChangeSet::OVERLAYS | ChangeSet::DOCUMENT) {
             self.list(session);

@@ -27,14 +27,14 @@ macro_rules! files {
     };
 }
 files! {
-    WINDOW = "window",
+    MAIN_WINDOW = "main_window",
     VIEWPORT = "viewport",
     TIMELINE = "timeline",
-    SHEET = "sheet",
+    CURVE_EDITOR = "curve_editor",
     SCENE_TREE = "scene_tree",
     MUSCLE_PANEL = "muscle_panel",
     DISPLAY_PANEL = "display_panel",
-    EXPERIMENT = "experiment",
+    MEASUREMENT_COMPARISON = "measurement_comparison",
     MEASURE_PANEL = "measure_panel",
     HEALTH_PANEL = "health_panel",
     NODE_CELL = "node_cell",
@@ -42,12 +42,12 @@ files! {
     TREE_EYE = "tree_eye",
     ERROR_BAR = "error_bar",
     RECOVERY_BAR = "recovery_bar",
-    START = "start",
-    EXPORT = "export",
+    START_PAGE = "start_page",
+    EXPORT_DIALOG = "export_dialog",
     INSPECTOR = "inspector",
-    TURN = "turn",
-    GHOSTS = "ghosts",
-    HELD = "held",
+    JOINT_ROTATION = "joint_rotation",
+    ONION_SKIN_PANEL = "onion_skin_panel",
+    HELD_JOINT_BANNER = "held_joint_banner",
 }
 
 /// A struct of the widgets of a `.ui` file that code works with: a field an id. A test of the module holds ids and classes against the file, so that a slip

@@ -59,7 +59,7 @@ impl Window {
     pub(crate) fn open(application: &gtk::Application, files: Vec<PathBuf>) {
         appearance::load_style();
         let (settings, notice) = Settings::load(&settings::path());
-        let builder = ui::builder(ui::WINDOW);
+        let builder = ui::builder(ui::MAIN_WINDOW);
         let widget: gtk::ApplicationWindow = object(&builder, "window");
         widget.set_application(Some(application));
         let (width, height) = side_panels::on_screen(settings.width, settings.height);

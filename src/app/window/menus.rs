@@ -85,7 +85,7 @@ fn display_menu() -> gio::Menu {
     section(&menu, &[C::PresetClean, C::PresetSkeleton, C::PresetInspection, C::PresetPrint]);
     section(&menu, &[C::Bones, C::BoneNames, C::Materials, C::SmoothNormals, C::NormalGlyphs, C::Wireframe, C::Muscle, C::Weights]);
     section(&menu, &[C::Isolate, C::Hide, C::ShowAll]);
-    section(&menu, &[C::Ghosts, C::BonePath, C::CompareSkinning, C::StopComparing]);
+    section(&menu, &[C::OnionSkins, C::BonePath, C::CompareSkinning, C::StopComparing]);
     section(&menu, &[C::Grid, C::Axes, C::BoundingBox]);
     section(&menu, &[C::Flat, C::Gouraud, C::Phong]);
     section(&menu, &[C::FrameTimes]);

@@ -12,7 +12,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The labels of the line.
-    struct StatusWidgets from WINDOW {
+    struct StatusWidgets from MAIN_WINDOW {
         status_position: gtk::Label,
         status_compared: gtk::Label,
         status_selection: gtk::Label,

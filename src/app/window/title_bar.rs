@@ -14,7 +14,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the header bar.
-    struct TitleWidgets from WINDOW {
+    struct TitleWidgets from MAIN_WINDOW {
         title: gtk::Label,
         subtitle: gtk::Label,
         undo: gtk::Button,

@@ -27,7 +27,7 @@ const MILLILITRES: f64 = 1e6;
 
 ui::widgets! {
     /// The widgets of the window.
-    struct ExperimentWidgets from EXPERIMENT {
+    struct MeasurementComparisonWidgets from MEASUREMENT_COMPARISON {
         root: gtk::Window,
         title: gtk::Label,
         open: gtk::Button,
@@ -46,27 +46,31 @@ ui::widgets! {
 }
 
 /// The window, and what it shows.
-struct Experiment {
-    widgets: ExperimentWidgets,
+struct MeasurementComparison {
+    widgets: MeasurementComparisonWidgets,
     muscle: MuscleId,
     /// What was measured, and where that stands.
     data: RefCell<(Table, String)>,
 }
 
-/// Opens the experiment of a muscle.
+/// Opens the comparison of a muscle with measured radii.
 pub(crate) fn show(app: &Rc<AppContext>, muscle: MuscleId) {
     // The table that comes with the program is parsed by a test.
     let Ok(table) = Table::parse(literature_data::MEASURED_RADII) else { return };
     let data = RefCell::new((table, "biceps-radii.csv".to_owned()));
-    let experiment = Rc::new(Experiment { widgets: ExperimentWidgets::of(&ui::builder(ui::EXPERIMENT)), muscle, data });
-    let root = experiment.root().clone();
+    let comparison = Rc::new(MeasurementComparison {
+        widgets: MeasurementComparisonWidgets::of(&ui::builder(ui::MEASUREMENT_COMPARISON)),
+        muscle,
+        data,
+    });
+    let root = comparison.root().clone();
     root.set_transient_for(Some(&app.widget));
-    experiment.connect(app);
-    experiment.refresh(app);
+    comparison.connect(app);
+    comparison.refresh(app);
     root.present();
 }
 
-impl Experiment {
+impl MeasurementComparison {
     fn root(&self) -> &gtk::Window {
         &self.widgets.root
     }
@@ -74,27 +78,27 @@ impl Experiment {
     fn connect(self: &Rc<Self>, app: &Rc<AppContext>) {
         for (button, model) in [(&self.widgets.fit, Model::Growth), (&self.widgets.poses, Model::Poses)] {
             button.connect_clicked(glib::clone!(
-                #[strong(rename_to = experiment)]
+                #[strong(rename_to = comparison)]
                 self,
                 #[weak]
                 app,
                 move |_| {
-                    let table = experiment.data.borrow().0.clone();
+                    let table = comparison.data.borrow().0.clone();
                     let mut result = Ok(());
-                    app.session.update(|session| result = session.fit_muscle(experiment.muscle, &table, model));
+                    app.session.update(|session| result = session.fit_muscle(comparison.muscle, &table, model));
                     match result {
-                        Ok(()) => experiment.refresh(&app),
-                        Err(error) => experiment.say(&error.sentence()),
+                        Ok(()) => comparison.refresh(&app),
+                        Err(error) => comparison.say(&error.sentence()),
                     }
                 }
             ));
         }
         self.widgets.open.connect_clicked(glib::clone!(
-            #[strong(rename_to = experiment)]
+            #[strong(rename_to = comparison)]
             self,
             #[weak]
             app,
-            move |_| experiment.choose(&app)
+            move |_| comparison.choose(&app)
         ));
         self.root().connect_close_request(glib::clone!(
             #[weak]
@@ -131,7 +135,7 @@ impl Experiment {
         );
         let keep = RefCell::new(Some(dialog.clone()));
         dialog.connect_response(glib::clone!(
-            #[strong(rename_to = experiment)]
+            #[strong(rename_to = comparison)]
             self,
             #[weak]
             app,
@@ -142,9 +146,9 @@ impl Experiment {
                 };
                 match read(&path) {
                     Ok(data) => {
-                        experiment.data.replace(data);
+                        comparison.data.replace(data);
                         app.open_files.compares_table(Some(path));
-                        experiment.refresh(&app);
+                        comparison.refresh(&app);
                     }
                     Err(message) => app.error_bar.show(ErrorMessage {
                         headline: tr!("app-validation-unread"),
