@@ -8,7 +8,7 @@
 //! | `dialogs`, `loading` | dialogs, saving, exporting; opening off the interface thread, watching, drops |
 //! | [`commands`] | the one table of commands: keys, what each does, when it is possible; performs them, by actions and keys |
 //! | `handles` | small handles that widgets are given; `app_context` holds those of a window |
-//! | `widgets` | what all widgets are made with |
+//! | `widgets` | what all widgets are made with; the list of the `.ui` files, each of which lies beside its module |
 //! | `appearance`, `renderer`, [`settings`] | what holds for the whole program: light and dark, GTK's renderer, where the settings are |
 //!
 //! `window::main_window` assembles the panels and lets them hear of changes; nothing imports it but this module.

@@ -61,7 +61,6 @@ fn rust_sources() -> Vec<PathBuf> {
 /// Every string literal and `tr:` placeholder of the sources that looks like the name of a message.
 fn names_in_sources() -> BTreeSet<String> {
     let mut sources = rust_sources();
-    sources.extend(files(&root().join("resources"), "ui"));
     sources.extend(files(&root().join("src"), "ui"));
     let mut names = BTreeSet::new();
     for file in sources {
@@ -134,7 +133,7 @@ fn every_name_that_the_sources_look_up_is_in_the_catalogue() {
                 .map(|(key, _)| format!("{key} in {}", file.display())),
         );
     }
-    for file in files(&root().join("resources"), "ui").into_iter().chain(files(&root().join("src"), "ui")) {
+    for file in files(&root().join("src"), "ui") {
         let text = fs::read_to_string(&file).expect("readable");
         let end = |rest: &str| rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '-')).unwrap_or(rest.len());
         let placeholders = text.split("tr:").skip(1).map(|rest| rest[..end(rest)].to_owned());

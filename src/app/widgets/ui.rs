@@ -15,39 +15,39 @@ use crate::app::format;
 use crate::i18n::{shown, shown_lines};
 use crate::tr;
 
-/// The `.ui` files, by the name of the code that uses them.
+/// The `.ui` files, each beside the code that uses it.
 macro_rules! files {
     ($($name:ident = $file:literal),+ $(,)?) => {
         $(
             #[doc = concat!("`", $file, ".ui`.")]
-            pub(crate) const $name: &str = include_str!(concat!("../../../resources/ui/", $file, ".ui"));
+            pub(crate) const $name: &str = include_str!(concat!("../", $file, ".ui"));
         )+
         #[cfg(test)]
         const ALL: &[(&str, &str)] = &[$(($file, $name)),+];
     };
 }
 files! {
-    MAIN_WINDOW = "main_window",
-    VIEWPORT = "viewport",
-    TIMELINE = "timeline",
-    CURVE_EDITOR = "curve_editor",
-    SCENE_TREE = "scene_tree",
-    MUSCLE_PANEL = "muscle_panel",
-    DISPLAY_PANEL = "display_panel",
-    MEASUREMENT_COMPARISON = "measurement_comparison",
-    MEASURE_PANEL = "measure_panel",
-    HEALTH_PANEL = "health_panel",
-    NODE_CELL = "node_cell",
-    VIA_POINT = "via_point",
-    TREE_EYE = "tree_eye",
-    ERROR_BAR = "error_bar",
-    RECOVERY_BAR = "recovery_bar",
-    START_PAGE = "start_page",
-    EXPORT_DIALOG = "export_dialog",
-    INSPECTOR = "inspector",
-    JOINT_ROTATION = "joint_rotation",
-    ONION_SKIN_PANEL = "onion_skin_panel",
-    HELD_JOINT_BANNER = "held_joint_banner",
+    MAIN_WINDOW = "window/main_window",
+    VIEWPORT = "viewport/viewport",
+    TIMELINE = "timeline/timeline",
+    CURVE_EDITOR = "timeline/curve_editor",
+    SCENE_TREE = "scene_tree/scene_tree",
+    MUSCLE_PANEL = "panels/muscle/muscle_panel",
+    DISPLAY_PANEL = "panels/display_panel",
+    MEASUREMENT_COMPARISON = "dialogs/measurement_comparison",
+    MEASURE_PANEL = "panels/measure_panel",
+    HEALTH_PANEL = "panels/health_panel",
+    NODE_CELL = "panels/muscle/node_cell",
+    VIA_POINT = "panels/muscle/via_point",
+    TREE_EYE = "scene_tree/tree_eye",
+    ERROR_BAR = "notices/error_bar",
+    RECOVERY_BAR = "loading/recovery_bar",
+    START_PAGE = "window/start_page",
+    EXPORT_DIALOG = "dialogs/export_dialog",
+    INSPECTOR = "inspector/inspector",
+    JOINT_ROTATION = "inspector/joint_rotation",
+    ONION_SKIN_PANEL = "panels/onion_skin_panel",
+    HELD_JOINT_BANNER = "notices/held_joint_banner",
 }
 
 /// A struct of the widgets of a `.ui` file that code works with: a field an id. A test of the module holds ids and classes against the file, so that a slip
