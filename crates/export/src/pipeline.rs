@@ -12,7 +12,11 @@ use std::thread;
 
 use super::ExportError;
 use sinew_render::Framebuffer;
+use sinew_scene::limits;
 use sinew_scene::progress::Progress;
+
+/// What a thread takes from the system as it starts, beside its stack, with some to spare, bytes. The C library ends the program where it is refused that.
+const THREAD_BYTES: u64 = 1 << 20;
 
 /// Most memory of all pictures together, bytes.
 const MEMORY_LIMIT: usize = 256 << 20;
@@ -51,6 +55,9 @@ pub fn run<T: Send>(
 ) -> io::Result<()> {
     let pixels = size.0 as usize * size.1 as usize;
     let threads = threads.max(1);
+    if !limits::is_room(THREAD_BYTES * threads as u64) {
+        return Err(io::ErrorKind::OutOfMemory.into());
+    }
     let pictures = (MEMORY_LIMIT / (pixels * 4).max(1)).clamp(1, threads + 2).min(count.max(1));
     let (free_sender, free) = channel();
     for made in 0..pictures {
