@@ -92,7 +92,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
 fn muscles<'a>(document: &'a Document, file: &Path) -> Result<(&'a MuscleFile, &'a MuscleRig), Failure> {
     let found = document.sources.iter().find_map(|source| match &source.kind {
         SourceKind::Muscles(muscles, rig) => Some((&**muscles, &**rig)),
-        SourceKind::Collada(_) => None,
+        SourceKind::Scene(_) => None,
     });
     found.ok_or_else(|| Failure::file(file, tr!("cli-like-no-muscle")))
 }

@@ -20,7 +20,7 @@ use crate::view;
 #[derive(Debug, Serialize)]
 struct Info {
     file: String,
-    format: &'static str,
+    format: String,
     version: String,
     authoring_tool: String,
     up_axis: String,
@@ -97,11 +97,12 @@ impl Info {
         let bounds = document.outline(&document.start_state());
         let scene = &document.scene;
         let (format, version, authoring_tool, up_axis, unit_metres) = match document.sources.first().map(|source| &source.kind) {
-            Some(SourceKind::Collada(asset)) => {
-                ("collada", asset.version.clone(), asset.authoring_tool.clone(), asset.up_axis.clone(), asset.unit_metres)
+            Some(SourceKind::Scene(asset)) => {
+                let format = asset.format.to_ascii_lowercase();
+                (format, asset.version.clone(), asset.authoring_tool.clone(), asset.up_axis.clone(), asset.unit_metres)
             }
-            Some(SourceKind::Muscles(file, _)) => ("muscle", String::new(), String::new(), "Y_UP".to_owned(), file.unit_metres),
-            None => ("", String::new(), String::new(), String::new(), 1.0),
+            Some(SourceKind::Muscles(file, _)) => ("muscle".to_owned(), String::new(), String::new(), "Y_UP".to_owned(), file.unit_metres),
+            None => (String::new(), String::new(), String::new(), String::new(), 1.0),
         };
         Self {
             file,

@@ -15,7 +15,7 @@ pub(super) fn read(context: &mut Context<'_>) -> Step<Asset> {
     if !(version.starts_with("1.4") || version.starts_with("1.5")) {
         context.report.report(root, Finding::UnknownVersion(version.clone()));
     }
-    let mut asset = Asset { version, authoring_tool: String::new(), up_axis: "Y_UP".to_owned(), unit_metres: 1.0 };
+    let mut asset = Asset { format: super::FORMAT, version, authoring_tool: String::new(), up_axis: "Y_UP".to_owned(), unit_metres: 1.0 };
     let Some(element) = child(root, "asset") else { return Ok(asset) };
     asset.authoring_tool = children(element, "contributor")
         .filter_map(|contributor| child(contributor, "authoring_tool"))

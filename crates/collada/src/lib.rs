@@ -65,6 +65,7 @@ mod numbers;
 mod parallel_lists;
 mod primitive;
 mod report;
+mod scene_reader;
 mod skin;
 mod source;
 mod triangulate;
@@ -74,13 +75,13 @@ mod xml;
 
 pub use error::{ReadError, ReadErrorKind};
 pub use finding::Finding;
+pub use scene_reader::ColladaReader;
+pub use sinew_scene::import::Asset;
 
 use std::borrow::Cow;
-use std::path::PathBuf;
 
 use sinew_scene::Scene;
-use sinew_scene::animation::Clip;
-use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::import::ImportedScene;
 use sinew_scene::limits;
 use sinew_scene::progress::Progress;
 
@@ -100,33 +101,11 @@ use report::Report;
 /// An element of the document.
 type El<'a> = roxmltree::Node<'a, 'a>;
 
-/// What a file says of itself.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Asset {
-    /// The version attribute: `1.4.1`.
-    pub version: String,
-    /// The tool that wrote it; empty where the file is silent.
-    pub authoring_tool: String,
-    /// `X_UP`, `Y_UP` or `Z_UP`.
-    pub up_axis: String,
-    /// Metres a unit.
-    pub unit_metres: f64,
-}
+/// The name of the format.
+const FORMAT: &str = "COLLADA";
 
-/// Everything read from one file. Its graph has one root, the asset node.
-#[derive(Debug, Clone, Default)]
-pub struct Loaded {
-    /// What the file says of itself.
-    pub asset: Asset,
-    /// The scene; images have no pixels yet.
-    pub scene: Scene,
-    /// The clips, at least one where anything moves.
-    pub clips: Vec<Clip>,
-    /// Oddities, in file order.
-    pub findings: Vec<Diagnostic<Finding>>,
-    /// Image files inside a `.zae`, by their path in the archive.
-    pub archived: Vec<(PathBuf, Vec<u8>)>,
-}
+/// Everything read from one file. Its graph has one root, the asset node; images inside a `.zae` are by their path in the archive.
+pub type Loaded = ImportedScene<Finding>;
 
 /// Reads a document from its bytes, a `.dae` or a `.zae`, told apart by content. `name` is the file's name: it stands in messages, on the root node, and
 /// tells references to the file itself from those to other files.

@@ -41,6 +41,7 @@ mod coincident_faces;
 pub mod diagnostics;
 mod frame;
 mod graph;
+pub mod import;
 mod light;
 pub mod limits;
 mod material;

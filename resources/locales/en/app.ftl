@@ -552,7 +552,7 @@ app-health-notes = { $count ->
    *[other] { $count } notes
 }
 app-health-copy = Copy as text
-app-facts-collada = COLLADA { $version }, { $axis }, unit { $unit } m
+app-facts-scene = { $format } { $version }, { $axis }, unit { $unit } m
 app-facts-muscles = { $count ->
     [one] One muscle
    *[other] { $count } muscles

@@ -557,7 +557,7 @@ app-health-notes = { $count ->
    *[other] { $count } примечаний
 }
 app-health-copy = Скопировать как текст
-app-facts-collada = COLLADA { $version }, { $axis }, единица { $unit } м
+app-facts-scene = { $format } { $version }, { $axis }, единица { $unit } м
 app-facts-muscles = { $count ->
     [one] { $count } мышца
     [few] { $count } мышцы

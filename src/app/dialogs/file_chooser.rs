@@ -9,10 +9,8 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use crate::app::handles::app_context::AppContext;
+use crate::document::extensions;
 use crate::tr;
-
-/// Extensions of files that can be opened.
-const EXTENSIONS: [&str; 4] = ["dae", "zae", "yaml", "yml"];
 
 /// Lets the user choose files, one or several; `then` gets them.
 pub(crate) fn ask_for_files(app: &Rc<AppContext>, title: &str, several: bool, then: impl Fn(Vec<PathBuf>) + 'static) {
@@ -26,7 +24,7 @@ pub(crate) fn ask_for_files(app: &Rc<AppContext>, title: &str, several: bool, th
     dialog.set_select_multiple(several);
     let ours = gtk::FileFilter::new();
     ours.set_name(Some(&tr!("app-choose-ours")));
-    for ending in EXTENSIONS {
+    for ending in extensions() {
         ours.add_pattern(&format!("*.{ending}"));
         ours.add_pattern(&format!("*.{}", ending.to_uppercase()));
     }
@@ -62,7 +60,7 @@ pub(crate) fn neighbour(open: &Path, by: isize) -> Option<PathBuf> {
 }
 
 fn is_ours(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| EXTENSIONS.iter().any(|ours| ending.eq_ignore_ascii_case(ours)))
+    path.extension().is_some_and(|ending| extensions().any(|ours| ending.eq_ignore_ascii_case(ours)))
 }
 
 #[cfg(test)]

@@ -6,6 +6,8 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
+use crate::document::extensions;
+
 /// Most files that are listed.
 const MOST: usize = 8;
 
@@ -18,7 +20,7 @@ pub(crate) fn remember(path: &Path) {
 pub(crate) fn list() -> Vec<PathBuf> {
     let ours = |path: &Path| {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        matches!(ending.as_deref(), Some("dae" | "zae" | "yaml" | "yml"))
+        ending.is_some_and(|ending| extensions().any(|known| known == ending))
     };
     let name = glib::application_name();
     let mut found: Vec<(i64, PathBuf)> = gtk::RecentManager::default()

@@ -116,9 +116,15 @@ fn facts(document: &Document) -> String {
     for source in &document.sources {
         lines.push(i18n::source_name(&source.name));
         match &source.kind {
-            SourceKind::Collada(asset) => {
+            SourceKind::Scene(asset) => {
                 let unit = format::trim_trailing_zeros(asset.unit_metres, 4);
-                lines.push(tr!("app-facts-collada", version = asset.version.as_str(), axis = asset.up_axis.as_str(), unit = unit));
+                lines.push(tr!(
+                    "app-facts-scene",
+                    format = asset.format,
+                    version = asset.version.as_str(),
+                    axis = asset.up_axis.as_str(),
+                    unit = unit
+                ));
                 if !asset.authoring_tool.is_empty() {
                     lines.push(asset.authoring_tool.clone());
                 }

@@ -2,8 +2,8 @@
 
 use super::foreign::UnsupportedFormat;
 use crate::input::Refused;
-use sinew_collada::ReadErrorKind;
 use sinew_muscle::config::ConfigErrorKind;
+use sinew_scene::import::ImportError;
 use sinew_scene::limits;
 use sinew_scene::message;
 use sinew_scene::message::{Location, Message, SourceName, ToMessage};
@@ -32,8 +32,8 @@ pub enum OpenErrorKind {
     UnsupportedFormat(UnsupportedFormat),
     /// It is not UTF-8 text.
     NotText,
-    /// It is no COLLADA that can be used.
-    Collada(Box<ReadErrorKind>),
+    /// Its reader could not use it.
+    Reader(ImportError),
     /// It is no muscle file that can be used.
     Muscles(Box<ConfigErrorKind>),
     /// It is no session that can be used.
@@ -69,7 +69,7 @@ impl ToMessage for OpenErrorKind {
             Self::Empty => message!("document-empty"),
             Self::UnsupportedFormat(foreign) => foreign.message(),
             Self::NotText => message!("document-not-text"),
-            Self::Collada(error) => error.message(),
+            Self::Reader(error) => error.message(),
             Self::Muscles(error) => error.message(),
             Self::Session(error) => error.message(),
             Self::TooManyFiles(count) => message!("document-too-many-files", count = count, limit = limits::SESSION_FILES),

@@ -2,17 +2,17 @@
 
 use super::OpenError;
 use super::image_finding::ImageFinding;
-use sinew_collada as collada;
 use sinew_muscle as muscle;
 use sinew_scene::diagnostics::{DiagnosticKind, Severity};
+use sinew_scene::import::AnyFinding;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
 
 /// What was found in a file of a document.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Finding {
-    /// By the reader of COLLADA.
-    Collada(collada::Finding),
+    /// By the reader of a scene format.
+    Reader(AnyFinding),
     /// About a muscle.
     Muscle(muscle::Finding),
     /// About an image.
@@ -24,7 +24,7 @@ pub enum Finding {
 impl ToMessage for Finding {
     fn message(&self) -> Message {
         match self {
-            Self::Collada(finding) => finding.message(),
+            Self::Reader(finding) => finding.message(),
             Self::Muscle(finding) => finding.message(),
             Self::Image(finding) => finding.message(),
             Self::ClipNotOpened(error) => message!("document-clip-not-opened", error = error.message()),
@@ -35,7 +35,7 @@ impl ToMessage for Finding {
 impl DiagnosticKind for Finding {
     fn code(&self) -> &'static str {
         match self {
-            Self::Collada(finding) => finding.code(),
+            Self::Reader(finding) => finding.code(),
             Self::Muscle(finding) => finding.code(),
             Self::Image(finding) => finding.code(),
             Self::ClipNotOpened(_) => "clip-not-opened",
@@ -44,7 +44,7 @@ impl DiagnosticKind for Finding {
 
     fn severity(&self) -> Severity {
         match self {
-            Self::Collada(finding) => finding.severity(),
+            Self::Reader(finding) => finding.severity(),
             Self::Muscle(finding) => finding.severity(),
             Self::Image(finding) => finding.severity(),
             Self::ClipNotOpened(_) => Severity::Warning,

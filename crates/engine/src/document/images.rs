@@ -358,7 +358,7 @@ mod tests {
             let diffuse = Paint { texture: Some(texture), ..Paint::default() };
             document.scene.materials.push(Material { diffuse, ..Material::default() });
         }
-        let kind = SourceKind::Collada(sinew_collada::Asset::default());
+        let kind = SourceKind::Scene(sinew_scene::import::Asset::default());
         document.sources.push(Source { name: "a.dae".into(), path: None, root: None, kind });
         document
     }

@@ -6,8 +6,8 @@ use rustc_hash::FxHashMap;
 
 use super::Document;
 use super::Finding;
-use sinew_collada::Loaded;
 use sinew_scene::animation::{Channel, ChannelTarget, Clip};
+use sinew_scene::import::{AnyFinding, ImportedScene};
 use sinew_scene::message::SourceName;
 use sinew_scene::{
     CameraId, Content, Deformer, ImageId, LightId, Material, MaterialBinding, MaterialId, MeshId, MorphId, NodeId, Scene, SkinId,
@@ -104,16 +104,16 @@ impl IdOffsets {
     }
 }
 
-/// Appends `loaded` to the document and returns its root node.
-pub(super) fn append(document: &mut Document, loaded: Loaded, name: &SourceName) -> Option<NodeId> {
-    let Loaded { mut scene, clips, findings, .. } = loaded;
+/// Appends a file to the document and returns its root node.
+pub(super) fn append(document: &mut Document, imported: ImportedScene<AnyFinding>, name: &SourceName) -> Option<NodeId> {
+    let ImportedScene { mut scene, clips, findings, .. } = imported;
     document.diagnostics.extend(findings.into_iter().map(|found| {
         // A document inside an archive is named behind it.
         let file = match found.file.path() {
             None => name.clone(),
             Some(part) => SourceName::from(format!("{name}/{part}")),
         };
-        found.map(Finding::Collada).in_file(file)
+        found.map(Finding::Reader).in_file(file)
     }));
     if is_empty(&document.scene) && document.clips.is_empty() {
         // The first one stays as it is, and is not held twice on the way.

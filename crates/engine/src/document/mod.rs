@@ -10,6 +10,7 @@ mod error;
 mod file;
 mod finding;
 mod foreign;
+mod formats;
 mod image_budget;
 mod image_decoder;
 mod image_finding;
@@ -39,6 +40,7 @@ pub use angle::angle_at;
 pub use error::{OpenError, OpenErrorKind};
 pub use finding::Finding;
 pub use foreign::UnsupportedFormat;
+pub use formats::extensions;
 pub use image_finding::ImageFinding;
 pub use joint_angles::{JointSample, JointTrack};
 pub use joint_control::JointControl;
@@ -53,10 +55,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::DMat4;
 
-use sinew_collada::Asset;
 use sinew_muscle::{JointDof, JointRotation, MuscleFile, MuscleRig, MuscleState};
 use sinew_scene::animation::Clip;
 use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::import::Asset;
 use sinew_scene::message::SourceName;
 use sinew_scene::{Content, Label, MuscleId, NodeId, NodeKind, Scene, Unnamed};
 
@@ -76,8 +78,8 @@ pub struct Source {
 /// What kind of file a source is.
 #[derive(Debug, Clone)]
 pub enum SourceKind {
-    /// COLLADA.
-    Collada(Asset),
+    /// A scene: what the file says of itself.
+    Scene(Asset),
     /// Muscles: what the file said, and where it stands in the scene.
     Muscles(Box<MuscleFile>, Box<MuscleRig>),
 }
@@ -214,7 +216,7 @@ impl Document {
                 first += rig.len() as u32;
                 Some((&**rig, id))
             }
-            SourceKind::Collada(_) => None,
+            SourceKind::Scene(_) => None,
         })
     }
 

@@ -82,7 +82,7 @@ impl Document {
         let (scene, diagnostics) = (&self.scene, &mut self.diagnostics);
         let sources = self.sources.iter_mut().filter_map(|source| match &mut source.kind {
             SourceKind::Muscles(file, rig) => Some((&source.name, file, rig)),
-            SourceKind::Collada(_) => None,
+            SourceKind::Scene(_) => None,
         });
         for ((name, file, rig), new) in sources.zip(files).filter(|((_, file, _), new)| ***file != **new) {
             if !rig.reshape(file, new, &scene.graph, &moments) {
@@ -119,7 +119,7 @@ impl Document {
     pub fn muscle_files(&self) -> impl Iterator<Item = &MuscleFile> {
         self.sources.iter().filter_map(|source| match &source.kind {
             SourceKind::Muscles(file, _) => Some(&**file),
-            SourceKind::Collada(_) => None,
+            SourceKind::Scene(_) => None,
         })
     }
 

@@ -2,14 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use super::file::{self, Format};
+use super::file;
 use super::foreign::UnsupportedFormat;
+use super::formats::Format;
 use super::images::PendingImages;
 use super::{Document, Finding, OpenError, OpenErrorKind, Source, SourceKind, merge};
 use crate::input;
-use sinew_collada as collada;
 use sinew_muscle::MuscleFile;
 use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::import::SceneReader;
 use sinew_scene::limits;
 use sinew_scene::message::{Location, SourceName};
 use sinew_scene::progress::Progress;
@@ -34,7 +35,7 @@ pub struct OpenOptions {
 }
 
 impl Document {
-    /// Opens files into one document: `.dae`, `.zae`, `.yaml`, `.yml`; told apart by content where the ending says nothing. `-` is standard input.
+    /// Opens files into one document: those that [`super::extensions`] lists, told apart by content where the ending says nothing. `-` is standard input.
     ///
     /// # Errors
     /// [`OpenError`] for the first file that cannot be used.
@@ -85,7 +86,7 @@ impl Document {
         let opened = self.sources.iter().filter_map(|source| source.path.clone());
         let clips = self.sources.iter().filter_map(|source| match &source.kind {
             SourceKind::Muscles(file, _) => named_clip(source, file),
-            SourceKind::Collada(_) => None,
+            SourceKind::Scene(_) => None,
         });
         let images = self.scene.images.iter().filter_map(|image| image.path.clone());
         opened.chain(clips).chain(images).collect()
@@ -97,7 +98,7 @@ impl Document {
         let is_muscles = |source: &&Source| matches!(source.kind, SourceKind::Muscles(..));
         let named = self.sources.iter().filter(is_muscles).nth(index).and_then(|source| named_clip(source, file));
         let open =
-            || self.sources.iter().filter(|source| matches!(source.kind, SourceKind::Collada(_))).filter_map(|source| source.path.clone());
+            || self.sources.iter().filter(|source| matches!(source.kind, SourceKind::Scene(_))).filter_map(|source| source.path.clone());
         let is_open = named.as_ref().is_some_and(|named| open().any(|clip| is_same(&clip, named)));
         let on_clip = file.arm.is_none() && file.muscles.iter().any(|muscle| muscle.origin.is_some());
         let stands_in = open().next().filter(|_| !is_open && (named.is_some() || on_clip));
@@ -111,34 +112,35 @@ impl Document {
         if let Some(foreign) = UnsupportedFormat::of(path, &bytes) {
             return Err(OpenError::whole(&name, OpenErrorKind::UnsupportedFormat(foreign)));
         }
-        let format = file::format(path, &bytes);
+        let format = Format::of(path, &bytes);
         if bytes.len() as u64 > format.limit() {
             return Err(OpenError::whole(&name, OpenErrorKind::TooLarge(format.limit())));
         }
         match format {
-            Format::Collada => self.add_collada(bytes, &name, path, images, progress),
+            Format::Scene(reader) => self.add_scene(reader, bytes, &name, path, images, progress),
             Format::Muscles => add_muscles(self, &bytes, &name, path),
         }
     }
 
-    fn add_collada(
+    fn add_scene(
         &mut self,
+        reader: &dyn SceneReader,
         bytes: Vec<u8>,
         name: &SourceName,
         path: &Path,
         images: &mut PendingImages,
         progress: &Progress,
     ) -> Result<(), OpenError> {
-        let mut loaded = collada::read(&bytes, name.path().unwrap_or_default(), progress).map_err(|error| OpenError {
+        let mut imported = reader.read(&bytes, name.path().unwrap_or_default(), progress).map_err(|error| OpenError {
             location: Location { file: name.clone(), line: error.line, column: None },
-            kind: OpenErrorKind::Collada(Box::new(error.kind)),
+            kind: OpenErrorKind::Reader(error),
         })?;
         drop(bytes);
-        let asset = loaded.asset.clone();
-        let (first, archived) = (self.scene.images.len(), std::mem::take(&mut loaded.archived));
-        let root = merge::append(self, loaded, name);
+        let asset = imported.asset.clone();
+        let (first, archived) = (self.scene.images.len(), std::mem::take(&mut imported.archived));
+        let root = merge::append(self, imported, name);
         images.add(name, path.parent().unwrap_or(Path::new("")), archived, first..self.scene.images.len());
-        self.sources.push(Source { name: name.clone(), path: real_path(path), root, kind: SourceKind::Collada(asset) });
+        self.sources.push(Source { name: name.clone(), path: real_path(path), root, kind: SourceKind::Scene(asset) });
         Ok(())
     }
 }

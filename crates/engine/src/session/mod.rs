@@ -284,7 +284,7 @@ impl Session {
 
     /// Those of the open files that are clips.
     pub fn clip_files(&self) -> Vec<PathBuf> {
-        let clips = self.document.sources.iter().filter(|source| matches!(source.kind, SourceKind::Collada(_)));
+        let clips = self.document.sources.iter().filter(|source| matches!(source.kind, SourceKind::Scene(_)));
         clips.filter_map(|source| source.path.clone()).collect()
     }
 

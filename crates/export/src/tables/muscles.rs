@@ -173,7 +173,7 @@ impl MuscleRow {
 pub fn unit(document: &Document) -> String {
     let metres = document.sources.iter().find_map(|source| match &source.kind {
         SourceKind::Muscles(file, _) => Some(file.unit_metres),
-        SourceKind::Collada(_) => None,
+        SourceKind::Scene(_) => None,
     });
     unit_name(metres.unwrap_or(1.0))
 }
