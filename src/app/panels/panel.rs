@@ -4,7 +4,7 @@ use gtk4 as gtk;
 
 use crate::session::{ChangeSet, Session};
 
-/// A page of the right-hand panel. A new one is its two files, `.rs` and `.ui`, and one line in the list of pages.
+/// A page of the right-hand panel. A new one is its two files, `.rs` and `.ui`, its place in the list of pages, and its title in both catalogues.
 pub(crate) trait Panel {
     /// Its name in the settings and in the stack of pages.
     fn id(&self) -> &'static str;

@@ -162,13 +162,13 @@ impl UnsupportedFormat {
         if text.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"sinew_session:")) {
             return Some(Self::Session);
         }
-        if matches!(ending.as_str(), "dae" | "zae" | "xml" | "yaml" | "yml") {
+        if ending == "xml" || super::extensions().any(|known| known == ending) {
             return None;
         }
         if let Some((_, name)) = EXTENSIONS.iter().find(|(known, _)| *known == ending) {
             return Some(Self::Named(name));
         }
-        if bytes.starts_with(b"PK") {
+        if super::formats::is_known(bytes) {
             return None;
         }
         let lines = std::str::from_utf8(bytes).ok().filter(|text| !text.contains('\0'));
@@ -261,6 +261,13 @@ mod tests {
             Some(UnsupportedFormat::Session) => Some("session"),
             Some(UnsupportedFormat::Unknown) => Some("unknown"),
             None => None,
+        }
+    }
+
+    #[test]
+    fn what_is_read_is_not_foreign() {
+        for ending in crate::document::extensions() {
+            assert!(EXTENSIONS.iter().all(|(foreign, _)| *foreign != ending), "{ending} is read and called foreign");
         }
     }
 

@@ -42,6 +42,11 @@ impl Format {
     }
 }
 
+/// Whether a reader of scene files knows this beginning of a file.
+pub(super) fn is_known(bytes: &[u8]) -> bool {
+    SCENE_READERS.iter().any(|reader| reader.sniff(bytes))
+}
+
 /// The endings of all files that can be opened, in small letters, without the dot.
 pub fn extensions() -> impl Iterator<Item = &'static str> {
     SCENE_READERS.iter().flat_map(|reader| reader.extensions()).chain(MUSCLE_EXTENSIONS).copied()
