@@ -26,7 +26,7 @@ app-unit-m3 = m³
 # Pages and groups
 app-page-muscle = Muscle
 app-page-display = Display
-app-page-health = Diagnostics
+app-page-diagnostics = Diagnostics
 app-group-files = Files
 app-group-pictures = Images and export
 app-group-playback = Playback
@@ -542,16 +542,16 @@ app-light-default = The light follows the camera, from the upper left. Right-dra
 app-light-position = Position: x { $x }, y { $y }, z { $z } m
 
 # Diagnostics
-app-health-none = No problems were found.
-app-health-warnings = { $count ->
+app-diagnostics-none = No problems were found.
+app-diagnostics-warnings = { $count ->
     [one] { $count } warning
    *[other] { $count } warnings
 }
-app-health-notes = { $count ->
+app-diagnostics-notes = { $count ->
     [one] { $count } note
    *[other] { $count } notes
 }
-app-health-copy = Copy as text
+app-diagnostics-copy = Copy as text
 app-facts-scene = { $format } { $version }, { $axis }, unit { $unit } m
 app-facts-muscles = { $count ->
     [one] One muscle

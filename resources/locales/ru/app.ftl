@@ -26,7 +26,7 @@ app-unit-m3 = м³
 # Страницы и группы
 app-page-muscle = Мышца
 app-page-display = Отображение
-app-page-health = Диагностика
+app-page-diagnostics = Диагностика
 app-group-files = Файлы
 app-group-pictures = Изображения и экспорт
 app-group-playback = Воспроизведение
@@ -545,18 +545,18 @@ app-light-default = Свет следует за камерой, слева св
 app-light-position = Положение, м: x { $x }; y { $y }; z { $z }
 
 # Диагностика
-app-health-none = Проблем не найдено.
-app-health-warnings = { $count ->
+app-diagnostics-none = Проблем не найдено.
+app-diagnostics-warnings = { $count ->
     [one] { $count } предупреждение
     [few] { $count } предупреждения
    *[other] { $count } предупреждений
 }
-app-health-notes = { $count ->
+app-diagnostics-notes = { $count ->
     [one] { $count } примечание
     [few] { $count } примечания
    *[other] { $count } примечаний
 }
-app-health-copy = Скопировать как текст
+app-diagnostics-copy = Скопировать как текст
 app-facts-scene = { $format } { $version }, { $axis }, единица { $unit } м
 app-facts-muscles = { $count ->
     [one] { $count } мышца

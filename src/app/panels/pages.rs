@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use gtk4 as gtk;
 
+use super::diagnostics_panel::DiagnosticsPanel;
 use super::display_panel::DisplayPanel;
-use super::health_panel::HealthPanel;
 use super::measure_panel::MeasurePanel;
 use super::panel::Panel;
 use crate::app::handles::app_context::AppContext;
@@ -28,7 +28,7 @@ impl Pages {
             muscle.clone(),
             Rc::new(DisplayPanel::new(&app.session)),
             MeasurePanel::new(app),
-            Rc::new(HealthPanel::new(&app.session, &app.toasts)),
+            Rc::new(DiagnosticsPanel::new(&app.session, &app.toasts)),
         ];
         for page in &list {
             stack.add_titled(&page.widget(), Some(page.id()), &page.title());

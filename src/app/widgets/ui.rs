@@ -36,7 +36,7 @@ files! {
     DISPLAY_PANEL = "panels/display_panel",
     MEASUREMENT_COMPARISON = "dialogs/measurement_comparison",
     MEASURE_PANEL = "panels/measure_panel",
-    HEALTH_PANEL = "panels/health_panel",
+    DIAGNOSTICS_PANEL = "panels/diagnostics_panel",
     NODE_CELL = "panels/muscle/node_cell",
     VIA_POINT = "panels/muscle/via_point",
     TREE_EYE = "scene_tree/tree_eye",

@@ -145,12 +145,12 @@ impl Document {
             self.sources.push(Source { name, path: None, root: None, kind });
         }
         let mut seen = 0;
-        let health = &mut self.diagnostics;
+        let diagnostics = &mut self.diagnostics;
         self.sources.retain(|source| {
             let stays = !matches!(source.kind, SourceKind::Muscles(..)) || seen < files.len();
             seen += usize::from(matches!(source.kind, SourceKind::Muscles(..)));
             if !stays {
-                health.retain(|finding| finding.file != source.name);
+                diagnostics.retain(|finding| finding.file != source.name);
             }
             stays
         });

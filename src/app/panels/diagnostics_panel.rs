@@ -1,4 +1,4 @@
-//! The health panel: diagnostics of reading, and the metadata of the file.
+//! The panel of diagnostics: diagnostics of reading, and the metadata of the file.
 
 use gtk::prelude::*;
 use gtk::{gio, glib};
@@ -18,7 +18,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the panel.
-    struct HealthWidgets from HEALTH_PANEL {
+    struct HealthWidgets from DIAGNOSTICS_PANEL {
         root: gtk::Box,
         summary: gtk::Label,
         copy: gtk::Button,
@@ -29,14 +29,14 @@ ui::widgets! {
 }
 
 /// The panel.
-pub(crate) struct HealthPanel {
+pub(crate) struct DiagnosticsPanel {
     widgets: HealthWidgets,
 }
 
-impl HealthPanel {
+impl DiagnosticsPanel {
     /// The panel of a session.
     pub(crate) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
-        let widgets = HealthWidgets::of(&ui::builder(ui::HEALTH_PANEL));
+        let widgets = HealthWidgets::of(&ui::builder(ui::DIAGNOSTICS_PANEL));
         widgets.list.set_factory(Some(&factory()));
         let panel = Self { widgets };
         panel.connect(session, toasts);
@@ -73,13 +73,14 @@ impl HealthPanel {
     }
 }
 
-impl Panel for HealthPanel {
+impl Panel for DiagnosticsPanel {
     fn id(&self) -> &'static str {
+        // The name that settings have had from the start.
         "health"
     }
 
     fn title(&self) -> String {
-        tr!("app-page-health")
+        tr!("app-page-diagnostics")
     }
 
     fn widget(&self) -> gtk::Widget {
@@ -96,9 +97,9 @@ impl Panel for HealthPanel {
         store.extend_from_slice(&items);
         self.widgets.list.set_model(Some(&gtk::NoSelection::new(Some(store))));
         let count = |severity| document.diagnostics.iter().filter(|finding| finding.severity() == severity).count();
-        let counts = [("app-health-warnings", count(Severity::Warning)), ("app-health-notes", count(Severity::Info))];
+        let counts = [("app-diagnostics-warnings", count(Severity::Warning)), ("app-diagnostics-notes", count(Severity::Info))];
         let told: Vec<String> = counts.into_iter().filter(|(_, count)| *count > 0).map(|(key, count)| tr!(key, count = count)).collect();
-        self.widgets.summary.set_text(&if told.is_empty() { tr!("app-health-none") } else { told.join(", ") });
+        self.widgets.summary.set_text(&if told.is_empty() { tr!("app-diagnostics-none") } else { told.join(", ") });
         self.widgets.scroller.set_visible(!document.diagnostics.is_empty());
         self.widgets.copy.set_sensitive(!document.diagnostics.is_empty());
         ui::set_label(&self.widgets.facts, &facts(document));
