@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DQuat, DVec3};
 use sinew::animation::{Clip, Interpolation};
-use sinew::collada::{Finding, Loaded};
+use sinew::collada::{ColladaScene, Finding};
 use sinew::scene::{Label, TransformOp, Unnamed};
 
 use crate::build::*;
@@ -16,7 +16,7 @@ fn moved(animation: &str) -> String {
 
 /// Operation `index` of the node at `time`.
 #[track_caller]
-fn op(loaded: &Loaded, index: usize, time: f64) -> TransformOp {
+fn op(loaded: &ColladaScene, index: usize, time: f64) -> TransformOp {
     let pose = pose(loaded, 0, time);
     let range = pose.ranges[node(loaded, "n").index()].clone();
     pose.ops[range.start as usize + index]

@@ -4,7 +4,7 @@ use std::io::{Cursor, Write};
 use std::path::PathBuf;
 
 use glam::Vec3;
-use sinew::collada::{Loaded, ReadError, ReadErrorKind, read};
+use sinew::collada::{ColladaScene, ReadError, ReadErrorKind, read};
 use sinew::progress::Progress;
 use zip::write::SimpleFileOptions;
 
@@ -19,7 +19,7 @@ fn packed(files: &[(&str, &[u8])]) -> Vec<u8> {
     zip.finish().expect("memory").into_inner()
 }
 
-fn open(bytes: &[u8]) -> Result<Loaded, ReadError> {
+fn open(bytes: &[u8]) -> Result<ColladaScene, ReadError> {
     read(bytes, "model.zae", &Progress::default())
 }
 

@@ -93,8 +93,10 @@ fn targets_that_do_not_fit_keep_their_place_and_do_nothing() {
 
 #[test]
 fn chains_are_applied_from_the_mesh_outwards() {
-    let (m, s) =
-        (Deformer::Morph(MorphId(0)), |loaded: &sinew::collada::Loaded| Deformer::Skin { skin: SkinId(0), joints: joints(loaded, 0) });
+    let (m, s) = (Deformer::Morph(MorphId(0)), |loaded: &sinew::collada::ColladaScene| Deformer::Skin {
+        skin: SkinId(0),
+        joints: joints(loaded, 0),
+    });
     let on_morph = load_clean(&with(&(skin("k", "m") + &morph("m", "g", "", "high", "1")), "k", ""));
     assert_eq!(instances(&on_morph)[0].1.deformers, [m.clone(), s(&on_morph)]);
     let on_skin = load_clean(&with(&(morph("m", "k", "", "high", "1") + &skin("k", "g")), "m", ""));

@@ -1,7 +1,7 @@
 //! `library_materials`, `library_effects`, `library_images`.
 
 use glam::{Vec2, Vec3};
-use sinew::collada::{Finding, Loaded};
+use sinew::collada::{ColladaScene, Finding};
 use sinew::diagnostics::Severity;
 use sinew::scene::{AlphaSource, Material, ShadingModel, TextureTransform, WrapMode};
 
@@ -24,7 +24,7 @@ fn painted(profile: &str, shader: &str) -> String {
     document(&(body + &triangle + &scene(used)))
 }
 
-fn material(loaded: &Loaded) -> &Material {
+fn material(loaded: &ColladaScene) -> &Material {
     let binding = instances(loaded)[0].1.materials[0].clone().expect("a material");
     &loaded.scene.materials[binding.material.index()]
 }
@@ -66,7 +66,7 @@ fn parameters_stand_for_colours_and_numbers() {
 }
 
 /// A lambert shader with this for transparency.
-fn seen(transparent: &str, transparency: &str) -> Loaded {
+fn seen(transparent: &str, transparency: &str) -> ColladaScene {
     load(&painted("", &format!("<lambert><diffuse><color>1 1 1 1</color></diffuse>{transparent}{transparency}</lambert>")))
 }
 

@@ -1,7 +1,7 @@
 //! `library_geometries`.
 
 use glam::{Vec2, Vec3, Vec4};
-use sinew::collada::{Finding, Loaded};
+use sinew::collada::{ColladaScene, Finding};
 
 use crate::build::*;
 
@@ -290,7 +290,7 @@ fn geometry_that_is_no_mesh_is_named_and_skipped() {
 
 #[test]
 fn a_mesh_without_positions_is_told() {
-    let loaded: Loaded = load(&shown(SQUARE, &triangles("g", "0 1 2")).replace("semantic=\"POSITION\"", "semantic=\"OTHER\""));
+    let loaded: ColladaScene = load(&shown(SQUARE, &triangles("g", "0 1 2")).replace("semantic=\"POSITION\"", "semantic=\"OTHER\""));
     assert_eq!(codes(&loaded), ["no-positions"]);
     assert!(loaded.scene.meshes.is_empty());
 }

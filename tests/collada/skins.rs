@@ -1,7 +1,7 @@
 //! `skin`: matrices, weights, and which nodes move it.
 
 use glam::{DMat4, DVec3};
-use sinew::collada::{Finding, Loaded};
+use sinew::collada::{ColladaScene, Finding};
 use sinew::scene::{Influence, NodeKind};
 
 use crate::build::*;
@@ -44,7 +44,7 @@ const BONES: &str =
     "<node id=\"A\" name=\"bone a\" sid=\"a\" type=\"JOINT\"><node id=\"B\" name=\"bone b\" sid=\"b\" type=\"JOINT\"/></node>";
 const USE: &str = "<node name=\"body\"><instance_controller url=\"#c\"><skeleton>#A</skeleton></instance_controller></node>";
 
-fn nodes(loaded: &Loaded, names: &[&str]) -> Vec<Option<sinew::scene::NodeId>> {
+fn nodes(loaded: &ColladaScene, names: &[&str]) -> Vec<Option<sinew::scene::NodeId>> {
     names.iter().map(|name| Some(node(loaded, name))).collect()
 }
 

@@ -3,32 +3,32 @@
 
 use glam::{DMat4, DVec3, Vec3};
 use sinew::animation::Pose;
-use sinew::collada::{Loaded, ReadError, read};
+use sinew::collada::{ColladaScene, ReadError, read};
 use sinew::document::{Document, PoseBuffers, PoseState};
 use sinew::progress::Progress;
 use sinew::scene::{Content, Deformer, Frame, Graph, Mesh, MeshInstance, Node, NodeId};
 
 /// Reads `text` as the file `test.dae`.
-pub(crate) fn try_load(text: &str) -> Result<Loaded, ReadError> {
+pub(crate) fn try_load(text: &str) -> Result<ColladaScene, ReadError> {
     read(text.as_bytes(), "test.dae", &Progress::default())
 }
 
 /// Reads `text`, which must be readable.
 #[track_caller]
-pub(crate) fn load(text: &str) -> Loaded {
+pub(crate) fn load(text: &str) -> ColladaScene {
     try_load(text).unwrap_or_else(|error| panic!("line {:?}: {error}", error.line))
 }
 
 /// Reads `text`, which must give no finding at all.
 #[track_caller]
-pub(crate) fn load_clean(text: &str) -> Loaded {
+pub(crate) fn load_clean(text: &str) -> ColladaScene {
     let loaded = load(text);
     assert!(loaded.findings.is_empty(), "{:#?}", loaded.findings);
     loaded
 }
 
 /// The codes of all findings, in file order.
-pub(crate) fn codes(loaded: &Loaded) -> Vec<&'static str> {
+pub(crate) fn codes(loaded: &ColladaScene) -> Vec<&'static str> {
     loaded.findings.iter().map(|finding| finding.code()).collect()
 }
 
@@ -132,19 +132,19 @@ pub(crate) fn animations(all: &str) -> String {
 
 /// The node with this name.
 #[track_caller]
-pub(crate) fn node(loaded: &Loaded, name: &str) -> NodeId {
+pub(crate) fn node(loaded: &ColladaScene, name: &str) -> NodeId {
     loaded.scene.graph.find(name).unwrap_or_else(|| panic!("there is no node {name}"))
 }
 
 /// World matrices at rest.
-pub(crate) fn rest_world(loaded: &Loaded) -> Vec<DMat4> {
+pub(crate) fn rest_world(loaded: &ColladaScene) -> Vec<DMat4> {
     let mut world = Vec::new();
     loaded.scene.graph.world_from_local(&loaded.scene.graph.rest_locals(), &mut world);
     world
 }
 
 /// World matrices with clip `clip` at `time`.
-pub(crate) fn posed_world(loaded: &Loaded, clip: usize, time: f64) -> Vec<DMat4> {
+pub(crate) fn posed_world(loaded: &ColladaScene, clip: usize, time: f64) -> Vec<DMat4> {
     let mut pose = Pose::rest(&loaded.scene);
     loaded.clips[clip].sample(time, &mut pose);
     let (mut local, mut world) = (Vec::new(), Vec::new());
@@ -154,14 +154,14 @@ pub(crate) fn posed_world(loaded: &Loaded, clip: usize, time: f64) -> Vec<DMat4>
 }
 
 /// The pose of clip `clip` at `time`.
-pub(crate) fn pose(loaded: &Loaded, clip: usize, time: f64) -> Pose {
+pub(crate) fn pose(loaded: &ColladaScene, clip: usize, time: f64) -> Pose {
     let mut pose = Pose::rest(&loaded.scene);
     loaded.clips[clip].sample(time, &mut pose);
     pose
 }
 
 /// Mesh instances with their nodes, in order of the graph.
-pub(crate) fn instances(loaded: &Loaded) -> Vec<(&Node, &MeshInstance)> {
+pub(crate) fn instances(loaded: &ColladaScene) -> Vec<(&Node, &MeshInstance)> {
     let graph = &loaded.scene.graph;
     graph
         .iter()
@@ -176,14 +176,14 @@ pub(crate) fn instances(loaded: &Loaded) -> Vec<(&Node, &MeshInstance)> {
 
 /// The only mesh.
 #[track_caller]
-pub(crate) fn mesh(loaded: &Loaded) -> &Mesh {
+pub(crate) fn mesh(loaded: &ColladaScene) -> &Mesh {
     assert_eq!(loaded.scene.meshes.len(), 1);
     &loaded.scene.meshes[0]
 }
 
 /// The nodes that the skin of instance `index` is bound to.
 #[track_caller]
-pub(crate) fn joints(loaded: &Loaded, index: usize) -> Vec<Option<NodeId>> {
+pub(crate) fn joints(loaded: &ColladaScene, index: usize) -> Vec<Option<NodeId>> {
     let found = instances(loaded)[index].1.deformers.iter().find_map(|deformer| match deformer {
         Deformer::Skin { joints, .. } => Some(joints.clone()),
         Deformer::Morph(_) => None,

@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use sinew::collada::{Loaded, ReadError, read};
+use sinew::collada::{ColladaScene, ReadError, read};
 use sinew::diagnostics::Severity;
 use sinew::i18n::Sentence;
 use sinew::progress::Progress;
@@ -28,7 +28,7 @@ fn documents(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-fn load(path: &Path) -> Result<Loaded, ReadError> {
+fn load(path: &Path) -> Result<ColladaScene, ReadError> {
     let bytes = std::fs::read(path).expect("the file was listed");
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let start = Instant::now();

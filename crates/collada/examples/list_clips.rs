@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use sinew_collada::{Loaded, ReadError, read};
+use sinew_collada::{ColladaScene, ReadError, read};
 use sinew_scene::progress::Progress;
 
 /// A node that rises by two metres in a second; the count of its keys is wrong.
@@ -23,7 +23,7 @@ pub(crate) const LIFT: &str = r##"<COLLADA xmlns="http://www.collada.org/2005/11
 </COLLADA>"##;
 
 /// One line for each clip, then one for each diagnostic.
-pub(crate) fn lines(file: &Loaded) -> Vec<String> {
+pub(crate) fn lines(file: &ColladaScene) -> Vec<String> {
     let clips = file
         .clips
         .iter()
@@ -36,7 +36,7 @@ pub(crate) fn lines(file: &Loaded) -> Vec<String> {
 }
 
 /// Reads a text as the file of that name.
-pub(crate) fn read_text(text: &[u8], name: &str) -> Result<Loaded, ReadError> {
+pub(crate) fn read_text(text: &[u8], name: &str) -> Result<ColladaScene, ReadError> {
     read(text, name, &Progress::default())
 }
 

@@ -8,7 +8,7 @@ use zip::ZipArchive;
 
 use super::bundle::{Bundle, normal};
 use super::lookup::percent_decoded;
-use super::{Loaded, ReadError, ReadErrorKind, read_document};
+use super::{ColladaScene, ReadError, ReadErrorKind, read_document};
 use sinew_scene::limits;
 use sinew_scene::progress::Progress;
 
@@ -29,7 +29,7 @@ pub(super) fn is_archive(bytes: &[u8]) -> bool {
 ///
 /// # Errors
 /// [`ReadError`] where the archive is broken, unpacks to more than the limit, or has no document.
-pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
+pub(super) fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<ColladaScene, ReadError> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|_| ReadErrorKind::ArchiveBroken)?;
     if archive.len() > limits::ARCHIVE_FILES {
         return Err(ReadErrorKind::ArchiveFiles.into());

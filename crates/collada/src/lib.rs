@@ -105,14 +105,14 @@ type El<'a> = roxmltree::Node<'a, 'a>;
 const FORMAT: &str = "COLLADA";
 
 /// Everything read from one file. Its graph has one root, the asset node; images inside a `.zae` are by their path in the archive.
-pub type Loaded = ImportedScene<Finding>;
+pub type ColladaScene = ImportedScene<Finding>;
 
 /// Reads a document from its bytes, a `.dae` or a `.zae`, told apart by content. `name` is the file's name: it stands in messages, on the root node, and
 /// tells references to the file itself from those to other files.
 ///
 /// # Errors
 /// [`ReadError`] where nothing of the file can be shown: not XML, not COLLADA, a limit broken, cancelled.
-pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, ReadError> {
+pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<ColladaScene, ReadError> {
     progress.set_share(0.0);
     if bytes.len() as u64 > limits::FILE_BYTES {
         return Err(ReadErrorKind::TooLarge.into());
@@ -124,7 +124,13 @@ pub fn read(bytes: &[u8], name: &str, progress: &Progress) -> Result<Loaded, Rea
 }
 
 /// Reads one document with what is bundled with it; `room` is what it may take in bytes where that does not follow from its size.
-fn read_document(bytes: &[u8], name: &str, mut bundle: Bundle, progress: &Progress, room: Option<usize>) -> Result<Loaded, ReadError> {
+fn read_document(
+    bytes: &[u8],
+    name: &str,
+    mut bundle: Bundle,
+    progress: &Progress,
+    room: Option<usize>,
+) -> Result<ColladaScene, ReadError> {
     let mut decoded = decode_text::decode(bytes);
     let mut stretches = Vec::new();
     if let Some((whole, parts)) = bundle.compose(&decoded.text, decoded.lines_before) {
@@ -161,7 +167,7 @@ fn read_document(bytes: &[u8], name: &str, mut bundle: Bundle, progress: &Progre
 }
 
 /// Reads the libraries in the order in which they need each other.
-fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> {
+fn assemble(context: &mut Context<'_>, name: &str) -> Result<ColladaScene, ReadError> {
     let asset = asset::read(context)?;
     skipped_libraries(context);
     let mut scene = Scene::default();
@@ -191,7 +197,7 @@ fn assemble(context: &mut Context<'_>, name: &str) -> Result<Loaded, ReadError> 
         context.report.report(repeated, Finding::RepeatedId);
     }
     context.advance(1.0)?;
-    Ok(Loaded { asset, scene, clips, findings: context.report.finish(), archived: images.embedded })
+    Ok(ColladaScene { asset, scene, clips, findings: context.report.finish(), archived: images.embedded })
 }
 
 /// Names the parts of the format that are not shown, where a file has any.
