@@ -187,9 +187,21 @@ fn chooses_direction(given: &ArgMatches) -> bool {
     ["camera", "yaw", "pitch", "zoom"].into_iter().any(|id| given.contains_id(id))
 }
 
+/// Options without a value that set a display flag: the option, the flag, and what it becomes.
+const LOOK_FLAGS: [(&str, &str, bool); 8] = [
+    ("bones", "bones", true),
+    ("wireframe", "wireframe", true),
+    ("grid", "grid", true),
+    ("axes", "axes", true),
+    ("bounding-box", "bounding-box", true),
+    ("no-materials", "materials", false),
+    ("no-normals", "smooth-normals", false),
+    ("no-see-through", "see-through", false),
+];
+
 /// Display options: those of the command line over `defaults`. The bones of a file without surfaces are always drawn.
 fn display(given: &ArgMatches, defaults: Display, only_bones: bool) -> Display {
-    Display {
+    let mut display = Display {
         shading: match value::<String>(given, "shading").as_deref() {
             Some("flat") => Shading::Flat,
             Some("phong") => Shading::Phong,
@@ -201,14 +213,7 @@ fn display(given: &ArgMatches, defaults: Display, only_bones: bool) -> Display {
             Some(_) => Samples::Four,
             None => defaults.samples,
         },
-        see_through: defaults.see_through && !given.get_flag("no-see-through"),
-        materials: defaults.materials && !given.get_flag("no-materials"),
-        smooth_normals: defaults.smooth_normals && !given.get_flag("no-normals"),
-        wireframe: defaults.wireframe || given.get_flag("wireframe"),
-        bones: defaults.bones || only_bones || given.get_flag("bones"),
-        grid: defaults.grid || given.get_flag("grid"),
-        axes: defaults.axes || given.get_flag("axes"),
-        bounding_box: defaults.bounding_box || given.get_flag("bounding-box"),
+        bones: defaults.bones || only_bones,
         background: match value::<BackgroundArg>(given, "background") {
             Some(BackgroundArg::None) => Background::Transparent,
             Some(BackgroundArg::Color(color)) => Background::Solid(color),
@@ -216,7 +221,13 @@ fn display(given: &ArgMatches, defaults: Display, only_bones: bool) -> Display {
         },
         light: value::<Vec3>(given, "light").or(defaults.light),
         ..defaults
+    };
+    for (option, name, on) in LOOK_FLAGS {
+        if let Some((_, flag)) = view::DISPLAY_FLAGS.iter().find(|(known, _)| *known == name && given.get_flag(option)) {
+            *flag(&mut display) = on;
+        }
     }
+    display
 }
 
 /// The part of the note that changes from picture to picture.
@@ -252,9 +263,9 @@ fn call_note(given: &ArgMatches, files: &[PathBuf], size: (u32, u32), scale: f32
             note.push_str(&format!(" --{id} {}", quoted(&text.to_string_lossy())));
         }
     }
-    for id in ["bones", "wireframe", "grid", "axes", "bounding-box", "no-materials", "no-normals", "no-see-through"] {
-        if given.get_flag(id) {
-            note.push_str(&format!(" --{id}"));
+    for (option, ..) in LOOK_FLAGS {
+        if given.get_flag(option) {
+            note.push_str(&format!(" --{option}"));
         }
     }
     note
@@ -287,6 +298,11 @@ fn median(mut values: Vec<f64>) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn each_flag_of_the_look_is_one_of_the_display() {
+        assert!(LOOK_FLAGS.iter().all(|(_, name, _)| view::DISPLAY_FLAGS.iter().any(|(known, _)| known == name)));
+    }
 
     #[test]
     fn medians_lie_in_the_middle() {
