@@ -11,7 +11,8 @@ use super::progress::install_interrupt_handler;
 use super::{files, value};
 use crate::document::{Document, ImageLoading, OpenOptions, PoseBuffers};
 use crate::export::mtl;
-use crate::export::surface::{self, SurfaceFormat};
+use crate::export::surface::SurfaceFormat;
+use crate::export::world_mesh;
 use crate::i18n;
 use crate::output::OverwriteGuard;
 use crate::progress::Progress;
@@ -39,7 +40,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let state = PoseOptions::given(given).state(&document, file)?;
     let mut frame = Frame::default();
     document.pose(&state, &mut PoseBuffers::default(), &mut frame);
-    if !surface::is_any(&frame) {
+    if !world_mesh::is_any(&frame) {
         return Err(Failure::file(file, tr!("cli-export-nothing")));
     }
     install_interrupt_handler();

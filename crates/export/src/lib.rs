@@ -6,7 +6,7 @@
 //! |---|---|
 //! | [`sequence`] | frames one after the other, and the files that they become |
 //! | [`png`], [`apng`], [`gif`], [`video`] | pictures, animations, and videos by an installed `ffmpeg`; [`pipeline`] draws, converts and writes at the same time |
-//! | [`surface`] with [`obj`], [`mtl`], [`ply`], [`stl`] | the surfaces of a pose |
+//! | [`surface`] with [`obj`], [`mtl`], [`ply`], [`stl`], from [`world_mesh`] | the surfaces of a pose |
 //! | [`gltf`] | nodes, skins, morph targets, muscles and animations |
 //! | [`tables`], [`plot`] | what muscles and joints do over an angle or a time |
 
@@ -26,6 +26,7 @@ pub mod stl;
 pub mod surface;
 pub mod tables;
 pub mod video;
+pub mod world_mesh;
 
 use std::io;
 use std::path::{Path, PathBuf};

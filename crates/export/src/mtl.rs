@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use glam::{Vec2, Vec3};
 
 use super::obj::{group_name, unique};
-use super::surface::visible;
+use super::world_mesh::visible;
 use sinew_engine::input;
 use sinew_scene::{Frame, Label, MaterialId, Paint, Scene, Surface, TextureRef, Unnamed};
 

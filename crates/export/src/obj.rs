@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use glam::{Vec2, Vec3};
 
-use super::surface::{WorldMesh, visible};
+use super::world_mesh::{WorldMesh, visible};
 use super::{ExportError, mtl};
 use sinew_engine::output::Output;
 use sinew_engine::output::{prepare, write_atomic};

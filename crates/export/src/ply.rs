@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use glam::Vec3;
 
-use super::surface::{WorldMesh, visible};
+use super::world_mesh::{WorldMesh, visible};
 use sinew_engine::output::Output;
 use sinew_engine::output::write_atomic;
 

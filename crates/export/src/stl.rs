@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::surface::{WorldMesh, visible};
+use super::world_mesh::{WorldMesh, visible};
 use sinew_engine::output::Output;
 use sinew_engine::output::write_atomic;
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::{DMat4, DVec3};
 
-use super::overlays::{PoseContext, color};
+use super::pose_context::{PoseContext, color};
 use super::session_file::SavedComparison;
 use crate::document::{Document, JointControl, PoseState, PosedCopy, Skinning};
 use sinew_scene::{Bounds, Frame, Ghost, NodeId, NodeKind};

@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3, Vec3};
 
-use super::overlays::{PoseContext, color};
+use super::pose_context::{PoseContext, color};
 use crate::document::PoseState;
 use sinew_scene::{Frame, NodeId, OverlayLine};
 

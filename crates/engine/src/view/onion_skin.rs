@@ -1,7 +1,7 @@
 //! Onion skins: the poses before and after the present one, drawn with it.
 
 use super::onion_skin_settings::OnionSkinSettings;
-use super::overlays::{PoseContext, color};
+use super::pose_context::{PoseContext, color};
 use crate::document::PosedCopy;
 use sinew_scene::animation::Clip;
 use sinew_scene::{Frame, Ghost};

@@ -1,40 +1,13 @@
 //! Secondary poses drawn with the scene: onion skins, motion path, comparison.
 
-use glam::Vec3;
-
 use super::comparison::{CompareTarget, Comparison};
 use super::frames::infer_frame_rate;
 use super::motion_path::MotionPath;
 use super::onion_skin::OnionSkins;
+use super::pose_context::PoseContext;
 use super::{OnionSkinSettings, SessionState};
 use crate::document::{Document, PoseState};
-use sinew_render::Display;
-use sinew_scene::{Bounds, Frame, NodeId};
-
-/// The main pose that overlays are added to.
-#[derive(Debug, Clone)]
-pub struct PoseContext<'a> {
-    /// The document.
-    pub document: &'a Document,
-    /// Its pose state.
-    pub state: PoseState,
-    /// Frames per second of its frame numbers, above 0.
-    pub frame_rate: f64,
-    /// The selected node, whose motion path is drawn.
-    pub selected: Option<NodeId>,
-    /// Colour of the selection, `0xRRGGBB`.
-    pub selection_color: u32,
-    /// Whether bones are drawn.
-    pub bones: bool,
-}
-
-impl<'a> PoseContext<'a> {
-    /// A document in a state, looked at through `display`.
-    pub fn new(document: &'a Document, state: PoseState, rate: f64, display: &Display) -> Self {
-        let bones = display.bones || !document.shows_surface();
-        Self { document, state, frame_rate: rate, selected: display.highlight.selected, selection_color: display.palette.selected, bones }
-    }
-}
+use sinew_scene::{Bounds, Frame};
 
 /// Overlays of a scene. Their surfaces are part of the scene's frame from [`SceneOverlays::append_to`] to [`SceneOverlays::remove_from`].
 #[derive(Debug, Default)]
@@ -139,10 +112,4 @@ impl SceneOverlays {
             comparison.append_to(context, frame);
         }
     }
-}
-
-/// `0xRRGGBB` as components from 0 to 1.
-pub(super) fn color(value: u32) -> Vec3 {
-    let part = |shift: u32| (value >> shift & 255) as f32 / 255.0;
-    Vec3::new(part(16), part(8), part(0))
 }

@@ -12,6 +12,9 @@ pub use page::{Page, PlotError};
 use ticks::{label, ticks};
 
 /// Room left of the plot for numbers, and on its other sides, logical pixels.
+/// Text on white, `0xRRGGBB`.
+const TEXT_COLOR: u32 = 0x1C_1F24;
+const BACKGROUND: u32 = 0xFF_FFFF;
 const LEFT: f64 = 54.0;
 const RIGHT: f64 = 10.0;
 const TOP: f64 = 22.0;

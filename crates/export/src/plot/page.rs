@@ -2,7 +2,7 @@
 
 use super::raster::{Fonts, PixmapCanvas};
 use super::svg::SvgCanvas;
-use super::{Canvas, Color, Plot, Stroke, TextAnchor};
+use super::{BACKGROUND, Canvas, Color, Plot, Stroke, TextAnchor};
 use sinew_scene::limits;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
@@ -12,9 +12,6 @@ const WIDTH: f64 = 400.0;
 const HEIGHT: f64 = 250.0;
 const MARGIN: f64 = 16.0;
 const HEADING: f64 = 26.0;
-/// Text on white.
-pub(super) const TEXT_COLOR: u32 = 0x1C_1F24;
-pub(super) const BACKGROUND: u32 = 0xFF_FFFF;
 /// Size of a picture that still opens everywhere, pixels to a side.
 const MAX_PIXELS: f64 = 20_000.0;
 

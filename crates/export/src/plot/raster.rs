@@ -3,7 +3,7 @@
 use ab_glyph::{Font, FontVec, OutlineCurve, ScaleFont};
 use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, Rect, StrokeDash, Transform};
 
-use super::page::TEXT_COLOR;
+use super::TEXT_COLOR;
 use super::{Canvas, Color, Stroke, TextAnchor};
 
 /// Size of text and the height of its letters above the base line, logical pixels.

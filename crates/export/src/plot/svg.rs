@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::page::TEXT_COLOR;
+use super::TEXT_COLOR;
 use super::{Canvas, Color, Stroke, TextAnchor};
 
 /// Size of text and the height of its letters above the base line, logical pixels.
