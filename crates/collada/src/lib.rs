@@ -22,7 +22,7 @@
 //! 5. **Libraries are assembled in the order in which they need each other**: `asset` (unit, axes), `image`, `effect`, `material`; the tree of `nodes`;
 //!    then what hangs on the nodes (`instances`, `geometry`, `primitive`, `triangulate`, `vertex_dedup`, `controller`, `skin`, `morph`, `light_camera`), so that
 //!    geometry that nothing instantiates costs nothing; last `animation` and `channel_target`, which need all of it.
-//! 6. **Findings add up** (`report`, `finding`). A part that is broken is left out with a [`Diagnostic`]; reading ends early only for what makes the whole
+//! 6. **Findings add up** (`report`, `finding`). A part that is broken is left out with a [`Diagnostic`](sinew_scene::diagnostics::Diagnostic); reading ends early only for what makes the whole
 //!    file useless.
 //!
 //! What that replaced: the parser got the document as it stands and numbers were read digit by digit, which took a third longer; and the thread that
