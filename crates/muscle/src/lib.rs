@@ -42,6 +42,7 @@
 //! | `primitive_meshes`, `materials` | the arm's solid shapes, and the colours of all |
 //! | `line_of_action` | the line of action: its length, and the centreline that is drawn for it |
 //! | `wrap` | wrapping of the line of action over a sphere |
+//! | [`wrapping`] | shortest paths over several spheres, cylinders, ellipsoids and tori |
 //! | `rounded_centerline` | the rounded line that is drawn where a muscle has via points |
 //! | `centerline` | centrelines of straight segments and arcs, exact in length, with rotation-minimising frames |
 //! | `bone_clearance` | distance between the belly and the rods |
@@ -102,6 +103,7 @@ pub mod solver_report;
 mod tessellation;
 pub mod validation;
 mod wrap;
+pub mod wrapping;
 
 pub use arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 pub use bones::{AttachmentPoint, bone_name};

@@ -1,0 +1,158 @@
+//! A path from its origin over its via points to its insertion, solved stretch by stretch.
+
+use glam::{DMat3, DVec3};
+
+use super::dual::DualVec;
+use super::geodesic::GeodesicStart;
+use super::newton::Placed;
+use super::shape::Shape;
+use super::solution::{Arc, Given, InsidePoint, Solution, Status, Stretch};
+use super::stretch::{Slot, StretchSolver};
+use super::surface::{PathPoint, Surface, WrapSurface};
+use super::yielding::{self, Yielding};
+
+/// Coordinates beyond this are as good as infinite: their squares have to stay finite.
+const FARTHEST: f64 = 1e50;
+/// A surface that yields to less than this share of its size does not act.
+const VANISHED: f64 = 1e-9;
+
+/// Solves paths and keeps the last solution as the start of the next: one for each path.
+///
+/// A path that is solved again after a small move takes two or three Newton steps, and no memory is asked for while the numbers of points and surfaces stay
+/// the same. The start only saves time: a fresh solver finds the same path.
+#[derive(Debug, Clone, Default)]
+pub struct PathSolver {
+    stretch: StretchSolver,
+    /// Where the geodesic on each surface started, for each stretch.
+    last: Vec<Option<GeodesicStart>>,
+    solution: Solution,
+}
+
+impl PathSolver {
+    /// A solver without a last solution.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The last solution; of none, one without a length.
+    #[must_use]
+    pub fn solution(&self) -> &Solution {
+        &self.solution
+    }
+
+    /// Solves the path through `points` in their order. On each stretch the surfaces that may act on it follow one another in the order of `surfaces`, as in
+    /// OpenSim's `Scholz2015GeometryPath`: the order is the caller's, no surface is passed twice on a stretch.
+    ///
+    /// Fewer than two points have no length. Any input has an answer; [`Solution::status`] tells whether it can be relied on.
+    pub fn solve(&mut self, points: &[PathPoint], surfaces: &[WrapSurface]) -> &Solution {
+        let solution = &mut self.solution;
+        solution.stretches.clear();
+        solution.arcs.clear();
+        solution.inside.clear();
+        (solution.length, solution.status, solution.path_error, solution.steps) = (0.0, Status::Converged, 0.0, 0);
+        let near = |point: DVec3| point.abs().max_element() < FARTHEST && point.is_finite();
+        if !points.iter().all(|point| near(point.position)) || !surfaces.iter().all(|surface| near(surface.center)) {
+            self.last.clear();
+            solution.status = Status::NotFinite;
+            return &self.solution;
+        }
+        let wanted = surfaces.len().saturating_mul(points.len().saturating_sub(1));
+        if self.last.len() != wanted {
+            self.last.clear();
+            self.last.resize(wanted, None);
+        }
+        for (index, ends) in points.windows(2).enumerate() {
+            if let [from, to] = ends {
+                self.solve_stretch(index, from, to, surfaces);
+            }
+        }
+        &self.solution
+    }
+
+    fn solve_stretch(&mut self, stretch: usize, from: &PathPoint, to: &PathPoint, surfaces: &[WrapSurface]) {
+        let Self { stretch: solver, last, solution } = self;
+        let first = stretch * surfaces.len();
+        let last = last.get_mut(first..first + surfaces.len()).unwrap_or_default();
+        solver.slots.clear();
+        for (index, (surface, last)) in surfaces.iter().zip(&mut *last).enumerate() {
+            let Some(given) = given(surface).filter(|_| surface.stretches.contains(&stretch)) else { continue };
+            let [near, far] = [from, to].map(|point| given.placed.to_local(point.position));
+            for (end, local) in [near, far].into_iter().enumerate() {
+                let depth = yielding::depth(&given.placed.shape, local);
+                if depth > 0.0 {
+                    solution.inside.push(InsidePoint { point: stretch + end, surface: index, depth });
+                }
+            }
+            let yielding = Yielding::of(&given.placed.shape, given.side, DualVec::constant(near), DualVec::constant(far));
+            if yielding.scale.value < VANISHED {
+                continue;
+            }
+            solver.slots.push(Slot::new(index, yielded(&given.placed, &yielding), given.side, last.take()));
+        }
+        let outcome = solver.solve(from.position, to.position);
+        if !outcome.converged {
+            solution.status = Status::NotConverged;
+        }
+        solution.path_error = solution.path_error.max(outcome.error);
+        solution.steps = solution.steps.max(outcome.steps);
+        let arcs = solution.arcs.len();
+        let (mut length, mut before) = (0.0, from.position);
+        for slot in &solver.slots {
+            let (Some(contact), Some(surface)) = (slot.contact, surfaces.get(slot.surface)) else { continue };
+            let Some(mut given) = given(surface) else { continue };
+            if contact.start.length < 0.0 {
+                continue;
+            }
+            if let Some(last) = last.get_mut(slot.surface) {
+                *last = Some(contact.start);
+            }
+            given.yields = slot.placed != given.placed;
+            let arc = Arc::new(slot.surface, surface.body, contact, slot.placed, given);
+            length += before.distance(arc.start) + arc.length;
+            before = arc.end;
+            solution.arcs.push(arc);
+        }
+        length += before.distance(to.position);
+        solution.length += length;
+        solution.stretches.push(Stretch {
+            start: from.position,
+            start_body: from.body,
+            end: to.position,
+            end_body: to.body,
+            length,
+            arcs: arcs..solution.arcs.len(),
+        });
+    }
+}
+
+/// A surface in its place as the caller gives it; `None` where it is inert.
+fn given(surface: &WrapSurface) -> Option<Given> {
+    let shape = Shape::new(&surface.surface)?;
+    let length = surface.rotation.length();
+    if !(length > 1e-100 && length < 1e100) {
+        return None;
+    }
+    let rotation = DMat3::from_quat(surface.rotation / length);
+    let side = match shape {
+        Shape::Torus(_) => None,
+        Shape::Cylinder(_) => surface.side.direction().filter(|side| side.z == 0.0),
+        Shape::Sphere(_) | Shape::Ellipsoid(_) => surface.side.direction(),
+    };
+    let half_length = match surface.surface {
+        Surface::Cylinder { length, .. } => 0.5 * length,
+        _ => f64::INFINITY,
+    };
+    Some(Given { placed: Placed { shape, rotation, center: surface.center }, side, half_length, yields: false })
+}
+
+fn yielded(placed: &Placed, yielding: &Yielding) -> Placed {
+    if *yielding == Yielding::NONE {
+        return *placed;
+    }
+    Placed {
+        shape: placed.shape.scaled(yielding.scale.value),
+        rotation: placed.rotation,
+        center: placed.to_world(yielding.shift.value),
+    }
+}

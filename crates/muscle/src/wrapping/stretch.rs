@@ -1,0 +1,319 @@
+//! One stretch of a path: which surfaces act on it, and where.
+//!
+//! A surface acts when the straight line between its neighbours' contact points runs into it, and stops acting when its geodesic has no length left. At the
+//! moment of either, the geodesic is a point and the straight parts are one line, so that length and direction go on without a jump.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use glam::DVec3;
+
+use super::geodesic::GeodesicStart;
+use super::guess::Touch;
+use super::newton::{Contact, Newton, Placed};
+use super::shape::Shape;
+
+/// A surface that may act on the stretch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slot {
+    /// Index of the surface in the caller's list.
+    pub surface: usize,
+    /// The surface as it yields to the stretch's ends.
+    pub placed: Placed,
+    /// The side of the path, in the surface's frame.
+    pub side: Option<DVec3>,
+    /// Where the geodesic started when it was solved last.
+    pub warm: Option<GeodesicStart>,
+    /// The geodesic, where the surface acts.
+    pub contact: Option<Contact>,
+    /// The estimate of the arc by the closed forms.
+    touch: Option<Touch>,
+    /// How often it stopped acting in one run.
+    dropped: usize,
+}
+
+impl Slot {
+    pub(super) fn new(surface: usize, placed: Placed, side: Option<DVec3>, warm: Option<GeodesicStart>) -> Self {
+        Self { surface, placed, side, warm, contact: None, touch: None, dropped: 0 }
+    }
+
+    fn touch(&self, from: DVec3, to: DVec3) -> Option<Touch> {
+        self.placed.shape.touch(self.placed.to_local(from), self.placed.to_local(to), self.side)
+    }
+}
+
+/// How a stretch was solved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Outcome {
+    /// Whether what is left in the slots is a shortest path.
+    pub converged: bool,
+    /// The largest sine between a straight part and a geodesic that it meets.
+    pub error: f64,
+    /// Newton steps of the last run.
+    pub steps: usize,
+}
+
+impl Outcome {
+    /// Of a closed form.
+    const EXACT: Self = Self { converged: true, error: 0.0, steps: 0 };
+}
+
+/// Rounds of Gauss and Seidel in which estimates of the arcs follow one another, beyond two a surface.
+const ROUNDS: usize = 4;
+/// Estimates that move by less than this share of the surface's size are good enough.
+const SETTLED: f64 = 1e-2;
+/// A last solution further than this from the estimate, in radii, or turned by more than 60° from it, is of another path.
+const NEAR: f64 = 0.8;
+/// Runs of Newton's method on surfaces that grow from small ones.
+const GROWTHS: usize = 32;
+/// A surface that stopped acting so often in one run stays so.
+const DROPS: usize = 2;
+
+/// Buffers of a stretch.
+#[derive(Debug, Clone, Default)]
+pub(super) struct StretchSolver {
+    newton: Newton,
+    /// The surfaces that may act, in the order in which the path meets them.
+    pub slots: Vec<Slot>,
+    /// Those that act now.
+    active: Vec<usize>,
+    surfaces: Vec<Placed>,
+    contacts: Vec<Contact>,
+}
+
+impl StretchSolver {
+    /// Solves the path over `slots` from `from` to `to`.
+    pub(super) fn solve(&mut self, from: DVec3, to: DVec3) -> Outcome {
+        if let [slot] = self.slots.as_mut_slice() {
+            slot.touch = slot.touch(from, to);
+            let Some(touch) = slot.touch else { return Outcome::EXACT };
+            if slot.placed.shape.is_exact() {
+                slot.contact = Some(Contact::new(&slot.placed.shape, touch.start));
+                return Outcome::EXACT;
+            }
+            if let (Shape::Ellipsoid(_), None) = (slot.placed.shape, slot.side) {
+                return self.shortest_of_four(from, to).unwrap_or_else(|| self.grow(from, to));
+            }
+        } else {
+            self.estimate(from, to);
+        }
+        if self.slots.iter().all(|slot| slot.touch.is_none()) {
+            return Outcome::EXACT;
+        }
+        let warm = self.start(true);
+        let mut outcome = self.settle(from, to);
+        if !outcome.converged && warm {
+            self.start(false);
+            outcome = self.settle(from, to);
+        }
+        if outcome.converged { outcome } else { self.grow(from, to) }
+    }
+
+    /// Estimates all arcs, each from those beside it, until they no longer change.
+    fn estimate(&mut self, from: DVec3, to: DVec3) {
+        for slot in &mut self.slots {
+            slot.touch = None;
+        }
+        for _ in 0..ROUNDS + 2 * self.slots.len() {
+            let mut settled = true;
+            let mut before = from;
+            for index in 0..self.slots.len() {
+                let later = self.slots.get(index + 1..).unwrap_or_default().iter();
+                let after = later.filter_map(|slot| slot.touch.map(|touch| slot.placed.to_world(touch.start.point))).next().unwrap_or(to);
+                let Some(slot) = self.slots.get_mut(index) else { break };
+                let touch = slot.touch(before, after);
+                settled &= match (slot.touch, touch) {
+                    (None, None) => true,
+                    (Some(old), Some(new)) => {
+                        let moved = old.start.point.distance(new.start.point).max(old.end.distance(new.end));
+                        moved < SETTLED * slot.placed.shape.size()
+                    }
+                    _ => false,
+                };
+                slot.touch = touch;
+                if let Some(touch) = touch {
+                    before = slot.placed.to_world(touch.end);
+                }
+            }
+            if settled {
+                break;
+            }
+        }
+    }
+
+    /// Begins geodesics where the estimates say, or where the last solution was if that is near. Tells whether the last solution was used.
+    fn start(&mut self, warm: bool) -> bool {
+        let mut used = false;
+        for slot in &mut self.slots {
+            let shape = slot.placed.shape;
+            slot.contact = slot.touch.map(|touch| {
+                let last = slot.warm.filter(|last| warm && is_near(&shape, last, &touch.start));
+                used |= last.is_some();
+                Contact::new(&shape, last.map_or(touch.start, |last| brought(&shape, &last)))
+            });
+        }
+        used
+    }
+
+    /// Solves for the surfaces that act, lets go those whose geodesic has no length, and takes up those that the straight parts run into.
+    fn settle(&mut self, from: DVec3, to: DVec3) -> Outcome {
+        for slot in &mut self.slots {
+            slot.dropped = 0;
+        }
+        let mut outcome = Outcome::EXACT;
+        for _ in 0..2 * self.slots.len() + 2 {
+            outcome = self.run(from, to);
+            if !outcome.converged || !(self.let_go() || self.take_up(from, to)) {
+                return outcome;
+            }
+        }
+        // Surfaces that take turns in acting: what acts now is a path, if not one that clears all.
+        Outcome { converged: false, ..outcome }
+    }
+
+    /// Newton's method for the surfaces that act.
+    fn run(&mut self, from: DVec3, to: DVec3) -> Outcome {
+        self.active.clear();
+        self.surfaces.clear();
+        self.contacts.clear();
+        for (index, slot) in self.slots.iter().enumerate() {
+            if let Some(contact) = slot.contact {
+                self.active.push(index);
+                self.surfaces.push(slot.placed);
+                self.contacts.push(contact);
+            }
+        }
+        let convergence = self.newton.solve(from, to, &self.surfaces, &mut self.contacts);
+        for (index, contact) in self.active.iter().zip(&self.contacts) {
+            if let Some(slot) = self.slots.get_mut(*index) {
+                slot.contact = Some(*contact);
+            }
+        }
+        Outcome { converged: convergence.converged, error: convergence.error(), steps: convergence.steps }
+    }
+
+    fn let_go(&mut self) -> bool {
+        let mut any = false;
+        for slot in &mut self.slots {
+            if slot.contact.is_some_and(|contact| contact.start.length <= 0.0) {
+                slot.contact = None;
+                slot.dropped += 1;
+                any = true;
+            }
+        }
+        any
+    }
+
+    fn take_up(&mut self, from: DVec3, to: DVec3) -> bool {
+        let mut any = false;
+        let mut before = from;
+        for index in 0..self.slots.len() {
+            let later = self.slots.get(index + 1..).unwrap_or_default().iter();
+            let after = later.filter_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.start.point))).next().unwrap_or(to);
+            let Some(slot) = self.slots.get_mut(index) else { break };
+            if slot.contact.is_none() && slot.dropped < DROPS && !any {
+                slot.contact = slot.touch(before, after).map(|touch| Contact::new(&slot.placed.shape, touch.start));
+                any = slot.contact.is_some();
+            }
+            if let Some(contact) = slot.contact {
+                before = slot.placed.to_world(contact.end.point);
+            }
+        }
+        any
+    }
+
+    /// An ellipsoid without a side, alone: the shortest of the paths that start from estimates a quarter turn apart round the straight line.
+    fn shortest_of_four(&mut self, from: DVec3, to: DVec3) -> Option<Outcome> {
+        let (placed, ellipsoid) = match self.slots.first() {
+            Some(Slot { placed, .. }) => match placed.shape {
+                Shape::Ellipsoid(ellipsoid) => (*placed, ellipsoid),
+                _ => return None,
+            },
+            None => return None,
+        };
+        let mut best: Option<(f64, Outcome, Option<Contact>)> = None;
+        for turn in [0.0, PI, FRAC_PI_2, -FRAC_PI_2] {
+            let Some(touch) = ellipsoid.touch_turned(placed.to_local(from), placed.to_local(to), turn) else { continue };
+            if let Some(slot) = self.slots.first_mut() {
+                slot.contact = Some(Contact::new(&placed.shape, touch.start));
+            }
+            let outcome = self.run(from, to);
+            let Some(contact) = self.slots.first().and_then(|slot| slot.contact) else { continue };
+            if !outcome.converged {
+                continue;
+            }
+            let (length, contact) = if contact.start.length <= 0.0 {
+                (from.distance(to), None)
+            } else {
+                let (first, last) = (placed.to_world(contact.start.point), placed.to_world(contact.end.point));
+                (from.distance(first) + contact.start.length + last.distance(to), Some(contact))
+            };
+            if best.is_none_or(|(least, ..)| length < least) {
+                best = Some((length, outcome, contact));
+            }
+        }
+        let (_, outcome, contact) = best?;
+        if let Some(slot) = self.slots.first_mut() {
+            slot.contact = contact;
+        }
+        Some(outcome)
+    }
+
+    /// What is left when Newton's method finds no way from the estimates: all surfaces grow from a fraction of their size, each solution the start of the next.
+    fn grow(&mut self, from: DVec3, to: DVec3) -> Outcome {
+        /// Where the growth begins, and its first step.
+        const FIRST: f64 = 0.2;
+        let full = |slots: &mut [Slot], by: f64| {
+            for slot in slots {
+                slot.placed.shape = slot.placed.shape.scaled(by);
+            }
+        };
+        let (mut reached, mut step, mut size) = (0.0, FIRST, 1.0);
+        let mut outcome = Outcome { converged: false, error: f64::INFINITY, steps: 0 };
+        for _ in 0..GROWTHS {
+            let next = f64::min(reached + step, 1.0);
+            full(&mut self.slots, next / size);
+            size = next;
+            self.estimate(from, to);
+            self.start(true);
+            outcome = self.settle(from, to);
+            if outcome.converged {
+                if next >= 1.0 {
+                    break;
+                }
+                for slot in &mut self.slots {
+                    slot.warm = slot.contact.map(|contact| contact.start);
+                }
+                reached = next;
+                step *= 1.5;
+            } else {
+                step *= 0.4;
+            }
+        }
+        if size < 1.0 {
+            full(&mut self.slots, size.recip());
+        }
+        if !outcome.converged || size < 1.0 {
+            // The estimates are a path outside of each surface by itself, if not the shortest.
+            outcome.converged = false;
+            self.estimate(from, to);
+            self.start(false);
+        }
+        outcome
+    }
+}
+
+/// A start on a surface that has changed its size.
+fn brought(shape: &Shape, last: &GeodesicStart) -> GeodesicStart {
+    let point = shape.project(last.point);
+    let tangent = last.tangent.reject_from_normalized(shape.normal(point)).normalize_or(last.tangent);
+    GeodesicStart { point, tangent, length: last.length }
+}
+
+fn is_near(shape: &Shape, last: &GeodesicStart, start: &GeodesicStart) -> bool {
+    let apart = brought(shape, last).point - start.point;
+    let apart = match shape {
+        Shape::Ellipsoid(ellipsoid) => (apart / ellipsoid.radii).length(),
+        _ => apart.length() / shape.size(),
+    };
+    apart < NEAR && last.tangent.dot(start.tangent) > 0.5
+}
