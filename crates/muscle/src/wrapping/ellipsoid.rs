@@ -1,59 +1,108 @@
-//! The ellipsoid x²/a² + y²/b² + z²/c² = 1.
+//! The ellipsoid x²/a² + y²/b² + z²/c² = 1, and what becomes of it where it yields: one that is drawn out along a direction, as far as an elliptic cylinder.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::geodesic::{Bend, GeodesicEnd, GeodesicStart, integrate};
 use super::guess::Touch;
 use super::shape::Curvature;
 use super::sphere;
 
-/// Radii and what follows from them.
+/// The surface |T x| = 1, where T x = x / radii with the component along one direction squeezed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Ellipsoid {
-    /// Half its lengths along the axes.
+    /// Half its lengths along the axes, before it is drawn out.
     pub radii: DVec3,
-    /// 1 / radii².
-    inverse_squares: DVec3,
-    /// 1 / (abc)².
-    inverse_volume_square: f64,
+    /// T: it makes the unit sphere of the surface, or of a cylinder the unit circle.
+    to_unit: DMat3,
+    /// The inverse of T; of a cylinder, back to the plane square to its axis.
+    from_unit: DMat3,
+    /// TᵀT, of which xᵀ(TᵀT)x = 1 is the surface.
+    form: DMat3,
+    /// Determinant of `form`; 0 of a cylinder.
+    determinant: f64,
+    /// The axis of a cylinder as a direction of x / radii.
+    axis: Option<DVec3>,
 }
+
+/// An ellipsoid that is drawn out more than this is taken as a cylinder: its ends curve by less than the square of it.
+const DRAWN: f64 = 1e-6;
 
 impl Ellipsoid {
     pub(super) fn new(radii: DVec3) -> Self {
-        let inverse = radii.recip();
-        Self { radii, inverse_squares: inverse * inverse, inverse_volume_square: (inverse.x * inverse.y * inverse.z).powi(2) }
+        Self::drawn_out(radii, DVec3::X, 1.0)
     }
 
-    /// Half the gradient of x²/a² + y²/b² + z²/c²: outwards.
+    /// With the component of x / radii along `axis` multiplied by `squeeze`, from 1 for none to 0 for a cylinder.
+    pub(super) fn drawn_out(radii: DVec3, axis: DVec3, squeeze: f64) -> Self {
+        let squeeze = if squeeze < DRAWN { 0.0 } else { squeeze };
+        let along = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+        let back = if squeeze > 0.0 { squeeze.recip() - 1.0 } else { -1.0 };
+        let to_unit = (DMat3::IDENTITY - along * (1.0 - squeeze)) * DMat3::from_diagonal(radii.recip());
+        let inverse = radii.recip();
+        Self {
+            radii,
+            to_unit,
+            from_unit: DMat3::from_diagonal(radii) * (DMat3::IDENTITY + along * back),
+            form: to_unit.transpose() * to_unit,
+            determinant: (squeeze * inverse.x * inverse.y * inverse.z).powi(2),
+            axis: (squeeze == 0.0).then_some(axis),
+        }
+    }
+
+    /// The surface multiplied by `factor`.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let inverse = factor.recip();
+        Self {
+            radii: self.radii * factor,
+            to_unit: self.to_unit * inverse,
+            from_unit: self.from_unit * factor,
+            form: self.form * (inverse * inverse),
+            determinant: self.determinant * inverse.powi(6),
+            axis: self.axis,
+        }
+    }
+
+    /// Half the gradient of xᵀ(TᵀT)x: outwards.
     pub(super) fn gradient(&self, point: DVec3) -> DVec3 {
-        point * self.inverse_squares
+        self.form * point
     }
 
     /// The shape operator is the Hessian of the level function over the length of its gradient.
     pub(super) fn curvature(&self, point: DVec3, tangent: DVec3, binormal: DVec3) -> Curvature {
         let scale = self.gradient(point).length().recip();
-        let turned = tangent * self.inverse_squares;
+        let turned = self.form * tangent;
         Curvature {
             along: turned.dot(tangent) * scale,
             twist: turned.dot(binormal) * scale,
-            across: (binormal * self.inverse_squares).dot(binormal) * scale,
+            across: (self.form * binormal).dot(binormal) * scale,
         }
     }
 
     /// The point of the surface on the ray from the centre.
     pub(super) fn project(&self, point: DVec3) -> DVec3 {
-        (point / self.radii).normalize_or(DVec3::X) * self.radii
+        let level = (self.to_unit * point).length();
+        if level > 0.0 { point / level } else { self.from_unit * self.to_unit.x_axis.normalize_or(DVec3::X) }
     }
 
-    /// The path over the unit sphere that x ↦ x / radii makes of the ellipsoid, mapped back. Straight parts and the condition of touching are exact, as the
-    /// map is affine; the arc is a section through the centre, which is a geodesic only where there is symmetry.
+    /// The path over the unit sphere that T makes of the ellipsoid, mapped back. Straight parts and the condition of touching are exact, as the map is linear;
+    /// the arc is a section through the centre, which is a geodesic only where there is symmetry.
     pub(super) fn touch(&self, from: DVec3, to: DVec3, side: Option<DVec3>) -> Option<Touch> {
-        sphere::touch(1.0, from / self.radii, to / self.radii, side).map(|touch| touch.stretched(self.radii))
+        let touch = sphere::touch(1.0, self.to_unit * from, self.to_unit * to, side)?;
+        let Some(axis) = self.axis else { return Some(touch.mapped(self.from_unit, DVec3::ZERO)) };
+        // Along the axis of a cylinder the path advances evenly with its length across.
+        let (from, to) = (from / self.radii, to / self.radii);
+        let flat = |point: DVec3| point.reject_from_normalized(axis);
+        let (before, after) = (flat(from).distance(touch.start.point), touch.end.distance(flat(to)));
+        let rise = (to - from).dot(axis) / (before + touch.start.length + after);
+        let mut raised = touch;
+        raised.start.point += axis * (from.dot(axis) + rise * before);
+        raised.end += axis * (to.dot(axis) - rise * after);
+        Some(raised.mapped(DMat3::from_diagonal(self.radii), axis * rise))
     }
 
     /// The same over the side that is `turn` radians round the straight line from the nearer one.
     pub(super) fn touch_turned(&self, from: DVec3, to: DVec3, turn: f64) -> Option<Touch> {
-        let (from, to) = (from / self.radii, to / self.radii);
+        let (from, to) = (self.to_unit * from, self.to_unit * to);
         let along = (to - from).try_normalize()?;
         let out = from.reject_from_normalized(along);
         if out.length_squared() >= 1.0 {
@@ -61,7 +110,7 @@ impl Ellipsoid {
         }
         let up = out.try_normalize().unwrap_or_else(|| along.any_orthonormal_vector());
         let up = (up * turn.cos() + along.cross(up) * turn.sin()).reject_from_normalized(along).try_normalize()?;
-        // Tangent points in the plane of both ends and the centre for the nearer side, in a plane that is turned about the straight line for the others.
+        // The section by the plane of the straight line and `up`, a smaller circle where that misses the centre.
         let center = out - out.project_onto_normalized(up);
         let radius = (1.0 - center.length_squared()).max(0.0).sqrt();
         let touch = sphere::touch_over(radius, from - center, to - center, along, up)?;
@@ -70,29 +119,29 @@ impl Ellipsoid {
         let tangent = touch.start.tangent.reject_from_normalized(start).normalize_or(along);
         let end_tangent = touch.end_tangent.reject_from_normalized(end).normalize_or(along);
         let start = GeodesicStart { point: start, tangent, length: touch.start.length };
-        Some(Touch { start, end, end_tangent }.stretched(self.radii))
+        Some(Touch { start, end, end_tangent }.mapped(self.from_unit, DVec3::ZERO))
     }
 }
 
 /// The geodesic from a point in a direction, integrated.
 pub(super) fn shoot(ellipsoid: &Ellipsoid, start: &GeodesicStart) -> GeodesicEnd {
+    let root = ellipsoid.determinant.sqrt();
     integrate(
         start,
         |point, tangent| {
             let gradient = ellipsoid.gradient(point);
             let square = gradient.length_squared();
             Bend {
-                acceleration: gradient * -((tangent * ellipsoid.inverse_squares).dot(tangent) / square),
-                // Gauss: K = 1 / ((abc)² (x²/a⁴ + y²/b⁴ + z²/c⁴)²).
-                gauss: ellipsoid.inverse_volume_square / (square * square),
+                acceleration: gradient * -((ellipsoid.form * tangent).dot(tangent) / square),
+                // Gauss, with half gradients: K = det(TᵀT) / |TᵀT x|⁴; of an ellipsoid 1 / ((abc)² (x²/a⁴ + y²/b⁴ + z²/c⁴)²).
+                gauss: ellipsoid.determinant / (square * square),
             }
         },
         |point, tangent| {
             // Nothing may change much in a step: neither direction nor normal, and it stays short beside the ellipsoid's own width along it.
             let scale = ellipsoid.gradient(point).length().recip();
-            let turned = tangent * ellipsoid.inverse_squares;
-            let gauss = ellipsoid.inverse_volume_square.sqrt() * scale * scale;
-            (turned.length() * scale).max(gauss).max(turned.dot(tangent).sqrt())
+            let turned = ellipsoid.form * tangent;
+            (turned.length() * scale).max(root * scale * scale).max(turned.dot(tangent).max(0.0).sqrt())
         },
         |point| ellipsoid.project(point),
         |point| ellipsoid.gradient(point),

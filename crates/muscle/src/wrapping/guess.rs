@@ -1,6 +1,6 @@
 //! The two ends of an arc as closed forms and estimates give them.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::geodesic::GeodesicStart;
 
@@ -21,27 +21,29 @@ impl Touch {
         Self { start: GeodesicStart { point, tangent, length: 0.0 }, end: point, end_tangent: tangent }
     }
 
-    /// The image of an arc on the unit sphere under x ↦ scale ∘ x; its length is measured along the image.
-    pub(super) fn stretched(&self, scale: DVec3) -> Self {
-        /// Points of Simpson's rule are twice as many, and one.
-        const PIECES: u32 = 4;
+    /// The image under a linear map of an arc of the unit circle that rises by `rise` for each unit of its length; its length is measured along the image.
+    pub(super) fn mapped(&self, map: DMat3, rise: DVec3) -> Self {
+        /// Pairs of pieces of Simpson's rule.
+        const PAIRS: u32 = 4;
         let GeodesicStart { point, tangent, length } = self.start;
-        let speed = |angle: f64| ((tangent * angle.cos() - point * angle.sin()) * scale).length();
-        let step = length / f64::from(2 * PIECES);
-        let sum: f64 = (0..PIECES)
-            .map(|piece| {
-                let left = f64::from(2 * piece) * step;
+        // What of the point lies along the axis that the arc rises by does not turn with it.
+        let outward = if rise == DVec3::ZERO { point } else { point.reject_from(rise) };
+        let speed = |angle: f64| (map * (tangent * angle.cos() - outward * angle.sin() + rise)).length();
+        let step = length / f64::from(2 * PAIRS);
+        let sum: f64 = (0..PAIRS)
+            .map(|pair| {
+                let left = f64::from(2 * pair) * step;
                 speed(left) + 4.0 * speed(left + step) + speed(left + 2.0 * step)
             })
             .sum();
         Self {
             start: GeodesicStart {
-                point: point * scale,
-                tangent: (tangent * scale).normalize_or(DVec3::X),
+                point: map * point,
+                tangent: (map * (tangent + rise)).normalize_or(DVec3::X),
                 length: sum * step / 3.0,
             },
-            end: self.end * scale,
-            end_tangent: (self.end_tangent * scale).normalize_or(DVec3::X),
+            end: map * self.end,
+            end_tangent: (map * (self.end_tangent + rise)).normalize_or(DVec3::X),
         }
     }
 }

@@ -151,7 +151,7 @@ fn yielded(placed: &Placed, yielding: &Yielding) -> Placed {
         return *placed;
     }
     Placed {
-        shape: placed.shape.scaled(yielding.scale.value),
+        shape: yielding.changed(&placed.shape),
         rotation: placed.rotation,
         center: placed.to_world(yielding.shift.value),
     }

@@ -57,7 +57,7 @@ impl Shape {
         match self {
             Shape::Sphere(radius) => Shape::Sphere(radius * factor),
             Shape::Cylinder(radius) => Shape::Cylinder(radius * factor),
-            Shape::Ellipsoid(ellipsoid) => Shape::Ellipsoid(Ellipsoid::new(ellipsoid.radii * factor)),
+            Shape::Ellipsoid(ellipsoid) => Shape::Ellipsoid(ellipsoid.scaled(factor)),
             Shape::Torus(torus) => Shape::Torus(Torus { minor: torus.minor * factor, ..*torus }),
         }
     }

@@ -134,64 +134,43 @@ impl Arc {
         points.take(count).map(|start| self.placed.to_world(start.point))
     }
 
-    /// How fast the surface yields, and what that adds to the length of the geodesic by itself.
-    fn yielding_rate(&self, stretch: &Stretch, velocity: &impl Fn(usize, DVec3) -> DVec3) -> (YieldingRate, f64) {
+    /// What the surface's yielding adds to the rate of the length. A surface that moves along its normal by v lengthens the path by its normal curvature κ
+    /// times v, for each unit of length: ∫ κ v ds, by Gauss' rule.
+    fn yielding_rate(&self, stretch: &Stretch, velocity: &impl Fn(usize, DVec3) -> DVec3) -> f64 {
+        /// Pieces of the geodesic, with five points each.
+        const PIECES: u32 = 8;
+        const NODES: [(f64, f64); 5] = [
+            (-0.906_179_845_938_664, 0.236_926_885_056_189_08),
+            (-0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+            (0.0, 0.568_888_888_888_888_9),
+            (0.538_469_310_105_683_1, 0.478_628_670_499_366_47),
+            (0.906_179_845_938_664, 0.236_926_885_056_189_08),
+        ];
         if !self.given.yields {
-            return (YieldingRate::NONE, 0.0);
+            return 0.0;
         }
-        let placed = self.given.placed;
+        let given = self.given.placed;
         let local = |point: DVec3, body: usize| DualVec {
-            value: placed.to_local(point),
-            rate: placed.rotation.transpose() * (velocity(body, point) - velocity(self.body, point)),
+            value: given.to_local(point),
+            rate: given.rotation.transpose() * (velocity(body, point) - velocity(self.body, point)),
         };
         let (from, to) = (local(stretch.start, stretch.start_body), local(stretch.end, stretch.end_body));
-        let Yielding { scale, shift } = Yielding::of(&placed.shape, self.given.side, from, to);
-        let growth = if scale.value > 0.0 { scale.rate / scale.value } else { 0.0 };
-        let longer = match self.placed.shape {
-            Shape::Sphere(_) | Shape::Ellipsoid(_) => growth * self.length,
-            Shape::Cylinder(_) => growth * self.length * (1.0 - self.contact.start.tangent.z.powi(2)),
-            Shape::Torus(torus) => growth * torus.minor * self.total_curvature(),
-        };
-        (YieldingRate { growth, shift: placed.rotation * shift.rate }, longer)
-    }
-
-    /// The integral of the normal curvature along the geodesic, by Simpson's rule.
-    fn total_curvature(&self) -> f64 {
-        const PIECES: u32 = 32;
+        let yielding = Yielding::of(&given.shape, self.given.side, from, to);
         let shape = &self.placed.shape;
-        let mut start = self.contact.start;
-        let step = start.length / f64::from(2 * PIECES);
-        start.length = step;
-        let mut sum = 0.0;
-        for place in 0..=2 * PIECES {
-            let weight = if place == 0 || place == 2 * PIECES { 1.0 } else { f64::from(2 + 2 * (place % 2)) };
-            let binormal = start.tangent.cross(shape.normal(start.point));
-            sum += weight * shape.curvature(start.point, start.tangent, binormal).along;
-            let end = shape.shoot(&start);
-            (start.point, start.tangent) = (end.point, end.tangent);
+        let half = self.length / f64::from(2 * PIECES);
+        let (mut start, mut reached, mut rate) = (self.contact.start, 0.0, 0.0);
+        for piece in 0..PIECES {
+            for (node, weight) in NODES {
+                let place = (f64::from(2 * piece + 1) + node) * half;
+                start.length = place - reached;
+                let end = shape.shoot(&start);
+                (start.point, start.tangent, reached) = (end.point, end.tangent, place);
+                let normal = shape.normal(start.point);
+                let bend = shape.curvature(start.point, start.tangent, start.tangent.cross(normal)).along;
+                rate += weight * half * bend * yielding.normal_speed(&given.shape, start.point + yielding.shift.value, normal);
+            }
         }
-        sum * step / 3.0
-    }
-}
-
-/// How fast a surface grows about its centre, as a share of its size, and moves.
-struct YieldingRate {
-    growth: f64,
-    shift: DVec3,
-}
-
-impl YieldingRate {
-    const NONE: Self = Self { growth: 0.0, shift: DVec3::ZERO };
-
-    /// The velocity of a point on the surface beside that of the surface's body. What of it is along the normal does not matter: no straight part has any.
-    fn at(&self, placed: &Placed, point: DVec3) -> DVec3 {
-        let local = placed.to_local(point);
-        let from_center = match placed.shape {
-            Shape::Sphere(_) | Shape::Ellipsoid(_) => local,
-            Shape::Cylinder(_) => local.with_z(0.0),
-            Shape::Torus(_) => DVec3::ZERO,
-        };
-        self.shift + placed.rotation * from_center * self.growth
+        rate
     }
 }
 
@@ -247,7 +226,7 @@ impl Solution {
     /// The derivative of the length by time, where `velocity` is that of the point of a body that is at a place in the world, the bodies being rigid.
     ///
     /// As the path is a shortest one, the contact points may be taken as fixed to the surface's body: dL/dt = Σ e·(v_end − v_start) over the straight segments
-    /// with their directions e. A surface that yields adds how it grows and moves. For the velocities of a turn by 1 radian a second about a joint, the moment
+    /// with their directions e. A surface that yields adds how it moves along its normal. For the velocities of a turn by 1 radian a second about a joint, the moment
     /// arm is the negative of what this returns.
     #[must_use]
     pub fn length_rate(&self, velocity: impl Fn(usize, DVec3) -> DVec3) -> f64 {
@@ -259,10 +238,8 @@ impl Solution {
         let mut rate = 0.0;
         let (mut before, mut before_velocity) = (stretch.start, velocity(stretch.start_body, stretch.start));
         for arc in self.arcs_of(stretch) {
-            let (yielding, longer) = arc.yielding_rate(stretch, velocity);
-            let of = |point: DVec3| velocity(arc.body, point) + yielding.at(&arc.placed, point);
-            rate += along(before, arc.start).dot(of(arc.start) - before_velocity) + longer;
-            (before, before_velocity) = (arc.end, of(arc.end));
+            rate += along(before, arc.start).dot(velocity(arc.body, arc.start) - before_velocity) + arc.yielding_rate(stretch, velocity);
+            (before, before_velocity) = (arc.end, velocity(arc.body, arc.end));
         }
         rate + along(before, stretch.end).dot(velocity(stretch.end_body, stretch.end) - before_velocity)
     }

@@ -63,6 +63,10 @@ const ROUNDS: usize = 4;
 const SETTLED: f64 = 1e-2;
 /// A last solution further than this from the estimate, in radii, or turned by more than 60° from it, is of another path.
 const NEAR: f64 = 0.8;
+/// A solution further than this from the estimate, in radii and as a share of its length, is none.
+const SOUND: f64 = 1.2;
+/// Of a surface that the estimate says is cleared, the longest arc in radii.
+const ALMOST: f64 = 0.3;
 /// Runs of Newton's method on surfaces that grow from small ones.
 const GROWTHS: usize = 32;
 /// A surface that stopped acting so often in one run stays so.
@@ -160,10 +164,13 @@ impl StretchSolver {
             slot.dropped = 0;
         }
         let mut outcome = Outcome::EXACT;
-        for _ in 0..2 * self.slots.len() + 2 {
+        for _ in 0..6 * self.slots.len() + 2 {
             outcome = self.run(from, to);
-            if !outcome.converged || !(self.let_go() || self.take_up(from, to)) {
+            if !outcome.converged {
                 return outcome;
+            }
+            if !(self.let_go() || self.take_up(from, to)) {
+                return Outcome { converged: self.is_sound(from, to), ..outcome };
             }
         }
         // Surfaces that take turns in acting: what acts now is a path, if not one that clears all.
@@ -219,6 +226,26 @@ impl StretchSolver {
             }
         }
         any
+    }
+
+    /// Whether all geodesics are near what the closed forms estimate from the points beside them: Newton's method may come to one that goes round once more.
+    fn is_sound(&self, from: DVec3, to: DVec3) -> bool {
+        let mut before = from;
+        self.slots.iter().enumerate().all(|(index, slot)| {
+            let Some(contact) = slot.contact else { return true };
+            let later = self.slots.get(index + 1..).unwrap_or_default().iter();
+            let after = later.filter_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.start.point))).next().unwrap_or(to);
+            let touch = slot.touch(before, after);
+            before = slot.placed.to_world(contact.end.point);
+            let shape = &slot.placed.shape;
+            // Without an estimate the surface is all but cleared.
+            touch.map_or(contact.start.length < ALMOST * shape.size(), |touch| {
+                let longer = (contact.start.length - touch.start.length).abs();
+                apart(shape, contact.start.point, touch.start.point) < SOUND
+                    && apart(shape, contact.end.point, touch.end) < SOUND
+                    && longer < SOUND * (touch.start.length + shape.size())
+            })
+        })
     }
 
     /// An ellipsoid without a side, alone: the shortest of the paths that start from estimates a quarter turn apart round the straight line.
@@ -310,10 +337,13 @@ fn brought(shape: &Shape, last: &GeodesicStart) -> GeodesicStart {
 }
 
 fn is_near(shape: &Shape, last: &GeodesicStart, start: &GeodesicStart) -> bool {
-    let apart = brought(shape, last).point - start.point;
-    let apart = match shape {
-        Shape::Ellipsoid(ellipsoid) => (apart / ellipsoid.radii).length(),
-        _ => apart.length() / shape.size(),
-    };
-    apart < NEAR && last.tangent.dot(start.tangent) > 0.5
+    apart(shape, brought(shape, last).point, start.point) < NEAR && last.tangent.dot(start.tangent) > 0.5
+}
+
+/// The distance of two points in radii of the surface.
+fn apart(shape: &Shape, one: DVec3, other: DVec3) -> f64 {
+    match shape {
+        Shape::Ellipsoid(ellipsoid) => ((one - other) / ellipsoid.radii).length(),
+        _ => one.distance(other) / shape.size(),
+    }
 }

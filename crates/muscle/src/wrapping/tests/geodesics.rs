@@ -18,7 +18,7 @@ fn random_start(shape: &Shape, random: &mut Random, length: f64) -> GeodesicStar
     GeodesicStart { point, tangent, length }
 }
 
-fn shapes() -> [Shape; 6] {
+fn shapes() -> [Shape; 8] {
     [
         Shape::Sphere(1.3),
         Shape::Cylinder(0.8),
@@ -26,6 +26,9 @@ fn shapes() -> [Shape; 6] {
         Shape::Ellipsoid(Ellipsoid::new(DVec3::new(2.0, 0.5, 1.0))),
         Shape::Torus(Torus { major: 2.0, minor: 0.7 }),
         Shape::Torus(Torus { major: 1.0, minor: 0.4 }),
+        // Drawn out along a slanting direction, halfway and to a cylinder.
+        Shape::Ellipsoid(Ellipsoid::drawn_out(DVec3::new(1.0, 1.5, 2.2), DVec3::new(0.6, 0.0, 0.8), 0.5)),
+        Shape::Ellipsoid(Ellipsoid::drawn_out(DVec3::new(1.0, 1.5, 2.2), DVec3::new(0.6, 0.0, 0.8), 0.0)),
     ]
 }
 

@@ -30,7 +30,7 @@ impl Problem {
         let room = 4.0 * (bodies as f64 - 1.0) + 2.0;
         let surfaces = (0..count).map(|index| {
             let x = -1.0 + room * (index as f64 + 0.5) / count as f64 - 0.5;
-            let size = (0.8 * room / count as f64).min(1.0) * random.between(0.5, 1.0);
+            let size = (0.42 * room / count as f64).min(1.0) * random.between(0.5, 1.0);
             let tilt = DQuat::from_axis_angle(random.direction(), 0.3);
             let surface = match random.below(3) {
                 0 => Surface::Sphere { radius: size },
@@ -88,35 +88,46 @@ impl Problem {
 #[test]
 fn explore() {
     let mut random = Random(21);
-    let mut bad = 0; let mut jumps = 0; let mut rates = 0; let mut cold_bad = 0; let mut total = 0;
-    for trial in 0..300 {
+    let trials: usize = std::env::var("TRIALS").ok().and_then(|t| t.parse().ok()).unwrap_or(150);
+    let range: i32 = std::env::var("RANGE").ok().and_then(|t| t.parse().ok()).unwrap_or(100);
+    let only: Option<usize> = std::env::var("ONLY").ok().and_then(|t| t.parse().ok());
+    let mut sums = [0usize; 5];
+    for trial in 0..trials {
         let sided = trial % 3 != 0;
         let problem = Problem::random(&mut random, sided);
-        let (mut solver, mut probe) = (PathSolver::new(), PathSolver::new());
-        let mut before: Option<(f64, f64, bool)> = None;
-        for step in -200..=200 {
+        if only.is_some_and(|o| o != trial) { continue; }
+        let mut solver = PathSolver::new();
+        let mut probe = PathSolver::new();
+        let mut old: Option<(f64, f64, bool)> = None;
+        let mut counts = [0usize; 5];
+        let mut first: Vec<String> = vec![];
+        for step in -range..=range {
             let turn = f64::from(step) * STEP * 2.0;
-            total += 1;
-            let solution = problem.solve(&mut solver, turn);
-            let (length, ok, arcs) = (solution.length, solution.status == Status::Converged, solution.arcs().iter().map(|a| a.surface).collect::<Vec<_>>());
-            let rate = solution.length_rate(|body, point| problem.velocity(turn, body, point));
-            if !ok { bad += 1; if bad < 8 { println!("trial {trial} step {step}: not converged {} {:?}", solution.path_error, problem.surfaces.iter().map(|s| (s.surface, s.side)).collect::<Vec<_>>()); } }
-            if let Some((old, old_rate, old_ok)) = before {
-                let predicted = 0.5 * (rate + old_rate) * STEP * 2.0;
-                let slack = (length - old - predicted).abs();
-                if slack > 2e-3 && ok && old_ok { jumps += 1; if jumps < 12 { println!("trial {trial} step {step}: jump {slack:e} arcs {arcs:?} rate {old_rate} -> {rate} sided {sided} {:?}", problem.surfaces.iter().map(|s| (s.surface, s.center)).collect::<Vec<_>>()); } }
+            counts[4] += 1;
+            let warm = problem.solve(&mut solver, turn).clone();
+            let ok = warm.status == Status::Converged;
+            let rate = warm.length_rate(|body, point| problem.velocity(turn, body, point));
+            if !ok { counts[0] += 1; }
+            if let Some((l, r, o)) = old {
+                let jump = (warm.length - l - 0.5 * (r + rate) * 2.0 * STEP).abs();
+                if jump > 1e-4 + (rate - r).abs() * STEP * 2.0 { counts[1] += 1; if first.len() < 3 || only.is_some() { first.push(format!("step {step} jump {jump:.1e} ok {o} {ok} rates {r:.3} {rate:.3}")); } }
             }
-            before = Some((length, rate, ok));
+            old = Some((warm.length, rate, ok));
             if ok && step % 5 == 0 {
-                let mut cold = PathSolver::new();
-                let again = problem.solve(&mut cold, turn).length;
-                if (again - length).abs() > 1e-10 { cold_bad += 1; if cold_bad < 8 { println!("trial {trial} step {step}: cold {again} warm {length} arcs {arcs:?}"); } }
-                let h = 2e-4;
-                let l: Vec<f64> = [-2.0, -1.0, 1.0, 2.0].iter().map(|by| problem.solve(&mut probe, turn + by * h).length).collect();
-                let difference = (l[0] - 8.0 * l[1] + 8.0 * l[2] - l[3]) / (12.0 * h);
-                if (difference - rate).abs() > 1e-6 * rate.abs().max(1.0) { rates += 1; if rates < 12 { println!("trial {trial} step {step}: rate {rate} difference {difference} arcs {arcs:?} sided {sided}"); } }
+                let mut c = PathSolver::new();
+                let cold = problem.solve(&mut c, turn).clone();
+                if (cold.length - warm.length).abs() > 1e-10 { counts[2] += 1; if first.len() < 3 || only.is_some() { first.push(format!("step {step} warm {} cold {} {:?}", warm.length, cold.length, cold.status)); } }
+                let h = 1e-4;
+                let l: Vec<f64> = [-1.0, 1.0].iter().map(|by| problem.solve(&mut probe, turn + by * h).length).collect();
+                let difference = (l[1] - l[0]) / (2.0 * h);
+                if (difference - rate).abs() > 3e-5 { counts[3] += 1; if first.len() < 3 || only.is_some() { first.push(format!("step {step} rate {rate} fd {difference}")); } }
             }
         }
+        for (sum, count) in sums.iter_mut().zip(counts) { *sum += count; }
+        if counts[..4].iter().any(|c| *c > 0) || only.is_some() {
+            let kinds: Vec<&str> = problem.surfaces.iter().map(|s| match s.surface { Surface::Sphere { .. } => "S", Surface::Cylinder { .. } => "C", _ => "E" }).collect();
+            println!("trial {trial} sided {sided} {kinds:?} bad {} jumps {} cold {} rates {} :: {first:?}", counts[0], counts[1], counts[2], counts[3]);
+        }
     }
-    println!("total {total} bad {bad} jumps {jumps} rates {rates} cold {cold_bad}");
+    println!("bad jumps cold rates total {sums:?}");
 }
