@@ -73,6 +73,8 @@ const DONE: f64 = 3e-13;
 const ROUNDING: f64 = 1e-9;
 /// Longest step: radians of turning, and of moving over a sphere of the surface's smallest radius.
 const LONGEST: f64 = 0.8;
+/// Straight parts shorter than this share of the surface's size count by their distance, longer ones by their angle.
+const SHORT: f64 = 0.5;
 /// Halvings of a step that makes the path error larger.
 const HALVINGS: usize = 10;
 
@@ -131,6 +133,7 @@ impl ContactFrame {
 /// Both frames of a geodesic and their variations by the four unknowns.
 #[derive(Debug, Clone, Copy)]
 struct Variations {
+    size: f64,
     first: ContactFrame,
     last: ContactFrame,
     of_first: [Variation; BLOCK],
@@ -143,6 +146,7 @@ impl Variations {
         let last = ContactFrame::new(placed, contact.end.point, contact.end.tangent);
         let end = &contact.end;
         Self {
+            size: placed.shape.size(),
             first,
             last,
             of_first: [first.along(), first.aside(1.0, 0.0), first.aside(0.0, 1.0), ContactFrame::none()],
@@ -220,38 +224,43 @@ impl Newton {
             let after = variations.get(index + 1);
             let start = before.map_or(from, |before| before.last.point);
             let end = after.map_or(to, |after| after.first.point);
-            let (e, inverse) = direction(here.first.point - start, here.first.tangent);
-            equation(system, row, e, inverse, here.first.normal, row, here.of_first.map(|by| (by.point, by.normal)));
-            equation(system, row + 1, e, inverse, here.first.binormal, row, here.of_first.map(|by| (by.point, by.binormal)));
+            let size = here.size;
+            let w = weighed(here.first.point - start, size);
+            equation(system, row, w, 1.0, here.first.normal, here.of_first.map(|by| (by.point, by.normal)));
+            equation(system, row + 1, w, 1.0, here.first.binormal, here.of_first.map(|by| (by.point, by.binormal)));
             if let Some(before) = before {
                 for (offset, axis) in [here.first.normal, here.first.binormal].into_iter().enumerate() {
-                    neighbour(system, row + offset, e, -inverse, axis, row - BLOCK, &before.of_last);
+                    neighbour(system, row + offset, w, -1.0, axis, row - BLOCK, &before.of_last);
                 }
             }
-            let (e, inverse) = direction(end - here.last.point, here.last.tangent);
-            equation(system, row + 2, e, -inverse, here.last.normal, row, here.of_last.map(|by| (by.point, by.normal)));
-            equation(system, row + 3, e, -inverse, here.last.binormal, row, here.of_last.map(|by| (by.point, by.binormal)));
+            let w = weighed(end - here.last.point, size);
+            equation(system, row + 2, w, -1.0, here.last.normal, here.of_last.map(|by| (by.point, by.normal)));
+            equation(system, row + 3, w, -1.0, here.last.binormal, here.of_last.map(|by| (by.point, by.binormal)));
             if let Some(after) = after {
                 for (offset, axis) in [here.last.normal, here.last.binormal].into_iter().enumerate() {
-                    neighbour(system, row + 2 + offset, e, inverse, axis, row + BLOCK, &after.of_first);
+                    neighbour(system, row + 2 + offset, w, 1.0, axis, row + BLOCK, &after.of_first);
                 }
             }
         }
     }
 }
 
-/// A direction of length 1 and the reciprocal of a vector's length; `otherwise` for none.
-fn direction(vector: DVec3, otherwise: DVec3) -> (DVec3, f64) {
-    let length = vector.length();
-    if length > 0.0 { (vector / length, length.recip()) } else { (otherwise, 0.0) }
+/// A straight part w as an equation sees it: w / (|w| + μ), and the reciprocal of |w| + μ.
+///
+/// The sine of an angle says nothing good about a contact point that is all but at the path's end: a hair's breadth turns it round. Divided by |w| + μ in
+/// place of |w|, with μ half the surface's size, a long straight part counts by its angle, and a short one by its distance.
+fn weighed(straight: DVec3, size: f64) -> (DVec3, f64) {
+    let inverse = (straight.length() + SHORT * size).recip();
+    (straight * inverse, inverse)
 }
 
-/// The equation e·axis = 0 by the unknowns of its own surface; `inverse` is 1 over the straight part's length, negative where its beginning moves.
-fn equation(system: &mut BandedSystem, row: usize, e: DVec3, inverse: f64, axis: DVec3, column: usize, by: [(DVec3, DVec3); BLOCK]) {
-    let error = e.dot(axis);
-    let square = (axis - e * error) * inverse;
+/// The equation w·axis / (|w| + μ) = 0 by the unknowns of its own surface; `sign` is negative where its beginning moves. `w` is weighed.
+fn equation(system: &mut BandedSystem, row: usize, (w, inverse): (DVec3, f64), sign: f64, axis: DVec3, by: [(DVec3, DVec3); BLOCK]) {
+    let error = w.dot(axis);
+    let square = (axis - w.normalize_or_zero() * error) * (sign * inverse);
+    let column = row / BLOCK * BLOCK;
     for (offset, (point, turned)) in by.into_iter().enumerate() {
-        system.set(row, column + offset, point.dot(square) + e.dot(turned));
+        system.set(row, column + offset, point.dot(square) + w.dot(turned));
     }
     if let Some(value) = system.values.get_mut(row) {
         *value = -error;
@@ -259,14 +268,23 @@ fn equation(system: &mut BandedSystem, row: usize, e: DVec3, inverse: f64, axis:
 }
 
 /// The same equation by the unknowns of a neighbour, which move the other end of the straight part.
-fn neighbour(system: &mut BandedSystem, row: usize, e: DVec3, inverse: f64, axis: DVec3, column: usize, by: &[Variation; BLOCK]) {
-    let square = (axis - e * e.dot(axis)) * inverse;
+fn neighbour(
+    system: &mut BandedSystem,
+    row: usize,
+    (w, inverse): (DVec3, f64),
+    sign: f64,
+    axis: DVec3,
+    column: usize,
+    by: &[Variation; BLOCK],
+) {
+    let square = (axis - w.normalize_or_zero() * w.dot(axis)) * (sign * inverse);
     for (offset, variation) in by.iter().enumerate() {
         system.set(row, column + offset, variation.point.dot(square));
     }
 }
 
-/// The sum of squares of the path error, its largest component, and whether all straight parts run on with the geodesics.
+/// The sum of squares of the equations' errors, the largest sine between a straight part and its geodesic, and whether all straight parts run on with the
+/// geodesics.
 fn path_error(from: DVec3, to: DVec3, surfaces: &[Placed], contacts: &[Contact]) -> (f64, f64, bool) {
     let (mut square, mut largest, mut forwards) = (0.0, 0.0_f64, true);
     let mut before = from;
@@ -276,11 +294,12 @@ fn path_error(from: DVec3, to: DVec3, surfaces: &[Placed], contacts: &[Contact])
         for (straight, point, tangent) in
             [(first - before, contact.start.point, contact.start.tangent), (after - last, contact.end.point, contact.end.tangent)]
         {
-            let (e, _) = direction(placed.rotation.transpose() * straight, tangent);
+            let (w, _) = weighed(placed.rotation.transpose() * straight, placed.shape.size());
+            let e = w.normalize_or(tangent);
             let normal = placed.shape.normal(point);
-            for error in [e.dot(normal), e.dot(tangent.cross(normal))] {
-                square += error * error;
-                largest = largest.max(error.abs());
+            for axis in [normal, tangent.cross(normal)] {
+                square += w.dot(axis).powi(2);
+                largest = largest.max(e.dot(axis).abs());
             }
             forwards &= e.dot(tangent) > 0.0;
         }

@@ -244,3 +244,6 @@ impl Solution {
         rate + along(before, stretch.end).dot(velocity(stretch.end_body, stretch.end) - before_velocity)
     }
 }
+
+#[cfg(test)]
+impl Arc { pub(super) fn changes(&self) -> String { format!("size {:.3}/{:.3} shift {:.3} {}", self.placed.shape.size(), self.given.placed.shape.size(), self.placed.center - self.given.placed.center, matches!(self.placed.shape, Shape::Ellipsoid(_))) } }

@@ -67,6 +67,9 @@ const NEAR: f64 = 0.8;
 const SOUND: f64 = 1.2;
 /// Of a surface that the estimate says is cleared, the longest arc in radii.
 const ALMOST: f64 = 0.3;
+/// Reversals of straight parts that run back, and the path error from which they are worth it.
+const REVERSALS: usize = 2;
+const REVERSED: f64 = 1e-3;
 /// Runs of Newton's method on surfaces that grow from small ones.
 const GROWTHS: usize = 32;
 /// A surface that stopped acting so often in one run stays so.
@@ -189,7 +192,13 @@ impl StretchSolver {
                 self.contacts.push(contact);
             }
         }
-        let convergence = self.newton.solve(from, to, &self.surfaces, &mut self.contacts);
+        let mut convergence = self.newton.solve(from, to, &self.surfaces, &mut self.contacts);
+        for _ in 0..REVERSALS {
+            if convergence.converged || convergence.error() > REVERSED || !turn_forwards(from, to, &self.surfaces, &mut self.contacts) {
+                break;
+            }
+            convergence = self.newton.solve(from, to, &self.surfaces, &mut self.contacts);
+        }
         for (index, contact) in self.active.iter().zip(&self.contacts) {
             if let Some(slot) = self.slots.get_mut(*index) {
                 slot.contact = Some(*contact);
@@ -327,6 +336,34 @@ impl StretchSolver {
         }
         outcome
     }
+}
+
+/// Newton's method may come to the wrong one of two tangents from a point close by, with a straight part that runs back against the geodesic. Takes such
+/// geodesics back by twice the straight part, near to where the right one touches. Tells whether there were any.
+fn turn_forwards(from: DVec3, to: DVec3, surfaces: &[Placed], contacts: &mut [Contact]) -> bool {
+    let mut any = false;
+    let mut before = from;
+    for index in 0..contacts.len() {
+        let after = surfaces.get(index + 1).zip(contacts.get(index + 1)).map_or(to, |(placed, next)| placed.to_world(next.start.point));
+        let (Some(placed), Some(contact)) = (surfaces.get(index), contacts.get_mut(index)) else { break };
+        let turned = |vector: DVec3| placed.rotation.transpose() * vector;
+        let (first, last) = (placed.to_world(contact.start.point), placed.to_world(contact.end.point));
+        let (into, out) = (turned(first - before), turned(after - last));
+        before = last;
+        let mut start = contact.start;
+        if out.dot(contact.end.tangent) < 0.0 {
+            start.length -= 2.0 * out.length();
+        }
+        if into.dot(contact.start.tangent) < 0.0 {
+            let on = placed.shape.shoot(&GeodesicStart { length: 2.0 * into.length(), ..start });
+            start = GeodesicStart { point: on.point, tangent: on.tangent, length: start.length - 2.0 * into.length() };
+        }
+        if start != contact.start {
+            *contact = Contact::new(&placed.shape, start);
+            any = true;
+        }
+    }
+    any
 }
 
 /// A start on a surface that has changed its size.

@@ -10,7 +10,8 @@
 //! **A side.** Map sphere and ellipsoid to the unit sphere, the cylinder to the unit circle. Let the straight line from end to end pass the centre at height
 //! h towards the side and at offset u square to both. On its side, and within 45° of it (h > |u|), nothing yields: the path is the shortest one. When the line
 //! goes to the other side (h < 0) the path stays on its own, over the surface. No round surface holds it there: the path would slip off sideways. So between
-//! h = |u| and h = 0 the surface is drawn out along u until it is a cylinder, which a path can lie on anywhere, and moved along by u. Where the line is far out
+//! h = |u| and h = 0 the surface is drawn out along u until it is a cylinder, which a path can lie on anywhere, and moved along by u,
+//! and shrunk where that has reached an end. Where the line is far out
 //! (|u| from ½ to 1), or ends near the surface (its foot less than ½ from an end), the surface shrinks and moves to the line, until it does not act at all; so
 //! that a line beyond it is free on any side.
 
@@ -162,5 +163,13 @@ fn beside(side: DVec3, from: DualVec, to: DualVec, flat: bool) -> Option<Yieldin
     let lost = Dual::ONE - keeps;
     let scale = Dual::ONE - yields * lost;
     let shift = across * (offset * yields) + up * (lost * height.min(Dual::ZERO));
-    Some(Yielding { scale, shift, across, squeeze: if flat { Dual::ONE } else { Dual::ONE - yields } })
+    let squeeze = if flat { Dual::ONE } else { Dual::ONE - yields };
+    // What is drawn out may have reached an end.
+    let kept = |point: DualVec| {
+        let from_center = point - shift;
+        let unit = from_center + across * ((squeeze - Dual::ONE) * across.dot(from_center));
+        unit.length() * Dual::constant(1.0 - CLEARANCE)
+    };
+    let scale = scale.min(kept(from)).min(kept(to));
+    Some(Yielding { scale, shift, across, squeeze })
 }

@@ -107,11 +107,12 @@ fn explore() {
             let warm = problem.solve(&mut solver, turn).clone();
             let ok = warm.status == Status::Converged;
             let rate = warm.length_rate(|body, point| problem.velocity(turn, body, point));
-            if !ok { counts[0] += 1; }
+            if !ok { counts[0] += 1; if only.is_some() && counts[0] < 4 { println!("trial step {step} err {:.1e} inside {:?} arcs {:?}", warm.path_error, warm.inside(), warm.arcs().iter().map(|a| format!("{} {:.3} {:.2}->{:.2}", a.surface, a.length, a.start, a.end)).collect::<Vec<_>>()); for st in warm.stretches() { println!("trial   from {:.2} to {:.2}", st.start, st.end); } for s in &problem.surfaces { let c = problem.moved(turn, s.body, s.center); println!("trial   {:.2?} {c:.2} body {}", s.surface, s.body); } } }
             if let Some((l, r, o)) = old {
                 let jump = (warm.length - l - 0.5 * (r + rate) * 2.0 * STEP).abs();
                 if jump > 1e-4 + (rate - r).abs() * STEP * 2.0 { counts[1] += 1; if first.len() < 3 || only.is_some() { first.push(format!("step {step} jump {jump:.1e} ok {o} {ok} rates {r:.3} {rate:.3}")); } }
             }
+            if only.is_some() && std::env::var("AT").is_ok_and(|at| (at.parse::<i32>().unwrap() - step).abs() < 2) { println!("trial at {step} L {} {:?}", warm.length, warm.arcs().iter().map(|a| format!("{} {:.4} {:.3}->{:.3} {}", a.surface, a.length, a.start, a.end, a.changes())).collect::<Vec<_>>()); }
             old = Some((warm.length, rate, ok));
             if ok && step % 5 == 0 {
                 let mut c = PathSolver::new();
