@@ -49,6 +49,11 @@ impl Ellipsoid {
         }
     }
 
+    /// T of a point.
+    pub(super) fn to_unit(&self, point: DVec3) -> DVec3 {
+        self.to_unit * point
+    }
+
     /// The surface multiplied by `factor`.
     pub(super) fn scaled(&self, factor: f64) -> Self {
         let inverse = factor.recip();

@@ -125,4 +125,15 @@ impl Shape {
     pub(super) fn is_exact(&self) -> bool {
         matches!(self, Shape::Sphere(_) | Shape::Cylinder(_))
     }
+
+    /// How far from the centre (axis) a straight line passes, in radii; `None` of a shape that has but one way round.
+    pub(super) fn passes(&self, from: DVec3, to: DVec3) -> Option<f64> {
+        let (from, to) = match self {
+            Shape::Sphere(radius) => (from / *radius, to / *radius),
+            Shape::Cylinder(radius) => (from.with_z(0.0) / *radius, to.with_z(0.0) / *radius),
+            Shape::Ellipsoid(ellipsoid) => (ellipsoid.to_unit(from), ellipsoid.to_unit(to)),
+            Shape::Torus(_) => return None,
+        };
+        Some(from.reject_from_normalized((to - from).try_normalize()?).length())
+    }
 }

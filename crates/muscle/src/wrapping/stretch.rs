@@ -27,17 +27,19 @@ pub(super) struct Slot {
     pub contact: Option<Contact>,
     /// The estimate of the arc by the closed forms.
     touch: Option<Touch>,
+    /// The way round that is being tried, in place of the side.
+    way: Option<DVec3>,
     /// How often it stopped acting in one run.
     dropped: usize,
 }
 
 impl Slot {
     pub(super) fn new(surface: usize, placed: Placed, side: Option<DVec3>, warm: Option<GeodesicStart>) -> Self {
-        Self { surface, placed, side, warm, contact: None, touch: None, dropped: 0 }
+        Self { surface, placed, side, warm, contact: None, touch: None, way: None, dropped: 0 }
     }
 
     fn touch(&self, from: DVec3, to: DVec3) -> Option<Touch> {
-        self.placed.shape.touch(self.placed.to_local(from), self.placed.to_local(to), self.side)
+        self.placed.shape.touch(self.placed.to_local(from), self.placed.to_local(to), self.way.or(self.side))
     }
 }
 
@@ -67,6 +69,10 @@ const NEAR: f64 = 0.8;
 const SOUND: f64 = 1.2;
 /// Of a surface that the estimate says is cleared, the longest arc in radii.
 const ALMOST: f64 = 0.3;
+/// A straight line that passes nearer to the centre than this share of the radius may have a shorter way round.
+const CENTRAL: f64 = 0.9;
+/// Another way is taken where it is shorter by more than this share: rounding decides nothing.
+const SHORTER: f64 = 1e-13;
 /// Reversals of straight parts that run back, and the path error from which they are worth it.
 const REVERSALS: usize = 2;
 const REVERSED: f64 = 1e-3;
@@ -83,6 +89,8 @@ pub(super) struct StretchSolver {
     pub slots: Vec<Slot>,
     /// Those that act now.
     active: Vec<usize>,
+    /// The slots of the shortest path so far, while another is tried.
+    saved: Vec<Slot>,
     surfaces: Vec<Placed>,
     contacts: Vec<Contact>,
 }
@@ -106,13 +114,67 @@ impl StretchSolver {
         if self.slots.iter().all(|slot| slot.touch.is_none()) {
             return Outcome::EXACT;
         }
-        let warm = self.start(true);
+        // Where the path has a choice of ways, the last one must not decide which is found.
+        let choice = self.slots.len() > 1 && self.slots.iter().any(|slot| slot.side.is_none() && !matches!(slot.placed.shape, Shape::Torus(_)));
+        let warm = self.start(!choice);
         let mut outcome = self.settle(from, to);
         if !outcome.converged && warm {
             self.start(false);
             outcome = self.settle(from, to);
         }
-        if outcome.converged { outcome } else { self.grow(from, to) }
+        if !outcome.converged {
+            outcome = self.grow(from, to);
+        }
+        if self.slots.len() > 1 && outcome.converged { self.shortest_way(from, to, outcome) } else { outcome }
+    }
+
+    /// Of several surfaces each estimate takes the way round that is nearer for its own neighbours, which need not be the shorter one for the whole. Where the
+    /// path has a choice, the opposite way is tried too.
+    fn shortest_way(&mut self, from: DVec3, to: DVec3, outcome: Outcome) -> Outcome {
+        let (mut best, mut shortest) = (outcome, self.length(from, to));
+        let count = self.slots.len();
+        for index in (0..2 * count).map(|turn| turn % count) {
+            let Some(way) = self.other_way(from, to, index) else { continue };
+            self.saved.clone_from(&self.slots);
+            if let Some(slot) = self.slots.get_mut(index) {
+                slot.way = Some(way);
+            }
+            self.estimate(from, to);
+            self.start(false);
+            let outcome = self.settle(from, to);
+            let length = self.length(from, to);
+            if outcome.converged && length < shortest * (1.0 - SHORTER) {
+                (best, shortest) = (outcome, length);
+            } else {
+                std::mem::swap(&mut self.slots, &mut self.saved);
+            }
+        }
+        best
+    }
+
+    /// A direction in a surface's frame that the other way over it passes on; `None` where there is none that may be shorter.
+    fn other_way(&self, from: DVec3, to: DVec3, index: usize) -> Option<DVec3> {
+        let slot = self.slots.get(index).filter(|slot| slot.side.is_none())?;
+        let contact = slot.contact?;
+        let placed = slot.placed;
+        let (before, after) = self.slots.split_at_checked(index)?;
+        let before = before.iter().rev().find_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.end.point)));
+        let after = after.iter().skip(1).find_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.start.point)));
+        let passes = placed.shape.passes(placed.to_local(before.unwrap_or(from)), placed.to_local(after.unwrap_or(to)))?;
+        let up = placed.shape.normal(contact.start.point) + placed.shape.normal(contact.end.point);
+        (passes < CENTRAL).then_some(-up)
+    }
+
+    /// The length of the path.
+    fn length(&self, from: DVec3, to: DVec3) -> f64 {
+        let (mut length, mut before) = (0.0, from);
+        for slot in &self.slots {
+            if let Some(contact) = slot.contact {
+                length += before.distance(slot.placed.to_world(contact.start.point)) + contact.start.length;
+                before = slot.placed.to_world(contact.end.point);
+            }
+        }
+        length + before.distance(to)
     }
 
     /// Estimates all arcs, each from those beside it, until they no longer change.
@@ -277,12 +339,8 @@ impl StretchSolver {
             if !outcome.converged {
                 continue;
             }
-            let (length, contact) = if contact.start.length <= 0.0 {
-                (from.distance(to), None)
-            } else {
-                let (first, last) = (placed.to_world(contact.start.point), placed.to_world(contact.end.point));
-                (from.distance(first) + contact.start.length + last.distance(to), Some(contact))
-            };
+            let (length, contact) =
+                if contact.start.length <= 0.0 { (from.distance(to), None) } else { (self.length(from, to), Some(contact)) };
             if best.is_none_or(|(least, ..)| length < least) {
                 best = Some((length, outcome, contact));
             }
