@@ -125,13 +125,14 @@ impl StretchSolver {
         if !outcome.converged {
             outcome = self.grow(from, to);
         }
-        if self.slots.len() > 1 && outcome.converged { self.shortest_way(from, to, outcome) } else { outcome }
+        if self.slots.len() > 1 { self.shortest_way(from, to, outcome) } else { outcome }
     }
 
     /// Of several surfaces each estimate takes the way round that is nearer for its own neighbours, which need not be the shorter one for the whole. Where the
     /// path has a choice, the opposite way is tried too.
     fn shortest_way(&mut self, from: DVec3, to: DVec3, outcome: Outcome) -> Outcome {
-        let (mut best, mut shortest) = (outcome, self.length(from, to));
+        let mut best = outcome;
+        let mut shortest = if outcome.converged { self.length(from, to) } else { f64::INFINITY };
         let count = self.slots.len();
         for index in (0..2 * count).map(|turn| turn % count) {
             let Some(way) = self.other_way(from, to, index) else { continue };
@@ -141,7 +142,10 @@ impl StretchSolver {
             }
             self.estimate(from, to);
             self.start(false);
-            let outcome = self.settle(from, to);
+            let mut outcome = self.settle(from, to);
+            if !outcome.converged {
+                outcome = self.grow(from, to);
+            }
             let length = self.length(from, to);
             if outcome.converged && length < shortest * (1.0 - SHORTER) {
                 (best, shortest) = (outcome, length);
