@@ -109,12 +109,22 @@ impl Ellipsoid {
     pub(super) fn touch_turned(&self, from: DVec3, to: DVec3, turn: f64) -> Option<Touch> {
         let (from, to) = (self.to_unit * from, self.to_unit * to);
         let along = (to - from).try_normalize()?;
+        let up = from.reject_from_normalized(along).try_normalize().unwrap_or_else(|| along.any_orthonormal_vector());
+        self.touch_by(from, to, up * turn.cos() + along.cross(up) * turn.sin())
+    }
+
+    /// The same on the way round that a direction shows.
+    pub(super) fn touch_on(&self, from: DVec3, to: DVec3, way: DVec3) -> Option<Touch> {
+        self.touch_by(self.to_unit * from, self.to_unit * to, self.to_unit * way)
+    }
+
+    fn touch_by(&self, from: DVec3, to: DVec3, up: DVec3) -> Option<Touch> {
+        let along = (to - from).try_normalize()?;
         let out = from.reject_from_normalized(along);
+        let up = up.reject_from_normalized(along).try_normalize()?;
         if out.length_squared() >= 1.0 {
             return None;
         }
-        let up = out.try_normalize().unwrap_or_else(|| along.any_orthonormal_vector());
-        let up = (up * turn.cos() + along.cross(up) * turn.sin()).reject_from_normalized(along).try_normalize()?;
         // The section by the plane of the straight line and `up`, a smaller circle where that misses the centre.
         let center = out - out.project_onto_normalized(up);
         let radius = (1.0 - center.length_squared()).max(0.0).sqrt();

@@ -3,9 +3,9 @@
 //! A surface acts when the straight line between its neighbours' contact points runs into it, and stops acting when its geodesic has no length left. At the
 //! moment of either, the geodesic is a point and the straight parts are one line, so that length and direction go on without a jump.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::geodesic::GeodesicStart;
 use super::guess::Touch;
@@ -38,8 +38,17 @@ impl Slot {
         Self { surface, placed, side, warm, contact: None, touch: None, way: None, dropped: 0 }
     }
 
+    /// Whether the path may go round either way.
+    fn has_ways(&self) -> bool {
+        self.side.is_none() && !matches!(self.placed.shape, Shape::Torus(_))
+    }
+
     fn touch(&self, from: DVec3, to: DVec3) -> Option<Touch> {
-        self.placed.shape.touch(self.placed.to_local(from), self.placed.to_local(to), self.way.or(self.side))
+        let (from, to) = (self.placed.to_local(from), self.placed.to_local(to));
+        match (self.placed.shape, self.way) {
+            (Shape::Ellipsoid(ellipsoid), Some(way)) => ellipsoid.touch_on(from, to, way),
+            (shape, way) => shape.touch(from, to, way.or(self.side)),
+        }
     }
 }
 
@@ -71,6 +80,8 @@ const SOUND: f64 = 1.2;
 const ALMOST: f64 = 0.3;
 /// A straight line that passes nearer to the centre than this share of the radius may have a shorter way round.
 const CENTRAL: f64 = 0.9;
+/// Sides of the straight line that are tried.
+const SIDES: u32 = 6;
 /// Another way is taken where it is shorter by more than this share: rounding decides nothing.
 const SHORTER: f64 = 1e-13;
 /// Reversals of straight parts that run back, and the path error from which they are worth it.
@@ -115,7 +126,7 @@ impl StretchSolver {
             return Outcome::EXACT;
         }
         // Where the path has a choice of ways, the last one must not decide which is found.
-        let choice = self.slots.len() > 1 && self.slots.iter().any(|slot| slot.side.is_none() && !matches!(slot.placed.shape, Shape::Torus(_)));
+        let choice = self.slots.len() > 1 && self.slots.iter().any(Slot::has_ways);
         let warm = self.start(!choice);
         let mut outcome = self.settle(from, to);
         if !outcome.converged && warm {
@@ -133,27 +144,43 @@ impl StretchSolver {
     fn shortest_way(&mut self, from: DVec3, to: DVec3, outcome: Outcome) -> Outcome {
         let mut best = outcome;
         let mut shortest = if outcome.converged { self.length(from, to) } else { f64::INFINITY };
+        if !self.slots.iter().any(Slot::has_ways) {
+            return best;
+        }
+        // All on the same side of the straight line, for sides round it; then one after the other.
+        let along = (to - from).normalize_or(DVec3::X);
+        let across = along.any_orthonormal_vector();
+        for turn in 0..SIDES {
+            let side = DQuat::from_axis_angle(along, f64::from(turn) * TAU / f64::from(SIDES)) * across;
+            self.try_ways(from, to, &mut best, &mut shortest, |_, slot| slot.has_ways().then(|| slot.placed.rotation.transpose() * side));
+        }
         let count = self.slots.len();
         for index in (0..2 * count).map(|turn| turn % count) {
-            let Some(way) = self.other_way(from, to, index) else { continue };
-            self.saved.clone_from(&self.slots);
-            if let Some(slot) = self.slots.get_mut(index) {
-                slot.way = Some(way);
-            }
-            self.estimate(from, to);
-            self.start(false);
-            let mut outcome = self.settle(from, to);
-            if !outcome.converged {
-                outcome = self.grow(from, to);
-            }
-            let length = self.length(from, to);
-            if outcome.converged && length < shortest * (1.0 - SHORTER) {
-                (best, shortest) = (outcome, length);
-            } else {
-                std::mem::swap(&mut self.slots, &mut self.saved);
+            if let Some(way) = self.other_way(from, to, index) {
+                self.try_ways(from, to, &mut best, &mut shortest, |place, slot| if place == index { Some(way) } else { slot.way });
             }
         }
         best
+    }
+
+    /// Solves with other ways round, and keeps the path if it is shorter.
+    fn try_ways(&mut self, from: DVec3, to: DVec3, best: &mut Outcome, shortest: &mut f64, way: impl Fn(usize, &Slot) -> Option<DVec3>) {
+        self.saved.clone_from(&self.slots);
+        for (index, slot) in self.slots.iter_mut().enumerate() {
+            slot.way = way(index, slot);
+        }
+        self.estimate(from, to);
+        self.start(false);
+        let mut outcome = self.settle(from, to);
+        if !outcome.converged {
+            outcome = self.grow(from, to);
+        }
+        let length = self.length(from, to);
+        if outcome.converged && length < *shortest * (1.0 - SHORTER) {
+            (*best, *shortest) = (outcome, length);
+        } else {
+            std::mem::swap(&mut self.slots, &mut self.saved);
+        }
     }
 
     /// A direction in a surface's frame that the other way over it passes on; `None` where there is none that may be shorter.
