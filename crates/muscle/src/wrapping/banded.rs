@@ -94,13 +94,14 @@ mod tests {
         let mut system = BandedSystem::default();
         system.reset(size);
         let mut dense = vec![vec![0.0; size]; size];
-        for row in 0..size {
+        for (row, coefficients) in dense.iter_mut().enumerate() {
             let block = row / BLOCK * BLOCK;
-            for column in block.saturating_sub(BLOCK)..(block + 2 * BLOCK).min(size) {
+            for (column, coefficient) in coefficients.iter_mut().enumerate() {
                 // A diagonal of zeros: rows have to be exchanged.
-                let value = if row == column { 0.0 } else { next() };
-                dense[row][column] = value;
-                system.set(row, column, value);
+                if column != row && column + BLOCK >= block && column < block + 2 * BLOCK {
+                    *coefficient = next();
+                    system.set(row, column, *coefficient);
+                }
             }
         }
         let right: Vec<f64> = (0..size).map(|_| next()).collect();

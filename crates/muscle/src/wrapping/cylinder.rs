@@ -3,9 +3,9 @@
 use glam::{DMat2, DVec2, DVec3};
 
 use super::geodesic::{GeodesicEnd, GeodesicStart};
-use super::guess::Touch;
 use super::shape::Curvature;
 use super::sphere::contact_angles;
+use super::touch::Touch;
 
 /// The shape operator: 1/R round the axis, 0 along it.
 pub(super) fn curvature(radius: f64, point: DVec3, tangent: DVec3, binormal: DVec3) -> Curvature {

@@ -3,9 +3,9 @@
 use glam::{DMat3, DVec3};
 
 use super::geodesic::{Bend, GeodesicEnd, GeodesicStart, integrate};
-use super::guess::Touch;
 use super::shape::Curvature;
 use super::sphere;
+use super::touch::Touch;
 
 /// The surface |T x| = 1, where T x = x / radii with the component along one direction squeezed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +26,9 @@ pub(super) struct Ellipsoid {
 
 /// An ellipsoid that is drawn out more than this is taken as a cylinder: its ends curve by less than the square of it.
 const DRAWN: f64 = 1e-6;
+
+/// A line that passes nearer to the centre than this, in radii, passes on no side.
+const CENTRAL: f64 = 1e-9;
 
 impl Ellipsoid {
     pub(super) fn new(radii: DVec3) -> Self {
@@ -50,7 +53,7 @@ impl Ellipsoid {
     }
 
     /// T of a point.
-    pub(super) fn to_unit(&self, point: DVec3) -> DVec3 {
+    pub(super) fn mapped(&self, point: DVec3) -> DVec3 {
         self.to_unit * point
     }
 
@@ -90,10 +93,20 @@ impl Ellipsoid {
     }
 
     /// The path over the unit sphere that T makes of the ellipsoid, mapped back. Straight parts and the condition of touching are exact, as the map is linear;
-    /// the arc is a section through the centre, which is a geodesic only where there is symmetry.
+    /// the arc is a plane section, which is a geodesic only where there is symmetry. The plane is that of the straight line and of the surface's normal over
+    /// the middle of it: the centre says nothing of a long ellipsoid that is crossed near a tip.
     pub(super) fn touch(&self, from: DVec3, to: DVec3, side: Option<DVec3>) -> Option<Touch> {
+        let Some(axis) = self.axis else {
+            let (from, to) = (self.to_unit * from, self.to_unit * to);
+            let along = (to - from).try_normalize()?;
+            let out = from.reject_from_normalized(along);
+            let normal = self.to_unit * self.gradient(self.from_unit * out);
+            let up = if out.length() > CENTRAL { normal } else { side.unwrap_or_else(|| along.any_orthonormal_vector()) };
+            let up = up.reject_from_normalized(along);
+            let away = side.is_some_and(|side| up.dot(side) < 0.0);
+            return self.touch_by(from, to, if away { -up } else { up });
+        };
         let touch = sphere::touch(1.0, self.to_unit * from, self.to_unit * to, side)?;
-        let Some(axis) = self.axis else { return Some(touch.mapped(self.from_unit, DVec3::ZERO)) };
         // Along the axis of a cylinder the path advances evenly with its length across.
         let (from, to) = (from / self.radii, to / self.radii);
         let flat = |point: DVec3| point.reject_from_normalized(axis);

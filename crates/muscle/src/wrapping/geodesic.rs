@@ -106,7 +106,13 @@ pub(super) fn integrate(
         let sharpness = sharpness(state.point, state.tangent);
         let wanted = (STEP / sharpness).min(proven).max(shortest);
         // Of what is left, two even steps are better than a long and a tiny one.
-        let size = if left <= wanted { left } else if left < 2.0 * wanted { 0.5 * left } else { wanted };
+        let size = if left <= wanted {
+            left
+        } else if left < 2.0 * wanted {
+            0.5 * left
+        } else {
+            wanted
+        };
         let moved = step(&state, size.copysign(start.length), &rate);
         let point = project(moved.point);
         let normal = normal(point).normalize_or(DVec3::X);
@@ -137,20 +143,11 @@ fn step(y: &State, h: f64, rate: &impl Fn(&State) -> State) -> State {
     let k3 = &rate(&y.moved(h, [1.0 / 4.0, 1.0 / 4.0], [k1, k2]));
     let k4 = &rate(&y.moved(h, [1.0 / 7.0, (-7.0 - 3.0 * S) / 98.0, (21.0 + 5.0 * S) / 49.0], [k1, k2, k3]));
     let k5 = &rate(&y.moved(h, [(11.0 + S) / 84.0, (18.0 + 4.0 * S) / 63.0, (21.0 - S) / 252.0], [k1, k3, k4]));
-    let k6 = &rate(&y.moved(
-        h,
-        [(5.0 + S) / 48.0, (9.0 + S) / 36.0, (-231.0 + 14.0 * S) / 360.0, (63.0 - 7.0 * S) / 80.0],
-        [k1, k3, k4, k5],
-    ));
+    let k6 =
+        &rate(&y.moved(h, [(5.0 + S) / 48.0, (9.0 + S) / 36.0, (-231.0 + 14.0 * S) / 360.0, (63.0 - 7.0 * S) / 80.0], [k1, k3, k4, k5]));
     let k7 = &rate(&y.moved(
         h,
-        [
-            (10.0 - S) / 42.0,
-            (-432.0 + 92.0 * S) / 315.0,
-            (633.0 - 145.0 * S) / 90.0,
-            (-504.0 + 115.0 * S) / 70.0,
-            (63.0 - 13.0 * S) / 35.0,
-        ],
+        [(10.0 - S) / 42.0, (-432.0 + 92.0 * S) / 315.0, (633.0 - 145.0 * S) / 90.0, (-504.0 + 115.0 * S) / 70.0, (63.0 - 13.0 * S) / 35.0],
         [k1, k3, k4, k5, k6],
     ));
     let k8 = &rate(&y.moved(h, [1.0 / 14.0, (14.0 - 3.0 * S) / 126.0, (13.0 - 3.0 * S) / 63.0, 1.0 / 9.0], [k1, k5, k6, k7]));

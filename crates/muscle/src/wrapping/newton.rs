@@ -183,7 +183,8 @@ impl Newton {
             for _ in 0..HALVINGS {
                 self.trial.clear();
                 let moves = self.system.values.chunks_exact(BLOCK);
-                self.trial.extend(surfaces.iter().zip(&*contacts).zip(moves).map(|((placed, contact), by)| moved(placed, contact, by, factor)));
+                self.trial
+                    .extend(surfaces.iter().zip(&*contacts).zip(moves).map(|((placed, contact), by)| moved(placed, contact, by, factor)));
                 let (trial_square, trial_largest, trial_forwards) = path_error(from, to, surfaces, &self.trial);
                 if trial_square < square * (1.0 - 1e-3 * factor) {
                     (square, largest, forwards) = (trial_square, trial_largest, trial_forwards);

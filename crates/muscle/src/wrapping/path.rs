@@ -150,9 +150,5 @@ fn yielded(placed: &Placed, yielding: &Yielding) -> Placed {
     if *yielding == Yielding::NONE {
         return *placed;
     }
-    Placed {
-        shape: yielding.changed(&placed.shape),
-        rotation: placed.rotation,
-        center: placed.to_world(yielding.shift.value),
-    }
+    Placed { shape: yielding.changed(&placed.shape), rotation: placed.rotation, center: placed.to_world(yielding.shift.value) }
 }

@@ -4,9 +4,9 @@ use glam::DVec3;
 
 use super::ellipsoid::Ellipsoid;
 use super::geodesic::{GeodesicEnd, GeodesicStart};
-use super::guess::Touch;
 use super::surface::Surface;
 use super::torus::Torus;
+use super::touch::Touch;
 use super::{cylinder, ellipsoid, sphere, torus};
 
 /// Smallest and largest radius of a surface that acts: their squares and fourth powers neither vanish nor overflow.
@@ -14,6 +14,7 @@ const RADIUS: std::ops::RangeInclusive<f64> = 1e-50..=1e50;
 
 /// A surface whose radii are sound, in its own frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "a handful of them live at a time, and a box would be memory asked for in each solution")]
 pub(super) enum Shape {
     /// Radius.
     Sphere(f64),
@@ -45,10 +46,10 @@ impl Shape {
         match *surface {
             Surface::Sphere { radius } => sound(radius).then_some(Shape::Sphere(radius)),
             Surface::Cylinder { radius, .. } => sound(radius).then_some(Shape::Cylinder(radius)),
-            Surface::Ellipsoid { radii } => {
-                radii.to_array().into_iter().all(sound).then(|| Shape::Ellipsoid(Ellipsoid::new(radii)))
+            Surface::Ellipsoid { radii } => radii.to_array().into_iter().all(sound).then(|| Shape::Ellipsoid(Ellipsoid::new(radii))),
+            Surface::Torus { major, minor } => {
+                (sound(major) && sound(minor) && minor < major).then_some(Shape::Torus(Torus { major, minor }))
             }
-            Surface::Torus { major, minor } => (sound(major) && sound(minor) && minor < major).then_some(Shape::Torus(Torus { major, minor })),
         }
     }
 
@@ -131,7 +132,7 @@ impl Shape {
         let (from, to) = match self {
             Shape::Sphere(radius) => (from / *radius, to / *radius),
             Shape::Cylinder(radius) => (from.with_z(0.0) / *radius, to.with_z(0.0) / *radius),
-            Shape::Ellipsoid(ellipsoid) => (ellipsoid.to_unit(from), ellipsoid.to_unit(to)),
+            Shape::Ellipsoid(ellipsoid) => (ellipsoid.mapped(from), ellipsoid.mapped(to)),
             Shape::Torus(_) => return None,
         };
         Some(from.reject_from_normalized((to - from).try_normalize()?).length())

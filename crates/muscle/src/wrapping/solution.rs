@@ -6,8 +6,8 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::dual::DualVec;
+use super::geodesic::GeodesicStart;
 use super::newton::{Contact, Placed};
-use super::shape::Shape;
 use super::yielding::Yielding;
 
 /// Whether a solution can be relied on.
@@ -129,7 +129,7 @@ impl Arc {
         start.length /= count.saturating_sub(1).max(1) as f64;
         let points = iter::successors(Some(start), move |start| {
             let end = self.placed.shape.shoot(start);
-            Some(super::geodesic::GeodesicStart { point: end.point, tangent: end.tangent, length: start.length })
+            Some(GeodesicStart { point: end.point, tangent: end.tangent, length: start.length })
         });
         points.take(count).map(|start| self.placed.to_world(start.point))
     }
@@ -244,6 +244,3 @@ impl Solution {
         rate + along(before, stretch.end).dot(velocity(stretch.end_body, stretch.end) - before_velocity)
     }
 }
-
-#[cfg(test)]
-impl Arc { pub(super) fn changes(&self) -> String { format!("size {:.3}/{:.3} shift {:.3} {}", self.placed.shape.size(), self.given.placed.shape.size(), self.placed.center - self.given.placed.center, matches!(self.placed.shape, Shape::Ellipsoid(_))) } }

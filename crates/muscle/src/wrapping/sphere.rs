@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use glam::{DVec2, DVec3};
 
 use super::geodesic::{GeodesicEnd, GeodesicStart};
-use super::guess::Touch;
+use super::touch::Touch;
 
 /// Nearer to the centre than this share of the radius, a line passes on no side.
 const CENTRAL: f64 = 1e-9;

@@ -8,9 +8,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::{DQuat, DVec3};
 
 use super::geodesic::GeodesicStart;
-use super::guess::Touch;
 use super::newton::{Contact, Newton, Placed};
 use super::shape::Shape;
+use super::touch::Touch;
 
 /// A surface that may act on the stretch.
 #[derive(Debug, Clone, Copy)]
@@ -172,7 +172,7 @@ impl StretchSolver {
         self.estimate(from, to);
         self.start(false);
         let mut outcome = self.settle(from, to);
-        if !outcome.converged {
+        if !outcome.converged && !best.converged {
             outcome = self.grow(from, to);
         }
         let length = self.length(from, to);

@@ -6,8 +6,8 @@ use glam::{DVec2, DVec3};
 
 use super::cylinder;
 use super::geodesic::{Bend, GeodesicEnd, GeodesicStart, integrate};
-use super::guess::Touch;
 use super::shape::Curvature;
+use super::touch::Touch;
 
 /// Radii of the middle circle of the tube, and of the tube.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,18 +31,18 @@ impl Torus {
     }
 
     /// From the middle of the tube to a point.
-    fn from_tube(&self, point: DVec3) -> DVec3 {
+    fn tube_offset(&self, point: DVec3) -> DVec3 {
         let (radial, _) = Self::radial(point);
         point - radial * self.major
     }
 
     /// Distance of a point from the middle circle of the tube.
     pub(super) fn tube_distance(&self, point: DVec3) -> f64 {
-        self.from_tube(point).length()
+        self.tube_offset(point).length()
     }
 
     pub(super) fn normal(&self, point: DVec3) -> DVec3 {
-        self.from_tube(point).normalize_or(DVec3::Z)
+        self.tube_offset(point).normalize_or(DVec3::Z)
     }
 
     pub(super) fn project(&self, point: DVec3) -> DVec3 {

@@ -72,7 +72,11 @@ impl Yielding {
             Shape::Ellipsoid(ellipsoid) => ellipsoid.radii,
             Shape::Cylinder(_) | Shape::Torus(_) => return scaled,
         };
-        if self.squeeze.value >= 1.0 { scaled } else { Shape::Ellipsoid(Ellipsoid::drawn_out(radii, self.across.value, self.squeeze.value)) }
+        if self.squeeze.value >= 1.0 {
+            scaled
+        } else {
+            Shape::Ellipsoid(Ellipsoid::drawn_out(radii, self.across.value, self.squeeze.value))
+        }
     }
 
     /// How fast the surface moves along its outward `normal` at a point of it, both in its frame. `shape` is the surface as it was given.

@@ -6,8 +6,8 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::super::newton::{Contact, Newton, Placed};
 use super::super::shape::Shape;
-use super::{Random, at, solved, wrap};
 use super::super::{PathPoint, PathSolver, Side, Status, Surface, WrapSurface};
+use super::{Random, at, solved, wrap};
 
 /// Length of the path over a sphere from its own formula: both tangents and the great circle between them.
 fn over_sphere(radius: f64, from: DVec3, to: DVec3) -> f64 {
@@ -88,16 +88,16 @@ fn the_general_method_finds_the_closed_forms_from_afar() {
             let mut start = touch.start;
             let normal = shape.normal(start.point);
             let binormal = start.tangent.cross(normal);
-            start.point = shape.project(start.point + (start.tangent * random.between(-1.0, 1.0) + binormal * random.between(-1.0, 1.0)) * 0.2);
+            start.point =
+                shape.project(start.point + (start.tangent * random.between(-1.0, 1.0) + binormal * random.between(-1.0, 1.0)) * 0.2);
             let tangent = start.tangent + binormal * random.between(-0.2, 0.2);
             start.tangent = tangent.reject_from_normalized(shape.normal(start.point)).normalize();
             start.length += random.between(-0.1, 0.3);
             let mut contacts = [Contact::new(&shape, start)];
             let convergence = Newton::default().solve(from, to, &[placed], &mut contacts);
             assert!(convergence.converged, "{convergence:?}");
-            let length = |point: DVec3, length: f64, end: DVec3| {
-                from.distance(placed.to_world(point)) + length + placed.to_world(end).distance(to)
-            };
+            let length =
+                |point: DVec3, length: f64, end: DVec3| from.distance(placed.to_world(point)) + length + placed.to_world(end).distance(to);
             let found = length(contacts[0].start.point, contacts[0].start.length, contacts[0].end.point);
             let exact = length(touch.start.point, touch.start.length, touch.end);
             assert!((found - exact).abs() < 1e-10, "{found} instead of {exact}");

@@ -41,12 +41,9 @@ fn an_ellipsoid_of_equal_radii_has_the_great_circles_of_the_sphere() {
         let start = random_start(&sphere, &mut random, length);
         let (exact, found) = (sphere.shoot(&start), round.shoot(&start));
         assert!(exact.point.distance(found.point) < 2e-12 && exact.tangent.distance(found.tangent) < 2e-12, "{length}");
-        for (exact, found) in [
-            (exact.shift, found.shift),
-            (exact.shift_rate, found.shift_rate),
-            (exact.turn, found.turn),
-            (exact.turn_rate, found.turn_rate),
-        ] {
+        for (exact, found) in
+            [(exact.shift, found.shift), (exact.shift_rate, found.shift_rate), (exact.turn, found.turn), (exact.turn_rate, found.turn_rate)]
+        {
             assert!((exact - found).abs() < 1e-10, "{exact} {found}");
         }
     }

@@ -5,6 +5,7 @@ mod geodesics;
 mod hostile;
 mod moments;
 mod reference;
+mod speed;
 
 use glam::{DQuat, DVec3};
 

@@ -37,11 +37,7 @@ impl Touch {
             })
             .sum();
         Self {
-            start: GeodesicStart {
-                point: map * point,
-                tangent: (map * (tangent + rise)).normalize_or(DVec3::X),
-                length: sum * step / 3.0,
-            },
+            start: GeodesicStart { point: map * point, tangent: (map * (tangent + rise)).normalize_or(DVec3::X), length: sum * step / 3.0 },
             end: map * self.end,
             end_tangent: (map * (self.end_tangent + rise)).normalize_or(DVec3::X),
         }
