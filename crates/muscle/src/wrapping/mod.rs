@@ -27,7 +27,7 @@
 //!
 //! // Body 1 turns about the centre: the moment arm is the radius.
 //! let turning = |body: usize, point: DVec3| if body == 1 { DVec3::Z.cross(point) } else { DVec3::ZERO };
-//! assert!((-solution.length_rate(turning) - -1.0).abs() < 1e-12);
+//! assert!((-solution.length_rate(turning) - 1.0).abs() < 1e-12);
 //! # Ok::<(), ()>(())
 //! ```
 //!

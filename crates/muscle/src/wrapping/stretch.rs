@@ -188,10 +188,8 @@ impl StretchSolver {
         let slot = self.slots.get(index).filter(|slot| slot.side.is_none())?;
         let contact = slot.contact?;
         let placed = slot.placed;
-        let (before, after) = self.slots.split_at_checked(index)?;
-        let before = before.iter().rev().find_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.end.point)));
-        let after = after.iter().skip(1).find_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.start.point)));
-        let passes = placed.shape.passes(placed.to_local(before.unwrap_or(from)), placed.to_local(after.unwrap_or(to)))?;
+        let [before, after] = self.beside(index, from, to);
+        let passes = placed.shape.passes(placed.to_local(before), placed.to_local(after))?;
         let up = placed.shape.normal(contact.start.point) + placed.shape.normal(contact.end.point);
         (passes < CENTRAL).then_some(-up)
     }
@@ -217,7 +215,7 @@ impl StretchSolver {
             let mut settled = true;
             let mut before = from;
             for index in 0..self.slots.len() {
-                let later = self.slots.get(index + 1..).unwrap_or_default().iter();
+                let later = self.slots.iter().skip(index + 1);
                 let after = later.filter_map(|slot| slot.touch.map(|touch| slot.placed.to_world(touch.start.point))).next().unwrap_or(to);
                 let Some(slot) = self.slots.get_mut(index) else { break };
                 let touch = slot.touch(before, after);
@@ -300,6 +298,7 @@ impl StretchSolver {
         Outcome { converged: convergence.converged, error: convergence.error(), steps: convergence.steps }
     }
 
+    /// Surfaces whose geodesic has no length left act no longer.
     fn let_go(&mut self) -> bool {
         let mut any = false;
         for slot in &mut self.slots {
@@ -312,33 +311,36 @@ impl StretchSolver {
         any
     }
 
+    /// The first surface that a straight part runs into acts from now on.
     fn take_up(&mut self, from: DVec3, to: DVec3) -> bool {
-        let mut any = false;
-        let mut before = from;
         for index in 0..self.slots.len() {
-            let later = self.slots.get(index + 1..).unwrap_or_default().iter();
-            let after = later.filter_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.start.point))).next().unwrap_or(to);
-            let Some(slot) = self.slots.get_mut(index) else { break };
-            if slot.contact.is_none() && slot.dropped < DROPS && !any {
+            let [before, after] = self.beside(index, from, to);
+            if let Some(slot) = self.slots.get_mut(index).filter(|slot| slot.contact.is_none() && slot.dropped < DROPS) {
                 slot.contact = slot.touch(before, after).map(|touch| Contact::new(&slot.placed.shape, touch.start));
-                any = slot.contact.is_some();
-            }
-            if let Some(contact) = slot.contact {
-                before = slot.placed.to_world(contact.end.point);
+                if slot.contact.is_some() {
+                    return true;
+                }
             }
         }
-        any
+        false
+    }
+
+    /// Where the path lifts off last before a surface, and where it touches down next after it.
+    fn beside(&self, index: usize, from: DVec3, to: DVec3) -> [DVec3; 2] {
+        let before = self.slots.iter().take(index).rev();
+        let after = self.slots.iter().skip(index + 1);
+        [
+            before.filter_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.end.point))).next().unwrap_or(from),
+            after.filter_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.start.point))).next().unwrap_or(to),
+        ]
     }
 
     /// Whether all geodesics are near what the closed forms estimate from the points beside them: Newton's method may come to one that goes round once more.
     fn is_sound(&self, from: DVec3, to: DVec3) -> bool {
-        let mut before = from;
         self.slots.iter().enumerate().all(|(index, slot)| {
             let Some(contact) = slot.contact else { return true };
-            let later = self.slots.get(index + 1..).unwrap_or_default().iter();
-            let after = later.filter_map(|slot| slot.contact.map(|contact| slot.placed.to_world(contact.start.point))).next().unwrap_or(to);
+            let [before, after] = self.beside(index, from, to);
             let touch = slot.touch(before, after);
-            before = slot.placed.to_world(contact.end.point);
             let shape = &slot.placed.shape;
             // Without an estimate the surface is all but cleared.
             touch.map_or(contact.start.length < ALMOST * shape.size(), |touch| {

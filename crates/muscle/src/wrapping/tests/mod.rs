@@ -4,6 +4,7 @@ mod closed_forms;
 mod geodesics;
 mod hostile;
 mod moments;
+mod opensim;
 mod reference;
 mod speed;
 
