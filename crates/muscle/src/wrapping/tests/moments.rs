@@ -233,3 +233,44 @@ fn an_end_that_enters_a_surface_is_reported_and_does_not_jump() {
         assert!(matches!(inside.inside(), [found] if found.point == 1 && found.surface == 0 && found.depth > 0.1), "{:?}", inside.inside());
     }
 }
+
+/// The derivative of a length by moving body 1 along a direction, from the solution and by differences.
+fn rates(points: &[PathPoint], surfaces: &[WrapSurface], by: DVec3) -> [f64; 2] {
+    let length = |h: f64| {
+        let place = |body: usize, position: DVec3| if body == 1 { position + by * h } else { position };
+        let points: Vec<_> = points.iter().map(|point| PathPoint { position: place(point.body, point.position), ..*point }).collect();
+        let moved = |surface: &WrapSurface| WrapSurface { center: place(surface.body, surface.center), ..surface.clone() };
+        super::solved(&points, &surfaces.iter().map(moved).collect::<Vec<_>>()).length
+    };
+    let solution = super::solved(points, surfaces);
+    assert_eq!(solution.status, Status::Converged);
+    let h = 1e-5;
+    [solution.length_rate(|body, _| if body == 1 { by } else { DVec3::ZERO }), (length(h) - length(-h)) / (2.0 * h)]
+}
+
+#[test]
+fn tori_and_surfaces_that_yield_have_the_right_derivative() {
+    let torus =
+        WrapSurface { rotation: DQuat::from_rotation_x(0.2), ..super::wrap(Surface::Torus { major: 2.0, minor: 0.5 }, Side::Either) };
+    let sphere = WrapSurface { body: 1, center: DVec3::new(2.3, -0.3, -2.0), ..super::wrap(Surface::Sphere { radius: 0.8 }, Side::MinusX) };
+    let ellipsoid = super::wrap(Surface::Ellipsoid { radii: DVec3::new(1.0, 0.8, 1.4) }, Side::PlusY);
+    let beyond = [super::at(0, 2.6, 0.4, 2.0), super::at(1, 2.8, -0.5, -4.0)];
+    let inside = [super::at(0, 2.0, 0.1, 0.3), super::at(1, 2.8, -0.5, -3.0)];
+    let behind = [super::at(0, -3.0, -0.3, 0.4), super::at(1, 3.0, -0.2, 0.1)];
+    let aside = [super::at(0, -3.0, 0.2, 0.5), super::at(1, 3.0, 0.1, 0.4)];
+    let entered = [super::at(0, -3.0, 0.2, 0.5), super::at(1, 0.7, 0.1, 0.4)];
+    for (points, surfaces) in [
+        (beyond, vec![torus.clone()]),
+        (beyond, vec![torus.clone(), sphere]),
+        (inside, vec![torus]),
+        (behind, vec![ellipsoid.clone()]),
+        (aside, vec![ellipsoid.clone()]),
+        (entered, vec![ellipsoid]),
+    ] {
+        assert!(!super::solved(&points, &surfaces).arcs().is_empty());
+        for by in DVec3::AXES {
+            let [rate, difference] = rates(&points, &surfaces, by);
+            assert!((rate - difference).abs() < 1e-7, "{rate} instead of {difference} along {by} for {surfaces:?}");
+        }
+    }
+}
