@@ -49,9 +49,9 @@ const STEP: f64 = 0.3;
 /// Most that a step may leave the surface, turn out of it, or change the Wronskian of the Jacobi fields, as shares.
 const TOLERANCE: f64 = 3e-14;
 /// A step that goes wrong is made no shorter than the length over this.
-const STEPS: f64 = 1024.0;
+const STEPS: f64 = 400.0;
 /// Most steps tried, those that go wrong among them.
-const TRIES: usize = 2048;
+const TRIES: usize = 800;
 
 /// Point, tangent, and both Jacobi fields with their derivatives.
 #[derive(Debug, Clone, Copy)]

@@ -48,12 +48,16 @@
 //! 4. A geodesic whose length has become negative belongs to a surface that has *lifted off*; one that a straight segment runs into has been *touched down* on.
 //!    Either changes who acts, and Newton's method runs again. At the change itself the geodesic is a point, so that length and moment arm go on without a
 //!    jump.
-//! 5. Where that fails, all surfaces grow from a fifth of their size to the whole, each solution the start of the next. All loops are bounded; what has not
-//!    converged then is a path round the surfaces all the same, marked [`Status::NotConverged`].
+//! 5. Where that fails, all surfaces grow from a fifth of their size to the whole, each solution the start of the next. The number of geodesics that are tried is
+//!    bounded (a tenth of a second or two at the very most); what has not converged then is a path round the surfaces all the same, marked [`Status::NotConverged`].
 //!
 //! Without a side there is a choice of ways, and step 3 finds one of the locally shortest. A single ellipsoid is tried on four sides of the straight line.
 //! Several surfaces are tried on six sides of it, and each the other way; the shortest wins. That takes its time (give a side where one is known), and
 //! of several elongated ellipsoids it may still miss the shortest path, so that the length can jump where another way becomes the shorter.
+//!
+//! Surfaces with *opposite* sides on one stretch, which the path passes in bends, are solved too, but how far they yield is judged by the straight line
+//! from end to end, and not by the bends. Where that line leaves their sides, spheres and ellipsoids may let the length jump, or not converge. A via point
+//! between two such surfaces makes two stretches of them, and each is judged by itself.
 //!
 //! # What a surface does to a path that it cannot hold
 //!

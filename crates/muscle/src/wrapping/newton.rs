@@ -158,12 +158,20 @@ impl Variations {
 /// Buffers of Newton's method.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Newton {
+    /// How many more geodesics may be tried: what bounds the time of a stretch whatever its surfaces are.
+    pub budget: usize,
     system: BandedSystem,
     variations: Vec<Variations>,
     trial: Vec<Contact>,
 }
 
 impl Newton {
+    /// With so many geodesics to try.
+    #[cfg(test)]
+    pub(super) fn with_budget(budget: usize) -> Self {
+        Self { budget, ..Self::default() }
+    }
+
     /// Brings `contacts`, one on each surface, to the shortest path near them. They are left at the smallest path error that was reached.
     pub(super) fn solve(&mut self, from: DVec3, to: DVec3, surfaces: &[Placed], contacts: &mut [Contact]) -> Convergence {
         let mut result = Convergence { converged: false, errors: [f64::INFINITY; STEPS + 1], steps: 0 };
@@ -181,6 +189,11 @@ impl Newton {
             let mut factor = self.longest(surfaces);
             let mut better = false;
             for _ in 0..HALVINGS {
+                if self.budget < surfaces.len() {
+                    self.budget = 0;
+                    break;
+                }
+                self.budget -= surfaces.len();
                 self.trial.clear();
                 let moves = self.system.values.chunks_exact(BLOCK);
                 self.trial

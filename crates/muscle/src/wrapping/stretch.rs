@@ -17,8 +17,10 @@ use super::touch::Touch;
 pub(super) struct Slot {
     /// Index of the surface in the caller's list.
     pub surface: usize,
-    /// The surface as it yields to the stretch's ends.
+    /// The surface as it yields to the stretch's ends; smaller while it grows.
     pub placed: Placed,
+    /// Its shape when it has grown.
+    whole: Shape,
     /// The side of the path, in the surface's frame.
     pub side: Option<DVec3>,
     /// Where the geodesic started when it was solved last.
@@ -35,7 +37,7 @@ pub(super) struct Slot {
 
 impl Slot {
     pub(super) fn new(surface: usize, placed: Placed, side: Option<DVec3>, warm: Option<GeodesicStart>) -> Self {
-        Self { surface, placed, side, warm, contact: None, touch: None, way: None, dropped: 0 }
+        Self { surface, placed, whole: placed.shape, side, warm, contact: None, touch: None, way: None, dropped: 0 }
     }
 
     /// Whether the path may go round either way.
@@ -87,6 +89,8 @@ const SHORTER: f64 = 1e-13;
 /// Reversals of straight parts that run back, and the path error from which they are worth it.
 const REVERSALS: usize = 2;
 const REVERSED: f64 = 1e-3;
+/// Geodesics that may be tried for a stretch, and again for its choice of ways: a plain solution takes a few for each surface, a choice some hundreds.
+const GEODESICS: usize = 800;
 /// Runs of Newton's method on surfaces that grow from small ones.
 const GROWTHS: usize = 32;
 /// A surface that stopped acting so often in one run stays so.
@@ -109,6 +113,7 @@ pub(super) struct StretchSolver {
 impl StretchSolver {
     /// Solves the path over `slots` from `from` to `to`.
     pub(super) fn solve(&mut self, from: DVec3, to: DVec3) -> Outcome {
+        self.newton.budget = GEODESICS;
         if let [slot] = self.slots.as_mut_slice() {
             slot.touch = slot.touch(from, to);
             let Some(touch) = slot.touch else { return Outcome::EXACT };
@@ -147,6 +152,7 @@ impl StretchSolver {
         if !self.slots.iter().any(Slot::has_ways) {
             return best;
         }
+        self.newton.budget = GEODESICS;
         // All on the same side of the straight line, for sides round it; then one after the other.
         let along = (to - from).normalize_or(DVec3::X);
         let across = along.any_orthonormal_vector();
@@ -389,16 +395,19 @@ impl StretchSolver {
     fn grow(&mut self, from: DVec3, to: DVec3) -> Outcome {
         /// Where the growth begins, and its first step.
         const FIRST: f64 = 0.2;
-        let full = |slots: &mut [Slot], by: f64| {
+        let resize = |slots: &mut [Slot], size: f64| {
             for slot in slots {
-                slot.placed.shape = slot.placed.shape.scaled(by);
+                slot.placed.shape = if size < 1.0 { slot.whole.scaled(size) } else { slot.whole };
             }
         };
         let (mut reached, mut step, mut size) = (0.0, FIRST, 1.0);
         let mut outcome = Outcome { converged: false, error: f64::INFINITY, steps: 0 };
         for _ in 0..GROWTHS {
+            if self.newton.budget == 0 {
+                break;
+            }
             let next = f64::min(reached + step, 1.0);
-            full(&mut self.slots, next / size);
+            resize(&mut self.slots, next);
             size = next;
             self.estimate(from, to);
             self.start(true);
@@ -416,9 +425,7 @@ impl StretchSolver {
                 step *= 0.4;
             }
         }
-        if size < 1.0 {
-            full(&mut self.slots, size.recip());
-        }
+        resize(&mut self.slots, 1.0);
         if !outcome.converged || size < 1.0 {
             // The estimates are a path outside of each surface by itself, if not the shortest.
             outcome.converged = false;

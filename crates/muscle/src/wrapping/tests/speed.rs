@@ -29,7 +29,7 @@ fn newtons_steps_square_the_path_error() {
             before = placed.to_world(touch.end);
             contacts.push(Contact::new(&placed.shape, touch.start));
         }
-        let convergence = Newton::default().solve(from, to, &surfaces, &mut contacts);
+        let convergence = Newton::with_budget(1000).solve(from, to, &surfaces, &mut contacts);
         assert!(convergence.converged && convergence.steps <= 9, "{convergence:?}");
         for pair in convergence.errors[..=convergence.steps].windows(2) {
             // Where a step begins small, and does not end in rounding.
