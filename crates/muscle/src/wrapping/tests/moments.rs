@@ -199,6 +199,28 @@ fn length_and_rate_are_continuous_through_touchdown_and_liftoff() {
 }
 
 #[test]
+fn a_torus_is_touched_and_left_without_a_jump() {
+    let torus = super::wrap(Surface::Torus { major: 2.0, minor: 0.5 }, Side::Either);
+    let solve = |x: f64| super::solved(&[super::at(1, x, 0.3, 2.0), super::at(0, 1.3, -0.2, -2.5)], std::slice::from_ref(&torus));
+    let (mut free, mut wrapped) = (0.0, 3.0);
+    while wrapped - free > 1e-12 {
+        let middle = 0.5 * (free + wrapped);
+        if solve(middle).arcs().is_empty() { free = middle } else { wrapped = middle }
+    }
+    let aside = |body: usize, _: DVec3| if body == 1 { DVec3::X } else { DVec3::ZERO };
+    let (through, round) = (solve(free), solve(wrapped));
+    assert!((through.length - round.length).abs() < 1e-10 && (through.length_rate(aside) - round.length_rate(aside)).abs() < 1e-6);
+    // From there to outside of the ring, where the straight line would no longer go through the hole.
+    let mut before = round;
+    for step in 1..=400 {
+        let solution = solve(wrapped + f64::from(step) * 0.01);
+        let predicted = 0.005 * (solution.length_rate(aside) + before.length_rate(aside));
+        assert!(solution.status == Status::Converged && (solution.length - before.length - predicted).abs() < 1e-6);
+        before = solution;
+    }
+}
+
+#[test]
 fn the_same_input_gives_the_same_bits() {
     let mut random = Random(33);
     for _ in 0..20 {
