@@ -72,24 +72,22 @@ impl Document {
         }
     }
 
-    /// Gives the muscles the shapes of these files, where nothing but shapes differs, so that nothing is built anew; whether that was enough. The rigs of
-    /// files that were done until one was found that needs more stay as they are to be.
+    /// Gives the muscles the shapes of these files, where nothing but shapes differs, so that nothing is built anew; whether that was so. Else nothing changes.
     fn reshape_muscles(&mut self, files: &[MuscleFile]) -> bool {
-        if self.muscle_files().count() != files.len() {
+        let rigs = self.rigs().map(|(rig, _)| rig);
+        let is_same_count = self.muscle_files().count() == files.len();
+        if !(is_same_count && rigs.zip(self.muscle_files()).zip(files).all(|((rig, old), new)| old == new || rig.can_reshape(old, new))) {
             return false;
         }
         let moments = self.clip_samples();
-        let (scene, diagnostics) = (&self.scene, &mut self.diagnostics);
-        let sources = self.sources.iter_mut().filter_map(|source| match &mut source.kind {
-            SourceKind::Muscles(file, rig) => Some((&source.name, file, rig)),
-            SourceKind::Scene(_) => None,
-        });
-        for ((name, file, rig), new) in sources.zip(files).filter(|((_, file, _), new)| ***file != **new) {
-            if !rig.reshape(file, new, &scene.graph, &moments) {
-                return false;
+        for (source, new) in self.sources.iter_mut().filter(|source| matches!(source.kind, SourceKind::Muscles(..))).zip(files) {
+            if let SourceKind::Muscles(file, rig) = &mut source.kind
+                && **file != *new
+            {
+                rig.reshape(file, new, &self.scene.graph, &moments);
+                file.as_mut().clone_from(new);
+                tell_findings(&mut self.diagnostics, &source.name, rig);
             }
-            file.as_mut().clone_from(new);
-            tell_findings(diagnostics, name, rig);
         }
         true
     }
