@@ -8,6 +8,13 @@ use sinew_scene::progress::Progress;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ColladaReader;
 
+/// Whether a file begins as XML does, in UTF-8 or UTF-16.
+pub fn starts_as_xml(bytes: &[u8]) -> bool {
+    let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF", b"\0<", b"<\0"].iter().any(|mark| bytes.starts_with(mark));
+    start.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'<') || is_utf16
+}
+
 impl SceneReader for ColladaReader {
     fn format(&self) -> &'static str {
         super::FORMAT
@@ -18,9 +25,7 @@ impl SceneReader for ColladaReader {
     }
 
     fn sniff(&self, bytes: &[u8]) -> bool {
-        let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-        let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF", b"\0<", b"<\0"].iter().any(|mark| bytes.starts_with(mark));
-        start.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'<') || is_utf16 || bytes.starts_with(b"PK")
+        starts_as_xml(bytes) || bytes.starts_with(b"PK")
     }
 
     fn read(&self, bytes: &[u8], name: &str, progress: &Progress) -> Result<ImportedScene<AnyFinding>, ImportError> {

@@ -16,11 +16,6 @@ pub(super) fn read(path: &Path, name: &SourceName, limit: u64) -> Result<Vec<u8>
     Ok(bytes)
 }
 
-/// Whether these are the first bytes of XML in UTF-16.
-pub(super) fn is_utf16(bytes: &[u8]) -> bool {
-    [&b"\xFF\xFE"[..], b"\xFE\xFF", b"\0<", b"<\0"].iter().any(|mark| bytes.starts_with(mark))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

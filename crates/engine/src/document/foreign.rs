@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use sinew_collada::starts_as_xml;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
 
@@ -155,8 +156,7 @@ impl UnsupportedFormat {
                 name
             }));
         }
-        let is_xml = text.starts_with(b"<") || super::file::is_utf16(bytes);
-        if is_xml {
+        if starts_as_xml(bytes) {
             return root(text).and_then(|root| ROOT_ELEMENTS.iter().find(|(known, _)| *known == root)).map(|(_, name)| Self::Named(name));
         }
         if text.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"sinew_session:")) {

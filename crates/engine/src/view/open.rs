@@ -14,7 +14,7 @@ use sinew_scene::progress::Progress;
 pub struct Opened {
     /// The files in one scene.
     pub document: Document,
-    /// The session, where the file was one. It is already applied to the document: nodes are hidden and joints rotated.
+    /// The session, where the file was one. Its hidden nodes are hidden in the document already; joints are rotated by [`SessionState::pose_state`].
     pub session: Option<Box<SessionState>>,
     /// The file that a session compares with, where it names one that can be opened.
     pub compared: Option<(PathBuf, Document)>,
