@@ -11,8 +11,6 @@ mod lengths;
 mod list_clips;
 #[path = "../../crates/engine/examples/pick.rs"]
 mod pick;
-#[path = "../../crates/yaml/examples/places.rs"]
-mod places;
 #[path = "../../crates/engine/examples/pose_vertices.rs"]
 mod pose_vertices;
 #[path = "../../crates/export/examples/render_clip.rs"]
@@ -21,6 +19,8 @@ mod render_clip;
 mod sentences;
 #[path = "../../crates/muscle/examples/solve_muscle.rs"]
 mod solve_muscle;
+#[path = "../../crates/yaml/examples/source_spans.rs"]
+mod source_spans;
 #[path = "../../crates/scene/examples/swing.rs"]
 mod swing;
 #[path = "../../crates/render/examples/triangle.rs"]
@@ -49,7 +49,7 @@ fn scene_swings_a_pendulum() {
 
 #[test]
 fn yaml_knows_where_values_stand() {
-    let lines = places::places("a:\n  - 5\n  - b: six\n").expect("it is YAML");
+    let lines = source_spans::source_spans("a:\n  - 5\n  - b: six\n").expect("it is YAML");
     assert_eq!(lines, ["2:5 .a[0] = 5", "3:8 .a[1].b = six"]);
 }
 

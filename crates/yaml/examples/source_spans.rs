@@ -6,7 +6,7 @@ use sinew_yaml::{Node, Value, YamlError, read};
 const LIMIT: u64 = 1 << 20;
 
 /// `line:column path = word` for each single value.
-pub(crate) fn places(text: &str) -> Result<Vec<String>, YamlError> {
+pub(crate) fn source_spans(text: &str) -> Result<Vec<String>, YamlError> {
     let mut lines = Vec::new();
     walk(&read(text, LIMIT)?, "", &mut lines);
     Ok(lines)
@@ -27,7 +27,7 @@ fn walk(node: &Node, path: &str, lines: &mut Vec<String>) {
 }
 
 fn main() -> Result<(), YamlError> {
-    for line in places("biceps:\n  radii: [5, 18]\n  growth: &g [0, 1]\ntriceps:\n  growth: *g\n")? {
+    for line in source_spans("biceps:\n  radii: [5, 18]\n  growth: &g [0, 1]\ntriceps:\n  growth: *g\n")? {
         println!("{line}");
     }
     Ok(())
