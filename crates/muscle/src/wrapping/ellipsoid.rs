@@ -103,7 +103,7 @@ impl Ellipsoid {
             let normal = self.to_unit * self.gradient(self.from_unit * out);
             let up = if out.length() > CENTRAL { normal } else { side.unwrap_or_else(|| along.any_orthonormal_vector()) };
             let up = up.reject_from_normalized(along);
-            let away = side.is_some_and(|side| up.dot(side) < 0.0);
+            let away = side.is_some_and(|side| out.dot(side) < -sphere::LEANS);
             return self.touch_by(from, to, if away { -up } else { up });
         };
         let touch = sphere::touch(1.0, self.to_unit * from, self.to_unit * to, side)?;

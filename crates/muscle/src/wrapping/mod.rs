@@ -63,8 +63,8 @@
 //!
 //! With a [`Side`] a path stays on that side of the surface when the straight line passes on the other. A sphere or an ellipsoid would let it slip off
 //! sideways; so the surface is drawn out, as far as a cylinder, along the direction in which the path would slip. How far it is depends on the straight line
-//! from one point of the stretch to the next alone, and continuously; while that line passes on the surface's side, and not more than 45° off it, the surface is
-//! what was given and the path the shortest. A point inside of a surface makes it smaller for that stretch, so that the point lies on it; it is reported
+//! from one point of the stretch to the next alone, and continuously; while that line passes on the surface's side (of an ellipsoid, not more than 45° off it),
+//! the surface is what was given and the path the shortest. A point inside of a surface makes it smaller for that stretch, so that the point lies on it; it is reported
 //! ([`Solution::inside`]). The file `yielding.rs` has the formulas.
 //!
 //! Three things no rule can make continuous: an end that crosses the half-plane behind a cylinder with a side, where the path leaves on one hand or the other

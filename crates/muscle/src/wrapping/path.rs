@@ -75,6 +75,7 @@ impl PathSolver {
         let first = stretch * surfaces.len();
         let last = last.get_mut(first..first + surfaces.len()).unwrap_or_default();
         solver.slots.clear();
+        let alone = surfaces.iter().filter(|surface| surface.stretches.contains(&stretch) && given(surface).is_some()).count() == 1;
         for (index, (surface, last)) in surfaces.iter().zip(&mut *last).enumerate() {
             let Some(given) = given(surface).filter(|_| surface.stretches.contains(&stretch)) else { continue };
             let [near, far] = [from, to].map(|point| given.placed.to_local(point.position));
@@ -84,11 +85,13 @@ impl PathSolver {
                     solution.inside.push(InsidePoint { point: stretch + end, surface: index, depth });
                 }
             }
-            let yielding = Yielding::of(&given.placed.shape, given.side, DualVec::constant(near), DualVec::constant(far));
+            let yielding = Yielding::of(&given.placed.shape, given.side, alone, DualVec::constant(near), DualVec::constant(far));
             if yielding.scale.value < VANISHED {
                 continue;
             }
-            solver.slots.push(Slot::new(index, yielded(&given.placed, &yielding), given.side, last.take()));
+            let (placed, side) =
+                if yielding == Yielding::NONE { (given.placed, given.side) } else { yielding.changed(&given.placed, given.side) };
+            solver.slots.push(Slot::new(index, placed, side, last.take()));
         }
         let outcome = solver.solve(from.position, to.position);
         if !outcome.converged {
@@ -107,7 +110,7 @@ impl PathSolver {
             if let Some(last) = last.get_mut(slot.surface) {
                 *last = Some(contact.start);
             }
-            given.yields = slot.placed != given.placed;
+            (given.alone, given.yields) = (alone, slot.placed != given.placed);
             let arc = Arc::new(slot.surface, surface.body, contact, slot.placed, given);
             length += before.distance(arc.start) + arc.length;
             before = arc.end;
@@ -143,12 +146,5 @@ fn given(surface: &WrapSurface) -> Option<Given> {
         Surface::Cylinder { length, .. } => 0.5 * length,
         _ => f64::INFINITY,
     };
-    Some(Given { placed: Placed { shape, rotation, center: surface.center }, side, half_length, yields: false })
-}
-
-fn yielded(placed: &Placed, yielding: &Yielding) -> Placed {
-    if *yielding == Yielding::NONE {
-        return *placed;
-    }
-    Placed { shape: yielding.changed(&placed.shape), rotation: placed.rotation, center: placed.to_world(yielding.shift.value) }
+    Some(Given { placed: Placed { shape, rotation, center: surface.center }, side, half_length, alone: false, yields: false })
 }

@@ -93,6 +93,8 @@ pub(super) struct Given {
     pub side: Option<DVec3>,
     /// Half the length of a cylinder.
     pub half_length: f64,
+    /// Whether no other surface may act on the stretch.
+    pub alone: bool,
     /// Whether size or place differ from what was given.
     pub yields: bool,
 }
@@ -155,7 +157,7 @@ impl Arc {
             rate: given.rotation.transpose() * (velocity(body, point) - velocity(self.body, point)),
         };
         let (from, to) = (local(stretch.start, stretch.start_body), local(stretch.end, stretch.end_body));
-        let yielding = Yielding::of(&given.shape, self.given.side, from, to);
+        let yielding = Yielding::of(&given.shape, self.given.side, self.given.alone, from, to);
         let shape = &self.placed.shape;
         let half = self.length / f64::from(2 * PIECES);
         let (mut start, mut reached, mut rate) = (self.contact.start, 0.0, 0.0);
@@ -167,7 +169,10 @@ impl Arc {
                 (start.point, start.tangent, reached) = (end.point, end.tangent, place);
                 let normal = shape.normal(start.point);
                 let bend = shape.curvature(start.point, start.tangent, start.tangent.cross(normal)).along;
-                rate += weight * half * bend * yielding.normal_speed(&given.shape, start.point + yielding.shift.value, normal);
+                // A surface that yields may have a frame of its own.
+                let point = given.to_local(self.placed.to_world(start.point));
+                let outward = given.rotation.transpose() * (self.placed.rotation * normal);
+                rate += weight * half * bend * yielding.normal_speed(&given.shape, point, outward);
             }
         }
         rate

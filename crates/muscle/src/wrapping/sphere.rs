@@ -9,6 +9,8 @@ use super::touch::Touch;
 
 /// Nearer to the centre than this share of the radius, a line passes on no side.
 const CENTRAL: f64 = 1e-9;
+/// A line that leans to the wrong side by no more than this, as a cosine, is on the side: rounding decides nothing.
+pub(super) const LEANS: f64 = 1e-9;
 
 /// The great circle from a point in a direction. With φ = length / R the Jacobi fields of curvature 1/R² are cos φ and R sin φ.
 pub(super) fn shoot(radius: f64, start: &GeodesicStart) -> GeodesicEnd {
@@ -34,7 +36,7 @@ pub(super) fn touch(radius: f64, from: DVec3, to: DVec3, side: Option<DVec3>) ->
         side_up().filter(|up| up.length() > CENTRAL).unwrap_or_else(|| along.any_orthogonal_vector())
     };
     let up = up.try_normalize()?;
-    let up = if side.is_some_and(|side| up.dot(side) < 0.0) { -up } else { up };
+    let up = if side.is_some_and(|side| up.dot(side) < -LEANS) { -up } else { up };
     touch_over(radius, from, to, along, up)
 }
 

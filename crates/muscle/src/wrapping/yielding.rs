@@ -8,17 +8,26 @@
 //! itself the tangent from the end would have no direction.
 //!
 //! **A side.** Map sphere and ellipsoid to the unit sphere, the cylinder to the unit circle. Let the straight line from end to end pass the centre at height
-//! h towards the side and at offset u square to both. On its side, and within 45° of it (h > |u|), nothing yields: the path is the shortest one. When the line
-//! goes to the other side (h < 0) the path stays on its own, over the surface. No round surface holds it there: the path would slip off sideways. So between
-//! h = |u| and h = 0 the surface is drawn out along u until it is a cylinder, which a path can lie on anywhere, and moved along by u,
-//! and shrunk where that has reached an end. Where the line is far out
-//! (|u| from ½ to 1), or ends near the surface (its foot less than ½ from an end), the surface shrinks and moves to the line, until it does not act at all; so
-//! that a line beyond it is free on any side.
+//! h towards the side and at offset u square to both. A *cylinder* holds a path on its side as it is.
+//!
+//! On the side of a *sphere* (h ≥ 0) nothing yields, and the path is the shortest one. When the line is on the other side (h < 0), the path still passes on its
+//! own: in the direction (|h|, u), to which the line's own direction (h, u) is mirrored. No sphere would hold it there, it would slip off sideways; so the
+//! sphere is drawn out, square to that direction, to a cylinder, which a path can lie on anywhere. Seen along that cylinder the line passes at the height
+//! H = (u² − h²) / √(u² + h²). At h = 0 that is |u|, with no slope, as it is on the sphere itself, so that length and moment arm go on without a jump; at u = 0
+//! it is h, and the sphere a pulley. Beside other surfaces, which bend the path away from the straight line, it is drawn out by and by until H = 0.
+//!
+//! On an *ellipsoid* the two paths would differ. It is what was given while the line is not more than 45° off its side (h > |u|); between h = |u| and h = 0
+//! it is drawn out along u until it is a cylinder, and moved along by u. Where the line is far out (|u| from ½ to 1), it shrinks and moves to the line until it
+//! does not act at all, so that a line beyond it is free on any side.
+//!
+//! Where a line on the wrong side ends near the surface (its foot less than ½ from an end), the path would leave on one hand or the other; there any surface
+//! shrinks and moves to the line.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::dual::{Dual, DualVec};
 use super::ellipsoid::Ellipsoid;
+use super::newton::Placed;
 use super::shape::Shape;
 
 /// Ends are kept outside of a surface by this share of its size.
@@ -37,24 +46,26 @@ pub(super) struct Yielding {
     pub across: DualVec,
     /// Factor of lengths along `across` in the map to the unit sphere: 1 for none, 0 for a cylinder.
     pub squeeze: Dual,
+    /// The direction in which the path passes the centre, after that map; `None` where the surface does not yield to a side.
+    pub passes: Option<DVec3>,
 }
 
 impl Yielding {
     pub(super) const NONE: Self = Self::of_size(Dual::ONE);
 
     const fn of_size(scale: Dual) -> Self {
-        Self { scale, shift: DualVec::ZERO, across: DualVec::ZERO, squeeze: Dual::ONE }
+        Self { scale, shift: DualVec::ZERO, across: DualVec::ZERO, squeeze: Dual::ONE, passes: None }
     }
 
-    /// Of a surface for a stretch from `from` to `to`, both in its frame.
-    pub(super) fn of(shape: &Shape, side: Option<DVec3>, from: DualVec, to: DualVec) -> Self {
+    /// Of a surface for a stretch from `from` to `to`, both in its frame; `alone`: no other surface may act on the stretch.
+    pub(super) fn of(shape: &Shape, side: Option<DVec3>, alone: bool, from: DualVec, to: DualVec) -> Self {
         let kept = |point| level(shape, point) * Dual::constant(1.0 - CLEARANCE);
         let held = Dual::ONE.min(kept(from)).min(kept(to));
         let sideways = match (side, unit(shape)) {
             (Some(side), Some(unit)) if held.value > 0.0 => {
                 let inverse = held.recip();
                 let flat = |point: DualVec| point.scaled(unit) * inverse;
-                beside(side, flat(from), flat(to), matches!(shape, Shape::Cylinder(_))).map(|beside| {
+                beside(side, flat(from), flat(to), shape, alone).map(|beside| {
                     let back = unit.map(|factor| if factor > 0.0 { factor.recip() } else { 0.0 });
                     Self { scale: beside.scale * held, shift: beside.shift.scaled(back) * held, ..beside }
                 })
@@ -64,18 +75,28 @@ impl Yielding {
         sideways.unwrap_or(Self::of_size(held))
     }
 
-    /// The surface as it is changed, about its own centre.
-    pub(super) fn changed(&self, shape: &Shape) -> Shape {
-        let scaled = shape.scaled(self.scale.value);
-        let radii = match scaled {
-            Shape::Sphere(radius) => DVec3::splat(radius),
-            Shape::Ellipsoid(ellipsoid) => ellipsoid.radii,
-            Shape::Cylinder(_) | Shape::Torus(_) => return scaled,
-        };
-        if self.squeeze.value >= 1.0 {
-            scaled
-        } else {
-            Shape::Ellipsoid(Ellipsoid::drawn_out(radii, self.across.value, self.squeeze.value))
+    /// The surface as it is changed, and the side of it that the path passes on, in its new frame.
+    pub(super) fn changed(&self, placed: &Placed, side: Option<DVec3>) -> (Placed, Option<DVec3>) {
+        let shape = placed.shape.scaled(self.scale.value);
+        let center = placed.to_world(self.shift.value);
+        let plain = |shape| (Placed { shape, rotation: placed.rotation, center }, side);
+        let Some(passes) = self.passes else { return plain(shape) };
+        let axis = self.across.value;
+        match shape {
+            // A sphere that is drawn out to the end is a cylinder, of which paths have a closed form.
+            Shape::Sphere(radius) if self.squeeze.value <= 0.0 => {
+                let rotation = placed.rotation * DMat3::from_cols(passes, axis.cross(passes), axis);
+                (Placed { shape: Shape::Cylinder(radius), rotation, center }, Some(DVec3::X))
+            }
+            Shape::Sphere(_) | Shape::Ellipsoid(_) if self.squeeze.value < 1.0 => {
+                let radii = match shape {
+                    Shape::Ellipsoid(ellipsoid) => ellipsoid.radii,
+                    _ => DVec3::splat(shape.size()),
+                };
+                let drawn = Ellipsoid::drawn_out(radii, axis, self.squeeze.value);
+                (Placed { shape: Shape::Ellipsoid(drawn), rotation: placed.rotation, center }, Some(passes))
+            }
+            shape => plain(shape),
         }
     }
 
@@ -93,6 +114,7 @@ impl Yielding {
             shift: DualVec::constant(self.shift.value),
             across: DualVec::constant(self.across.value),
             squeeze: still(self.squeeze),
+            passes: self.passes,
         };
         // A surface of level 1 moves by what the level loses in a fixed place, over what it gains along the normal.
         let gain = level(&at_rest, DualVec { value: point, rate: normal });
@@ -138,8 +160,9 @@ pub(super) fn depth(shape: &Shape, point: DVec3) -> f64 {
     }
 }
 
-/// How the unit sphere, or the unit circle, yields to a line with a side; `None` where it stays as it is.
-fn beside(side: DVec3, from: DualVec, to: DualVec, flat: bool) -> Option<Yielding> {
+/// How a shape whose image under the map is the unit sphere, or the unit circle of a cylinder, yields to a line with a side; `None` where it stays as it is.
+/// `alone`: no other surface may act on the stretch.
+fn beside(side: DVec3, from: DualVec, to: DualVec, shape: &Shape, alone: bool) -> Option<Yielding> {
     let line = to - from;
     let length = line.length();
     if length.value <= 0.0 {
@@ -154,26 +177,85 @@ fn beside(side: DVec3, from: DualVec, to: DualVec, flat: bool) -> Option<Yieldin
     }
     let up = up * square.recip();
     let across = up.cross(along);
-    let height = from.dot(up);
-    let offset = if flat { Dual::ZERO } else { from.dot(across) };
-    if height.value >= offset.value.abs() {
-        return None;
-    }
-    let yields = if height.value <= 0.0 { Dual::ONE } else { (Dual::ONE - height * offset.abs().recip()).step() };
     let double = Dual::constant(2.0);
     let before = (-(double * from.dot(along))).step();
     let after = (double * to.dot(along)).step();
-    let keeps = ((Dual::ONE - offset.abs()) * double).step() * before * after;
-    let lost = Dual::ONE - keeps;
-    let scale = Dual::ONE - yields * lost;
-    let shift = across * (offset * yields) + up * (lost * height.min(Dual::ZERO));
-    let squeeze = if flat { Dual::ONE } else { Dual::ONE - yields };
+    let line = Line { up, across, height: from.dot(up), offset: from.dot(across), room: before * after };
+    let side = match shape {
+        Shape::Cylinder(_) => line.beside_circle(),
+        Shape::Sphere(_) => line.beside_sphere(alone),
+        Shape::Ellipsoid(_) | Shape::Torus(_) => line.beside_ellipsoid(),
+    }?;
     // What is drawn out may have reached an end.
     let kept = |point: DualVec| {
-        let from_center = point - shift;
-        let unit = from_center + across * ((squeeze - Dual::ONE) * across.dot(from_center));
+        let from_center = point - side.shift;
+        let unit = from_center + side.across * ((side.squeeze - Dual::ONE) * side.across.dot(from_center));
         unit.length() * Dual::constant(1.0 - CLEARANCE)
     };
-    let scale = scale.min(kept(from)).min(kept(to));
-    Some(Yielding { scale, shift, across, squeeze })
+    Some(Yielding { scale: side.scale.min(kept(from)).min(kept(to)), ..side })
+}
+
+/// A straight line seen from the centre of the unit sphere.
+struct Line {
+    /// The side, square to the line.
+    up: DualVec,
+    /// Square to both.
+    across: DualVec,
+    /// How far the line passes towards `up`: h.
+    height: Dual,
+    /// How far it passes towards `across`: u.
+    offset: Dual,
+    /// 1 where both ends are further than half a radius from the foot of the centre, 0 where the foot lies beyond an end.
+    room: Dual,
+}
+
+impl Line {
+    fn beside_circle(&self) -> Option<Yielding> {
+        if self.height.value >= 0.0 {
+            return None;
+        }
+        let lost = Dual::ONE - self.room;
+        let shift = self.up * (lost * self.height);
+        Some(Yielding { scale: self.room, shift, passes: Some(self.up.value), ..Yielding::NONE })
+    }
+
+    fn beside_sphere(&self, alone: bool) -> Option<Yielding> {
+        let Self { up, across, height, offset, room } = *self;
+        if height.value >= 0.0 {
+            return None;
+        }
+        let near = (height * height + offset * offset).sqrt().recip();
+        let (cosine, sine) = (-height * near, offset * near);
+        let (passes, axis) = (up * cosine + across * sine, across * cosine - up * sine);
+        // H, and how far the line passes along the axis of the cylinder.
+        let (high, aside) = (height * cosine + offset * sine, offset * cosine - height * sine);
+        // 1 from H = 0 on.
+        let yields = (Dual::constant(2.0) * cosine * cosine).step();
+        let drawn = if alone { Dual::ONE } else { yields };
+        let lost = Dual::ONE - room;
+        Some(Yielding {
+            scale: Dual::ONE - yields * lost,
+            shift: axis * (drawn * aside) + passes * (lost * yields * high.min(Dual::ZERO)),
+            across: axis,
+            squeeze: Dual::ONE - drawn,
+            passes: Some(passes.value),
+        })
+    }
+
+    fn beside_ellipsoid(&self) -> Option<Yielding> {
+        let Self { up, across, height, offset, room } = *self;
+        if height.value >= offset.value.abs() {
+            return None;
+        }
+        let yields = if height.value <= 0.0 { Dual::ONE } else { (Dual::ONE - height * offset.abs().recip()).step() };
+        let keeps = ((Dual::ONE - offset.abs()) * Dual::constant(2.0)).step() * room;
+        let lost = Dual::ONE - keeps;
+        Some(Yielding {
+            scale: Dual::ONE - yields * lost,
+            shift: across * (offset * yields) + up * (lost * height.min(Dual::ZERO)),
+            across,
+            squeeze: Dual::ONE - yields,
+            passes: Some(up.value),
+        })
+    }
 }

@@ -296,3 +296,50 @@ fn tori_and_surfaces_that_yield_have_the_right_derivative() {
         }
     }
 }
+
+#[test]
+fn a_sphere_with_a_side_is_the_sphere_itself_on_that_side_and_a_pulley_straight_behind_it() {
+    let mut random = Random(36);
+    let sphere = |side| [super::wrap(Surface::Sphere { radius: 1.0 }, side)];
+    for _ in 0..200 {
+        let (height, offset) = (random.between(1e-3, 1.5), random.between(-1.5, 1.5));
+        let points = [super::at(0, -3.0, height, offset), super::at(1, 2.5, height, offset)];
+        let [held, free] = [Side::PlusY, Side::Either].map(|side| super::solved(&points, &sphere(side)).length);
+        assert!((held - free).abs() < 1e-12, "{height} {offset}: {held} {free}");
+    }
+    // Behind the sphere, in the plane of its side: the tangents and the arc over the top.
+    for height in [-0.1, -0.5, -2.0] {
+        let points = [super::at(0, -3.0, height, 0.0), super::at(1, 3.0, height, 0.0)];
+        let far = 3.0_f64.hypot(height);
+        let arc = PI - 2.0 * ((height / 3.0).atan() + (1.0 / far).acos());
+        let exact = 2.0 * (far * far - 1.0).sqrt() + arc;
+        assert!((super::solved(&points, &sphere(Side::PlusY)).length - exact).abs() < 1e-12, "{height}");
+    }
+}
+
+#[test]
+fn a_line_that_crosses_to_the_other_side_of_a_sphere_has_no_jump() {
+    let mut random = Random(37);
+    for _ in 0..100 {
+        // Through the centre itself the rate has a jump.
+        let aside = if random.next() < 0.5 { -1.0 } else { 1.0 };
+        let (from, to) = (aside * random.between(0.1, 0.8), aside * random.between(0.1, 0.8));
+        let slope = random.between(0.2, 2.0);
+        let solve = |height: f64| {
+            let points = [super::at(1, -3.0, height, from), super::at(2, 2.5, height * slope, to)];
+            let solution = super::solved(&points, &[super::wrap(Surface::Sphere { radius: 1.0 }, Side::PlusY)]);
+            let rate = solution.length_rate(|body, _| DVec3::Y * [0.0, 1.0, slope][body]);
+            (solution.length, rate)
+        };
+        let step = 1e-3;
+        let mut before: Option<(f64, f64)> = None;
+        for index in -1000..=1000 {
+            let (length, rate) = solve(f64::from(index) * step);
+            if let Some((last, last_rate)) = before {
+                let missed = length - last - 0.5 * (rate + last_rate) * step;
+                assert!(missed.abs() < 1e-6 + (rate - last_rate).abs() * step, "{index}: {missed}");
+            }
+            before = Some((length, rate));
+        }
+    }
+}
