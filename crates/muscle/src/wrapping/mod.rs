@@ -1,7 +1,7 @@
 //! Shortest paths over several wrap surfaces: their lengths, how these change with the pose, and what there is to draw.
 //!
 //! Pure geometry in `f64`, in any unit of length. A path runs through points, each on a body, and round surfaces, each on a body; the caller places them in
-//! the world for every pose, and a [`PathSolver`] that is kept from pose to pose finds the path.
+//! the world for every pose, and a [`PathSolver`] finds the path.
 //!
 //! ```
 //! use glam::{DQuat, DVec3};
@@ -44,7 +44,7 @@
 //! 3. Every surface that acts has a *geodesic*, given by where it starts, in which direction, and how long it is: four unknowns. It is integrated as an ordinary
 //!    differential equation of order 8, together with its two Jacobi fields, which say how its end moves when its start is shifted or turned. The *path error* is
 //!    what the straight segments, as directions, have along normal and binormal at both contact points: four equations. A step of Newton's method solves
-//!    the block-tridiagonal system; a step that makes the error larger is halved. The last solution is where it starts if that lies near the estimate.
+//!    the block-tridiagonal system; a step that makes the error larger is halved.
 //! 4. A geodesic whose length has become negative belongs to a surface that has *lifted off*; one that a straight segment runs into has been *touched down* on.
 //!    Either changes who acts, and Newton's method runs again. At the change itself the geodesic is a point, so that length and moment arm go on without a
 //!    jump.
@@ -82,7 +82,7 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `surface` | surfaces, sides and path points as a caller gives them |
-//! | `path` | the solver of a path and its memory |
+//! | `path` | the solver of a path |
 //! | `solution` | lengths, segments, arcs, the derivative |
 //! | `stretch` | which surfaces act on a stretch, and which way round |
 //! | `newton`, `banded` | path error, Jacobian, steps; the linear equations |

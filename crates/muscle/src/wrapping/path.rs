@@ -3,7 +3,6 @@
 use glam::{DMat3, DVec3};
 
 use super::dual::DualVec;
-use super::geodesic::GeodesicStart;
 use super::newton::Placed;
 use super::shape::Shape;
 use super::solution::{Arc, Given, InsidePoint, Solution, Status, Stretch};
@@ -16,20 +15,18 @@ const FARTHEST: f64 = 1e50;
 /// A surface that yields to less than this share of its size does not act.
 const VANISHED: f64 = 1e-9;
 
-/// Solves paths and keeps the last solution as the start of the next: one for each path.
+/// Solves paths. No memory is asked for while the numbers of points and surfaces stay the same.
 ///
-/// A path that is solved again after a small move takes two or three Newton steps, and no memory is asked for while the numbers of points and surfaces stay
-/// the same. The start only saves time: a fresh solver finds the same path.
+/// A solution depends on what is given alone, to the last bit, and not on what was solved before: the estimates by closed forms are so near that the last
+/// solution as the start of the next saved no step (two on an ellipsoid, either way).
 #[derive(Debug, Clone, Default)]
 pub struct PathSolver {
     stretch: StretchSolver,
-    /// Where the geodesic on each surface started, for each stretch.
-    last: Vec<Option<GeodesicStart>>,
     solution: Solution,
 }
 
 impl PathSolver {
-    /// A solver without a last solution.
+    /// A solver with empty buffers.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
@@ -53,14 +50,8 @@ impl PathSolver {
         (solution.length, solution.status, solution.path_error, solution.steps) = (0.0, Status::Converged, 0.0, 0);
         let near = |point: DVec3| point.abs().max_element() < FARTHEST && point.is_finite();
         if !points.iter().all(|point| near(point.position)) || !surfaces.iter().all(|surface| near(surface.center)) {
-            self.last.clear();
             solution.status = Status::NotFinite;
             return &self.solution;
-        }
-        let wanted = surfaces.len().saturating_mul(points.len().saturating_sub(1));
-        if self.last.len() != wanted {
-            self.last.clear();
-            self.last.resize(wanted, None);
         }
         for (index, ends) in points.windows(2).enumerate() {
             if let [from, to] = ends {
@@ -71,12 +62,10 @@ impl PathSolver {
     }
 
     fn solve_stretch(&mut self, stretch: usize, from: &PathPoint, to: &PathPoint, surfaces: &[WrapSurface]) {
-        let Self { stretch: solver, last, solution } = self;
-        let first = stretch * surfaces.len();
-        let last = last.get_mut(first..first + surfaces.len()).unwrap_or_default();
+        let Self { stretch: solver, solution } = self;
         solver.slots.clear();
         let alone = surfaces.iter().filter(|surface| surface.stretches.contains(&stretch) && given(surface).is_some()).count() == 1;
-        for (index, (surface, last)) in surfaces.iter().zip(&mut *last).enumerate() {
+        for (index, surface) in surfaces.iter().enumerate() {
             let Some(given) = given(surface).filter(|_| surface.stretches.contains(&stretch)) else { continue };
             let [near, far] = [from, to].map(|point| given.placed.to_local(point.position));
             for (end, local) in [near, far].into_iter().enumerate() {
@@ -91,7 +80,7 @@ impl PathSolver {
             }
             let (placed, side) =
                 if yielding == Yielding::NONE { (given.placed, given.side) } else { yielding.changed(&given.placed, given.side) };
-            solver.slots.push(Slot::new(index, placed, side, last.take()));
+            solver.slots.push(Slot::new(index, placed, side));
         }
         let outcome = solver.solve(from.position, to.position);
         if !outcome.converged {
@@ -106,9 +95,6 @@ impl PathSolver {
             let Some(mut given) = given(surface) else { continue };
             if contact.start.length < 0.0 {
                 continue;
-            }
-            if let Some(last) = last.get_mut(slot.surface) {
-                *last = Some(contact.start);
             }
             (given.alone, given.yields) = (alone, slot.placed != given.placed);
             let arc = Arc::new(slot.surface, surface.body, contact, slot.placed, given);

@@ -23,8 +23,8 @@ pub(super) struct Slot {
     whole: Shape,
     /// The side of the path, in the surface's frame.
     pub side: Option<DVec3>,
-    /// Where the geodesic started when it was solved last.
-    pub warm: Option<GeodesicStart>,
+    /// Where the geodesic started on the same surface of a smaller size.
+    grown_from: Option<GeodesicStart>,
     /// The geodesic, where the surface acts.
     pub contact: Option<Contact>,
     /// The estimate of the arc by the closed forms.
@@ -36,8 +36,8 @@ pub(super) struct Slot {
 }
 
 impl Slot {
-    pub(super) fn new(surface: usize, placed: Placed, side: Option<DVec3>, warm: Option<GeodesicStart>) -> Self {
-        Self { surface, placed, whole: placed.shape, side, warm, contact: None, touch: None, way: None, dropped: 0 }
+    pub(super) fn new(surface: usize, placed: Placed, side: Option<DVec3>) -> Self {
+        Self { surface, placed, whole: placed.shape, side, grown_from: None, contact: None, touch: None, way: None, dropped: 0 }
     }
 
     /// Whether the path may go round either way.
@@ -74,7 +74,7 @@ impl Outcome {
 const ROUNDS: usize = 4;
 /// Estimates that move by less than this share of the surface's size are good enough.
 const SETTLED: f64 = 1e-2;
-/// A last solution further than this from the estimate, in radii, or turned by more than 60° from it, is of another path.
+/// A geodesic on a smaller surface further than this from the estimate, in radii, or turned by more than 60° from it, is of another path.
 const NEAR: f64 = 0.8;
 /// A solution further than this from the estimate, in radii and as a share of its length, is none.
 const SOUND: f64 = 1.2;
@@ -130,14 +130,8 @@ impl StretchSolver {
         if self.slots.iter().all(|slot| slot.touch.is_none()) {
             return Outcome::EXACT;
         }
-        // Where the path has a choice of ways, the last one must not decide which is found.
-        let choice = self.slots.len() > 1 && self.slots.iter().any(Slot::has_ways);
-        let warm = self.start(!choice);
+        self.start(false);
         let mut outcome = self.settle(from, to);
-        if !outcome.converged && warm {
-            self.start(false);
-            outcome = self.settle(from, to);
-        }
         if !outcome.converged {
             outcome = self.grow(from, to);
         }
@@ -244,18 +238,15 @@ impl StretchSolver {
         }
     }
 
-    /// Begins geodesics where the estimates say, or where the last solution was if that is near. Tells whether the last solution was used.
-    fn start(&mut self, warm: bool) -> bool {
-        let mut used = false;
+    /// Begins geodesics where the estimates say, or where those on the smaller surfaces were if that is near.
+    fn start(&mut self, grows: bool) {
         for slot in &mut self.slots {
             let shape = slot.placed.shape;
             slot.contact = slot.touch.map(|touch| {
-                let last = slot.warm.filter(|last| warm && is_near(&shape, last, &touch.start));
-                used |= last.is_some();
+                let last = slot.grown_from.filter(|last| grows && is_near(&shape, last, &touch.start));
                 Contact::new(&shape, last.map_or(touch.start, |last| brought(&shape, &last)))
             });
         }
-        used
     }
 
     /// Solves for the surfaces that act, lets go those whose geodesic has no length, and takes up those that the straight parts run into.
@@ -417,7 +408,7 @@ impl StretchSolver {
                     break;
                 }
                 for slot in &mut self.slots {
-                    slot.warm = slot.contact.map(|contact| contact.start);
+                    slot.grown_from = slot.contact.map(|contact| contact.start);
                 }
                 reached = next;
                 step *= 1.5;

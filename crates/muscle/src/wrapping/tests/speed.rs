@@ -64,7 +64,7 @@ fn times_of_solutions() {
         ("four ellipsoids", row(&[ellipsoid; 4], Side::PlusY), [at(0, -3.0, 0.1, 0.2), at(1, 12.0, 0.2, 0.0)]),
         ("two ellipsoids, either side", row(&[ellipsoid; 2], Side::Either), [at(0, -3.0, 0.1, 0.2), at(1, 6.0, 0.2, 0.0)]),
     ] {
-        for warm in [true, false] {
+        for kept in [true, false] {
             let mut solver = PathSolver::new();
             let rounds = 2000;
             let mut steps = 0;
@@ -72,13 +72,17 @@ fn times_of_solutions() {
             for round in 0..rounds {
                 let by = 0.002 * f64::from(round % 50);
                 let moved = points.map(|point| PathPoint { position: point.position + DVec3::Y * by, ..point });
-                if !warm {
+                if !kept {
                     solver = PathSolver::new();
                 }
                 steps += black_box(solver.solve(&moved, &surfaces)).steps;
             }
             let each = begin.elapsed().as_secs_f64() / f64::from(rounds) * 1e6;
-            println!("{name:28} {} {each:8.2} µs, {:.1} steps", if warm { "warm" } else { "cold" }, steps as f64 / f64::from(rounds));
+            println!(
+                "{name:28} {} {each:8.2} µs, {:.1} steps",
+                if kept { "buffers kept" } else { "new solver" },
+                steps as f64 / f64::from(rounds)
+            );
         }
     }
 }
