@@ -3,13 +3,13 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::DMat4;
 use sinew::animation::Pose;
-use sinew::muscle::{MuscleFile, MuscleRig, Solved};
+use sinew::muscle::{MuscleFile, MuscleRig, SolvedMuscle};
 use sinew::scene::{MuscleId, Scene};
 
 struct Stage {
     rig: MuscleRig,
     world: Vec<DMat4>,
-    solved: Vec<Solved>,
+    solved: Vec<SolvedMuscle>,
     positions: Vec<Vec<glam::Vec3>>,
     normals: Vec<Vec<glam::Vec3>>,
 }
@@ -24,7 +24,13 @@ impl Stage {
         pose.locals(&mut local);
         scene.graph.world_from_local(&local, &mut world);
         let count = rig.len();
-        Self { rig, world, solved: vec![Solved::default(); count], positions: vec![Vec::new(); count], normals: vec![Vec::new(); count] }
+        Self {
+            rig,
+            world,
+            solved: vec![SolvedMuscle::default(); count],
+            positions: vec![Vec::new(); count],
+            normals: vec![Vec::new(); count],
+        }
     }
 
     fn frame(&mut self) {

@@ -110,6 +110,7 @@ fn render() -> Command {
     .arg(flag("grid", "cli-arg-grid", look))
     .arg(flag("axes", "cli-arg-axes", look))
     .arg(flag("bounding-box", "cli-arg-bounding-box", look))
+    .arg(flag("lines-of-action", "cli-arg-lines-of-action", look))
     .arg(flag("no-materials", "cli-arg-no-materials", look))
     .arg(flag("no-normals", "cli-arg-no-normals", look))
     .arg(flag("no-see-through", "cli-arg-no-see-through", look))

@@ -188,12 +188,13 @@ fn chooses_direction(given: &ArgMatches) -> bool {
 }
 
 /// Options without a value that set a display flag: the option, the flag, and what it becomes.
-const LOOK_FLAGS: [(&str, &str, bool); 8] = [
+const LOOK_FLAGS: [(&str, &str, bool); 9] = [
     ("bones", "bones", true),
     ("wireframe", "wireframe", true),
     ("grid", "grid", true),
     ("axes", "axes", true),
     ("bounding-box", "bounding-box", true),
+    ("lines-of-action", "lines-of-action", true),
     ("no-materials", "materials", false),
     ("no-normals", "smooth-normals", false),
     ("no-see-through", "see-through", false),

@@ -113,7 +113,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     let (a, via, b) = (DVec3::new(0.0, 0.0, -30.0), DVec3::new(0.0, 100.0, -200.0), DVec3::new(0.0, 0.0, -460.0));
     let length = a.distance(via) + via.distance(b);
     assert!((solved.path_length - length).abs() < 1e-9, "{} is not {length}", solved.path_length);
-    let path = rig.centre_line(0, &solved, &before).unwrap();
+    let path = solved.centerline();
     assert!((path.length() - length).abs() < 1e-9);
     assert!((path.sharpest(0.0, length) * 10.0 - 1.0).abs() < 1e-9);
     let bone = before[thigh.index()];
@@ -129,7 +129,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
     let world = world(&scene);
     let solved = rig.solve(0, rig.at_flexion(0.0), &world);
     assert!((solved.path_length - length).abs() < 1e-9);
-    let path = rig.centre_line(0, &solved, &world).unwrap();
+    let path = solved.centerline();
     assert!((path.length() - length).abs() < 1e-9);
     let sharpest = path.sharpest(0.0, path.length()) * 200.0;
     assert!(sharpest < 1.0, "{sharpest}");

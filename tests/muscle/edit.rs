@@ -3,9 +3,11 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use sinew::i18n::Sentence;
+use sinew::muscle::edit::{VIA, WRAPS};
 use sinew::muscle::presets::{PRESETS, Preset};
 use sinew::muscle::{
-    Anchor, Edit, EditError, LimitCause, MuscleFile, MuscleRig, Profile, ProfileError, Root, SolverReport, Tendon, Wrap, literature_data,
+    Anchor, Edit, EditError, LimitCause, MuscleFile, MuscleRig, Profile, ProfileError, Root, SolverReport, Tendon, Wrap, WrapRange,
+    WrapShape, literature_data,
 };
 use sinew::scene::{MuscleId, Scene};
 
@@ -53,18 +55,38 @@ fn what_makes_no_muscle_is_refused_and_the_file_stays() {
     assert_eq!(refused(Edit::End(0, anchor("hand", 0.0))), EditError::ArmBone("hand".to_owned()));
     assert_eq!(refused(Edit::End(1, anchor("forearm", f64::NAN))), EditError::Offset);
     let mut full = file.clone();
-    full.muscles[0].via = vec![anchor("forearm", 0.0); 8];
-    assert_eq!(full.edited(0, &Edit::AddVia(3, anchor("forearm", 0.0))).unwrap_err(), EditError::TooManyVia(9));
+    full.muscles[0].via = vec![anchor("forearm", 0.0).into(); VIA];
+    assert_eq!(full.edited(0, &Edit::AddVia(3, anchor("forearm", 0.0))).unwrap_err(), EditError::TooManyVia(VIA + 1));
     for edit in [Edit::Via(0, anchor("forearm", 0.0)), Edit::DeleteVia(0), Edit::SwapVia(0)] {
         assert_eq!(refused(edit), EditError::NoVia(0));
     }
-    assert_eq!(full.edited(0, &Edit::SwapVia(7)).unwrap_err(), EditError::NoVia(7));
+    assert_eq!(full.edited(0, &Edit::SwapVia(VIA - 1)).unwrap_err(), EditError::NoVia(VIA - 1));
     assert_eq!(refused(Edit::AddVia(0, anchor("hand", 0.0))), EditError::ArmBone("hand".to_owned()));
-    let wrap = Wrap { center: anchor("upper arm", -330.0), radius: 0.0, side: DVec3::X };
-    assert_eq!(refused(Edit::Wrap(Some(wrap))), EditError::Wrap);
+    let sphere = Wrap::sphere(anchor("upper arm", -330.0), 14.0, DVec3::X);
+    let cylinder = WrapShape::Cylinder { radius: 5.0, length: 20.0 };
+    for bad in [
+        Wrap { shape: WrapShape::Sphere { radius: 0.0 }, ..sphere.clone() },
+        Wrap { shape: WrapShape::Ellipsoid { radii: DVec3::new(1.0, f64::NAN, 1.0) }, ..sphere.clone() },
+        Wrap { shape: WrapShape::Torus { radius: 3.0, tube: 3.0 }, side: None, ..sphere.clone() },
+        Wrap { side: Some(DVec3::ZERO), ..sphere.clone() },
+        Wrap { shape: cylinder, side: Some(DVec3::Z), ..sphere.clone() },
+        Wrap { range: WrapRange::Between([1, 1]), ..sphere.clone() },
+        Wrap { range: WrapRange::Between([0, 2]), ..sphere.clone() },
+        Wrap { rotation: DVec3::INFINITY, ..sphere.clone() },
+    ] {
+        assert_eq!(refused(Edit::AddWrap(bad.clone())), EditError::Wrap, "{bad:?}");
+    }
+    assert_eq!(refused(Edit::AddWrap(Wrap::sphere(anchor("hand", 0.0), 14.0, DVec3::X))), EditError::ArmBone("hand".to_owned()));
+    let own = file.muscles[0].wraps.len();
+    for edit in [Edit::Wrap(own, sphere.clone()), Edit::DeleteWrap(own), Edit::SwapWrap(own)] {
+        assert_eq!(refused(edit), EditError::NoWrap(own));
+    }
+    let mut full_of_wraps = file.clone();
+    full_of_wraps.muscles[0].wraps = vec![sphere.clone(); WRAPS];
+    assert_eq!(full_of_wraps.edited(0, &Edit::AddWrap(sphere)).unwrap_err(), EditError::TooManyWraps(WRAPS + 1));
     assert_eq!(file.edited(2, &Edit::DeleteNode(0)).unwrap_err(), EditError::NoMuscle(2));
     let alone = file.edited(0, &Edit::Ends(None)).unwrap();
-    assert!(alone.muscles[0].wrap.is_none());
+    assert!(alone.muscles[0].wraps.is_empty());
     assert_eq!(alone.edited(0, &Edit::AddVia(0, anchor("forearm", 0.0))).unwrap_err(), EditError::NoEnds);
     assert_eq!(alone.edited(0, &Edit::End(0, anchor("forearm", 0.0))).unwrap_err(), EditError::NoEnds);
     let one = file.without_muscle(0).unwrap();
@@ -79,7 +101,14 @@ fn what_makes_no_muscle_is_refused_and_the_file_stays() {
 #[test]
 fn changes_have_names_in_both_languages() {
     in_each_language(|_| {
-        let edits = [Edit::AddNode(0), Edit::Radius(4, 1.0), Edit::Tendon(0, Tendon::default()), Edit::Ends(None), Edit::Wrap(None)];
+        let edits = [
+            Edit::AddNode(0),
+            Edit::Radius(4, 1.0),
+            Edit::Tendon(0, Tendon::default()),
+            Edit::Ends(None),
+            Edit::DeleteWrap(0),
+            Edit::ViaRange(0, None),
+        ];
         let names = PRESETS.iter().flat_map(|preset| [preset.name().sentence(), preset.muscle_name().sentence()]);
         for text in edits.iter().map(Edit::sentence).chain(names).chain([EditError::NoNode(6).sentence()]) {
             assert!(!text.contains("muscle-") && !text.contains('{'), "{text}");

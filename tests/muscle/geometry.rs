@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::{DMat4, DVec3, Vec3};
 use sinew::animation::Pose;
-use sinew::muscle::{Arm, MuscleFile, MuscleRig, Solved};
+use sinew::muscle::{Arm, MuscleFile, MuscleRig, SolvedMuscle};
 use sinew::scene::{Mesh, MuscleId, NodeKind, Scene};
 
 const BICEPS: &str = include_str!("../../configs/biceps.yaml");
@@ -35,11 +35,11 @@ impl Stage {
         world
     }
 
-    fn solved(&self, index: usize, angle: f64) -> Solved {
+    fn solved(&self, index: usize, angle: f64) -> SolvedMuscle {
         self.rig.solve(index, self.rig.at_flexion(angle), &self.world(angle))
     }
 
-    fn surface(&self, index: usize, angle: f64) -> (Solved, Vec<Vec3>, Vec<Vec3>) {
+    fn surface(&self, index: usize, angle: f64) -> (SolvedMuscle, Vec<Vec3>, Vec<Vec3>) {
         let (world, solved) = (self.world(angle), self.solved(index, angle));
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         self.rig.deform(index, &solved, &world, &mut positions, &mut normals);
@@ -196,8 +196,8 @@ fn the_drawn_volume_is_the_volume_of_the_ledger() {
 fn round_a_bent_line_the_volume_is_that_round_a_straight_one() {
     // Pappus, by numbers: fine slices perpendicular to the drawn line, each the area π r² times its own thickness at the centroid.
     let stage = Stage::new(BICEPS);
-    let (world, solved) = (stage.world(100.0), stage.solved(0, 100.0));
-    let path = stage.rig.centre_line(0, &solved, &world).unwrap();
+    let solved = stage.solved(0, 100.0);
+    let path = solved.centerline();
     assert!((path.length() - solved.path_length).abs() < 1e-9, "the drawn line is as long as the line of action");
     const STEPS: usize = 20_000;
     let (mut walked, mut volume) = (0.0, 0.0);
@@ -271,7 +271,7 @@ fn the_belly_keeps_off_the_rods_and_its_ends_touch_them() {
             let turn = angle.to_radians();
             let (shoulder, elbow) = (DVec3::Y * (upper + lower), DVec3::Y * lower);
             let wrist = elbow + DVec3::new(turn.sin(), -turn.cos(), 0.0) * lower;
-            let path = stage.rig.centre_line(0, &solved, &stage.world(angle)).unwrap();
+            let path = solved.centerline();
             for (at, end) in [(0.0, 0), (path.length(), 1)] {
                 let centre = path.frame_at(at).position;
                 let rod = if end == 0 { distance(centre, shoulder, elbow) } else { distance(centre, elbow, wrist) };
@@ -332,7 +332,7 @@ fn moving_and_scaling_the_model_changes_no_measure() {
     let solved = stage.rig.solve(0, stage.rig.at_flexion(60.0), &flat);
     stage.rig.deform(0, &solved, &flat, &mut b, &mut normals);
     stage.rig.deform(0, &solved, &[], &mut b, &mut normals);
-    stage.rig.deform(0, &Solved::default(), &world, &mut b, &mut normals);
+    stage.rig.deform(0, &SolvedMuscle::default(), &world, &mut b, &mut normals);
     stage.rig.deform(99, &solved, &world, &mut b, &mut normals);
 }
 

@@ -227,7 +227,7 @@ proptest! {
         let measured = &rig.measure(0, &[limb.angle])[0];
         let drawn = rig.solve(0, rig.at_flexion(0.0), &world);
         prop_assert!((drawn.path_length / measured.solved.path_length - 1.0).abs() < 1e-9, "{} {}\n{}", drawn.path_length, measured.solved.path_length, limb.yaml);
-        let path = rig.centre_line(0, &drawn, &world).unwrap();
+        let path = drawn.centerline();
         prop_assert!((path.length() / drawn.path_length - 1.0).abs() < 1e-9, "{} {}\n{}", path.length(), drawn.path_length, limb.yaml);
         // The same arm from the pose as from the sweep, and both are the slope of what is drawn.
         let arm = rig.moment_arm(0, &scene, &world).unwrap();
@@ -262,7 +262,7 @@ proptest! {
         pose.locals(&mut local);
         scene.graph.world_from_local(&local, &mut world);
         let drawn = rig.solve(0, rig.at_flexion(angle), &world);
-        let path = rig.centre_line(0, &drawn, &world).unwrap();
+        let path = drawn.centerline();
         prop_assert!((path.length() - drawn.path_length).abs() < 1e-9 * drawn.path_length, "{} {}\n{yaml}", path.length(), drawn.path_length);
     }
 
@@ -349,9 +349,17 @@ fn what_is_wrong_over_the_range_of_the_joint_is_said_with_muscle_and_angle() {
             muscle(
                 "[0, -40, 12]",
                 "[-1, -47, 12]",
-                &format!("{thin}, wrap: {{bone: upper arm, offset: [0, -330, 0], radius: 20, side: [1, 0, 0]}}"),
+                &format!("{thin}, via: [{{bone: upper arm, offset: [40, -150, 12], active: {{joint: elbow, range: [30, 90]}}}}]"),
             ),
             "muscle-path-jumps",
+        ),
+        (
+            muscle(
+                "[0, -40, 300]",
+                "[0, -47, 300]",
+                &format!("{thin}, wraps: [{{shape: cylinder, bone: upper arm, offset: [0, -330, 0], radius: 20, length: 60, side: +x}}]"),
+            ),
+            "muscle-wrap-beyond-end",
         ),
     ];
     in_each_language(|_| {

@@ -8,6 +8,7 @@ mod geometry;
 mod joint;
 mod line;
 mod pappus;
+mod paths;
 mod profile;
 mod save;
 mod schema;

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DMat4, DVec3};
 use proptest::prelude::*;
 use sinew::animation::Pose;
-use sinew::muscle::{MuscleFile, MuscleRig, Path, Solved};
+use sinew::muscle::{Centerline, MuscleFile, MuscleRig, Solved};
 use sinew::scene::{MuscleId, Scene};
 
 /// Corners of a ring of the test's own surface.
@@ -49,7 +49,7 @@ fn cases() -> impl Strategy<Value = Case> {
 }
 
 /// The muscle in its pose, and the line that it is drawn along.
-fn posed(case: &Case) -> (MuscleFile, Solved, Path) {
+fn posed(case: &Case) -> (MuscleFile, Solved, Centerline) {
     let file = MuscleFile::parse(&case.yaml).unwrap_or_else(|error| panic!("{error}\n{}", case.yaml));
     let mut scene = Scene::default();
     let rig = MuscleRig::build(&file, "arm", &mut scene, MuscleId(0));
@@ -59,8 +59,9 @@ fn posed(case: &Case) -> (MuscleFile, Solved, Path) {
     pose.locals(&mut local);
     scene.graph.world_from_local(&local, &mut world);
     let solved = rig.solve(0, drive, &world);
-    let path = rig.centre_line(0, &solved, &world).unwrap();
-    (file, solved, path)
+    let path = solved.centerline();
+    let path = path.clone();
+    (file, solved.shape, path)
 }
 
 /// π∫r²ds of truncated cones, summed here and not by the library.
@@ -70,7 +71,7 @@ fn by_cones(radii: &[f64], length: f64) -> f64 {
 }
 
 /// Volume within a closed surface of `rings` rings perpendicular to the line, by the divergence theorem; and the greatest radius × curvature.
-fn by_surface(path: &Path, solved: &Solved, start: f64, rings: usize) -> (f64, f64) {
+fn by_surface(path: &Centerline, solved: &Solved, start: f64, rings: usize) -> (f64, f64) {
     let (mut bend, mut before) = (0.0_f64, Vec::new());
     let mut volume = 0.0;
     let flat = |ring: &[DVec3], middle: DVec3, out: f64| -> f64 {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use sinew::document::{Document, ImageLoading, OpenOptions};
-use sinew::muscle::{Anchor, MuscleFile, Profile, Tendon};
+use sinew::muscle::{Anchor, MuscleFile, Profile, Tendon, ViaPoint};
 use sinew::progress::Progress;
 
 const SHIPPED: [&str; 7] = [
@@ -37,8 +37,8 @@ fn saved(file: &MuscleFile, text: &str) -> String {
     assert!(!saved.comments_lost, "{}", saved.text);
     let again = parse(&saved.text);
     assert_eq!(
-        (again.muscles, again.arm, again.joint, again.clip),
-        (file.muscles.clone(), file.arm, file.joint.clone(), file.clip.clone())
+        (again.muscles, again.arm, again.joints, again.clip),
+        (file.muscles.clone(), file.arm, file.joints.clone(), file.clip.clone())
     );
     saved.text
 }
@@ -89,8 +89,10 @@ fn every_kind_of_change_keeps_the_comments() {
     check(&|changed| changed.muscles[0].tendons[1] = Tendon { length: 60.0, radius: 2.5 });
     check(&|changed| changed.muscles[1].tendons[0] = Tendon { length: 10.0, radius: 4.0 });
     check(&|changed| changed.muscles[1].tendons = [Tendon::default(); 2]);
-    check(&|changed| changed.muscles[1].wrap = None);
-    check(&|changed| changed.muscles[0].via = vec![Anchor { bone: "upper arm".to_owned(), offset: glam::DVec3::new(30.0, -150.0, 0.0) }]);
+    check(&|changed| changed.muscles[1].wraps.clear());
+    check(&|changed| {
+        changed.muscles[0].via = vec![Anchor { bone: "upper arm".to_owned(), offset: glam::DVec3::new(30.0, -150.0, 0.0) }.into()]
+    });
     check(&|changed| changed.muscles[0].origin.as_mut().unwrap().offset.y = -31.5);
     check(&|changed| changed.unit_metres = 0.01);
     check(&|changed| changed.arm.as_mut().unwrap().flexion = Some([5.0, 120.0]));
@@ -143,11 +145,11 @@ fn via_points_that_come_and_go_keep_the_comments_beside_them() {
         "muscles:\n  - length: 30 # a\n    radii: [1, 2, 1]\n    growth: [0, 1, 0]\n    origin: {bone: b} # b\n    insertion: {bone: c}\n";
     let block = "    via: # c\n      - {bone: b, offset: [1, 0, 0]} # d\n      - bone: c # e\n        offset: [2, 0, 0]\n";
     let flow = "    via: [{bone: b, offset: [1, 0, 0]}, {bone: c, offset: [2, 0, 0]}] # c\n";
-    let point = |x: f64| Anchor { bone: "b".to_owned(), offset: glam::DVec3::new(x, 0.5, 0.0) };
+    let point = |x: f64| ViaPoint::from(Anchor { bone: "b".to_owned(), offset: glam::DVec3::new(x, 0.5, 0.0) });
     for (via, tail) in [("", ""), (block, ""), (flow, "    name: N # f\n"), (block, "    name: N # f\n")] {
         let text = format!("{muscle}{via}{tail}");
         let file = parse(&text);
-        let change = |change: &dyn Fn(&mut Vec<Anchor>)| {
+        let change = |change: &dyn Fn(&mut Vec<ViaPoint>)| {
             let mut changed = file.clone();
             change(&mut changed.muscles[0].via);
             let written = changed.to_yaml_keeping(&text);
@@ -159,7 +161,7 @@ fn via_points_that_come_and_go_keep_the_comments_beside_them() {
         assert!(!change(&|via| via.push(point(3.0))).comments_lost);
         change(&|via| via.insert(0, point(3.0)));
         if !via.is_empty() {
-            assert!(!change(&|via| via[1].offset.x = 9.0).comments_lost);
+            assert!(!change(&|via| via[1].place.offset.x = 9.0).comments_lost);
             // What stood beside the point that went goes with it, and so does what stood beside a whole list.
             let gone = change(&|via| drop(via.remove(0))).text;
             assert!(!gone.contains("[1, 0, 0]"), "{gone}");
@@ -205,7 +207,7 @@ proptest! {
         let written = file.to_yaml_keeping(&mutated);
         let again = MuscleFile::parse(&written.text).unwrap();
         prop_assert_eq!(again.muscles, file.muscles);
-        prop_assert_eq!((again.arm, again.joint, again.clip), (file.arm, file.joint, file.clip));
+        prop_assert_eq!((again.arm, again.joints, again.clip), (file.arm, file.joints, file.clip));
     }
 }
 

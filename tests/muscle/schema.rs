@@ -73,7 +73,7 @@ fn strings(list: &Value) -> impl Iterator<Item = &str> {
 }
 
 /// Files that between them have every key.
-fn complete() -> [Value; 3] {
+fn complete() -> [Value; 4] {
     [
         json!({"muscle_config": {"radiuses": [1.0, 2.0, 1.0], "grow_mults": [0.0, 1.0, 0.0], "len": 30.0},
             "carcass_config": {"data": [[10.0, 200.0], [30.0, 100.0]], "thickness": 5.0}}),
@@ -87,6 +87,17 @@ fn complete() -> [Value; 3] {
             "joint": {"bone": "b", "axis": [1.0, 0.0, 0.0], "range": [-10.0, 90.0]}, "muscles": [
             {"length": 25.0, "poses": [{"angle": 0.0, "radii": [1.0, 2.0]}, {"angle": 60.0, "radii": [1.5, 2.0]}]},
             {"length": 25.0, "poses": [{"length": 20.0, "radii": [1.0, 2.0]}, {"length": 30.0, "radii": [1.5, 2.0]}]}]}),
+        json!({"joints": [{"name": "elbow", "bone": "b", "axis": [1.0, 0.0, 0.0]}, {"bone": "a", "axis": [0.0, 1.0, 0.0]}], "muscles": [{
+            "length": 25.0, "radii": [1.0, 2.0], "growth": [0.0, 1.0], "origin": {"bone": "a"}, "insertion": {"bone": "b"},
+            "via": [
+                {"bone": "a", "offset": [3.0, -15.0, 0.0], "active": {"joint": "elbow", "range": [10.0, 90.0]}},
+                {"bone": "b", "moves": {"joint": "a", "angles": [0.0, 90.0], "offsets": [[1.0, 2.0, 3.0], [2.0, 2.0, 3.0]]}}],
+            "wraps": [
+                {"shape": "sphere", "bone": "a", "radius": 1.5, "side": [1.0, 0.0, 0.0], "between": "joint"},
+                {"shape": "cylinder", "bone": "a", "offset": [0.0, 1.0, 0.0], "rotation": [0.0, 90.0, 0.0], "radius": 1.5, "length": 5.0,
+                    "side": "-x", "between": [0, 2]},
+                {"shape": "ellipsoid", "bone": "b", "radii": [1.0, 2.0, 3.0]},
+                {"shape": "torus", "bone": "b", "radius": 3.0, "tube": 1.0}]}]}),
     ]
 }
 
@@ -237,10 +248,16 @@ fn knows(root: &Value, schema: &Value, place: &[&str], key: &str) -> bool {
 /// Whether an error is about values that belong together: numbers that make no muscle, bones that the arm has not, orders, directions. No schema can
 /// say these.
 fn is_about_several_values(error: &ConfigErrorKind) -> bool {
-    use ConfigErrorKind::{AttachedAtElbow, BadRange, NoDirection, Profile, UnknownArmBone};
+    use ConfigErrorKind as Kind;
     match error {
-        AttachedAtElbow(_) | BadRange { .. } | NoDirection(_) | UnknownArmBone { .. } => true,
-        Profile(error) => matches!(error, ProfileError::NoGrowth | ProfileError::PoseNodes { .. } | ProfileError::LengthsDiffer { .. }),
+        Kind::AttachedAtElbow(_) | Kind::BadRange { .. } | Kind::NoDirection(_) | Kind::UnknownArmBone { .. } => true,
+        Kind::RepeatedJoint(_) | Kind::UnknownJoint { .. } | Kind::MotionAngles | Kind::BadBetween { .. } => true,
+        Kind::TorusWithoutHole { .. } | Kind::SideAlongCylinder => true,
+        // As many offsets as angles.
+        Kind::WrongCount { name, .. } => name.key == Some("offsets") && name.items.is_empty(),
+        Kind::Profile(error) => {
+            matches!(error, ProfileError::NoGrowth | ProfileError::PoseNodes { .. } | ProfileError::LengthsDiffer { .. })
+        }
         _ => false,
     }
 }

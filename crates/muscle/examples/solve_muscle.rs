@@ -1,12 +1,12 @@
 //! Bends the elbow of a ready arm and solves its biceps: the length changes, the volume does not.
 
 use sinew_muscle::presets::Preset;
-use sinew_muscle::{MuscleRig, Solved};
+use sinew_muscle::{MuscleRig, SolvedMuscle};
 use sinew_scene::animation::Pose;
 use sinew_scene::{MuscleId, Scene};
 
 /// The first muscle of a preset's arm at each of these elbow angles, degrees.
-pub(crate) fn solve(preset: &str, angles: &[f64]) -> Option<Vec<Solved>> {
+pub(crate) fn solve(preset: &str, angles: &[f64]) -> Option<Vec<SolvedMuscle>> {
     let file = Preset::by_id(preset)?.file();
     // The arm's rods and elbow become nodes of a scene; so would those of a clip.
     let mut scene = Scene::default();

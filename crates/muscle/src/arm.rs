@@ -20,6 +20,8 @@ use sinew_scene::{BodyPart, Node, NodeId, NodeKind, Scene, Transform, TransformO
 pub const UPPER_ARM: &str = BodyPart::UpperArm.id();
 /// The forearm's id in the scene.
 pub const FOREARM: &str = BodyPart::Forearm.id();
+/// What files call the arm's joint.
+pub(super) const ELBOW_JOINT: &str = "elbow";
 /// The farthest that an elbow bends, degrees.
 pub const FULL_FLEXION: f64 = 150.0;
 /// Radius of the elbow's ball over that of the rods.

@@ -17,8 +17,8 @@ pub enum AttachmentPoint {
     End(usize),
     /// A point on the way, from 0.
     Via(usize),
-    /// The middle of the ball that the muscle goes round.
-    Wrap,
+    /// The centre of a surface that the muscle goes round, from 0.
+    Wrap(usize),
 }
 
 /// What a muscle file calls `node`, so that it is found again: its name where that tells it from all others, else its id; its place in its file where it has
@@ -94,7 +94,15 @@ impl MuscleRig {
 
     /// Where a point of muscle `index` is in the world, metres; `None` where it has no such point.
     pub fn hold(&self, index: usize, hold: AttachmentPoint, world: &[DMat4]) -> Option<DVec3> {
-        self.hold_point(index, hold).map(|point| self.root_matrix(world).transform_point3(self.frames(world).place(point)))
+        let line = self.muscles.get(index)?.line.as_ref()?;
+        let (root, frames) = (self.root_matrix(world), self.frames(world));
+        // A via point that is not passed has a place all the same.
+        let moving = match hold {
+            AttachmentPoint::Via(number) => line.place(number + 1, &frames),
+            _ => None,
+        };
+        let place = moving.or_else(|| self.hold_point(index, hold).map(|point| frames.place(point)))?;
+        Some(root.transform_point3(place))
     }
 
     /// The bone that a point of muscle `index` is on.
@@ -107,8 +115,8 @@ impl MuscleRig {
         match hold {
             AttachmentPoint::End(0) => Some(line.origin),
             AttachmentPoint::End(_) => Some(line.insertion),
-            AttachmentPoint::Via(number) => line.via.get(number).copied(),
-            AttachmentPoint::Wrap => line.wrap_object.map(|wrap_object| wrap_object.center),
+            AttachmentPoint::Via(number) => line.via.get(number).map(|via| via.point),
+            AttachmentPoint::Wrap(number) => line.wraps.get(number).map(|wrap| wrap.center),
         }
     }
 
@@ -117,7 +125,7 @@ impl MuscleRig {
         let line = self.muscles.get(index).and_then(|muscle| muscle.line.as_ref());
         let via = line.map_or(0, |line| line.via.len());
         let ends = if line.is_some() { 2 } else { 0 };
-        let wrap = line.and_then(|line| line.wrap_object).map(|_| AttachmentPoint::Wrap);
-        (0..ends).map(AttachmentPoint::End).chain((0..via).map(AttachmentPoint::Via)).chain(wrap)
+        let wraps = line.map_or(0, |line| line.wraps.len());
+        (0..ends).map(AttachmentPoint::End).chain((0..via).map(AttachmentPoint::Via)).chain((0..wraps).map(AttachmentPoint::Wrap))
     }
 }

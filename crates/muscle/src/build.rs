@@ -5,16 +5,17 @@ use std::sync::OnceLock;
 use glam::{DMat4, DVec3};
 
 use super::Finding;
-use super::arm::{AXIS, Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
-use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt};
-use super::joint_dof::{FoundBy, JointDof};
-use super::line_of_action::{CenterlineOffset, Line, Point};
-use super::muscle_rig::{Muscle, MuscleRig};
+use super::arm::{AXIS, Arm, ArmNodes, ELBOW_JOINT, FOREARM, FULL_FLEXION, UPPER_ARM};
+use super::config::{self, Anchor, MuscleFile, MuscleSpec, PoseAt, WrapRange};
+use super::joint_dof::{FoundBy, JointAngle, JointDof};
+use super::line_of_action::{CenterlineOffset, Frames, Line, Point};
+use super::muscle_rig::{Muscle, MuscleRig, RigJoint};
 use super::muscle_state::LengthRange;
 use super::profile::Profile;
 use super::revolute_joint::RevoluteJoint;
 use super::tessellation::MuscleTopology;
-use super::wrap::WrapObject;
+use super::via_point::{MotionCurve, ViaPoint};
+use super::wrap_object::WrapObject;
 use super::{bone_clearance, materials, primitive_meshes, scaling};
 use sinew_scene::animation::Clip;
 use sinew_scene::diagnostics::Diagnostic;
@@ -32,13 +33,15 @@ impl MuscleRig {
         node.kind = NodeKind::Asset;
         node.transform = Transform { ops: vec![TransformOp::Scale(DVec3::splat(unit))] };
         let root = scene.graph.add(None, node);
-        let mut rig = Self { root: Some(root), joint: file.joint.clone(), unit, scaled_at: file.scale, ..Self::default() };
+        let mut rig = Self { root: Some(root), joint_specs: file.joints.clone(), unit, scaled_at: file.scale, ..Self::default() };
         if let Some(arm) = file.arm {
             let nodes = arm.build(scene, root);
             rig.bones = vec![nodes.upper, nodes.elbow];
             let range = arm.flexion.unwrap_or([0.0, FULL_FLEXION]);
-            rig.hinge = Some(RevoluteJoint::elbow(&arm, range));
-            rig.turning = Some(JointDof { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File });
+            let dof = JointDof { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File };
+            let angle = JointAngle::new(&dof, &scene.graph);
+            let revolute = RevoluteJoint::elbow(&arm, range);
+            rig.joints = vec![RigJoint { name: ELBOW_JOINT.to_owned(), dof, angle, revolute, carries: vec![false] }];
             rig.arm = Some((arm, nodes));
         }
         let tendon = materials::tendon(scene);
@@ -65,7 +68,7 @@ impl MuscleRig {
                     FOREARM => Some(1),
                     _ => None,
                 };
-                muscle.line = resolve(&muscle.spec, find).ok().flatten();
+                muscle.line = resolve(&muscle.spec, &[ELBOW_JOINT.to_owned()], find).ok().flatten();
             }
             rig.muscles.push(muscle);
         }
@@ -94,6 +97,10 @@ impl MuscleRig {
         let mut rest = Vec::new();
         scene.graph.world_from_local(&scene.graph.rest_locals(), &mut rest);
         self.ride = self.scaled_at.map(|at| scaling::ride(&scene.graph, self.unit, at));
+        // Joints that the file names come first, so that via points find them by their number.
+        self.joints.clear();
+        let (named, missing) = self.named_joints(scene);
+        let joint_names: Vec<String> = named.iter().map(|(name, _)| name.clone()).collect();
         let (bones, root, scaled_at) = (&mut self.bones, self.root, self.scaled_at);
         for muscle in &mut self.muscles {
             let find = |bone: &str| {
@@ -104,7 +111,7 @@ impl MuscleRig {
                 names.push(bone.to_owned());
                 Some(bones.len() - 1)
             };
-            match resolve(&muscle.spec, find) {
+            match resolve(&muscle.spec, &joint_names, find) {
                 Ok(line) => {
                     // It is as large as the bone that it comes from.
                     let origin = line.as_ref().and_then(|line| bones.get(line.origin.bone));
@@ -119,24 +126,36 @@ impl MuscleRig {
                 }
             }
         }
-        self.turning = self.joint_in(scene, clips);
-        self.hinge = self.turning.as_ref().map(|joint| self.hinge_in(scene, joint));
+        self.findings.extend(missing);
+        let named = if self.joint_specs.is_empty() {
+            self.found_joint(scene, clips).map(|joint| (String::new(), joint)).into_iter().collect()
+        } else {
+            named
+        };
+        self.turn(scene, named, &rest);
         self.place_poses();
         self.check_joint_range(&scene.graph);
         self.findings.clone()
     }
 
-    /// The joint that measurements turn: the one that the file names, else the elbow that moves one end of a muscle, else the joint at an insertion.
-    fn joint_in(&mut self, scene: &Scene, clips: &[Clip]) -> Option<JointDof> {
-        let graph = &scene.graph;
-        if let Some(joint) = &self.joint {
-            let Some(node) = find_bone(graph, self.root, &joint.bone) else {
-                let bone = joint.bone.clone();
-                self.findings.push(Diagnostic::new(Finding::JointNotFound { bone: bone.clone() }, None, bone));
-                return None;
-            };
-            return Some(JointDof::of_file(scene, node, joint));
+    /// The joints that the file names and that are there, with what they are called; and what is to be said of those that are not.
+    fn named_joints(&self, scene: &Scene) -> (Vec<(String, JointDof)>, Vec<Diagnostic<Finding>>) {
+        let (mut named, mut missing) = (Vec::new(), Vec::new());
+        for joint in &self.joint_specs {
+            match find_bone(&scene.graph, self.root, &joint.bone) {
+                Some(node) => named.push((joint.label().to_owned(), JointDof::of_file(scene, node, joint))),
+                None => {
+                    let bone = joint.bone.clone();
+                    missing.push(Diagnostic::new(Finding::JointNotFound { bone: bone.clone() }, None, bone));
+                }
+            }
         }
+        (named, missing)
+    }
+
+    /// The joint that measurements turn where the file names none: the elbow that moves one end of a muscle, else the joint at an insertion.
+    fn found_joint(&self, scene: &Scene, clips: &[Clip]) -> Option<JointDof> {
+        let graph = &scene.graph;
         let lines = || self.muscles.iter().filter_map(|muscle| muscle.line.as_ref());
         let ends = |line: &Line| Some([*self.bones.get(line.origin.bone)?, *self.bones.get(line.insertion.bone)?]);
         lines().next()?;
@@ -152,11 +171,21 @@ impl MuscleRig {
         JointDof::at_node(scene, clips, crossing[1])
     }
 
-    /// That joint as measurements turn it: from the rest pose.
-    fn hinge_in(&self, scene: &Scene, joint: &JointDof) -> RevoluteJoint {
-        let mut world = Vec::new();
-        scene.graph.world_from_local(&scene.graph.rest_locals(), &mut world);
-        self.hinge_of(joint, scene, &world)
+    /// Takes these joints as those that measurements turn, from the rest pose.
+    fn turn(&mut self, scene: &Scene, joints: Vec<(String, JointDof)>, rest: &[DMat4]) {
+        let graph = &scene.graph;
+        let above = |joint: &JointDof| graph.node(joint.node).parent();
+        let parents: Vec<Option<NodeId>> = joints.iter().map(|(_, joint)| above(joint)).collect();
+        // The angles of all are asked for where one is placed, so that they come first.
+        let angles: Vec<JointAngle> = joints.iter().map(|(_, joint)| JointAngle::new(joint, graph)).collect();
+        let rest_angles: Vec<f64> = angles.iter().map(|angle| angle.of(rest).unwrap_or(f64::NAN)).collect();
+        let turning = |(number, (name, dof)): (usize, (String, JointDof))| {
+            let below = graph.subtree(dof.node);
+            let carries = parents.iter().map(|parent| parent.is_some_and(|parent| below.contains(&parent))).collect();
+            let revolute = RevoluteJoint { angles: rest_angles.clone(), own: Some(number), ..self.hinge_of(&dof, scene, rest) };
+            RigJoint { name, dof, angle: angles[number], revolute, carries }
+        };
+        self.joints = joints.into_iter().enumerate().map(turning).collect();
     }
 
     /// The joint in a pose, with the bones that it moves.
@@ -168,19 +197,21 @@ impl MuscleRig {
         let of = |node: NodeId| world.get(node.index()).map_or(frames.from_world, |world| frames.from_world * *world);
         let above = scene.graph.node(joint.node).parent().map_or(frames.from_world, of);
         let pivot = above.inverse().transform_point3(of(joint.node).w_axis.truncate());
-        RevoluteJoint { at_rest: joint.at_rest, range: joint.range, ..RevoluteJoint::new(above, pivot, joint.axis, bones) }
+        let angles = (0..self.joints.len()).map(|number| frames.angle(number)).collect();
+        let own = self.joints.iter().position(|known| known.dof.node == joint.node && known.dof.axis == joint.axis);
+        RevoluteJoint { at_rest: joint.at_rest, range: joint.range, angles, own, ..RevoluteJoint::new(above, pivot, joint.axis, bones) }
     }
 
     /// On the arm: finds drawn ends and the range of the elbow, once all muscles are there, and roots the ends in the rods.
     fn settle_on_arm(&mut self, scene: &mut Scene, tendon: MaterialId) {
-        let (Some((arm, nodes)), Some(hinge)) = (self.arm, &mut self.hinge) else { return };
+        let (Some((arm, nodes)), Some(hinge)) = (self.arm, self.joints.first_mut().map(|joint| &mut joint.revolute)) else { return };
         let asked = hinge.range;
         let mut range = asked;
         for (index, muscle) in self.muscles.iter_mut().enumerate() {
             let fixed = muscle.fixed();
             let Some(line) = &mut muscle.line else { continue };
             let fit = bone_clearance::fit(&arm, line, &muscle.shape, &muscle.tendons, asked);
-            if line.via.is_empty() {
+            if line.via.is_empty() && !line.wraps.iter().any(|wrap| wrap.is_shaped()) {
                 line.drawn = Some(fit.drawn);
                 add_roots(scene, &arm, &nodes, &muscle.spec, &fit.drawn, tendon);
             }
@@ -198,9 +229,9 @@ impl MuscleRig {
 
     /// Finds out how long muscles are at the angles of their measured poses, now that they are on their joint.
     fn place_poses(&mut self) {
-        let hinge = &self.hinge;
+        let hinge = self.joints.first().map(|joint| &joint.revolute);
         for muscle in self.muscles.iter_mut().filter(|muscle| muscle.spec.poses.iter().any(|pose| matches!(pose.at, PoseAt::Angle(_)))) {
-            let found = hinge.as_ref().zip(muscle.line.as_ref());
+            let found = hinge.zip(muscle.line.as_ref());
             let length_at = |angle: f64| found.map(|(hinge, line)| (line.length(&hinge.at(angle)) - muscle.fixed()) / muscle.scale);
             let finding = match MuscleSpec::posed(&muscle.spec.poses, muscle.spec.profile.rest_length(), length_at) {
                 Ok(profile) => {
@@ -233,25 +264,36 @@ pub(super) fn rounding(shape: &Profile) -> f64 {
     ROUNDING * shape.radii().iter().copied().fold(0.0, f64::max)
 }
 
-/// The line of action of a muscle whose bones `find` knows by index; `None` where it has no ends, the name of the bone that is not there as the error.
-pub(super) fn resolve(spec: &MuscleSpec, mut find: impl FnMut(&str) -> Option<usize>) -> Result<Option<Line>, String> {
+/// The line of action of a muscle whose bones `find` knows by index and whose joints have these names; `None` where it has no ends, the name of the bone that
+/// is not there as the error. A via point that depends on a joint that is not there is passed always, where it is.
+pub(super) fn resolve(spec: &MuscleSpec, joints: &[String], mut find: impl FnMut(&str) -> Option<usize>) -> Result<Option<Line>, String> {
     let (Some(origin), Some(insertion)) = (&spec.origin, &spec.insertion) else { return Ok(None) };
     let mut point = |anchor: &Anchor| -> Result<Point, String> {
         let bone = find(&anchor.bone).ok_or_else(|| anchor.bone.clone())?;
         Ok(Point { bone, local: anchor.offset })
     };
     let (origin, insertion) = (point(origin)?, point(insertion)?);
-    let via = spec.via.iter().map(&mut point).collect::<Result<Vec<_>, _>>()?;
-    let wrap_object = match &spec.wrap {
-        Some(wrap) => {
-            // It lies on the stretch that leads from one bone to another; a joint is where they meet.
-            let all: Vec<usize> = [origin].iter().chain(&via).chain([&insertion]).map(|point| point.bone).collect();
-            let stretch = all.windows(2).position(|pair| pair[0] != pair[1]).unwrap_or(0);
-            Some(WrapObject { center: point(&wrap.center)?, side: wrap.side.normalize_or(DVec3::X), radius: wrap.radius, stretch })
-        }
-        None => None,
+    let joint = |name: &str| joints.iter().position(|known| known == name);
+    let via_point = |via: &config::ViaPoint| -> Result<ViaPoint, String> {
+        let active = via.active.as_ref().and_then(|active| Some((joint(&active.joint)?, active.range)));
+        let moves = via.moves.as_ref().and_then(|moves| Some((joint(&moves.joint)?, MotionCurve::new(moves))));
+        Ok(ViaPoint { point: point(&via.place)?, active, moves })
     };
-    Ok(Some(Line { origin, insertion, via, wrap_object, rounding: rounding(&spec.profile), drawn: None }))
+    let via = spec.via.iter().map(via_point).collect::<Result<Vec<_>, _>>()?;
+    let mut line = Line { origin, insertion, via, wraps: Vec::new(), rounding: rounding(&spec.profile), drawn: None };
+    // A joint is where two bones meet.
+    let bones: Vec<usize> = line.bones().collect();
+    let at_joint = bones.windows(2).position(|pair| pair[0] != pair[1]).unwrap_or(0);
+    for wrap in &spec.wraps {
+        let stretches = match wrap.range {
+            WrapRange::AtJoint => at_joint..at_joint + 1,
+            WrapRange::Whole => 0..line.count() - 1,
+            WrapRange::Between([from, to]) => from..to,
+        };
+        let bone = find(&wrap.center.bone).ok_or_else(|| wrap.center.bone.clone())?;
+        line.wraps.push(WrapObject::new(wrap, Point { bone, local: wrap.center.offset }, stretches));
+    }
+    Ok(Some(line))
 }
 
 /// A node by id, scoped id or name, joints first; nodes below `own` are the rig's own and don't count.

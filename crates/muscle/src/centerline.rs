@@ -1,12 +1,89 @@
-//! Curves that a muscle's centre line is made of: straight pieces and circular arcs, each exact in length, with a frame that does not twist.
+//! Curves that a muscle's centreline is made of: straight pieces, circular arcs and geodesics, each exact in length, with a frame that does not twist.
 //!
-//! Arcs keep everything closed: the length is a product, the cross-sections stand perpendicular by construction, and where radius × curvature
-//! stays below 1 Pappus' theorem makes the volume round a bent line exactly that round a straight one.
+//! Cross-sections stand perpendicular by construction, and where radius × curvature stays below 1 Pappus' theorem makes the volume round a bent line exactly
+//! that round a straight one.
 
 use glam::DVec3;
 
-/// Most pieces of one path.
-pub(super) const PIECES: usize = 32;
+use super::wrapping::Arc;
+
+/// A geodesic that is no circle is drawn in pieces that turn by about this much, radians: a cubic through both ends is off by 1e-5 of the radius of curvature.
+const TURN: f64 = 0.25;
+/// Most pieces of one geodesic.
+const GEODESIC_PIECES: usize = 48;
+
+/// A piece of a centreline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Piece {
+    Arc(Segment),
+    Curve(CurvePiece),
+}
+
+impl Piece {
+    fn length(&self) -> f64 {
+        match self {
+            Self::Arc(segment) => segment.length,
+            Self::Curve(curve) => curve.length,
+        }
+    }
+
+    fn curvature(&self) -> f64 {
+        match self {
+            Self::Arc(segment) => segment.curvature,
+            Self::Curve(curve) => curve.curvature,
+        }
+    }
+
+    fn frame_at(&self, at: f64) -> CrossSectionFrame {
+        match self {
+            Self::Arc(segment) => segment.frame_at(at),
+            Self::Curve(curve) => curve.frame_at(at),
+        }
+    }
+}
+
+/// A piece of a curve by its ends and the directions there: the cubic between them, as a function of the length of the curve itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct CurvePiece {
+    start: DVec3,
+    start_tangent: DVec3,
+    end: DVec3,
+    end_tangent: DVec3,
+    length: f64,
+    /// The frame's first axis at the start.
+    u: DVec3,
+    /// The largest of both halves, as the angle between directions over the length.
+    curvature: f64,
+}
+
+impl CurvePiece {
+    fn frame_at(&self, at: f64) -> CrossSectionFrame {
+        let inside = at.clamp(0.0, self.length);
+        let t = inside / self.length;
+        let (m, n) = (self.start_tangent * self.length, self.end_tangent * self.length);
+        let chord = self.end - self.start;
+        let position = self.start + chord * (t * t * (3.0 - 2.0 * t)) + m * (t * (1.0 - t) * (1.0 - t)) - n * (t * t * (1.0 - t));
+        let slope = chord * (6.0 * t * (1.0 - t)) + m * ((1.0 - t) * (1.0 - 3.0 * t)) + n * (t * (3.0 * t - 2.0));
+        let bend = chord * (6.0 - 12.0 * t) + m * (6.0 * t - 4.0) + n * (6.0 * t - 2.0);
+        let tangent = slope.normalize_or(self.start_tangent);
+        let normal = bend.reject_from_normalized(tangent).normalize_or(DVec3::ZERO);
+        let u = carried(self.u, (self.start, self.start_tangent), (position, tangent));
+        let curvature = bend.reject_from_normalized(tangent).length() / slope.length_squared().max(f64::MIN_POSITIVE);
+        CrossSectionFrame { position: position + tangent * (at - inside), tangent, u, v: tangent.cross(u), curvature, normal }
+    }
+}
+
+/// The axis `u` of a cross-section carried along a curve from one place and direction to another near by, without twist: two reflections
+/// [Wang, Jüttler, Zheng & Liu 2008, Computation of rotation minimizing frames].
+fn carried(u: DVec3, from: (DVec3, DVec3), to: (DVec3, DVec3)) -> DVec3 {
+    let mirrored = |vector: DVec3, normal: DVec3| {
+        let square = normal.length_squared();
+        if square > f64::MIN_POSITIVE { vector - normal * (2.0 * normal.dot(vector) / square) } else { vector }
+    };
+    let between = to.0 - from.0;
+    let (u, tangent) = (mirrored(u, between), mirrored(from.1, between));
+    perpendicular(mirrored(u, to.1 - tangent), to.1)
+}
 
 /// A straight piece or an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -40,20 +117,25 @@ pub struct CrossSectionFrame {
     pub normal: DVec3,
 }
 
-/// A centre line. Lives on the stack, so that laying a muscle allocates nothing.
-#[derive(Debug, Clone)]
-pub struct Path {
-    pieces: [Segment; PIECES],
-    count: usize,
+/// The line through the centres of a muscle's cross-sections.
+#[derive(Debug, Clone, Default)]
+pub struct Centerline {
+    pieces: Vec<Piece>,
     length: f64,
     /// The frame's first axis at the end.
     u: DVec3,
 }
 
-impl Path {
-    /// An empty path whose cross-sections will have their first axis as near `u` as the first piece's direction allows.
+impl Centerline {
+    /// An empty line whose cross-sections will have their first axis as near `u` as the first piece's direction allows.
     pub fn new(u: DVec3) -> Self {
-        Self { pieces: [Segment::default(); PIECES], count: 0, length: 0.0, u }
+        Self { pieces: Vec::new(), length: 0.0, u }
+    }
+
+    /// Makes it an empty line, whose memory is kept.
+    pub(super) fn begin(&mut self, u: DVec3) {
+        self.pieces.clear();
+        (self.length, self.u) = (0.0, u);
     }
 
     /// Length of all pieces.
@@ -64,21 +146,21 @@ impl Path {
     /// The pieces' largest curvature over `range` of the length.
     pub fn sharpest(&self, from: f64, to: f64) -> f64 {
         let (mut start, mut most) = (0.0, 0.0_f64);
-        for piece in self.pieces.iter().take(self.count) {
-            let end = start + piece.length;
+        for piece in &self.pieces {
+            let end = start + piece.length();
             if end > from && start < to {
-                most = most.max(piece.curvature);
+                most = most.max(piece.curvature());
             }
             start = end;
         }
         most
     }
 
-    /// Adds a straight piece; nothing where it has no length or the path is full.
+    /// Adds a straight piece; nothing where it has no length.
     pub fn line(&mut self, start: DVec3, end: DVec3) {
         let Some(tangent) = (end - start).try_normalize() else { return };
         let u = perpendicular(self.u, tangent);
-        self.push(Segment {
+        self.push(Piece::Arc(Segment {
             start,
             tangent,
             normal: u,
@@ -86,7 +168,7 @@ impl Path {
             curvature: 0.0,
             length: start.distance(end),
             along: (1.0, 0.0),
-        });
+        }));
         self.u = u;
     }
 
@@ -99,17 +181,36 @@ impl Path {
         let binormal = tangent.cross(normal);
         let u = perpendicular(self.u, tangent);
         let along = (u.dot(normal), u.dot(binormal));
-        self.push(Segment { start, tangent, normal, binormal, curvature: 1.0 / radius, length: radius * angle, along });
+        self.push(Piece::Arc(Segment { start, tangent, normal, binormal, curvature: 1.0 / radius, length: radius * angle, along }));
         let (sin, cos) = angle.sin_cos();
         self.u = along.0 * (normal * cos - tangent * sin) + along.1 * binormal;
     }
 
-    fn push(&mut self, piece: Segment) {
-        if let Some(slot) = self.pieces.get_mut(self.count) {
-            *slot = piece;
-            self.count += 1;
-            self.length += piece.length;
+    /// Adds a geodesic of a solved line: an arc where it is a circle, else pieces of a curve.
+    pub(super) fn geodesic(&mut self, arc: &Arc) {
+        if let Some(radius) = arc.circle() {
+            self.arc(arc.start, arc.start_tangent, -arc.start_normal(), radius, arc.length / radius);
+            return;
         }
+        let count = ((arc.turn() / TURN).ceil().max(1.0) as usize).min(GEODESIC_PIECES);
+        let length = arc.length / count as f64;
+        self.u = perpendicular(self.u, arc.start_tangent);
+        let mut before: Option<(DVec3, DVec3)> = None;
+        for (end, end_tangent) in arc.sample(count + 1) {
+            if let Some((start, start_tangent)) = before {
+                let middle = (end - start).normalize_or(start_tangent);
+                let curvature = 2.0 * (angle(start_tangent, middle).max(angle(middle, end_tangent))) / length;
+                let piece = CurvePiece { start, start_tangent, end, end_tangent, length, u: self.u, curvature };
+                self.u = carried(self.u, (start, start_tangent), (end, end_tangent));
+                self.push(Piece::Curve(piece));
+            }
+            before = Some((end, end_tangent));
+        }
+    }
+
+    fn push(&mut self, piece: Piece) {
+        self.length += piece.length();
+        self.pieces.push(piece);
     }
 
     /// A path of exactly `length` from `start` to `end`, which lie at most `length` apart, bulging towards `side`: an arc, a straight middle, and
@@ -157,7 +258,7 @@ impl Path {
 /// A place on a path that only moves forward.
 #[derive(Debug, Clone)]
 pub struct Cursor<'a> {
-    path: &'a Path,
+    path: &'a Centerline,
     piece: usize,
     /// Length before the present piece.
     start: f64,
@@ -167,15 +268,15 @@ impl Cursor<'_> {
     /// The cross-section at length `at` from the start, not before the piece of the last one asked for.
     pub fn frame_at(&mut self, at: f64) -> CrossSectionFrame {
         let path = self.path;
-        while let (Some(piece), true) = (path.pieces.get(self.piece), self.piece + 1 < path.count) {
-            if at <= self.start + piece.length {
+        while let (Some(piece), true) = (path.pieces.get(self.piece), self.piece + 1 < path.pieces.len()) {
+            if at <= self.start + piece.length() {
                 break;
             }
-            self.start += piece.length;
+            self.start += piece.length();
             self.piece += 1;
         }
-        // `PIECES` is not zero and `piece` stays below `count`, so the piece is there; an empty path gives a piece of zeros.
-        let piece = path.pieces.get(self.piece).copied().unwrap_or_default();
+        // An empty line gives a piece of zeros.
+        let piece = path.pieces.get(self.piece).copied().unwrap_or(Piece::Arc(Segment::default()));
         piece.frame_at(at - self.start)
     }
 }
@@ -201,6 +302,11 @@ impl Segment {
             normal,
         }
     }
+}
+
+/// The angle between two directions, exact for small ones.
+fn angle(one: DVec3, other: DVec3) -> f64 {
+    one.cross(other).length().atan2(one.dot(other))
 }
 
 /// The unit vector nearest `wish` that is perpendicular to the unit vector `axis`.

@@ -4,14 +4,18 @@ use glam::DVec3;
 
 use super::arm::{FOREARM, UPPER_ARM};
 use super::bones::AttachmentPoint;
-use super::config::{Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, Wrap};
+use super::config::{ActiveRange, Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, ViaPoint, Wrap, WrapRange, WrapShape};
 use super::profile::{LARGEST, Profile, ProfileError};
 use sinew_scene::limits;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
 
 /// Most via points of one muscle.
-pub const VIA: usize = 8;
+pub const VIA: usize = 24;
+/// Most wrap surfaces of one muscle.
+pub const WRAPS: usize = 12;
+/// Most places between which a via point moves.
+pub const MOTION_POINTS: usize = 64;
 
 /// A change of one muscle. Nodes and ends count from 0; lengths are in the file's unit.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,16 +46,24 @@ pub enum Edit {
     Ends(Option<[Anchor; 2]>),
     /// One end: origin (0) or insertion (1).
     End(usize, Anchor),
-    /// One of the points that it passes, from 0.
+    /// The place of one of the points that it passes, from 0.
     Via(usize, Anchor),
+    /// While which angles it passes one of the points, from 0; `None` = always.
+    ViaRange(usize, Option<ActiveRange>),
     /// A new point to pass before this one; at the end where there is no such point.
     AddVia(usize, Anchor),
     /// A point to pass less.
     DeleteVia(usize),
     /// This point to pass and the one after it change places.
     SwapVia(usize),
-    /// What it goes round.
-    Wrap(Option<Wrap>),
+    /// One of the surfaces that it goes round, from 0.
+    Wrap(usize, Wrap),
+    /// A new surface to go round, after all others.
+    AddWrap(Wrap),
+    /// A surface to go round less.
+    DeleteWrap(usize),
+    /// This surface and the one after it change places.
+    SwapWrap(usize),
 }
 
 /// Why a change cannot be made.
@@ -86,8 +98,14 @@ pub enum EditError {
     NoName,
     /// The radii come from measured poses, so that one cannot be set.
     Posed,
-    /// A wrap without a radius or a side.
+    /// A wrap surface without a size, a torus without a hole, a side or a part of the way that is none.
     Wrap,
+    /// The muscle has no such wrap surface.
+    NoWrap(usize),
+    /// More than [`WRAPS`] wrap surfaces.
+    TooManyWraps(usize),
+    /// A range of angles that is empty or of no joint of the file.
+    ViaRange,
 }
 
 impl ToMessage for EditError {
@@ -108,6 +126,9 @@ impl ToMessage for EditError {
             Self::NoName => message!("muscle-edit-no-name"),
             Self::Posed => message!("muscle-edit-posed"),
             Self::Wrap => message!("muscle-edit-wrap"),
+            Self::NoWrap(number) => message!("muscle-edit-no-wrap", number = number + 1),
+            Self::TooManyWraps(count) => message!("muscle-too-many-wraps", limit = WRAPS, count = count),
+            Self::ViaRange => message!("muscle-edit-via-range-bad"),
         }
     }
 }
@@ -135,8 +156,11 @@ impl ToMessage for Edit {
             Self::AddVia(..) => message!("muscle-edit-via-add"),
             Self::DeleteVia(number) => message!("muscle-edit-via-delete", number = number + 1),
             Self::SwapVia(_) => message!("muscle-edit-via-order"),
-            Self::Wrap(Some(_)) => message!("muscle-edit-wrapping"),
-            Self::Wrap(None) => message!("muscle-edit-wrap-delete"),
+            Self::ViaRange(number, _) => message!("muscle-edit-via-range", number = number + 1),
+            Self::Wrap(..) => message!("muscle-edit-wrapping"),
+            Self::AddWrap(_) => message!("muscle-edit-wrap-add"),
+            Self::DeleteWrap(_) => message!("muscle-edit-wrap-delete"),
+            Self::SwapWrap(_) => message!("muscle-edit-wrap-order"),
         }
     }
 }
@@ -147,7 +171,7 @@ impl Edit {
         Some(match hold {
             AttachmentPoint::End(end) => Self::End(end, anchor),
             AttachmentPoint::Via(number) => Self::Via(number, anchor),
-            AttachmentPoint::Wrap => Self::Wrap(Some(Wrap { center: anchor, ..spec.wrap.clone()? })),
+            AttachmentPoint::Wrap(number) => Self::Wrap(number, Wrap { center: anchor, ..spec.wraps.get(number)?.clone() }),
         })
     }
 }
@@ -201,8 +225,8 @@ impl MuscleSpec {
         match hold {
             AttachmentPoint::End(0) => self.origin.as_ref(),
             AttachmentPoint::End(_) => self.insertion.as_ref(),
-            AttachmentPoint::Via(number) => self.via.get(number),
-            AttachmentPoint::Wrap => self.wrap.as_ref().map(|wrap| &wrap.center),
+            AttachmentPoint::Via(number) => self.via.get(number).map(|via| &via.place),
+            AttachmentPoint::Wrap(number) => self.wraps.get(number).map(|wrap| &wrap.center),
         }
     }
 
@@ -245,7 +269,7 @@ impl MuscleSpec {
             Edit::Ends(Some([origin, insertion])) => {
                 (self.origin, self.insertion) = (Some(origin.clone()), Some(insertion.clone()));
             }
-            Edit::Ends(None) => (self.origin, self.insertion, self.via, self.wrap) = (None, None, Vec::new(), None),
+            Edit::Ends(None) => (self.origin, self.insertion, self.via, self.wraps) = (None, None, Vec::new(), Vec::new()),
             Edit::End(end, anchor) => {
                 if self.origin.is_none() {
                     return Err(EditError::NoEnds);
@@ -253,14 +277,32 @@ impl MuscleSpec {
                 let slot = if *end == 0 { &mut self.origin } else { &mut self.insertion };
                 *slot = Some(anchor.clone());
             }
-            Edit::Via(number, anchor) => self.via.get_mut(*number).ok_or(EditError::NoVia(*number))?.clone_from(anchor),
-            Edit::AddVia(before, anchor) => self.via.insert((*before).min(self.via.len()), anchor.clone()),
+            Edit::Via(number, anchor) => {
+                let via = self.via.get_mut(*number).ok_or(EditError::NoVia(*number))?;
+                via.put_on(anchor);
+            }
+            Edit::ViaRange(number, range) => {
+                self.via.get_mut(*number).ok_or(EditError::NoVia(*number))?.active.clone_from(range);
+            }
+            Edit::AddVia(before, anchor) => {
+                let before = (*before).min(self.via.len());
+                self.via.insert(before, anchor.clone().into());
+                self.renumber(|point| if point > before { point + 1 } else { point });
+            }
             Edit::DeleteVia(number) if *number < self.via.len() => {
                 self.via.remove(*number);
+                // Its point of the way, counted from the origin, is the one after its number.
+                self.renumber(|point| if point > *number + 1 { point - 1 } else { point });
             }
             Edit::SwapVia(number) if number + 1 < self.via.len() => self.via.swap(*number, number + 1),
             Edit::DeleteVia(number) | Edit::SwapVia(number) => return Err(EditError::NoVia(*number)),
-            Edit::Wrap(wrap) => self.wrap.clone_from(wrap),
+            Edit::Wrap(number, wrap) => self.wraps.get_mut(*number).ok_or(EditError::NoWrap(*number))?.clone_from(wrap),
+            Edit::AddWrap(wrap) => self.wraps.push(wrap.clone()),
+            Edit::DeleteWrap(number) if *number < self.wraps.len() => {
+                self.wraps.remove(*number);
+            }
+            Edit::SwapWrap(number) if number + 1 < self.wraps.len() => self.wraps.swap(*number, number + 1),
+            Edit::DeleteWrap(number) | Edit::SwapWrap(number) => return Err(EditError::NoWrap(*number)),
         }
         Ok(())
     }
@@ -284,7 +326,7 @@ impl MuscleSpec {
 
     /// Whether ends, via points and wrap are what a file may say.
     fn check_places(&self, on_arm: bool) -> Result<(), EditError> {
-        if self.origin.is_none() && (!self.via.is_empty() || self.wrap.is_some()) {
+        if self.origin.is_none() && (!self.via.is_empty() || !self.wraps.is_empty()) {
             return Err(EditError::NoEnds);
         }
         if let (Some(origin), Some(insertion)) = (&self.origin, &self.insertion)
@@ -295,13 +337,18 @@ impl MuscleSpec {
         if self.via.len() > VIA {
             return Err(EditError::TooManyVia(self.via.len()));
         }
-        let usable = |vector: DVec3| vector.is_finite() && vector.abs().max_element() <= LARGEST;
-        if let Some(wrap) = &self.wrap
-            && !(wrap.radius > 0.0 && wrap.radius <= LARGEST && usable(wrap.side) && wrap.side.try_normalize().is_some())
-        {
+        if self.wraps.len() > WRAPS {
+            return Err(EditError::TooManyWraps(self.wraps.len()));
+        }
+        if !self.wraps.iter().all(|wrap| wrap.is_sound(self.via.len())) {
             return Err(EditError::Wrap);
         }
-        let places = self.origin.iter().chain(&self.insertion).chain(&self.via).chain(self.wrap.iter().map(|wrap| &wrap.center));
+        let ranges = self.via.iter().filter_map(|via| via.active.as_ref()).map(|active| active.range);
+        if ranges.into_iter().any(|[low, high]| !(low.is_finite() && high.is_finite() && low < high)) {
+            return Err(EditError::ViaRange);
+        }
+        let ends = self.origin.iter().chain(&self.insertion);
+        let places = ends.chain(self.via.iter().map(|via| &via.place)).chain(self.wraps.iter().map(|wrap| &wrap.center));
         for place in places {
             if !usable(place.offset) {
                 return Err(EditError::Offset);
@@ -312,6 +359,50 @@ impl MuscleSpec {
         }
         Ok(())
     }
+}
+
+impl MuscleSpec {
+    /// Changes the numbers of the points between which wrap surfaces act.
+    fn renumber(&mut self, number: impl Fn(usize) -> usize) {
+        for wrap in &mut self.wraps {
+            if let WrapRange::Between([from, to]) = wrap.range {
+                let (from, to) = (number(from), number(to));
+                wrap.range = if from < to { WrapRange::Between([from, to]) } else { WrapRange::Whole };
+            }
+        }
+    }
+}
+
+impl ViaPoint {
+    /// Puts the point somewhere else. A point that moves on the same bone keeps its motion.
+    fn put_on(&mut self, anchor: &Anchor) {
+        let by = anchor.offset - self.place.offset;
+        match &mut self.moves {
+            Some(moves) if anchor.bone == self.place.bone => moves.offsets.iter_mut().for_each(|offset| *offset += by),
+            moves => *moves = None,
+        }
+        self.place.clone_from(anchor);
+    }
+}
+
+impl Wrap {
+    /// Whether sizes, side and range are what a file may say of a muscle with so many via points.
+    fn is_sound(&self, via: usize) -> bool {
+        let sizes = self.shape.sizes().all(|size| size > 0.0 && size <= LARGEST);
+        let hole = !matches!(self.shape, WrapShape::Torus { radius, tube } if tube >= radius);
+        let side = match (self.side, self.shape) {
+            (None, _) => true,
+            (Some(_), WrapShape::Torus { .. }) => false,
+            (Some(side), WrapShape::Cylinder { .. }) => usable(side) && side.with_z(0.0).try_normalize().is_some(),
+            (Some(side), _) => usable(side) && side.try_normalize().is_some(),
+        };
+        let range = !matches!(self.range, WrapRange::Between([from, to]) if from >= to || to > via + 1);
+        sizes && hole && side && range && usable(self.rotation)
+    }
+}
+
+fn usable(vector: DVec3) -> bool {
+    vector.is_finite() && vector.abs().max_element() <= LARGEST
 }
 
 /// The list with one value more behind `node`, half-way to the next.

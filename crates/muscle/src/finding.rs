@@ -22,8 +22,10 @@ pub enum Finding {
     },
     /// The surface folds into itself, since the belly is bent tighter than it is thick.
     BentTooTight,
-    /// A point of the line of action lies inside the wrap sphere.
-    InsideWrapSphere {
+    /// A point of the line of action lies inside a wrap surface.
+    InsideWrap {
+        /// The surface, counted from 0.
+        wrap: usize,
         /// The point.
         point: LinePoint,
         /// How far inside.
@@ -31,8 +33,10 @@ pub enum Finding {
         /// The angle at which it lies deepest.
         angle: f64,
     },
-    /// The line of action touches the wrap sphere at no angle of this range.
-    WrapSphereNotTouched {
+    /// The line of action touches a wrap surface at no angle of this range.
+    WrapNotTouched {
+        /// The surface, counted from 0.
+        wrap: usize,
         /// The least and the greatest angle.
         range: [f64; 2],
     },
@@ -47,6 +51,18 @@ pub enum Finding {
     PathJumps {
         /// By how much.
         jump: f64,
+        /// Where.
+        angle: f64,
+    },
+    /// No shortest path was found: what is drawn goes round each wrap surface, but may be longer.
+    PathNotFound {
+        /// Where.
+        angle: f64,
+    },
+    /// The line of action lies on a cylinder beyond its end.
+    BeyondCylinder {
+        /// The surface, counted from 0.
+        wrap: usize,
         /// Where.
         angle: f64,
     },
@@ -137,17 +153,21 @@ impl ToMessage for Finding {
                 message!("muscle-too-short", share = per_cent(*share), place = at.message(), least = per_cent(SHORTEST))
             }
             Self::BentTooTight => message!("muscle-bent-too-tight"),
-            Self::InsideWrapSphere { point, depth, angle } => {
-                let (depth, place) = (millimetres(*depth), at(*angle));
+            Self::InsideWrap { wrap, point, depth, angle } => {
+                let (wrap, depth, place) = (wrap + 1, millimetres(*depth), at(*angle));
                 match point {
-                    LinePoint::Origin => message!("muscle-wrap-inside-origin", depth = depth, place = place),
-                    LinePoint::Insertion => message!("muscle-wrap-inside-insertion", depth = depth, place = place),
-                    LinePoint::Via(number) => message!("muscle-wrap-inside-via", number = number + 1, depth = depth, place = place),
+                    LinePoint::Origin => message!("muscle-wrap-inside-origin", wrap = wrap, depth = depth, place = place),
+                    LinePoint::Insertion => message!("muscle-wrap-inside-insertion", wrap = wrap, depth = depth, place = place),
+                    LinePoint::Via(number) => {
+                        message!("muscle-wrap-inside-via", wrap = wrap, number = number + 1, depth = depth, place = place)
+                    }
                 }
             }
-            Self::WrapSphereNotTouched { range: [low, high] } => {
-                message!("muscle-wrap-never", low = degrees(*low), high = degrees(*high))
+            Self::WrapNotTouched { wrap, range: [low, high] } => {
+                message!("muscle-wrap-never", wrap = wrap + 1, low = degrees(*low), high = degrees(*high))
             }
+            Self::PathNotFound { angle } => message!("muscle-path-not-found", place = at(*angle)),
+            Self::BeyondCylinder { wrap, angle } => message!("muscle-wrap-beyond-end", wrap = wrap + 1, place = at(*angle)),
             Self::MomentArmChangesSign { first, second } => message!(
                 "muscle-arm-changes-sign",
                 first = millimetres(first.moment_arm),
@@ -183,7 +203,9 @@ impl DiagnosticKind for Finding {
             Self::ShorterThanTendons => "muscle-shorter-than-tendons",
             Self::TooShort { .. } => "muscle-too-short",
             Self::BentTooTight => "muscle-bent-too-tight",
-            Self::InsideWrapSphere { .. } | Self::WrapSphereNotTouched { .. } => "muscle-wrap-inert",
+            Self::InsideWrap { .. } | Self::WrapNotTouched { .. } => "muscle-wrap-inert",
+            Self::PathNotFound { .. } => "muscle-path-not-found",
+            Self::BeyondCylinder { .. } => "muscle-wrap-beyond-end",
             Self::MomentArmChangesSign { .. } => "moment-arm-changes-sign",
             Self::PathJumps { .. } => "muscle-path-jumps",
             Self::ThroughBone { .. } => "muscle-through-bone",

@@ -75,6 +75,39 @@ impl JointRotation {
     }
 }
 
+/// What tells a joint's angle from a pose alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct JointAngle {
+    node: NodeId,
+    above: Option<NodeId>,
+    axis: DVec3,
+    at_rest: f64,
+    /// How its node is turned at rest.
+    rest: Option<DQuat>,
+}
+
+impl JointAngle {
+    pub(super) fn new(joint: &JointDof, graph: &Graph) -> Self {
+        let node = graph.node(joint.node);
+        let rest = rotation(&node.transform.matrix());
+        Self { node: joint.node, above: node.parent(), axis: joint.axis, at_rest: joint.at_rest, rest }
+    }
+
+    /// The angle in a pose, degrees: see [`JointDof::angle`].
+    pub(super) fn of(&self, world: &[DMat4]) -> Option<f64> {
+        let own = world.get(self.node.index())?;
+        let above = self.above.map_or(Some(&DMat4::IDENTITY), |parent| world.get(parent.index()))?;
+        if above.determinant().abs() <= f64::MIN_POSITIVE {
+            return None;
+        }
+        let turn = rotation(&(above.inverse() * *own))? * self.rest?.inverse();
+        let half = DVec3::new(turn.x, turn.y, turn.z).dot(self.axis).atan2(turn.w);
+        let degrees = (2.0 * half).to_degrees();
+        // Half a turn either way of where the joint is at rest.
+        Some(self.at_rest + (degrees + 180.0).rem_euclid(360.0) - 180.0)
+    }
+}
+
 impl JointDof {
     /// The joint at this angle, whatever the clip does with it.
     pub fn absolute(&self, degrees: f64) -> JointRotation {
@@ -94,18 +127,7 @@ impl JointDof {
     /// The joint's angle in a pose of `scene`, degrees: how far the node is turned about the axis from its rest pose, added to the angle that it has
     /// there. `world` is one matrix a node.
     pub fn angle(&self, scene: &Scene, world: &[DMat4]) -> Option<f64> {
-        let node = scene.graph.node(self.node);
-        let own = world.get(self.node.index())?;
-        let above = node.parent().map_or(Some(&DMat4::IDENTITY), |parent| world.get(parent.index()))?;
-        if above.determinant().abs() <= f64::MIN_POSITIVE {
-            return None;
-        }
-        let (local, rest) = (rotation(&(above.inverse() * *own))?, rotation(&node.transform.matrix())?);
-        let turn = local * rest.inverse();
-        let half = DVec3::new(turn.x, turn.y, turn.z).dot(self.axis).atan2(turn.w);
-        let degrees = (2.0 * half).to_degrees();
-        // Half a turn either way of where the joint is at rest.
-        Some(self.at_rest + (degrees + 180.0).rem_euclid(360.0) - 180.0)
+        JointAngle::new(self, &scene.graph).of(world)
     }
 
     /// The joint that a muscle file names, in the node that has been found for it.
@@ -128,7 +150,7 @@ impl JointDof {
 
     /// The joint at `node` that turns about an axis along the bone's own axes at rest, from the rest pose by up to 150 degrees either way.
     pub fn about(scene: &Scene, node: NodeId, axis: DVec3) -> Self {
-        let spec = JointSpec { bone: String::new(), axis, range: [-AROUND, AROUND] };
+        let spec = JointSpec { name: String::new(), bone: String::new(), axis, range: [-AROUND, AROUND] };
         Self { found: FoundBy::Hand, ..Self::of_file(scene, node, &spec) }
     }
 

@@ -41,10 +41,12 @@
 //! | `arm` | the two rods and the elbow as nodes of the scene |
 //! | `primitive_meshes`, `materials` | the arm's solid shapes, and the colours of all |
 //! | `line_of_action` | the line of action: its length, and the centreline that is drawn for it |
-//! | `wrap` | wrapping of the line of action over a sphere |
+//! | `via_point`, `wrap_object` | what a line of action passes and goes round, on the bones |
+//! | `wrap_placement` | a wrap surface in the world, and its outline |
 //! | [`wrapping`] | shortest paths over several spheres, cylinders, ellipsoids and tori |
-//! | `rounded_centerline` | the rounded line that is drawn where a muscle has via points |
-//! | `centerline` | centrelines of straight segments and arcs, exact in length, with rotation-minimising frames |
+//! | `rounded_centerline` | the line that is drawn, rounded at its corners |
+//! | `centerline` | centrelines of straight segments, arcs and geodesics, exact in length, with rotation-minimising frames |
+//! | `solved_muscle` | a muscle in one pose, and its buffers |
 //! | `bone_clearance` | distance between the belly and the rods |
 //! | `tessellation` | rings, hemispheres and tendons as triangles |
 //! | `muscle_state` | contraction and elbow angle of an arm, each computed from the other |
@@ -99,15 +101,19 @@ mod retarget;
 mod revolute_joint;
 mod rounded_centerline;
 mod scaling;
+mod solved_muscle;
 pub mod solver_report;
 mod tessellation;
 pub mod validation;
-mod wrap;
+mod via_point;
+mod wrap_object;
+mod wrap_placement;
 pub mod wrapping;
 
 pub use arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
 pub use bones::{AttachmentPoint, bone_name};
-pub use centerline::{CrossSectionFrame, Cursor, Path};
+pub use centerline::{Centerline, CrossSectionFrame, Cursor};
+pub use config::{ActiveRange, PointMotion, ViaPoint, WrapRange, WrapShape};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, SaveResult, Tendon, Wrap};
 pub use driving::Driving;
 pub use edit::{Edit, EditError};
@@ -118,11 +124,12 @@ pub use materials::fibers;
 pub use measured_shapes::Pose;
 pub use muscle_rig::MuscleRig;
 pub use muscle_sample::MuscleSample;
-pub use path_editing::WrapSphere;
 pub use profile::{Limit, LimitCause, Profile, ProfileError};
 pub use scaling::of_bone as bone_scale;
+pub use solved_muscle::SolvedMuscle;
 pub use solver_report::{Root, SolverReport};
 pub use tessellation::{MeshQuality, SEGMENTS};
+pub use wrap_placement::WrapPlacement;
 
 /// The state that the two sliders share; each follows the other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

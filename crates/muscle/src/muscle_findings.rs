@@ -2,11 +2,13 @@
 
 use glam::{DMat4, DVec3};
 
-use super::line_of_action::{Frames, Line};
-use super::measure::moment_arm;
+use super::centerline::Centerline;
+use super::line_of_action::{Frames, Line, LineSolver};
+use super::measure::{LineAtAngle, at_angle};
 use super::muscle_rig::{Muscle, MuscleRig};
 use super::profile::SHORTEST;
 use super::revolute_joint::RevoluteJoint;
+use super::wrapping::Status;
 use super::{Finding, FoundAt, LinePoint, MomentArmAt, Solved};
 use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::{Graph, NodeId, NodeKind, OwnedLabel};
@@ -25,6 +27,8 @@ const NEAR_AXIS: (f64, usize) = (0.25, 2);
 const THICK: f64 = 0.15;
 /// A muscle on a clip that begins nearer than this share of its rest length to the axis of its bone is a scheme that tells no side.
 const SCHEMATIC: f64 = 0.02;
+/// A point that lies less deep in a wrap surface than this share of the rest length lies on it.
+const INSIDE: f64 = 1e-7;
 /// Least range of the joint in which a ball that is not touched is one that does nothing, degrees.
 const LEAST_RANGE: f64 = 1.0;
 /// Places along a bone, and along the belly, that are looked at.
@@ -36,6 +40,47 @@ struct AngleSample {
     angle: f64,
     length: f64,
     arm: f64,
+}
+
+/// What happens to a line at the wrap surfaces over all angles that are looked at.
+struct WrapUse {
+    /// For each surface whether the line lies on it.
+    touched: Vec<bool>,
+    /// For each the point that lies deepest in it, how deep, and at which angle.
+    deepest: Vec<Option<(usize, f64, f64)>>,
+    /// For each the angle at which the line lies beyond the end of a cylinder.
+    beyond: Vec<Option<f64>>,
+    /// The angle at which no shortest path was found.
+    lost: Option<f64>,
+}
+
+impl WrapUse {
+    fn new(line: &Line) -> Self {
+        let count = line.wraps.len();
+        Self { touched: vec![false; count], deepest: vec![None; count], beyond: vec![None; count], lost: None }
+    }
+
+    fn see(&mut self, angle: f64, solver: &LineSolver) {
+        let solution = solver.solution();
+        if solution.status != Status::Converged {
+            self.lost.get_or_insert(angle);
+        }
+        for arc in solution.arcs() {
+            if let Some(touched) = self.touched.get_mut(arc.surface) {
+                *touched = true;
+            }
+            if let Some(beyond) = self.beyond.get_mut(arc.surface).filter(|_| arc.beyond_end) {
+                beyond.get_or_insert(angle);
+            }
+        }
+        for inside in solution.inside() {
+            let Some(point) = solver.number_of(inside.point) else { continue };
+            let Some(deepest) = self.deepest.get_mut(inside.surface) else { continue };
+            if deepest.is_none_or(|(_, depth, _)| inside.depth > depth) {
+                *deepest = Some((point, inside.depth, angle));
+            }
+        }
+    }
 }
 
 /// How much of a bone lies inside a belly.
@@ -70,7 +115,7 @@ impl MuscleRig {
     }
 
     fn check_over_joint(&mut self, muscles: &[usize], graph: &Graph) {
-        let Some(hinge) = &self.hinge else { return };
+        let Some(hinge) = self.hinge() else { return };
         let names: Vec<OwnedLabel> = self.bones.iter().map(|bone| graph.label(*bone).to_owned()).collect();
         let limbs = self.limbs(graph, hinge);
         let steps = (ANGLES / self.muscles.len().max(1)).clamp(*STEPS_PER_MUSCLE.start(), *STEPS_PER_MUSCLE.end());
@@ -79,9 +124,16 @@ impl MuscleRig {
         let mut findings = Vec::new();
         for muscle in muscles.iter().filter_map(|index| self.muscles.get(*index)) {
             let Some(line) = &muscle.line else { continue };
-            let sample = |angle: f64| AngleSample { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
+            let (mut solver, mut wraps) = (LineSolver::default(), WrapUse::new(line));
+            let mut sample = |angle: f64| {
+                let sample = sample_at(hinge, line, angle, &mut solver);
+                wraps.see(angle, &solver);
+                sample
+            };
             let samples: Vec<AngleSample> = (0..=steps).map(|step| sample(between(hinge.range, step, steps))).collect();
-            let collector = FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: self.arm.is_some(), findings: &mut findings };
+            let mut collector =
+                FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: self.arm.is_some(), findings: &mut findings };
+            find_inert_wraps(&mut collector, hinge, line, &wraps);
             check(collector, hinge, line, &samples, asked, &limbs, &names);
         }
         self.findings.append(&mut findings);
@@ -126,6 +178,11 @@ impl MuscleRig {
 
 fn is_about_length(finding: &Finding) -> bool {
     matches!(finding, Finding::EndsCoincide | Finding::ShorterThanTendons | Finding::TooShort { .. })
+}
+
+fn sample_at(hinge: &RevoluteJoint, line: &Line, angle: f64, solver: &mut LineSolver) -> AngleSample {
+    let LineAtAngle { length, moment_arm } = at_angle(hinge, line, angle, solver);
+    AngleSample { angle, length, arm: moment_arm }
 }
 
 fn between(range: [f64; 2], step: usize, steps: usize) -> f64 {
@@ -178,7 +235,6 @@ fn check(
         collector.check_length(length, FoundAt::Angle(angle));
     }
     find_tight_bends(&mut collector, hinge, line, samples);
-    find_inert_wrap(&mut collector, hinge, line, samples);
     find_sign_change(&mut collector, samples);
     find_jumps(&mut collector, hinge, line, samples);
     // The bones are looked at at fewer angles: what lies in a belly does so over many degrees.
@@ -199,13 +255,20 @@ fn check(
     }
 }
 
+/// Solves the muscle, and gives the centreline that is drawn for it.
+fn drawn(muscle: &Muscle, line: &Line, frames: &impl Frames, solved: &mut Solved) -> Centerline {
+    let (mut solver, mut centerline) = (LineSolver::default(), Centerline::default());
+    muscle.solve_along(line.solve(frames, &mut solver).length, solved);
+    line.draw(frames, &mut solver, muscle.drawn_length(solved), &mut centerline);
+    centerline
+}
+
 /// Says where the belly is bent tighter than it is thick: there the surface would fold into itself.
 fn find_tight_bends(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
     let (muscle, mut solved) = (collector.muscle, Solved::default());
     let every = samples.len().div_ceil(13).max(1);
     let mut folds = |sample: &AngleSample| {
-        muscle.solve_along(sample.length, &mut solved);
-        let path = line.centerline(&hinge.at(sample.angle), (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
+        let path = drawn(muscle, line, &hinge.at(sample.angle), &mut solved);
         let spacing = solved.length / solved.radii.len().saturating_sub(1).max(1) as f64;
         let start = muscle.tendons[0].length;
         solved.radii.windows(2).enumerate().any(|(node, pair)| {
@@ -218,28 +281,26 @@ fn find_tight_bends(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint,
     }
 }
 
-/// Says where a wrap does nothing, or only as far as a point inside it lets it.
-fn find_inert_wrap(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
-    let Some(wrap_object) = &line.wrap_object else { return };
-    let stretch = line.points().enumerate().skip(wrap_object.stretch).take(2);
-    let depths = samples.iter().flat_map(|sample| {
-        let frames = hinge.at(sample.angle);
-        let center = frames.place(wrap_object.center);
-        stretch.clone().map(move |(number, point)| (number, sample.angle, wrap_object.radius - frames.place(point).distance(center)))
-    });
-    let deepest = depths.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|(_, _, depth)| *depth > 1e-6 * wrap_object.radius);
-    if let Some((number, angle, depth)) = deepest {
-        let point = match number.checked_sub(1) {
-            None => LinePoint::Origin,
-            Some(via) if via < line.via.len() => LinePoint::Via(via),
-            Some(_) => LinePoint::Insertion,
-        };
-        collector.push(Finding::InsideWrapSphere { point, depth: collector.to_millimetres(depth), angle });
-        return;
-    }
+/// Says where a wrap does nothing, or only as far as a point inside it lets it, and where no path was found round all.
+fn find_inert_wraps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, wraps: &WrapUse) {
     let turns = hinge.range[1] - hinge.range[0] >= LEAST_RANGE;
-    if turns && !samples.iter().any(|sample| line.legs(&hinge.at(sample.angle)).any(|leg| leg.contact.is_some())) {
-        collector.push(Finding::WrapSphereNotTouched { range: hinge.range });
+    for wrap in 0..line.wraps.len() {
+        let deepest = wraps.deepest.get(wrap).copied().flatten();
+        if let Some((number, depth, angle)) = deepest.filter(|(_, depth, _)| *depth > INSIDE * collector.muscle.shape.rest_length()) {
+            let point = match number.checked_sub(1) {
+                None => LinePoint::Origin,
+                Some(via) if via < line.via.len() => LinePoint::Via(via),
+                Some(_) => LinePoint::Insertion,
+            };
+            collector.push(Finding::InsideWrap { wrap, point, depth: collector.to_millimetres(depth), angle });
+        } else if turns && wraps.touched.get(wrap) == Some(&false) {
+            collector.push(Finding::WrapNotTouched { wrap, range: hinge.range });
+        } else if let Some(angle) = wraps.beyond.get(wrap).copied().flatten() {
+            collector.push(Finding::BeyondCylinder { wrap, angle });
+        }
+    }
+    if let Some(angle) = wraps.lost {
+        collector.push(Finding::PathNotFound { angle });
     }
 }
 
@@ -260,7 +321,8 @@ fn find_sign_change(collector: &mut FindingCollector<'_>, samples: &[AngleSample
 fn find_jumps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
     let small = SMALL * collector.muscle.shape.rest_length();
     let missed = |a: &AngleSample, b: &AngleSample| (b.length - a.length + 0.5 * (a.arm + b.arm) * (b.angle - a.angle).to_radians()).abs();
-    let sample = |angle: f64| AngleSample { angle, length: line.length(&hinge.at(angle)), arm: moment_arm(hinge, line, angle) };
+    let mut solver = LineSolver::default();
+    let mut sample = |angle: f64| sample_at(hinge, line, angle, &mut solver);
     let found = samples.windows(2).filter_map(|pair| {
         let [mut from, mut to] = <[AngleSample; 2]>::try_from(pair).ok()?;
         for _ in 0..20 {
@@ -291,8 +353,7 @@ fn deepest_penetration(
         return None;
     }
     let mut solved = Solved::default();
-    muscle.solve_along(sample.length, &mut solved);
-    let path = line.centerline(&frames, (solved.length + muscle.fixed()).min(sample.length.max(solved.length)));
+    let path = drawn(muscle, line, &frames, &mut solved);
     let start = 0.5 * (path.length() - solved.length - muscle.fixed()).max(0.0) + muscle.tendons[0].length;
     let mut cursor = path.cursor();
     let mut belly = [(DVec3::ZERO, 0.0); PLACES];
@@ -300,7 +361,7 @@ fn deepest_penetration(
         let share = (place as f64 + 0.5) / PLACES as f64;
         *slot = (cursor.frame_at(start + share * solved.length).position, super::bone_clearance::radius_at(&solved.radii, share));
     }
-    let mut bones: Vec<usize> = line.points().map(|point| point.bone).collect();
+    let mut bones: Vec<usize> = line.bones().collect();
     bones.sort_unstable();
     bones.dedup();
     let inside = |bone: usize| {

@@ -7,13 +7,13 @@ use glam::{DMat4, DVec3, Vec3};
 
 use super::Finding;
 use super::arm::{Arm, ArmNodes};
-use super::centerline::Path;
 use super::config::{JointSpec, MuscleSpec, Tendon};
-use super::joint_dof::JointDof;
-use super::line_of_action::{Frames, Line};
+use super::joint_dof::{JointAngle, JointDof};
+use super::line_of_action::{Frames, Line, LineSolver};
 use super::muscle_state::{FREE, LengthRange};
 use super::profile::Profile;
 use super::revolute_joint::{Bone, RevoluteJoint, plain};
+use super::solved_muscle::SolvedMuscle;
 use super::solver_report::SolverReport;
 use super::tessellation::{MeshQuality, MuscleTopology, ToWorld};
 use super::{MuscleSample, MuscleState, Solved, measure};
@@ -30,11 +30,10 @@ pub struct MuscleRig {
     /// Nodes of the bones that lines of action name.
     pub(super) bones: Vec<NodeId>,
     pub(super) muscles: Vec<Muscle>,
-    pub(super) joint: Option<JointSpec>,
-    /// What measurements turn; `None` where nothing is known to turn.
-    pub(super) hinge: Option<RevoluteJoint>,
-    /// The node of that joint.
-    pub(super) turning: Option<JointDof>,
+    /// The joints that the file names.
+    pub(super) joint_specs: Vec<JointSpec>,
+    /// What measurements turn, the first above all: the arm's elbow, the joints that the file names, or one that was found; none where nothing is known to turn.
+    pub(super) joints: Vec<RigJoint>,
     pub(super) span: Option<LengthRange>,
     pub(super) findings: Vec<Diagnostic<Finding>>,
     /// See [`WorldFrames::ride`].
@@ -43,6 +42,19 @@ pub struct MuscleRig {
     pub(super) unit: f64,
     /// The bones' scale at which the file's lengths hold, where muscles scale with the bones.
     pub(super) scaled_at: Option<f64>,
+}
+
+/// A joint that measurements turn.
+#[derive(Debug, Clone)]
+pub(super) struct RigJoint {
+    /// What it is called; empty where it was found.
+    pub name: String,
+    pub dof: JointDof,
+    pub angle: JointAngle,
+    /// The joint in the rest pose.
+    pub revolute: RevoluteJoint,
+    /// For each joint of the rig whether this one moves the node above it.
+    pub carries: Vec<bool>,
 }
 
 /// One muscle of a rig.
@@ -73,6 +85,7 @@ pub(super) struct WorldFrames<'a> {
     pub from_world: DMat4,
     pub world: &'a [DMat4],
     pub bones: &'a [NodeId],
+    pub joints: &'a [RigJoint],
     /// By what offsets on each node are multiplied along its axes where muscles scale with the bones; `None` where they keep the file's unit.
     pub ride: Option<&'a [f64]>,
 }
@@ -93,6 +106,10 @@ impl WorldFrames<'_> {
 }
 
 impl Frames for WorldFrames<'_> {
+    fn angle(&self, index: usize) -> f64 {
+        self.joints.get(index).and_then(|joint| joint.angle.of(self.world)).unwrap_or(f64::NAN)
+    }
+
     fn frame(&self, index: usize) -> DMat4 {
         let bone = self.bone(index, false);
         if bone.plain { plain(bone.matrix) } else { bone.matrix }
@@ -152,21 +169,35 @@ impl MuscleRig {
 
     /// The angles that [`MuscleRig::measure`] turns the joint through, degrees: the arm's elbow or the file's `joint`; `None` where there is none.
     pub fn measured_range(&self) -> Option<RangeInclusive<f64>> {
-        self.hinge.as_ref().map(|hinge| hinge.range[0]..=hinge.range[1])
+        self.range_of(0)
+    }
+
+    /// The joints that [`MuscleRig::measure_over`] turns: what each is called (empty where it was found and not named), and where it is.
+    pub fn joints(&self) -> impl ExactSizeIterator<Item = (&str, JointDof)> {
+        self.joints.iter().map(|joint| (joint.name.as_str(), joint.dof))
+    }
+
+    /// The angles that joint `joint` of the rig is turned through, degrees.
+    pub fn range_of(&self, joint: usize) -> Option<RangeInclusive<f64>> {
+        self.joints.get(joint).map(|joint| joint.revolute.range[0]..=joint.revolute.range[1])
     }
 
     /// The joint that [`MuscleRig::measure`] turns: the arm's elbow, the one that the file names, or the one that was found in the clip's skeleton.
     pub fn joint(&self) -> Option<JointDof> {
-        self.turning
+        self.joints.first().map(|joint| joint.dof)
     }
 
     /// −dL/dφ of muscle `index` about that joint in a pose of `scene`, φ in radians; `None` where nothing holds the muscle or nothing turns.
     pub fn moment_arm(&self, index: usize, scene: &Scene, world: &[DMat4]) -> Option<f64> {
+        self.moment_arm_about(index, &self.joint()?, scene, world)
+    }
+
+    /// −dL/dφ of muscle `index` about any joint in a pose of `scene`, φ in radians; `None` where nothing holds the muscle.
+    pub fn moment_arm_about(&self, index: usize, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> Option<f64> {
         let line = self.muscles.get(index)?.line.as_ref()?;
-        let joint = self.turning.as_ref()?;
         let hinge = self.hinge_of(joint, scene, world);
         // The bones stand where the pose has them: not turned any further.
-        Some(measure::moment_arm(&hinge, line, hinge.at_rest))
+        Some(measure::at_angle(&hinge, line, hinge.at_rest, &mut LineSolver::default()).moment_arm)
     }
 
     /// The numbers behind a solution of muscle `index` in a pose of `scene`.
@@ -193,7 +224,7 @@ impl MuscleRig {
     /// Length of the first muscle's line of action on the arm.
     pub(super) fn driving_length(&self, angle: f64) -> f64 {
         let line = self.muscles.first().and_then(|muscle| muscle.line.as_ref());
-        self.hinge.as_ref().zip(line).map_or(0.0, |(hinge, line)| line.length(&hinge.at(angle)))
+        self.hinge().zip(line).map_or(0.0, |(hinge, line)| line.length(&hinge.at(angle)))
     }
 
     fn free_contraction_at_rest(&self) -> f64 {
@@ -211,27 +242,41 @@ impl MuscleRig {
     }
 
     /// Solves muscle `index` for the world that the pose made. `world` is one matrix a node of the scene.
-    pub fn solve(&self, index: usize, drive: MuscleState, world: &[DMat4]) -> Solved {
-        let mut solved = Solved::default();
+    pub fn solve(&self, index: usize, drive: MuscleState, world: &[DMat4]) -> SolvedMuscle {
+        let mut solved = SolvedMuscle::default();
         self.solve_into(index, drive, world, &mut solved);
         solved
     }
 
-    /// [`MuscleRig::solve`] into a value whose buffer is kept.
-    pub fn solve_into(&self, index: usize, drive: MuscleState, world: &[DMat4], solved: &mut Solved) {
+    /// [`MuscleRig::solve`] into a value whose buffers are kept.
+    pub fn solve_into(&self, index: usize, drive: MuscleState, world: &[DMat4], solved: &mut SolvedMuscle) {
         let Some(muscle) = self.muscles.get(index) else {
-            *solved = Solved::default();
+            *solved = SolvedMuscle::default();
             return;
         };
+        let SolvedMuscle { shape, line: solver, centerline } = solved;
         match &muscle.line {
-            Some(line) => muscle.solve_along(line.length(&self.frames(world)), solved),
+            Some(line) => {
+                let frames = self.frames(world);
+                muscle.solve_along(line.solve(&frames, solver).length, shape);
+                line.draw(&frames, solver, muscle.drawn_length(shape), centerline);
+            }
             None => {
                 let [long, short] = muscle.free_lengths();
                 let share = if drive.contraction.is_nan() { 0.0 } else { drive.contraction.clamp(0.0, 100.0) / 100.0 };
-                muscle.shape.solve_into(long + (short - long) * share, solved);
-                solved.path_length = solved.length + muscle.fixed();
+                muscle.shape.solve_into(long + (short - long) * share, shape);
+                shape.path_length = shape.length + muscle.fixed();
+                *solver = LineSolver::default();
+                let half = DVec3::X * (0.5 * shape.path_length);
+                centerline.begin(DVec3::Y);
+                centerline.line(muscle.free_middle - half, muscle.free_middle + half);
             }
         }
+    }
+
+    /// The joint that measurements turn above all, in the rest pose.
+    pub(super) fn hinge(&self) -> Option<&RevoluteJoint> {
+        self.joints.first().map(|joint| &joint.revolute)
     }
 
     pub(super) fn root_matrix(&self, world: &[DMat4]) -> DMat4 {
@@ -242,7 +287,7 @@ impl MuscleRig {
         let root = self.root_matrix(world);
         // A root that is scaled to nothing has no inside to measure in.
         let from_world = if root.determinant().abs() > f64::MIN_POSITIVE { root.inverse() } else { DMat4::IDENTITY };
-        WorldFrames { from_world, world, bones: &self.bones, ride: self.ride.as_deref() }
+        WorldFrames { from_world, world, bones: &self.bones, joints: &self.joints, ride: self.ride.as_deref() }
     }
 
     /// The node of the bone that muscle `index` originates from; `None` where it lies on its own.
@@ -266,55 +311,46 @@ impl MuscleRig {
     pub fn deform(
         &self,
         index: usize,
-        solved: &Solved,
+        solved: &SolvedMuscle,
         world: &[DMat4],
         positions: &mut Vec<Vec3>,
         normals: &mut Vec<Vec3>,
     ) -> Option<MeshQuality> {
         let muscle = self.muscles.get(index)?;
-        let path = self.path(muscle, solved, world);
         let to_world = ToWorld::new(self.root_matrix(world));
-        Some(muscle.layout.deform(solved, &muscle.tendons, &path, &to_world, positions, normals))
+        Some(muscle.layout.deform(&solved.shape, &muscle.tendons, &solved.centerline, &to_world, positions, normals))
     }
 
-    /// The centre line of muscle `index` as it is drawn, in the space of the rig's root and its unit, tendons included.
-    pub fn centre_line(&self, index: usize, solved: &Solved, world: &[DMat4]) -> Option<Path> {
-        self.muscles.get(index).map(|muscle| self.path(muscle, solved, world))
-    }
-
-    fn path(&self, muscle: &Muscle, solved: &Solved, world: &[DMat4]) -> Path {
-        let length = solved.length + muscle.fixed();
-        match &muscle.line {
-            // Tendons longer than what the belly leaves them hang slack; no arch is drawn for them.
-            Some(line) => line.centerline(&self.frames(world), length.min(solved.path_length.max(solved.length))),
-            None => {
-                let half = DVec3::X * (0.5 * length);
-                let mut path = Path::new(DVec3::Y);
-                path.line(muscle.free_middle - half, muscle.free_middle + half);
-                path
-            }
-        }
-    }
-
-    /// Measures muscle `index` at angles of the elbow, or of the joint that the file names, in degrees. Without either there is no angle, and each
-    /// row is the muscle at rest.
+    /// Measures muscle `index` at angles of the elbow, or of the joint that the file names first, in degrees; the other joints are at rest. Without any there
+    /// is no angle, and each row is the muscle at rest.
     pub fn measure(&self, index: usize, angles: &[f64]) -> Vec<MuscleSample> {
+        self.measure_over(index, 0, angles)
+    }
+
+    /// [`MuscleRig::measure`] over joint `joint` of the rig.
+    pub fn measure_over(&self, index: usize, joint: usize, angles: &[f64]) -> Vec<MuscleSample> {
         let Some(muscle) = self.muscles.get(index) else { return Vec::new() };
-        let row = |&angle: &f64| {
+        let mut solver = LineSolver::default();
+        let mut row = |&angle: &f64| {
             let mut solved = Solved::default();
-            let moment_arm = match (&self.hinge, &muscle.line) {
-                (Some(hinge), Some(line)) => {
-                    muscle.solve_along(line.length(&hinge.at(angle)), &mut solved);
-                    measure::moment_arm(hinge, line, angle)
-                }
-                _ => {
-                    muscle.shape.solve_into(muscle.shape.rest_length(), &mut solved);
-                    0.0
-                }
+            let (Some(turning), Some(line)) = (self.joints.get(joint), &muscle.line) else {
+                muscle.shape.solve_into(muscle.shape.rest_length(), &mut solved);
+                return MuscleSample { time: None, angle: Some(angle), moment_arm: Some(0.0), moment_arms: Vec::new(), solved };
             };
-            MuscleSample { time: None, angle: Some(angle), moment_arm: Some(moment_arm), solved }
+            let at = measure::at_angle(&turning.revolute, line, angle, &mut solver);
+            muscle.solve_along(at.length, &mut solved);
+            let turned = turning.revolute.at(angle);
+            let about = |(number, other): (usize, &RigJoint)| {
+                if number == joint {
+                    return at.moment_arm;
+                }
+                let other = other.revolute.in_pose(&turned, turning.carries.get(number).copied().unwrap_or(false));
+                measure::at_angle(&other, line, other.at_rest, &mut solver).moment_arm
+            };
+            let moment_arms = if self.joints.len() > 1 { self.joints.iter().enumerate().map(about).collect() } else { vec![at.moment_arm] };
+            MuscleSample { time: None, angle: Some(angle), moment_arm: Some(at.moment_arm), moment_arms, solved }
         };
-        angles.iter().map(row).collect()
+        angles.iter().map(&mut row).collect()
     }
 }
 
@@ -334,6 +370,11 @@ impl Muscle {
     /// Length that the tendons take.
     pub(super) fn fixed(&self) -> f64 {
         self.tendons[0].length + self.tendons[1].length
+    }
+
+    /// Length of the centreline that is drawn: tendons longer than what the belly leaves them hang slack, and no arch is drawn for them.
+    pub(super) fn drawn_length(&self, solved: &Solved) -> f64 {
+        (solved.length + self.fixed()).min(solved.path_length.max(solved.length))
     }
 
     pub(super) fn solve_along(&self, path_length: f64, solved: &mut Solved) {

@@ -11,6 +11,8 @@ pub struct MuscleSample {
     pub angle: Option<f64>,
     /// −dL/dφ about that joint, φ in radians; `None` where nothing turns the muscle.
     pub moment_arm: Option<f64>,
+    /// −dL/dφ about each joint of the rig, in their order; none where nothing turns the muscle.
+    pub moment_arms: Vec<f64>,
     /// The solution.
     pub solved: Solved,
 }

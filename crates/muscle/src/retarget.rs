@@ -1,14 +1,15 @@
 //! A ready muscle laid on the bones of any skeleton: made as long and as thick as these bones are beside those of the arm it was made for.
 
-use glam::{DMat4, DVec3};
+use glam::{DMat3, DMat4, DVec3};
 
 use super::arm::UPPER_ARM;
 use super::build::resolve;
-use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
+use super::config::{Anchor, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, ViaPoint, Wrap, WrapShape};
 use super::joint_dof::JointDof;
 use super::line_of_action::{Frames, Line};
 use super::muscle_rig::{MuscleRig, WorldFrames};
 use super::profile::{Profile, ProfileError};
+use super::wrap_object::{angles_of, turned};
 use sinew_scene::{Graph, NodeId, Scene};
 
 impl MuscleSpec {
@@ -38,7 +39,7 @@ impl MuscleSpec {
             tendons: self.tendons.map(tendon),
             origin: None,
             via: Vec::new(),
-            wrap: None,
+            wraps: Vec::new(),
             insertion: None,
             ..self.clone()
         })
@@ -148,19 +149,39 @@ impl MuscleRig {
         let mut fitted = spec.scaled(scale, spec.profile.rest_length() * scale).ok()?;
         fitted.origin = Some(anchor(spec.origin.as_ref()?)?);
         fitted.insertion = Some(anchor(spec.insertion.as_ref()?)?);
-        fitted.via = spec.via.iter().map(anchor).collect::<Option<_>>()?;
-        if let Some(wrap) = &spec.wrap {
+        fitted.via = spec
+            .via
+            .iter()
+            // Motions and ranges are of the arm's joint, which has another name here.
+            .map(|via| Some(ViaPoint::from(anchor(&via.place)?)))
+            .collect::<Option<_>>()?;
+        for wrap in &spec.wraps {
             let limb = usize::from(wrap.center.bone != UPPER_ARM);
-            let side = limbs.front[limb] * wrap.side.x - limbs.along[limb].normalize() * wrap.side.y + limbs.axis * wrap.side.z;
-            let side = self.direction_on(limbs.nodes[limb], side, world);
-            let radius = wrap.radius * along[0];
-            let ends = [place(spec.origin.as_ref()?), place(spec.insertion.as_ref()?)];
-            let out = self
-                .root_matrix(world)
-                .transform_vector3(WorldFrames { bones: &limbs.nodes, ..self.frames(world) }.frame(limb).transform_vector3(side));
-            let center = beside(place(&wrap.center), ends, out.normalize_or_zero(), radius);
-            let center = self.anchor_at(&scene.graph, limbs.nodes[limb], center, world)?;
-            fitted.wrap = Some(Wrap { center, radius: neat(wrap.radius * scale), side });
+            // The arm's axes in the world: x to the front, y against the way along the limb, z along the joint's axis.
+            let axes = DMat3::from_cols(limbs.front[limb], -limbs.along[limb].normalize(), limbs.axis);
+            let mut center = place(&wrap.center);
+            let mut put = Wrap { shape: wrap.shape.scaled(scale).neat(), ..wrap.clone() };
+            match (wrap.shape, wrap.side) {
+                (WrapShape::Sphere { radius }, Some(side)) => {
+                    let side = self.direction_on(limbs.nodes[limb], axes * turned(wrap.rotation) * side, world);
+                    let ends = [place(spec.origin.as_ref()?), place(spec.insertion.as_ref()?)];
+                    let out = self
+                        .root_matrix(world)
+                        .transform_vector3(WorldFrames { bones: &limbs.nodes, ..self.frames(world) }.frame(limb).transform_vector3(side));
+                    center = beside(center, ends, out.normalize_or_zero(), radius * across);
+                    (put.rotation, put.side) = (DVec3::ZERO, Some(side));
+                }
+                _ => {
+                    let frame = axes * turned(wrap.rotation);
+                    let [x, y, z] =
+                        [frame.x_axis, frame.y_axis, frame.z_axis].map(|axis| self.direction_on(limbs.nodes[limb], axis, world));
+                    let mirrored = x.cross(y).dot(z) < 0.0;
+                    put.rotation = angles_of(x, z);
+                    put.side = wrap.side.map(|side| if mirrored { side * DVec3::new(1.0, -1.0, 1.0) } else { side });
+                }
+            }
+            put.center = self.anchor_at(&scene.graph, limbs.nodes[limb], center, world)?;
+            fitted.wraps.push(put);
         }
         self.rested(fitted, &scene.graph, &limbs.nodes, world)
     }
@@ -168,7 +189,7 @@ impl MuscleRig {
     /// The muscle with the length that it has in this pose as its rest length, its thickness kept.
     fn rested(&self, spec: MuscleSpec, graph: &Graph, nodes: &[NodeId], world: &[DMat4]) -> Option<MuscleSpec> {
         let names: Vec<Option<String>> = nodes.iter().map(|node| self.bone_name(graph, *node)).collect();
-        let line: Line = resolve(&spec, |bone| names.iter().position(|name| name.as_deref() == Some(bone))).ok()??;
+        let line: Line = resolve(&spec, &[], |bone| names.iter().position(|name| name.as_deref() == Some(bone))).ok()??;
         let frames = self.frames(world);
         let scale = nodes.first().map_or(1.0, |node| self.scale_on(graph, *node, world));
         let length = line.scaled(scale).length(&WorldFrames { bones: nodes, ..frames }) / scale - spec.tendon_length();

@@ -1,264 +1,243 @@
-//! The centre line that is drawn for a line of action with via points: rounded at each, and as long as the line of action itself.
+//! The centreline that is drawn for a solved line of action: the line itself, rounded where it has a corner, and as long as it is.
 //!
-//! An arc takes the short cut round a corner. What all arcs take off is given back by moving the corners outward, each in the measure in which the line
-//! turns there, by one common share that is found by halving; the length rises with it. So the arcs pass close to the via points.
-
-use std::f64::consts::FRAC_PI_2;
+//! An arc that takes the short cut round a corner would lose length. So a corner by the angle θ is drawn as three arcs of one radius ρ: outwards by β, inwards
+//! by θ + 2β, outwards by β again. They begin and end on the line, at the distance d from the corner, and are together as long as the way over the corner,
+//!
+//! ```text
+//! 2 d = ρ (θ + 4 β),        2 sin(θ/2 + β) − sin(θ/2) = (θ/2 + 2 β) cos(θ/2)
+//! ```
+//!
+//! where the second equation, that the arcs meet the line on the other side, has one root β between 0 and π/3, for a line that turns right round (θ = π) too.
+//! Nothing changes but within d of the corner.
 
 use glam::DVec3;
 
-use super::centerline::{Path, perpendicular};
-use super::line_of_action::{Frames, Line, POINTS};
-use super::wrap::{TangentPoints, WrapObject};
+use super::centerline::{Centerline, perpendicular};
+use super::wrapping::{Arc, Solution};
 
-/// Points that lie nearer to each other than this share of the line are one.
-const TINY: f64 = 1e-9;
-/// Most length that an arc takes of the stretches on either side, over the rounding: a line that turns by more than 2 atan 4 = 152° gets sharper arcs.
-/// Without a bound a line that turns right round would lose to its arc whatever it gained by moving its corner outward, and stay too short.
-const REACH: f64 = 4.0;
-/// A drawn line that is off by no more than this share is as long as the line of action.
-const CLOSE: f64 = 1e-12;
-/// Shares of the rounding that are tried one after the other. The last takes off less than 1e-10 of any line that has room for the first.
-const SHARPER: [f64; 6] = [1.0, 0.25, 0.0625, 0.016, 0.004, 1e-9];
-/// Most steps in search of the share by which corners are moved outward.
-const STEPS: usize = 80;
+/// Straight parts shorter than this share of the line have no direction of their own.
+const TINY: f64 = 1e-12;
+/// A line that turns by less than this, radians, has no corner that could be seen.
+const FLAT: f64 = 1e-7;
 
-/// The drawn centre line of a line that is no arch.
-pub(super) fn rounded(line: &Line, frames: &(impl Frames + ?Sized)) -> Path {
-    let side = line.wrap_object.map_or(DVec3::X, |wrap_object| frames.frame(wrap_object.center.bone).transform_vector3(wrap_object.side));
-    let mut corners = Corners::new(line, frames);
-    corners.make_up();
-    corners.path(side)
+/// A part of the line.
+#[derive(Clone, Copy)]
+enum Part<'a> {
+    Straight { start: DVec3, end: DVec3 },
+    Geodesic(&'a Arc),
 }
 
-/// A rounded corner, or an end where `angle` is 0.
+impl Part<'_> {
+    fn directions(&self) -> [DVec3; 2] {
+        match self {
+            Part::Straight { start, end } => [(end - start).normalize_or_zero(); 2],
+            Part::Geodesic(arc) => [arc.start_tangent, arc.end_tangent],
+        }
+    }
+
+    /// Length that a corner may take of it.
+    fn room(&self) -> f64 {
+        match self {
+            Part::Straight { start, end } => start.distance(*end),
+            Part::Geodesic(_) => 0.0,
+        }
+    }
+}
+
+/// Where two parts of the line meet.
 #[derive(Debug, Clone, Copy, Default)]
-struct Corner {
+pub(super) struct Corner {
     into: DVec3,
     out: DVec3,
-    /// Radians by which the line turns.
+    /// θ.
     angle: f64,
-    /// Length that the arc takes of the stretches on either side.
+    /// β.
+    outward: f64,
+    /// d of an arc with the radius that is asked for.
+    wish: f64,
+    /// d as the parts beside it have room for.
     reach: f64,
+    /// Length of these parts that may be taken.
+    rooms: [f64; 2],
 }
 
 impl Corner {
-    fn tangent(&self) -> f64 {
-        // Rounding may put half of a half turn just beyond π/2, where the tangent is negative.
-        (0.5 * self.angle).min(FRAC_PI_2).tan()
+    fn new(into: DVec3, out: DVec3, rounding: f64, rooms: [f64; 2]) -> Self {
+        let angle = into.cross(out).length().atan2(into.dot(out));
+        if angle < FLAT {
+            return Self { into, out, rooms, ..Self::default() };
+        }
+        let outward = outward(angle);
+        Self { into, out, angle, outward, wish: rounding * spread(angle, outward), reach: 0.0, rooms }
     }
 
-    fn radius(&self) -> f64 {
-        if self.angle > 0.0 { self.reach / self.tangent() } else { 0.0 }
+    /// Draws the three arcs round the corner at `place`.
+    fn draw(&self, place: DVec3, centerline: &mut Centerline) {
+        if self.reach <= 0.0 {
+            return;
+        }
+        let radius = self.reach / spread(self.angle, self.outward);
+        let mut arm = Turtle { place: place - self.into * self.reach, tangent: self.into, inward: perpendicular(self.out, self.into) };
+        for (sign, angle) in [(-1.0, self.outward), (1.0, self.angle + 2.0 * self.outward), (-1.0, self.outward)] {
+            centerline.arc(arm.place, arm.tangent, arm.inward * sign, radius, angle);
+            arm.turn(sign, radius, angle);
+        }
     }
 }
 
-/// The points of a line, those that fall together counted once, and the arcs between them.
-struct Corners<'a, F: Frames + ?Sized> {
-    line: &'a Line,
-    frames: &'a F,
-    /// Radius of the arcs at corners.
-    rounding: f64,
-    /// Where the line of action passes.
-    points: [DVec3; POINTS],
-    /// Number of the first and the last point of the line that each stands for.
-    numbers: [(usize, usize); POINTS],
-    /// Where each goes for a share of 1.
-    outward: [DVec3; POINTS],
-    count: usize,
-    /// Where they are drawn.
-    places: [DVec3; POINTS],
-    contacts: [Option<TangentPoints>; POINTS],
-    corners: [Corner; POINTS],
-    /// The side on which the line of action passes the ball; moved corners do not change it.
-    side: Option<DVec3>,
+/// A place on arcs in one plane, and the direction there.
+struct Turtle {
+    place: DVec3,
+    tangent: DVec3,
+    /// Square to the tangent, towards the inside of the corner.
+    inward: DVec3,
 }
 
-impl<'a, F: Frames + ?Sized> Corners<'a, F> {
-    fn new(line: &'a Line, frames: &'a F) -> Self {
-        let mut all = Self {
-            line,
-            frames,
-            rounding: line.rounding,
-            points: [DVec3::ZERO; POINTS],
-            numbers: [(0, 0); POINTS],
-            outward: [DVec3::ZERO; POINTS],
-            count: 0,
-            places: [DVec3::ZERO; POINTS],
-            contacts: [None; POINTS],
-            corners: [Corner::default(); POINTS],
-            side: None,
-        };
-        let mut long = 0.0;
-        let mut before: Option<DVec3> = None;
-        for point in line.points() {
-            let place = frames.place(point);
-            long += before.map_or(0.0, |before| before.distance(place));
-            before = Some(place);
+impl Turtle {
+    /// Goes along an arc, inwards for a sign of 1, outwards for −1.
+    fn turn(&mut self, sign: f64, radius: f64, angle: f64) {
+        let (sin, cos) = angle.sin_cos();
+        let Self { place, tangent, inward } = *self;
+        self.place = place + tangent * (radius * sin) + inward * (sign * radius * (1.0 - cos));
+        self.tangent = tangent * cos + inward * (sign * sin);
+        self.inward = inward * cos - tangent * (sign * sin);
+    }
+}
+
+/// d over ρ.
+fn spread(angle: f64, outward: f64) -> f64 {
+    0.5 * angle + 2.0 * outward
+}
+
+/// The root β of the equation above, by Newton's method from beyond it, where the function is concave and falls.
+fn outward(angle: f64) -> f64 {
+    let half = 0.5 * angle;
+    let (sin, cos) = half.sin_cos();
+    let mut beta = 0.7 * half;
+    for _ in 0..12 {
+        let off = 2.0 * (half + beta).sin() - sin - (half + 2.0 * beta) * cos;
+        let step = off / (2.0 * ((half + beta).cos() - cos));
+        if !step.is_finite() || step.abs() <= 1e-16 * half {
+            break;
         }
-        let last = line.points().count() - 1;
-        for (number, point) in line.points().enumerate() {
-            let place = frames.place(point);
-            // A via point that lies on its neighbour is no corner; the ends stay.
-            let near = |index: usize| all.points[index].distance(place) <= TINY * long;
-            if all.count > 0 && near(all.count - 1) && (number < last || all.count > 1) {
-                (all.points[all.count - 1], all.numbers[all.count - 1].1) = (place, number);
-                continue;
-            }
-            (all.points[all.count], all.numbers[all.count]) = (place, (number, number));
-            all.count += 1;
-        }
-        all.side = line.wrap_object.and_then(|wrap_object| {
-            let index = (0..all.count.saturating_sub(1)).find(|index| all.is_at(*index, &wrap_object))?;
-            wrap_object.passes(frames, all.points[index], all.points[index + 1])
+        beta -= step;
+    }
+    beta.clamp(0.5 * half, 0.7 * half)
+}
+
+/// The parts of a line that have a direction, in order.
+fn parts(solution: &Solution) -> impl Iterator<Item = Part<'_>> {
+    let tiny = TINY * solution.length;
+    solution.stretches().iter().flat_map(move |stretch| {
+        let mut arcs = solution.arcs_of(stretch).iter();
+        let all = solution.segments_of(stretch).flat_map(move |segment| {
+            let straight = Part::Straight { start: segment.start, end: segment.end };
+            [Some(straight), arcs.next().map(Part::Geodesic)].into_iter().flatten()
         });
-        all.settle(0.0);
-        for index in 1..all.count.saturating_sub(1) {
-            all.outward[index] = all.corners[index].into - all.corners[index].out;
-        }
-        all
-    }
+        all.filter(move |part| match part {
+            Part::Straight { start, end } => start.distance(*end) > tiny,
+            Part::Geodesic(arc) => arc.length > tiny,
+        })
+    })
+}
 
-    /// Moves the corners outward until the rounded line is as long as the line of action. Where a corner on its way outward comes into
-    /// the ball, the length may leap over the one that is wanted; there sharper arcs, which take off less, need less of that way. The last resort
-    /// are corners so sharp that they take off nothing that counts.
-    fn make_up(&mut self) {
-        let wanted = self.line.length(self.frames);
-        for sharper in SHARPER {
-            self.rounding = self.line.rounding * sharper;
-            if self.moves_out(wanted) {
-                return;
-            }
+/// Writes the rounded line of a solution; corners have this radius where the straight parts beside them have room. `side` is where the first cross-section's
+/// first axis points.
+pub(super) fn round(solution: &Solution, rounding: f64, side: DVec3, corners: &mut Vec<Corner>, centerline: &mut Centerline) {
+    corners.clear();
+    let mut before: Option<Part<'_>> = None;
+    for part in parts(solution) {
+        if let Some(before) = before {
+            corners.push(Corner::new(before.directions()[1], part.directions()[0], rounding, [before.room(), part.room()]));
         }
-        self.settle(0.0);
+        before = Some(part);
     }
-
-    /// See [`Self::make_up`]; whether the length was reached.
-    fn moves_out(&mut self, wanted: f64) -> bool {
-        let moves: f64 = self.outward.iter().map(|out| out.length_squared()).sum();
-        let missing = wanted - self.settle(0.0);
-        let close = |off: f64| off.abs() <= CLOSE * wanted;
-        if moves <= 0.0 || missing <= 1e-14 * wanted {
-            return close(missing);
-        }
-        let (mut low, mut high) = (0.0, missing / moves);
-        let mut doubled = 0;
-        while self.settle(high) < wanted {
-            (low, high) = (high, 2.0 * high);
-            doubled += 1;
-            if doubled == 40 {
-                return false;
-            }
-        }
-        // Regula falsi that halves the weight of an end that stays: it needs about eight steps where halving alone needs fifty.
-        let (mut below, mut above) = (self.settle(low) - wanted, self.settle(high) - wanted);
-        let mut off = above;
-        for _ in 0..STEPS {
-            let share = (low * above - high * below) / (above - below);
-            let share = if share > low && share < high { share } else { 0.5 * (low + high) };
-            off = self.settle(share) - wanted;
-            if off.abs() <= 1e-14 * wanted || share == low || share == high {
-                break;
-            }
-            if off < 0.0 {
-                (low, below, above) = (share, off, 0.5 * above);
-            } else {
-                (high, above, below) = (share, off, 0.5 * below);
-            }
-        }
-        close(off)
+    // Two corners at one straight part share it as they need it.
+    let mut wish_before = 0.0;
+    for index in 0..corners.len() {
+        let wish_after = corners.get(index + 1).map_or(0.0, |corner| corner.wish);
+        let Some(corner) = corners.get_mut(index) else { break };
+        let granted =
+            |room: f64, other: f64| if corner.wish + other > room { corner.wish * room / (corner.wish + other) } else { corner.wish };
+        corner.reach = granted(corner.rooms[0], wish_before).min(granted(corner.rooms[1], wish_after));
+        wish_before = corner.wish;
     }
-
-    /// Places the corners with this share of their way outward; returns the length of the rounded line.
-    fn settle(&mut self, share: f64) -> f64 {
-        for index in 0..self.count {
-            self.places[index] = self.points[index] + self.outward[index] * share;
-        }
-        let mut length = 0.0;
-        // Length of the straight stretches after each point and before the next, and whether they are one.
-        let mut rooms = [(0.0, 0.0, true); POINTS];
-        for index in 1..self.count {
-            let (from, to) = (self.places[index - 1], self.places[index]);
-            let contact = self.contact(index - 1);
-            let straight = (to - from).normalize_or_zero();
-            let (into, out) = match &contact {
-                // Where the ball is held small by a point, the line has no straight stretch there.
-                Some(arc) => (arc.leaves, arc.tangent),
-                None => (straight, straight),
-            };
-            (self.corners[index - 1].out, self.corners[index].into) = (out, into);
-            rooms[index - 1] = match &contact {
-                Some(arc) => (from.distance(arc.touch), arc.lift.distance(to), false),
-                None => (from.distance(to), from.distance(to), true),
-            };
-            length += match &contact {
-                Some(arc) => rooms[index - 1].0 + arc.radius * arc.angle + rooms[index - 1].1,
-                None => rooms[index - 1].0,
-            };
-            self.contacts[index - 1] = contact;
-        }
-        let last = self.count.saturating_sub(1);
-        for index in 0..self.count {
-            let inner = index > 0 && index < last;
-            let corner = &mut self.corners[index];
-            corner.angle = if inner { turn(corner.into, corner.out) } else { 0.0 };
-            corner.reach = self.rounding * corner.tangent().min(REACH);
-        }
-        let wishes = self.corners.map(|corner| corner.reach);
-        for index in 1..last {
-            // Two corners at one stretch share it as they need it.
-            let granted = |room: f64, shared: bool, own: f64, other: f64| {
-                let all = if shared { own + other } else { own };
-                if all > room { own * (room / all) } else { own }
-            };
-            let ((_, before, first), (after, _, second)) = (rooms[index - 1], rooms[index]);
-            let own = wishes[index];
-            self.corners[index].reach = granted(before, first, own, wishes[index - 1]).min(granted(after, second, own, wishes[index + 1]));
-            let corner = &self.corners[index];
-            length -= corner.reach * 2.0 - corner.radius() * corner.angle;
-        }
-        length
-    }
-
-    /// Whether the ball is between a point and the next one.
-    fn is_at(&self, index: usize, wrap_object: &WrapObject) -> bool {
-        (self.numbers[index].1..self.numbers[index + 1].0).contains(&wrap_object.stretch)
-    }
-
-    /// Where the line lies on the ball between a point and the next one.
-    fn contact(&self, index: usize) -> Option<TangentPoints> {
-        let wrap_object = self.line.wrap_object.as_ref().filter(|wrap_object| self.is_at(index, wrap_object))?;
-        wrap_object.on_the_side(self.frames, self.places[index], self.places[index + 1], self.side?)
-    }
-
-    fn path(&self, side: DVec3) -> Path {
-        let (mut path, mut from) = (Path::new(side), self.places[0]);
-        // What an arc leaves of a stretch may be a rounding, which has no direction.
-        let tiny = TINY * TINY.sqrt() * self.line.length(self.frames);
-        let straight = |path: &mut Path, from: DVec3, to: DVec3| {
-            if from.distance(to) > tiny {
-                path.line(from, to);
-            }
-        };
-        for index in 1..self.count {
-            let (corner, place) = (&self.corners[index], self.places[index]);
-            let to = place - corner.into * corner.reach;
-            match &self.contacts[index - 1] {
-                Some(arc) => {
-                    straight(&mut path, from, arc.touch);
-                    path.arc(arc.touch, arc.tangent, arc.normal, arc.radius, arc.angle);
-                    straight(&mut path, arc.lift, to);
+    centerline.begin(side);
+    let mut start = Corner::default();
+    for (index, part) in parts(solution).enumerate() {
+        let end = corners.get(index).copied().unwrap_or_default();
+        match part {
+            Part::Straight { start: from, end: to } => {
+                let along = (to - from).normalize_or_zero();
+                let (first, last) = (from + along * start.reach, to - along * end.reach);
+                // What two corners leave of a part may be a rounding, which has no direction.
+                if (last - first).dot(along) > TINY * solution.length {
+                    centerline.line(first, last);
                 }
-                None => straight(&mut path, from, to),
+                end.draw(to, centerline);
             }
-            path.arc(to, corner.into, perpendicular(corner.out, corner.into), corner.radius(), corner.angle);
-            from = place + corner.out * corner.reach;
+            Part::Geodesic(arc) => {
+                centerline.geodesic(arc);
+                end.draw(arc.end, centerline);
+            }
         }
-        path
+        start = end;
     }
 }
 
-/// The angle between two directions, exact for small ones; 0 where one is none.
-fn turn(into: DVec3, out: DVec3) -> f64 {
-    into.cross(out).length().atan2(into.dot(out)) * f64::from(into != DVec3::ZERO && out != DVec3::ZERO)
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+    use crate::wrapping::{PathPoint, PathSolver};
+
+    #[test]
+    fn a_rounded_line_is_as_long_as_the_line_and_ends_where_it_ends() {
+        let points = [
+            (0.0, 0.0, 0.0),
+            (10.0, 0.0, 0.0),
+            (10.0, 7.0, 1.0),
+            (2.0, 7.0, 1.0),
+            (9.0, 7.0, 1.0),
+            (9.5, -3.0, 4.0),
+            (9.5, -3.0, 4.0),
+            (9.5, -2.9, 4.0),
+        ];
+        let points: Vec<PathPoint> =
+            points.iter().enumerate().map(|(body, (x, y, z))| PathPoint { body, position: DVec3::new(*x, *y, *z) }).collect();
+        for rounding in [0.0, 0.3, 2.0, 50.0] {
+            let mut solver = PathSolver::new();
+            let solution = solver.solve(&points, &[]);
+            let mut centerline = Centerline::default();
+            round(solution, rounding, DVec3::Z, &mut Vec::new(), &mut centerline);
+            assert!((centerline.length() - solution.length).abs() < 1e-12 * solution.length, "{rounding}");
+            // It has no gap: each piece begins where the one before it ends.
+            let mut cursor = centerline.cursor();
+            let mut before = cursor.frame_at(0.0);
+            assert!(before.position.distance(points[0].position) < 1e-12);
+            let steps = 20_000;
+            for step in 1..=steps {
+                let frame = cursor.frame_at(centerline.length() * f64::from(step) / f64::from(steps));
+                let moved = frame.position.distance(before.position);
+                assert!(moved < 1.001 * centerline.length() / f64::from(steps), "{rounding}: {moved} at {step}");
+                if rounding == 2.0 {
+                    assert!(frame.u.dot(before.u) > 0.9 && frame.tangent.dot(before.tangent) > 0.9, "a kink at {step}");
+                }
+                before = frame;
+            }
+            assert!(before.position.distance(points[points.len() - 1].position) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn the_outward_angle_solves_its_equation() {
+        for step in 1..=1000 {
+            let angle = PI * f64::from(step) / 1000.0;
+            let (half, beta) = (0.5 * angle, outward(angle));
+            let off = 2.0 * (half + beta).sin() - half.sin() - (half + 2.0 * beta) * half.cos();
+            assert!(off.abs() < 1e-15 && beta > 0.5 * half && beta <= PI / 3.0 + 1e-12, "{angle}: {beta} {off}");
+        }
+        assert!((outward(PI) - PI / 3.0).abs() < 1e-12);
+    }
 }

@@ -10,7 +10,7 @@ use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 
 use super::Solved;
 use super::Tendon;
-use super::centerline::{CrossSectionFrame, Cursor, Path};
+use super::centerline::{Centerline, CrossSectionFrame, Cursor};
 use super::materials::TENDON_PART;
 use sinew_scene::{Mesh, Part};
 
@@ -144,7 +144,7 @@ impl MuscleTopology {
         &self,
         solved: &Solved,
         tendons: &[Tendon; 2],
-        path: &Path,
+        path: &Centerline,
         to_world: &ToWorld,
         positions: &mut Vec<Vec3>,
         normals: &mut Vec<Vec3>,
@@ -295,7 +295,7 @@ mod tests {
 
     /// A muscle as thick as `radius` along a quarter of a circle of radius 10.
     fn bent(radius: f64, world: DMat4) -> (MeshQuality, Vec<Vec3>) {
-        let mut path = Path::new(DVec3::Z);
+        let mut path = Centerline::new(DVec3::Z);
         path.arc(DVec3::ZERO, DVec3::X, DVec3::Y, 10.0, std::f64::consts::FRAC_PI_2);
         let solved = Solved { length: path.length(), radii: vec![radius; 6], ..Solved::default() };
         let (mut positions, mut normals) = (Vec::new(), Vec::new());

@@ -113,6 +113,8 @@ pub struct Display {
     pub muscle: bool,
     /// Skins let the fibres beneath them be seen.
     pub see_through: bool,
+    /// Lines of action of muscles, which whoever poses the scene adds to the frame's overlay lines.
+    pub lines_of_action: bool,
     /// Materials and textures; without, everything has the neutral skin colour.
     pub materials: bool,
     /// Smooth normals in lighting; without, each triangle is flat and its own.
@@ -168,6 +170,7 @@ impl Default for Display {
             mesh: true,
             muscle: true,
             see_through: true,
+            lines_of_action: false,
             materials: true,
             smooth_normals: true,
             normal_glyphs: false,

@@ -77,6 +77,8 @@ pub const MUSCLE_NODES: usize = 10_000;
 pub const MUSCLE_POSES: usize = 1_000;
 /// Most muscles in one file.
 pub const MUSCLES: usize = 1_000;
+/// Most joints that a muscle file names.
+pub const JOINTS: usize = 64;
 /// Most vertices that the surfaces of all muscles of a document have together: nodes times muscles times the corners of a ring.
 pub const MUSCLE_VERTICES: usize = 2_000_000;
 /// Most vertices of all shapes together that muscles are kept in when a document is converted.

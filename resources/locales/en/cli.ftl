@@ -274,6 +274,7 @@ cli-arg-sweep-contraction = Contract the muscle from one value to another over t
 cli-arg-grid = Draw the ground grid
 cli-arg-axes = Draw the world axes
 cli-arg-bounding-box = Draw the bounding box
+cli-arg-lines-of-action = Draw the lines of action of muscles
 cli-example-render-sweep = the elbow flexes in an animation of three seconds
 cli-example-completions = bash completion for the current user
 cli-value-not-span = is not a range; write FROM:TO as in { $example }.

@@ -269,6 +269,7 @@ cli-arg-sweep-contraction = Сократить мышцу от одного зн
 cli-arg-grid = Рисовать координатную сетку
 cli-arg-axes = Рисовать мировые оси
 cli-arg-bounding-box = Рисовать ограничивающий параллелепипед
+cli-arg-lines-of-action = Рисовать линии действия мышц
 cli-example-render-sweep = локоть сгибается в трёхсекундной анимации
 cli-example-completions = автодополнение bash для текущего пользователя
 cli-value-not-span = – не диапазон; пишите FROM:TO, например { $example }.

@@ -289,6 +289,8 @@ commands! {
         Muscle = "muscle" ["m"] Flag(|display| &mut display.muscle);
         /// Muscles through the skin.
         SeeThrough = "see-through" [] Flag(|display| &mut display.see_through), if has_skins;
+        /// Lines of action of muscles.
+        LinesOfAction = "lines-of-action" [] Flag(|display| &mut display.lines_of_action), if has_muscles;
         /// Materials and textures.
         Materials = "materials" ["t"] Flag(|display| &mut display.materials);
         /// Normals in lighting.

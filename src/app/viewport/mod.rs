@@ -316,8 +316,8 @@ impl Viewport {
                 session.with_gizmo(DVec2::new(width, height), |shown| tool_gizmo::draw(shown, colors, input.handle(), canvas, snapshot));
                 if self.shows_muscles() && session.tool() == Tool::Navigate {
                     let size = DVec2::new(width, height);
-                    let ring = session.wrap_sphere_circle(size);
-                    attachment_overlay::draw(&session.attachment_handles(size), ring, input.dot(), canvas, snapshot, (width, height));
+                    let shown = attachment_overlay::Shown { handles: session.attachment_handles(size), wraps: session.wrap_outlines(size) };
+                    attachment_overlay::draw(&shown, input.dot(), canvas, snapshot, (width, height));
                 }
             }
         });
@@ -361,7 +361,7 @@ fn hint(session: &Session) -> String {
         return tr!(match picking.target {
             PickTarget::Point(AttachmentPoint::End(0)) => "app-hint-pick-origin",
             PickTarget::Point(AttachmentPoint::End(_)) => "app-hint-pick-insertion",
-            PickTarget::Point(AttachmentPoint::Wrap) => "app-hint-pick-wrap",
+            PickTarget::Point(AttachmentPoint::Wrap(_)) => "app-hint-pick-wrap",
             _ => "app-hint-pick-via",
         });
     }

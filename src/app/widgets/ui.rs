@@ -39,6 +39,7 @@ files! {
     DIAGNOSTICS_PANEL = "panels/diagnostics_panel",
     NODE_CELL = "panels/muscle/node_cell",
     VIA_POINT = "panels/muscle/via_point",
+    WRAP_SURFACE = "panels/muscle/wrap_surface",
     TREE_EYE = "scene_tree/tree_eye",
     ERROR_BAR = "notices/error_bar",
     RECOVERY_BAR = "loading/recovery_bar",

@@ -19,9 +19,11 @@ impl Document {
                 for index in 0..rig.len() {
                     let id = first.index() + index;
                     let (Some(row), Some(solved)) = (rows.get_mut(id), buffers.solved().get(id)) else { continue };
-                    let moment_arm = rig.moment_arm(index, &self.scene, &frame.world);
+                    let about = |(_, joint)| rig.moment_arm_about(index, &joint, &self.scene, &frame.world);
+                    let moment_arms: Vec<f64> = rig.joints().filter_map(about).collect();
                     let angle = angle.filter(|_| rig.is_attached(index));
-                    row.push(MuscleSample { time: Some(time), angle, moment_arm, solved: solved.clone() });
+                    let moment_arm = moment_arms.first().copied();
+                    row.push(MuscleSample { time: Some(time), angle, moment_arm, moment_arms, solved: solved.shape.clone() });
                 }
             }
         }

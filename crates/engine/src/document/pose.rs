@@ -8,7 +8,7 @@ use glam::{DMat4, Mat4};
 use super::deform::MeshDeformer;
 use super::occlusion_test::mark_covering_surfaces;
 use super::{Document, PoseState, SourceKind};
-use sinew_muscle::Solved;
+use sinew_muscle::SolvedMuscle;
 use sinew_scene::animation::Pose;
 use sinew_scene::{Bounds, Content, Frame, FrameJoint, MeshInstance, MuscleId, NodeId, NodeKind, Surface, SurfaceGeometry};
 
@@ -21,7 +21,7 @@ pub struct PoseBuffers {
     local: Vec<DMat4>,
     shown: Vec<bool>,
     plans: Vec<SurfacePlan>,
-    solved: Vec<Solved>,
+    solved: Vec<SolvedMuscle>,
     times: PoseTimes,
     /// Whether the surfaces that cover muscles were looked for since the frame was laid out.
     covering_surfaces_marked: bool,
@@ -43,7 +43,7 @@ impl PoseBuffers {
     }
 
     /// Solutions of all muscles at the last pose, by [`MuscleId`].
-    pub fn solved(&self) -> &[Solved] {
+    pub fn solved(&self) -> &[SolvedMuscle] {
         &self.solved
     }
 
@@ -206,7 +206,7 @@ impl Document {
     fn prepare_nodes_from(&self, first: usize, buffers: &mut PoseBuffers, frame: &mut Frame) {
         (buffers.muscle_revision, frame.muscle_revision) = (self.muscle_revision, self.muscle_revision);
         buffers.pose = Pose::rest(&self.scene);
-        buffers.solved.resize(self.muscle_count(), Solved::default());
+        buffers.solved.resize(self.muscle_count(), SolvedMuscle::default());
         for (id, node) in self.scene.graph.iter().skip(first) {
             if node.kind == NodeKind::Joint {
                 frame.joints.push(FrameJoint { node: id, parent: self.joint_above(id) });

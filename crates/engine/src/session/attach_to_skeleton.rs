@@ -42,8 +42,13 @@ impl Session {
         let before = self.files_now();
         let on_arm = before.get(place)?.clone();
         let muscles = on_arm.muscles.len();
-        let loose =
-            on_arm.muscles.iter().map(|muscle| MuscleSpec { origin: None, insertion: None, via: Vec::new(), wrap: None, ..muscle.clone() });
+        let loose = on_arm.muscles.iter().map(|muscle| MuscleSpec {
+            origin: None,
+            insertion: None,
+            via: Vec::new(),
+            wraps: Vec::new(),
+            ..muscle.clone()
+        });
         let scale = self.bones_scale(&joint);
         let loose = MuscleFile { form: Form::Rich, arm: None, scale, muscles: loose.collect(), ..on_arm.clone() };
         // Only a file that is in the scene without its arm has axes to lay a muscle in; its intermediate state is not drawn.

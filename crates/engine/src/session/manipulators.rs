@@ -1,4 +1,4 @@
-//! Draggable points of a muscle in the viewport: attachments, via points and the wrap sphere.
+//! Draggable points of a muscle in the viewport: attachments, via points and wrap surfaces.
 
 use glam::{DVec2, DVec3, Vec2};
 
@@ -31,15 +31,15 @@ pub struct AttachmentDrag {
     pub from: DVec2,
 }
 
-/// The ball that a muscle goes round, as it is painted; logical pixels.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WrapSphereCircle {
-    /// Its middle.
-    pub middle: DVec2,
-    /// The point of its surface on the side on which the muscle passes.
-    pub top: DVec2,
-    /// Its radius.
-    pub radius: f64,
+/// A surface that a muscle goes round, as it is painted; logical pixels.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WrapOutline {
+    /// Its number among those of the muscle.
+    pub number: usize,
+    /// Its outline, in closed or open lines.
+    pub lines: Vec<Vec<DVec2>>,
+    /// From its centre towards the side on which the muscle passes; `None` where it passes on the shorter way.
+    pub side: Option<[DVec2; 2]>,
 }
 
 impl Session {
@@ -80,16 +80,23 @@ impl Session {
         self.edit_muscle(drag.muscle, &edit, step)
     }
 
-    /// The outline of the ball that the muscle shown goes round, in a picture of this size (logical pixels); `None` where muscles are hidden.
-    pub fn wrap_sphere_circle(&mut self, size: DVec2) -> Option<WrapSphereCircle> {
+    /// The outlines of the surfaces that the muscle shown goes round, in a picture of this size (logical pixels); none where muscles are hidden.
+    pub fn wrap_outlines(&mut self, size: DVec2) -> Vec<WrapOutline> {
         self.frame();
         let camera = self.view.camera.camera(&self.document.scene, &self.frame);
-        let (rig, index) = self.document.muscle(self.shown_muscle).filter(|_| self.view.display.muscle)?;
-        let ball = rig.wrap_sphere(index, &self.frame.world)?;
-        let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
-        let radius = ball.radius / f64::from(camera.height_at(ball.center.as_vec3())) * size.y;
-        let ring = WrapSphereCircle { middle: place(ball.center)?, top: place(ball.center + ball.side * ball.radius)?, radius };
-        (ring.middle.is_finite() && ring.top.is_finite() && radius.is_finite()).then_some(ring)
+        let Some((rig, index)) = self.document.muscle(self.shown_muscle).filter(|_| self.view.display.muscle) else { return Vec::new() };
+        let place = |point: DVec3| {
+            let place = camera.project(point.as_vec3(), size.as_vec2())?.truncate().as_dvec2();
+            place.is_finite().then_some(place)
+        };
+        let outline = |number: usize| {
+            let surface = rig.wrap_placement(index, number, &self.frame.world)?;
+            // A line with a point behind the eye is not drawn.
+            let lines = surface.outline().into_iter().filter_map(|line| line.into_iter().map(place).collect()).collect();
+            let side = surface.top().and_then(|top| Some([place(surface.center)?, place(top)?]));
+            Some(WrapOutline { number, lines, side })
+        };
+        (0..rig.spec(index).map_or(0, |spec| spec.wraps.len())).filter_map(outline).collect()
     }
 }
 

@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn the_table_has_a_column_a_radius_and_one_for_time_where_there_is_any() {
         let solved = Solved { length: 2.5, radii: vec![1.0, 2.0], delta: -0.0, ..Solved::default() };
-        let bent = MuscleSample { time: None, angle: Some(30.0), moment_arm: Some(0.5), solved };
+        let bent = MuscleSample { time: None, angle: Some(30.0), moment_arm: Some(0.5), moment_arms: vec![0.5], solved };
         let moving = MuscleSample { time: Some(0.25), angle: None, ..bent.clone() };
         assert_eq!(csv(&[bent]), "angle,length,moment_arm,volume,volume_error,delta,r1,r2\n30,2.5,0.5,0,0,0,1,2\n");
         assert_eq!(csv(&[moving]), "time,angle,length,moment_arm,volume,volume_error,delta,r1,r2\n0.25,,2.5,0.5,0,0,0,1,2\n");

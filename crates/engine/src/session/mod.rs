@@ -37,7 +37,7 @@ pub use dope_sheet::{AnimatedItem, Graph, GraphKind, SheetRow, ValueGraph};
 pub use gizmo::{Gizmo, GizmoHandle, ModelDrag};
 pub use history::UndoStep;
 pub use joint_control::{JointAxis, SliderState};
-pub use manipulators::{AttachmentDrag, AttachmentHandle, WrapSphereCircle};
+pub use manipulators::{AttachmentDrag, AttachmentHandle, WrapOutline};
 pub use measure::{MeasureAxis, csv};
 pub use pick_mode::{PickMode, PickTarget};
 pub use presets::DisplayPreset;
@@ -256,7 +256,7 @@ impl Session {
             | ChangeSet::EDIT
             | ChangeSet::JOINT_OVERRIDES
             | ChangeSet::OVERLAYS;
-        let accompanied = self.overlays.is_active();
+        let accompanied = self.overlays.is_active() || self.view.display.lines_of_action || !self.frame.overlay_lines.is_empty();
         self.needs_posing |= what.any(moves) || (accompanied && what.any(ChangeSet::SELECTION | ChangeSet::DISPLAY | ChangeSet::PLAYBACK));
         if what.any(ChangeSet::SELECTION | ChangeSet::JOINT_OVERRIDES | ChangeSet::EDIT | ChangeSet::PLAYBACK) {
             self.overlays.clear_motion_path();

@@ -5,7 +5,7 @@ use super::{ChangeSet, Session, UndoStep};
 use crate::document::{PoseBuffers, PoseState};
 use sinew_i18n::Sentence;
 use sinew_muscle::presets::Preset;
-use sinew_muscle::{Anchor, Edit, EditError, Form, JointDof, MuscleFile, MuscleSpec, Wrap, bone_scale};
+use sinew_muscle::{Anchor, Edit, EditError, Form, JointDof, MuscleFile, MuscleSpec, ViaPoint, Wrap, bone_scale};
 use sinew_scene::message;
 use sinew_scene::message::Message;
 use sinew_scene::{Content, Frame, MuscleId, NodeId};
@@ -205,11 +205,9 @@ fn on_arm(model: &MuscleSpec, scale: f64) -> Result<MuscleSpec, EditError> {
     let anchor = |anchor: &Anchor| Anchor { bone: anchor.bone.clone(), offset: (anchor.offset * scale * 1e3).round() / 1e3 };
     let mut spec = model.scaled(scale, model.profile.rest_length() * scale)?;
     (spec.origin, spec.insertion) = (model.origin.as_ref().map(anchor), model.insertion.as_ref().map(anchor));
-    spec.via = model.via.iter().map(anchor).collect();
-    spec.wrap = model.wrap.as_ref().map(|wrap| {
-        let radius = (wrap.radius * scale * 1e3).round() / 1e3;
-        Wrap { center: anchor(&wrap.center), radius, side: wrap.side }
-    });
+    spec.via = model.via.iter().map(|via| ViaPoint { place: anchor(&via.place), ..via.clone() }).collect();
+    spec.wraps =
+        model.wraps.iter().map(|wrap| Wrap { center: anchor(&wrap.center), shape: wrap.shape.scaled(scale), ..wrap.clone() }).collect();
     Ok(spec)
 }
 

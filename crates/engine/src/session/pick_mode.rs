@@ -18,7 +18,7 @@ const UNDER_SKIN: f64 = 0.4;
 /// What the next click gives a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PickTarget {
-    /// A point that the muscle has; [`AttachmentPoint::Wrap`] also where it goes round nothing yet.
+    /// A point that the muscle has; the [`AttachmentPoint::Wrap`] behind its last one adds a surface.
     Point(AttachmentPoint),
     /// A via point that it gets.
     NewVia,
@@ -90,14 +90,17 @@ impl Session {
         if rig.is_attached(index) {
             let edit = match what {
                 // A ball goes into a joint, wherever on the bone was clicked.
-                PickTarget::Point(AttachmentPoint::Wrap) => None,
+                PickTarget::Point(AttachmentPoint::Wrap(_)) => None,
                 PickTarget::Point(hold) => rig.spec(index).and_then(|spec| Edit::place(spec, hold, anchor)),
                 PickTarget::NewVia => rig.via_number_at(index, place, &self.frame.world).map(|number| Edit::AddVia(number, anchor)),
             };
             self.stop_picking();
             return match edit {
                 Some(edit) => self.edit_muscle(muscle, &edit, UndoStep::New),
-                None => self.wrap_round(muscle, node),
+                None => match what {
+                    PickTarget::Point(AttachmentPoint::Wrap(number)) => self.wrap_round(muscle, number, node),
+                    _ => Ok(()),
+                },
             };
         }
         match first {
@@ -119,7 +122,7 @@ impl Session {
         }
     }
 
-    /// Puts a point on another bone. `None` takes the muscle off all bones where the point is an end, and lets it go round nothing where it is the ball.
+    /// Puts a point on another bone. `None` takes the muscle off all bones where the point is an end, and deletes a wrap surface.
     ///
     /// # Errors
     /// [`EditError`] where the point cannot be there.
@@ -130,7 +133,7 @@ impl Session {
             return match hold {
                 AttachmentPoint::End(_) => self.edit_muscle(id, &Edit::Ends(None), UndoStep::New),
                 AttachmentPoint::Via(_) => Ok(()),
-                AttachmentPoint::Wrap => self.edit_muscle(id, &Edit::Wrap(None), UndoStep::New),
+                AttachmentPoint::Wrap(number) => self.edit_muscle(id, &Edit::DeleteWrap(number), UndoStep::New),
             };
         };
         if there == Some(node) {
@@ -138,9 +141,13 @@ impl Session {
         }
         match hold {
             AttachmentPoint::End(_) => self.attach_end_to(id, hold, node),
-            AttachmentPoint::Via(_) | AttachmentPoint::Wrap => {
+            AttachmentPoint::Via(_) => {
                 self.stop_picking();
-                if hold == AttachmentPoint::Wrap { self.wrap_round(id, node) } else { self.put_via_on(id, hold, node) }
+                self.put_via_on(id, hold, node)
+            }
+            AttachmentPoint::Wrap(number) => {
+                self.stop_picking();
+                self.wrap_round(id, number, node)
             }
         }
     }

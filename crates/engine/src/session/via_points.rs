@@ -1,4 +1,4 @@
-//! The path of a muscle between its attachments: via points and the wrap sphere.
+//! The path of a muscle between its attachments: via points and wrap surfaces.
 
 use super::{Session, UndoStep};
 use sinew_muscle::{AttachmentPoint, Edit, EditError};
@@ -29,27 +29,71 @@ impl Session {
         self.edit_muscle(id, &edit, UndoStep::New)
     }
 
-    /// Lets a muscle go round the joint by which it leaves the bone `node`.
-    pub(super) fn wrap_round(&mut self, id: MuscleId, node: NodeId) -> Result<(), EditError> {
+    /// Puts wrap surface `number` of a muscle into the joint by which the muscle leaves the bone `node`; a new one where the muscle has not so many.
+    pub(super) fn wrap_round(&mut self, id: MuscleId, number: usize, node: NodeId) -> Result<(), EditError> {
         self.frame();
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
         if !rig.is_attached(index) {
             return Err(EditError::NoEnds);
         }
-        let wrap = rig.wrap_on(index, node, &self.document.scene, self.state.joints.drive, &self.frame.world).ok_or(EditError::NoName)?;
-        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), UndoStep::New)
+        let drive = self.state.joints.drive;
+        let wrap = rig.wrap_on(index, number, node, &self.document.scene, drive, &self.frame.world).ok_or(EditError::NoName)?;
+        let is_new = rig.spec(index).is_none_or(|spec| number >= spec.wraps.len());
+        let edit = if is_new { Edit::AddWrap(wrap) } else { Edit::Wrap(number, wrap) };
+        self.edit_muscle(id, &edit, UndoStep::New)
     }
 
-    /// Lets a muscle pass what it goes round on the other side.
+    /// Adds a sphere to go round, in the joint that turns the muscle, on the side on which the muscle passes.
+    ///
+    /// # Errors
+    /// [`EditError`] where nothing holds the muscle, or it goes round as many surfaces as it can; nothing is changed then.
+    pub fn add_wrap(&mut self, id: MuscleId) -> Result<(), EditError> {
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let insertion = rig.hold_bone(index, AttachmentPoint::End(1));
+        let node = rig.joint().map(|joint| joint.node).or(insertion).ok_or(EditError::NoEnds)?;
+        let count = rig.spec(index).map_or(0, |spec| spec.wraps.len());
+        self.wrap_round(id, count, node)
+    }
+
+    /// Gives wrap surface `number` another shape of about the same size: sphere (0), cylinder (1), ellipsoid (2) or torus (3).
     ///
     /// # Errors
     /// [`EditError`] where there is no such muscle.
-    pub fn flip_wrap(&mut self, id: MuscleId) -> Result<(), EditError> {
+    pub fn set_wrap_shape(&mut self, id: MuscleId, number: usize, shape: usize) -> Result<(), EditError> {
+        self.frame();
         let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
-        let Some(mut wrap) = rig.spec(index).and_then(|spec| spec.wrap.clone()) else { return Ok(()) };
+        let joint = rig.joint();
+        let Some(wrap) = rig.wrap_shaped(index, number, shape, joint.as_ref(), &self.document.scene, &self.frame.world) else {
+            return Ok(());
+        };
+        self.edit_muscle(id, &Edit::Wrap(number, wrap), UndoStep::New)
+    }
+
+    /// Holds a muscle on the side of wrap surface `number` on which it passes now, or lets it take the shorter way.
+    ///
+    /// # Errors
+    /// [`EditError`] where there is no such muscle.
+    pub fn set_wrap_sided(&mut self, id: MuscleId, number: usize, sided: bool) -> Result<(), EditError> {
+        self.frame();
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let Some(wrap) = rig.spec(index).and_then(|spec| spec.wraps.get(number)).filter(|wrap| wrap.side.is_some() != sided) else {
+            return Ok(());
+        };
+        let side = if sided { Some(rig.passing_side(index, number, &self.frame.world)) } else { None };
+        let edit = Edit::Wrap(number, sinew_muscle::Wrap { side, ..wrap.clone() });
+        self.edit_muscle(id, &edit, UndoStep::New)
+    }
+
+    /// Lets a muscle pass wrap surface `number` on the other side; one that it passes on the shorter way gets the side on which it passes now.
+    ///
+    /// # Errors
+    /// [`EditError`] where there is no such muscle.
+    pub fn flip_wrap(&mut self, id: MuscleId, number: usize) -> Result<(), EditError> {
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let Some(mut wrap) = rig.spec(index).and_then(|spec| spec.wraps.get(number).cloned()) else { return Ok(()) };
         // Adding nothing keeps a zero from becoming −0.
-        wrap.side = -wrap.side + glam::DVec3::ZERO;
-        self.edit_muscle(id, &Edit::Wrap(Some(wrap)), UndoStep::New)
+        wrap.side = wrap.side.map(|side| -side + glam::DVec3::ZERO);
+        self.edit_muscle(id, &Edit::Wrap(number, wrap), UndoStep::New)
     }
 }
 
@@ -61,7 +105,7 @@ mod tests {
     use crate::document::Document;
     use crate::session::tests::{biceps, clip};
     use crate::session::{AttachmentDrag, PickTarget};
-    use sinew_muscle::{Anchor, MuscleFile, MuscleSpec};
+    use sinew_muscle::{Anchor, MuscleFile, MuscleSpec, Wrap, WrapShape};
     use sinew_render::PickHit;
     use sinew_scene::message::ToMessage;
 
@@ -70,7 +114,7 @@ mod tests {
         let mut session = clip();
         session.new_muscle(biceps()).unwrap();
         let id = session.shown_muscle();
-        session.attach_to(id, AttachmentPoint::Wrap, None).unwrap();
+        session.attach_to(id, AttachmentPoint::Wrap(0), None).unwrap();
         session.set_flexion(60.0);
         (session, id)
     }
@@ -123,9 +167,9 @@ mod tests {
         let (mut session, id) = attached();
         session.add_via(id).unwrap();
         let (hold, before) = (AttachmentPoint::Via(0), place(&mut session, id, AttachmentPoint::Via(0)));
-        assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
+        assert_eq!(spec(&session, id).via[0].place.bone, "upper_arm");
         session.attach_to(id, hold, Some(find(&session, "forearm"))).unwrap();
-        assert_eq!(spec(&session, id).via[0].bone, "forearm");
+        assert_eq!(spec(&session, id).via[0].place.bone, "forearm");
         let after = place(&mut session, id, hold);
         assert!(before.distance(after) < 2e-5, "{before} {after}");
         session.set_flexion(100.0);
@@ -135,7 +179,7 @@ mod tests {
         session.attach_to(id, hold, None).unwrap();
         assert_eq!(session.undo_names().0.cloned(), steps, "the bone that it is on is no change");
         session.undo();
-        assert_eq!(spec(&session, id).via[0].bone, "upper_arm");
+        assert_eq!(spec(&session, id).via[0].place.bone, "upper_arm");
     }
 
     #[test]
@@ -148,12 +192,12 @@ mod tests {
             session.pick_bone(find(&session, bone)).unwrap();
             assert!(session.picking().is_none());
             let via = spec(&session, id).via;
-            assert_eq!(via[number].bone, bone, "{via:?}");
+            assert_eq!(via[number].place.bone, bone, "{via:?}");
         }
         assert_eq!(spec(&session, id).via[1], first);
         session.start_picking(id, PickTarget::Point(AttachmentPoint::Via(1)));
         session.pick_bone(find(&session, "forearm")).unwrap();
-        assert_eq!(spec(&session, id).via[1].bone, "forearm");
+        assert_eq!(spec(&session, id).via[1].place.bone, "forearm");
     }
 
     #[test]
@@ -170,14 +214,14 @@ mod tests {
         let drag = AttachmentDrag { muscle: id, handle: grip, from: grip.screen_position };
         session.drag_attachment(&drag, grip.screen_position + DVec2::new(12.0, 9.0), size, UndoStep::New).unwrap();
         let dragged = spec(&session, id).via;
-        assert!(dragged[0] == two[0] && dragged[1].offset != two[1].offset && dragged[1].bone == two[1].bone);
-        assert_eq!(session.undo_names().0, Some(&Edit::Via(1, two[1].clone()).message()));
+        assert!(dragged[0] == two[0] && dragged[1].place.offset != two[1].place.offset && dragged[1].place.bone == two[1].place.bone);
+        assert_eq!(session.undo_names().0, Some(&Edit::Via(1, two[1].place.clone()).message()));
         session.edit_muscle(id, &Edit::DeleteVia(0), UndoStep::New).unwrap();
         assert_eq!(spec(&session, id).via, dragged[1..]);
-        for refused in [Edit::DeleteVia(1), Edit::SwapVia(0), Edit::Via(1, two[0].clone())] {
+        for refused in [Edit::DeleteVia(1), Edit::SwapVia(0), Edit::Via(1, two[0].place.clone())] {
             assert!(matches!(session.edit_muscle(id, &refused, UndoStep::New), Err(EditError::NoVia(_))), "{refused:?}");
         }
-        let nowhere = Anchor { bone: two[0].bone.clone(), offset: DVec3::NAN };
+        let nowhere = Anchor { bone: two[0].place.bone.clone(), offset: DVec3::NAN };
         assert_eq!(session.edit_muscle(id, &Edit::Via(0, nowhere), UndoStep::New), Err(EditError::Offset));
         assert_eq!(spec(&session, id).via, dragged[1..]);
     }
@@ -187,52 +231,59 @@ mod tests {
         let (mut session, id) = attached();
         let elbow = session.document().scene.graph.find("forearm").unwrap();
         for bone in ["upper_arm", "forearm"] {
-            session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, bone))).unwrap();
+            session.attach_to(id, AttachmentPoint::Wrap(0), Some(find(&session, bone))).unwrap();
             session.frame();
-            let wrap = spec(&session, id).wrap.unwrap();
+            let wrap = spec(&session, id).wraps[0].clone();
             assert_eq!(wrap.center.bone, bone);
             let joint = session.posed().world[elbow.index()].w_axis.truncate();
             let (rig, index) = session.document().muscle(id).unwrap();
-            let ball = rig.wrap_sphere(index, &session.posed().world).unwrap();
+            let ball = rig.wrap_placement(index, 0, &session.posed().world).unwrap();
             assert!(ball.center.distance(joint) < 2e-5, "{bone}: {} {joint}", ball.center);
             // The ends of a bent biceps lie on that side of the elbow too.
             let middle = 0.5 * (place(&mut session, id, AttachmentPoint::End(0)) + place(&mut session, id, AttachmentPoint::End(1)));
-            assert!((middle - joint).dot(ball.side) > 0.0, "{bone}");
+            assert!((middle - joint).dot(ball.side.unwrap()) > 0.0, "{bone}");
         }
         // Straight, the muscle lies on it and is longer for it; on the other side it is longer still or as long.
         session.set_flexion(0.0);
         let wrapped = length(&mut session, id);
-        let mut wrap = spec(&session, id).wrap.unwrap();
-        wrap.radius *= 2.0;
-        session.edit_muscle(id, &Edit::Wrap(Some(wrap.clone())), UndoStep::New).unwrap();
+        let mut wrap = spec(&session, id).wraps[0].clone();
+        wrap.shape = wrap.shape.scaled(2.0);
+        session.edit_muscle(id, &Edit::Wrap(0, wrap.clone()), UndoStep::New).unwrap();
         assert!(length(&mut session, id) > wrapped);
-        session.flip_wrap(id).unwrap();
-        assert_eq!(spec(&session, id).wrap.unwrap().side, -wrap.side);
+        session.flip_wrap(id, 0).unwrap();
+        assert_eq!(spec(&session, id).wraps[0].side, wrap.side.map(|side| -side));
         for radius in [0.0, -1.0, f64::NAN] {
-            let bad = Edit::Wrap(Some(sinew_muscle::Wrap { radius, ..wrap.clone() }));
+            let bad = Edit::Wrap(0, Wrap { shape: WrapShape::Sphere { radius }, ..wrap.clone() });
             assert_eq!(session.edit_muscle(id, &bad, UndoStep::New), Err(EditError::Wrap));
         }
-        session.attach_to(id, AttachmentPoint::Wrap, None).unwrap();
-        assert_eq!(spec(&session, id).wrap, None);
+        session.attach_to(id, AttachmentPoint::Wrap(0), None).unwrap();
+        assert_eq!(spec(&session, id).wraps, []);
         session.undo();
-        assert_eq!(spec(&session, id).wrap.unwrap().side, -wrap.side);
+        assert_eq!(spec(&session, id).wraps[0].side, wrap.side.map(|side| -side));
     }
 
     #[test]
     fn the_ring_of_a_ball_stands_where_its_dot_does() {
         let (mut session, id) = attached();
         let size = DVec2::new(900.0, 600.0);
-        assert_eq!(session.wrap_sphere_circle(size), None);
-        session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))).unwrap();
-        let (ring, handles) = (session.wrap_sphere_circle(size).unwrap(), session.attachment_handles(size));
-        let dot = handles.iter().find(|grip| grip.attachment == AttachmentPoint::Wrap).unwrap();
-        assert!(dot.screen_position.distance(ring.middle) < 1e-9);
-        assert!(ring.top.distance(ring.middle) <= 1.1 * ring.radius && ring.radius > 1.0, "{ring:?}");
+        assert_eq!(session.wrap_outlines(size), []);
+        session.attach_to(id, AttachmentPoint::Wrap(0), Some(find(&session, "forearm"))).unwrap();
+        let (rings, handles) = (session.wrap_outlines(size), session.attachment_handles(size));
+        let dot = handles.iter().find(|grip| grip.attachment == AttachmentPoint::Wrap(0)).unwrap();
+        let [ring] = rings.as_slice() else { panic!("{rings:?}") };
+        let [middle, top] = ring.side.unwrap();
+        assert!(dot.screen_position.distance(middle) < 1e-9 && top.distance(middle) > 1.0);
+        // Each of the three circles goes round the centre.
+        assert_eq!(ring.lines.len(), 3);
+        for line in &ring.lines {
+            let mean = line.iter().skip(1).sum::<DVec2>() / (line.len() - 1) as f64;
+            assert!(mean.distance(middle) < 0.1 * top.distance(middle).max(1.0), "{mean} {middle}");
+        }
         let drag = AttachmentDrag { muscle: id, handle: *dot, from: dot.screen_position };
-        let before = spec(&session, id).wrap.unwrap();
+        let before = spec(&session, id).wraps[0].clone();
         session.drag_attachment(&drag, dot.screen_position + DVec2::new(15.0, 0.0), size, UndoStep::New).unwrap();
-        let after = spec(&session, id).wrap.unwrap();
-        assert!(after.center.offset != before.center.offset && (after.radius, after.side) == (before.radius, before.side));
+        let after = spec(&session, id).wraps[0].clone();
+        assert!(after.center.offset != before.center.offset && (after.shape, after.side) == (before.shape, before.side));
     }
 
     #[test]
@@ -247,9 +298,9 @@ mod tests {
         let point = skin[skin.len() / 2];
         let node = session.node_of_muscle(id).unwrap();
         let pick = PickHit { node, surface: Some(surface as u32), triangle: 0, barycentric: glam::Vec3::X, point };
-        session.start_picking(id, PickTarget::Point(AttachmentPoint::Wrap));
+        session.start_picking(id, PickTarget::Point(AttachmentPoint::Wrap(0)));
         session.pick_at(Some(pick)).unwrap();
-        assert!(session.picking().is_some() && spec(&session, id).wrap.is_none(), "no joint is there");
+        assert!(session.picking().is_some() && spec(&session, id).wraps.is_empty(), "no joint is there");
         session.start_picking(id, PickTarget::NewVia);
         session.pick_at(Some(pick)).unwrap();
         let inside = place(&mut session, id, AttachmentPoint::Via(0));
@@ -264,7 +315,7 @@ mod tests {
         let (mut session, id) = attached();
         session.edit_muscle(id, &Edit::Ends(None), UndoStep::New).unwrap();
         assert_eq!(session.add_via(id), Err(EditError::NoEnds));
-        assert_eq!(session.attach_to(id, AttachmentPoint::Wrap, Some(find(&session, "forearm"))), Err(EditError::NoEnds));
+        assert_eq!(session.attach_to(id, AttachmentPoint::Wrap(0), Some(find(&session, "forearm"))), Err(EditError::NoEnds));
     }
 
     #[test]
@@ -272,7 +323,7 @@ mod tests {
         let (mut session, id) = attached();
         session.add_via(id).unwrap();
         let mut files: Vec<MuscleFile> = session.document().muscle_files().cloned().collect();
-        files[0].muscles[0].via[0].bone = "tail".to_owned();
+        files[0].muscles[0].via[0].place.bone = "tail".to_owned();
         session.put_muscle_files(&files);
         assert!(!session.document().muscle(id).unwrap().0.is_attached(0));
         session.attach_to(id, AttachmentPoint::Via(0), Some(find(&session, "forearm"))).unwrap();

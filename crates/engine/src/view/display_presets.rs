@@ -8,10 +8,11 @@ use sinew_render::{Background, Display, OverlayPalette, Shading, Theme};
 pub type DisplayFlag = (&'static str, fn(&mut Display) -> &mut bool);
 
 /// All boolean display options.
-pub const DISPLAY_FLAGS: [DisplayFlag; 15] = [
+pub const DISPLAY_FLAGS: [DisplayFlag; 16] = [
     ("mesh", |d| &mut d.mesh),
     ("muscle", |d| &mut d.muscle),
     ("see-through", |d| &mut d.see_through),
+    ("lines-of-action", |d| &mut d.lines_of_action),
     ("materials", |d| &mut d.materials),
     ("smooth-normals", |d| &mut d.smooth_normals),
     ("normal-glyphs", |d| &mut d.normal_glyphs),

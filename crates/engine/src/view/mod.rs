@@ -9,6 +9,7 @@ mod display_options;
 mod display_presets;
 mod frames;
 mod light;
+mod lines_of_action;
 mod model;
 mod motion_path;
 mod onion_skin;

@@ -1,7 +1,8 @@
-//! Secondary poses drawn with the scene: onion skins, motion path, comparison.
+//! What is drawn with the scene: onion skins, motion path, comparison, lines of action.
 
 use super::comparison::{CompareTarget, Comparison};
 use super::frames::infer_frame_rate;
+use super::lines_of_action;
 use super::motion_path::MotionPath;
 use super::onion_skin::OnionSkins;
 use super::pose_context::PoseContext;
@@ -110,6 +111,9 @@ impl SceneOverlays {
         }
         if let Some(comparison) = &mut self.comparison {
             comparison.append_to(context, frame);
+        }
+        if context.lines_of_action {
+            lines_of_action::append_to(context, frame);
         }
     }
 }

@@ -21,13 +21,23 @@ pub struct PoseContext<'a> {
     pub selection_color: u32,
     /// Whether bones are drawn.
     pub bones: bool,
+    /// Whether lines of action of muscles are drawn.
+    pub lines_of_action: bool,
 }
 
 impl<'a> PoseContext<'a> {
     /// A document in a state, looked at through `display`.
     pub fn new(document: &'a Document, state: PoseState, rate: f64, display: &Display) -> Self {
         let bones = display.bones || !document.shows_surface();
-        Self { document, state, frame_rate: rate, selected: display.highlight.selected, selection_color: display.palette.selected, bones }
+        Self {
+            document,
+            state,
+            frame_rate: rate,
+            selected: display.highlight.selected,
+            selection_color: display.palette.selected,
+            bones,
+            lines_of_action: display.lines_of_action && display.muscle,
+        }
     }
 }
 

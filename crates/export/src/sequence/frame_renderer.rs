@@ -2,7 +2,7 @@
 
 use super::{FrameSpec, Sequence};
 use sinew_engine::document::{Document, PoseBuffers};
-use sinew_engine::view::{PoseContext, SceneOverlays, ViewState};
+use sinew_engine::view::{DEFAULT_FRAME_RATE, PoseContext, SceneOverlays, ViewState};
 use sinew_render::{Background, Framebuffer, RenderError, RenderJob, RenderTarget, Renderer};
 use sinew_scene::Frame;
 
@@ -30,12 +30,14 @@ impl<'a> SequenceRenderer<'a> {
     pub fn new(document: &'a Document, sequence: Sequence, view: ViewState, threads: Option<usize>) -> Self {
         let renderer = Renderer::new(threads);
         let (buffers, frame) = (PoseBuffers::default(), Frame::default());
-        Self { document, sequence, view, renderer, buffers, frame, times: Vec::new(), overlays: None }
+        let overlays = view.display.lines_of_action.then(|| (SceneOverlays::default(), DEFAULT_FRAME_RATE));
+        Self { document, sequence, view, renderer, buffers, frame, times: Vec::new(), overlays }
     }
 
     /// Draws overlays too; `frame_rate` = frames per second of the document's frame numbers.
     pub fn with_overlays(mut self, overlays: SceneOverlays, frame_rate: f64) -> Self {
-        self.overlays = Some((overlays, frame_rate)).filter(|(overlays, _)| overlays.is_active());
+        let lines = self.view.display.lines_of_action;
+        self.overlays = Some((overlays, frame_rate)).filter(|(overlays, _)| overlays.is_active() || lines);
         self
     }
 

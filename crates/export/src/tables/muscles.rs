@@ -139,7 +139,7 @@ fn samples(document: &Document, rig: &MuscleRig, first: MuscleId, index: usize, 
     let rows = CONTRACTIONS.iter().filter_map(|contraction| {
         let state = document.start_state().with_drive(rig.at_contraction(*contraction));
         document.pose(&state, &mut buffers, &mut frame);
-        buffers.solved().get(first.index() + index).map(MuscleRow::alone)
+        buffers.solved().get(first.index() + index).map(|solved| MuscleRow::alone(solved))
     });
     Some(rows.collect())
 }

@@ -2,7 +2,7 @@
 
 use super::full_format::{ARM_BONES, WITH_BONES};
 use super::yaml::Step;
-use crate::edit::VIA;
+use crate::edit::{MOTION_POINTS, VIA, WRAPS};
 use crate::profile::ProfileError;
 use sinew_scene::limits;
 use sinew_scene::message;
@@ -176,6 +176,57 @@ pub enum ConfigErrorKind {
     },
     /// A text that is no colour.
     BadColor(String),
+    /// Both the key `joint` and the key `joints`.
+    JointAndJoints,
+    /// No joint, or so many, more than [`limits::JOINTS`].
+    JointCount(usize),
+    /// Two joints of this name.
+    RepeatedJoint(String),
+    /// A joint that the file has not.
+    UnknownJoint {
+        /// Its name.
+        joint: String,
+        /// The joints that the file has.
+        known: Vec<String>,
+    },
+    /// A via point with both a place and a motion.
+    OffsetAndMoves,
+    /// Angles of a motion that are too few, too many, not rising, or more than a turn.
+    MotionAngles,
+    /// Both the key `wrap` and the key `wraps`.
+    WrapAndWraps,
+    /// So many wrap surfaces, more than [`WRAPS`].
+    TooManyWraps(usize),
+    /// A shape that no wrap surface has.
+    UnknownShape {
+        /// The text.
+        shape: String,
+        /// The shape that it is probably meant to be.
+        near: Option<&'static str>,
+    },
+    /// A key that a wrap surface of this shape does not have.
+    NotOfShape {
+        /// The key.
+        key: &'static str,
+        /// The shape.
+        shape: &'static str,
+    },
+    /// A torus whose tube is as wide as the ring.
+    TorusWithoutHole {
+        /// From the centre to the middle of the tube.
+        radius: f64,
+        /// Radius of the tube.
+        tube: f64,
+    },
+    /// A text that is no half axis.
+    UnknownSide(String),
+    /// A side of a cylinder along its axis.
+    SideAlongCylinder,
+    /// A part of the way that is none; the way's last point has this number.
+    BadBetween {
+        /// The number of the insertion.
+        last: usize,
+    },
 }
 
 impl ConfigError {
@@ -271,6 +322,25 @@ impl ToMessage for ConfigErrorKind {
                 message!("muscle-unknown-arm-bone", bone = shortened(bone), near = *near, known = ARM_BONES.join(", "))
             }
             Self::BadColor(text) => message!("muscle-bad-color", text = shortened(text)),
+            Self::JointAndJoints => message!("muscle-joint-and-joints"),
+            Self::JointCount(count) => message!("muscle-joint-count", limit = limits::JOINTS, count = count),
+            Self::RepeatedJoint(joint) => message!("muscle-repeated-joint", joint = shortened(joint)),
+            Self::UnknownJoint { joint, known } if known.is_empty() => message!("muscle-no-joint-of-name", joint = shortened(joint)),
+            Self::UnknownJoint { joint, known } => {
+                let known: Vec<String> = known.iter().map(|name| shortened(name)).collect();
+                message!("muscle-unknown-joint", joint = shortened(joint), known = known.join(", "))
+            }
+            Self::OffsetAndMoves => message!("muscle-offset-and-moves"),
+            Self::MotionAngles => message!("muscle-motion-angles", limit = MOTION_POINTS),
+            Self::WrapAndWraps => message!("muscle-wrap-and-wraps"),
+            Self::TooManyWraps(count) => message!("muscle-too-many-wraps", limit = WRAPS, count = count),
+            Self::UnknownShape { shape, near: Some(near) } => message!("muscle-unknown-shape-near", shape = shortened(shape), near = *near),
+            Self::UnknownShape { shape, near: None } => message!("muscle-unknown-shape", shape = shortened(shape)),
+            Self::NotOfShape { key, shape } => message!("muscle-not-of-shape", key = *key, shape = *shape),
+            Self::TorusWithoutHole { radius, tube } => message!("muscle-torus-no-hole", radius = radius, tube = tube),
+            Self::UnknownSide(side) => message!("muscle-unknown-side", side = shortened(side)),
+            Self::SideAlongCylinder => message!("muscle-side-along-cylinder"),
+            Self::BadBetween { last } => message!("muscle-bad-between", last = last),
         }
     }
 }

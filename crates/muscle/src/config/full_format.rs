@@ -4,14 +4,15 @@ use glam::DVec3;
 
 use super::decode::{At, nearest};
 use super::error::{ConfigErrorKind, DecodeError};
-use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
+use super::path;
+use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon};
 use crate::arm::{Arm, FOREARM, UPPER_ARM};
-use crate::edit::VIA;
+use crate::edit::{VIA, WRAPS};
 use crate::profile::{Profile, ProfileError};
 use sinew_scene::limits;
 
 /// Keys at the top of the richer form; one of them makes a file a richer one.
-pub(super) const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "scale", "muscles"];
+pub(super) const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "joints", "scale", "muscles"];
 /// The value of `scale` that lets muscles scale with the bones.
 pub(super) const WITH_BONES: &str = "with bones";
 /// Ids of the bones of the arm.
@@ -38,7 +39,16 @@ pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, DecodeError> {
         if file.arm.is_some() {
             return Err(at.error(ConfigErrorKind::ArmAndJoint));
         }
-        file.joint = Some(joint(&at)?);
+        file.joints = vec![joint(&at)?];
+    }
+    if let Some(at) = map.get("joints") {
+        if file.arm.is_some() {
+            return Err(at.error(ConfigErrorKind::ArmAndJoint));
+        }
+        if !file.joints.is_empty() {
+            return Err(at.error(ConfigErrorKind::JointAndJoints));
+        }
+        file.joints = joints(&at)?;
     }
     if let Some(at) = map.get("scale") {
         if file.arm.is_some() {
@@ -56,7 +66,7 @@ pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, DecodeError> {
     }
     let mut vertices = 0_usize;
     for at in &items {
-        let muscle = muscle(at, file.arm.is_some())?;
+        let muscle = muscle(at, &Names { on_arm: file.arm.is_some(), joints: &file.joints })?;
         vertices = vertices.saturating_add(muscle.vertices());
         if vertices > limits::MUSCLE_VERTICES {
             return Err(at.error(ConfigErrorKind::TooMuchSurface));
@@ -99,15 +109,32 @@ fn arm(at: &At<'_>) -> Result<Arm, DecodeError> {
 }
 
 fn joint(at: &At<'_>) -> Result<JointSpec, DecodeError> {
-    let map = at.map(&["bone", "axis", "range"])?;
+    let map = at.map(&["name", "bone", "axis", "range"])?;
+    let name = map.get("name").map_or(Ok(""), |at| at.text())?.to_owned();
     let range = match map.get("range") {
         Some(at) => range(&at, -360.0, 360.0)?,
         None => [0.0, 150.0],
     };
-    Ok(JointSpec { bone: map.need("bone")?.text()?.to_owned(), axis: direction(&map.need("axis")?)?, range })
+    Ok(JointSpec { name, bone: map.need("bone")?.text()?.to_owned(), axis: direction(&map.need("axis")?)?, range })
 }
 
-fn range(at: &At<'_>, least: f64, most: f64) -> Result<[f64; 2], DecodeError> {
+fn joints(at: &At<'_>) -> Result<Vec<JointSpec>, DecodeError> {
+    let items = at.items()?;
+    if items.is_empty() || items.len() > limits::JOINTS {
+        return Err(at.error(ConfigErrorKind::JointCount(items.len())));
+    }
+    let mut joints: Vec<JointSpec> = Vec::new();
+    for at in &items {
+        let joint = joint(at)?;
+        if joints.iter().any(|other| other.label() == joint.label()) {
+            return Err(at.error(ConfigErrorKind::RepeatedJoint(joint.label().to_owned())));
+        }
+        joints.push(joint);
+    }
+    Ok(joints)
+}
+
+pub(super) fn range(at: &At<'_>, least: f64, most: f64) -> Result<[f64; 2], DecodeError> {
     let [low, high] = at.some_numbers::<2>()?;
     if least <= low && low < high && high <= most {
         return Ok([low, high]);
@@ -115,7 +142,7 @@ fn range(at: &At<'_>, least: f64, most: f64) -> Result<[f64; 2], DecodeError> {
     Err(at.error(ConfigErrorKind::BadRange { name: at.name(), least, most }))
 }
 
-fn direction(at: &At<'_>) -> Result<DVec3, DecodeError> {
+pub(super) fn direction(at: &At<'_>) -> Result<DVec3, DecodeError> {
     let direction = DVec3::from_array(at.some_numbers::<3>()?);
     if direction.try_normalize().is_none() {
         return Err(at.error(ConfigErrorKind::NoDirection(at.name())));
@@ -123,9 +150,31 @@ fn direction(at: &At<'_>) -> Result<DVec3, DecodeError> {
     Ok(direction)
 }
 
-fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, DecodeError> {
-    let map =
-        at.map(&["name", "color", "source", "length", "radii", "growth", "poses", "origin", "via", "wrap", "insertion", "tendons"])?;
+/// What a muscle may name.
+pub(super) struct Names<'a> {
+    /// Whether the bones are those of the arm.
+    pub on_arm: bool,
+    /// The joints of the file.
+    pub joints: &'a [JointSpec],
+}
+
+fn muscle(at: &At<'_>, names: &Names<'_>) -> Result<MuscleSpec, DecodeError> {
+    let on_arm = names.on_arm;
+    let map = at.map(&[
+        "name",
+        "color",
+        "source",
+        "length",
+        "radii",
+        "growth",
+        "poses",
+        "origin",
+        "via",
+        "wrap",
+        "wraps",
+        "insertion",
+        "tendons",
+    ])?;
     let length = map.need("length")?;
     let mut spec = match map.get("poses") {
         Some(poses) => {
@@ -153,7 +202,7 @@ fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, DecodeError> {
     if spec.origin.is_some() != spec.insertion.is_some() {
         return Err(at.error(ConfigErrorKind::OneEnd(at.name())));
     }
-    for key in ["via", "wrap"] {
+    for key in ["via", "wrap", "wraps"] {
         if let (Some(at), None) = (map.get(key), &spec.origin) {
             return Err(at.error(ConfigErrorKind::WithoutEnds(key)));
         }
@@ -163,12 +212,20 @@ fn muscle(at: &At<'_>, on_arm: bool) -> Result<MuscleSpec, DecodeError> {
         if points.len() > VIA {
             return Err(at.error(ConfigErrorKind::TooManyViaPoints(points.len())));
         }
-        spec.via = points.iter().map(|point| anchor(point, on_arm)).collect::<Result<_, _>>()?;
+        spec.via = points.iter().map(|point| path::via_point(point, names)).collect::<Result<_, _>>()?;
     }
     if let Some(at) = map.get("wrap") {
-        let wrap = at.map(&["bone", "offset", "radius", "side"])?;
-        let center = Anchor { bone: bone(&wrap.need("bone")?, on_arm)?, offset: offset(wrap.get("offset"))? };
-        spec.wrap = Some(Wrap { center, radius: wrap.need("radius")?.positive(false)?, side: direction(&wrap.need("side")?)? });
+        spec.wraps = vec![path::sphere(&at, on_arm)?];
+    }
+    if let Some(at) = map.get("wraps") {
+        if !spec.wraps.is_empty() {
+            return Err(at.error(ConfigErrorKind::WrapAndWraps));
+        }
+        let items = at.items()?;
+        if items.len() > WRAPS {
+            return Err(at.error(ConfigErrorKind::TooManyWraps(items.len())));
+        }
+        spec.wraps = items.iter().map(|item| path::wrap(item, on_arm, spec.via.len())).collect::<Result<_, _>>()?;
     }
     if let Some(at) = map.get("tendons") {
         let tendons = at.map(&["origin", "insertion"])?;
@@ -228,11 +285,11 @@ fn anchor(at: &At<'_>, on_arm: bool) -> Result<Anchor, DecodeError> {
     Ok(Anchor { bone: bone(&map.need("bone")?, on_arm)?, offset: offset(map.get("offset"))? })
 }
 
-fn offset(at: Option<At<'_>>) -> Result<DVec3, DecodeError> {
+pub(super) fn offset(at: Option<At<'_>>) -> Result<DVec3, DecodeError> {
     at.map_or(Ok(DVec3::ZERO), |at| at.some_numbers::<3>().map(DVec3::from_array))
 }
 
-fn bone(at: &At<'_>, on_arm: bool) -> Result<String, DecodeError> {
+pub(super) fn bone(at: &At<'_>, on_arm: bool) -> Result<String, DecodeError> {
     let name = at.text()?;
     if on_arm && !ARM_BONES.contains(&name) {
         let near = nearest(name, ARM_BONES).unwrap_or(UPPER_ARM);

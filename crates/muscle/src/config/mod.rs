@@ -24,6 +24,7 @@ mod decode;
 mod error;
 mod full_format;
 mod lossless_save;
+mod path;
 mod short_format;
 mod source_spans;
 mod spec;
@@ -32,7 +33,10 @@ mod yaml;
 
 pub use error::{ConfigError, ConfigErrorKind, ValueName, WantedKind};
 pub use lossless_save::SaveResult;
-pub use spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon, Wrap};
+pub use spec::{
+    ActiveRange, Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PointMotion, PoseAt, PoseSpec, Tendon, ViaPoint, Wrap, WrapRange,
+    WrapShape,
+};
 
 use decode::At;
 use error::DecodeError;

@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::arm::Arm;
 use crate::measured_shapes::Pose;
 use crate::profile::{Profile, ProfileError};
+use crate::retarget::neat;
 use crate::tessellation::MuscleTopology;
 use sinew_scene::limits;
 
@@ -29,8 +30,8 @@ pub struct MuscleFile {
     pub clip: Option<String>,
     /// The two-rod arm.
     pub arm: Option<Arm>,
-    /// The joint that measurements turn; on the two-rod arm it is the elbow and this is `None`.
-    pub joint: Option<JointSpec>,
+    /// The joints that measurements turn and that via points depend on, the first one above all; on the two-rod arm it is the elbow alone and this is empty.
+    pub joints: Vec<JointSpec>,
     /// Where muscles scale with the bones that they are on: the bones' scale at which the lengths of this file hold, 1 unless it names another. `None` =
     /// lengths are in the unit whatever the bones' scale.
     pub scale: Option<f64>,
@@ -52,13 +53,15 @@ impl MuscleFile {
 
 impl Default for MuscleFile {
     fn default() -> Self {
-        Self { unit_metres: 0.001, form: Form::Report, clip: None, arm: None, joint: None, scale: None, muscles: Vec::new() }
+        Self { unit_metres: 0.001, form: Form::Report, clip: None, arm: None, joints: Vec::new(), scale: None, muscles: Vec::new() }
     }
 }
 
 /// A joint with one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointSpec {
+    /// What via points and measurements call it; empty: by its bone.
+    pub name: String,
     /// Id or name of the bone that turns, with everything below it.
     pub bone: String,
     /// Axis through the bone's node, along the bone's own axes.
@@ -83,13 +86,21 @@ pub struct MuscleSpec {
     /// Where it begins.
     pub origin: Option<Anchor>,
     /// Points that it passes, in order.
-    pub via: Vec<Anchor>,
-    /// What it goes round.
-    pub wrap: Option<Wrap>,
+    pub via: Vec<ViaPoint>,
+    /// Surfaces that it goes round.
+    pub wraps: Vec<Wrap>,
     /// Where it ends.
     pub insertion: Option<Anchor>,
     /// Tendons at the origin and at the insertion.
     pub tendons: [Tendon; 2],
+}
+
+impl JointSpec {
+    /// What via points and measurements call it.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        if self.name.is_empty() { &self.bone } else { &self.name }
+    }
 }
 
 impl MuscleSpec {
@@ -108,7 +119,7 @@ impl MuscleSpec {
             poses: Vec::new(),
             origin: None,
             via: Vec::new(),
-            wrap: None,
+            wraps: Vec::new(),
             insertion: None,
             tendons: [Tendon::default(); 2],
         }
@@ -169,15 +180,150 @@ pub struct Anchor {
     pub offset: DVec3,
 }
 
-/// A ball, fixed to a bone, that a muscle goes round like a rope round a pulley.
+/// A point that a muscle passes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ViaPoint {
+    /// Where it is; of a point that moves, where it is while its joint is not known.
+    pub place: Anchor,
+    /// Where it is passed only while a joint's angle lies in a range.
+    pub active: Option<ActiveRange>,
+    /// Where its place depends on a joint's angle.
+    pub moves: Option<PointMotion>,
+}
+
+impl From<Anchor> for ViaPoint {
+    fn from(place: Anchor) -> Self {
+        Self { place, active: None, moves: None }
+    }
+}
+
+/// While a joint's angle lies in this range a via point is passed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ActiveRange {
+    /// What the file calls the joint.
+    pub joint: String,
+    /// Least and greatest angle, degrees; both belong to the range.
+    pub range: [f64; 2],
+}
+
+/// How the place of a via point depends on a joint's angle: natural cubic splines through these places, straight on beyond them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointMotion {
+    /// What the file calls the joint.
+    pub joint: String,
+    /// Angles in rising order, degrees; two at least.
+    pub angles: Vec<f64>,
+    /// The offset on the bone at each.
+    pub offsets: Vec<DVec3>,
+}
+
+/// A surface, fixed to a bone, that a muscle goes round like a rope round a pulley.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wrap {
+    /// Its shape and its size.
+    pub shape: WrapShape,
     /// Its centre.
     pub center: Anchor,
-    /// Its radius.
-    pub radius: f64,
-    /// The side on which the muscle passes: a direction along the bone's own axes.
-    pub side: DVec3,
+    /// How its frame is turned from the bone's axes, degrees: about x, then about y and about z as the turns before have left them.
+    pub rotation: DVec3,
+    /// The side on which the muscle passes: a direction in its frame; `None` = the shorter way.
+    pub side: Option<DVec3>,
+    /// The part of the way on which it acts.
+    pub range: WrapRange,
+}
+
+/// The shape of a wrap surface in its frame. Lengths are in the file's unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum WrapShape {
+    /// A sphere.
+    Sphere {
+        /// Its radius.
+        radius: f64,
+    },
+    /// A cylinder about the z axis.
+    Cylinder {
+        /// Its radius.
+        radius: f64,
+        /// Its length.
+        length: f64,
+    },
+    /// An ellipsoid along the axes.
+    Ellipsoid {
+        /// Half its length along x, y and z.
+        radii: DVec3,
+    },
+    /// A ring about the z axis, which the muscle goes through.
+    Torus {
+        /// From the centre to the middle of the tube.
+        radius: f64,
+        /// Radius of the tube.
+        tube: f64,
+    },
+}
+
+/// The part of a muscle's way on which a wrap surface acts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WrapRange {
+    /// The first stretch that leads from one bone to another.
+    AtJoint,
+    /// All of it.
+    Whole,
+    /// From one point of the way to another; 0 is the origin, 1 the first via point.
+    Between([usize; 2]),
+}
+
+impl WrapShape {
+    /// What files call it.
+    #[must_use]
+    pub fn id(&self) -> &'static str {
+        match self {
+            Self::Sphere { .. } => "sphere",
+            Self::Cylinder { .. } => "cylinder",
+            Self::Ellipsoid { .. } => "ellipsoid",
+            Self::Torus { .. } => "torus",
+        }
+    }
+
+    /// The shape with all lengths multiplied.
+    #[must_use]
+    pub fn scaled(self, scale: f64) -> Self {
+        match self {
+            Self::Sphere { radius } => Self::Sphere { radius: radius * scale },
+            Self::Cylinder { radius, length } => Self::Cylinder { radius: radius * scale, length: length * scale },
+            Self::Ellipsoid { radii } => Self::Ellipsoid { radii: radii * scale },
+            Self::Torus { radius, tube } => Self::Torus { radius: radius * scale, tube: tube * scale },
+        }
+    }
+
+    /// The shape with lengths that a person can read.
+    #[must_use]
+    pub(crate) fn neat(self) -> Self {
+        match self {
+            Self::Sphere { radius } => Self::Sphere { radius: neat(radius) },
+            Self::Cylinder { radius, length } => Self::Cylinder { radius: neat(radius), length: neat(length) },
+            Self::Ellipsoid { radii } => Self::Ellipsoid { radii: radii.map(neat) },
+            Self::Torus { radius, tube } => Self::Torus { radius: neat(radius), tube: neat(tube) },
+        }
+    }
+
+    /// Its lengths: radius; radius and length; three radii; radius of ring and tube.
+    pub fn sizes(&self) -> impl Iterator<Item = f64> + use<> {
+        let (sizes, count) = match *self {
+            Self::Sphere { radius } => ([radius, 0.0, 0.0], 1),
+            Self::Cylinder { radius, length } => ([radius, length, 0.0], 2),
+            Self::Ellipsoid { radii } => (radii.to_array(), 3),
+            Self::Torus { radius, tube } => ([radius, tube, 0.0], 2),
+        };
+        sizes.into_iter().take(count)
+    }
+}
+
+impl Wrap {
+    /// A sphere on the stretch that leads from one bone to another, with its side along the bone's own axes.
+    #[must_use]
+    pub fn sphere(center: Anchor, radius: f64, side: DVec3) -> Self {
+        Self { shape: WrapShape::Sphere { radius }, center, rotation: DVec3::ZERO, side: Some(side), range: WrapRange::AtJoint }
+    }
 }
 
 /// A tendon: it goes on from the muscle's end and does not change its length.

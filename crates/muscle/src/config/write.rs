@@ -5,7 +5,8 @@ use std::fmt::Write;
 use glam::DVec3;
 
 use super::full_format::{UNITS, WITH_BONES};
-use super::spec::{Anchor, Form, MuscleFile, MuscleSpec, PoseAt};
+use super::path::AT_JOINT;
+use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, ViaPoint, Wrap, WrapRange, WrapShape};
 use super::yaml::Yaml;
 use crate::arm::{Arm, FOREARM, UPPER_ARM};
 use sinew_yaml::quoted;
@@ -24,7 +25,7 @@ fn report(file: &MuscleFile) -> Option<String> {
     let [muscle] = file.muscles.as_slice() else { return None };
     let plain =
         MuscleSpec { origin: muscle.origin.clone(), insertion: muscle.insertion.clone(), ..MuscleSpec::new(muscle.profile.clone()) };
-    if *muscle != plain || file.unit_metres != 0.001 || file.clip.is_some() || file.joint.is_some() || file.scale.is_some() {
+    if *muscle != plain || file.unit_metres != 0.001 || file.clip.is_some() || !file.joints.is_empty() || file.scale.is_some() {
         return None;
     }
     let mut text = String::from("muscle_config:\n");
@@ -75,11 +76,19 @@ fn rich(file: &MuscleFile) -> String {
             line(&mut text, 2, "flexion", &numbers(&range));
         }
     }
-    if let Some(joint) = &file.joint {
-        text.push_str("joint:\n");
-        line(&mut text, 2, "bone", &quoted(&joint.bone));
-        line(&mut text, 2, "axis", &numbers(&joint.axis.to_array()));
-        line(&mut text, 2, "range", &numbers(&joint.range));
+    match file.joints.as_slice() {
+        [] => {}
+        [joint] if joint.name.is_empty() => {
+            text.push_str("joint:\n");
+            text.push_str(&joint_lines(joint, 2));
+        }
+        joints => {
+            text.push_str("joints:\n");
+            for joint in joints {
+                text.push_str("  - ");
+                text.push_str(joint_lines(joint, 4).trim_start());
+            }
+        }
     }
     if let Some(scale) = file.scale {
         line(&mut text, 0, "scale", &if scale == 1.0 { WITH_BONES.to_owned() } else { number(scale) });
@@ -90,6 +99,17 @@ fn rich(file: &MuscleFile) -> String {
         text.push_str("  - ");
         text.push_str(lines.trim_start());
     }
+    text
+}
+
+fn joint_lines(joint: &JointSpec, indent: usize) -> String {
+    let mut text = String::new();
+    if !joint.name.is_empty() {
+        line(&mut text, indent, "name", &quoted(&joint.name));
+    }
+    line(&mut text, indent, "bone", &quoted(&joint.bone));
+    line(&mut text, indent, "axis", &numbers(&joint.axis.to_array()));
+    line(&mut text, indent, "range", &numbers(&joint.range));
     text
 }
 
@@ -146,15 +166,25 @@ fn write_muscle(text: &mut String, muscle: &MuscleSpec, indent: usize) {
     if !muscle.via.is_empty() {
         let _ = writeln!(text, "{:indent$}via:", "");
         for point in &muscle.via {
-            let _ = writeln!(text, "{:inner$}- {}", "", anchor(point));
+            let _ = writeln!(text, "{:inner$}- {}", "", via_point(point));
         }
     }
-    if let Some(wrap) = &muscle.wrap {
-        let _ = writeln!(text, "{:indent$}wrap:", "");
-        line(text, inner, "bone", &quoted(&wrap.center.bone));
-        line(text, inner, "offset", &numbers(&wrap.center.offset.to_array()));
-        line(text, inner, "radius", &number(wrap.radius));
-        line(text, inner, "side", &numbers(&wrap.side.to_array()));
+    match muscle.wraps.as_slice() {
+        [] => {}
+        // The key `wrap`, which older versions read too.
+        [Wrap { shape: WrapShape::Sphere { radius }, center, rotation: DVec3::ZERO, side: Some(side), range: WrapRange::AtJoint }] => {
+            let _ = writeln!(text, "{:indent$}wrap:", "");
+            line(text, inner, "bone", &quoted(&center.bone));
+            line(text, inner, "offset", &numbers(&center.offset.to_array()));
+            line(text, inner, "radius", &number(*radius));
+            line(text, inner, "side", &numbers(&side.to_array()));
+        }
+        wraps => {
+            let _ = writeln!(text, "{:indent$}wraps:", "");
+            for surface in wraps {
+                let _ = writeln!(text, "{:inner$}- {}", "", wrap(surface));
+            }
+        }
     }
     if let Some(insertion) = &muscle.insertion {
         line(text, indent, "insertion", &anchor(insertion));
@@ -167,6 +197,49 @@ fn write_muscle(text: &mut String, muscle: &MuscleSpec, indent: usize) {
             }
         }
     }
+}
+
+fn via_point(point: &ViaPoint) -> String {
+    let mut text = format!("{{bone: {}", quoted(&point.place.bone));
+    match &point.moves {
+        None => {
+            let _ = write!(text, ", offset: {}", numbers(&point.place.offset.to_array()));
+        }
+        Some(moves) => {
+            let offsets: Vec<String> = moves.offsets.iter().map(|offset| numbers(&offset.to_array())).collect();
+            let (joint, angles) = (quoted(&moves.joint), numbers(&moves.angles));
+            let _ = write!(text, ", moves: {{joint: {joint}, angles: {angles}, offsets: [{}]}}", offsets.join(", "));
+        }
+    }
+    if let Some(active) = &point.active {
+        let _ = write!(text, ", active: {{joint: {}, range: {}}}", quoted(&active.joint), numbers(&active.range));
+    }
+    text.push('}');
+    text
+}
+
+fn wrap(wrap: &Wrap) -> String {
+    let mut text = format!("{{shape: {}", wrap.shape.id());
+    let _ = match wrap.shape {
+        WrapShape::Sphere { radius } => write!(text, ", radius: {}", number(radius)),
+        WrapShape::Cylinder { radius, length } => write!(text, ", radius: {}, length: {}", number(radius), number(length)),
+        WrapShape::Ellipsoid { radii } => write!(text, ", radii: {}", numbers(&radii.to_array())),
+        WrapShape::Torus { radius, tube } => write!(text, ", radius: {}, tube: {}", number(radius), number(tube)),
+    };
+    let _ = write!(text, ", bone: {}, offset: {}", quoted(&wrap.center.bone), numbers(&wrap.center.offset.to_array()));
+    if wrap.rotation != DVec3::ZERO {
+        let _ = write!(text, ", rotation: {}", numbers(&wrap.rotation.to_array()));
+    }
+    if let Some(side) = wrap.side {
+        let _ = write!(text, ", side: {}", numbers(&side.to_array()));
+    }
+    let _ = match wrap.range {
+        WrapRange::Whole => Ok(()),
+        WrapRange::AtJoint => write!(text, ", between: {AT_JOINT}"),
+        WrapRange::Between([from, to]) => write!(text, ", between: [{from}, {to}]"),
+    };
+    text.push('}');
+    text
 }
 
 fn anchor(anchor: &Anchor) -> String {

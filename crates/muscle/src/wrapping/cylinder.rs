@@ -4,7 +4,7 @@ use glam::{DMat2, DVec2, DVec3};
 
 use super::geodesic::{GeodesicEnd, GeodesicStart};
 use super::shape::Curvature;
-use super::sphere::contact_angles;
+use super::sphere::{contact_angles, contact_angles_around};
 use super::touch::Touch;
 
 /// The shape operator: 1/R round the axis, 0 along it.
@@ -31,7 +31,9 @@ pub(super) fn shoot(radius: f64, start: &GeodesicStart) -> GeodesicEnd {
 
 /// The path from `from` to `to` over the cylinder. Seen along the axis it is that over a circle, of length s with the straight parts; its height grows evenly
 /// with s, so that the whole is √(s² + Δz²) long.
-pub(super) fn touch(radius: f64, from: DVec3, to: DVec3, side: Option<DVec3>) -> Option<Touch> {
+///
+/// `around`: it may go round by more than half a turn.
+pub(super) fn touch(radius: f64, from: DVec3, to: DVec3, side: Option<DVec3>, around: bool) -> Option<Touch> {
     let (p, q) = (from.truncate(), to.truncate());
     let along = (q - p).try_normalize()?;
     // Of both perpendiculars the one that points from the axis to the line.
@@ -42,7 +44,7 @@ pub(super) fn touch(radius: f64, from: DVec3, to: DVec3, side: Option<DVec3>) ->
         _ => out,
     };
     let flat = |point: DVec2| DVec2::new(point.dot(along), point.dot(up));
-    let [leave, arrive] = contact_angles(radius, flat(p), flat(q))?;
+    let [leave, arrive] = if around { contact_angles_around } else { contact_angles }(radius, flat(p), flat(q))?;
     let outward = |angle: f64| along * angle.cos() + up * angle.sin();
     let onward = |angle: f64| along * angle.sin() - up * angle.cos();
     let straight = |point: DVec2| (point.length_squared() - radius * radius).max(0.0).sqrt();

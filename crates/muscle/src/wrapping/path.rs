@@ -80,7 +80,7 @@ impl PathSolver {
             }
             let (placed, side) =
                 if yielding == Yielding::NONE { (given.placed, given.side) } else { yielding.changed(&given.placed, given.side) };
-            solver.slots.push(Slot::new(index, placed, side));
+            solver.slots.push(Slot::new(index, placed, side, alone && yielding.passes.is_some()));
         }
         let outcome = solver.solve(from.position, to.position);
         if !outcome.converged {
@@ -125,7 +125,7 @@ fn given(surface: &WrapSurface) -> Option<Given> {
     let rotation = DMat3::from_quat(surface.rotation / length);
     let side = match shape {
         Shape::Torus(_) => None,
-        Shape::Cylinder(_) => surface.side.direction().filter(|side| side.z == 0.0),
+        Shape::Cylinder(_) => surface.side.direction().and_then(|side| side.with_z(0.0).try_normalize()),
         Shape::Sphere(_) | Shape::Ellipsoid(_) => surface.side.direction(),
     };
     let half_length = match surface.surface {

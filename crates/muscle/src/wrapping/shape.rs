@@ -113,10 +113,11 @@ impl Shape {
     }
 
     /// Where a path from `from` to `to` lies on the surface: exactly on spheres and cylinders, nearly on the others. `None` where the straight line clears it.
-    pub(super) fn touch(&self, from: DVec3, to: DVec3, side: Option<DVec3>) -> Option<Touch> {
+    /// `around`: round a cylinder it may go by more than half a turn.
+    pub(super) fn touch(&self, from: DVec3, to: DVec3, side: Option<DVec3>, around: bool) -> Option<Touch> {
         match self {
             Shape::Sphere(radius) => sphere::touch(*radius, from, to, side),
-            Shape::Cylinder(radius) => cylinder::touch(*radius, from, to, side),
+            Shape::Cylinder(radius) => cylinder::touch(*radius, from, to, side, around),
             Shape::Ellipsoid(ellipsoid) => ellipsoid.touch(from, to, side),
             Shape::Torus(torus) => torus.touch(from, to),
         }

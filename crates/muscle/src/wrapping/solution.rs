@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::dual::DualVec;
 use super::geodesic::GeodesicStart;
 use super::newton::{Contact, Placed};
+use super::shape::Shape;
 use super::yielding::Yielding;
 
 /// Whether a solution can be relied on.
@@ -125,15 +126,42 @@ impl Arc {
         self.start_normal
     }
 
-    /// `count` points in the world at equal spacing from P to Q, both among them; of a count of 1, P alone.
-    pub fn sample(&self, count: usize) -> impl Iterator<Item = DVec3> + '_ {
+    /// `count` points in the world at equal spacing from P to Q, both among them, and the path's direction at each; of a count of 1, P alone.
+    pub fn sample(&self, count: usize) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
         let mut start = self.contact.start;
         start.length /= count.saturating_sub(1).max(1) as f64;
         let points = iter::successors(Some(start), move |start| {
             let end = self.placed.shape.shoot(start);
             Some(GeodesicStart { point: end.point, tangent: end.tangent, length: start.length })
         });
-        points.take(count).map(|start| self.placed.to_world(start.point))
+        points.take(count).map(|start| (self.placed.to_world(start.point), self.placed.rotation * start.tangent))
+    }
+
+    /// The radius of the circle that the geodesic is a part of; `None` where it is another curve.
+    #[must_use]
+    pub fn circle(&self) -> Option<f64> {
+        /// Less of the direction than this along a cylinder's axis is a rounding.
+        const ALONG: f64 = 1e-12;
+        match self.placed.shape {
+            Shape::Sphere(radius) => Some(radius),
+            Shape::Cylinder(radius) if self.contact.start.tangent.z.abs() < ALONG => Some(radius),
+            _ => None,
+        }
+    }
+
+    /// About how far the path's direction turns along the geodesic, radians: its length over the smallest radius of curvature at its ends and its middle.
+    #[must_use]
+    pub fn turn(&self) -> f64 {
+        let shape = &self.placed.shape;
+        let start = self.contact.start;
+        let middle = shape.shoot(&GeodesicStart { length: 0.5 * start.length, ..start });
+        let end = self.contact.end;
+        let bend = |(point, tangent): (DVec3, DVec3)| {
+            let curvature = shape.curvature(point, tangent, tangent.cross(shape.normal(point)));
+            curvature.along.hypot(curvature.twist)
+        };
+        let places = [(start.point, start.tangent), (middle.point, middle.tangent), (end.point, end.tangent)];
+        self.length * places.map(bend).into_iter().fold(0.0, f64::max)
     }
 
     /// What the surface's yielding adds to the rate of the length. A surface that moves along its normal by v lengthens the path by its normal curvature κ

@@ -1,6 +1,6 @@
 //! The sphere: great circles.
 
-use std::f64::consts::PI;
+use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
@@ -61,8 +61,17 @@ pub(super) fn contact_angles(radius: f64, from: DVec2, to: DVec2) -> Option<[f64
     if from.x >= 0.0 || to.x <= 0.0 {
         return None;
     }
+    contact_angles_around(radius, from, to)
+}
+
+/// [`contact_angles`], also where the foot of the centre lies beyond an end, so that a path on the far side goes round by more than half a turn.
+pub(super) fn contact_angles_around(radius: f64, from: DVec2, to: DVec2) -> Option<[f64; 2]> {
     let (p, q) = (from.length(), to.length());
-    let leave = PI - (from.y / -from.x).atan() - (radius / p).min(1.0).acos();
-    let arrive = (to.y / to.x).atan() + (radius / q).min(1.0).acos();
+    // A line through the centre itself is none below it, whatever the sign of its 0.
+    let (from, to) = (from + DVec2::ZERO, to + DVec2::ZERO);
+    // Below the centre the start's direction is counted on beyond half a turn, the end's on below 0.
+    let start = if from.y < 0.0 { from.y.atan2(from.x) + TAU } else { from.y.atan2(from.x) };
+    let leave = start - (radius / p).min(1.0).acos();
+    let arrive = to.y.atan2(to.x) + (radius / q).min(1.0).acos();
     (leave > arrive).then_some([leave, arrive])
 }

@@ -23,6 +23,8 @@ pub(super) struct Slot {
     whole: Shape,
     /// The side of the path, in the surface's frame.
     pub side: Option<DVec3>,
+    /// Whether the path may go round it by more than half a turn.
+    around: bool,
     /// Where the geodesic started on the same surface of a smaller size.
     grown_from: Option<GeodesicStart>,
     /// The geodesic, where the surface acts.
@@ -36,8 +38,8 @@ pub(super) struct Slot {
 }
 
 impl Slot {
-    pub(super) fn new(surface: usize, placed: Placed, side: Option<DVec3>) -> Self {
-        Self { surface, placed, whole: placed.shape, side, grown_from: None, contact: None, touch: None, way: None, dropped: 0 }
+    pub(super) fn new(surface: usize, placed: Placed, side: Option<DVec3>, around: bool) -> Self {
+        Self { surface, placed, whole: placed.shape, side, around, grown_from: None, contact: None, touch: None, way: None, dropped: 0 }
     }
 
     /// Whether the path may go round either way.
@@ -49,7 +51,7 @@ impl Slot {
         let (from, to) = (self.placed.to_local(from), self.placed.to_local(to));
         match (self.placed.shape, self.way) {
             (Shape::Ellipsoid(ellipsoid), Some(way)) => ellipsoid.touch_on(from, to, way),
-            (shape, way) => shape.touch(from, to, way.or(self.side)),
+            (shape, way) => shape.touch(from, to, way.or(self.side), self.around),
         }
     }
 }

@@ -42,8 +42,8 @@ pub enum Surface {
     },
 }
 
-/// The side of a wrap surface that the path passes on: a half axis of the surface's frame, OpenSim's quadrant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// The side of a wrap surface that the path passes on: a half axis of the surface's frame (OpenSim's quadrant), or any direction in it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Side {
     /// The nearer one: the path is the shortest.
     #[default]
@@ -60,6 +60,8 @@ pub enum Side {
     PlusZ,
     /// That of negative z. Along the axis of a cylinder it means [`Side::Either`].
     MinusZ,
+    /// That of a direction, of any length but 0. Of a cylinder the part along its axis does not count.
+    Toward(DVec3),
 }
 
 impl Side {
@@ -74,6 +76,7 @@ impl Side {
             Side::MinusY => Some(DVec3::NEG_Y),
             Side::PlusZ => Some(DVec3::Z),
             Side::MinusZ => Some(DVec3::NEG_Z),
+            Side::Toward(direction) => direction.try_normalize(),
         }
     }
 }

@@ -99,7 +99,7 @@ impl Torus {
         let round = DVec3::Z.cross(radial);
         let local = |point: DVec3| DVec3::new(point.dot(radial) - self.major, point.z, point.dot(round));
         let world = |vector: DVec3| radial * vector.x + DVec3::Z * vector.y + round * vector.z;
-        let touch = cylinder::touch(self.minor, local(from), local(to), Some(DVec3::NEG_X))?;
+        let touch = cylinder::touch(self.minor, local(from), local(to), Some(DVec3::NEG_X), false)?;
         let place = |point: DVec3, tangent: DVec3| {
             let point = self.project(world(point) + radial * self.major);
             (point, world(tangent).reject_from_normalized(self.normal(point)).normalize_or(DVec3::Z))

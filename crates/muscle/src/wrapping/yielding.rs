@@ -20,8 +20,9 @@
 //! it is drawn out along u until it is a cylinder, and moved along by u. Where the line is far out (|u| from ½ to 1), it shrinks and moves to the line until it
 //! does not act at all, so that a line beyond it is free on any side.
 //!
-//! Where a line on the wrong side ends near the surface (its foot less than ½ from an end), the path would leave on one hand or the other; there any surface
-//! shrinks and moves to the line.
+//! A path on the side goes round by more than half a turn where an end lies behind the surface. Round a sphere or a cylinder that is alone on the stretch it may
+//! do so until both ends are seen from the centre in nearly the same direction: between 30° and 10° the surface shrinks and moves to the line. Round an
+//! ellipsoid, and beside other surfaces, it shrinks as soon as the line's foot is less than ½ from an end.
 
 use glam::{DMat3, DVec3};
 
@@ -32,6 +33,8 @@ use super::shape::Shape;
 
 /// Ends are kept outside of a surface by this share of its size.
 const CLEARANCE: f64 = 1e-4;
+/// Cosines of the angles between both ends, seen from the centre, between which a surface behind which they lie gives way.
+const NARROW: [f64; 2] = [0.866_025_403_784_438_6, 0.984_807_753_012_208];
 /// Less of the side's direction than this square to the line, and the line has no side.
 const SIDEWAYS: f64 = 1e-6;
 
@@ -178,12 +181,12 @@ fn beside(side: DVec3, from: DualVec, to: DualVec, shape: &Shape, alone: bool) -
     let up = up * square.recip();
     let across = up.cross(along);
     let double = Dual::constant(2.0);
-    let before = (-(double * from.dot(along))).step();
-    let after = (double * to.dot(along)).step();
-    let line = Line { up, across, height: from.dot(up), offset: from.dot(across), room: before * after };
+    let ends = [from.dot(along), to.dot(along)];
+    let room = (-(double * ends[0])).step() * (double * ends[1]).step();
+    let line = Line { along, up, across, height: from.dot(up), offset: from.dot(across), ends, room, alone };
     let side = match shape {
         Shape::Cylinder(_) => line.beside_circle(),
-        Shape::Sphere(_) => line.beside_sphere(alone),
+        Shape::Sphere(_) => line.beside_sphere(),
         Shape::Ellipsoid(_) | Shape::Torus(_) => line.beside_ellipsoid(),
     }?;
     // What is drawn out may have reached an end.
@@ -197,6 +200,8 @@ fn beside(side: DVec3, from: DualVec, to: DualVec, shape: &Shape, alone: bool) -
 
 /// A straight line seen from the centre of the unit sphere.
 struct Line {
+    /// Its direction.
+    along: DualVec,
     /// The side, square to the line.
     up: DualVec,
     /// Square to both.
@@ -205,22 +210,43 @@ struct Line {
     height: Dual,
     /// How far it passes towards `across`: u.
     offset: Dual,
+    /// How far along it its ends are from the foot of the centre.
+    ends: [Dual; 2],
     /// 1 where both ends are further than half a radius from the foot of the centre, 0 where the foot lies beyond an end.
     room: Dual,
+    /// Whether no other surface may act on the stretch.
+    alone: bool,
 }
 
 impl Line {
+    /// How a path that goes round the far side of a circle gives way, where the line passes below its centre at this height: what is left of the size, and where
+    /// the centre goes along `along` and up.
+    fn gives_way(&self, height: Dual) -> (Dual, [Dual; 2]) {
+        let [from, to] = self.ends;
+        if !self.alone {
+            let lost = Dual::ONE - self.room;
+            return (self.room, [Dual::ZERO, lost * height.min(Dual::ZERO)]);
+        }
+        // Cosine of the angle from end to end, seen from the centre: the rest of a turn is that of the path.
+        let lengths = (from * from + height * height).sqrt() * (to * to + height * height).sqrt();
+        let cosine = if lengths.value > 0.0 { (from * to + height * height) * lengths.recip() } else { Dual::ONE };
+        let least = Dual::constant(NARROW[0]);
+        let lost = ((cosine - least) * Dual::constant((NARROW[1] - NARROW[0]).recip())).step();
+        // The nearest point of the line between its ends.
+        let foot = to.min(Dual::ZERO) - (-from).min(Dual::ZERO);
+        (Dual::ONE - lost, [lost * foot, lost * height.min(Dual::ZERO)])
+    }
+
     fn beside_circle(&self) -> Option<Yielding> {
         if self.height.value >= 0.0 {
             return None;
         }
-        let lost = Dual::ONE - self.room;
-        let shift = self.up * (lost * self.height);
-        Some(Yielding { scale: self.room, shift, passes: Some(self.up.value), ..Yielding::NONE })
+        let (scale, [along, up]) = self.gives_way(self.height);
+        Some(Yielding { scale, shift: self.along * along + self.up * up, passes: Some(self.up.value), ..Yielding::NONE })
     }
 
-    fn beside_sphere(&self, alone: bool) -> Option<Yielding> {
-        let Self { up, across, height, offset, room } = *self;
+    fn beside_sphere(&self) -> Option<Yielding> {
+        let Self { up, across, height, offset, .. } = *self;
         if height.value >= 0.0 {
             return None;
         }
@@ -231,11 +257,11 @@ impl Line {
         let (high, aside) = (height * cosine + offset * sine, offset * cosine - height * sine);
         // 1 from H = 0 on.
         let yields = (Dual::constant(2.0) * cosine * cosine).step();
-        let drawn = if alone { Dual::ONE } else { yields };
-        let lost = Dual::ONE - room;
+        let drawn = if self.alone { Dual::ONE } else { yields };
+        let (left, [moved, raised]) = self.gives_way(high);
         Some(Yielding {
-            scale: Dual::ONE - yields * lost,
-            shift: axis * (drawn * aside) + passes * (lost * yields * high.min(Dual::ZERO)),
+            scale: Dual::ONE - yields * (Dual::ONE - left),
+            shift: axis * (drawn * aside) + (self.along * moved + passes * raised) * yields,
             across: axis,
             squeeze: Dual::ONE - drawn,
             passes: Some(passes.value),
@@ -243,7 +269,7 @@ impl Line {
     }
 
     fn beside_ellipsoid(&self) -> Option<Yielding> {
-        let Self { up, across, height, offset, room } = *self;
+        let Self { up, across, height, offset, room, .. } = *self;
         if height.value >= offset.value.abs() {
             return None;
         }

@@ -9,3 +9,5 @@ pub(crate) mod muscle_panel;
 mod profile_plot;
 mod profile_table;
 mod via_points_editor;
+mod wrap_surface_row;
+mod wrap_surfaces_editor;

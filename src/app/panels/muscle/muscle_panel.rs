@@ -16,6 +16,7 @@ use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::profile_plot::{ProfilePlot, ProfileShape};
 use super::profile_table::ProfileTable;
 use super::via_points_editor::ViaPointsEditor;
+use super::wrap_surfaces_editor::WrapSurfacesEditor;
 use crate::app::commands::Command;
 use crate::app::format;
 use crate::app::handles::session_handle::SessionHandle;
@@ -26,7 +27,7 @@ use crate::document::{Document, SourceKind};
 use crate::i18n::{self, Sentence};
 use crate::muscle::presets::{PRESETS, Preset};
 use crate::muscle::solver_report::{Root, SolverReport};
-use crate::muscle::{Edit, LimitCause, MuscleRig, MuscleSpec, Solved, Tendon};
+use crate::muscle::{Edit, LimitCause, MuscleRig, MuscleSpec, SolvedMuscle, Tendon};
 use crate::scene::MuscleId;
 use crate::session::{ChangeSet, Session, UndoStep};
 use crate::tr;
@@ -67,6 +68,7 @@ pub(crate) struct MusclePanel {
     bones: Bones,
     ends: AttachmentsEditor,
     way: ViaPointsEditor,
+    wraps: WrapSurfacesEditor,
     shown: Rc<Cell<u32>>,
     editor: Editor,
     profile: ProfilePlot,
@@ -77,7 +79,7 @@ pub(crate) struct MusclePanel {
     units: [gtk::Label; 5],
     ledger: [gtk::Label; 9],
     quadratic: [gtk::Label; 6],
-    solved: RefCell<Solved>,
+    solved: RefCell<SolvedMuscle>,
 }
 
 /// What a new muscle is where no other is asked for.
@@ -204,6 +206,7 @@ impl MusclePanel {
             joint: ContractionControls::new(&builder, session),
             ends: AttachmentsEditor::new(&builder, &bones),
             way: ViaPointsEditor::new(&builder, &bones),
+            wraps: WrapSurfacesEditor::new(&builder, &bones),
             bones,
             editor: Editor::new(session, &shown, &widgets.refused),
             shown,
@@ -287,6 +290,7 @@ impl MusclePanel {
         }
         self.ends.connect(editor);
         self.way.connect(editor);
+        self.wraps.connect(editor);
         let own = editor.clone();
         connect_entry(&self.widgets.name, move |entry| {
             let name = entry.text().trim().to_owned();
@@ -441,6 +445,7 @@ impl MusclePanel {
         }
         self.ends.show(session, id, &unit.length, anew);
         self.way.show(session, id, &unit.length, anew);
+        self.wraps.show(session, id, &unit.length, anew);
         self.widgets.fit_length.set_sensitive(rig.is_attached(index));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
@@ -477,6 +482,7 @@ impl Panel for MusclePanel {
         if changes.any(ChangeSet::HISTORY) {
             self.widgets.refused.set_visible(false);
             self.way.forget_refusals();
+            self.wraps.forget_refusals();
         }
         let moves = ChangeSet::DOCUMENT
             | ChangeSet::DRIVE

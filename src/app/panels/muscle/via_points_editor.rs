@@ -1,4 +1,4 @@
-//! Editor of the path of the selected muscle: via points and the wrap sphere.
+//! Editor of the via points of the selected muscle.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -7,21 +7,17 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use super::attachment_field::{AttachmentField, Bones, connect_pick, show_pick};
-use super::muscle_editor::{Editor, connect_entry, show_text};
-use crate::app::format;
+use super::muscle_editor::Editor;
 use crate::app::widgets::ui::{self, object};
 use crate::muscle::edit::VIA;
-use crate::muscle::{AttachmentPoint, Edit, Wrap};
+use crate::muscle::{AttachmentPoint, Edit};
 use crate::scene::MuscleId;
 use crate::session::{PickTarget, Session, UndoStep};
 use crate::tr;
 
-/// The entries of the ball beside those of its middle, and the digits behind the mark of each: radius, and the side along each axis of the bone.
-const FIELDS: [(&str, usize); 4] = [("wrap_radius", 2), ("wrap_side_x", 3), ("wrap_side_y", 3), ("wrap_side_z", 3)];
-
 ui::widgets! {
-    /// The widgets of the muscle panel for via points and the wrap sphere.
-    struct PathWidgets from MUSCLE_PANEL {
+    /// The widgets of the muscle panel for via points.
+    struct ViaWidgets from MUSCLE_PANEL {
         via_heading: gtk::Label,
         way_no_ends: gtk::Label,
         via_list: gtk::Box,
@@ -29,16 +25,6 @@ ui::widgets! {
         via_add: gtk::Button,
         via_pick_new: gtk::ToggleButton,
         via_refused: gtk::Label,
-        wrap: gtk::Box,
-        wrap_centre_label: gtk::Label,
-        wrap_unit: gtk::Label,
-        wrap_radius_label: gtk::Label,
-        wrap_radius: gtk::Entry,
-        wrap_radius_unit: gtk::Label,
-        wrap_side_label: gtk::Label,
-        wrap_side: gtk::Box,
-        wrap_flip: gtk::Button,
-        wrap_refused: gtk::Label,
     }
 }
 
@@ -60,23 +46,19 @@ struct ViaRows {
 
 /// The whole.
 pub(crate) struct ViaPointsEditor {
-    widgets: PathWidgets,
+    widgets: ViaWidgets,
     bones: Bones,
     rows: ViaRows,
-    ball: AttachmentField,
-    fields: [gtk::Entry; 4],
     editor: RefCell<Option<Editor>>,
 }
 
 impl ViaPointsEditor {
     /// That of a panel.
     pub(crate) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
-        let widgets = PathWidgets::of(builder);
+        let widgets = ViaWidgets::of(builder);
         Self {
             bones: bones.clone(),
             rows: ViaRows { rows: Rc::default(), add: widgets.via_add.clone() },
-            ball: AttachmentField::new(builder, "wrap", AttachmentPoint::Wrap, bones),
-            fields: FIELDS.map(|(id, _)| object(builder, id)),
             widgets,
             editor: RefCell::default(),
         }
@@ -84,7 +66,7 @@ impl ViaPointsEditor {
 
     /// Connects the input of the widgets. A rejected change is reported beside its widget.
     pub(crate) fn connect(&self, editor: &Editor) {
-        let [of_via, of_wrap] = [&self.widgets.via_refused, &self.widgets.wrap_refused].map(|refused| editor.refusing_in(refused.clone()));
+        let of_via = editor.refusing_in(self.widgets.via_refused.clone());
         let own = of_via.clone();
         self.rows.add.connect_clicked(move |_| {
             let id = own.id();
@@ -92,21 +74,11 @@ impl ViaPointsEditor {
         });
         connect_pick(&self.widgets.via_pick_new, &of_via, PickTarget::NewVia);
         self.editor.replace(Some(of_via));
-        self.ball.connect(&of_wrap);
-        for (field, entry) in self.fields.iter().enumerate() {
-            let own = of_wrap.clone();
-            connect_entry(entry, move |entry| typed(&own, field, entry));
-        }
-        self.widgets.wrap_flip.connect_clicked(move |_| {
-            let id = of_wrap.id();
-            of_wrap.tell(|session| session.flip_wrap(id));
-        });
     }
 
     /// What was refused is no longer of interest.
     pub(crate) fn forget_refusals(&self) {
         self.widgets.via_refused.set_visible(false);
-        self.widgets.wrap_refused.set_visible(false);
     }
 
     /// Shows the way of a muscle.
@@ -117,7 +89,6 @@ impl ViaPointsEditor {
         let widgets = &self.widgets;
         widgets.way_no_ends.set_visible(!has_ends);
         widgets.via_buttons.set_visible(has_ends);
-        widgets.wrap.set_visible(has_ends);
         self.show_rows(spec.via.len());
         for row in self.rows.rows.borrow().iter().take(spec.via.len()) {
             row.place.show(session, id, anew);
@@ -130,22 +101,6 @@ impl ViaPointsEditor {
         } else {
             tr!("app-via-unit", unit = unit)
         });
-        self.ball.show(session, id, anew);
-        let of_wrap: [&gtk::Widget; 4] = [
-            widgets.wrap_radius.upcast_ref(),
-            widgets.wrap_side.upcast_ref(),
-            widgets.wrap_flip.upcast_ref(),
-            widgets.wrap_centre_label.upcast_ref(),
-        ];
-        of_wrap.iter().for_each(|widget| widget.set_visible(spec.wrap.is_some()));
-        let labels = [&widgets.wrap_radius_label, &widgets.wrap_side_label, &widgets.wrap_unit, &widgets.wrap_radius_unit];
-        labels.iter().for_each(|label| label.set_visible(spec.wrap.is_some()));
-        for label in [&widgets.wrap_unit, &widgets.wrap_radius_unit] {
-            label.set_text(unit);
-        }
-        for (field, entry) in self.fields.iter().enumerate() {
-            show_text(entry, &spec.wrap.as_ref().map_or_else(String::new, |wrap| field_text(wrap, field)), anew);
-        }
     }
 
     /// Lets as many rows be seen as there are points.
@@ -200,30 +155,5 @@ impl ViaRows {
         let rows = self.rows.borrow();
         let seen = rows.iter().take(number + 1).rfind(|row| row.root.is_visible());
         seen.map_or(&self.add, button).grab_focus();
-    }
-}
-
-fn field_text(wrap: &Wrap, field: usize) -> String {
-    let value = if field == 0 { wrap.radius } else { wrap.side[field - 1] };
-    format::number(value, FIELDS[field].1)
-}
-
-/// Takes what was typed into a field of the ball.
-fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
-    let Some(mut wrap) = editor.spec().and_then(|spec| spec.wrap) else { return };
-    if entry.text() == field_text(&wrap, field) {
-        return entry.remove_css_class("error");
-    }
-    let value = format::parse_number(&entry.text()).unwrap_or(f64::NAN);
-    if field == 0 {
-        wrap.radius = value
-    } else {
-        wrap.side[field - 1] = value
-    }
-    if editor.edit(&Edit::Wrap(Some(wrap.clone())), UndoStep::New) {
-        entry.remove_css_class("error");
-        entry.set_text(&field_text(&wrap, field));
-    } else {
-        entry.add_css_class("error");
     }
 }

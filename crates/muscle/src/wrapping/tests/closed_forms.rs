@@ -84,7 +84,7 @@ fn the_general_method_finds_the_closed_forms_from_afar() {
             let world = |x: f64, y: f64, z: f64| placed.to_world(DVec3::new(x, y, z));
             let from = world(random.between(-3.0, -1.2), random.between(-0.2, 0.9), random.between(-1.0, 1.0));
             let to = world(random.between(1.2, 3.0), random.between(-0.2, 0.9), random.between(-1.0, 1.0));
-            let Some(touch) = shape.touch(placed.to_local(from), placed.to_local(to), Some(DVec3::Y)) else { continue };
+            let Some(touch) = shape.touch(placed.to_local(from), placed.to_local(to), Some(DVec3::Y), false) else { continue };
             let mut start = touch.start;
             let normal = shape.normal(start.point);
             let binormal = start.tangent.cross(normal);

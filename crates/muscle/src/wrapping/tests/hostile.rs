@@ -60,7 +60,7 @@ proptest! {
             let straight: f64 = places.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
             prop_assert!(solution.status == Status::NotFinite || solution.length >= straight * (1.0 - 1e-9));
             for arc in solution.arcs() {
-                prop_assert!(arc.length >= 0.0 && arc.sample(5).all(|point| point.is_finite()));
+                prop_assert!(arc.length >= 0.0 && arc.sample(5).all(|(point, tangent)| point.is_finite() && tangent.is_finite()));
                 prop_assert!(arc.start_tangent.is_finite() && arc.end_tangent.is_finite() && arc.start_normal().is_finite());
             }
         }

@@ -342,3 +342,35 @@ fn a_line_that_crosses_to_the_other_side_of_a_sphere_has_no_jump() {
         }
     }
 }
+
+#[test]
+fn a_path_on_its_side_goes_round_by_more_than_half_a_turn_and_lets_go_without_a_jump() {
+    for (surface, aside) in [
+        (Surface::Cylinder { radius: 1.0, length: 2.0 }, 0.4),
+        (Surface::Sphere { radius: 1.0 }, 0.0),
+        (Surface::Sphere { radius: 1.0 }, 0.3),
+    ] {
+        // One end above the surface, which the path passes on the left; the other turns about it from below, on to the right and up.
+        let surface = [super::wrap(surface, Side::MinusX)];
+        let solve = |turn: f64| {
+            let end = DQuat::from_rotation_z(turn) * DVec3::new(0.0, -2.0, aside);
+            let points = [super::at(1, 0.0, 3.0, aside), PathPoint { body: 2, position: end }];
+            let solution = super::solved(&points, &surface);
+            (solution.length, solution.length_rate(|body, point| if body == 2 { DVec3::Z.cross(point) } else { DVec3::ZERO }))
+        };
+        let step = 1e-3;
+        let mut before = solve(-1.0);
+        for index in -999..3600 {
+            let turn = f64::from(index) * step;
+            let (length, rate) = solve(turn);
+            let missed = length - before.0 - 0.5 * (rate + before.1) * step;
+            assert!(missed.abs() < 1e-5 + (rate - before.1).abs() * step, "{surface:?} at {turn}: {missed}");
+            if aside == 0.0 && (0.0..2.6).contains(&turn) {
+                let arc = turn + PI - (1.0_f64 / 3.0).acos() - 0.5_f64.acos();
+                let exact = 8.0_f64.sqrt() + 3.0_f64.sqrt() + arc;
+                assert!((length - exact).abs() < 1e-9 && (rate - 1.0).abs() < 1e-9, "{turn}: {length} {exact} {rate}");
+            }
+            before = (length, rate);
+        }
+    }
+}

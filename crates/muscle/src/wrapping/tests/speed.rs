@@ -25,7 +25,8 @@ fn newtons_steps_square_the_path_error() {
         let mut contacts = Vec::new();
         let mut before = from;
         for placed in &surfaces {
-            let touch = placed.shape.touch(placed.to_local(before), placed.to_local(to), Some(DVec3::Y)).expect("the line runs into it");
+            let touch =
+                placed.shape.touch(placed.to_local(before), placed.to_local(to), Some(DVec3::Y), false).expect("the line runs into it");
             before = placed.to_world(touch.end);
             contacts.push(Contact::new(&placed.shape, touch.start));
         }
