@@ -173,6 +173,7 @@ fn measure() -> Command {
     .arg(file())
     .arg(option("angles", "DEG,DEG,…", arg_parsers::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
     .arg(option("sweep", "FROM:TO:STEP", arg_parsers::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
+    .arg(option("joint", "NAME", clap::value_parser!(String), "cli-arg-joint", heading).conflicts_with_all(["over-time", "compare"]))
     .arg(
         option("times", "FROM:TO:STEP", arg_parsers::times, "cli-arg-times", heading)
             .allow_hyphen_values(true)

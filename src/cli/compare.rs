@@ -157,7 +157,7 @@ impl Compared {
         let (from, to) = (found.angles.first().copied().unwrap_or(0.0), found.angles.last().copied().unwrap_or(0.0));
         let volumes = found.implied_volumes.iter().zip(&found.rms_at);
         let pair = |(column, (sample, (volume, rms))): (usize, (_, (&f64, &f64)))| {
-            let model = MuscleRow::of(sample);
+            let model = MuscleRow::of(sample, &[]);
             let mut measured_radii = vec![None; model.radii.len()];
             for (slot, row) in measured_radii.iter_mut().skip(found.nodes.start).zip(&found.measured) {
                 *slot = row.get(column).copied();

@@ -17,7 +17,7 @@ use super::text_table::columns;
 use super::{files, joints, value};
 use crate::document::{Document, ImageLoading, OpenOptions, PoseState};
 use crate::export::tables::{
-    JointTable, MeasureTable, MuscleTable, PLOT_SCALE, TableError, TableFormat, TableSubject, even_times, unit_label,
+    JointTable, MeasureTable, MuscleTable, PLOT_SCALE, TableError, TableFormat, TableSubject, UnknownJoint, even_times, unit_label,
 };
 use crate::i18n::{self, Sentence, decimal};
 use crate::output::OverwriteGuard;
@@ -68,15 +68,19 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
             let error = tr!("cli-value-out-of-range", low = plain(-MOST_DEGREES), high = plain(MOST_DEGREES));
             return Err(Failure::usage(tr!("cli-value-wrong", option = option, value = plain(*angle), why = error)));
         }
-        print_angles_out_of_range(&document, angles, &file);
+        if !given.contains_id("joint") {
+            print_angles_out_of_range(&document, angles, &file);
+        }
     }
-    if angles.is_none() && given.contains_id("plot") {
+    if angles.is_none() && given.contains_id("plot") && !given.contains_id("joint") {
         // Four angles are a table, but no curve.
         let table = MeasureTable::measure(TableSubject::Muscles, &document, &document.start_state(), DEFAULT_FPS)
             .map_err(|why| table_failure(why, &file))?;
         return sheet.answer(&table);
     }
-    let table = MuscleTable::over_angles(&document, display_name(&file), angles.as_deref());
+    let joint = value::<String>(given, "joint");
+    let table = MuscleTable::over_joint(&document, display_name(&file), joint.as_deref(), angles.as_deref());
+    let table = table.map_err(|error| unknown_joint(&error, &file))?;
     let table = table.ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-measure", file = display_name(&file))))?;
     sheet.answer(&MeasureTable::Muscles(table))
 }
@@ -135,6 +139,17 @@ fn times(given: &ArgMatches, document: &Document, file: &Path) -> Result<(PoseSt
     Ok((state, times))
 }
 
+/// Says which joints there are instead of the one that was asked for.
+fn unknown_joint(error: &UnknownJoint, file: &Path) -> Failure {
+    let mut known: Vec<String> = error.known.iter().map(|name| i18n::shown(name).into_owned()).collect();
+    known.dedup();
+    let (file, joint) = (display_name(file), i18n::shown(&error.name).into_owned());
+    Failure::usage(match known.is_empty() {
+        true => tr!("cli-measure-no-joints", file = file, joint = joint),
+        false => tr!("cli-measure-unknown-joint", file = file, joint = joint, known = known.join(", ")),
+    })
+}
+
 fn table_failure(why: TableError, file: &Path) -> Failure {
     match why {
         TableError::NoClip => Failure::usage(tr!("cli-measure-no-clip", file = display_name(file))),
@@ -166,6 +181,7 @@ fn text(table: &MuscleTable) -> String {
         let head = [
             tr!("cli-measure-angle"),
             tr!("cli-measure-length", unit = unit.clone()),
+            tr!("cli-measure-unit-length", unit = unit.clone()),
             tr!("cli-measure-moment-arm", unit = unit.clone()),
             tr!("cli-measure-volume", unit = unit.clone()),
             tr!("cli-measure-error"),
@@ -180,6 +196,7 @@ fn text(table: &MuscleTable) -> String {
             let cells = [
                 dash(row.angle, 1),
                 decimal(row.length, 2) + mark,
+                decimal(row.unit_length, 2),
                 dash(row.moment_arm, 2),
                 decimal(row.volume, 1),
                 i18n::localise_decimal_mark(&format!("{:.1e}", row.volume_error)),

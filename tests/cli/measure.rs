@@ -85,7 +85,7 @@ fn the_table_for_people_speaks_their_language() {
     let folder = folder();
     let file = models::write(folder.path(), "arm.yaml", models::BICEPS);
     let english = sinew(["measure", arg(&file), "--angles", "0,90"]).well();
-    assert!(english.contains("length, mm") && english.contains("250.00"), "{english}");
+    assert!(english.contains("belly, mm") && english.contains("250.00"), "{english}");
     let russian = sinew_ru(["measure", arg(&file), "--angles", "0,90"]).well();
     assert!(russian.contains("длина, мм") && russian.contains("250,00"), "{russian}");
 }

@@ -19,7 +19,7 @@ use super::tessellation::{MeshQuality, MuscleTopology, ToWorld};
 use super::{MuscleSample, MuscleState, Solved, measure};
 use sinew_scene::animation::Pose;
 use sinew_scene::diagnostics::Diagnostic;
-use sinew_scene::{Label, MaterialBinding, Mesh, NodeId, Scene, Unnamed};
+use sinew_scene::{Graph, Label, MaterialBinding, Mesh, NodeId, OwnedLabel, Scene, Unnamed};
 
 /// A muscle file placed in a scene.
 #[derive(Debug, Clone, Default)]
@@ -175,6 +175,13 @@ impl MuscleRig {
     /// The joints that [`MuscleRig::measure_over`] turns: what each is called (empty where it was found and not named), and where it is.
     pub fn joints(&self) -> impl ExactSizeIterator<Item = (&str, JointDof)> {
         self.joints.iter().map(|joint| (joint.name.as_str(), joint.dof))
+    }
+
+    /// What joint `joint` of the rig is called: as the file names it, else as its node is.
+    pub fn joint_label(&self, joint: usize, graph: &Graph) -> Option<OwnedLabel> {
+        let joint = self.joints.get(joint)?;
+        let named = (!joint.name.is_empty()).then(|| OwnedLabel::from(joint.name.clone()));
+        Some(named.unwrap_or_else(|| graph.label(joint.dof.node).to_owned()))
     }
 
     /// The angles that joint `joint` of the rig is turned through, degrees.

@@ -13,6 +13,7 @@ use super::panel::Panel;
 use crate::app::dialogs::measurement_comparison;
 use crate::app::dialogs::save_as::{self, SaveRequest};
 use crate::app::handles::app_context::AppContext;
+use crate::app::handles::session_handle::SessionHandle;
 use crate::app::panels::muscle::muscle_panel::Unit;
 use crate::app::widgets::drawing_area::PaintWidget;
 use crate::app::widgets::plot_view;
@@ -56,6 +57,8 @@ ui::widgets! {
         name: gtk::Label,
         axes: gtk::Box,
         axis: gtk::DropDown,
+        joints: gtk::Box,
+        joint: gtk::DropDown,
         hint: gtk::Label,
         slot: gtk::Box,
         published: gtk::CheckButton,
@@ -73,6 +76,7 @@ pub(crate) struct MeasurePanel {
     plots: [(PaintWidget, Rc<RefCell<Plot>>); 5],
     readings: RefCell<Vec<MuscleSample>>,
     muscle: Cell<MuscleId>,
+    joint_names: gtk::StringList,
     stale: Cell<bool>,
 }
 
@@ -87,7 +91,10 @@ impl MeasurePanel {
             widgets.slot.append(&canvas);
             (canvas, plot)
         });
-        let panel = Rc::new(Self { widgets, plots, readings: RefCell::default(), muscle: Cell::new(MuscleId(0)), stale: Cell::new(true) });
+        let joint_names = ui::words::<&str>(&[]);
+        widgets.joint.set_model(Some(&joint_names));
+        let (readings, muscle, stale) = (RefCell::default(), Cell::new(MuscleId(0)), Cell::new(true));
+        let panel = Rc::new(Self { widgets, plots, readings, muscle, joint_names, stale });
         panel.connect(app);
         panel
     }
@@ -108,7 +115,10 @@ impl MeasurePanel {
                     let place = plot.borrow().x_at(x, f64::from(canvas.width()));
                     let Some(place) = place else { return };
                     match panel.against() {
-                        MeasureAxis::Angle => session.update(|session| session.set_angle_undoable(place)),
+                        MeasureAxis::Angle => {
+                            let (muscle, joint) = (panel.muscle.get(), panel.joint());
+                            session.update(|session| session.bend_measured_undoable(muscle, joint, place));
+                        }
                         MeasureAxis::Time => session.update(|session| session.time(|playback| playback.seek(place))),
                     }
                 }
@@ -143,7 +153,7 @@ impl MeasurePanel {
             #[weak(rename_to = panel)]
             self,
             move |button| {
-                button.clipboard().set_text(&csv(&panel.readings.borrow()));
+                button.clipboard().set_text(&panel.table(&app.session));
                 app.toasts.toast(&tr!("app-copied"), None);
             }
         ));
@@ -163,6 +173,16 @@ impl MeasurePanel {
             #[weak]
             session,
             move |_| session.update(Session::show_selected_muscle)
+        ));
+        self.widgets.joint.connect_selected_notify(glib::clone!(
+            #[weak]
+            session,
+            #[weak(rename_to = panel)]
+            self,
+            move |_| {
+                panel.stale.set(true);
+                session.update(Session::show_selected_muscle);
+            }
         ));
         self.widgets.measurement_comparison.connect_clicked(glib::clone!(
             #[weak]
@@ -190,9 +210,36 @@ impl MeasurePanel {
         AXES.get(self.widgets.axis.selected() as usize).copied().unwrap_or_default()
     }
 
+    /// The joint that is turned, by its number among those of the muscle's file.
+    fn joint(&self) -> usize {
+        let chosen = self.widgets.joint.selected();
+        if chosen == gtk::INVALID_LIST_POSITION { 0 } else { chosen as usize }
+    }
+
+    /// The table of what is measured.
+    fn table(&self, session: &SessionHandle) -> String {
+        let joints = session.read(|session| session.measured_joints(self.muscle.get()));
+        csv(&self.readings.borrow(), &joints)
+    }
+
+    /// Lists the joints of the muscle's file.
+    fn list_joints(&self, session: &Session) -> Vec<String> {
+        let joints = session.measured_joints(self.muscle.get());
+        let names: Vec<String> = joints.iter().map(|joint| i18n::shown(&i18n::label(joint.as_label())).into_owned()).collect();
+        let shown = |row: usize| self.joint_names.string(row as u32);
+        let same = self.joint_names.n_items() as usize == names.len()
+            && names.iter().enumerate().all(|(row, name)| shown(row).as_deref() == Some(name.as_str()));
+        if !same {
+            self.joint_names.splice(0, self.joint_names.n_items(), &names.iter().map(String::as_str).collect::<Vec<_>>());
+            self.widgets.joint.set_selected(0);
+        }
+        self.widgets.joints.set_visible(names.len() > 1 && self.against() == MeasureAxis::Angle);
+        names
+    }
+
     /// Offers the axes that there are, and takes the other one where the chosen one is not there.
     fn offer(&self, session: &Session) -> bool {
-        let there = AXES.map(|against| session.measurable(self.muscle.get(), against).is_some());
+        let there = AXES.map(|against| session.measurable(self.muscle.get(), against, self.joint()).is_some());
         let chosen = self.widgets.axis.selected() as usize;
         if !there.get(chosen).copied().unwrap_or(false)
             && let Some(other) = there.iter().position(|there| *there)
@@ -204,6 +251,7 @@ impl MeasurePanel {
     }
 
     fn measure(&self, session: &Session) {
+        let joints = self.list_joints(session);
         let found = self.offer(session);
         let against = self.against();
         let document = session.document();
@@ -212,7 +260,7 @@ impl MeasurePanel {
         self.widgets.none.set_visible(muscle.is_none());
         self.widgets.plots.set_visible(muscle.is_some());
         let Some((rig, index)) = muscle else { return };
-        let readings = session.measure(self.muscle.get(), against);
+        let readings = session.measure(self.muscle.get(), against, self.joint());
         ui::set_label(&self.widgets.name, &i18n::label(rig.label(index)));
         let (across, hint) = match against {
             MeasureAxis::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
@@ -230,8 +278,19 @@ impl MeasurePanel {
             // There is no moment arm where there is no joint.
             canvas.set_visible(plot.points.iter().any(|point| point.1.is_finite()));
         }
+        // The moment arms about the other joints stand beside that about the one that is turned.
+        let own = if against == MeasureAxis::Angle { self.joint() } else { 0 };
+        if let Some((_, plot)) = self.plots.get(PUBLISHED).filter(|_| joints.len() > 1) {
+            let others = joints.iter().enumerate().filter(|(number, _)| *number != own).map(|(number, name)| {
+                let arm = |reading: &MuscleSample| Some((against.of(reading), *reading.moment_arms.get(number)?));
+                Series { name: name.clone(), points: readings.iter().filter_map(arm).collect() }
+            });
+            plot.borrow_mut().reference_series = others.collect();
+        }
         // The published figures are of a flexor of the elbow.
-        let comparable = against == MeasureAxis::Angle && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
+        let comparable = against == MeasureAxis::Angle
+            && joints.len() < 2
+            && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
         self.widgets.published.set_visible(comparable);
         self.widgets.sources.set_visible(comparable);
         if comparable
@@ -257,8 +316,9 @@ impl MeasurePanel {
         let panel = Rc::downgrade(self);
         save_as::ask(app, request, move |app, output| {
             let (path, Some(panel)) = (output.file(), panel.upgrade()) else { return };
-            let written =
-                panel.bytes(path).and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.sentence()));
+            let written = panel
+                .bytes(path, &app.session)
+                .and_then(|bytes| write_atomic(output, |out| out.write_all(&bytes)).map_err(|error| error.sentence()));
             match written {
                 Ok(()) => save_as::done(app, path),
                 Err(message) => save_as::failed(app, path, message),
@@ -275,11 +335,11 @@ impl MeasurePanel {
     }
 
     /// The file that a name's ending asks for: the table, or the plots.
-    fn bytes(&self, path: &Path) -> Result<Vec<u8>, String> {
+    fn bytes(&self, path: &Path, session: &SessionHandle) -> Result<Vec<u8>, String> {
         match extension(path).as_str() {
             "svg" => Ok(self.page().svg().into_bytes()),
             "png" => self.page().png(PICTURE_SCALE).map_err(|error| error.sentence()),
-            _ => Ok(csv(&self.readings.borrow()).into_bytes()),
+            _ => Ok(self.table(session).into_bytes()),
         }
     }
 }
@@ -323,7 +383,7 @@ impl Panel for MeasurePanel {
         }
         if changes.any(ChangeSet::DRIVE | ChangeSet::TIME | ChangeSet::DOCUMENT | ChangeSet::MUSCLE | ChangeSet::DISPLAY | ChangeSet::EDIT)
         {
-            let present = session.current_value(self.muscle.get(), self.against());
+            let present = session.current_value(self.muscle.get(), self.against(), self.joint());
             for (canvas, plot) in &self.plots {
                 let mut plot = plot.borrow_mut();
                 (plot.cursor, plot.color) = (present, session.display().palette.selected);

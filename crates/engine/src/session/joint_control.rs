@@ -82,8 +82,10 @@ impl Session {
         let scene = &self.document.scene;
         match axis {
             JointAxis::Hinge => {
+                let mut joints = self.document.rigs().flat_map(|(rig, _)| rig.joints().map(|(_, joint)| joint));
                 let named = self.document.muscles_joint().filter(|joint| joint.node == node);
                 named
+                    .or_else(|| joints.find(|joint| joint.node == node))
                     .or_else(|| JointDof::at_node(scene, &self.document.clips, node))
                     .or_else(|| Some(JointDof::about(scene, node, DVec3::Z)))
             }
@@ -184,6 +186,18 @@ impl Session {
     /// A hand bends the elbow of the arm, or the joint of the clip; undo takes that back.
     pub fn set_angle_undoable(&mut self, degrees: f64) {
         self.undoable(message!("app-edit-bend"), UndoStep::near(0), |session| session.set_flexion(degrees));
+    }
+
+    /// A hand bends the joint that muscle `muscle` is measured over, by its number among those of its file; undo takes that back.
+    pub fn bend_measured_undoable(&mut self, muscle: MuscleId, joint: usize, degrees: f64) {
+        let measured = self.document.muscle(muscle).and_then(|(rig, _)| rig.joints().nth(joint)).map(|(_, joint)| joint.node);
+        self.undoable(message!("app-edit-bend"), UndoStep::near(0), |session| {
+            // The first joint is what the slider turns anyway.
+            if let Some(node) = measured.filter(|node| joint > 0 || session.chosen_joint().is_some_and(|(chosen, _)| chosen != *node)) {
+                session.choose_joint(Some((node, JointAxis::Hinge)));
+            }
+            session.set_flexion(degrees);
+        });
     }
 
     /// A hand sets the contraction; undo takes that back.

@@ -19,7 +19,7 @@ use sinew_scene::message::{Message, ToMessage};
 use sinew_scene::visible;
 
 pub use joints::{JointRow, JointRows, JointTable};
-pub use muscles::{MuscleRow, MuscleRows, MuscleTable, unit, unit_name};
+pub use muscles::{MuscleRow, MuscleRows, MuscleTable, UnknownJoint, joint_names, unit, unit_name};
 pub use plots::{Translate, unit_label};
 
 /// What a table is of.

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 use super::{TableError, csv_cell, csv_number};
 use sinew_engine::document::{Document, PoseBuffers, PoseState, SourceKind};
 use sinew_muscle::{MuscleRig, MuscleSample, Solved};
-use sinew_scene::{Frame, MuscleId, OwnedLabel};
+use sinew_scene::{Frame, Graph, MuscleId, OwnedLabel};
 
 /// Default elbow angles.
 const ANGLES: [f64; 4] = [0.0, 30.0, 60.0, 90.0];
@@ -22,6 +22,9 @@ pub struct MuscleTable {
     pub file: String,
     /// The unit of lengths.
     pub unit: String,
+    /// The joint whose angle was varied, where the file names joints or one was asked for by name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub joint: Option<String>,
     /// One entry a muscle.
     pub muscles: Vec<MuscleRows>,
 }
@@ -43,10 +46,17 @@ pub struct MuscleRow {
     pub time: Option<f64>,
     /// Degrees; none for a muscle that is on no arm.
     pub angle: Option<f64>,
-    /// Length of the muscle without its tendons.
+    /// Length of the belly, without its tendons; `belly_length` is the same.
     pub length: f64,
-    /// −dL/dφ, φ in radians.
+    /// Length of the belly.
+    pub belly_length: f64,
+    /// Length of the muscle-tendon unit: of the line of action; `path_length` is the same.
+    pub unit_length: f64,
+    /// −dL/dφ about the joint that was turned, or the first one over time; φ in radians.
     pub moment_arm: Option<f64>,
+    /// The same about each joint of the muscle's file, by name.
+    #[serde(serialize_with = "by_name")]
+    pub moment_arms: Vec<(String, f64)>,
     /// Volume of the cones.
     pub volume: f64,
     /// Its difference from the volume at rest, relative.
@@ -64,8 +74,35 @@ pub struct MuscleRow {
 }
 
 impl MuscleTable {
-    /// Measures at elbow angles, at four of them where none are given; a muscle that is on no arm at five contractions. `None` where angles are
-    /// given but a muscle has no arm to bend.
+    /// Measures at angles of a joint, at four of them where none are given; a muscle that no joint turns at five contractions. The joint is the one of this name,
+    /// without one the first of each muscle's file; the others are at rest. `None` where angles are given but no joint turns a muscle.
+    ///
+    /// # Errors
+    /// [`UnknownJoint`] where no muscle's file has a joint of that name.
+    pub fn over_joint(
+        document: &Document,
+        file: String,
+        joint: Option<&str>,
+        angles: Option<&[f64]>,
+    ) -> Result<Option<Self>, UnknownJoint> {
+        let Some(name) = joint else { return Ok(Self::over_angles(document, file, angles)) };
+        let graph = &document.scene.graph;
+        let number = |rig: &MuscleRig| joint_names(rig, graph).iter().position(|known| known == name);
+        if document.rigs().all(|(rig, _)| number(rig).is_none()) {
+            let known = document.rigs().flat_map(|(rig, _)| joint_names(rig, graph)).collect();
+            return Err(UnknownJoint { name: name.to_owned(), known });
+        }
+        let all = document.rigs().filter_map(|(rig, _)| Some((rig, number(rig)?)));
+        let muscles = all.flat_map(|(rig, joint)| (0..rig.len()).map(move |index| (rig, joint, index)));
+        let rows = |(rig, joint, index): (&MuscleRig, usize, usize)| {
+            let names = joint_names(rig, graph);
+            let samples = rig.measure_over(index, joint, angles.unwrap_or(&ANGLES));
+            MuscleRows { name: rig.label(index).to_owned(), samples: samples.iter().map(|sample| MuscleRow::of(sample, &names)).collect() }
+        };
+        Ok(Some(Self { file, unit: unit(document), joint: Some(name.to_owned()), muscles: muscles.map(rows).collect() }))
+    }
+
+    /// [`MuscleTable::over_joint`] over the first joint of each muscle's file.
     pub fn over_angles(document: &Document, file: String, angles: Option<&[f64]>) -> Option<Self> {
         let muscles = document
             .rigs()
@@ -75,7 +112,9 @@ impl MuscleTable {
                 Some(MuscleRows { name: rig.label(index).to_owned(), samples })
             })
             .collect::<Option<_>>()?;
-        Some(Self { file, unit: unit(document), muscles })
+        let named = |(rig, _): (&MuscleRig, MuscleId)| rig.joints().next().map(|(name, _)| name.to_owned()).filter(|name| !name.is_empty());
+        let joint = document.rigs().next().and_then(named);
+        Some(Self { file, unit: unit(document), joint, muscles })
     }
 
     /// Measures at times of the clip that `state` names, which moves the muscles' bones.
@@ -87,10 +126,17 @@ impl MuscleTable {
             return Err(TableError::NoClip);
         }
         TableError::hold(document.muscle_count(), times.len(), TableError::NoMuscle)?;
-        let names = document.rigs().flat_map(|(rig, _)| (0..rig.len()).map(|index| rig.label(index).to_owned()));
+        let of_rig = |(rig, _): (&MuscleRig, MuscleId)| {
+            let joints = joint_names(rig, &document.scene.graph);
+            (0..rig.len()).map(|index| (rig.label(index).to_owned(), joints.clone())).collect::<Vec<_>>()
+        };
+        let names = document.rigs().flat_map(of_rig);
         let rows = document.measure_times(state, times);
-        let muscles = names.zip(&rows).map(|(name, samples)| MuscleRows { name, samples: samples.iter().map(MuscleRow::of).collect() });
-        Ok(Self { file, unit: unit(document), muscles: muscles.collect() })
+        let muscles = names.zip(&rows).map(|((name, joints), samples)| MuscleRows {
+            name,
+            samples: samples.iter().map(|sample| MuscleRow::of(sample, &joints)).collect(),
+        });
+        Ok(Self { file, unit: unit(document), joint: None, muscles: muscles.collect() })
     }
 
     /// Whether the rows are those of times.
@@ -105,6 +151,17 @@ impl MuscleTable {
         let mut text = String::from(if timed { "muscle,time," } else { "muscle," });
         text.push_str("angle,length,moment_arm,volume,volume_error,delta,largest_radius,path_length,held");
         (1..=nodes).for_each(|node| text.push_str(&format!(",r{node}")));
+        // One joint is the column `moment_arm` alone.
+        let mut joints: Vec<&str> = Vec::new();
+        for (joint, _) in self.muscles.iter().flat_map(|muscle| &muscle.samples).flat_map(|row| &row.moment_arms) {
+            if !joints.contains(&joint.as_str()) {
+                joints.push(joint);
+            }
+        }
+        if joints.len() < 2 {
+            joints.clear();
+        }
+        joints.iter().for_each(|joint| text.push_str(&format!(",{}", csv_cell(&format!("moment_arm {joint}")))));
         text.push('\n');
         for muscle in &self.muscles {
             for row in &muscle.samples {
@@ -121,6 +178,13 @@ impl MuscleTable {
                     row.held
                 );
                 row.radii.iter().for_each(|radius| text.push_str(&format!(",{radius}")));
+                if !joints.is_empty() {
+                    (row.radii.len()..nodes).for_each(|_| text.push(','));
+                }
+                for joint in &joints {
+                    let arm = row.moment_arms.iter().find(|(name, _)| name == joint).map(|(_, arm)| *arm);
+                    text.push_str(&format!(",{}", csv_number(arm)));
+                }
                 text.push('\n');
             }
         }
@@ -130,7 +194,8 @@ impl MuscleTable {
 
 fn samples(document: &Document, rig: &MuscleRig, first: MuscleId, index: usize, angles: Option<&[f64]>) -> Option<Vec<MuscleRow>> {
     if rig.measured_range().is_some() {
-        return Some(rig.measure(index, angles.unwrap_or(&ANGLES)).iter().map(MuscleRow::of).collect());
+        let joints = joint_names(rig, &document.scene.graph);
+        return Some(rig.measure(index, angles.unwrap_or(&ANGLES)).iter().map(|sample| MuscleRow::of(sample, &joints)).collect());
     }
     if angles.is_some() {
         return None;
@@ -145,11 +210,13 @@ fn samples(document: &Document, rig: &MuscleRig, first: MuscleId, index: usize, 
 }
 
 impl MuscleRow {
-    /// The row of a sample.
-    pub fn of(sample: &MuscleSample) -> Self {
+    /// The row of a sample of a muscle whose file has these joints.
+    pub fn of(sample: &MuscleSample, joints: &[String]) -> Self {
         // `+ 0.0` turns a negative zero into zero.
         let plain = |value: Option<f64>| value.map(|value| value + 0.0);
-        Self { time: sample.time, angle: plain(sample.angle), moment_arm: plain(sample.moment_arm), ..Self::alone(&sample.solved) }
+        let moment_arms = joints.iter().cloned().zip(sample.moment_arms.iter().map(|arm| arm + 0.0)).collect();
+        let (angle, moment_arm) = (plain(sample.angle), plain(sample.moment_arm));
+        Self { time: sample.time, angle, moment_arm, moment_arms, ..Self::alone(&sample.solved) }
     }
 
     fn alone(solved: &Solved) -> Self {
@@ -157,7 +224,10 @@ impl MuscleRow {
             time: None,
             angle: None,
             length: solved.length,
+            belly_length: solved.length,
+            unit_length: solved.path_length,
             moment_arm: None,
+            moment_arms: Vec::new(),
             volume: solved.volume,
             volume_error: solved.volume_error + 0.0,
             delta: solved.delta + 0.0,
@@ -167,6 +237,26 @@ impl MuscleRow {
             held: solved.held,
         }
     }
+}
+
+/// What the joints of a muscle file are called.
+pub fn joint_names(rig: &MuscleRig, graph: &Graph) -> Vec<String> {
+    (0..rig.joints().len()).filter_map(|joint| Some(rig.joint_label(joint, graph)?.to_string())).collect()
+}
+
+/// Writes pairs as an object.
+fn by_name<S: Serializer>(pairs: &[(String, f64)], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(pairs.iter().map(|(name, value)| (name, value)))
+}
+
+/// No muscle's file has a joint of this name.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("no joint “{name}”")]
+pub struct UnknownJoint {
+    /// The name.
+    pub name: String,
+    /// The joints that there are.
+    pub known: Vec<String>,
 }
 
 /// The name of the unit of the muscles' lengths.
