@@ -6,6 +6,7 @@ use std::hint::black_box;
 use std::path::{Path, PathBuf};
 
 use sinew::document::{Document, PoseBuffers};
+use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::render::{Display, RenderJob, Renderer, Samples};
 use sinew::scene::{Frame, OrbitCamera};
@@ -23,7 +24,7 @@ fn main() {
     println!("file, size: ms a frame (pose + draw), 1 and 4 samples a pixel; × copying the picture");
     for path in files() {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let document = match Document::open(&[&path], &Progress::default()) {
+        let document = match Document::open(&[&path], SCENE_READERS, &Progress::default()) {
             Ok(document) => document,
             Err(error) => {
                 println!("{error}");

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
+use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::scene::{
     Content, Deformer, Frame, Influence, Mesh, MeshId, MeshInstance, Node, NodeKind, Scene, Skin, SkinId, SkinJoint, Transform,
@@ -58,7 +59,7 @@ fn skinned() -> Document {
 
 /// A figure as an exporter wrote it, at moments all over its clip: the time of the deformation alone, so that its few vertices don't carry the bones.
 fn figure(path: &Path) {
-    let Ok(document) = Document::open(&[path], &Progress::default()) else { return };
+    let Ok(document) = Document::open(&[path], SCENE_READERS, &Progress::default()) else { return };
     let (mut buffers, mut frame, mut state) = (PoseBuffers::default(), Frame::default(), document.start_state());
     let length = document.clips.first().map_or(0.0, |clip| clip.duration());
     let mut times = Vec::new();

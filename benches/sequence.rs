@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use sinew::document::Document;
 use sinew::export::gltf;
+use sinew::formats::SCENE_READERS;
 use sinew::output::OverwriteGuard;
 use sinew::progress::Progress;
 use sinew::scene::ViewDirection;
@@ -53,7 +54,7 @@ fn sequences(name: &str, document: &Document, folder: &Path) {
 fn conversion(name: &str, file: &Path, folder: &Path) {
     let once = || {
         let begun = Instant::now();
-        let document = Document::open(&[file], &Progress::default()).ok()?;
+        let document = Document::open(&[file], SCENE_READERS, &Progress::default()).ok()?;
         gltf::save(&OverwriteGuard::default().output(&folder.join("out.glb")).ok()?, gltf::GltfContainer::Binary, &document).ok()?;
         Some(begun.elapsed().as_secs_f64())
     };
@@ -72,7 +73,7 @@ fn main() {
     for file in demos.iter().chain(&models).filter(|file| file.is_file()) {
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         conversion(&name, file, folder.path());
-        if let Ok(document) = Document::open(&[file], &Progress::default()) {
+        if let Ok(document) = Document::open(&[file], SCENE_READERS, &Progress::default()) {
             sequences(&name, &document, folder.path());
         }
     }

@@ -10,6 +10,7 @@
 #[cfg(feature = "gui")]
 pub mod app;
 pub mod cli;
+pub mod formats;
 
 pub use sinew_collada as collada;
 pub use sinew_engine::{document, input, output, session, system, view};

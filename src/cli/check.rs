@@ -9,6 +9,7 @@ use super::files;
 use super::output::{Failure, display_name, print_json, print_result};
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::document::{Document, Finding, ImageLoading, OpenError, OpenOptions};
+use crate::formats::SCENE_READERS;
 use crate::i18n::{self, Sentence, shown};
 use crate::progress::Progress;
 use crate::tr;
@@ -73,7 +74,8 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
 }
 
 fn open(file: &Path) -> Outcome {
-    Document::open_with(&[file], OpenOptions { images: ImageLoading::Test }, &Progress::default()).map(|document| document.diagnostics)
+    Document::open_with(&[file], OpenOptions { images: ImageLoading::Test, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())
+        .map(|document| document.diagnostics)
 }
 
 fn report(name: &str, result: &Outcome) -> FileReport {

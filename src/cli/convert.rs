@@ -10,6 +10,7 @@ use super::progress::install_interrupt_handler;
 use super::{files, value};
 use crate::document::{Document, ImageLoading, OpenOptions};
 use crate::export::gltf::{GltfContainer, save};
+use crate::formats::SCENE_READERS;
 use crate::i18n;
 use crate::i18n::Sentence;
 use crate::output::OverwriteGuard;
@@ -25,7 +26,8 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     refuse_number_pattern(&out)?;
     let guard = OverwriteGuard::of_files(&files);
     guard.output(&out)?;
-    let document = Document::open_with(&files, OpenOptions { images: ImageLoading::Decode }, &Progress::default())?;
+    let document =
+        Document::open_with(&files, OpenOptions { images: ImageLoading::Decode, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())?;
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let target = guard.and(document.files()).output(&out)?;
     allow_overwriting(given, std::iter::once(out.clone()))?;

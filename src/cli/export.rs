@@ -13,6 +13,7 @@ use crate::document::{Document, ImageLoading, OpenOptions, PoseBuffers};
 use crate::export::mtl;
 use crate::export::surface::SurfaceFormat;
 use crate::export::world_mesh;
+use crate::formats::SCENE_READERS;
 use crate::i18n;
 use crate::output::OverwriteGuard;
 use crate::progress::Progress;
@@ -32,7 +33,8 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let outs = || std::iter::once(out.clone()).chain(library.clone());
     let guard = OverwriteGuard::of_files(&files);
     outs().try_for_each(|out| guard.output(&out).map(drop))?;
-    let document = Document::open_with(&files, OpenOptions { images: ImageLoading::Locate }, &Progress::default())?;
+    let document =
+        Document::open_with(&files, OpenOptions { images: ImageLoading::Locate, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())?;
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));
     let guard = guard.and(document.files());
     outs().try_for_each(|out| guard.output(&out).map(drop))?;

@@ -14,6 +14,7 @@ use super::{files, measured, value};
 use crate::document::{Document, ImageLoading, OpenOptions, SourceKind};
 use crate::export::file_extension::extension;
 use crate::export::tables::{unit_label, unit_name};
+use crate::formats::SCENE_READERS;
 use crate::i18n::{Sentence, decimal};
 use crate::muscle::parameter_fit::{Fitted, Model, fitted_file};
 use crate::muscle::validation::Table;
@@ -58,7 +59,11 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     guard.output(&out)?;
     let table = measured::read(csv)?;
     let document = match &like {
-        Some(file) => Document::open_with(std::slice::from_ref(file), OpenOptions { images: ImageLoading::Locate }, &Progress::default())?,
+        Some(file) => Document::open_with(
+            std::slice::from_ref(file),
+            OpenOptions { images: ImageLoading::Locate, ..OpenOptions::new(SCENE_READERS) },
+            &Progress::default(),
+        )?,
         None => Document::built_in(),
     };
     let target = guard.and(document.files()).output(&out)?;

@@ -10,6 +10,7 @@ use super::files;
 use super::output::{Failure, display_name, print_json, print_result};
 use crate::document::{Document, ImageLoading, OpenOptions, SourceKind};
 use crate::export::tables::{unit_label, unit_name};
+use crate::formats::SCENE_READERS;
 use crate::i18n::{self, Sentence, decimal};
 use crate::progress::Progress;
 use crate::scene::{Content, Deformer, MeshId, MeshInstance, NodeKind};
@@ -83,7 +84,8 @@ struct BoundsInfo {
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     // What images show says nothing about the file; that they are there and are images does.
-    let document = view::open(&files, OpenOptions { images: ImageLoading::Locate }, &Progress::default())?.document;
+    let document =
+        view::open(&files, OpenOptions { images: ImageLoading::Locate, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())?.document;
     let name = files.first().map(|file| display_name(file)).unwrap_or_default();
     let info = Info::of(&document, name);
     // The program ends here: giving back what was read piece by piece would only take time.

@@ -19,6 +19,7 @@ use crate::document::{Document, ImageLoading, OpenOptions, PoseState};
 use crate::export::tables::{
     JointTable, MeasureTable, MuscleTable, PLOT_SCALE, TableError, TableFormat, TableSubject, UnknownJoint, even_times, unit_label,
 };
+use crate::formats::SCENE_READERS;
 use crate::i18n::{self, Sentence, decimal};
 use crate::output::OverwriteGuard;
 use crate::progress::Progress;
@@ -28,7 +29,8 @@ use crate::tr;
 /// Runs the subcommand.
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
-    let document = Document::open_with(&files, OpenOptions { images: ImageLoading::Locate }, &Progress::default())?;
+    let document =
+        Document::open_with(&files, OpenOptions { images: ImageLoading::Locate, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())?;
     let sheet = MeasureReport { given, guard: OverwriteGuard::of_files(&files).and(document.files()) };
     let file = files.first().cloned().unwrap_or_default();
     if given.get_flag("joints") {

@@ -12,6 +12,7 @@ use super::pose_options::PoseOptions;
 use super::{files, progress, value};
 use crate::document::{Document, OpenOptions, PoseState};
 use crate::export::gif;
+use crate::formats::SCENE_READERS;
 use crate::i18n;
 use crate::limits;
 use crate::muscle::MuscleRig;
@@ -47,7 +48,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let (size, scale) = size(given)?;
     let guard = OverwriteGuard::of_files(&files);
     guard.output(&out)?;
-    let opened = view::open(&files, OpenOptions::default(), &Progress::default())?;
+    let opened = view::open(&files, OpenOptions::new(SCENE_READERS), &Progress::default())?;
     let guard = guard.and_of(&opened.guard(first.parent().unwrap_or(Path::new(""))));
     let Opened { document, session: saved, compared } = opened;
     print_verbose(document.diagnostics.iter().map(i18n::finding_line));

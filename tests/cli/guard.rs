@@ -14,6 +14,7 @@ use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::surface::SurfaceFormat;
 use sinew::export::tables::{self, MeasureTable, TableSubject};
 use sinew::export::{ExportError, png};
+use sinew::formats::SCENE_READERS;
 use sinew::output::{OutputError, OverwriteGuard, is_same, write_atomic};
 use sinew::progress::Progress;
 use sinew::render::Framebuffer;
@@ -107,7 +108,7 @@ proptest! {
         let folder = folder.as_path();
         let files = sources(folder);
         let paths: Vec<&PathBuf> = opened.iter().filter_map(|index| files.get(*index)).collect();
-        let document = Document::open(&paths, &Progress::default()).expect("opened");
+        let document = Document::open(&paths, SCENE_READERS, &Progress::default()).expect("opened");
         let guard = OverwriteGuard::of_document(&document);
         // The texture and the clip that muscles name are open too.
         let held: Vec<&PathBuf> = files.iter().enumerate().filter(|(index, _)| match index {
@@ -197,7 +198,7 @@ fn what_belongs_to_a_compared_file_is_held_as_what_is_open_is() {
         let [clip, skin, muscles, _, other, _] = &files[..] else { panic!("six files") };
         let held = [clip, skin, muscles, other, &session];
         let before = contents(&[files.as_slice(), std::slice::from_ref(&session)].concat());
-        let opened = view::open(&[&session], OpenOptions::default(), &Progress::default()).expect("opened");
+        let opened = view::open(&[&session], OpenOptions::new(SCENE_READERS), &Progress::default()).expect("opened");
         let compared = opened.compared.as_ref().map(|(file, document)| (file.as_path(), document));
         // The command line and the window ask the same.
         let guards = [opened.guard(&folder), view::guard_of(&opened.document, compared)].map(|guard| guard.and([&session]));

@@ -87,7 +87,7 @@ fn the_table_for_people_speaks_their_language() {
     let english = sinew(["measure", arg(&file), "--angles", "0,90"]).well();
     assert!(english.contains("belly, mm") && english.contains("250.00"), "{english}");
     let russian = sinew_ru(["measure", arg(&file), "--angles", "0,90"]).well();
-    assert!(russian.contains("длина, мм") && russian.contains("250,00"), "{russian}");
+    assert!(russian.contains("брюшко, мм") && russian.contains("250,00"), "{russian}");
 }
 
 #[test]

@@ -5,6 +5,7 @@ use glam::{DMat4, DVec3, Vec3};
 use sinew::animation::Pose;
 use sinew::collada::{ColladaScene, ReadError, read};
 use sinew::document::{Document, PoseBuffers, PoseState};
+use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::scene::{Content, Deformer, Frame, Graph, Mesh, MeshInstance, Node, NodeId};
 
@@ -220,7 +221,7 @@ pub(crate) fn drawn_bytes(name: &str, bytes: &[u8], time: f64) -> Vec<Vec3> {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join(name);
     std::fs::write(&file, bytes).expect("written");
-    let document = Document::open(&[file], &Progress::default()).expect("readable");
+    let document = Document::open(&[file], SCENE_READERS, &Progress::default()).expect("readable");
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     document.pose(&PoseState { time, ..document.start_state() }, &mut buffers, &mut frame);
     frame.surfaces.iter().flat_map(|surface| (0..surface.mesh.positions.len() as u32).map(|v| surface.position(v))).collect()

@@ -4,6 +4,7 @@
 use crate::support::models;
 use glam::{DMat4, DVec3};
 use sinew::document::{Document, JointControl, PoseBuffers, PoseState, Skinning, angle_at};
+use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::scene::{Frame, NodeId};
 
@@ -19,7 +20,7 @@ impl WorldMesh {
     fn column(time: f64) -> Self {
         let folder = crate::support::folder();
         let path = models::write(folder.path(), "column.dae", &models::column());
-        let document = Document::open(&[path], &Progress::default()).expect("the column opens");
+        let document = Document::open(&[path], SCENE_READERS, &Progress::default()).expect("the column opens");
         let state = PoseState { time, ..document.start_state() };
         let mut posed = Self { document, state, buffers: PoseBuffers::default(), frame: Frame::default() };
         posed.pose();

@@ -7,6 +7,7 @@ use glam::DVec3;
 
 use sinew::animation::LoopMode;
 use sinew::document::{Document, OpenOptions, Skinning};
+use sinew::formats::SCENE_READERS;
 use sinew::muscle::Edit;
 use sinew::progress::Progress;
 use sinew::render::{Samples, Shading};
@@ -37,7 +38,7 @@ fn opened(name: &str) -> (Session, SessionState, Opened) {
     }
     let path = folder.path().join(name);
     fs::write(&path, older(name)).expect("written");
-    let opened = view::open(&[&path], OpenOptions::default(), &Progress::default()).expect(name);
+    let opened = view::open(&[&path], OpenOptions::new(SCENE_READERS), &Progress::default()).expect(name);
     let saved = opened.session.clone().expect("a session file");
     let mut session = Session::default();
     session.show_session(opened.document.clone(), &saved);
@@ -94,7 +95,8 @@ fn settings_are_taken_over() {
 fn what_was_not_saved_is_offered_again() {
     let text = older("recovery.yaml");
     let unsaved = RecoveryFile::parse(&text).expect("a recovery file");
-    let mut session = Session::new(Document::open(&[configs().join("biceps.yaml")], &Progress::default()).expect("biceps.yaml"));
+    let mut session =
+        Session::new(Document::open(&[configs().join("biceps.yaml")], SCENE_READERS, &Progress::default()).expect("biceps.yaml"));
     let mut edited = Session::new(session.document().clone());
     edited.edit_muscle(MuscleId(0), &Edit::Radius(2, 33.0), UndoStep::New).expect("a radius");
     session.set_carried_files(unsaved.muscle_files().expect("sound muscles"));

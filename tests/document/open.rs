@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use glam::Vec3;
 use sinew::document::{Document, Missing, PoseBuffers, SourceKind};
+use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::scene::{Content, Deformer, Frame};
 
@@ -13,7 +14,7 @@ fn config(name: &str) -> PathBuf {
 
 fn open(names: &[&str]) -> Document {
     let files: Vec<_> = names.iter().map(|name| config(name)).collect();
-    Document::open(&files, &Progress::default()).expect("the shipped files open")
+    Document::open(&files, SCENE_READERS, &Progress::default()).expect("the shipped files open")
 }
 
 /// World positions of all vertices of all surfaces at the start.
@@ -108,7 +109,7 @@ fn a_file_that_cannot_be_used_is_named_with_its_place() {
     for (name, bytes, line) in cases {
         let path = folder.path().join(name);
         std::fs::write(&path, bytes).expect("written");
-        let error = Document::open(&[&path], &Progress::default()).expect_err(name);
+        let error = Document::open(&[&path], SCENE_READERS, &Progress::default()).expect_err(name);
         let text = error.to_string();
         assert!(text.starts_with(&path.display().to_string()), "{text}");
         assert_eq!(text.lines().count(), 1, "{text}");
@@ -116,6 +117,6 @@ fn a_file_that_cannot_be_used_is_named_with_its_place() {
             assert_eq!(error.location.line, line, "{text}");
         }
     }
-    let missing = Document::open(&[folder.path().join("none.dae")], &Progress::default()).expect_err("no such file");
+    let missing = Document::open(&[folder.path().join("none.dae")], SCENE_READERS, &Progress::default()).expect_err("no such file");
     assert!(missing.to_string().contains("none.dae"));
 }

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "an example's own main is not called, and prints what the tests compare")]
 
 use sinew::document::Document;
+use sinew::formats::SCENE_READERS;
 
 #[path = "../../crates/export/examples/convert.rs"]
 mod convert;
@@ -28,7 +29,7 @@ mod triangle;
 
 fn shipped(name: &str) -> Document {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("configs").join(name);
-    Document::open(&[path], &Default::default()).expect("a shipped file can be opened")
+    Document::open(&[path], SCENE_READERS, &Default::default()).expect("a shipped file can be opened")
 }
 
 #[test]

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use sinew::document::{Document, PoseBuffers, PoseState};
 use sinew::export::gltf::{GltfContainer, save};
+use sinew::formats::SCENE_READERS;
 use sinew::output::Output;
 use sinew::progress::Progress;
 use sinew::scene::Frame;
@@ -87,7 +88,7 @@ fn apart(from: &[DVec3], to: &[DVec3], cell: f64) -> f64 {
 
 /// Converts a file and holds every moment of it against the document.
 fn agrees(file: &Path, folder: &Path) {
-    let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+    let document = Document::open(&[file], SCENE_READERS, &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     let out = folder.join("out.glb");
     save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
     let glb = Glb::read(&std::fs::read(&out).expect("there"));
@@ -313,7 +314,7 @@ fn what_is_lost_is_told_once() {
     let ended = support::sinew(["convert", support::arg(&file), support::arg(&folder.path().join("a.glb"))]);
     assert_eq!((ended.code, ended.err.lines().count()), (0, 2), "{}", ended.err);
     assert!(ended.err.contains("Sky") && ended.err.contains("Room"), "{}", ended.err);
-    let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+    let document = Document::open(&[&file], SCENE_READERS, &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(sinew::export::gltf::unsupported_features(&document).len(), 2);
 }
 
@@ -346,7 +347,7 @@ fn the_validator_and_three_js_agree_where_node_is_installed() {
     }
     let (mut written, mut cases) = (Vec::new(), Vec::new());
     for (number, file) in files.iter().enumerate() {
-        let document = Document::open(&[file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+        let document = Document::open(&[file], SCENE_READERS, &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
         let out = folder.path().join(format!("{number}.glb"));
         save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
         let mut poses = Vec::new();
@@ -380,7 +381,7 @@ fn name(file: &Path) -> String {
 fn surfaces_are_those_that_three_js_was_seen_to_make() {
     let kept = expected::read();
     for file in with_ending(&configs(), &["dae", "yaml"]) {
-        let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+        let document = Document::open(&[&file], SCENE_READERS, &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
         let moments = moments(&document);
         let kept: Vec<_> = kept.iter().filter(|kept| kept.file == name(&file)).collect();
         assert_eq!(moments.len(), kept.len(), "{}: SINEW_BLESS=1 asks three.js again", file.display());

@@ -3,6 +3,7 @@
 use serde_json::Value;
 use sinew::document::Document;
 use sinew::export::gltf::{GltfContainer, save};
+use sinew::formats::SCENE_READERS;
 use sinew::output::Output;
 use sinew::progress::Progress;
 
@@ -34,7 +35,7 @@ const SHEET: &str = r##"<?xml version="1.0"?>
 fn faces_on_each_other_are_seen_from_their_own_sides_only() {
     let folder = support::folder();
     let file = support::models::write(folder.path(), "sheet.dae", SHEET);
-    let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+    let document = Document::open(&[&file], SCENE_READERS, &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     let out = folder.path().join("sheet.glb");
     save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
     let glb = Glb::read(&std::fs::read(&out).expect("there"));
@@ -55,7 +56,7 @@ fn faces_on_each_other_are_seen_from_their_own_sides_only() {
 fn other_surfaces_are_seen_from_both_sides() {
     let folder = support::folder();
     let file = support::models::write(folder.path(), "cube.dae", &support::models::cube(""));
-    let document = Document::open(&[&file], &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
+    let document = Document::open(&[&file], SCENE_READERS, &Progress::default()).unwrap_or_else(|error| panic!("{error}"));
     let out = folder.path().join("cube.glb");
     save(&Output::of_program(&out), GltfContainer::Binary, &document).expect("written");
     let glb = Glb::read(&std::fs::read(&out).expect("there"));

@@ -10,6 +10,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use sinew::document::{Document, ImageLoading, OpenOptions};
 use sinew::export::gltf::{self, GltfContainer};
+use sinew::formats::SCENE_READERS;
 use sinew::limits;
 use sinew::output::Output;
 use sinew::progress::Progress;
@@ -19,7 +20,8 @@ use sinew::scene::Content;
 fn open(folder: &Path, text: &str) -> Document {
     let file = folder.join("a.dae");
     std::fs::write(&file, text).expect("written");
-    Document::open_with(&[file], OpenOptions { images: ImageLoading::Locate }, &Progress::default()).expect("usable")
+    Document::open_with(&[file], OpenOptions { images: ImageLoading::Locate, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())
+        .expect("usable")
 }
 
 /// Opens `text` within what reading may take: ten times the file and 64 MB.

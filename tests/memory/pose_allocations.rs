@@ -4,13 +4,14 @@ use std::path::Path;
 
 use crate::counting::allocations;
 use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
+use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::scene::Frame;
 
 pub(crate) fn posing_again_allocates_nothing() {
     let configs = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs");
     for name in ["curl.dae", "walker.dae", "lamp.dae", "biceps.yaml"] {
-        let document = Document::open(&[configs.join(name)], &Progress::default()).expect(name);
+        let document = Document::open(&[configs.join(name)], SCENE_READERS, &Progress::default()).expect(name);
         let (mut buffers, mut frame, start) = (PoseBuffers::default(), Frame::default(), document.start_state());
         let duration = document.clips.first().map_or(0.0, |clip| clip.duration());
         let moment = |step: u32, skinning| {

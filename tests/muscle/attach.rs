@@ -6,6 +6,7 @@ use glam::{DMat4, DVec3};
 use sinew::animation::Pose;
 use sinew::diagnostics::Diagnostic;
 use sinew::document::{Document, PoseBuffers};
+use sinew::formats::SCENE_READERS;
 use sinew::muscle::{Finding, MuscleFile, MuscleRig};
 use sinew::progress::Progress;
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
@@ -142,7 +143,7 @@ fn via_points_are_passed_in_straight_stretches_and_drawn_rounded_at_the_same_len
 #[test]
 fn biceps_and_triceps_follow_the_shipped_clip() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl-muscles.yaml");
-    let document = Document::open(&[&path], &Progress::default()).unwrap();
+    let document = Document::open(&[&path], SCENE_READERS, &Progress::default()).unwrap();
     assert_eq!(document.sources.len(), 2, "the clip that the file names is opened too");
     assert!(!document.diagnostics.iter().any(|finding| finding.code().starts_with("muscle-")), "{:?}", document.diagnostics);
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use glam::{DMat4, DQuat, DVec3};
 use sinew::document::{Document, PoseBuffers};
+use sinew::formats::SCENE_READERS;
 use sinew::muscle::{FoundBy, JointDof, MuscleFile, MuscleRig};
 use sinew::progress::Progress;
 use sinew::scene::{Frame, MuscleId, Node, NodeId, NodeKind, Scene, Transform};
@@ -114,7 +115,7 @@ fn usual_rigs_have_their_elbow_and_others_none() {
 
 fn shipped(name: &str) -> Document {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs").join(name);
-    Document::open(&[&path], &Progress::default()).unwrap()
+    Document::open(&[&path], SCENE_READERS, &Progress::default()).unwrap()
 }
 
 #[test]

@@ -6,6 +6,7 @@ use glam::{DMat3, DMat4, DQuat, DVec3};
 use proptest::prelude::*;
 use sinew::animation::Pose;
 use sinew::document::Document;
+use sinew::formats::SCENE_READERS;
 use sinew::i18n::{Language, Sentence, finding_line};
 use sinew::muscle::presets::{PRESETS, Preset};
 use sinew::muscle::{MuscleFile, MuscleRig};
@@ -56,7 +57,7 @@ fn assert_smooth(rig: &MuscleRig, index: usize, angles: &[f64], what: &str) {
 fn every_shipped_muscle_keeps_the_sign_of_its_moment_arm_and_has_no_jump() {
     let mut muscles = 0;
     for path in shipped() {
-        let document = Document::open(std::slice::from_ref(&path), &Progress::default()).unwrap();
+        let document = Document::open(std::slice::from_ref(&path), SCENE_READERS, &Progress::default()).unwrap();
         let odd: Vec<String> = document
             .diagnostics
             .iter()

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use proptest::prelude::*;
 use sinew::document::{Document, ImageLoading, OpenOptions};
+use sinew::formats::SCENE_READERS;
 use sinew::muscle::{Anchor, MuscleFile, Profile, Tendon, ViaPoint};
 use sinew::progress::Progress;
 
@@ -226,7 +227,10 @@ fn the_clip_is_named_from_where_the_muscles_are_written() {
     for name in ["a/curl.dae", "c/curl.dae"] {
         std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("configs/curl.dae"), at(name)).unwrap();
     }
-    let open = |files: &[&Path]| Document::open_with(files, OpenOptions { images: ImageLoading::Locate }, &Progress::default()).unwrap();
+    let open = |files: &[&Path]| {
+        Document::open_with(files, OpenOptions { images: ImageLoading::Locate, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())
+            .unwrap()
+    };
     // As many files as there are, the muscles' own clip is meant: another one that is open beside it is not.
     for (from, clip, beside) in
         [("a/m.yaml", "curl.dae", None), ("a/b/m.yaml", "../curl.dae", Some("c/curl.dae")), ("m.yaml", "./c/../a/curl.dae", None)]

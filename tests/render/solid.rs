@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use crate::render_support::plain;
 use glam::{DMat4, DVec3, Quat, Vec3};
 use sinew::document::{Document, PoseBuffers, PoseState};
+use sinew::formats::SCENE_READERS;
 use sinew::render::{Background, Display, RenderJob, Renderer, Samples};
 use sinew::scene::{Camera, Frame, Projection, Surface};
 
@@ -28,7 +29,7 @@ fn documents() -> Vec<Document> {
     let named = ["biceps.yaml", "biceps-human.yaml", "biceps-human-wrapped.yaml", "curl-muscles.yaml", "example.yaml"];
     let open = |name: &str| {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("configs").join(name);
-        Document::open(&[path], &Default::default()).expect("a demo opens")
+        Document::open(&[path], SCENE_READERS, &Default::default()).expect("a demo opens")
     };
     std::iter::once(Document::built_in()).chain(named.into_iter().map(open)).collect()
 }

@@ -9,6 +9,7 @@ use proptest::prelude::*;
 use sinew::document::{Document, PoseBuffers};
 use sinew::export::gltf::{self, GltfContainer};
 use sinew::export::surface::SurfaceFormat;
+use sinew::formats::SCENE_READERS;
 use sinew::output::Output;
 use sinew::progress::Progress;
 use sinew::render::Renderer;
@@ -104,7 +105,7 @@ fn file(folder: &Path) -> PathBuf {
 #[test]
 fn gltf_gets_the_place_as_an_extension_and_white_for_colours_without_a_material() {
     let folder = tempfile::tempdir().expect("a folder");
-    let document = Document::open(&[file(folder.path())], &Progress::default()).expect("readable");
+    let document = Document::open(&[file(folder.path())], SCENE_READERS, &Progress::default()).expect("readable");
     let out = folder.path().join("out.gltf");
     gltf::save(&Output::of_program(&out), GltfContainer::Text, &document).expect("written");
     let root: serde_json::Value = serde_json::from_slice(&std::fs::read(&out).expect("there")).expect("JSON");
@@ -131,7 +132,7 @@ fn gltf_gets_the_place_as_an_extension_and_white_for_colours_without_a_material(
 #[test]
 fn obj_gets_coordinates_that_are_moved() {
     let folder = tempfile::tempdir().expect("a folder");
-    let document = Document::open(&[file(folder.path())], &Progress::default()).expect("readable");
+    let document = Document::open(&[file(folder.path())], SCENE_READERS, &Progress::default()).expect("readable");
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     document.pose(&document.start_state(), &mut buffers, &mut frame);
     let out = folder.path().join("out.obj");

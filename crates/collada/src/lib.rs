@@ -75,7 +75,7 @@ mod xml;
 
 pub use error::{ReadError, ReadErrorKind};
 pub use finding::Finding;
-pub use scene_reader::{ColladaReader, starts_as_xml};
+pub use scene_reader::ColladaReader;
 pub use sinew_scene::import::Asset;
 
 use std::borrow::Cow;

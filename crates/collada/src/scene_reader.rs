@@ -1,19 +1,12 @@
 //! COLLADA among the formats of a program.
 
 use super::read;
-use sinew_scene::import::{AnyFinding, ImportError, ImportedScene, SceneReader};
+use sinew_scene::import::{AnyFinding, ImportError, ImportedScene, SceneReader, starts_as_xml};
 use sinew_scene::progress::Progress;
 
 /// The reader of COLLADA as a [`SceneReader`]; [`read`] gives findings and errors as enums.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ColladaReader;
-
-/// Whether a file begins as XML does, in UTF-8 or UTF-16.
-pub fn starts_as_xml(bytes: &[u8]) -> bool {
-    let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
-    let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF", b"\0<", b"<\0"].iter().any(|mark| bytes.starts_with(mark));
-    start.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'<') || is_utf16
-}
 
 impl SceneReader for ColladaReader {
     fn format(&self) -> &'static str {

@@ -3,7 +3,8 @@
 use std::error::Error;
 
 use glam::Vec3;
-use sinew_engine::document::{Document, PoseBuffers};
+use sinew_collada::ColladaReader;
+use sinew_engine::document::{Document, PoseBuffers, SceneReaders};
 use sinew_render::{Display, PickJob, RenderJob, Renderer};
 use sinew_scene::{Frame, OrbitCamera};
 
@@ -27,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let x = arguments.next().map_or(Ok(SIZE[0] as f32 / 2.0), |x| x.parse())?;
     let y = arguments.next().map_or(Ok(SIZE[1] as f32 / 2.0), |y| y.parse())?;
     let document = match arguments.next() {
-        Some(file) => Document::open(&[file], &Default::default())?,
+        Some(file) => Document::open(&[file], SceneReaders::new(&[&ColladaReader]), &Default::default())?,
         None => Document::built_in(),
     };
     match pick(&document, x, y)? {

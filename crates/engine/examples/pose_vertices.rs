@@ -3,7 +3,8 @@
 use std::error::Error;
 
 use glam::Vec3;
-use sinew_engine::document::{Document, PoseBuffers};
+use sinew_collada::ColladaReader;
+use sinew_engine::document::{Document, PoseBuffers, SceneReaders};
 use sinew_scene::Frame;
 
 /// Surface by surface: what its node is called, and its vertices in the world, metres.
@@ -22,7 +23,7 @@ pub(crate) fn vertices(document: &Document, time: Option<f64>) -> Vec<(String, V
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let document = match arguments.next() {
-        Some(file) => Document::open(&[file], &Default::default())?,
+        Some(file) => Document::open(&[file], SceneReaders::new(&[&ColladaReader]), &Default::default())?,
         None => Document::built_in(),
     };
     let time = arguments.next().map(|time| time.parse()).transpose()?;

@@ -2,7 +2,7 @@
 //!
 //! # From files to a picture
 //!
-//! [`document::Document::open`] reads files and puts them side by side into one scene. [`document::Document::pose`] makes a
+//! [`document::Document::open`] reads files, with the readers that it is given, and puts them side by side into one scene. [`document::Document::pose`] makes a
 //! [`Frame`](sinew_scene::Frame) of any moment of it: curves are sampled, matrices composed, muscles solved, skins deformed. A
 //! [`Renderer`](sinew_render::Renderer) draws the frame. The window, the command line, the tests and the benches call these and nothing else.
 //!

@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::path::Path;
 
-use sinew_engine::document::Document;
+use sinew_collada::ColladaReader;
+use sinew_engine::document::{Document, SceneReaders};
 use sinew_engine::output::OverwriteGuard;
 use sinew_export::gltf::{self, GltfContainer};
 use sinew_scene::message::ToMessage;
@@ -20,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let to = arguments.next().ok_or("the name of the glTF file is missing")?;
     let document = match arguments.next() {
-        Some(file) => Document::open(&[file], &Default::default())?,
+        Some(file) => Document::open(&[file], SceneReaders::new(&[&ColladaReader]), &Default::default())?,
         None => Document::built_in(),
     };
     convert(&document, Path::new(&to))?.iter().for_each(|lost| println!("left out: {lost}"));

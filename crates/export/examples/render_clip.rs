@@ -3,7 +3,8 @@
 use std::error::Error;
 use std::path::Path;
 
-use sinew_engine::document::{Document, PoseBuffers};
+use sinew_collada::ColladaReader;
+use sinew_engine::document::{Document, PoseBuffers, SceneReaders};
 use sinew_engine::output::OverwriteGuard;
 use sinew_export::png;
 use sinew_render::{Display, Framebuffer, RenderJob, Renderer};
@@ -35,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let to = arguments.next().ok_or("the name of the picture is missing")?;
     let document = match arguments.next() {
-        Some(file) => Document::open(&[file], &Default::default())?,
+        Some(file) => Document::open(&[file], SceneReaders::new(&[&ColladaReader]), &Default::default())?,
         None => Document::built_in(),
     };
     let time = arguments.next().map(|time| time.parse()).transpose()?;

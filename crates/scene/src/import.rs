@@ -76,6 +76,13 @@ pub trait SceneReader: Sync {
     fn read(&self, bytes: &[u8], name: &str, progress: &Progress) -> Result<ImportedScene<AnyFinding>, ImportError>;
 }
 
+/// Whether a file begins as XML does, in UTF-8 or UTF-16: what readers of formats in XML have in common.
+pub fn starts_as_xml(bytes: &[u8]) -> bool {
+    let start = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF", b"\0<", b"<\0"].iter().any(|mark| bytes.starts_with(mark));
+    start.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'<') || is_utf16
+}
+
 impl<F: DiagnosticKind + Send + Sync + 'static> ImportedScene<F> {
     /// The same with findings whose reader is forgotten.
     pub fn with_any_finding(self) -> ImportedScene<AnyFinding> {

@@ -11,6 +11,7 @@ use crate::app::handles::app_context::AppContext;
 use crate::app::loading::reload_summary;
 use crate::app::panels::onion_skin_panel;
 use crate::document::Document;
+use crate::formats::SCENE_READERS;
 use crate::progress::Progress;
 use crate::session::CompareTarget;
 use crate::tr;
@@ -44,7 +45,7 @@ pub(crate) fn read_again(app: &Rc<AppContext>, path: &Path) {
     let (app, path) = (app.clone(), path.to_path_buf());
     glib::spawn_future_local(async move {
         let wanted = path.clone();
-        let read = gio::spawn_blocking(move || Document::open(&[wanted], &Progress::default())).await;
+        let read = gio::spawn_blocking(move || Document::open(&[wanted], SCENE_READERS, &Progress::default())).await;
         if let Ok(Ok(document)) = read
             && app.session.read(|session| session.compared_file()).as_ref() == Some(&path)
         {

@@ -9,7 +9,7 @@ use gtk::prelude::*;
 use gtk4 as gtk;
 
 use crate::app::handles::app_context::AppContext;
-use crate::document::extensions;
+use crate::formats::SCENE_READERS;
 use crate::tr;
 
 /// Lets the user choose files, one or several; `then` gets them.
@@ -24,7 +24,7 @@ pub(crate) fn ask_for_files(app: &Rc<AppContext>, title: &str, several: bool, th
     dialog.set_select_multiple(several);
     let ours = gtk::FileFilter::new();
     ours.set_name(Some(&tr!("app-choose-ours")));
-    for ending in extensions() {
+    for ending in SCENE_READERS.extensions() {
         ours.add_pattern(&format!("*.{ending}"));
         ours.add_pattern(&format!("*.{}", ending.to_uppercase()));
     }
@@ -60,7 +60,7 @@ pub(crate) fn neighbour(open: &Path, by: isize) -> Option<PathBuf> {
 }
 
 fn is_ours(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| extensions().any(|ours| ending.eq_ignore_ascii_case(ours)))
+    path.extension().is_some_and(|ending| SCENE_READERS.extensions().any(|ours| ending.eq_ignore_ascii_case(ours)))
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ use crate::app::handles::session_handle::SessionHandle;
 use crate::app::notices::error_bar::ErrorBar;
 use crate::app::notices::loading_bar::LoadingBar;
 use crate::document::{Document, OpenError, OpenErrorKind, OpenOptions};
+use crate::formats::SCENE_READERS;
 use crate::message::SourceName;
 use crate::progress::Progress;
 use crate::tr;
@@ -91,7 +92,7 @@ impl BackgroundReader {
         let reader = self.clone();
         glib::spawn_future_local(async move {
             let (wanted, hand) = (paths.clone(), progress.clone());
-            let read = gio::spawn_blocking(move || view::open(&wanted, OpenOptions::default(), &hand)).await;
+            let read = gio::spawn_blocking(move || view::open(&wanted, OpenOptions::new(SCENE_READERS), &hand)).await;
             if !reader.end(&reader.scene, &progress) {
                 return;
             }
@@ -112,7 +113,7 @@ impl BackgroundReader {
         let reader = self.clone();
         glib::spawn_future_local(async move {
             let (wanted, hand) = (paths.clone(), progress.clone());
-            let read = gio::spawn_blocking(move || Document::open(&wanted, &hand)).await;
+            let read = gio::spawn_blocking(move || Document::open(&wanted, SCENE_READERS, &hand)).await;
             if !reader.end(&reader.beside, &progress) {
                 return;
             }

@@ -6,7 +6,7 @@ use gtk::prelude::*;
 use gtk::{gio, glib};
 use gtk4 as gtk;
 
-use crate::document::extensions;
+use crate::formats::SCENE_READERS;
 
 /// Most files that are listed.
 const MOST: usize = 8;
@@ -20,7 +20,7 @@ pub(crate) fn remember(path: &Path) {
 pub(crate) fn list() -> Vec<PathBuf> {
     let ours = |path: &Path| {
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-        ending.is_some_and(|ending| extensions().any(|known| known == ending))
+        ending.is_some_and(|ending| SCENE_READERS.extensions().any(|known| known == ending))
     };
     let name = glib::application_name();
     let mut found: Vec<(i64, PathBuf)> = gtk::RecentManager::default()

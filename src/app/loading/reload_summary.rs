@@ -103,12 +103,13 @@ fn keyed<'a>(document: &Document, clip: &'a Clip) -> Vec<(String, &'a Channel)> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formats::SCENE_READERS;
     use crate::progress::Progress;
     use crate::scene::{Node, NodeId};
     use crate::session::Session;
 
     fn clip() -> Document {
-        Document::open(&[concat!(env!("CARGO_MANIFEST_DIR"), "/configs/curl.dae")], &Progress::default()).expect("the demo")
+        Document::open(&[concat!(env!("CARGO_MANIFEST_DIR"), "/configs/curl.dae")], SCENE_READERS, &Progress::default()).expect("the demo")
     }
 
     #[test]

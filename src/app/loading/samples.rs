@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use crate::document::{Document, PoseBuffers};
 use crate::export::ExportError;
+use crate::formats::SCENE_READERS;
 use crate::output::Output;
 use crate::output::write_atomic;
 use crate::progress::Progress;
@@ -54,7 +55,7 @@ impl Demo {
     /// Draws it, a third of its clip on or half bent, in the colours of a theme; `width · height` pixels of `0xAARRGGBB`. `None` where it cannot be written or there is no memory for it.
     pub(crate) fn draw(&self, folder: &Path, theme: Theme, width: u32, height: u32) -> Option<Vec<u32>> {
         let document = match self.unpack(folder).ok()? {
-            Some(path) => Document::open(&[path], &Progress::default()).ok()?,
+            Some(path) => Document::open(&[path], SCENE_READERS, &Progress::default()).ok()?,
             None => Document::built_in(),
         };
         let mut state = document.start_state();
@@ -102,7 +103,7 @@ mod tests {
             // The background is the same along each row; something stands before it.
             assert!(pixels.chunks(64).any(|row| row.iter().any(|pixel| pixel != &row[0])), "{}", demo.name);
             let Some(path) = demo.unpack(folder.path()).expect("unpacked") else { continue };
-            let document = Document::open(&[path], &Progress::default()).expect("opened");
+            let document = Document::open(&[path], SCENE_READERS, &Progress::default()).expect("opened");
             assert!(document.diagnostics.iter().all(|finding| finding.code() != "clip-not-opened"), "{}", demo.name);
         }
     }

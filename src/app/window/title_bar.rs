@@ -115,12 +115,13 @@ fn title_of(names: &[String]) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::formats::SCENE_READERS;
     use crate::progress::Progress;
 
     #[test]
     fn the_title_names_the_clip_first_and_counts_the_rest() {
         let file = |name: &str| format!("{}/configs/{name}", env!("CARGO_MANIFEST_DIR"));
-        let document = Document::open(&[file("biceps.yaml"), file("curl.dae")], &Progress::default()).expect("both open");
+        let document = Document::open(&[file("biceps.yaml"), file("curl.dae")], SCENE_READERS, &Progress::default()).expect("both open");
         assert_eq!(title_of(&names(&document)).as_deref(), Some("curl.dae + biceps.yaml"));
         let names = ["a.dae", "b.yaml", "c.yaml"].map(str::to_owned);
         assert_eq!(title_of(&names), Some(tr!("app-title-more", file = "a.dae", count = 2)));

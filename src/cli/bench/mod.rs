@@ -16,6 +16,7 @@ use super::output::{Failure, display_name, print_json, print_result};
 use super::text_table::columns;
 use super::{files, value};
 use crate::document::{Document, PoseBuffers};
+use crate::formats::SCENE_READERS;
 use crate::i18n::decimal;
 use crate::progress::Progress;
 use crate::render::{Display, RenderError, RenderJob, Renderer, Samples};
@@ -96,7 +97,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let mut models = vec![("biceps".to_owned(), Document::built_in())];
     for file in files(given) {
         let name = file.file_name().map_or_else(|| display_name(&file), |name| name.to_string_lossy().into_owned());
-        models.push((name, Document::open(&[file], &Progress::default())?));
+        models.push((name, Document::open(&[file], SCENE_READERS, &Progress::default())?));
     }
     let mut renderer = Renderer::new(value(given, "threads"));
     let mut rows = spheres::spheres(&mut renderer, budget, wanted)?;

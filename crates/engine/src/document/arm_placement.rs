@@ -41,7 +41,7 @@ impl ArmPlacer {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::{Document, PoseBuffers};
+    use crate::document::{Document, PoseBuffers, SceneReaders};
     use sinew_muscle::MuscleState;
     use sinew_scene::progress::Progress;
     use sinew_scene::{Bounds, Content, Frame, NodeId};
@@ -70,7 +70,7 @@ mod tests {
     fn files_side_by_side_do_not_touch_each_other() {
         let open = |names: &[&str]| {
             let files: Vec<String> = names.iter().map(|name| format!("{}/../../configs/{name}", env!("CARGO_MANIFEST_DIR"))).collect();
-            Document::open(&files, &Progress::default()).unwrap()
+            Document::open(&files, SceneReaders::TESTED, &Progress::default()).unwrap()
         };
         for names in [
             &["walker.dae", "biceps.yaml"][..],

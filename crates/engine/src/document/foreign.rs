@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use sinew_collada::starts_as_xml;
+use super::SceneReaders;
+use sinew_scene::import::starts_as_xml;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
 
@@ -141,8 +142,8 @@ pub enum UnsupportedFormat {
 }
 
 impl UnsupportedFormat {
-    /// What a file is that is not read, by its content and its ending; `None` for what its reader is to look at.
-    pub(super) fn of(path: &Path, bytes: &[u8]) -> Option<Self> {
+    /// What a file is that is not read, by its content and its ending; `None` for what one of `readers` or the reader of muscles is to look at.
+    pub(super) fn of(path: &Path, bytes: &[u8], readers: SceneReaders) -> Option<Self> {
         let head = bytes.get(..HEADER_BYTES).unwrap_or(bytes);
         let text = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(head).trim_ascii_start();
         let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase).unwrap_or_default();
@@ -162,13 +163,13 @@ impl UnsupportedFormat {
         if text.split(|byte| *byte == b'\n').any(|line| line.starts_with(b"sinew_session:")) {
             return Some(Self::Session);
         }
-        if ending == "xml" || super::extensions().any(|known| known == ending) {
+        if ending == "xml" || readers.extensions().any(|known| known == ending) {
             return None;
         }
         if let Some((_, name)) = EXTENSIONS.iter().find(|(known, _)| *known == ending) {
             return Some(Self::Named(name));
         }
-        if super::formats::is_known(bytes) {
+        if readers.know(bytes) {
             return None;
         }
         let lines = std::str::from_utf8(bytes).ok().filter(|text| !text.contains('\0'));
@@ -255,7 +256,7 @@ mod tests {
     use super::*;
 
     fn named(path: &str, bytes: &[u8]) -> Option<&'static str> {
-        match UnsupportedFormat::of(Path::new(path), bytes) {
+        match UnsupportedFormat::of(Path::new(path), bytes, SceneReaders::TESTED) {
             Some(UnsupportedFormat::Named(name)) => Some(name),
             Some(UnsupportedFormat::Table) => Some("table"),
             Some(UnsupportedFormat::Session) => Some("session"),
@@ -266,7 +267,7 @@ mod tests {
 
     #[test]
     fn what_is_read_is_not_foreign() {
-        for ending in crate::document::extensions() {
+        for ending in SceneReaders::TESTED.extensions() {
             assert!(EXTENSIONS.iter().all(|(foreign, _)| *foreign != ending), "{ending} is read and called foreign");
         }
     }

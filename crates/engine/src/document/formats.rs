@@ -1,16 +1,40 @@
-//! The formats that are read: a new one is its reader and one line here.
+//! The formats that are read: those of the scene readers that a program has, and YAML of muscles.
 
+use std::fmt;
 use std::path::Path;
 
-use sinew_collada::ColladaReader;
 use sinew_scene::import::SceneReader;
 use sinew_scene::limits;
 
-/// The readers of scene files. Where the ending of a file says nothing, the first one that knows the beginning reads it.
-const SCENE_READERS: &[&dyn SceneReader] = &[&ColladaReader];
-
 /// The endings of muscle files and session files.
 const MUSCLE_EXTENSIONS: &[&str] = &["yaml", "yml"];
+
+/// The readers of scene files that a program has. The engine knows none of them by name, so that a change in a reader builds the reader and the program only.
+#[derive(Clone, Copy)]
+pub struct SceneReaders(&'static [&'static dyn SceneReader]);
+
+impl SceneReaders {
+    /// These readers. Where the ending of a file says nothing, the first one that knows the beginning reads it.
+    pub const fn new(readers: &'static [&'static dyn SceneReader]) -> Self {
+        Self(readers)
+    }
+
+    /// The endings of all files that can be opened with them, those of muscle files among them, in small letters, without the dot.
+    pub fn extensions(self) -> impl Iterator<Item = &'static str> {
+        self.0.iter().flat_map(|reader| reader.extensions()).chain(MUSCLE_EXTENSIONS).copied()
+    }
+
+    /// Whether one of them knows this beginning of a file.
+    pub(super) fn know(self, bytes: &[u8]) -> bool {
+        self.0.iter().any(|reader| reader.sniff(bytes))
+    }
+}
+
+impl fmt::Debug for SceneReaders {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.0.iter().map(|reader| reader.format())).finish()
+    }
+}
 
 /// How a file is read.
 #[derive(Clone, Copy)]
@@ -23,13 +47,13 @@ pub(super) enum Format {
 
 impl Format {
     /// The format of a file by its ending; where that says nothing, by its first bytes.
-    pub(super) fn of(path: &Path, bytes: &[u8]) -> Self {
+    pub(super) fn of(path: &Path, bytes: &[u8], readers: SceneReaders) -> Self {
         let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase).unwrap_or_default();
-        let by_extension = SCENE_READERS.iter().find(|reader| reader.extensions().contains(&extension.as_str()));
+        let by_extension = readers.0.iter().find(|reader| reader.extensions().contains(&extension.as_str()));
         if MUSCLE_EXTENSIONS.contains(&extension.as_str()) {
             return Self::Muscles;
         }
-        let by_content = || SCENE_READERS.iter().find(|reader| reader.sniff(bytes));
+        let by_content = || readers.0.iter().find(|reader| reader.sniff(bytes));
         by_extension.or_else(by_content).map_or(Self::Muscles, |reader| Self::Scene(*reader))
     }
 
@@ -42,14 +66,10 @@ impl Format {
     }
 }
 
-/// Whether a reader of scene files knows this beginning of a file.
-pub(super) fn is_known(bytes: &[u8]) -> bool {
-    SCENE_READERS.iter().any(|reader| reader.sniff(bytes))
-}
-
-/// The endings of all files that can be opened, in small letters, without the dot.
-pub fn extensions() -> impl Iterator<Item = &'static str> {
-    SCENE_READERS.iter().flat_map(|reader| reader.extensions()).chain(MUSCLE_EXTENSIONS).copied()
+#[cfg(test)]
+impl SceneReaders {
+    /// The readers that tests of the engine open files with.
+    pub(crate) const TESTED: Self = Self::new(&[&sinew_collada::ColladaReader]);
 }
 
 #[cfg(test)]
@@ -58,7 +78,7 @@ mod tests {
 
     #[test]
     fn the_ending_decides_and_the_content_helps_out() {
-        let name = |path: &str, bytes: &[u8]| match Format::of(Path::new(path), bytes) {
+        let name = |path: &str, bytes: &[u8]| match Format::of(Path::new(path), bytes, SceneReaders::TESTED) {
             Format::Scene(reader) => reader.format(),
             Format::Muscles => "muscles",
         };
@@ -67,14 +87,5 @@ mod tests {
         assert_eq!(name("-", b"\xEF\xBB\xBF <?xml"), "COLLADA");
         assert_eq!(name("-", b"\xFF\xFE<\0"), "COLLADA");
         assert_eq!(name("-", b"---\nmuscle_config:"), "muscles");
-    }
-
-    #[test]
-    fn no_two_readers_want_the_same_ending() {
-        let mut all: Vec<&str> = extensions().collect();
-        let count = all.len();
-        all.sort_unstable();
-        all.dedup();
-        assert_eq!(all.len(), count);
     }
 }

@@ -1,6 +1,5 @@
 //! What was found about the images of a document.
 
-use sinew_collada::diagnostic_codes;
 use sinew_scene::diagnostics::{DiagnosticKind, Severity};
 use sinew_scene::limits;
 use sinew_scene::message;
@@ -99,10 +98,8 @@ impl DiagnosticKind for ImageFinding {
         match self {
             Self::Missing { .. } => "image-missing",
             Self::Broken { .. } => "image-broken",
-            Self::DecodingTooLarge { .. } | Self::NoRoom { .. } | Self::Reduced { .. } | Self::NoMemory { .. } => {
-                diagnostic_codes::LIMIT_REACHED
-            }
-            Self::More(_) => diagnostic_codes::MORE_FINDINGS,
+            Self::DecodingTooLarge { .. } | Self::NoRoom { .. } | Self::Reduced { .. } | Self::NoMemory { .. } => "limit-reached",
+            Self::More(_) => "more-findings",
         }
     }
 

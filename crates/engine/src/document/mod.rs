@@ -40,7 +40,7 @@ pub use angle::angle_at;
 pub use error::{OpenError, OpenErrorKind};
 pub use finding::Finding;
 pub use foreign::UnsupportedFormat;
-pub use formats::extensions;
+pub use formats::SceneReaders;
 pub use image_finding::ImageFinding;
 pub use joint_angles::{JointSample, JointTrack};
 pub use joint_control::JointControl;

@@ -6,7 +6,7 @@ use super::file;
 use super::foreign::UnsupportedFormat;
 use super::formats::Format;
 use super::images::PendingImages;
-use super::{Document, Finding, OpenError, OpenErrorKind, Source, SourceKind, merge};
+use super::{Document, Finding, OpenError, OpenErrorKind, SceneReaders, Source, SourceKind, merge};
 use crate::input;
 use sinew_muscle::MuscleFile;
 use sinew_scene::diagnostics::Diagnostic;
@@ -28,19 +28,28 @@ pub enum ImageLoading {
 }
 
 /// How to open.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub struct OpenOptions {
+    /// What reads scene files.
+    pub readers: SceneReaders,
     /// Images: decoded or only located.
     pub images: ImageLoading,
 }
 
+impl OpenOptions {
+    /// Everything is read by these readers, images are decoded.
+    pub fn new(readers: SceneReaders) -> Self {
+        Self { readers, images: ImageLoading::default() }
+    }
+}
+
 impl Document {
-    /// Opens files into one document: those that [`super::extensions`] lists, told apart by content where the ending says nothing. `-` is standard input.
+    /// Opens files into one document: muscles, and scenes that one of `readers` reads, told apart by content where the ending says nothing. `-` is standard input.
     ///
     /// # Errors
     /// [`OpenError`] for the first file that cannot be used.
-    pub fn open<P: AsRef<Path>>(files: &[P], progress: &Progress) -> Result<Self, OpenError> {
-        Self::open_with(files, OpenOptions::default(), progress)
+    pub fn open<P: AsRef<Path>>(files: &[P], readers: SceneReaders, progress: &Progress) -> Result<Self, OpenError> {
+        Self::open_with(files, OpenOptions::new(readers), progress)
     }
 
     /// [`Document::open`] with a choice of what is loaded.
@@ -52,9 +61,9 @@ impl Document {
         // Images have one budget, whatever file they belong to, so they wait for the last of these.
         let mut images = PendingImages::default();
         for path in files {
-            document.add_file(path.as_ref(), &mut images, progress)?;
+            document.add_file(path.as_ref(), options.readers, &mut images, progress)?;
         }
-        document.add_named_clips(&mut images, progress);
+        document.add_named_clips(options.readers, &mut images, progress);
         images.load(&mut document, options.images, progress);
         if progress.is_cancelled() {
             let name = files.last().map_or(SourceName::Unknown, |path| SourceName::of_argument(path.as_ref()));
@@ -65,7 +74,7 @@ impl Document {
     }
 
     /// Opens the clips that muscle files name and that are not open yet. One that cannot be opened is a finding: the muscles are shown without it.
-    fn add_named_clips(&mut self, images: &mut PendingImages, progress: &Progress) {
+    fn add_named_clips(&mut self, readers: SceneReaders, images: &mut PendingImages, progress: &Progress) {
         for index in 0..self.sources.len() {
             let source = &self.sources[index];
             let SourceKind::Muscles(file, _) = &source.kind else { continue };
@@ -74,7 +83,7 @@ impl Document {
                 continue;
             }
             let name = source.name.clone();
-            if let Err(error) = self.add_file(&path, images, progress) {
+            if let Err(error) = self.add_file(&path, readers, images, progress) {
                 let finding = Finding::ClipNotOpened(Box::new(error));
                 self.diagnostics.push(Diagnostic::new(finding, None, path.display().to_string()).in_file(name));
             }
@@ -106,13 +115,13 @@ impl Document {
         MuscleFile { clip: clip.or_else(|| file.clip.clone()), ..file.clone() }
     }
 
-    fn add_file(&mut self, path: &Path, images: &mut PendingImages, progress: &Progress) -> Result<(), OpenError> {
+    fn add_file(&mut self, path: &Path, readers: SceneReaders, images: &mut PendingImages, progress: &Progress) -> Result<(), OpenError> {
         let name = SourceName::of_argument(path);
         let bytes = file::read(path, &name, limits::FILE_BYTES)?;
-        if let Some(foreign) = UnsupportedFormat::of(path, &bytes) {
+        if let Some(foreign) = UnsupportedFormat::of(path, &bytes, readers) {
             return Err(OpenError::whole(&name, OpenErrorKind::UnsupportedFormat(foreign)));
         }
-        let format = Format::of(path, &bytes);
+        let format = Format::of(path, &bytes, readers);
         if bytes.len() as u64 > format.limit() {
             return Err(OpenError::whole(&name, OpenErrorKind::TooLarge(format.limit())));
         }

@@ -55,7 +55,7 @@ impl Document {
 
 #[cfg(test)]
 mod tests {
-    use crate::document::{Document, PoseBuffers};
+    use crate::document::{Document, PoseBuffers, SceneReaders};
     use sinew_scene::progress::Progress;
     use sinew_scene::{Frame, NodeId};
 
@@ -63,7 +63,7 @@ mod tests {
     fn the_outline_is_the_box_of_the_frame() {
         let open = |names: &[&str]| {
             let files: Vec<String> = names.iter().map(|name| format!("{}/../../configs/{name}", env!("CARGO_MANIFEST_DIR"))).collect();
-            Document::open(&files, &Progress::default()).unwrap()
+            Document::open(&files, SceneReaders::TESTED, &Progress::default()).unwrap()
         };
         let mut documents = vec![Document::built_in(), open(&["walker.dae"]), open(&["curl.dae", "example.yaml"])];
         let mut hidden = Document::built_in();

@@ -80,14 +80,14 @@ impl Session {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Document;
+    use crate::document::{Document, SceneReaders};
     use crate::session::tests::ends;
     use sinew_scene::progress::Progress;
     use sinew_scene::{MuscleId, NodeId, NodeKind};
 
     fn both(clip: &str, muscles: &str) -> Session {
         let config = |name: &str| format!("{}/../../configs/{name}", env!("CARGO_MANIFEST_DIR"));
-        Session::new(Document::open(&[config(clip), config(muscles)], &Progress::default()).unwrap())
+        Session::new(Document::open(&[config(clip), config(muscles)], SceneReaders::TESTED, &Progress::default()).unwrap())
     }
 
     #[test]

@@ -1,4 +1,5 @@
 use super::*;
+use crate::document::SceneReaders;
 use glam::DVec3;
 use sinew_muscle::AttachmentPoint;
 use sinew_muscle::presets::Preset;
@@ -9,7 +10,7 @@ use sinew_scene::progress::Progress;
 /// The demo's arm, whose elbow is the joint `forearm`.
 pub(super) fn clip() -> Session {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../configs/curl.dae");
-    Session::new(Document::open(&[path], &Progress::default()).unwrap())
+    Session::new(Document::open(&[path], SceneReaders::TESTED, &Progress::default()).unwrap())
 }
 
 /// A ready muscle that bends the elbow.

@@ -39,6 +39,7 @@ impl CameraFollow {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::SceneReaders;
     use crate::view::saved_node;
     use sinew_scene::OrbitCamera;
     use sinew_scene::progress::Progress;
@@ -46,7 +47,7 @@ mod tests {
     #[test]
     fn what_is_followed_stays_where_it_is_in_the_picture() {
         let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../configs/walker.dae");
-        let document = Document::open(&[file], &Progress::default()).unwrap();
+        let document = Document::open(&[file], SceneReaders::TESTED, &Progress::default()).unwrap();
         let hand = document.scene.graph.find("hand.L").unwrap();
         let start = document.start_state();
         let saved = SessionState { follow: Some(saved_node(&document, hand)), ..SessionState::default() };
