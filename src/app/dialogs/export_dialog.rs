@@ -26,7 +26,7 @@ const PULSE: Duration = Duration::from_millis(80);
 
 ui::widgets! {
     /// The widgets of the dialog.
-    struct ExportWidgets from EXPORT_DIALOG {
+    struct ExportWidgets from "export_dialog.ui" {
         root: gtk::Window,
         choices: gtk::Grid,
         kind: gtk::DropDown,
@@ -72,7 +72,7 @@ struct Dialog {
 /// Opens the dialog.
 pub(crate) fn show(app: &Rc<AppContext>, viewport: &Rc<Viewport>) {
     let dialog = Rc::new(Dialog {
-        widgets: ExportWidgets::of(&ui::builder(ui::EXPORT_DIALOG)),
+        widgets: ExportWidgets::build(),
         app: app.clone(),
         viewport: viewport.clone(),
         work: RefCell::new(None),

@@ -27,7 +27,7 @@ const MILLILITRES: f64 = 1e6;
 
 ui::widgets! {
     /// The widgets of the window.
-    struct MeasurementComparisonWidgets from MEASUREMENT_COMPARISON {
+    struct MeasurementComparisonWidgets from "measurement_comparison.ui" {
         root: gtk::Window,
         title: gtk::Label,
         open: gtk::Button,
@@ -58,11 +58,7 @@ pub(crate) fn show(app: &Rc<AppContext>, muscle: MuscleId) {
     // The table that comes with the program is parsed by a test.
     let Ok(table) = Table::parse(literature_data::MEASURED_RADII) else { return };
     let data = RefCell::new((table, "biceps-radii.csv".to_owned()));
-    let comparison = Rc::new(MeasurementComparison {
-        widgets: MeasurementComparisonWidgets::of(&ui::builder(ui::MEASUREMENT_COMPARISON)),
-        muscle,
-        data,
-    });
+    let comparison = Rc::new(MeasurementComparison { widgets: MeasurementComparisonWidgets::build(), muscle, data });
     let root = comparison.root().clone();
     root.set_transient_for(Some(&app.widget));
     comparison.connect(app);

@@ -34,7 +34,7 @@ const MOST: usize = 12;
 
 ui::widgets! {
     /// The widgets of the inspector.
-    struct InspectorWidgets from INSPECTOR {
+    struct InspectorWidgets from "inspector.ui" {
         root: gtk::Box,
         name: gtk::Label,
         copy: gtk::Button,
@@ -89,7 +89,7 @@ fn number_label() -> gtk::Label {
 impl Inspector {
     /// The inspector of a session.
     pub(crate) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
-        let widgets = InspectorWidgets::of(&ui::builder(ui::INSPECTOR));
+        let widgets = InspectorWidgets::build();
         let labels = std::array::from_fn(|row| {
             let key = ["app-position", "app-rotation", "app-scale"][row];
             let name = gtk::Label::builder().label(tr!(key)).xalign(0.0).css_classes(["small"]).build();
@@ -424,7 +424,7 @@ impl Inspector {
 
 /// A slider that turns about one axis, in its row of the grid.
 fn turn_scale(grid: &gtk::Grid, row: usize) -> gtk::Scale {
-    let builder = ui::builder(ui::JOINT_ROTATION);
+    let builder = ui::builder(include_str!("joint_rotation.ui"));
     let scale: gtk::Scale = object(&builder, ["turn_x", "turn_y", "turn_z"][row]);
     let name = gtk::Label::builder().label(["X", "Y", "Z"][row]).build();
     grid.attach(&name, 0, row as i32, 1, 1);

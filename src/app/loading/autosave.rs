@@ -28,7 +28,7 @@ const NAME: &str = "unsaved-";
 
 ui::widgets! {
     /// The widgets of the bar.
-    struct RecoveryBarWidgets from RECOVERY_BAR {
+    struct RecoveryBarWidgets from "recovery_bar.ui" {
         root: gtk::InfoBar,
         message: gtk::Label,
     }
@@ -81,7 +81,7 @@ impl Autosave {
     /// Nothing written, nothing offered; what is brought back is opened by `loader`.
     pub(crate) fn new(loader: &Rc<DocumentLoader>) -> Rc<Self> {
         static NEXT: AtomicU32 = AtomicU32::new(0);
-        let widgets = RecoveryBarWidgets::of(&ui::builder(ui::RECOVERY_BAR));
+        let widgets = RecoveryBarWidgets::build();
         let name = format!("{NAME}{}-{}.yaml", std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
         let autosave = Rc::new(Self {
             root: widgets.root.clone(),

@@ -13,7 +13,7 @@ use crate::session::LoadMode;
 
 ui::widgets! {
     /// The widgets of the bar.
-    struct ErrorBarWidgets from ERROR_BAR {
+    struct ErrorBarWidgets from "error_bar.ui" {
         root: gtk::InfoBar,
         headline: gtk::Label,
         message: gtk::Label,
@@ -47,7 +47,7 @@ pub(crate) struct ErrorMessage {
 impl ErrorBar {
     /// A folded bar.
     pub(crate) fn new() -> Rc<Self> {
-        let widgets = ErrorBarWidgets::of(&ui::builder(ui::ERROR_BAR));
+        let widgets = ErrorBarWidgets::build();
         let bar = Rc::new(Self { root: widgets.root.clone(), widgets, again: RefCell::new(None) });
         bar.root.connect_response(glib::clone!(
             #[weak]

@@ -12,7 +12,7 @@ use crate::session::Session;
 
 ui::widgets! {
     /// The widgets of the banner.
-    struct BannerWidgets from HELD_JOINT_BANNER {
+    struct BannerWidgets from "held_joint_banner.ui" {
         root: gtk::Box,
         label: gtk::Label,
         release: gtk::Button,
@@ -29,7 +29,7 @@ pub(crate) struct HeldJointBanner {
 impl HeldJointBanner {
     /// Hidden until a joint is held.
     pub(crate) fn new(session: &SessionHandle, focus: &PictureFocus) -> Self {
-        let widgets = BannerWidgets::of(&ui::builder(ui::HELD_JOINT_BANNER));
+        let widgets = BannerWidgets::build();
         let banner = Self { root: widgets.root.clone(), widgets };
         banner.connect(session, focus);
         banner

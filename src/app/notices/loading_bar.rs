@@ -7,7 +7,7 @@ use crate::app::widgets::ui;
 
 ui::widgets! {
     /// The widgets of the bar.
-    struct LoadingWidgets from VIEWPORT {
+    struct LoadingWidgets in "../viewport/viewport.ui" {
         loading: gtk::Box,
         loading_label: gtk::Label,
         loading_bar: gtk::ProgressBar,

@@ -21,7 +21,7 @@ pub(crate) struct Toasts(Rc<Notice>);
 
 ui::widgets! {
     /// The widgets of the notice.
-    struct ToastWidgets from VIEWPORT {
+    struct ToastWidgets in "../viewport/viewport.ui" {
         toast: gtk::Revealer,
         toast_label: gtk::Label,
         toast_folder: gtk::Button,

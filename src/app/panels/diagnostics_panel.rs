@@ -18,7 +18,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the panel.
-    struct HealthWidgets from DIAGNOSTICS_PANEL {
+    struct HealthWidgets from "diagnostics_panel.ui" {
         root: gtk::Box,
         summary: gtk::Label,
         copy: gtk::Button,
@@ -36,7 +36,7 @@ pub(crate) struct DiagnosticsPanel {
 impl DiagnosticsPanel {
     /// The panel of a session.
     pub(crate) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
-        let widgets = HealthWidgets::of(&ui::builder(ui::DIAGNOSTICS_PANEL));
+        let widgets = HealthWidgets::build();
         widgets.list.set_factory(Some(&factory()));
         let panel = Self { widgets };
         panel.connect(session, toasts);

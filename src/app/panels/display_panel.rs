@@ -29,7 +29,7 @@ fn cell_name(cell: Option<f32>) -> String {
 
 ui::widgets! {
     /// The widgets of the panel.
-    struct DisplayWidgets from DISPLAY_PANEL {
+    struct DisplayWidgets from "display_panel.ui" {
         root: gtk::ScrolledWindow,
         shading: gtk::DropDown,
         skinning: gtk::DropDown,
@@ -58,7 +58,7 @@ impl DisplayPanel {
 
     /// The panel of a session.
     pub(crate) fn new(session: &SessionHandle) -> Self {
-        let widgets = DisplayWidgets::of(&ui::builder(ui::DISPLAY_PANEL));
+        let widgets = DisplayWidgets::build();
         let list = |list: &gtk::DropDown, keys: &[&str]| {
             let words: Vec<String> = keys.iter().map(|key| tr!(key)).collect();
             list.set_model(Some(&ui::words(&words)));

@@ -50,7 +50,7 @@ const PICTURE_SCALE: f64 = 2.0;
 
 ui::widgets! {
     /// The widgets of the panel.
-    struct MeasureWidgets from MEASURE_PANEL {
+    struct MeasureWidgets from "measure_panel.ui" {
         root: gtk::ScrolledWindow,
         none: gtk::Label,
         plots: gtk::Box,
@@ -83,7 +83,7 @@ pub(crate) struct MeasurePanel {
 impl MeasurePanel {
     /// The panel of a session.
     pub(crate) fn new(app: &Rc<AppContext>) -> Rc<Self> {
-        let widgets = MeasureWidgets::of(&ui::builder(ui::MEASURE_PANEL));
+        let widgets = MeasureWidgets::build();
         let plots = std::array::from_fn(|_| {
             let (canvas, plot) = (PaintWidget::new(200, 170), Rc::new(RefCell::new(Plot::default())));
             let painted = plot.clone();

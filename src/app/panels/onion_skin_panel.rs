@@ -15,7 +15,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the panel.
-    struct OnionSkinWidgets from ONION_SKIN_PANEL {
+    struct OnionSkinWidgets from "onion_skin_panel.ui" {
         root: gtk::Box,
         before: gtk::SpinButton,
         after: gtk::SpinButton,
@@ -38,7 +38,7 @@ pub(crate) struct OnionSkinPanel {
 impl OnionSkinPanel {
     /// The panel of a session.
     pub(crate) fn new(session: &SessionHandle) -> Self {
-        let widgets = OnionSkinWidgets::of(&ui::builder(ui::ONION_SKIN_PANEL));
+        let widgets = OnionSkinWidgets::build();
         ui::narrow(&widgets.with, 18);
         let panel = Self { root: widgets.root.clone(), widgets };
         panel.connect(session);

@@ -30,7 +30,7 @@ const SETTLED: Duration = Duration::from_millis(300);
 
 ui::widgets! {
     /// The widgets of the tree.
-    struct TreeWidgets from SCENE_TREE {
+    struct TreeWidgets from "scene_tree.ui" {
         root: gtk::Box,
         search: gtk::SearchEntry,
         scroller: gtk::ScrolledWindow,
@@ -55,7 +55,7 @@ pub(crate) struct SceneTree {
 impl SceneTree {
     /// The tree of a session; `editor` takes the bone that is picked for a muscle.
     pub(crate) fn new(session: &SessionHandle, editor: &Editor, focus: &PictureFocus) -> Self {
-        let widgets = TreeWidgets::of(&ui::builder(ui::SCENE_TREE));
+        let widgets = TreeWidgets::build();
         let tree = Self {
             root: widgets.root.clone(),
             widgets,
@@ -257,7 +257,7 @@ fn factory(session: &SessionHandle, rows: &Rc<RefCell<Vec<TreeRow>>>) -> gtk::Si
         icon.set_valign(gtk::Align::Center);
         // Names of a skeleton begin alike and differ at their ends.
         let label = gtk::Label::builder().xalign(0.0).hexpand(true).ellipsize(gtk::pango::EllipsizeMode::Middle).build();
-        let eye: gtk::ToggleButton = object(&ui::builder(ui::TREE_EYE), "eye");
+        let eye: gtk::ToggleButton = object(&ui::builder(include_str!("tree_eye.ui")), "eye");
         content.append(&icon);
         content.append(&label);
         content.append(&eye);

@@ -52,7 +52,7 @@ impl EditorState {
 
 ui::widgets! {
     /// The widgets of both pages.
-    struct CurveEditorWidgets from CURVE_EDITOR {
+    struct CurveEditorWidgets from "curve_editor.ui" {
         list: gtk::ListView,
         keys_overlay: gtk::Overlay,
         curves_overlay: gtk::Overlay,
@@ -86,7 +86,7 @@ pub(crate) struct CurveEditor {
 impl CurveEditor {
     /// That of a session, below a track with this time axis.
     pub(crate) fn new(session: &SessionHandle, axis: &TimeAxis, track_canvas: &PaintWidget) -> Rc<Self> {
-        let widgets = CurveEditorWidgets::of(&ui::builder(ui::CURVE_EDITOR));
+        let widgets = CurveEditorWidgets::build();
         let shown = Rc::new(EditorState {
             track: axis.track.clone(),
             track_canvas: track_canvas.clone(),

@@ -48,7 +48,7 @@ enum RulerDrag {
 
 ui::widgets! {
     /// The widgets of the timeline.
-    struct TimelineWidgets from TIMELINE {
+    struct TimelineWidgets from "timeline.ui" {
         root: gtk::Box,
         track: gtk::Overlay,
         previous_key: gtk::Button,
@@ -83,7 +83,7 @@ pub(crate) struct Timeline {
 impl Timeline {
     /// The timeline of a session.
     pub(crate) fn new(session: &SessionHandle) -> Self {
-        let widgets = TimelineWidgets::of(&ui::builder(ui::TIMELINE));
+        let widgets = TimelineWidgets::build();
         let canvas = PaintWidget::new(160, 72);
         widgets.track.set_child(Some(&canvas));
         for (button, icon) in [

@@ -47,7 +47,7 @@ const HEAVY_MS: f64 = 14.0;
 const REST: Duration = Duration::from_millis(120);
 ui::widgets! {
     /// The widgets over the picture.
-    struct ViewportWidgets from VIEWPORT {
+    struct ViewportWidgets in "viewport.ui" {
         root: gtk::Overlay,
         tools: gtk::Box,
         tool_navigate: gtk::ToggleButton,

@@ -21,7 +21,7 @@ const FRAME: i32 = 26;
 
 ui::widgets! {
     /// The fields, each with the letter of its axis.
-    struct FieldWidgets from VIEWPORT {
+    struct FieldWidgets in "viewport.ui" {
         numbers: gtk::Box,
         numbers_label: gtk::Label,
         letter_x: gtk::Label,

@@ -15,46 +15,21 @@ use crate::app::format;
 use crate::i18n::{shown, shown_lines};
 use crate::tr;
 
-/// The `.ui` files, each beside the code that uses it.
-macro_rules! files {
-    ($($name:ident = $file:literal),+ $(,)?) => {
-        $(
-            #[doc = concat!("`", $file, ".ui`.")]
-            pub(crate) const $name: &str = include_str!(concat!("../", $file, ".ui"));
-        )+
-        #[cfg(test)]
-        const ALL: &[(&str, &str)] = &[$(($file, $name)),+];
-    };
-}
-files! {
-    MAIN_WINDOW = "window/main_window",
-    VIEWPORT = "viewport/viewport",
-    TIMELINE = "timeline/timeline",
-    CURVE_EDITOR = "timeline/curve_editor",
-    SCENE_TREE = "scene_tree/scene_tree",
-    MUSCLE_PANEL = "panels/muscle/muscle_panel",
-    DISPLAY_PANEL = "panels/display_panel",
-    MEASUREMENT_COMPARISON = "dialogs/measurement_comparison",
-    MEASURE_PANEL = "panels/measure_panel",
-    DIAGNOSTICS_PANEL = "panels/diagnostics_panel",
-    NODE_CELL = "panels/muscle/node_cell",
-    VIA_POINT = "panels/muscle/via_point",
-    WRAP_SURFACE = "panels/muscle/wrap_surface",
-    TREE_EYE = "scene_tree/tree_eye",
-    ERROR_BAR = "notices/error_bar",
-    RECOVERY_BAR = "loading/recovery_bar",
-    START_PAGE = "window/start_page",
-    EXPORT_DIALOG = "dialogs/export_dialog",
-    INSPECTOR = "inspector/inspector",
-    JOINT_ROTATION = "inspector/joint_rotation",
-    ONION_SKIN_PANEL = "panels/onion_skin_panel",
-    HELD_JOINT_BANNER = "notices/held_joint_banner",
-}
-
-/// A struct of the widgets of a `.ui` file that code works with: a field an id. A test of the module holds ids and classes against the file, so that a slip
-/// is found without a display.
+/// A struct of the widgets of a `.ui` file that code works with: a field an id. `from` a file, which lies at this path beside the module, the struct builds it
+/// itself (`build`); `in` a file it is one of several that find theirs among what was built (`of`). A test of the module holds ids and classes against the file,
+/// so that a slip is found without a display.
 macro_rules! widgets {
-    ($(#[$doc:meta])* struct $name:ident from $file:ident { $($field:ident: $class:ty,)+ }) => {
+    ($(#[$doc:meta])* struct $name:ident from $file:literal { $($field:ident: $class:ty,)+ }) => {
+        $crate::app::widgets::ui::widgets! { $(#[$doc])* struct $name in $file { $($field: $class,)+ } }
+
+        impl $name {
+            /// Builds the file, in the user's language.
+            fn build() -> Self {
+                Self::of(&$crate::app::widgets::ui::builder(include_str!($file)))
+            }
+        }
+    };
+    ($(#[$doc:meta])* struct $name:ident in $file:literal { $($field:ident: $class:ty,)+ }) => {
         $(#[$doc])*
         #[derive(Clone)]
         struct $name {
@@ -74,7 +49,7 @@ macro_rules! widgets {
 
             #[test]
             fn each_is_there_with_its_class() {
-                let text = $crate::app::widgets::ui::$file;
+                let text = include_str!($file);
                 $($crate::app::widgets::ui::assert_declared(text, <$class as gtk::glib::types::StaticType>::static_type().name(), stringify!($field));)+
             }
         }
@@ -300,6 +275,26 @@ fn meaning(placeholder: &str, number: usize) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::{Path, PathBuf};
+
+    /// The `.ui` files of the window, with their texts.
+    fn files() -> Vec<(PathBuf, String)> {
+        let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src/app")];
+        let mut files = Vec::new();
+        while let Some(folder) = folders.pop() {
+            for entry in folder.read_dir().expect("a folder of the sources") {
+                let path = entry.expect("an entry").path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|extension| extension == "ui") {
+                    let text = std::fs::read_to_string(&path).expect("a text");
+                    files.push((path, text));
+                }
+            }
+        }
+        assert!(!files.is_empty());
+        files
+    }
 
     #[test]
     fn placeholders_become_escaped_text() {
@@ -312,18 +307,19 @@ mod tests {
 
     #[test]
     fn every_placeholder_is_known() {
-        for (file, text) in ALL {
+        for (file, text) in files() {
+            let file = file.display();
             for piece in text.split('>') {
                 let piece = piece.split('<').next().unwrap_or_default();
                 if let Some(text) = piece.strip_prefix("tr:") {
                     let (key, commands) = text.split_once('@').unwrap_or((text.trim_end_matches('#'), ""));
                     for id in commands.split(',').filter(|id| !id.is_empty()) {
-                        assert!(Command::from_id(id).is_some(), "{file}.ui asks for the keys of {id}, which is not in the table");
+                        assert!(Command::from_id(id).is_some(), "{file} asks for the keys of {id}, which is not in the table");
                     }
-                    assert_ne!(tr!(key), key, "{file}.ui asks for the message {key}, which the catalogue lacks");
+                    assert_ne!(tr!(key), key, "{file} asks for the message {key}, which the catalogue lacks");
                 }
                 if let Some(id) = piece.strip_prefix("tip:") {
-                    assert!(Command::from_id(id).is_some(), "{file}.ui asks for the command {id}, which is not in the table");
+                    assert!(Command::from_id(id).is_some(), "{file} asks for the command {id}, which is not in the table");
                 }
             }
         }
@@ -331,22 +327,24 @@ mod tests {
 
     #[test]
     fn every_action_in_a_file_is_in_the_table() {
-        for (file, text) in ALL {
+        for (file, text) in files() {
+            let file = file.display();
             for piece in text.split("\"action-name\">win.").skip(1) {
                 let id = piece.split(['<', ':', '(']).next().unwrap_or_default();
-                assert!(Command::from_id(id).is_some(), "{file}.ui uses the action {id}, which is not in the table");
+                assert!(Command::from_id(id).is_some(), "{file} uses the action {id}, which is not in the table");
             }
         }
     }
 
     #[test]
     fn no_text_is_written_into_a_file() {
-        for (file, text) in ALL {
+        for (file, text) in files() {
+            let file = file.display();
             for property in ["label", "tooltip-text", "title", "placeholder-text", "text"] {
                 for piece in text.split(&format!("name=\"{property}\">")).skip(1) {
                     let value = piece.split('<').next().unwrap_or_default();
                     let plain = value.chars().any(char::is_alphabetic) && !value.starts_with("tr:") && !value.starts_with("tip:");
-                    assert!(!plain, "{file}.ui says “{value}” past the catalogue");
+                    assert!(!plain, "{file} says “{value}” past the catalogue");
                 }
             }
         }

@@ -59,7 +59,7 @@ impl Window {
     pub(crate) fn open(application: &gtk::Application, files: Vec<PathBuf>) {
         appearance::load_style();
         let (settings, notice) = Settings::load(&settings::path());
-        let builder = ui::builder(ui::MAIN_WINDOW);
+        let builder = ui::builder(include_str!("main_window.ui"));
         let widget: gtk::ApplicationWindow = object(&builder, "window");
         widget.set_application(Some(application));
         let (width, height) = side_panels::on_screen(settings.width, settings.height);
@@ -73,7 +73,7 @@ impl Window {
         settings.apply(&mut session);
         session.set_eased(settings.smooth_camera && appearance::animates());
 
-        let picture = ui::builder(ui::VIEWPORT);
+        let picture = ui::builder(include_str!("../viewport/viewport.ui"));
         let app = Rc::new(AppContext::new(widget, SessionHandle::new(session), SettingsHandle::new(settings), &picture));
         let window = Self::new(&app, &builder, picture);
         window.assemble(&builder);

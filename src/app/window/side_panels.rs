@@ -13,7 +13,7 @@ const ROOM_FOR_BOTH: i32 = 1000;
 
 ui::widgets! {
     /// The boxes at the sides.
-    struct SideWidgets from MAIN_WINDOW {
+    struct SideWidgets in "main_window.ui" {
         tree_slot: gtk::Box,
         panel_slot: gtk::Box,
     }

@@ -21,7 +21,7 @@ const PICTURE: (i32, i32) = (144, 108);
 
 ui::widgets! {
     /// The widgets of the page.
-    struct StartWidgets from START_PAGE {
+    struct StartWidgets from "start_page.ui" {
         root: gtk::ScrolledWindow,
         title: gtk::Label,
         open: gtk::Button,
@@ -46,7 +46,7 @@ pub(crate) struct StartPage {
 impl StartPage {
     /// A page that is not connected yet.
     pub(crate) fn new(session: &SessionHandle, focus: &PictureFocus) -> Rc<Self> {
-        let widgets = StartWidgets::of(&ui::builder(ui::START_PAGE));
+        let widgets = StartWidgets::build();
         let pictures = DEMOS.iter().map(|_| PaintWidget::new(PICTURE.0, PICTURE.1)).collect();
         Rc::new(Self {
             root: widgets.root.clone(),

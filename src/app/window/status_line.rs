@@ -12,7 +12,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The labels of the line.
-    struct StatusWidgets from MAIN_WINDOW {
+    struct StatusWidgets in "main_window.ui" {
         status_position: gtk::Label,
         status_compared: gtk::Label,
         status_selection: gtk::Label,

@@ -14,7 +14,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the header bar.
-    struct TitleWidgets from MAIN_WINDOW {
+    struct TitleWidgets in "main_window.ui" {
         title: gtk::Label,
         subtitle: gtk::Label,
         undo: gtk::Button,

@@ -22,7 +22,7 @@ const AXES: [JointAxis; 4] = [JointAxis::Hinge, JointAxis::Own(0), JointAxis::Ow
 
 ui::widgets! {
     /// The widgets of the muscle panel for contraction and joint.
-    struct ContractionWidgets from MUSCLE_PANEL {
+    struct ContractionWidgets in "muscle_panel.ui" {
         sliders: gtk::Grid,
         contraction_label: gtk::Label,
         contraction: gtk::Scale,

@@ -34,7 +34,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the panel that are not those of one of its editors.
-    struct MuscleWidgets from MUSCLE_PANEL {
+    struct MuscleWidgets in "muscle_panel.ui" {
         root: gtk::ScrolledWindow,
         none: gtk::Label,
         which: gtk::DropDown,
@@ -181,7 +181,7 @@ impl MusclePanel {
 
     /// The panel of a session.
     pub(crate) fn new(session: &SessionHandle, toasts: &Toasts) -> Self {
-        let builder = ui::builder(ui::MUSCLE_PANEL);
+        let builder = ui::builder(include_str!("muscle_panel.ui"));
         let widgets = MuscleWidgets::of(&builder);
         let bones = Bones::new();
         let profile = ProfilePlot::new();

@@ -157,7 +157,7 @@ impl Values {
             let label = gtk::Label::builder().xalign(1.0).hexpand(true).css_classes(["numeric"]).build();
             return label.upcast();
         }
-        let entry: gtk::Entry = object(&ui::builder(ui::NODE_CELL), if column == 1 { "radius" } else { "growth" });
+        let entry: gtk::Entry = object(&ui::builder(include_str!("node_cell.ui")), if column == 1 { "radius" } else { "growth" });
         let values = Rc::downgrade(self);
         entry.connect_activate(move |entry| {
             if let Some(values) = values.upgrade() {

@@ -17,7 +17,7 @@ use crate::tr;
 
 ui::widgets! {
     /// The widgets of the muscle panel for via points.
-    struct ViaWidgets from MUSCLE_PANEL {
+    struct ViaWidgets in "muscle_panel.ui" {
         via_heading: gtk::Label,
         way_no_ends: gtk::Label,
         via_list: gtk::Box,
@@ -124,7 +124,7 @@ impl ViaRows {
     /// The row of the next via point.
     fn make(&self, editor: &Editor, bones: &Bones) -> ViaRow {
         let number = self.rows.borrow().len();
-        let builder = ui::numbered(ui::VIA_POINT, number + 1);
+        let builder = ui::numbered(include_str!("via_point.ui"), number + 1);
         let place = AttachmentField::new(&builder, "via", AttachmentPoint::Via(number), bones);
         place.connect(editor);
         let button = |id: &str| object::<gtk::Button>(&builder, id);

@@ -19,7 +19,7 @@ const RANGES: [&str; 3] = ["app-wrap-at-joint", "app-wrap-whole", "app-wrap-betw
 
 ui::widgets! {
     /// The widgets of a wrap surface beside those of its centre.
-    struct RowWidgets from WRAP_SURFACE {
+    struct RowWidgets in "wrap_surface.ui" {
         wrap: gtk::Grid,
         wrap_shape: gtk::DropDown,
         wrap_delete: gtk::Button,
@@ -109,7 +109,7 @@ pub(crate) struct WrapSurfaceRow {
 impl WrapSurfaceRow {
     /// The row of surface `number`; when it is deleted, the keyboard goes to `next`.
     pub(crate) fn new(number: usize, editor: &Editor, bones: &Bones, next: &gtk::Button) -> Self {
-        let builder = ui::numbered(ui::WRAP_SURFACE, number + 1);
+        let builder = ui::numbered(include_str!("wrap_surface.ui"), number + 1);
         let widgets = RowWidgets::of(&builder);
         let center = AttachmentField::new(&builder, "wrap", AttachmentPoint::Wrap(number), bones);
         center.connect(editor);

@@ -16,7 +16,7 @@ use crate::session::{PickTarget, Session};
 
 ui::widgets! {
     /// The widgets of the muscle panel for wrap surfaces.
-    struct WrapWidgets from MUSCLE_PANEL {
+    struct WrapWidgets in "muscle_panel.ui" {
         wraps: gtk::Box,
         wrap_list: gtk::Box,
         wrap_add: gtk::Button,
