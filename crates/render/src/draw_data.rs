@@ -45,8 +45,8 @@ pub(super) struct DrawCall {
     pub expanded: bool,
     /// The numbers of its triangles in the picture.
     pub triangles: Range<u32>,
-    /// Index of its first value in the list of weight colours, where the weights of a joint are shown.
-    pub weight_colors: Option<usize>,
+    /// Index of its first value in the list of computed colours, where its [`ColorSource`](super::color_source::ColorSource) computes them.
+    pub computed_colors: Option<usize>,
 }
 
 impl DrawCall {
@@ -104,7 +104,7 @@ pub(super) struct FrameData<'a> {
     pub bones: &'a GeneratedMesh,
     pub draw_calls: &'a [DrawCall],
     pub textures: &'a [Texture],
-    pub weight_colors: &'a [glam::Vec4],
+    pub computed_colors: &'a [glam::Vec4],
     pub screen: &'a [ScreenVertex],
     pub front: &'a [Quad],
     pub back: &'a [Quad],
@@ -122,7 +122,7 @@ pub(super) struct ClippedTriangle {
 pub(super) fn geometry<'a>(
     frame: &'a Frame,
     bones: &'a GeneratedMesh,
-    weight_colors: &'a [glam::Vec4],
+    computed_colors: &'a [glam::Vec4],
     item: &DrawCall,
 ) -> VertexSource<'a> {
     let (first, expanded) = (item.first_vertex, item.expanded);
@@ -135,8 +135,8 @@ pub(super) fn geometry<'a>(
                 SurfaceGeometry::Deformed { positions, normals } => (&positions[..], &normals[..], None),
             };
             let triangles = &mesh.triangles[triangles.start as usize..triangles.end as usize];
-            let weight_colors = item.weight_colors.and_then(|from| weight_colors.get(from..)).unwrap_or(&[]);
-            VertexSource { positions, normals, transform, triangles, colors: &mesh.colors, weight_colors, first, expanded }
+            let computed_colors = item.computed_colors.and_then(|from| computed_colors.get(from..)).unwrap_or(&[]);
+            VertexSource { positions, normals, transform, triangles, colors: &mesh.colors, computed_colors, first, expanded }
         }
         GeometrySource::Bones => VertexSource {
             positions: &bones.positions,
@@ -144,7 +144,7 @@ pub(super) fn geometry<'a>(
             transform: None,
             triangles: &bones.triangles,
             colors: &bones.colors,
-            weight_colors: &[],
+            computed_colors: &[],
             first,
             expanded,
         },
@@ -194,7 +194,7 @@ impl<'a> FrameData<'a> {
     /// Access to an item's vertices by triangle.
     #[inline(always)]
     pub(super) fn reader(&self, item: &'a DrawCall) -> VertexReader<'a> {
-        let geometry = geometry(self.frame, self.bones, self.weight_colors, item);
+        let geometry = geometry(self.frame, self.bones, self.computed_colors, item);
         let (uv, placing) = match (&item.source, &item.material.diffuse.or(item.material.cutout).or(item.material.emission_texture)) {
             (GeometrySource::Surface { index, .. }, Some(sampler)) => {
                 let set = self.frame.surfaces[*index as usize].mesh.uv_sets.get(sampler.uv_set as usize);

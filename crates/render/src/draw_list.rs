@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::{Vec3, Vec4};
 use rustc_hash::FxHashSet;
 
+use super::color_source::ColorSource;
 use super::draw_data::{CLIPPED_FLAG, DrawCall, FrameData, GeneratedMesh, GeometrySource};
 use super::frame_stages::TargetLayout;
 use super::light::Lights;
@@ -15,7 +16,6 @@ use super::projection::ViewTransform;
 use super::resolve_material::{SurfacePart, resolve_material};
 use super::texture::TextureCache;
 use super::vertex_arrays::VertexArrays;
-use super::weight_colormap::append_weight_colors;
 use super::{Display, RenderError, RenderJob};
 use sinew_scene::{Bounds, Frame, Surface, SurfaceGeometry};
 
@@ -24,7 +24,7 @@ use sinew_scene::{Bounds, Frame, Surface, SurfaceGeometry};
 pub(super) struct DrawList {
     pub draw_calls: Vec<DrawCall>,
     pub bones: GeneratedMesh,
-    pub weight_colors: Vec<Vec4>,
+    pub computed_colors: Vec<Vec4>,
     pub meshes: MeshCaches,
     /// Which triangles of a surface face the camera, while its outline is drawn.
     pub facing: Vec<bool>,
@@ -112,7 +112,7 @@ impl DrawList {
             bones: &self.bones,
             draw_calls: &self.draw_calls,
             textures: self.textures.textures(),
-            weight_colors: &self.weight_colors,
+            computed_colors: &self.computed_colors,
             screen: &vertices.screen,
             front: &vertices.front,
             back: &vertices.back,
@@ -123,7 +123,7 @@ impl DrawList {
     fn collect(&mut self, job: &RenderJob<'_>, view: &ViewTransform, without_ghosts: bool) -> Result<(), RenderError> {
         let RenderJob { scene, frame, display, .. } = *job;
         self.pending.clear();
-        self.weight_colors.clear();
+        self.computed_colors.clear();
         self.drawn_keys.clear();
         for (index, surface) in frame.surfaces.iter().enumerate() {
             if is_shown(display, surface) && !(without_ghosts && surface.ghost.is_some()) {
@@ -146,7 +146,7 @@ impl DrawList {
                 expanded: false,
                 triangles: 0..self.bones.triangles.len() as u32,
                 backed_triangles: None,
-                weight_colors: None,
+                computed_colors: None,
             };
             push(&mut self.pending, bones)?;
         }
@@ -178,11 +178,8 @@ impl DrawList {
     fn surface(&mut self, job: &RenderJob<'_>, view: &ViewTransform, index: u32, surface: &Surface) -> Result<(), RenderError> {
         let RenderJob { scene, frame, display, .. } = *job;
         let mesh = &surface.mesh;
-        let mut weight_colors = None;
-        if let Some(joint) = display.highlight.weights.filter(|_| !surface.is_fibrous() && surface.ghost.is_none()) {
-            weight_colors = Some(self.weight_colors.len());
-            append_weight_colors(scene, surface, joint, &mut self.weight_colors)?;
-        }
+        let source = ColorSource::of(display, surface);
+        let computed_colors = source.append_vertex_colors(scene, surface, &mut self.computed_colors)?;
         for part in 0..mesh.parts.len() {
             let triangles = mesh.parts[part].triangles.clone();
             if triangles.is_empty() || triangles.end as usize > mesh.triangles.len() {
@@ -191,8 +188,9 @@ impl DrawList {
             let binding = surface.materials.get(part).and_then(Option::as_ref);
             let foreign = surface.ghost.is_some_and(|ghost| !ghost.materials);
             let material = binding.filter(|_| !foreign).and_then(|binding| frame.materials.get(binding.material.index()));
-            let mut resolved = resolve_material(&mut self.textures, &SurfacePart { scene, display, surface, part, material, binding })?;
-            let is_see_through = is_see_through(display, surface) && resolved.pass == RenderPass::Opaque;
+            let mut resolved =
+                resolve_material(&mut self.textures, &SurfacePart { scene, display, surface, source, part, material, binding })?;
+            let is_see_through = is_see_through(display, surface, source) && resolved.pass == RenderPass::Opaque;
             if is_see_through {
                 (resolved.opacity, resolved.pass) = (SEE_THROUGH_OPACITY, RenderPass::Blended);
             }
@@ -201,7 +199,7 @@ impl DrawList {
             if resolved.opacity <= 0.0 {
                 continue;
             }
-            if weight_colors.is_none()
+            if computed_colors.is_none()
                 && let Some(spot) = DuplicateKey::of(surface, part, &resolved)
             {
                 self.drawn_keys.try_reserve(1)?;
@@ -227,7 +225,7 @@ impl DrawList {
                 triangles: 0..triangles.len() as u32,
                 source: GeometrySource::Surface { index, triangles },
                 backed_triangles: backed,
-                weight_colors,
+                computed_colors,
                 material: resolved,
             };
             push(&mut self.pending, draw_call)?;
@@ -250,6 +248,6 @@ fn hides_inside(view: &ViewTransform, surface: &Surface, display: &Display) -> b
 const SEE_THROUGH_OPACITY: f32 = 0.38;
 
 /// Whether a surface lets the fibres beneath it be seen.
-fn is_see_through(display: &Display, surface: &Surface) -> bool {
-    surface.skin && display.see_through && display.muscle && display.highlight.weights.is_none() && surface.ghost.is_none()
+fn is_see_through(display: &Display, surface: &Surface, source: ColorSource) -> bool {
+    surface.skin && display.see_through && display.muscle && source.allows_see_through() && surface.ghost.is_none()
 }

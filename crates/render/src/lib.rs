@@ -5,8 +5,8 @@
 //!
 //! # How a frame is drawn
 //!
-//! 1. **Draw list** (`draw_list`, `resolve_material`). Each part of each shown surface becomes a draw call: material, display options and surface together,
-//!    resolved to the numbers that the kernels read. Opaque ones come first, blended ones after, bones in an overlay.
+//! 1. **Draw list** (`draw_list`, `color_source`, `resolve_material`). Each part of each shown surface becomes a draw call: material, display options and
+//!    surface together, resolved to the numbers that the kernels read. Opaque ones come first, blended ones after, bones in an overlay.
 //! 2. **Lines** (`scene_lines`, `debug_lines`, `line`). Grid, axes, wireframe and outlines are projected, clipped and put into the lists of the bands.
 //! 3. **Vertex stage** (`vertex_arrays`, `vertex`). Every vertex is transformed, projected and lit once, into flat arrays, in chunks that the threads share.
 //! 4. **Binning** (`triangle_bins`, `binning`, `clip`). The picture is cut into bands of rows. Triangles are culled by their snapped area, clipped where an
@@ -50,6 +50,7 @@ mod bin_lists;
 mod binning;
 mod bones;
 mod clip;
+mod color_source;
 mod debug_lines;
 mod display;
 mod draw_data;

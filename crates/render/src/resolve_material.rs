@@ -2,6 +2,7 @@
 
 use glam::{Affine2, Vec3};
 
+use super::color_source::ColorSource;
 use super::draw_list::rgb;
 use super::fiber_texture::WRAP;
 use super::light::Specular;
@@ -16,6 +17,8 @@ pub(super) struct SurfacePart<'a> {
     pub scene: &'a Scene,
     pub display: &'a Display,
     pub surface: &'a Surface,
+    /// Where its colours come from.
+    pub source: ColorSource,
     /// Index in the parts of its mesh.
     pub part: usize,
     /// Its material at this moment, if it has one.
@@ -25,20 +28,20 @@ pub(super) struct SurfacePart<'a> {
 
 /// How a part of a surface is drawn.
 pub(super) fn resolve_material(cache: &mut TextureCache, part: &SurfacePart<'_>) -> Result<ResolvedMaterial, RenderError> {
-    let SurfacePart { scene, display, surface, material, binding, .. } = *part;
+    let SurfacePart { scene, display, surface, source, material, binding, .. } = *part;
     let neutral = Material::default();
-    let heated = display.highlight.weights.is_some() && !surface.is_fibrous() && surface.ghost.is_none();
-    let colored = display.materials && !heated && surface.ghost.is_none_or(|ghost| ghost.materials);
+    let computed = source.replaces_vertex_colors();
+    let colored = source == ColorSource::Materials;
     let tinted = colored && !surface.mesh.colors.is_empty();
     // Colours of vertices stand for a material where none is bound; they multiply white.
-    let white = heated || (tinted && material.is_none());
+    let white = computed || (tinted && material.is_none());
     let material = material.filter(|_| colored).unwrap_or(&neutral);
     let mut resolved = ResolvedMaterial {
         albedo: if white { [1.0; 3] } else { material.diffuse.color.to_array() },
         opacity: if material.opacity.is_finite() { material.opacity.clamp(0.0, 1.0) } else { 1.0 },
         emission: material.emission.color.to_array(),
         mirrored: surface.mirrored,
-        tinted: heated || tinted,
+        tinted: computed || tinted,
         depth_test: display.depth_test,
         both_sides: !display.cull_back_faces || material.double_sided || surface.mesh.double_sided,
         ..ResolvedMaterial::default()

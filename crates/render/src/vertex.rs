@@ -24,8 +24,8 @@ pub(super) struct VertexSource<'a> {
     pub triangles: &'a [[u32; 3]],
     /// One a vertex, or empty.
     pub colors: &'a [Vec4],
-    /// One a vertex, or empty: the weight colours.
-    pub weight_colors: &'a [Vec4],
+    /// One a vertex, or empty: colours that stand in for those of the mesh.
+    pub computed_colors: &'a [Vec4],
     /// Which mesh vertex is vertex 0 of the item; not used where `expanded`.
     pub first: u32,
     /// Vertex `3t + k` of the item is corner `k` of triangle `t`: used where a part picks few vertices out of many.
@@ -53,7 +53,7 @@ impl VertexSource<'_> {
 
     /// The colour that multiplies the material at mesh vertex `v`.
     pub(super) fn tint(&self, v: usize) -> Vec4 {
-        self.weight_colors.get(v).or_else(|| self.colors.get(v)).copied().unwrap_or(Vec4::ONE)
+        self.computed_colors.get(v).or_else(|| self.colors.get(v)).copied().unwrap_or(Vec4::ONE)
     }
 }
 

@@ -82,7 +82,7 @@ impl VertexArrays {
         });
         pool.run(&|_| {
             while let Some((item, start, out)) = take(&chunks) {
-                vertices(level, view, lights, &item.material, &geometry(frame, &list.bones, &list.weight_colors, item), start, out);
+                vertices(level, view, lights, &item.material, &geometry(frame, &list.bones, &list.computed_colors, item), start, out);
             }
         });
         for item in list.draw_calls.iter().filter(|item| item.material.depth_offset > 0.0) {
