@@ -58,7 +58,7 @@ impl From<&Diagnostic<Finding>> for FindingReport {
 }
 
 /// What was found in a file, or why it could not be used.
-type Outcome = Result<Vec<Diagnostic<Finding>>, OpenError>;
+type CheckResult = Result<Vec<Diagnostic<Finding>>, OpenError>;
 
 /// Runs the subcommand.
 pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
@@ -73,12 +73,12 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if refused.is_empty() { Ok(()) } else { Err(Failure::Files(refused)) }
 }
 
-fn open(file: &Path) -> Outcome {
+fn open(file: &Path) -> CheckResult {
     Document::open_with(&[file], OpenOptions { images: ImageLoading::Test, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())
         .map(|document| document.diagnostics)
 }
 
-fn report(name: &str, result: &Outcome) -> FileReport {
+fn report(name: &str, result: &CheckResult) -> FileReport {
     FileReport {
         file: name.to_owned(),
         usable: result.is_ok(),
@@ -92,7 +92,7 @@ fn report(name: &str, result: &Outcome) -> FileReport {
 }
 
 /// The findings of the usable files, one a line; a refused file's line goes to standard error.
-fn listing(opened: &[(String, Outcome)]) -> String {
+fn listing(opened: &[(String, CheckResult)]) -> String {
     let mut text = String::new();
     for (name, result) in opened {
         match result {

@@ -6,7 +6,7 @@ use roxmltree::NodeId as ElementId;
 use rustc_hash::FxHashMap;
 
 use super::channel_target::{Aim, Aims, Miss};
-use super::context::{Context, Step, children, id_of, name_of, shortened};
+use super::context::{Context, ReadResult, children, id_of, name_of, shortened};
 use super::material::encoded;
 use super::source::{Arrays, inputs, name_list};
 use super::{El, Finding};
@@ -18,7 +18,7 @@ const CHANNEL_BYTES: usize = 64;
 const KEY_BYTES: usize = 24;
 
 /// A channel of the file with where it stands, so that clips can pick those inside an `animation`.
-struct Placed {
+struct LocatedChannel {
     at: usize,
     channel: Channel,
 }
@@ -27,7 +27,7 @@ struct Placed {
 ///
 /// # Errors
 /// Where commas separate numbers, or on cancel.
-pub(super) fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> Step<Vec<Clip>> {
+pub(super) fn read<'a>(context: &mut Context<'a>, aims: &Aims<'_, 'a>) -> ReadResult<Vec<Clip>> {
     let mut reader = Reader { arrays: Arrays::default(), curves: FxHashMap::default() };
     let mut placed = Vec::new();
     for library in context.libraries("library_animations") {
@@ -67,7 +67,7 @@ fn whole_name(context: &Context<'_>) -> String {
 }
 
 /// The clips that the file names.
-fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
+fn clips<'a>(context: &mut Context<'a>, placed: &[LocatedChannel]) -> Vec<Clip> {
     let mut clips = Vec::new();
     for element in context.libraries("library_animation_clips").into_iter().flat_map(|library| children(library, "animation_clip")) {
         let mut channels: Vec<Channel> = Vec::new();
@@ -97,15 +97,21 @@ fn clips<'a>(context: &mut Context<'a>, placed: &[Placed]) -> Vec<Clip> {
 }
 
 /// A curve read for one way of use: what is wrong with it is reported once.
-type Known = Option<Arc<Curve>>;
+type CachedCurve = Option<Arc<Curve>>;
 
 struct Reader {
     arrays: Arrays<f64>,
-    curves: FxHashMap<(ElementId, bool), Known>,
+    curves: FxHashMap<(ElementId, bool), CachedCurve>,
 }
 
 impl Reader {
-    fn channel<'a>(&mut self, context: &mut Context<'a>, aims: &Aims<'_, 'a>, element: El<'a>, placed: &mut Vec<Placed>) -> Step<()> {
+    fn channel<'a>(
+        &mut self,
+        context: &mut Context<'a>,
+        aims: &Aims<'_, 'a>,
+        element: El<'a>,
+        placed: &mut Vec<LocatedChannel>,
+    ) -> ReadResult<()> {
         context.check_cancelled()?;
         let address = element.attribute("target").unwrap_or_default();
         let aim = match aims.find(context, element, address) {
@@ -137,7 +143,7 @@ impl Reader {
         Ok(())
     }
 
-    fn curve<'a>(&mut self, context: &mut Context<'a>, sampler: El<'a>, matrix: bool) -> Step<Option<Curve>> {
+    fn curve<'a>(&mut self, context: &mut Context<'a>, sampler: El<'a>, matrix: bool) -> ReadResult<Option<Curve>> {
         let (mut input, mut output, mut modes) = (None, None, None);
         let (mut arriving, mut leaving) = (None, None);
         for own in inputs(sampler) {
@@ -257,7 +263,7 @@ fn interpolation<'a>(context: &mut Context<'a>, source: El<'a>, count: usize) ->
 }
 
 /// Puts a curve onto all that it moves.
-fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curve>, placed: &mut Vec<Placed>) {
+fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curve>, placed: &mut Vec<LocatedChannel>) {
     let weights =
         aim.wanted > 1 && aim.targets.len() == aim.wanted && matches!(aim.targets.first(), Some(ChannelTarget::MorphWeight { .. }));
     // A colour may be animated without its alpha.
@@ -296,6 +302,6 @@ fn place(context: &mut Context<'_>, element: El<'_>, aim: &Aim, curve: &Arc<Curv
             (ChannelTarget::Transform { node, op, .. }, Some(lane)) => ChannelTarget::Transform { node, op, components: lane },
             (target, _) => target,
         };
-        placed.push(Placed { at, channel: Channel { target, curve } });
+        placed.push(LocatedChannel { at, channel: Channel { target, curve } });
     }
 }

@@ -2,14 +2,14 @@
 
 use glam::{DMat3, DMat4, DVec3};
 
-use super::context::{Context, Step, child, children, text_of};
+use super::context::{Context, ReadResult, child, children, text_of};
 use super::{Asset, El, Finding};
 
 /// Reads what the file says of itself.
 ///
 /// # Errors
 /// None of its own; see [`Context::reals`].
-pub(super) fn read(context: &mut Context<'_>) -> Step<Asset> {
+pub(super) fn read(context: &mut Context<'_>) -> ReadResult<Asset> {
     let root = context.root;
     let version = root.attribute("version").unwrap_or_default().trim().to_owned();
     if !(version.starts_with("1.4") || version.starts_with("1.5")) {

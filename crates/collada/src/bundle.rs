@@ -15,7 +15,7 @@ const LONGEST: usize = 4096;
 
 /// A further document.
 #[derive(Debug)]
-pub(super) struct Part {
+pub(super) struct BundledDocument {
     /// Its path in the archive.
     pub path: String,
     /// From its root element on.
@@ -26,7 +26,7 @@ pub(super) struct Part {
 
 /// Where a document stands in the whole.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Stretch {
+pub(super) struct DocumentSpan {
     /// Its first byte.
     pub start: usize,
     /// Its path in the archive.
@@ -41,7 +41,7 @@ pub(super) struct Bundle {
     /// The path of the first document: its file name, or its path in the archive.
     pub path: String,
     /// The documents behind it.
-    pub parts: Vec<Part>,
+    pub parts: Vec<BundledDocument>,
     /// All files of the archive by their path; empty for a plain document.
     pub files: BTreeMap<String, usize>,
     /// What was wrong with documents that are not among `parts`.
@@ -82,7 +82,7 @@ impl Bundle {
                     let whole = decoded.text.as_ref();
                     let (head, body) = whole.split_at_checked(start).unwrap_or((whole, ""));
                     let lines_before = decoded.lines_before + head.bytes().filter(|byte| *byte == b'\n').count() as u32;
-                    self.parts.push(Part { path, text: body.to_owned(), lines_before });
+                    self.parts.push(BundledDocument { path, text: body.to_owned(), lines_before });
                     wanted.extend(more);
                 }
                 Err(error) => {
@@ -95,7 +95,7 @@ impl Bundle {
     }
 
     /// The text of all documents and where each further one stands in it; `None` where there is only `first`.
-    pub(super) fn compose(&mut self, first: &str, lines_before: u32) -> Option<(String, Vec<Stretch>)> {
+    pub(super) fn compose(&mut self, first: &str, lines_before: u32) -> Option<(String, Vec<DocumentSpan>)> {
         if self.parts.is_empty() {
             return None;
         }
@@ -107,7 +107,7 @@ impl Bundle {
         for part in self.parts.drain(..) {
             text.push('\n');
             lines += 1;
-            stretches.push(Stretch { start: text.len(), path: part.path, lines: lines - i64::from(part.lines_before) });
+            stretches.push(DocumentSpan { start: text.len(), path: part.path, lines: lines - i64::from(part.lines_before) });
             text.push_str(&part.text);
             lines += part.text.bytes().filter(|byte| *byte == b'\n').count() as i64;
         }
@@ -223,12 +223,12 @@ mod tests {
 
     #[test]
     fn documents_follow_each_other_inside_the_root_and_know_their_lines() {
-        let part = Part { path: "b.dae".into(), text: "<COLLADA>\n</COLLADA>\n".into(), lines_before: 3 };
+        let part = BundledDocument { path: "b.dae".into(), text: "<COLLADA>\n</COLLADA>\n".into(), lines_before: 3 };
         let mut bundle = Bundle { parts: vec![part], ..Bundle::alone("a.dae") };
         let (text, stretches) = bundle.compose("<COLLADA>\n<scene/>\n</COLLADA>\n", 1).unwrap_or_default();
         assert_eq!(text, "<COLLADA>\n<scene/>\n\n<COLLADA>\n</COLLADA>\n</COLLADA>\n");
         // The part begins in line 5 of the whole, with the blank line before, and in line 4 of its file.
-        assert_eq!(stretches, [Stretch { start: 20, path: "b.dae".into(), lines: 1 }]);
+        assert_eq!(stretches, [DocumentSpan { start: 20, path: "b.dae".into(), lines: 1 }]);
         assert!(bundle.compose("<COLLADA></COLLADA>", 0).is_none());
     }
 }

@@ -10,17 +10,17 @@ use rustc_hash::FxHashMap;
 use super::bundle::normal;
 use super::list_extraction::Shortened;
 use super::lookup::{Lookup, Url};
-use super::numbers::{Comma, Parsed, Real, attribute_number, integers, reals};
+use super::numbers::{Comma, ParsedNumbers, Real, attribute_number, integers, reals};
 use super::parallel_lists::Ahead;
 use super::report::{Report, describe};
-use super::xml::Parsed as Tree;
+use super::xml::ParsedDocument;
 use super::{El, Finding, ReadError, ReadErrorKind};
 use sinew_scene::affine;
 pub(super) use sinew_scene::message::shortened;
 use sinew_scene::progress::Progress;
 
 /// The result of a step that may end the reading.
-pub(super) type Step<T> = Result<T, ReadError>;
+pub(super) type ReadResult<T> = Result<T, ReadError>;
 
 /// The document with everything that reading it needs.
 pub(super) struct Context<'a> {
@@ -48,7 +48,7 @@ impl<'a> Context<'a> {
     /// A context for a document that was parsed and of which some lists may be read `ahead`.
     /// `paths` are those of the document and of the ones behind it, `files` all of the archive.
     pub(super) fn new(
-        parsed: &'a Tree<'a>,
+        parsed: &'a ParsedDocument<'a>,
         ahead: &'a Ahead<'a>,
         report: Report<'a>,
         paths: Vec<String>,
@@ -76,14 +76,14 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// [`ReadErrorKind::Cancelled`] where reading was cancelled.
-    pub(super) fn advance(&self, part: f32) -> Step<()> {
+    pub(super) fn advance(&self, part: f32) -> ReadResult<()> {
         self.progress.set_share(part);
         self.check_cancelled()
     }
 
     /// # Errors
     /// [`ReadErrorKind::Cancelled`] where reading was cancelled.
-    pub(super) fn check_cancelled(&self) -> Step<()> {
+    pub(super) fn check_cancelled(&self) -> ReadResult<()> {
         if self.progress.is_cancelled() {
             return Err(ReadErrorKind::Cancelled.into());
         }
@@ -173,9 +173,9 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub(super) fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> Step<Vec<T>> {
+    pub(super) fn reals<T: Real>(&mut self, element: El<'a>, expected: usize) -> ReadResult<Vec<T>> {
         let parsed = match self.ahead.take(element.id()) {
-            Some(list) => list.map(Parsed::into_reals),
+            Some(list) => list.map(ParsedNumbers::into_reals),
             None => reals(&self.list_of(element), expected),
         };
         self.checked(element, parsed)
@@ -185,13 +185,13 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas stand in the list.
-    pub(super) fn integers(&mut self, element: El<'a>) -> Step<Vec<i32>> {
+    pub(super) fn integers(&mut self, element: El<'a>) -> ReadResult<Vec<i32>> {
         let text = self.list_of(element);
         let parsed = integers(&text, text.len() / 4);
         self.checked(element, parsed)
     }
 
-    fn checked<T>(&mut self, element: El<'a>, parsed: Result<Parsed<T>, Comma>) -> Step<Vec<T>> {
+    fn checked<T>(&mut self, element: El<'a>, parsed: Result<ParsedNumbers<T>, Comma>) -> ReadResult<Vec<T>> {
         match parsed {
             Ok(parsed) => {
                 if let Some(entry) = parsed.decimal_comma {
@@ -231,7 +231,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub(super) fn exactly<const N: usize>(&mut self, element: El<'a>) -> Step<Option<[f64; N]>> {
+    pub(super) fn exactly<const N: usize>(&mut self, element: El<'a>) -> ReadResult<Option<[f64; N]>> {
         let values: Vec<f64> = self.reals(element, N)?;
         let Ok(values) = <[f64; N]>::try_from(values.as_slice()) else {
             self.report.report(element, Finding::BadTransform { wanted: N, found: values.len() });
@@ -248,7 +248,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub(super) fn matrix(&mut self, element: El<'a>) -> Step<Option<DMat4>> {
+    pub(super) fn matrix(&mut self, element: El<'a>) -> ReadResult<Option<DMat4>> {
         let Some(rows) = self.exactly::<16>(element)? else { return Ok(None) };
         if !ends_upright(&rows) {
             self.report.report(element, Finding::BottomRow);
@@ -268,7 +268,7 @@ impl<'a> Context<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the list.
-    pub(super) fn number(&mut self, parent: El<'a>, tag: &str) -> Step<Option<f64>> {
+    pub(super) fn number(&mut self, parent: El<'a>, tag: &str) -> ReadResult<Option<f64>> {
         match child(parent, tag) {
             Some(element) => {
                 let value = self.reals::<f64>(element, 1)?.first().copied();

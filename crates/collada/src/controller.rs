@@ -5,8 +5,8 @@ use std::rc::Rc;
 use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, child};
-use super::geometry::{Geometries, Placed};
+use super::context::{Context, ReadResult, child};
+use super::geometry::{Geometries, PlacedMesh};
 use super::morph::{self, MorphTargets, SkinnedShape};
 use super::nodes::Tree;
 use super::skin::{self, JointNames};
@@ -27,7 +27,7 @@ pub(super) enum Link {
 #[derive(Clone)]
 pub(super) struct Chain {
     /// The mesh.
-    pub placed: Placed,
+    pub placed: PlacedMesh,
     /// The controllers, the first to the mesh itself.
     pub links: Vec<Link>,
 }
@@ -69,7 +69,7 @@ impl<'a> Controllers<'a> {
         context: &mut Context<'a>,
         sources: &mut Sources<'_, 'a>,
         controller: El<'a>,
-    ) -> Step<Option<Rc<Chain>>> {
+    ) -> ReadResult<Option<Rc<Chain>>> {
         if let Some(known) = self.chains.get(&controller.id()) {
             return Ok(known.clone());
         }
@@ -78,7 +78,7 @@ impl<'a> Controllers<'a> {
         Ok(chain)
     }
 
-    fn read_chain(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, controller: El<'a>) -> Step<Option<Chain>> {
+    fn read_chain(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, controller: El<'a>) -> ReadResult<Option<Chain>> {
         let Some((geometry, layers)) = layers(context, controller) else { return Ok(None) };
         let Some(placed) = sources.geometries.place(context, sources.scene, sources.asset, geometry)? else { return Ok(None) };
         let mut links: Vec<Link> = Vec::new();
@@ -108,7 +108,13 @@ impl<'a> Controllers<'a> {
     }
 
     /// The skin of a `skin` element, read the first time.
-    fn skin(&mut self, context: &mut Context<'a>, sources: &mut Sources<'_, 'a>, element: El<'a>, points: usize) -> Step<Option<SkinId>> {
+    fn skin(
+        &mut self,
+        context: &mut Context<'a>,
+        sources: &mut Sources<'_, 'a>,
+        element: El<'a>,
+        points: usize,
+    ) -> ReadResult<Option<SkinId>> {
         if let Some(known) = self.skins.get(&element.id()) {
             return Ok(*known);
         }
@@ -134,8 +140,8 @@ impl<'a> Controllers<'a> {
         context: &mut Context<'a>,
         sources: &mut Sources<'_, 'a>,
         element: El<'a>,
-        placed: &Placed,
-    ) -> Step<Option<MorphId>> {
+        placed: &PlacedMesh,
+    ) -> ReadResult<Option<MorphId>> {
         let Some(base) = &placed.geometry else { return Ok(None) };
         let Some((morph, mut targets)) = morph::read(context, &mut self.arrays, sources, element, base)? else { return Ok(None) };
         sources.scene.morphs.push(morph);

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::{Vec2, Vec3, Vec4};
 
-use super::context::{Context, Step, child, children, text_of};
+use super::context::{Context, ReadResult, child, children, text_of};
 use super::image::Images;
 use super::{El, Finding};
 use sinew_scene::{Paint, Scene, ShadingModel, TextureRef, TextureTransform, WrapMode};
@@ -55,7 +55,13 @@ impl<'a> Effect<'a> {
     ///
     /// # Errors
     /// Where commas separate its numbers.
-    pub(super) fn paint(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, tag: &str) -> Step<Option<(Paint, f32)>> {
+    pub(super) fn paint(
+        &self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        images: &mut Images,
+        tag: &str,
+    ) -> ReadResult<Option<(Paint, f32)>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         if let Some(texture) = child(slot, "texture") {
             let Some(texture) = self.texture(context, scene, images, texture)? else { return Ok(None) };
@@ -76,7 +82,7 @@ impl<'a> Effect<'a> {
     ///
     /// # Errors
     /// Where commas separate numbers in it.
-    pub(super) fn number(&self, context: &mut Context<'a>, tag: &str) -> Step<Option<f32>> {
+    pub(super) fn number(&self, context: &mut Context<'a>, tag: &str) -> ReadResult<Option<f32>> {
         let Some(slot) = child(self.shader, tag) else { return Ok(None) };
         let Some(value) = child(slot, "float").or_else(|| self.param(slot)) else { return Ok(None) };
         let number = context.reals::<f32>(value, 1)?.first().copied();
@@ -104,7 +110,13 @@ impl<'a> Effect<'a> {
         self.shader.children().find(refers).map(|slot| slot.tag_name().name())
     }
 
-    fn texture(&self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, texture: El<'a>) -> Step<Option<TextureRef>> {
+    fn texture(
+        &self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        images: &mut Images,
+        texture: El<'a>,
+    ) -> ReadResult<Option<TextureRef>> {
         let name = texture.attribute("texture").unwrap_or_default();
         let sampler = self.params.get(name).and_then(|param| sampler_of(*param));
         let image = match sampler {
@@ -155,7 +167,7 @@ impl<'a> Effect<'a> {
 }
 
 /// What Maya says of a texture's place in an `extra` of its own: `repeatU`, `offsetU`, `rotateUV`, `wrapU`, `mirrorU` and the same for V.
-fn placed<'a>(context: &mut Context<'a>, texture: El<'a>, used: &mut TextureRef) -> Step<()> {
+fn placed<'a>(context: &mut Context<'a>, texture: El<'a>, used: &mut TextureRef) -> ReadResult<()> {
     let mut techniques = children(texture, "extra").flat_map(|extra| children(extra, "technique"));
     let is_maya = |technique: &El<'a>| technique.attribute("profile").is_some_and(|profile| profile.to_ascii_uppercase().contains("MAYA"));
     let Some(technique) = techniques.find(is_maya) else { return Ok(()) };

@@ -6,13 +6,13 @@ use glam::{DMat3, DMat4, DVec3, Vec3};
 use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, child, children, id_of, name_of};
+use super::context::{Context, ReadResult, child, children, id_of, name_of};
 use super::material::is_double_sided;
-use super::morph_target::Known;
-use super::primitive::{self, Shape};
+use super::morph_target::CachedTarget;
+use super::primitive::{self, PrimitiveKind};
 use super::source::{Accessor, Arrays, Input, inputs};
 use super::triangulate::Triangulator;
-use super::vertex_dedup::{Builder, Layout, Stream};
+use super::vertex_dedup::{Builder, Stream, VertexLayout};
 use super::{Asset, El, Finding, asset};
 use sinew_scene::limits;
 use sinew_scene::{Mesh, MeshId, Part, Scene, smooth_normals};
@@ -33,7 +33,7 @@ pub(super) struct Geometry {
 
 /// What instances need of a mesh.
 #[derive(Clone)]
-pub(super) struct Placed {
+pub(super) struct PlacedMesh {
     /// The mesh in the scene.
     pub mesh: MeshId,
     /// The `set` number of each set of texture coordinates.
@@ -45,10 +45,10 @@ pub(super) struct Placed {
 /// Reads geometries, each once.
 pub(super) struct Geometries {
     arrays: Arrays<f32>,
-    placed: FxHashMap<NodeId, Option<Placed>>,
+    placed: FxHashMap<NodeId, Option<PlacedMesh>>,
     targets: FxHashMap<NodeId, Option<Rc<Geometry>>>,
     /// Morph targets that are controllers, by their element.
-    pub shapes: FxHashMap<NodeId, Known>,
+    pub shapes: FxHashMap<NodeId, CachedTarget>,
     keep: bool,
     steps: u64,
     triangulator: Triangulator,
@@ -78,7 +78,7 @@ impl Geometries {
         scene: &mut Scene,
         asset: &Asset,
         element: El<'a>,
-    ) -> Step<Option<Placed>> {
+    ) -> ReadResult<Option<PlacedMesh>> {
         if let Some(known) = self.placed.get(&element.id()) {
             return Ok(known.clone());
         }
@@ -92,10 +92,10 @@ impl Geometries {
             let sets = Rc::from(geometry.sets.as_slice());
             if self.keep {
                 scene.meshes.push(geometry.mesh.clone().into());
-                Placed { mesh: id, sets, geometry: Some(Rc::new(geometry)) }
+                PlacedMesh { mesh: id, sets, geometry: Some(Rc::new(geometry)) }
             } else {
                 scene.meshes.push(std::mem::take(&mut geometry.mesh).into());
-                Placed { mesh: id, sets, geometry: None }
+                PlacedMesh { mesh: id, sets, geometry: None }
             }
         });
         self.placed.insert(element.id(), placed.clone());
@@ -106,7 +106,7 @@ impl Geometries {
     ///
     /// # Errors
     /// As [`Geometries::place`].
-    pub(super) fn target<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> Step<Option<Rc<Geometry>>> {
+    pub(super) fn target<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> ReadResult<Option<Rc<Geometry>>> {
         if let Some(Some(placed)) = self.placed.get(&element.id()) {
             return Ok(placed.geometry.clone());
         }
@@ -118,7 +118,7 @@ impl Geometries {
         Ok(geometry)
     }
 
-    fn read<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> Step<Option<Geometry>> {
+    fn read<'a>(&mut self, context: &mut Context<'a>, asset: &Asset, element: El<'a>) -> ReadResult<Option<Geometry>> {
         let Some(mesh) = child(element, "mesh") else {
             let kind = element.children().find(|child| ["convex_mesh", "spline", "brep"].contains(&child.tag_name().name()));
             let tag = kind.map_or("?", |kind| kind.tag_name().name());
@@ -128,7 +128,7 @@ impl Geometries {
         let mut raws = Vec::new();
         let mut sets = Vec::new();
         for part in mesh.children() {
-            if let Some(shape) = Shape::of(part.tag_name().name()) {
+            if let Some(shape) = PrimitiveKind::of(part.tag_name().name()) {
                 let raw = RawLayout::read(context, part, shape);
                 sets.extend(raw.uvs.iter().map(|(set, _)| *set));
                 raws.push(raw);
@@ -185,7 +185,7 @@ impl Geometries {
     }
 
     /// The points of a mesh: those of its first primitive, else those of `vertices`.
-    fn points<'a>(&mut self, context: &mut Context<'a>, mesh: El<'a>, raws: &[RawLayout<'a>]) -> Step<Option<Accessor<f32>>> {
+    fn points<'a>(&mut self, context: &mut Context<'a>, mesh: El<'a>, raws: &[RawLayout<'a>]) -> ReadResult<Option<Accessor<f32>>> {
         let source = raws.iter().find_map(|raw| raw.position).map(|(_, source)| source).or_else(|| {
             let vertices = child(mesh, "vertices")?;
             let input = inputs(vertices).into_iter().find(|input| input.semantic == "POSITION")?;
@@ -197,7 +197,7 @@ impl Geometries {
         }
     }
 
-    fn layout<'a>(&mut self, context: &mut Context<'a>, raw: &RawLayout<'a>, sets: &[u32]) -> Step<Option<Layout>> {
+    fn layout<'a>(&mut self, context: &mut Context<'a>, raw: &RawLayout<'a>, sets: &[u32]) -> ReadResult<Option<VertexLayout>> {
         let Some(position) = self.stream(context, raw.position, 3)? else {
             context.report.report(raw.element, Finding::NoPositions);
             return Ok(None);
@@ -210,16 +210,16 @@ impl Geometries {
                 uvs.push((place, stream));
             }
         }
-        Ok(Some(Layout::new(raw.stride, position, normal, uvs, color)))
+        Ok(Some(VertexLayout::new(raw.stride, position, normal, uvs, color)))
     }
 
-    fn stream<'a>(&mut self, context: &mut Context<'a>, at: Option<(usize, El<'a>)>, width: usize) -> Step<Option<Stream>> {
+    fn stream<'a>(&mut self, context: &mut Context<'a>, at: Option<(usize, El<'a>)>, width: usize) -> ReadResult<Option<Stream>> {
         let Some((offset, source)) = at else { return Ok(None) };
         Ok(self.arrays.accessor(context, source, width)?.map(|values| Stream { offset, values }))
     }
 
     /// [`Self::stream`] of what a face can do without: an empty list, which some exporters write and point into, counts as none.
-    fn optional<'a>(&mut self, context: &mut Context<'a>, at: Option<(usize, El<'a>)>, width: usize) -> Step<Option<Stream>> {
+    fn optional<'a>(&mut self, context: &mut Context<'a>, at: Option<(usize, El<'a>)>, width: usize) -> ReadResult<Option<Stream>> {
         let stream = self.stream(context, at, width)?;
         if let (Some((_, source)), Some(Stream { values, .. })) = (at, &stream)
             && values.available == 0
@@ -234,7 +234,7 @@ impl Geometries {
 /// What a primitive's inputs say, before the sources are read: offset and source of each list.
 struct RawLayout<'a> {
     element: El<'a>,
-    shape: Shape,
+    shape: PrimitiveKind,
     stride: usize,
     position: Option<(usize, El<'a>)>,
     normal: Option<(usize, El<'a>)>,
@@ -243,7 +243,7 @@ struct RawLayout<'a> {
 }
 
 impl<'a> RawLayout<'a> {
-    fn read(context: &mut Context<'a>, element: El<'a>, shape: Shape) -> Self {
+    fn read(context: &mut Context<'a>, element: El<'a>, shape: PrimitiveKind) -> Self {
         let mut raw = Self { element, shape, stride: 1, position: None, normal: None, color: None, uvs: Vec::new() };
         let own = inputs(element);
         raw.stride = own.iter().map(|input| input.offset.saturating_add(1)).max().unwrap_or(1);

@@ -6,9 +6,9 @@ use glam::DMat4;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::bind_pose::Bound;
-use super::context::{Context, Step, child, children, text_of};
+use super::context::{Context, ReadResult, child, children, text_of};
 use super::controller::{Chain, Controllers, Link, Sources};
-use super::geometry::{Geometries, Placed};
+use super::geometry::{Geometries, PlacedMesh};
 use super::light_camera::LightsAndCameras;
 use super::material::Materials;
 use super::nodes::{Instance, Tree};
@@ -79,7 +79,7 @@ impl<'a> Libraries<'_, 'a> {
     ///
     /// # Errors
     /// Where commas separate numbers, or on cancel.
-    pub(super) fn hang_all(&mut self, context: &mut Context<'a>, scene: &mut Scene) -> Step<()> {
+    pub(super) fn hang_all(&mut self, context: &mut Context<'a>, scene: &mut Scene) -> ReadResult<()> {
         let total = self.tree.instances.len().max(1);
         for (done, instance) in self.tree.instances.iter().enumerate() {
             context.advance(0.4 + 0.4 * done as f32 / total as f32)?;
@@ -124,7 +124,7 @@ impl<'a> Libraries<'_, 'a> {
         }
     }
 
-    fn content(&mut self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>) -> Step<Option<Content>> {
+    fn content(&mut self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>) -> ReadResult<Option<Content>> {
         let element = instance.element;
         Ok(match element.tag_name().name() {
             "instance_light" => match context.follow(element, "url", &["light"]) {
@@ -149,12 +149,18 @@ impl<'a> Libraries<'_, 'a> {
         })
     }
 
-    fn plain(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>, geometry: El<'a>) -> Step<Option<MeshInstance>> {
+    fn plain(
+        &mut self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        element: El<'a>,
+        geometry: El<'a>,
+    ) -> ReadResult<Option<MeshInstance>> {
         let placed = self.geometries.place(context, scene, self.asset, geometry)?;
         Ok(placed.map(|placed| self.dressed(context, scene, element, &placed, Vec::new())))
     }
 
-    fn controlled(&mut self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>) -> Step<Option<MeshInstance>> {
+    fn controlled(&mut self, context: &mut Context<'a>, scene: &mut Scene, instance: &Instance<'a>) -> ReadResult<Option<MeshInstance>> {
         // A morph or geometry under `instance_controller` is met as well.
         let Some(target) = context.follow(instance.element, "url", &["controller", "geometry"]) else { return Ok(None) };
         if target.tag_name().name() == "geometry" {
@@ -254,7 +260,7 @@ impl<'a> Libraries<'_, 'a> {
         context: &mut Context<'a>,
         scene: &Scene,
         element: El<'a>,
-        placed: &Placed,
+        placed: &PlacedMesh,
         deformers: Vec<Deformer>,
     ) -> MeshInstance {
         let bindings = self.bindings(context, element, placed);
@@ -313,7 +319,7 @@ impl<'a> Libraries<'_, 'a> {
     }
 
     /// What an instance binds: symbol to material with its sets of texture coordinates.
-    fn bindings(&self, context: &mut Context<'a>, element: El<'a>, placed: &Placed) -> Bindings<'a> {
+    fn bindings(&self, context: &mut Context<'a>, element: El<'a>, placed: &PlacedMesh) -> Bindings<'a> {
         let common = child(element, "bind_material").and_then(|bind| child(bind, "technique_common"));
         let Some(common) = common else { return Vec::new() };
         let mut bindings = Vec::new();

@@ -4,7 +4,7 @@ use glam::Vec3;
 use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, child, id_of, name_of};
+use super::context::{Context, ReadResult, child, id_of, name_of};
 use super::{El, Finding};
 use sinew_scene::{CameraId, FileCamera, Light, LightId, LightKind, Projection, Scene};
 
@@ -25,7 +25,7 @@ impl LightsAndCameras {
     ///
     /// # Errors
     /// Where commas separate its numbers.
-    pub(super) fn light<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<LightId>> {
+    pub(super) fn light<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> ReadResult<Option<LightId>> {
         if let Some(known) = self.lights.get(&element.id()) {
             return Ok(*known);
         }
@@ -41,7 +41,7 @@ impl LightsAndCameras {
     ///
     /// # Errors
     /// Where commas separate its numbers.
-    pub(super) fn camera<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> Step<Option<CameraId>> {
+    pub(super) fn camera<'a>(&mut self, context: &mut Context<'a>, scene: &mut Scene, element: El<'a>) -> ReadResult<Option<CameraId>> {
         if let Some(known) = self.cameras.get(&element.id()) {
             return Ok(*known);
         }
@@ -54,7 +54,7 @@ impl LightsAndCameras {
     }
 }
 
-fn read_light<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Light>> {
+fn read_light<'a>(context: &mut Context<'a>, element: El<'a>) -> ReadResult<Option<Light>> {
     let kinds = ["ambient", "directional", "point", "spot"];
     let technique = child(element, "technique_common");
     let Some(source) = technique.and_then(|technique| technique.children().find(|child| kinds.contains(&child.tag_name().name()))) else {
@@ -81,7 +81,7 @@ fn read_light<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<Lig
     Ok(Some(Light { name, id: id_of(element), kind, color, attenuation }))
 }
 
-fn read_camera<'a>(context: &mut Context<'a>, element: El<'a>) -> Step<Option<FileCamera>> {
+fn read_camera<'a>(context: &mut Context<'a>, element: El<'a>) -> ReadResult<Option<FileCamera>> {
     let technique = child(element, "optics").and_then(|optics| child(optics, "technique_common"));
     let source = technique
         .and_then(|technique| technique.children().find(|child| matches!(child.tag_name().name(), "perspective" | "orthographic")));

@@ -26,7 +26,7 @@ pub(super) fn is_plain(text: &[u8]) -> bool {
 
 /// A list that was set aside.
 #[derive(Debug, PartialEq, Eq)]
-struct List {
+struct ExtractedList {
     /// Where its stand-in is in the short text.
     at: usize,
     /// Where it is in the whole text.
@@ -38,7 +38,7 @@ struct List {
 pub(super) struct Shortened<'a> {
     whole: &'a str,
     text: Cow<'a, str>,
-    lists: Vec<List>,
+    lists: Vec<ExtractedList>,
 }
 
 impl<'a> Shortened<'a> {
@@ -53,7 +53,7 @@ impl<'a> Shortened<'a> {
         for range in lists {
             text.push_str(whole.get(done..range.start).unwrap_or_default());
             done = range.end;
-            aside.push(List { at: text.len(), range });
+            aside.push(ExtractedList { at: text.len(), range });
             text.push(STAND_IN);
         }
         text.push_str(whole.get(done..).unwrap_or_default());

@@ -3,7 +3,7 @@
 use roxmltree::NodeId;
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, child, children, id_of, name_of, text_of};
+use super::context::{Context, ReadResult, child, children, id_of, name_of, text_of};
 use super::effect::Effect;
 use super::image::Images;
 use super::{El, Finding, asset};
@@ -51,7 +51,7 @@ impl<'a> Materials<'a> {
     ///
     /// # Errors
     /// Where commas separate their numbers.
-    pub(super) fn read(context: &mut Context<'a>, scene: &mut Scene, images: &mut Images) -> Step<Self> {
+    pub(super) fn read(context: &mut Context<'a>, scene: &mut Scene, images: &mut Images) -> ReadResult<Self> {
         let mut materials = Self::default();
         for library in context.libraries("library_materials") {
             for element in children(library, "material") {
@@ -74,7 +74,7 @@ impl<'a> Materials<'a> {
         self.by_effect.get(&effect.id()).map_or(&[], Vec::as_slice)
     }
 
-    fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, element: El<'a>) -> Step<()> {
+    fn add(&mut self, context: &mut Context<'a>, scene: &mut Scene, images: &mut Images, element: El<'a>) -> ReadResult<()> {
         let id = MaterialId(scene.materials.len() as u32);
         self.by_element.insert(element.id(), id);
         let mut material = Material { name: name_of(element), id: id_of(element), ..Material::default() };
@@ -102,10 +102,10 @@ fn shade<'a>(
     images: &mut Images,
     effect: &Effect<'a>,
     material: &mut Material,
-) -> Step<Opacity> {
+) -> ReadResult<Opacity> {
     material.model = effect.model;
     let linear = asset::is_scene_linear(effect.shader);
-    let mut paint = |tag| -> Step<Option<Paint>> {
+    let mut paint = |tag| -> ReadResult<Option<Paint>> {
         let paint = effect.paint(context, scene, images, tag)?.map(|(paint, _)| paint);
         Ok(paint.map(|paint| Paint { color: if linear { paint.color.map(encoded) } else { paint.color }, ..paint }))
     };
@@ -136,7 +136,7 @@ fn opacity<'a>(
     images: &mut Images,
     effect: &Effect<'a>,
     material: &mut Material,
-) -> Step<Opacity> {
+) -> ReadResult<Opacity> {
     let element = child(effect.shader, "transparent");
     let transparency = effect.number(context, "transparency")?;
     if element.is_none() && transparency.is_none() {

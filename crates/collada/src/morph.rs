@@ -4,10 +4,10 @@ use std::borrow::Cow;
 
 use glam::Vec3;
 
-use super::context::{Context, Step, child, name_of};
+use super::context::{Context, ReadResult, child, name_of};
 use super::controller::Sources;
 use super::geometry::Geometry;
-use super::morph_target::Shape;
+use super::morph_target::TargetShape;
 use super::source::{Accessor, Arrays, NameList, inputs, name_list};
 use super::{El, Finding};
 use sinew_scene::{Morph, MorphMethod, MorphTarget};
@@ -48,7 +48,7 @@ pub(super) fn read<'a>(
     sources: &mut Sources<'_, 'a>,
     element: El<'a>,
     base: &Geometry,
-) -> Step<Option<(Morph, MorphTargets<'a>)>> {
+) -> ReadResult<Option<(Morph, MorphTargets<'a>)>> {
     let controller = element.parent().filter(El::is_element).unwrap_or(element);
     let Some(lists) = Lists::read(context, arrays, element)? else { return Ok(None) };
     let mut morph = Morph {
@@ -66,8 +66,8 @@ pub(super) fn read<'a>(
                 if !context.spend(element, (base.mesh.positions.len() * 2 + 4) * size_of::<Vec3>()) {
                     break;
                 }
-                let shape = Shape::read(context, arrays, sources, target, 0)?;
-                if let Some((skin, bare)) = Shape::before_its_skin(context, arrays, sources, target)?
+                let shape = TargetShape::read(context, arrays, sources, target, 0)?;
+                if let Some((skin, bare)) = TargetShape::before_its_skin(context, arrays, sources, target)?
                     && bare.points().len() == base.points.len()
                     && context.spend(element, base.mesh.positions.len() * size_of::<Vec3>())
                 {
@@ -114,7 +114,7 @@ impl<'a> Lists<'a> {
     ///
     /// # Errors
     /// Where commas separate the weights.
-    pub(super) fn read(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: El<'a>) -> Step<Option<Self>> {
+    pub(super) fn read(context: &mut Context<'a>, arrays: &mut Arrays<f64>, element: El<'a>) -> ReadResult<Option<Self>> {
         let (mut targets, mut weights) = (None, None);
         // 1.3 put the inputs into the morph itself.
         for input in inputs(child(element, "targets").unwrap_or(element)) {
@@ -180,7 +180,7 @@ fn extra_weights(element: El<'_>) -> Option<El<'_>> {
 }
 
 /// What weight 1 of a target adds to each vertex of the base.
-fn deltas(context: &mut Context<'_>, element: El<'_>, base: &Geometry, shape: &Shape, method: MorphMethod) -> MorphTarget {
+fn deltas(context: &mut Context<'_>, element: El<'_>, base: &Geometry, shape: &TargetShape, method: MorphMethod) -> MorphTarget {
     if shape.points().len() != base.points.len() {
         let finding = Finding::MorphTargetMismatch {
             target: shape.geometry.mesh.name.clone(),

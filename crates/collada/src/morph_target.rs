@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use glam::{DMat4, Vec3};
 
-use super::context::{Context, Step, child};
+use super::context::{Context, ReadResult, child};
 use super::controller::{Sources, layers};
 use super::geometry::Geometry;
 use super::morph::Lists;
@@ -15,7 +15,7 @@ use sinew_scene::limits;
 
 /// The shape of a morph target.
 #[derive(Clone)]
-pub(super) struct Shape {
+pub(super) struct TargetShape {
     /// The mesh.
     pub geometry: Rc<Geometry>,
     /// The mesh's points as its controllers leave them; `None` where there are none, or where they change nothing.
@@ -23,14 +23,14 @@ pub(super) struct Shape {
 }
 
 /// What is known of a controller's shape.
-pub(super) enum Known {
+pub(super) enum CachedTarget {
     /// Who meets it now has gone in a circle.
     BeingRead,
     /// What came out.
-    Shape(Option<Shape>),
+    Shape(Option<TargetShape>),
 }
 
-impl Shape {
+impl TargetShape {
     /// The points of the file.
     pub(super) fn points(&self) -> &[Vec3] {
         self.moved.as_ref().map_or(&self.geometry.points, |moved| moved)
@@ -52,14 +52,14 @@ impl Shape {
         sources: &mut Sources<'_, 'a>,
         target: El<'a>,
         depth: usize,
-    ) -> Step<Option<Self>> {
+    ) -> ReadResult<Option<Self>> {
         if target.tag_name().name() == "geometry" {
             let geometry = sources.geometries.target(context, sources.asset, target)?;
             return Ok(geometry.map(|geometry| Self { geometry, moved: None }));
         }
         match sources.geometries.shapes.get(&target.id()) {
-            Some(Known::Shape(known)) => return Ok(known.clone()),
-            Some(Known::BeingRead) => {
+            Some(CachedTarget::Shape(known)) => return Ok(known.clone()),
+            Some(CachedTarget::BeingRead) => {
                 context.report.report(target, Finding::ReferenceCycle);
                 return Ok(None);
             }
@@ -69,22 +69,22 @@ impl Shape {
             context.report.report(target, Finding::MorphsTooDeep);
             return Ok(None);
         }
-        sources.geometries.shapes.insert(target.id(), Known::BeingRead);
+        sources.geometries.shapes.insert(target.id(), CachedTarget::BeingRead);
         let shape = Self::controlled(context, arrays, sources, target, depth + 1)?;
-        sources.geometries.shapes.insert(target.id(), Known::Shape(shape.clone()));
+        sources.geometries.shapes.insert(target.id(), CachedTarget::Shape(shape.clone()));
         Ok(shape)
     }
 
     /// The outermost skin of a `controller` and the shape below it; `None` where its outermost layer is none.
     ///
     /// # Errors
-    /// As [`Shape::read`].
+    /// As [`TargetShape::read`].
     pub(super) fn before_its_skin<'a>(
         context: &mut Context<'a>,
         arrays: &mut Arrays<f64>,
         sources: &mut Sources<'_, 'a>,
         target: El<'a>,
-    ) -> Step<Option<(El<'a>, Self)>> {
+    ) -> ReadResult<Option<(El<'a>, Self)>> {
         let Some(skin) = child(target, "skin") else { return Ok(None) };
         let Some(below) = context.follow(skin, "source", &["geometry", "controller"]) else { return Ok(None) };
         Ok(Self::read(context, arrays, sources, below, 1)?.map(|shape| (skin, shape)))
@@ -96,7 +96,7 @@ impl Shape {
         sources: &mut Sources<'_, 'a>,
         target: El<'a>,
         depth: usize,
-    ) -> Step<Option<Self>> {
+    ) -> ReadResult<Option<Self>> {
         let Some((geometry, layers)) = layers(context, target) else { return Ok(None) };
         let Some(geometry) = sources.geometries.target(context, sources.asset, geometry)? else { return Ok(None) };
         let mut moved: Option<Vec<Vec3>> = None;

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::{DMat4, DVec3};
 use rustc_hash::FxHashMap;
 
-use super::context::{Context, Step, child, children, id_of, name_of, text_of, vector};
+use super::context::{Context, ReadResult, child, children, id_of, name_of, text_of, vector};
 use super::lookup::Url;
 use super::{Asset, El, Finding, asset};
 use sinew_scene::limits;
@@ -59,7 +59,7 @@ impl<'a> Tree<'a> {
     ///
     /// # Errors
     /// Where commas separate the numbers of a transform, or on cancel.
-    pub(super) fn read(context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, name: &str) -> Step<Self> {
+    pub(super) fn read(context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, name: &str) -> ReadResult<Self> {
         let mut tree = Self::default();
         let mut top = Node::new(if name.is_empty() { "COLLADA" } else { name });
         top.kind = NodeKind::Asset;
@@ -86,7 +86,14 @@ impl<'a> Tree<'a> {
     }
 
     /// Puts elements that no scene holds right below the root, one after the other, so that the list of things to do stays short.
-    fn loose(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, root: NodeId, elements: Vec<El<'a>>) -> Step<()> {
+    fn loose(
+        &mut self,
+        context: &mut Context<'a>,
+        scene: &mut Scene,
+        asset: &Asset,
+        root: NodeId,
+        elements: Vec<El<'a>>,
+    ) -> ReadResult<()> {
         let mut todo = Vec::new();
         for element in elements {
             let before = scene.graph.len();
@@ -100,7 +107,7 @@ impl<'a> Tree<'a> {
         Ok(())
     }
 
-    fn work_off(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, todo: &mut Vec<PendingNode<'a>>) -> Step<()> {
+    fn work_off(&mut self, context: &mut Context<'a>, scene: &mut Scene, asset: &Asset, todo: &mut Vec<PendingNode<'a>>) -> ReadResult<()> {
         while let Some(work) = todo.pop() {
             if work.siblings
                 && let Some(next) = work.element.next_siblings().skip(1).find(is_node)
@@ -119,7 +126,7 @@ impl<'a> Tree<'a> {
         asset: &Asset,
         work: &PendingNode<'a>,
         todo: &mut Vec<PendingNode<'a>>,
-    ) -> Step<()> {
+    ) -> ReadResult<()> {
         let PendingNode { element, parent, depth, space, .. } = *work;
         let (target, space) = match element.tag_name().name() {
             "instance_node" => {
@@ -391,7 +398,7 @@ pub(super) fn is_transform(tag: &str) -> bool {
 }
 
 /// A node's transforms, in document order. One that cannot be read counts as one that does nothing, so that the others keep their places.
-fn transform<'a>(context: &mut Context<'a>, node: El<'a>) -> Step<Vec<TransformOp>> {
+fn transform<'a>(context: &mut Context<'a>, node: El<'a>) -> ReadResult<Vec<TransformOp>> {
     let mut ops = Vec::new();
     if node.tag_name().name() != "node" {
         return Ok(ops);

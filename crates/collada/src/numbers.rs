@@ -1,7 +1,7 @@
 //! Lists of numbers, straight from the text.
 
 /// What a list of numbers held.
-pub(super) struct Parsed<T> {
+pub(super) struct ParsedNumbers<T> {
     /// The values; 0 for what was no number.
     pub values: Vec<T>,
     /// Entries that were no number.
@@ -50,10 +50,10 @@ impl Real for f64 {
     }
 }
 
-impl Parsed<f64> {
+impl ParsedNumbers<f64> {
     /// The same as another number type.
-    pub(super) fn into_reals<T: Real>(self) -> Parsed<T> {
-        Parsed { values: T::all_from_f64(self.values), bad: self.bad, first_bad: self.first_bad, decimal_comma: self.decimal_comma }
+    pub(super) fn into_reals<T: Real>(self) -> ParsedNumbers<T> {
+        ParsedNumbers { values: T::all_from_f64(self.values), bad: self.bad, first_bad: self.first_bad, decimal_comma: self.decimal_comma }
     }
 }
 
@@ -229,10 +229,11 @@ pub(super) fn attribute_number(text: &str) -> Option<(f64, bool)> {
 ///
 /// # Errors
 /// [`Comma`] at the first entry in which commas stand between numbers.
-pub(super) fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, Comma> {
+pub(super) fn reals<T: Real>(text: &str, expected: usize) -> Result<ParsedNumbers<T>, Comma> {
     let bytes = text.as_bytes();
     // A count in a file may be a lie: a number takes two bytes at least.
-    let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
+    let mut parsed =
+        ParsedNumbers { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
     let mut rest = bytes;
     loop {
         while let [byte, tail @ ..] = rest
@@ -272,9 +273,10 @@ pub(super) fn reals<T: Real>(text: &str, expected: usize) -> Result<Parsed<T>, C
 ///
 /// # Errors
 /// [`Comma`] at the first entry with a comma in it.
-pub(super) fn integers(text: &str, expected: usize) -> Result<Parsed<i32>, Comma> {
+pub(super) fn integers(text: &str, expected: usize) -> Result<ParsedNumbers<i32>, Comma> {
     let bytes = text.as_bytes();
-    let mut parsed = Parsed { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
+    let mut parsed =
+        ParsedNumbers { values: Vec::with_capacity(expected.min(bytes.len() / 2 + 1)), bad: 0, first_bad: None, decimal_comma: None };
     let mut rest = bytes;
     loop {
         while let [byte, tail @ ..] = rest
@@ -330,7 +332,7 @@ fn shown(entry: &[u8]) -> String {
     String::from_utf8_lossy(entry.get(..entry.len().min(24)).unwrap_or(entry)).into_owned()
 }
 
-impl<T> Parsed<T> {
+impl<T> ParsedNumbers<T> {
     fn note_bad(&mut self, entry: &[u8]) {
         self.bad += 1;
         if self.first_bad.is_none() {

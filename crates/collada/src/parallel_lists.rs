@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 use super::El;
 use super::context::children;
 use super::list_extraction::Shortened;
-use super::numbers::{Comma, Parsed, reals};
+use super::numbers::{Comma, ParsedNumbers, reals};
 use super::source::number_attribute;
 
 /// What has been read and not been asked for yet may take this many bytes; beyond it nothing is read ahead.
@@ -20,46 +20,46 @@ const MOST_HELD: usize = 8 << 20;
 const WORTH_IT: usize = 256 << 10;
 
 /// A list as [`reals`] gives it.
-type List = Result<Parsed<f64>, Comma>;
+type ListResult = Result<ParsedNumbers<f64>, Comma>;
 
 #[derive(Default)]
-enum State {
+enum ListState {
     /// Nobody has begun.
     #[default]
     Waiting,
     /// The second thread is at it.
     Begun,
     /// It is there.
-    Done(List),
+    Done(ListResult),
     /// It was taken; the next reader reads it anew.
     Taken,
 }
 
-struct Job<'a> {
+struct ListJob<'a> {
     text: &'a str,
     expected: usize,
-    state: Mutex<State>,
+    state: Mutex<ListState>,
     done: Condvar,
 }
 
-impl Job<'_> {
-    fn state(&self) -> MutexGuard<'_, State> {
+impl ListJob<'_> {
+    fn state(&self) -> MutexGuard<'_, ListState> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn bytes(list: &List) -> usize {
+    fn bytes(list: &ListResult) -> usize {
         list.as_ref().map_or(0, |parsed| parsed.values.capacity() * size_of::<f64>())
     }
 }
 
 /// Gives a job back that was begun and not done, so that nobody waits for it in vain.
-struct Begun<'j, 'a>(&'j Job<'a>);
+struct Begun<'j, 'a>(&'j ListJob<'a>);
 
 impl Drop for Begun<'_, '_> {
     fn drop(&mut self) {
         let mut state = self.0.state();
-        if matches!(*state, State::Begun) {
-            *state = State::Waiting;
+        if matches!(*state, ListState::Begun) {
+            *state = ListState::Waiting;
         }
         self.0.done.notify_all();
     }
@@ -68,7 +68,7 @@ impl Drop for Begun<'_, '_> {
 /// The lists that may be read ahead.
 #[derive(Default)]
 pub(super) struct Ahead<'a> {
-    jobs: Vec<Job<'a>>,
+    jobs: Vec<ListJob<'a>>,
     places: FxHashMap<NodeId, usize>,
     held: AtomicUsize,
     stopped: AtomicBool,
@@ -90,7 +90,7 @@ impl<'a> Ahead<'a> {
             if let Some(text) = array.first_child().and_then(|text| lists.list_at(text.range().start)) {
                 ahead.places.insert(array.id(), ahead.jobs.len());
                 let expected = number_attribute(array, "count").unwrap_or(0);
-                ahead.jobs.push(Job { text, expected, state: Mutex::default(), done: Condvar::new() });
+                ahead.jobs.push(ListJob { text, expected, state: Mutex::default(), done: Condvar::new() });
             }
         }
         if ahead.jobs.iter().map(|job| job.text.len()).sum::<usize>() < WORTH_IT {
@@ -125,29 +125,29 @@ impl<'a> Ahead<'a> {
             }
             {
                 let mut state = job.state();
-                if !matches!(*state, State::Waiting) {
+                if !matches!(*state, ListState::Waiting) {
                     continue;
                 }
-                *state = State::Begun;
+                *state = ListState::Begun;
             }
             let begun = Begun(job);
             let list = reals(job.text, job.expected);
-            self.held.fetch_add(Job::bytes(&list), Ordering::Relaxed);
-            *job.state() = State::Done(list);
+            self.held.fetch_add(ListJob::bytes(&list), Ordering::Relaxed);
+            *job.state() = ListState::Done(list);
             drop(begun);
         }
     }
 
     /// The list in `array`, if another thread has read it or is about to; `None` where the caller has to.
-    pub(super) fn take(&self, array: NodeId) -> Option<List> {
+    pub(super) fn take(&self, array: NodeId) -> Option<ListResult> {
         let job = self.jobs.get(*self.places.get(&array)?)?;
         let mut state = job.state();
-        while matches!(*state, State::Begun) {
+        while matches!(*state, ListState::Begun) {
             state = job.done.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
-        match std::mem::replace(&mut *state, State::Taken) {
-            State::Done(list) => {
-                self.held.fetch_sub(Job::bytes(&list), Ordering::Relaxed);
+        match std::mem::replace(&mut *state, ListState::Taken) {
+            ListState::Done(list) => {
+                self.held.fetch_sub(ListJob::bytes(&list), Ordering::Relaxed);
                 Some(list)
             }
             _ => None,
@@ -210,7 +210,7 @@ mod tests {
                 assert!(given <= arrays.len());
                 assert!(arrays.iter().all(|array| ahead.take(*array).is_none()));
                 for job in &ahead.jobs {
-                    *job.state() = State::Waiting;
+                    *job.state() = ListState::Waiting;
                 }
                 ahead.stopped.store(false, Ordering::Relaxed);
             }

@@ -1,15 +1,15 @@
 //! The primitives of a mesh: triangles, strips, fans, polygons with holes, lines.
 
-use super::context::{Context, Step, child, children};
+use super::context::{Context, ReadResult, child, children};
 use super::source::number_attribute;
 use super::triangulate::Triangulator;
-use super::vertex_dedup::{Builder, Layout};
+use super::vertex_dedup::{Builder, VertexLayout};
 use super::{El, Finding};
 use glam::Vec3;
 
 /// How the corners of a primitive make faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
+pub(super) enum PrimitiveKind {
     /// Three corners each.
     Triangles,
     /// A fan in each `p`.
@@ -26,7 +26,7 @@ pub(super) enum Shape {
     LineStrips,
 }
 
-impl Shape {
+impl PrimitiveKind {
     /// The shape of a tag; `None` where it is no primitive.
     pub(super) fn of(tag: &str) -> Option<Self> {
         Some(match tag {
@@ -51,8 +51,8 @@ struct Trouble {
 }
 
 /// The state of reading one primitive element.
-struct Reading<'r> {
-    layout: &'r Layout,
+struct PrimitiveReader<'r> {
+    layout: &'r VertexLayout,
     builder: &'r mut Builder,
     triangulator: &'r mut Triangulator,
     steps: &'r mut u64,
@@ -64,7 +64,7 @@ struct Reading<'r> {
 }
 
 /// What came of one primitive element.
-pub(super) struct Outcome {
+pub(super) struct PrimitiveOutcome {
     /// Whether faces were left out, which was told.
     pub told: bool,
     /// What its `count` says, where that is wrong.
@@ -78,13 +78,13 @@ pub(super) struct Outcome {
 pub(super) fn read<'a>(
     context: &mut Context<'a>,
     element: El<'a>,
-    shape: Shape,
-    layout: &Layout,
+    shape: PrimitiveKind,
+    layout: &VertexLayout,
     builder: &mut Builder,
     triangulator: &mut Triangulator,
     steps: &mut u64,
-) -> Step<Outcome> {
-    let mut reading = Reading {
+) -> ReadResult<PrimitiveOutcome> {
+    let mut reading = PrimitiveReader {
         layout,
         builder,
         triangulator,
@@ -95,7 +95,7 @@ pub(super) fn read<'a>(
         cut: Vec::new(),
     };
     let mut faces = 0;
-    if shape == Shape::Polylist {
+    if shape == PrimitiveKind::Polylist {
         faces = reading.polylist(context, element)?;
     } else {
         for part in element.children() {
@@ -104,7 +104,7 @@ pub(super) fn read<'a>(
                     let indices = context.integers(part)?;
                     faces += reading.run(shape, &indices);
                 }
-                "ph" if shape == Shape::Polygons => {
+                "ph" if shape == PrimitiveKind::Polygons => {
                     faces += 1;
                     reading.with_holes(context, part)?;
                 }
@@ -132,24 +132,24 @@ pub(super) fn read<'a>(
     }
     context.check_cancelled()?;
     let told = trouble.out_of_range + trouble.incomplete + trouble.too_complex > 0;
-    Ok(Outcome { told, wrong_count: said.map(|said| (said, faces)) })
+    Ok(PrimitiveOutcome { told, wrong_count: said.map(|said| (said, faces)) })
 }
 
-impl Reading<'_> {
+impl PrimitiveReader<'_> {
     /// One `p` of any shape but a polylist: the number of faces it holds, as `count` counts them.
-    fn run(&mut self, shape: Shape, indices: &[i32]) -> usize {
+    fn run(&mut self, shape: PrimitiveKind, indices: &[i32]) -> usize {
         let corners = indices.chunks_exact(self.layout.stride);
         let left_over = !corners.remainder().is_empty();
         let total = corners.len();
         match shape {
-            Shape::Triangles => {
+            PrimitiveKind::Triangles => {
                 self.trouble.incomplete += usize::from(left_over || !total.is_multiple_of(3));
                 for face in indices.chunks_exact(self.layout.stride.saturating_mul(3)) {
                     self.triangle(face);
                 }
                 total / 3
             }
-            Shape::Lines => {
+            PrimitiveKind::Lines => {
                 self.trouble.incomplete += usize::from(left_over || !total.is_multiple_of(2));
                 for line in indices.chunks_exact(self.layout.stride.saturating_mul(2)) {
                     let (from, to) = line.split_at(self.layout.stride);
@@ -158,7 +158,7 @@ impl Reading<'_> {
                 }
                 total / 2
             }
-            Shape::LineStrips => {
+            PrimitiveKind::LineStrips => {
                 self.trouble.incomplete += usize::from(left_over);
                 let mut before = None;
                 for corner in corners {
@@ -170,21 +170,23 @@ impl Reading<'_> {
                 }
                 1
             }
-            Shape::Fans | Shape::Strips => {
+            PrimitiveKind::Fans | PrimitiveKind::Strips => {
                 self.trouble.incomplete += usize::from(left_over || matches!(total, 1 | 2));
                 let vertices: Vec<Option<u32>> = corners.map(|corner| self.vertex(corner)).collect();
                 for i in 2..vertices.len() {
-                    let first = if shape == Shape::Fans { 0 } else { i - 2 };
+                    let first = if shape == PrimitiveKind::Fans { 0 } else { i - 2 };
                     let (Some(&a), Some(&b), Some(&c)) = (vertices.get(first), vertices.get(i - 1), vertices.get(i)) else { continue };
                     match (a, b, c) {
-                        (Some(a), Some(b), Some(c)) if shape == Shape::Strips && i % 2 == 1 => self.builder.mesh.triangles.push([b, a, c]),
+                        (Some(a), Some(b), Some(c)) if shape == PrimitiveKind::Strips && i % 2 == 1 => {
+                            self.builder.mesh.triangles.push([b, a, c])
+                        }
                         (Some(a), Some(b), Some(c)) => self.builder.mesh.triangles.push([a, b, c]),
                         _ => self.trouble.out_of_range += 1,
                     }
                 }
                 1
             }
-            Shape::Polygons | Shape::Polylist => {
+            PrimitiveKind::Polygons | PrimitiveKind::Polylist => {
                 self.trouble.incomplete += usize::from(left_over);
                 self.polygon(indices);
                 1
@@ -218,13 +220,13 @@ impl Reading<'_> {
     }
 
     /// `vcount` and `p`: the number of polygons.
-    fn polylist<'a>(&mut self, context: &mut Context<'a>, element: El<'a>) -> Step<usize> {
+    fn polylist<'a>(&mut self, context: &mut Context<'a>, element: El<'a>) -> ReadResult<usize> {
         let Some(counts) = child(element, "vcount") else {
             // Without counts each `p` can only be one polygon.
             let mut faces = 0;
             for part in children(element, "p") {
                 let indices = context.integers(part)?;
-                faces += self.run(Shape::Polygons, &indices);
+                faces += self.run(PrimitiveKind::Polygons, &indices);
             }
             return Ok(faces);
         };
@@ -298,7 +300,7 @@ impl Reading<'_> {
     }
 
     /// `ph`: an outline `p` and holes `h`.
-    fn with_holes<'a>(&mut self, context: &mut Context<'a>, element: El<'a>) -> Step<()> {
+    fn with_holes<'a>(&mut self, context: &mut Context<'a>, element: El<'a>) -> ReadResult<()> {
         self.vertices.clear();
         let mut rings = Vec::new();
         if let Some(outline) = child(element, "p") {

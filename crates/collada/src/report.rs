@@ -6,7 +6,7 @@ use memchr::memchr_iter;
 use roxmltree::NodeId as ElementId;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::bundle::Stretch;
+use super::bundle::DocumentSpan;
 use super::list_extraction::Shortened;
 use super::{El, Finding, diagnostic_codes};
 use sinew_scene::diagnostics::{Diagnostic, DiagnosticKind};
@@ -35,7 +35,7 @@ pub(super) struct Report<'a> {
     document: &'a Shortened<'a>,
     lines_before: u32,
     /// The documents behind the first one, in their order.
-    parts: Vec<Stretch>,
+    parts: Vec<DocumentSpan>,
     /// Where each line ends; made when the first line is asked for.
     line_ends: OnceCell<Vec<u32>>,
     findings: Vec<Diagnostic<Finding>>,
@@ -50,7 +50,7 @@ pub(super) struct Report<'a> {
 
 impl<'a> Report<'a> {
     /// An empty report about `document`, which `lines_before` blank lines precede in the file.
-    pub(super) fn new(document: &'a Shortened<'a>, lines_before: u32, parts: Vec<Stretch>) -> Self {
+    pub(super) fn new(document: &'a Shortened<'a>, lines_before: u32, parts: Vec<DocumentSpan>) -> Self {
         Self {
             document,
             lines_before,
@@ -78,7 +78,7 @@ impl<'a> Report<'a> {
     }
 
     /// The document behind the first one that a byte of the whole belongs to, if it does.
-    fn part(&self, at: usize) -> Option<&Stretch> {
+    fn part(&self, at: usize) -> Option<&DocumentSpan> {
         self.parts.get(..self.parts.partition_point(|part| part.start <= at))?.last()
     }
 

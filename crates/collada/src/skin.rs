@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DMat4;
 
-use super::context::{Context, Step, child, ends_upright, from_rows, name_of};
+use super::context::{Context, ReadResult, child, ends_upright, from_rows, name_of};
 use super::nodes::{Key, Tree};
 use super::source::{Arrays, Input, NameKind, inputs, name_list};
 use super::{El, Finding};
@@ -31,7 +31,7 @@ pub(super) fn read<'a>(
     tree: &Tree<'a>,
     element: El<'a>,
     points: usize,
-) -> Step<Option<(Skin, JointNames)>> {
+) -> ReadResult<Option<(Skin, JointNames)>> {
     let controller = element.parent().filter(El::is_element).unwrap_or(element);
     let mut skin = Skin {
         name: name_of(controller),
@@ -66,7 +66,7 @@ fn joints<'a>(
     element: El<'a>,
     weights: El<'a>,
     skin: &mut Skin,
-) -> Step<Option<NameKind>> {
+) -> ReadResult<Option<NameKind>> {
     let (mut names, mut matrices) = (None, None);
     let own = child(element, "joints").map(inputs).unwrap_or_default();
     for input in own.iter().chain(&inputs(weights)) {
@@ -230,7 +230,7 @@ fn influences<'a>(
     points: usize,
     order: Option<&[i32]>,
     skin: &mut Skin,
-) -> Step<()> {
+) -> ReadResult<()> {
     let inputs = inputs(element);
     let find = |semantic| inputs.iter().find(|input| input.semantic == semantic);
     let (joint_at, weight_at) = (find("JOINT").map(|input| input.offset), find("WEIGHT").map(|input| input.offset));

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use roxmltree::NodeId;
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::context::{Context, Step, child, children};
+use super::context::{Context, ReadResult, child, children};
 use super::numbers::{Real, names};
 use super::{El, Finding};
 
@@ -93,13 +93,13 @@ impl<T: Real> Arrays<T> {
     ///
     /// # Errors
     /// Where commas separate the numbers of the array.
-    pub(super) fn accessor<'a>(&mut self, context: &mut Context<'a>, source: El<'a>, width: usize) -> Step<Option<Accessor<T>>> {
+    pub(super) fn accessor<'a>(&mut self, context: &mut Context<'a>, source: El<'a>, width: usize) -> ReadResult<Option<Accessor<T>>> {
         let accessor = child(source, "technique_common").and_then(|technique| child(technique, "accessor"));
         let Some(array) = array_of(context, source, accessor, &NUMBER_ARRAYS) else { return Ok(None) };
         let data = self.array(context, array)?;
         let (layout, given) = match accessor {
-            Some(accessor) => (Layout::of(accessor, width), number_attribute(accessor, "count")),
-            None => (Layout { offset: 0, stride: width.max(1), components: (0..width.max(1)).collect(), small: None }, None),
+            Some(accessor) => (AccessorLayout::of(accessor, width), number_attribute(accessor, "count")),
+            None => (AccessorLayout { offset: 0, stride: width.max(1), components: (0..width.max(1)).collect(), small: None }, None),
         };
         let reach = layout.components.iter().max().map_or(1, |last| last + 1);
         let room = data.len().checked_sub(layout.offset.saturating_add(reach));
@@ -145,7 +145,7 @@ impl<T: Real> Arrays<T> {
         }
     }
 
-    fn array<'a>(&mut self, context: &mut Context<'a>, array: El<'a>) -> Step<Rc<Vec<T>>> {
+    fn array<'a>(&mut self, context: &mut Context<'a>, array: El<'a>) -> ReadResult<Rc<Vec<T>>> {
         if let Some(known) = self.read.get(&array.id()) {
             return Ok(known.clone());
         }
@@ -163,7 +163,7 @@ impl<T: Real> Arrays<T> {
 }
 
 /// How an accessor walks its array.
-struct Layout {
+struct AccessorLayout {
     offset: usize,
     stride: usize,
     components: Vec<usize>,
@@ -171,7 +171,7 @@ struct Layout {
     small: Option<usize>,
 }
 
-impl Layout {
+impl AccessorLayout {
     fn of(accessor: El<'_>, width: usize) -> Self {
         let params: Vec<(bool, usize)> = children(accessor, "param")
             .take(256)

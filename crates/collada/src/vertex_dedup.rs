@@ -18,7 +18,7 @@ pub(super) struct Stream {
 
 /// The lists that one primitive uses.
 #[derive(Clone)]
-pub(super) struct Layout {
+pub(super) struct VertexLayout {
     /// Numbers a corner.
     pub stride: usize,
     /// Points.
@@ -34,7 +34,7 @@ pub(super) struct Layout {
     position_limit: u32,
 }
 
-impl Layout {
+impl VertexLayout {
     /// A layout of these streams.
     pub(super) fn new(stride: usize, position: Stream, normal: Option<Stream>, uvs: Vec<(usize, Stream)>, color: Option<Stream>) -> Self {
         let position_limit = u32::try_from(position.values.available).unwrap_or(u32::MAX).min(i32::MAX as u32);
@@ -110,7 +110,7 @@ impl Builder {
     }
 
     /// Starts a primitive: vertices are shared within it only, since the next may point into other lists.
-    pub(super) fn start(&mut self, layout: &Layout) {
+    pub(super) fn start(&mut self, layout: &VertexLayout) {
         self.primitive += 1;
         self.lacks = Lacks::default();
         self.overflow.clear();
@@ -121,7 +121,7 @@ impl Builder {
 
     /// The vertex of a corner; `None` where its point is out of range. Of the other values what is out of range is left at its default, normals to be
     /// computed.
-    pub(super) fn vertex(&mut self, layout: &Layout, corner: &[i32]) -> Option<u32> {
+    pub(super) fn vertex(&mut self, layout: &VertexLayout, corner: &[i32]) -> Option<u32> {
         let point = u32::try_from(*corner.get(layout.position.offset)?).ok().filter(|point| *point < layout.position_limit)?;
         self.key.clear();
         for offset in &layout.keys {
@@ -168,7 +168,7 @@ impl Builder {
         vertex
     }
 
-    fn push(&mut self, layout: &Layout, corner: &[i32], point: u32) -> u32 {
+    fn push(&mut self, layout: &VertexLayout, corner: &[i32], point: u32) -> u32 {
         let mesh = &mut self.mesh;
         let (mut outside, mut odd) = (false, false);
         let vertex = mesh.positions.len() as u32;

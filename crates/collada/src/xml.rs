@@ -43,7 +43,7 @@ pub(super) struct Surveyed<'a> {
 }
 
 /// A document and what is left for the scene that is made from it.
-pub(super) struct Parsed<'a> {
+pub(super) struct ParsedDocument<'a> {
     /// The tree.
     pub document: roxmltree::Document<'a>,
     /// The lists that were set aside.
@@ -111,7 +111,7 @@ fn numbers_in(text: &str) -> usize {
 ///
 /// # Errors
 /// [`ReadError`] with the line where it is not well-formed XML.
-pub(super) fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<Parsed<'a>, ReadError> {
+pub(super) fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<ParsedDocument<'a>, ReadError> {
     let nodes_limit = u32::try_from(surveyed.budget / NODE_BYTES).unwrap_or(u32::MAX);
     let options = || roxmltree::ParsingOptions { allow_dtd: true, nodes_limit, entity_resolver: None };
     let (short, whole) = (surveyed.shortened.text(), surveyed.shortened.whole());
@@ -119,7 +119,7 @@ pub(super) fn parse<'a>(surveyed: &'a Surveyed<'a>) -> Result<Parsed<'a>, ReadEr
         // The whole document has the same fault, or that of a prefix, at the place where the user will find it.
         refused(&roxmltree::Document::parse_with_options(whole, options()).err().unwrap_or(error), whole)
     })?;
-    Ok(Parsed { document, lists: &surveyed.shortened, budget: surveyed.budget - surveyed.tree })
+    Ok(ParsedDocument { document, lists: &surveyed.shortened, budget: surveyed.budget - surveyed.tree })
 }
 
 /// The parser's error, with the place where the user will look for it.

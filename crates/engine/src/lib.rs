@@ -29,7 +29,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | [`document`] | files, posing, skinning, joints that are held, muscles on the bones of clips |
-//! | [`view`] | how a document is shown: cameras, light, display presets, onion skins, motion paths, comparison; session files and settings |
+//! | [`view`] | how a document is shown: cameras, light, display options, onion skins, motion paths, comparison; session files and settings |
 //! | [`session`] | what is open in a window: selection, tools, undo |
 //! | [`input`], [`output`], [`system`] | files from outside; files that are written, none of which replaces one that is open; why the operating system refused |
 

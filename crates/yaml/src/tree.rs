@@ -80,7 +80,7 @@ enum Kind {
 }
 
 #[derive(Default)]
-struct Reading<'t> {
+struct TreeBuilder<'t> {
     text: &'t str,
     /// The lines of the text, found when the first block scalar asks for them.
     lines: Option<Vec<&'t str>>,
@@ -100,7 +100,7 @@ pub fn read(text: &str, bytes: u64) -> Result<Node, YamlError> {
     }
     look_over(text, bytes)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let mut reading = Reading { text, ..Reading::default() };
+    let mut reading = TreeBuilder { text, ..TreeBuilder::default() };
     let mut parser = Parser::new_from_str(text);
     let mut documents = 0;
     while let Some(event) = parser.next_event() {
@@ -175,7 +175,7 @@ fn unclosed(text: &str) -> Option<char> {
     open.pop()
 }
 
-impl Reading<'_> {
+impl TreeBuilder<'_> {
     fn take(&mut self, event: Event<'_>, span: &Span) -> Result<(), YamlError> {
         let place = Place::of(&span.start);
         match event {

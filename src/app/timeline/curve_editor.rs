@@ -18,7 +18,7 @@ use crate::app::settings::SheetPage;
 use crate::app::widgets::drawing_area::{PaintWidget, cairo, rgb, set_color};
 use crate::app::widgets::ui;
 use crate::scene::NodeId;
-use crate::session::{AnimatedItem, ChangeSet, Graph, GraphKind, Session, SheetRow};
+use crate::session::{AnimatedItem, ChangeSet, CurveGraph, GraphKind, Session, SheetRow};
 use crate::tr;
 
 /// Width of the names before the keys, logical pixels.
@@ -75,7 +75,7 @@ pub(crate) struct CurveEditor {
     curves: PaintWidget,
     cursors: [PaintWidget; 2],
     shown: Rc<EditorState>,
-    graphs: RefCell<Vec<Graph>>,
+    graphs: RefCell<Vec<CurveGraph>>,
     /// The row whose curves are shown.
     moved: Cell<Option<AnimatedItem>>,
     /// The kind that the user chose.
@@ -260,7 +260,7 @@ impl CurveEditor {
             ui::scroll_to(&self.widgets.list, place as u32);
         }
         let kept = self.moved.get().and_then(|moved| rows.iter().position(|row| row.item == moved));
-        let moves = |row: &SheetRow| session.sheet_graphs(row.item).iter().any(Graph::moves);
+        let moves = |row: &SheetRow| session.sheet_graphs(row.item).iter().any(CurveGraph::moves);
         let first = || rows.iter().position(moves).or(if rows.is_empty() { None } else { Some(0) });
         let place = selected.or(kept).or_else(first);
         drop(rows);
@@ -280,7 +280,7 @@ impl CurveEditor {
         self.widgets.graph.set_sensitive(!names.is_empty());
         // The user's previous choice, else the first graph that changes.
         let chosen = graphs.iter().position(|graph| Some(graph.kind) == self.kind.get());
-        let kept = chosen.or_else(|| graphs.iter().position(Graph::moves)).unwrap_or(0);
+        let kept = chosen.or_else(|| graphs.iter().position(CurveGraph::moves)).unwrap_or(0);
         self.graphs.replace(graphs);
         if !names.is_empty() {
             self.widgets.graph.set_selected(kept as u32);

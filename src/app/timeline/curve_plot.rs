@@ -6,7 +6,7 @@ use gtk4 as gtk;
 use super::timeline_ruler::Track;
 use crate::app::format;
 use crate::app::widgets::drawing_area::{Align, PaintWidget, cairo, rgb, set_color, write};
-use crate::session::{Graph, ValueGraph};
+use crate::session::{CurveGraph, ValueGraph};
 
 /// Room above the highest and below the lowest value, logical pixels.
 const AIR: f64 = 14.0;
@@ -19,7 +19,7 @@ const DENSE: f64 = 7.0;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct CurvePlot {
     /// The graph; none where nothing is animated.
-    pub graph: Option<Graph>,
+    pub graph: Option<CurveGraph>,
     /// Colours of X, Y, Z.
     pub colors: [u32; 3],
     /// What stands there without a graph.
@@ -35,7 +35,7 @@ impl CurvePlot {
     }
 
     /// Shows another graph over a stretch of time.
-    pub(crate) fn set(&mut self, graph: Option<Graph>, (start, end): (f64, f64)) {
+    pub(crate) fn set(&mut self, graph: Option<CurveGraph>, (start, end): (f64, f64)) {
         let mut range = (f64::INFINITY, f64::NEG_INFINITY);
         let mut see = |value: f64| {
             if value.is_finite() {

@@ -10,7 +10,7 @@ use gtk4 as gtk;
 use crate::app::handles::session_handle::{SessionHandle, WeakSession};
 
 /// Moves something on by so many seconds; whether it goes on moving.
-type Motion = Box<dyn Fn(f64) -> bool>;
+type TickHandler = Box<dyn Fn(f64) -> bool>;
 
 /// The clock of a window.
 #[derive(Clone)]
@@ -20,7 +20,7 @@ pub(crate) struct FrameClock(Rc<Clock>);
 struct Clock {
     widget: glib::WeakRef<gtk::ApplicationWindow>,
     session: WeakSession,
-    motion: RefCell<Option<Motion>>,
+    motion: RefCell<Option<TickHandler>>,
     ticking: Cell<bool>,
 }
 

@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::{ChangeSet, Session};
 use crate::document::Document;
-use crate::view::{CompareTarget, Comparison, SavedComparison};
+use crate::view::{CompareTarget, PoseComparison, SavedComparison};
 use sinew_scene::{Bounds, NodeId};
 
 /// What a comparison shows and found out.
@@ -57,7 +57,7 @@ impl Session {
         self.overlays.compare(None);
         self.needs_posing = true;
         let yaw = self.view.camera.orbit().yaw;
-        let Some(mut comparison) = target.and_then(|target| Comparison::new(target, &self.document, yaw)) else { return false };
+        let Some(mut comparison) = target.and_then(|target| PoseComparison::new(target, &self.document, yaw)) else { return false };
         let beside = comparison.place_beside(&self.frame().bounds);
         self.remove_overlays();
         self.overlays.compare(Some(comparison));
@@ -72,12 +72,12 @@ impl Session {
 
     /// What is compared with, if anything is.
     pub fn compare_target(&self) -> Option<&CompareTarget> {
-        self.overlays.comparison().map(Comparison::target)
+        self.overlays.comparison().map(PoseComparison::target)
     }
 
     /// Seconds that the second one is ahead and metres that it stands aside, while something is compared.
     pub fn compare_offset(&self) -> Option<(f64, f64)> {
-        self.overlays.comparison().map(Comparison::offsets)
+        self.overlays.comparison().map(PoseComparison::offsets)
     }
 
     /// Seconds that the second one is ahead; 0 without a comparison.

@@ -76,14 +76,14 @@ pub struct ValueGraph {
 
 /// Lines of one kind.
 #[derive(Debug, Clone)]
-pub struct Graph {
+pub struct CurveGraph {
     /// What they are.
     pub kind: GraphKind,
     /// The lines.
     pub lines: Vec<ValueGraph>,
 }
 
-impl Graph {
+impl CurveGraph {
     /// Whether a line of it has not the same value at all its keys.
     pub fn moves(&self) -> bool {
         self.lines.iter().any(|line| {
@@ -173,14 +173,14 @@ fn name(scene: &Scene, what: AnimatedItem) -> String {
 }
 
 /// The graphs of a row, in a fixed order, as far as the clip moves them.
-pub(super) fn graphs(scene: &Scene, clip: &Clip, what: AnimatedItem) -> Vec<Graph> {
+pub(super) fn graphs(scene: &Scene, clip: &Clip, what: AnimatedItem) -> Vec<CurveGraph> {
     use GraphKind as K;
-    let mut graphs: Vec<Graph> = Vec::new();
+    let mut graphs: Vec<CurveGraph> = Vec::new();
     for channel in clip.channels.iter().filter(|channel| animated_item(channel) == what) {
         for (kind, line) in lines(scene, channel) {
             match graphs.iter_mut().find(|graph| graph.kind == kind) {
                 Some(graph) => graph.lines.push(line),
-                None => graphs.push(Graph { kind, lines: vec![line] }),
+                None => graphs.push(CurveGraph { kind, lines: vec![line] }),
             }
         }
     }

@@ -33,7 +33,7 @@ pub use crate::view::{
 pub use attach_to_skeleton::AttachResult;
 pub use change_set::ChangeSet;
 pub use compare::{ComparisonState, top_of};
-pub use dope_sheet::{AnimatedItem, Graph, GraphKind, SheetRow, ValueGraph};
+pub use dope_sheet::{AnimatedItem, CurveGraph, GraphKind, SheetRow, ValueGraph};
 pub use gizmo::{Gizmo, GizmoHandle, ModelDrag};
 pub use history::UndoStep;
 pub use joint_control::{JointAxis, SliderState};

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{AnimatedItem, ChangeSet, Graph, Session, SheetRow, dope_sheet};
+use super::{AnimatedItem, ChangeSet, CurveGraph, Session, SheetRow, dope_sheet};
 use crate::view::infer_frame_rate;
 use sinew_scene::animation::{Clip, LoopMode, Playback};
 
@@ -60,7 +60,7 @@ impl Session {
     }
 
     /// The curves of a row, by kind.
-    pub fn sheet_graphs(&self, moved: AnimatedItem) -> Vec<Graph> {
+    pub fn sheet_graphs(&self, moved: AnimatedItem) -> Vec<CurveGraph> {
         self.clip().map_or_else(Vec::new, |clip| dope_sheet::graphs(&self.document.scene, clip, moved))
     }
 

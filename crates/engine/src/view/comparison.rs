@@ -28,7 +28,7 @@ pub enum CompareTarget {
 
 /// A comparison under way.
 #[derive(Debug)]
-pub struct Comparison {
+pub struct PoseComparison {
     target: CompareTarget,
     /// Key by which the compared clip is found after a reload.
     key: Option<String>,
@@ -47,7 +47,7 @@ pub struct Comparison {
     max_deviation: Option<(Option<NodeId>, f64)>,
 }
 
-impl Comparison {
+impl PoseComparison {
     /// A comparison of `document` with `target`. `yaw` is the camera's, degrees: the offset points to the right of the view. `None` where the target is a
     /// clip that does not exist.
     pub fn new(target: CompareTarget, document: &Document, yaw: f32) -> Option<Self> {

@@ -1,12 +1,13 @@
-//! How a document is shown, without a window: the movable light and the model's own transform, display presets, overlays (onion skins, motion path,
-//! comparison), and the files that keep it: sessions, settings, recovery of recovery_file muscles. Used by the window's session and the subcommands.
+//! How a document is shown, without a window: the movable light and the model's own transform, display options, overlays (onion skins, motion path,
+//! comparison), and the files that keep it: sessions, settings, recovery of unsaved muscles. Used by the window's session and the subcommands.
 
+mod background_preset;
 mod camera_controller;
 mod camera_follow;
 mod cameras;
 mod comparison;
+mod display_flags;
 mod display_options;
-mod display_presets;
 mod frames;
 mod light;
 mod lines_of_action;
@@ -23,12 +24,13 @@ mod session_file;
 mod settings;
 mod view_state;
 
+pub use background_preset::BackgroundPreset;
 pub use camera_controller::{CameraController, FlyCamera, Viewpoint};
 pub use camera_follow::CameraFollow;
 pub use cameras::{file_camera, file_cameras};
-pub use comparison::{CompareTarget, Comparison, TINT as COMPARED_TINT};
+pub use comparison::{CompareTarget, PoseComparison, TINT as COMPARED_TINT};
+pub use display_flags::{DISPLAY_FLAGS, DisplayFlag, SHADINGS};
 pub use display_options::DisplayOptions;
-pub use display_presets::{BackgroundPreset, DISPLAY_FLAGS, DisplayFlag, SHADINGS};
 pub use frames::{DEFAULT_FRAME_RATE, infer_frame_rate};
 pub use light::LightDirection;
 pub use model::ModelTransform;

@@ -1,6 +1,6 @@
 //! What is drawn with the scene: onion skins, motion path, comparison, lines of action.
 
-use super::comparison::{CompareTarget, Comparison};
+use super::comparison::{CompareTarget, PoseComparison};
 use super::frames::infer_frame_rate;
 use super::lines_of_action;
 use super::motion_path::MotionPath;
@@ -16,7 +16,7 @@ pub struct SceneOverlays {
     onion_skin_settings: OnionSkinSettings,
     onion_skins: OnionSkins,
     motion_path: Option<MotionPath>,
-    comparison: Option<Box<Comparison>>,
+    comparison: Option<Box<PoseComparison>>,
 }
 
 impl SceneOverlays {
@@ -29,7 +29,7 @@ impl SceneOverlays {
             None => saved.compared.as_ref().and_then(|compared| compared.target_within(document)),
         };
         let yaw = saved.camera.map_or(sinew_scene::ViewDirection::Start.angles().0, |camera| camera.yaw);
-        let mut comparison = target.and_then(|target| Comparison::new(target, document, yaw));
+        let mut comparison = target.and_then(|target| PoseComparison::new(target, document, yaw));
         if let (Some(comparison), Some(compared)) = (&mut comparison, &saved.compared) {
             comparison.apply_saved(compared);
         }
@@ -59,17 +59,17 @@ impl SceneOverlays {
     }
 
     /// The comparison.
-    pub fn comparison(&self) -> Option<&Comparison> {
+    pub fn comparison(&self) -> Option<&PoseComparison> {
         self.comparison.as_deref()
     }
 
     /// The comparison, to change it.
-    pub fn comparison_mut(&mut self) -> Option<&mut Comparison> {
+    pub fn comparison_mut(&mut self) -> Option<&mut PoseComparison> {
         self.comparison.as_deref_mut()
     }
 
     /// Replaces the comparison. Surfaces must have been removed from the frame.
-    pub fn compare(&mut self, comparison: Option<Comparison>) {
+    pub fn compare(&mut self, comparison: Option<PoseComparison>) {
         self.comparison = comparison.map(Box::new);
     }
 

@@ -7,7 +7,7 @@ use super::animations::{Animation, AnimationRange};
 use super::buffer::{Buffer, Usage};
 use super::keyframe_reduction::KeyTime;
 use super::materials::GltfMaterials;
-use super::surfaces::{Indices, MeshSides, given_shape, primitives};
+use super::surfaces::{IndexAccessors, MeshSides, given_shape, primitives};
 use super::unsupported_features::UnsupportedFeature;
 use sinew_engine::document::{Document, PoseBuffers, PoseState};
 use sinew_scene::limits;
@@ -135,7 +135,7 @@ impl<'a> Muscles<'a> {
                 &attributes,
                 &targets,
                 MeshSides::default(),
-                &mut Indices::default(),
+                &mut IndexAccessors::default(),
                 materials,
                 buffer,
                 losses,

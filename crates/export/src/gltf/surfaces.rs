@@ -22,7 +22,7 @@ pub(super) struct Surfaces {
     /// Which triangles of a mesh lie on others of the opposite winding.
     backed: FxHashMap<MeshId, Vec<bool>>,
     targets: FxHashMap<(MeshId, MorphId), Vec<Value>>,
-    indices: FxHashMap<MeshId, Indices>,
+    indices: FxHashMap<MeshId, IndexAccessors>,
     /// The accessor of the matrices that each mesh was last bound with.
     matrices: FxHashMap<(MeshId, SkinId), BindMatrices>,
     /// The number of each mesh that was written; `None` where nothing of it can be drawn.
@@ -43,7 +43,7 @@ fn backed(mesh: &Mesh, out_of_memory: &mut bool) -> Vec<bool> {
 type BindMatrices = (Vec<[f32; 16]>, usize);
 
 /// Accessors of the indices of a mesh: by part, mode, whether corners are turned round, and whether both sides are seen.
-pub(super) type Indices = FxHashMap<(usize, u32, bool, bool), usize>;
+pub(super) type IndexAccessors = FxHashMap<(usize, u32, bool, bool), usize>;
 
 /// What makes an instance look as it does. Instances that look alike are one mesh of the file on several nodes.
 #[derive(Debug, PartialEq, Eq, Hash)]
@@ -183,7 +183,7 @@ impl Surfaces {
             &attributes,
             &[],
             MeshSides { mirrored, backed: &backed(mesh, &mut self.out_of_memory) },
-            &mut Indices::default(),
+            &mut IndexAccessors::default(),
             materials,
             buffer,
             losses,
@@ -332,7 +332,7 @@ pub(super) fn primitives(
     attributes: &GltfAttributes,
     targets: &[Value],
     sides: MeshSides<'_>,
-    known: &mut Indices,
+    known: &mut IndexAccessors,
     materials: &mut GltfMaterials,
     buffer: &mut Buffer,
     losses: &mut Vec<UnsupportedFeature>,

@@ -1,34 +1,8 @@
-//! Display presets by name: display options, shading, background.
+//! The backgrounds that the viewport offers.
 
 use serde::{Deserialize, Serialize};
 
-use sinew_render::{Background, Display, OverlayPalette, Shading, Theme};
-
-/// A boolean display option: its name in files and actions, and its field.
-pub type DisplayFlag = (&'static str, fn(&mut Display) -> &mut bool);
-
-/// All boolean display options.
-pub const DISPLAY_FLAGS: [DisplayFlag; 16] = [
-    ("mesh", |d| &mut d.mesh),
-    ("muscle", |d| &mut d.muscle),
-    ("see-through", |d| &mut d.see_through),
-    ("lines-of-action", |d| &mut d.lines_of_action),
-    ("materials", |d| &mut d.materials),
-    ("smooth-normals", |d| &mut d.smooth_normals),
-    ("normal-glyphs", |d| &mut d.normal_glyphs),
-    ("wireframe", |d| &mut d.wireframe),
-    ("bones", |d| &mut d.bones),
-    ("bone-axes", |d| &mut d.bone_axes),
-    ("xray", |d| &mut d.xray),
-    ("grid", |d| &mut d.grid),
-    ("axes", |d| &mut d.axes),
-    ("bounding-box", |d| &mut d.bounding_box),
-    ("depth-test", |d| &mut d.depth_test),
-    ("cull-back-faces", |d| &mut d.cull_back_faces),
-];
-
-/// Shading by the name that the file and the actions use.
-pub const SHADINGS: [(&str, Shading); 3] = [("flat", Shading::Flat), ("gouraud", Shading::Gouraud), ("phong", Shading::Phong)];
+use sinew_render::{Background, OverlayPalette, Theme};
 
 /// Background of the viewport.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
