@@ -1,6 +1,7 @@
 //! Below the track, unfolded on demand: the dope sheet with a row for each thing that the clip moves, and the curve view of one of them. Both share the
 //! track's time axis, so that everything at one moment stands on one line.
 
+use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -17,6 +18,7 @@ use crate::app::handles::session_handle::SessionHandle;
 use crate::app::settings::SheetPage;
 use crate::app::widgets::drawing_area::{PaintWidget, cairo, rgb, set_color};
 use crate::app::widgets::ui;
+use crate::i18n;
 use crate::scene::NodeId;
 use crate::session::{AnimatedItem, ChangeSet, CurveGraph, GraphKind, Session, SheetRow};
 use crate::tr;
@@ -233,7 +235,8 @@ impl CurveEditor {
             return;
         }
         if !Arc::ptr_eq(&self.shown.rows.borrow(), &rows) {
-            let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
+            let name = |row: &SheetRow| session.sheet_label(row.item).map_or(Cow::Borrowed("–"), i18n::label);
+            let names: Vec<_> = rows.iter().map(name).collect();
             let model = ui::words(&names);
             self.shown.rows.replace(rows.clone());
             self.selection.set_model(Some(&model));

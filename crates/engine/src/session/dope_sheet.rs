@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use glam::{DMat4, EulerRot};
 
-use sinew_i18n as i18n;
 use sinew_scene::animation::{Channel, ChannelTarget, Clip, Components, Curve, MaterialSlot};
-use sinew_scene::{LightId, MaterialId, MorphId, NodeId, Scene, TransformOp};
+use sinew_scene::{Label, LightId, MaterialId, MorphId, NodeId, Scene, TransformOp};
 
 /// What a row of the dope sheet stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -27,8 +26,6 @@ pub enum AnimatedItem {
 pub struct SheetRow {
     /// What it stands for.
     pub item: AnimatedItem,
-    /// What a person calls it.
-    pub name: String,
     /// Key times within the clip; seconds, ascending, each once.
     pub keys: Vec<f64>,
 }
@@ -142,13 +139,13 @@ fn animated_item(channel: &Channel) -> AnimatedItem {
 }
 
 /// The rows of a clip, in the order in which the file animates them.
-pub(super) fn rows(scene: &Scene, clip: &Clip) -> Vec<SheetRow> {
+pub(super) fn rows(clip: &Clip) -> Vec<SheetRow> {
     let mut places: HashMap<AnimatedItem, usize> = HashMap::new();
     let mut rows: Vec<SheetRow> = Vec::new();
     for channel in &clip.channels {
         let what = animated_item(channel);
         let place = *places.entry(what).or_insert_with(|| {
-            rows.push(SheetRow { item: what, name: name(scene, what), keys: Vec::new() });
+            rows.push(SheetRow { item: what, keys: Vec::new() });
             rows.len() - 1
         });
         if let Some(row) = rows.get_mut(place) {
@@ -162,14 +159,14 @@ pub(super) fn rows(scene: &Scene, clip: &Clip) -> Vec<SheetRow> {
     rows
 }
 
-fn name(scene: &Scene, what: AnimatedItem) -> String {
-    let found = match what {
+/// What an item is called; `None` where the scene has no such thing.
+pub(super) fn label(scene: &Scene, what: AnimatedItem) -> Option<Label<'_>> {
+    match what {
         AnimatedItem::Node(id) => (id.index() < scene.graph.len()).then(|| scene.graph.label(id)),
         AnimatedItem::Morph(id) => scene.morphs.get(id.index()).map(|morph| morph.label()),
         AnimatedItem::Material(id) => scene.materials.get(id.index()).map(|material| material.label()),
         AnimatedItem::Light(id) => scene.lights.get(id.index()).map(|light| light.label()),
-    };
-    found.map_or_else(|| "–".into(), |label| i18n::label(label).into_owned())
+    }
 }
 
 /// The graphs of a row, in a fixed order, as far as the clip moves them.
@@ -295,10 +292,12 @@ mod tests {
             ],
             ..Clip::default()
         };
-        let rows = rows(&scene(), &clip);
-        let told: Vec<_> = rows.iter().map(|row| (row.name.as_str(), row.keys.as_slice())).collect();
-        assert_eq!(told, [("knee", [0.0, 1.0, 2.0].as_slice()), ("hip", [0.0, 1.0].as_slice())]);
-        let graphs = graphs(&scene(), &clip, rows[0].item);
+        let (scene, rows) = (scene(), rows(&clip));
+        let told: Vec<_> = rows.iter().map(|row| (label(&scene, row.item), row.keys.as_slice())).collect();
+        let name = |name| Some(Label::Name(name));
+        assert_eq!(told, [(name("knee"), [0.0, 1.0, 2.0].as_slice()), (name("hip"), [0.0, 1.0].as_slice())]);
+        assert_eq!(label(&scene, AnimatedItem::Light(LightId(0))), None);
+        let graphs = graphs(&scene, &clip, rows[0].item);
         let told: Vec<_> = graphs.iter().map(|graph| (graph.kind, graph.lines.len(), graph.lines[0].name.as_str())).collect();
         assert_eq!(told, [(GraphKind::Translation, 1, "Y"), (GraphKind::Rotation, 1, "Z")]);
         assert_eq!(graphs[1].lines[0].value(0.5), 22.5);

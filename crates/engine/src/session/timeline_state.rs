@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{AnimatedItem, ChangeSet, CurveGraph, Session, SheetRow, dope_sheet};
 use crate::view::infer_frame_rate;
+use sinew_scene::Label;
 use sinew_scene::animation::{Clip, LoopMode, Playback};
 
 /// One of the marks that bound what plays.
@@ -55,8 +56,13 @@ impl Session {
 
     /// The rows of the dope sheet: one for each thing that the clip moves.
     pub fn sheet_rows(&self) -> Arc<Vec<SheetRow>> {
-        let make = || self.clip().map_or_else(Vec::new, |clip| dope_sheet::rows(&self.document.scene, clip));
+        let make = || self.clip().map_or_else(Vec::new, dope_sheet::rows);
         self.sheet_rows.get_or_init(|| Arc::new(make())).clone()
+    }
+
+    /// What a row is called; `None` where the scene lacks what it stands for.
+    pub fn sheet_label(&self, item: AnimatedItem) -> Option<Label<'_>> {
+        dope_sheet::label(&self.document.scene, item)
     }
 
     /// The curves of a row, by kind.
