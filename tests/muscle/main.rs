@@ -4,6 +4,7 @@ mod attach;
 mod config;
 mod edit;
 mod experiment;
+mod flesh;
 mod geometry;
 mod joint;
 mod line;

@@ -6,6 +6,7 @@ use glam::{DMat4, DVec3};
 
 use super::Finding;
 use super::arm::{AXIS, Arm, ArmNodes, ELBOW_JOINT, FOREARM, FULL_FLEXION, UPPER_ARM};
+use super::bone_shape::BoneShape;
 use super::config::{self, Anchor, MuscleFile, MuscleSpec, PoseAt, WrapRange};
 use super::joint_dof::{FoundBy, JointAngle, JointDof};
 use super::line_of_action::{CenterlineOffset, Frames, Line, Point};
@@ -41,6 +42,10 @@ impl MuscleRig {
             let dof = JointDof { node: nodes.elbow, axis: AXIS, at_rest: 0.0, range, found: FoundBy::File };
             let angle = JointAngle::new(&dof, &scene.graph);
             let revolute = RevoluteJoint::elbow(&arm, range);
+            rig.bone_shapes = vec![
+                BoneShape::capsule(DVec3::NEG_Y * arm.upper, arm.thickness),
+                BoneShape::capsule(DVec3::NEG_Y * arm.lower, arm.thickness),
+            ];
             rig.joints = vec![RigJoint { name: ELBOW_JOINT.to_owned(), dof, angle, revolute, carries: vec![false] }];
             rig.arm = Some((arm, nodes));
         }
@@ -133,6 +138,7 @@ impl MuscleRig {
             named
         };
         self.turn(scene, named, &rest);
+        self.shape_bones(scene, &rest);
         self.place_poses();
         self.check_joint_range(&scene.graph);
         self.findings.clone()

@@ -57,13 +57,31 @@ struct CurvePiece {
 }
 
 impl CurvePiece {
+    /// The length of the cubic, by Gauss' rule with five points.
+    fn measured(&self) -> f64 {
+        const NODES: [(f64, f64); 5] = [
+            (0.046_910_077_030_668_0, 0.118_463_442_528_094_55),
+            (0.230_765_344_947_158_45, 0.239_314_335_249_683_23),
+            (0.5, 0.284_444_444_444_444_44),
+            (0.769_234_655_052_841_6, 0.239_314_335_249_683_23),
+            (0.953_089_922_969_332, 0.118_463_442_528_094_55),
+        ];
+        NODES.iter().map(|(t, weight)| weight * self.slope(*t).length()).sum()
+    }
+
+    /// The derivative by t, which goes from 0 to 1.
+    fn slope(&self, t: f64) -> DVec3 {
+        let (m, n) = (self.start_tangent * self.length, self.end_tangent * self.length);
+        (self.end - self.start) * (6.0 * t * (1.0 - t)) + m * ((1.0 - t) * (1.0 - 3.0 * t)) + n * (t * (3.0 * t - 2.0))
+    }
+
     fn frame_at(&self, at: f64) -> CrossSectionFrame {
         let inside = at.clamp(0.0, self.length);
         let t = inside / self.length;
         let (m, n) = (self.start_tangent * self.length, self.end_tangent * self.length);
         let chord = self.end - self.start;
         let position = self.start + chord * (t * t * (3.0 - 2.0 * t)) + m * (t * (1.0 - t) * (1.0 - t)) - n * (t * t * (1.0 - t));
-        let slope = chord * (6.0 * t * (1.0 - t)) + m * ((1.0 - t) * (1.0 - 3.0 * t)) + n * (t * (3.0 * t - 2.0));
+        let slope = self.slope(t);
         let bend = chord * (6.0 - 12.0 * t) + m * (6.0 * t - 4.0) + n * (6.0 * t - 2.0);
         let tangent = slope.normalize_or(self.start_tangent);
         let normal = bend.reject_from_normalized(tangent).normalize_or(DVec3::ZERO);
@@ -208,6 +226,39 @@ impl Centerline {
         }
     }
 
+    /// Adds a smooth curve through `count` points that follow one another at even spacing; its direction at each is that from the point before to the point after.
+    pub(super) fn through(&mut self, count: usize, point: impl Fn(usize) -> DVec3) {
+        let last = count.saturating_sub(1);
+        let at = |index: usize| point(index.min(last));
+        let direction = |index: usize| {
+            let (before, after) = (at(index.saturating_sub(1)), at(index + 1));
+            let middle = (after - before).normalize_or(DVec3::X);
+            // At an end the direction bends on as much as it does to the neighbour.
+            match index {
+                0 => mirrored((at(1) - at(0)).normalize_or(middle), (at(2) - at(0)).normalize_or(middle)),
+                index if index == last => mirrored(
+                    (at(last) - at(last.saturating_sub(1))).normalize_or(middle),
+                    (at(last) - at(last.saturating_sub(2))).normalize_or(middle),
+                ),
+                _ => middle,
+            }
+        };
+        self.u = perpendicular(self.u, direction(0));
+        for index in 0..last {
+            let (start, end) = (at(index), at(index + 1));
+            let (start_tangent, end_tangent) = (direction(index), direction(index + 1));
+            let chord = start.distance(end);
+            let piece = CurvePiece { start, start_tangent, end, end_tangent, length: chord, u: self.u, curvature: 0.0 };
+            let length = piece.measured();
+            let middle = (end - start).normalize_or(start_tangent);
+            let curvature = 2.0 * angle(start_tangent, middle).max(angle(middle, end_tangent)) / length.max(f64::MIN_POSITIVE);
+            self.u = carried(self.u, (start, start_tangent), (end, end_tangent));
+            if length > 0.0 {
+                self.push(Piece::Curve(CurvePiece { length, curvature, ..piece }));
+            }
+        }
+    }
+
     fn push(&mut self, piece: Piece) {
         self.length += piece.length();
         self.pieces.push(piece);
@@ -302,6 +353,11 @@ impl Segment {
             normal,
         }
     }
+}
+
+/// The direction that is to `middle` as `middle` is to `next`, all of length 1.
+fn mirrored(middle: DVec3, next: DVec3) -> DVec3 {
+    (middle * (2.0 * middle.dot(next)) - next).normalize_or(middle)
 }
 
 /// The angle between two directions, exact for small ones.

@@ -48,6 +48,8 @@
 //! | `centerline` | centrelines of straight segments, arcs and geodesics, exact in length, with rotation-minimising frames |
 //! | `solved_muscle` | a muscle in one pose, and its buffers |
 //! | `bone_clearance` | distance between the belly and the rods |
+//! | `bone_shape`, `bone_shapes` | how thick bones are round their axes, from their meshes |
+//! | `flesh` | the belly bent away from bones and flattened against them |
 //! | `tessellation` | rings, hemispheres and tendons as triangles |
 //! | `muscle_state` | contraction and elbow angle of an arm, each computed from the other |
 //! | `driving` | the same for a joint of a clip's skeleton |
@@ -73,6 +75,8 @@
 mod arm;
 mod bone_clearance;
 mod bone_name_heuristics;
+mod bone_shape;
+mod bone_shapes;
 mod bones;
 mod build;
 mod centerline;
@@ -81,6 +85,7 @@ mod csv_table;
 mod driving;
 pub mod edit;
 mod finding;
+mod flesh;
 mod joint_dof;
 mod line_of_action;
 pub mod literature_data;

@@ -7,6 +7,7 @@ use glam::{DMat4, DVec3, Vec3};
 
 use super::Finding;
 use super::arm::{Arm, ArmNodes};
+use super::bone_shape::BoneShape;
 use super::config::{JointSpec, MuscleSpec, Tendon};
 use super::joint_dof::{JointAngle, JointDof};
 use super::line_of_action::{Frames, Line, LineSolver};
@@ -21,6 +22,9 @@ use sinew_scene::animation::Pose;
 use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::{Graph, Label, MaterialBinding, Mesh, NodeId, OwnedLabel, Scene, Unnamed};
 
+/// A muscle on a clip that begins nearer than this share of its rest length to the axis of its bone is a scheme that tells no side.
+const SCHEMATIC: f64 = 0.02;
+
 /// A muscle file placed in a scene.
 #[derive(Debug, Clone, Default)]
 pub struct MuscleRig {
@@ -29,6 +33,8 @@ pub struct MuscleRig {
     pub(super) arm: Option<(Arm, ArmNodes)>,
     /// Nodes of the bones that lines of action name.
     pub(super) bones: Vec<NodeId>,
+    /// Shape of each, where it has a length; muscles are pushed aside by it.
+    pub(super) bone_shapes: Vec<Option<BoneShape>>,
     pub(super) muscles: Vec<Muscle>,
     /// The joints that the file names.
     pub(super) joint_specs: Vec<JointSpec>,
@@ -261,12 +267,19 @@ impl MuscleRig {
             *solved = SolvedMuscle::default();
             return;
         };
-        let SolvedMuscle { shape, line: solver, centerline } = solved;
+        let SolvedMuscle { shape, line: solver, centerline, flesh } = solved;
         match &muscle.line {
             Some(line) => {
                 let frames = self.frames(world);
                 muscle.solve_along(line.solve(&frames, solver).length, shape);
                 line.draw(&frames, solver, muscle.drawn_length(shape), centerline);
+                // What is drawn as an arch keeps clear of the rods by itself; a muscle that begins on the axis of its bone tells no side of it.
+                if line.drawn.is_some() || self.is_schematic(muscle, line) {
+                    flesh.leave();
+                } else {
+                    let bones = line.bones().map(|bone| (bone, frames.frame(bone)));
+                    flesh.lay(centerline, shape, &muscle.tendons, &self.bone_shapes, bones);
+                }
             }
             None => {
                 let [long, short] = muscle.free_lengths();
@@ -274,11 +287,18 @@ impl MuscleRig {
                 muscle.shape.solve_into(long + (short - long) * share, shape);
                 shape.path_length = shape.length + muscle.fixed();
                 *solver = LineSolver::default();
+                flesh.leave();
                 let half = DVec3::X * (0.5 * shape.path_length);
                 centerline.begin(DVec3::Y);
                 centerline.line(muscle.free_middle - half, muscle.free_middle + half);
             }
         }
+    }
+
+    /// Whether a muscle begins so near to the axis of its bone that it is a scheme.
+    pub(super) fn is_schematic(&self, muscle: &Muscle, line: &Line) -> bool {
+        let shape = self.bone_shapes.get(line.origin.bone).and_then(Option::as_ref);
+        shape.is_none_or(|shape| shape.from_axis(line.origin.local) < SCHEMATIC * muscle.spec.profile.rest_length())
     }
 
     /// The joint that measurements turn above all, in the rest pose.
@@ -325,7 +345,7 @@ impl MuscleRig {
     ) -> Option<MeshQuality> {
         let muscle = self.muscles.get(index)?;
         let to_world = ToWorld::new(self.root_matrix(world));
-        Some(muscle.layout.deform(&solved.shape, &muscle.tendons, &solved.centerline, &to_world, positions, normals))
+        Some(muscle.layout.deform(&solved.shape, &muscle.tendons, &solved.centerline, &solved.flesh, &to_world, positions, normals))
     }
 
     /// Measures muscle `index` at angles of the elbow, or of the joint that the file names first, in degrees; the other joints are at rest. Without any there

@@ -4,6 +4,7 @@ use std::ops::Deref;
 
 use super::Solved;
 use super::centerline::Centerline;
+use super::flesh::Flesh;
 use super::line_of_action::LineSolver;
 
 /// A muscle solved in one pose: its shape, its line of action, and the centreline that its surface is drawn round. Its buffers are kept from pose to pose.
@@ -13,6 +14,7 @@ pub struct SolvedMuscle {
     pub shape: Solved,
     pub(super) line: LineSolver,
     pub(super) centerline: Centerline,
+    pub(super) flesh: Flesh,
 }
 
 impl SolvedMuscle {
@@ -20,6 +22,11 @@ impl SolvedMuscle {
     /// holds it.
     pub fn centerline(&self) -> &Centerline {
         &self.centerline
+    }
+
+    /// The line through the centres of the cross-sections that are drawn: [`SolvedMuscle::centerline`], or another where bones push the flesh aside.
+    pub fn flesh_centerline(&self) -> &Centerline {
+        self.flesh.centerline().unwrap_or(&self.centerline)
     }
 
     /// The line of action, in the same space; of a muscle that nothing holds, one without a length.

@@ -11,6 +11,7 @@ use glam::{DMat3, DMat4, DVec3, Vec2, Vec3, Vec4};
 use super::Solved;
 use super::Tendon;
 use super::centerline::{Centerline, CrossSectionFrame, Cursor};
+use super::flesh::{FlatSection, Flesh};
 use super::materials::TENDON_PART;
 use sinew_scene::{Mesh, Part};
 
@@ -49,6 +50,8 @@ struct Ring {
     radius: f64,
     /// dr/ds.
     slope: f64,
+    /// How it is flattened.
+    flat: Option<FlatSection>,
 }
 
 /// Matrices from the space of the centre line to the world.
@@ -144,7 +147,8 @@ impl MuscleTopology {
         &self,
         solved: &Solved,
         tendons: &[Tendon; 2],
-        path: &Centerline,
+        line: &Centerline,
+        flesh: &Flesh,
         to_world: &ToWorld,
         positions: &mut Vec<Vec3>,
         normals: &mut Vec<Vec3>,
@@ -152,10 +156,14 @@ impl MuscleTopology {
         positions.clear();
         normals.clear();
         let mut out = Writer { to_world, circle: circle(), positions, normals, before: None, folded: false };
-        let tendons = &fitting(tendons, path.length() - solved.length);
+        let path = flesh.centerline().unwrap_or(line);
+        // A line that goes round a bone is longer than the muscle's own; its tendons take that up.
+        let detour = path.length() - line.length();
+        let tendons = &fitting(tendons, line.length() - solved.length);
         // Where a limit holds the length, the muscle lies in the middle of its line.
         let slack = path.length() - solved.length - tendons[0].length - tendons[1].length;
         let start = tendons[0].length + 0.5 * slack;
+        let section = |at: f64| flesh.section(at / path.length());
         let spans = self.nodes.saturating_sub(1).max(1);
         let spacing = solved.length / spans as f64;
         let radius = |node: usize| solved.radii.get(node).copied().unwrap_or(0.0);
@@ -163,24 +171,35 @@ impl MuscleTopology {
         // Slope at a node: the mean of the cones that meet there.
         let slope = |node: usize| 0.5 * (cone(node.max(1) - 1) + cone(node.min(spans - 1)));
         let mut cursor = path.cursor();
-        out.cap(cursor.frame_at(start), radius(0), -1.0);
+        out.cap(cursor.frame_at(start), radius(0), -1.0, section(start));
         for span in 0..spans {
             let steps = if span + 1 == spans { self.steps + 1 } else { self.steps };
             for step in 0..steps {
                 let share = step as f64 / self.steps as f64;
                 let blend = |a: f64, b: f64| a + (b - a) * share;
-                let frame = cursor.frame_at(start + (span as f64 + share) * spacing);
-                let ring = Ring { frame, radius: blend(radius(span), radius(span + 1)), slope: blend(slope(span), slope(span + 1)) };
+                let at = start + (span as f64 + share) * spacing;
+                let (frame, flat) = (cursor.frame_at(at), section(at));
+                let ring = Ring { frame, radius: blend(radius(span), radius(span + 1)), slope: blend(slope(span), slope(span + 1)), flat };
                 out.ring(&ring);
             }
         }
-        out.cap(cursor.frame_at(start + solved.length), radius(spans), 1.0);
+        let end = start + solved.length;
+        out.cap(cursor.frame_at(end), radius(spans), 1.0, section(end));
         if self.tendons[0] {
-            out.tendon(path.cursor(), start - tendons[0].length, start, [tendons[0].radius, tendons[0].radius.min(radius(0))]);
+            out.tendon(
+                path.cursor(),
+                start - tendons[0].length - 0.5 * detour,
+                start,
+                [tendons[0].radius, tendons[0].radius.min(radius(0))],
+            );
         }
         if self.tendons[1] {
-            let from = start + solved.length;
-            out.tendon(path.cursor(), from, from + tendons[1].length, [tendons[1].radius.min(radius(spans)), tendons[1].radius]);
+            out.tendon(
+                path.cursor(),
+                end,
+                end + tendons[1].length + 0.5 * detour,
+                [tendons[1].radius.min(radius(spans)), tendons[1].radius],
+            );
         }
         MeshQuality { folded: out.folded, mirrored: to_world.matrix.determinant() < 0.0 }
     }
@@ -213,6 +232,37 @@ fn circle() -> &'static [(f32, f32); RING] {
     })
 }
 
+/// The half axes of a flattened circle of radius 1.
+#[derive(Clone, Copy, PartialEq)]
+struct FlatAxes {
+    /// Direction of the short one.
+    toward: DVec3,
+    /// Length of the long one; the short one is 1 over it.
+    long: f64,
+}
+
+impl FlatAxes {
+    const ROUND: Self = Self { toward: DVec3::ZERO, long: 1.0 };
+
+    /// Square to a tangent; `None` where the direction is along it.
+    fn new(flat: FlatSection, tangent: DVec3) -> Option<Self> {
+        let toward = flat.toward.reject_from_normalized(tangent).try_normalize()?;
+        Some(Self { toward, long: flat.flatness.sqrt() })
+    }
+
+    /// What becomes of a direction of the circle.
+    fn stretched(&self, axis: DVec3) -> DVec3 {
+        let short = self.toward * self.toward.dot(axis);
+        (axis - short) * self.long + short / self.long
+    }
+
+    /// What becomes of a normal.
+    fn normal(&self, axis: DVec3) -> DVec3 {
+        let short = self.toward * self.toward.dot(axis);
+        (axis - short) / self.long + short * self.long
+    }
+}
+
 struct Writer<'a> {
     to_world: &'a ToWorld,
     circle: &'static [(f32, f32); RING],
@@ -236,19 +286,21 @@ impl Writer<'_> {
 
     fn ring(&mut self, ring: &Ring) {
         let CrossSectionFrame { position, tangent, u, v, .. } = ring.frame;
-        self.follow(position, tangent, ring.radius);
+        let section = ring.flat.and_then(|flat| FlatAxes::new(flat, tangent)).unwrap_or(FlatAxes::ROUND);
+        self.follow(position, tangent, ring.radius * section.long);
         let matrix = &self.to_world.matrix;
         let centre = matrix.transform_point3(position).as_vec3();
-        let [across_u, across_v] = [u, v].map(|axis| (matrix.transform_vector3(axis) * ring.radius).as_vec3());
+        let [across_u, across_v] = [u, v].map(|axis| (matrix.transform_vector3(section.stretched(axis)) * ring.radius).as_vec3());
         // What is not a number is not drawn, and leaves a hole.
         self.folded |= !(centre + across_u.abs() + across_v.abs()).is_finite();
         // Of length 1 where the matrix only turns.
         let scale = 1.0 / (1.0 + ring.slope * ring.slope).sqrt();
         let normal = |axis: DVec3| (self.to_world.normals * (axis * scale)).as_vec3();
-        let (normal_u, normal_v, back) = (normal(u), normal(v), normal(tangent * -ring.slope));
+        let (normal_u, normal_v) = (normal(section.normal(u)), normal(section.normal(v)));
+        let back = normal(tangent * -ring.slope);
         self.positions.extend(self.circle.iter().map(|&(cos, sin)| centre + across_u * cos + across_v * sin));
         let normals = self.circle.iter().map(|&(cos, sin)| normal_u * cos + normal_v * sin + back);
-        if self.to_world.turns {
+        if self.to_world.turns && section == FlatAxes::ROUND {
             self.normals.extend(normals);
         } else {
             self.normals.extend(normals.map(|normal| normal * normal.length_squared().max(f32::MIN_POSITIVE).sqrt().recip()));
@@ -256,7 +308,7 @@ impl Writer<'_> {
     }
 
     /// A hemisphere without its rim, whose pole looks along `direction` times the tangent; its rings come in the order of the path.
-    fn cap(&mut self, frame: CrossSectionFrame, radius: f64, direction: f64) {
+    fn cap(&mut self, frame: CrossSectionFrame, radius: f64, direction: f64, flat: Option<FlatSection>) {
         for ring in 0..CAP {
             let latitude = if direction < 0.0 { ring } else { CAP - 1 - ring } as f64 / CAP as f64 * std::f64::consts::FRAC_PI_2;
             // `latitude` is measured from the pole.
@@ -264,7 +316,7 @@ impl Writer<'_> {
             let moved = CrossSectionFrame { position: frame.position + frame.tangent * (direction * radius * cos), ..frame };
             // For a sphere −dr/ds is the tangent of the elevation; at the pole the ring is a point and only the direction along counts.
             let slope = -direction * cos / sin.max(1e-6);
-            self.ring(&Ring { frame: moved, radius: radius * sin, slope });
+            self.ring(&Ring { frame: moved, radius: radius * sin, slope, flat });
         }
     }
 
@@ -282,7 +334,7 @@ impl Writer<'_> {
                 0.0
             };
             let radius = if closes == 0.0 { radii[0] + (radii[1] - radii[0]) * share } else { 0.0 };
-            self.ring(&Ring { frame: cursor.frame_at(from + (to - from) * share), radius, slope: closes });
+            self.ring(&Ring { frame: cursor.frame_at(from + (to - from) * share), radius, slope: closes, flat: None });
         }
     }
 }
@@ -299,8 +351,15 @@ mod tests {
         path.arc(DVec3::ZERO, DVec3::X, DVec3::Y, 10.0, std::f64::consts::FRAC_PI_2);
         let solved = Solved { length: path.length(), radii: vec![radius; 6], ..Solved::default() };
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        let cover =
-            MuscleTopology::new(6, &NO_TENDONS).deform(&solved, &NO_TENDONS, &path, &ToWorld::new(world), &mut positions, &mut normals);
+        let cover = MuscleTopology::new(6, &NO_TENDONS).deform(
+            &solved,
+            &NO_TENDONS,
+            &path,
+            &Flesh::default(),
+            &ToWorld::new(world),
+            &mut positions,
+            &mut normals,
+        );
         (cover, positions)
     }
 
