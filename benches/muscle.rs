@@ -47,14 +47,25 @@ fn muscles(criterion: &mut Criterion) {
     criterion.bench_function("one biceps", |bencher| bencher.iter(|| biceps.frame()));
     let radii: Vec<f64> = (0..24).map(|node| 4.0 + 14.0 * (f64::from(node) / 23.0 * std::f64::consts::PI).sin()).collect();
     let growth: Vec<f64> = (0..24).map(|node| (f64::from(node) / 23.0 * std::f64::consts::PI).sin()).collect();
-    let mut yaml = String::from("arm: {upper: 330, forearm: 260, thickness: 8}\nmuscles:\n");
-    for _ in 0..100 {
-        yaml += &format!(
-            "  - {{length: 347, radii: {radii:?}, growth: {growth:?}, origin: {{bone: upper arm, offset: [0, -30, 0]}}, insertion: {{bone: forearm, offset: [0, -47, 0]}}}}\n"
+    let hundred = |more: &str| {
+        let muscle = format!(
+            "  - {{length: 347, radii: {radii:?}, growth: {growth:?}, origin: {{bone: upper arm, offset: [0, -30, 0]}}, insertion: {{bone: forearm, offset: [0, -47, 0]}}{more}}}\n"
         );
+        Stage::new(&format!("arm: {{upper: 330, forearm: 260, thickness: 8}}\nmuscles:\n{}", muscle.repeat(100)))
+    };
+    let cylinder = |between: &str| {
+        format!("{{shape: cylinder, bone: upper arm, offset: [0, -330, 0], radius: 20, length: 80, side: +x, between: {between}}}")
+    };
+    let ellipsoid = "{shape: ellipsoid, bone: upper arm, offset: [4, -120, 0], radii: [30, 60, 40], side: +x, between: [0, 1]}";
+    let via = "via: [{bone: upper arm, offset: [30, -240, 0]}]";
+    for (name, more) in [
+        ("100 muscles of 24 nodes", String::new()),
+        ("100 muscles of 24 nodes over two cylinders", format!(", {via}, wraps: [{}, {}]", cylinder("[0, 1]"), cylinder("[1, 2]"))),
+        ("100 muscles of 24 nodes over an ellipsoid and a cylinder", format!(", {via}, wraps: [{ellipsoid}, {}]", cylinder("[1, 2]"))),
+    ] {
+        let mut stage = hundred(&more);
+        criterion.bench_function(name, |bencher| bencher.iter(|| stage.frame()));
     }
-    let mut hundred = Stage::new(&yaml);
-    criterion.bench_function("100 muscles of 24 nodes", |bencher| bencher.iter(|| hundred.frame()));
 }
 
 criterion_group!(benches, muscles);

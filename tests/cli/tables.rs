@@ -101,7 +101,7 @@ fn curves_follow_the_table() {
     let (svg, file) = (folder.path().join("a.svg"), config("biceps-measured.yaml"));
     assert_eq!(sinew(["measure", arg(&file), "--plot", arg(&svg)]).well(), "");
     let (lines, words) = read_svg(&std::fs::read_to_string(&svg).expect("there"));
-    for word in ["length, mm", "moment arm, mm", "largest radius, mm", "volume, mm³", "angle, °"] {
+    for word in ["belly, mm", "moment arm, mm", "largest radius, mm", "volume, mm³", "angle, °"] {
         assert!(words.iter().any(|found| found == word), "{word} is not in {words:?}");
     }
     let mut curves = lines.iter().filter(|points| points.len() > 50);

@@ -123,3 +123,26 @@ fn the_volume_of_flesh_beside_bones_is_that_of_the_table() {
         }
     }
 }
+
+#[test]
+fn flesh_moves_without_a_jump_as_the_joint_turns() {
+    for name in ["atlas-muscles.yaml", "curl-muscles.yaml"] {
+        let document = demo(name);
+        let joint = document.joint().unwrap();
+        let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+        let mut rows: Vec<Vec<Vec<DVec3>>> = Vec::new();
+        const STEP: f64 = 0.25;
+        for step in 0..=((joint.range[1] - joint.range[0]) / STEP) as u32 {
+            let state = document.start_state().with_rotation(Some(joint.absolute(joint.range[0] + STEP * f64::from(step))));
+            document.pose(&state, &mut buffers, &mut frame);
+            rows.push(frame.surfaces.iter().filter(|surface| surface.muscle.is_some()).map(positions).collect());
+        }
+        // What a vertex moves by in a step is nearly what it moved by in the step before.
+        for (step, three) in rows.windows(3).enumerate() {
+            for (muscle, ((a, b), c)) in three[0].iter().zip(&three[1]).zip(&three[2]).enumerate() {
+                let bend = a.iter().zip(b).zip(c).map(|((a, b), c)| (*a - 2.0 * *b + *c).length()).fold(0.0, f64::max);
+                assert!(bend < 4e-4, "{name}, muscle {muscle} at {}°: {} mm", STEP * step as f64, 1e3 * bend);
+            }
+        }
+    }
+}

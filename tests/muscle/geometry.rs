@@ -358,14 +358,14 @@ fn without_an_arm_contraction_runs_the_length() {
 
 #[test]
 fn the_human_biceps_keeps_to_the_published_figures() {
-    use sinew::muscle::literature_data::{ARM26, ARM26_SHORTENING, BICEPS_PEAK, BICEPS_SHORTENING, BICEPS_VOLUME};
+    use sinew::muscle::literature_data::{ARM26_BICEPS, ARM26_SHORTENING, BICEPS_PEAK, BICEPS_SHORTENING, BICEPS_VOLUME};
     for (name, text) in [
         ("straight", include_str!("../../configs/biceps-human.yaml")),
         ("wrapped", include_str!("../../configs/biceps-human-wrapped.yaml")),
     ] {
         let rig = MuscleRig::build(&MuscleFile::parse(text).unwrap(), name, &mut Scene::default(), MuscleId(0));
         let arm = |angle: f64| rig.measure(0, &[angle])[0].moment_arm.unwrap() / 10.0;
-        let rms = ARM26.rms([30.0, 130.0], arm).unwrap();
+        let rms = ARM26_BICEPS.rms([30.0, 130.0], arm).unwrap();
         assert!(rms < 0.5, "{name}: {rms} cm RMS from Arm26");
         let peak = (0..=1300).map(|step| f64::from(step) / 10.0).max_by(|a, b| arm(*a).total_cmp(&arm(*b))).unwrap();
         assert!((BICEPS_PEAK[0][0]..=BICEPS_PEAK[0][1]).contains(&arm(peak)), "{name}: peak {}", arm(peak));

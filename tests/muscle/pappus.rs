@@ -146,7 +146,7 @@ proptest! {
         // Rings at all nodes, so that the cones themselves are met, and several in the sharpest arc.
         let spans = solved.radii.len() - 1;
         let turn = path.sharpest(start, start + solved.length) * solved.length / spans as f64;
-        let rings = spans * (turn / 0.2).ceil().clamp(20.0, 4000.0) as usize;
+        let rings = spans * (turn / 0.15).ceil().clamp(20.0, 4000.0) as usize;
         let (coarse, bend) = by_surface(&path, &solved, start, rings);
         // Pappus needs a line that is bent less than the muscle is thick.
         prop_assume!(bend < 1.0);

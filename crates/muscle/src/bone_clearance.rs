@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::arm::{Arm, ELBOW, FULL_FLEXION};
+use super::centerline::Centerline;
 use super::line_of_action::{CenterlineOffset, Frames, Line, Point};
 use super::profile::Profile;
 use super::revolute_joint::RevoluteJoint;
@@ -103,7 +104,8 @@ fn gap(
     if start.distance(end) > solved.length + fixed {
         return f64::NEG_INFINITY;
     }
-    let path = drawn.centerline(frames, solved.length + fixed);
+    let mut path = Centerline::default();
+    drawn.draw(frames, solved.length + fixed, &mut path);
     let elbow = arm.elbow();
     let [shoulder, wrist] = [frames.frame(0).w_axis.truncate(), frames.frame(1).transform_point3(DVec3::NEG_Y * arm.lower)];
     let rods = [(shoulder, elbow), (elbow, wrist)];

@@ -28,7 +28,7 @@ pub(super) struct BoneShape {
 /// A point beside a bone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Beside {
-    /// How far the point is from the bone's axis.
+    /// How far the point is from the bone's axis, between its ends.
     pub distance: f64,
     /// How far the bone's surface is from the axis in that direction.
     pub radius: f64,
@@ -80,15 +80,12 @@ impl BoneShape {
         Some(Self { origin, axes, ends, radii })
     }
 
-    /// The bone beside a point; `None` beyond its ends, and on its axis.
+    /// The bone beside a point; `None` on its axis. Beyond its ends the distance is that from the end of the axis.
     pub(super) fn beside(&self, point: DVec3) -> Option<Beside> {
         let local = self.axes.transpose() * (point - self.origin);
-        let distance = local.truncate().length();
-        let outward = (self.axes * local.with_z(0.0)).try_normalize()?;
-        let radius = self.radius_at(local);
-        let beyond = (self.ends[0] - local.z).max(local.z - self.ends[1]).max(0.0);
-        // Round ends.
-        (beyond < radius).then(|| Beside { distance, radius: (radius * radius - beyond * beyond).sqrt(), outward })
+        let from_axis = local.with_z(local.z - local.z.clamp(self.ends[0], self.ends[1]));
+        let outward = (self.axes * from_axis).try_normalize()?;
+        Some(Beside { distance: from_axis.length(), radius: self.radius_at(local), outward })
     }
 
     /// How far a point is from the bone's axis.
@@ -153,9 +150,8 @@ mod tests {
         assert!(
             (beside.distance - 5.0).abs() < 1e-12 && beside.radius == 8.0 && beside.outward.distance(DVec3::new(0.6, 0.0, 0.8)) < 1e-12
         );
-        let end = bone.beside(DVec3::new(1.0, 104.0, 0.0)).unwrap();
-        assert!((end.radius - f64::sqrt(64.0 - 16.0)).abs() < 1e-12);
-        assert_eq!(bone.beside(DVec3::new(1.0, 109.0, 0.0)), None);
+        let end = bone.beside(DVec3::new(3.0, 104.0, 0.0)).unwrap();
+        assert!(end.radius == 8.0 && (end.distance - 5.0).abs() < 1e-12 && end.outward.distance(DVec3::new(0.6, 0.8, 0.0)) < 1e-12);
         assert_eq!(bone.beside(DVec3::Y * 50.0), None);
     }
 

@@ -132,13 +132,13 @@ impl MuscleRig {
             }
         }
         self.findings.extend(missing);
+        self.shape_bones(scene, &rest);
         let named = if self.joint_specs.is_empty() {
             self.found_joint(scene, clips).map(|joint| (String::new(), joint)).into_iter().collect()
         } else {
             named
         };
         self.turn(scene, named, &rest);
-        self.shape_bones(scene, &rest);
         self.place_poses();
         self.check_joint_range(&scene.graph);
         self.findings.clone()

@@ -99,6 +99,10 @@ fn carried(u: DVec3, from: (DVec3, DVec3), to: (DVec3, DVec3)) -> DVec3 {
         if square > f64::MIN_POSITIVE { vector - normal * (2.0 * normal.dot(vector) / square) } else { vector }
     };
     let between = to.0 - from.0;
+    // Two places that differ by a rounding have no direction between them.
+    if between.dot(from.1) <= 0.5 * between.length() {
+        return perpendicular(u, to.1);
+    }
     let (u, tangent) = (mirrored(u, between), mirrored(from.1, between));
     perpendicular(mirrored(u, to.1 - tangent), to.1)
 }
@@ -226,23 +230,10 @@ impl Centerline {
         }
     }
 
-    /// Adds a smooth curve through `count` points that follow one another at even spacing; its direction at each is that from the point before to the point after.
-    pub(super) fn through(&mut self, count: usize, point: impl Fn(usize) -> DVec3) {
+    /// Adds a smooth curve through `count` points that follow one another at about even spacing, with these directions at them.
+    pub(super) fn through(&mut self, count: usize, point: impl Fn(usize) -> (DVec3, DVec3)) {
         let last = count.saturating_sub(1);
-        let at = |index: usize| point(index.min(last));
-        let direction = |index: usize| {
-            let (before, after) = (at(index.saturating_sub(1)), at(index + 1));
-            let middle = (after - before).normalize_or(DVec3::X);
-            // At an end the direction bends on as much as it does to the neighbour.
-            match index {
-                0 => mirrored((at(1) - at(0)).normalize_or(middle), (at(2) - at(0)).normalize_or(middle)),
-                index if index == last => mirrored(
-                    (at(last) - at(last.saturating_sub(1))).normalize_or(middle),
-                    (at(last) - at(last.saturating_sub(2))).normalize_or(middle),
-                ),
-                _ => middle,
-            }
-        };
+        let (at, direction) = (|index: usize| point(index).0, |index: usize| point(index).1.normalize_or(DVec3::X));
         self.u = perpendicular(self.u, direction(0));
         for index in 0..last {
             let (start, end) = (at(index), at(index + 1));
@@ -270,17 +261,25 @@ impl Centerline {
     /// With `θ` the angle at which it leaves the chord `c`, the arcs have the radius `s / θ` over their length `s = shoulder · L`, so
     /// `c = L − 2 s (1 − sin θ / θ)`; `θ` is found by Newton's method. Where even a full arch is too short, it is scaled to end at `end`.
     pub fn arc_between(start: DVec3, end: DVec3, length: f64, shoulder: f64, side: DVec3) -> Self {
+        let mut path = Self::default();
+        path.arch(start, end, length, shoulder, side);
+        path
+    }
+
+    /// Makes it [`Centerline::arc_between`]; its memory is kept.
+    pub(super) fn arch(&mut self, start: DVec3, end: DVec3, length: f64, shoulder: f64, side: DVec3) {
         let chord = end - start;
         let distance = chord.length();
         let along = chord.try_normalize().unwrap_or(DVec3::NEG_Y);
         let up = perpendicular(side, along);
-        let mut path = Self::new(up);
+        let path = self;
+        path.begin(up);
         let shoulder_length = shoulder * length;
         let slack = length - distance;
         let theta = if slack > 1e-12 * length { angle_of_slack(slack / (2.0 * shoulder_length)) } else { 0.0 };
         if theta < 1e-7 {
             path.line(start, end);
-            return path;
+            return;
         }
         let (sin, cos) = theta.sin_cos();
         let radius = shoulder_length / theta;
@@ -292,7 +291,6 @@ impl Centerline {
             path.line(top, top + along * flat);
         }
         path.arc(top + along * flat, along, -up, radius, theta);
-        path
     }
 
     /// The cross-section at length `at` from the start; before the start and after the end it goes straight on.
@@ -353,11 +351,6 @@ impl Segment {
             normal,
         }
     }
-}
-
-/// The direction that is to `middle` as `middle` is to `next`, all of length 1.
-fn mirrored(middle: DVec3, next: DVec3) -> DVec3 {
-    (middle * (2.0 * middle.dot(next)) - next).normalize_or(middle)
 }
 
 /// The angle between two directions, exact for small ones.

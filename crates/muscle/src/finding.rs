@@ -66,6 +66,15 @@ pub enum Finding {
         /// Where.
         angle: f64,
     },
+    /// The middle of the belly comes further away from the bone than it is at rest, like the string of a bow.
+    BowStrings {
+        /// How far it is from the bone's axis at rest.
+        rest: f64,
+        /// How far it comes at most.
+        most: f64,
+        /// The angle at which it does.
+        angle: f64,
+    },
     /// The muscle goes through a bone.
     ThroughBone {
         /// What the bone is called.
@@ -176,6 +185,9 @@ impl ToMessage for Finding {
                 to = degrees(second.angle)
             ),
             Self::PathJumps { jump, angle } => message!("muscle-path-jumps", jump = millimetres(*jump), place = at(*angle)),
+            Self::BowStrings { rest, most, angle } => {
+                message!("muscle-bow-strings", rest = millimetres(*rest), most = millimetres(*most), place = at(*angle))
+            }
             Self::ThroughBone { bone, share, angle } => {
                 message!("muscle-through-bone", bone = bone.as_label(), share = per_cent(*share), place = at(*angle))
             }
@@ -208,6 +220,7 @@ impl DiagnosticKind for Finding {
             Self::BeyondCylinder { .. } => "muscle-wrap-beyond-end",
             Self::MomentArmChangesSign { .. } => "moment-arm-changes-sign",
             Self::PathJumps { .. } => "muscle-path-jumps",
+            Self::BowStrings { .. } => "muscle-bow-strings",
             Self::ThroughBone { .. } => "muscle-through-bone",
             Self::TooThick { .. } => "muscle-too-thick",
             Self::BoneNotFound { .. } => "muscle-bone-not-found",

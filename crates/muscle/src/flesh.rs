@@ -173,11 +173,17 @@ impl Flesh {
             self.bend();
             self.centerline.begin(line.frame_at(0.0).u);
             let Self { places, centerline, .. } = self;
-            centerline.through(places.len(), |index| places.get(index).map_or(DVec3::ZERO, |place| place.position + place.moved));
+            let spacing = line.length() / PLACES as f64;
+            let moved = |index: usize| places.get(index.min(PLACES)).map_or(DVec3::ZERO, |place| place.moved);
+            centerline.through(places.len(), |index| {
+                let Some(place) = places.get(index) else { return (DVec3::ZERO, DVec3::X) };
+                let bend = (moved(index + 1) - moved(index.saturating_sub(1))) / (2.0 * spacing);
+                (place.position + place.moved, place.tangent + bend)
+            });
             self.pushed = true;
         }
         if self.places.iter().any(|place| place.is_near) {
-            self.flatten(shapes);
+            self.flatten(shapes, line.length());
         }
     }
 
@@ -227,23 +233,30 @@ impl Flesh {
             place.moved = DVec3::ZERO;
             if sum > 0.0 {
                 let agree = smooth((direction.length() / weights - AGREE[0]) / (AGREE[1] - AGREE[0]));
-                let outward = direction.reject_from_normalized(place.tangent).normalize_or_zero();
+                // Along the line nothing can be moved.
+                let outward = direction.normalize_or_zero().reject_from_normalized(place.tangent);
                 place.moved = outward * (sum.powf(1.0 / f64::from(LARGEST)) * agree * free(index));
             }
         }
     }
 
-    /// Flattens the cross-sections where the bone leaves less than the radius.
-    fn flatten(&mut self, shapes: &[Option<BoneShape>]) {
+    /// Flattens the cross-sections where bones leave less than the radius, each as much as it does.
+    fn flatten(&mut self, shapes: &[Option<BoneShape>], length: f64) {
         for (index, place) in self.places.iter().enumerate() {
-            let posed = self.bones.iter().filter_map(|bone| bone.room(shapes, place.position + place.moved, place.radius));
-            let nearest = posed.min_by(|a, b| a.outside.total_cmp(&b.outside));
-            let round = FlatSection { flatness: 1.0, toward: DVec3::ZERO };
-            self.sections.push(nearest.map_or(round, |Clearance { outside, outward, .. }| {
-                let wanted = (place.radius / outside.max(place.radius / FLATTEST.sqrt())).powi(2);
-                let flatness = 1.0 + positive(wanted - 1.0, SOFT).min(FLATTEST - 1.0) * free(index);
-                FlatSection { flatness, toward: -outward.reject_from_normalized(place.tangent).normalize_or_zero() }
-            }));
+            let at = length * index as f64 / PLACES as f64;
+            let (mut toward, mut most) = (DVec3::ZERO, 0.0_f64);
+            for bone in &self.bones {
+                let Some(clear) = bone.room(shapes, place.position + place.moved, place.radius) else { continue };
+                let wanted = (place.radius / clear.outside.max(place.radius / FLATTEST.sqrt())).powi(2) - 1.0;
+                let flatter = positive(wanted, SOFT) * bone.counts([at, length - at], clear.radius);
+                toward -= clear.outward * flatter;
+                most = most.max(flatter);
+            }
+            let toward = toward.reject_from_normalized(place.tangent);
+            // Bones on both sides leave no side to be flattened from.
+            let agree = if most > 0.0 { (toward.length() / most).min(1.0) } else { 0.0 };
+            let flatness = 1.0 + most.min(FLATTEST - 1.0) * agree * free(index);
+            self.sections.push(FlatSection { flatness, toward: toward.normalize_or_zero() });
         }
     }
 }

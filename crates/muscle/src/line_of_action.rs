@@ -173,7 +173,7 @@ impl Line {
     /// a limit, another.
     pub(super) fn draw(&self, frames: &(impl Frames + ?Sized), solver: &mut LineSolver, length: f64, centerline: &mut Centerline) {
         match &self.drawn {
-            Some(drawn) => *centerline = drawn.centerline(frames, length),
+            Some(drawn) => drawn.draw(frames, length, centerline),
             None => {
                 let side = self.wraps.first().map_or(DVec3::X, |wrap| frames.frame(wrap.center.bone).transform_vector3(DVec3::X));
                 let LineSolver { solver, corners, .. } = solver;
@@ -184,10 +184,10 @@ impl Line {
 }
 
 impl CenterlineOffset {
-    /// The arch of this length between the drawn ends.
-    pub(super) fn centerline(&self, frames: &(impl Frames + ?Sized), length: f64) -> Centerline {
+    /// Writes the arch of this length between the drawn ends.
+    pub(super) fn draw(&self, frames: &(impl Frames + ?Sized), length: f64, centerline: &mut Centerline) {
         let [start, end] = self.ends.map(|point| frames.place(point));
         let [above, below] = self.ends.map(|point| frames.frame(point.bone).transform_vector3(self.side));
-        Centerline::arc_between(start, end, length, SHOULDER, above + below)
+        centerline.arch(start, end, length, SHOULDER, above + below);
     }
 }

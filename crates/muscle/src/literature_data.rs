@@ -20,12 +20,74 @@ pub const MURRAY_2000: Published = Published {
     points: &[[90.0, 4.7]],
 };
 
-/// Moment arm of the long head of the biceps in the Arm26 model.
-pub const ARM26: Published = Published {
-    name: "Arm26",
-    source: "Arm26, a model that comes with OpenSim: J. A. Reinbolt, A. Seth, A. Habib, S. R. Hamner; adapted from K. R. S. Holzbaur, \
-             W. M. Murray, S. L. Delp: A model of the upper extremity. Ann. Biomed. Eng. 33 (2005) 829–840.",
-    points: &[[0.0, 0.94], [40.0, 3.16], [60.0, 4.05], [80.0, 4.69], [90.0, 4.88], [100.0, 4.94], [130.0, 4.03]],
+/// Where the moment arms of Arm26 come from: OpenSim 4.6 computed them from the model, with the shoulder at 0°.
+const ARM26: &str = "Arm26, a model that comes with OpenSim: J. A. Reinbolt, A. Seth, A. Habib, S. R. Hamner; adapted from K. R. S. Holzbaur, \
+                     W. M. Murray, S. L. Delp: A model of the upper extremity. Ann. Biomed. Eng. 33 (2005) 829–840.";
+
+/// Moment arm of both heads of the biceps in the Arm26 model.
+pub const ARM26_BICEPS: Published = Published {
+    name: "Arm26 biceps",
+    source: ARM26,
+    points: &[
+        [0.0, 0.94],
+        [10.0, 1.53],
+        [20.0, 2.10],
+        [30.0, 2.65],
+        [40.0, 3.16],
+        [50.0, 3.63],
+        [60.0, 4.05],
+        [70.0, 4.41],
+        [80.0, 4.69],
+        [90.0, 4.88],
+        [100.0, 4.94],
+        [110.0, 4.85],
+        [120.0, 4.56],
+        [130.0, 4.03],
+    ],
+};
+
+/// Moment arm of the three heads of the triceps in the Arm26 model, which differ by 0.2 mm at most.
+pub const ARM26_TRICEPS: Published = Published {
+    name: "Arm26 triceps",
+    source: ARM26,
+    points: &[
+        [0.0, -2.01],
+        [10.0, -2.32],
+        [20.0, -2.41],
+        [30.0, -2.41],
+        [40.0, -2.35],
+        [50.0, -2.25],
+        [60.0, -2.12],
+        [70.0, -1.97],
+        [80.0, -1.98],
+        [90.0, -1.99],
+        [100.0, -2.00],
+        [110.0, -1.99],
+        [120.0, -1.97],
+        [130.0, -1.94],
+    ],
+};
+
+/// Moment arm of the brachialis in the Arm26 model.
+pub const ARM26_BRACHIALIS: Published = Published {
+    name: "Arm26 brachialis",
+    source: ARM26,
+    points: &[
+        [0.0, 1.53],
+        [10.0, 1.44],
+        [20.0, 1.37],
+        [30.0, 1.31],
+        [40.0, 1.26],
+        [50.0, 1.39],
+        [60.0, 1.67],
+        [70.0, 1.91],
+        [80.0, 2.12],
+        [90.0, 2.27],
+        [100.0, 2.37],
+        [110.0, 2.40],
+        [120.0, 2.35],
+        [130.0, 2.23],
+    ],
 };
 
 /// Radii that were measured on a biceps at four angles, as [`super::validation::Table::parse`] reads them; the source stands in its first lines.

@@ -2,6 +2,7 @@
 
 use glam::{DMat4, DVec3};
 
+use super::bone_shape::BoneShape;
 use super::centerline::Centerline;
 use super::line_of_action::{Frames, Line, LineSolver};
 use super::measure::{LineAtAngle, at_angle};
@@ -27,6 +28,8 @@ const NEAR_AXIS: (f64, usize) = (0.25, 2);
 const THICK: f64 = 0.15;
 /// A muscle on a clip that begins nearer than this share of its rest length to the axis of its bone is a scheme that tells no side.
 const SCHEMATIC: f64 = 0.02;
+/// A belly that comes further from the bone than at rest by more than this bow-strings, millimetres.
+const BOW_STRING: f64 = 15.0;
 /// A point that lies less deep in a wrap surface than this share of the rest length lies on it.
 const INSIDE: f64 = 1e-7;
 /// Least range of the joint in which a ball that is not touched is one that does nothing, degrees.
@@ -134,6 +137,9 @@ impl MuscleRig {
             let mut collector =
                 FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: self.arm.is_some(), findings: &mut findings };
             find_inert_wraps(&mut collector, hinge, line, &wraps);
+            if !self.is_schematic(muscle, line) {
+                find_bow_string(&mut collector, hinge, line, &samples, &self.bone_shapes);
+            }
             check(collector, hinge, line, &samples, asked, &limbs, &names);
         }
         self.findings.append(&mut findings);
@@ -301,6 +307,37 @@ fn find_inert_wraps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint,
     }
     if let Some(angle) = wraps.lost {
         collector.push(Finding::PathNotFound { angle });
+    }
+}
+
+/// Says where the middle of the belly leaves the bone.
+fn find_bow_string(
+    collector: &mut FindingCollector<'_>,
+    hinge: &RevoluteJoint,
+    line: &Line,
+    samples: &[AngleSample],
+    shapes: &[Option<BoneShape>],
+) {
+    let mut solved = Solved::default();
+    let mut away = |angle: f64| {
+        let frames = hinge.at(angle);
+        let path = drawn(collector.muscle, line, &frames, &mut solved);
+        let fixed = collector.muscle.fixed();
+        let start = 0.5 * (path.length() - solved.length - fixed).max(0.0) + collector.muscle.tendons[0].length;
+        let middle = path.frame_at(start + 0.5 * solved.length).position;
+        let distance = |bone: usize| {
+            let (shape, frame) = (shapes.get(bone)?.as_ref()?, frames.frame(bone));
+            let inside = shape.beside(frame.inverse().transform_point3(middle))?;
+            Some(frame.transform_vector3(inside.outward * inside.distance).length())
+        };
+        line.bones().filter_map(distance).min_by(f64::total_cmp)
+    };
+    let Some(rest) = away(hinge.at_rest.clamp(hinge.range[0], hinge.range[1])) else { return };
+    let every = samples.len().div_ceil(13).max(1);
+    let all = samples.iter().step_by(every).filter_map(|sample| Some((sample.angle, away(sample.angle)?)));
+    let Some((angle, most)) = all.max_by(|a, b| a.1.total_cmp(&b.1)) else { return };
+    if collector.to_millimetres(most - rest) > BOW_STRING {
+        collector.push(Finding::BowStrings { rest: collector.to_millimetres(rest), most: collector.to_millimetres(most), angle });
     }
 }
 

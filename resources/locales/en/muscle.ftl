@@ -158,5 +158,6 @@ muscle-arm-changes-sign = The moment arm is { $first } mm at { $from }° and { $
 muscle-path-jumps = The length of the line of action jumps by { $jump } mm { $place }, because the line changes sides of a wrap surface, or a via point becomes active away from the line; move the surface, its side, the via point or an attachment.
 muscle-path-not-found = No shortest path around all wrap surfaces was found { $place }; the path that is used goes around each of them, but may be longer. Give the surfaces sides, or put a via point between them.
 muscle-wrap-beyond-end = The line of action runs beyond the end of wrap surface { $wrap } { $place }, as if the cylinder were longer; increase its length or move it.
+muscle-bow-strings = The middle of the belly moves from { $rest } mm to { $most } mm away from the axis of the bone { $place }: the muscle bow-strings. Guide it with a via point on the bone, or with a torus that it passes through.
 muscle-through-bone = The muscle passes through the bone “{ $bone }”: { $share } % of the bone lie inside the belly { $place }. Move an attachment sideways, or add via points.
 muscle-too-thick = The belly is too thick for its position: { $share } % of the bone “{ $bone }” lie inside the belly { $place }, where its radius is { $radius } mm. Decrease the radii, or add via points farther from the bone.

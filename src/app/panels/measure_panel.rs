@@ -196,7 +196,7 @@ impl MeasurePanel {
                 }
             }
         ));
-        self.widgets.sources.set_text(&format!("{}\n{}", literature_data::MURRAY_2000.source, literature_data::ARM26.source));
+        self.widgets.sources.set_text(&format!("{}\n{}", literature_data::MURRAY_2000.source, literature_data::ARM26_BICEPS.source));
         // Measuring waits until the panel is visible.
         self.widgets.root.connect_map(glib::clone!(
             #[weak]
@@ -287,10 +287,9 @@ impl MeasurePanel {
             });
             plot.borrow_mut().reference_series = others.collect();
         }
-        // The published figures are of a flexor of the elbow.
-        let comparable = against == MeasureAxis::Angle
-            && joints.len() < 2
-            && readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>() > 0.0;
+        // The published figures are of muscles that flex the elbow and of one that extends it.
+        let flexes = readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>();
+        let comparable = against == MeasureAxis::Angle && joints.len() < 2 && flexes != 0.0;
         self.widgets.published.set_visible(comparable);
         self.widgets.sources.set_visible(comparable);
         if comparable
@@ -299,12 +298,13 @@ impl MeasurePanel {
         {
             // Centimetres to the file's unit.
             let scale = 0.01 / unit.metres;
-            plot.borrow_mut().reference_series = [literature_data::ARM26, literature_data::MURRAY_2000]
-                .map(|series| Series {
-                    name: series.name.to_owned(),
-                    points: series.points.iter().map(|[angle, arm]| (*angle, arm * scale)).collect(),
-                })
-                .to_vec();
+            let flexors = [literature_data::ARM26_BICEPS, literature_data::ARM26_BRACHIALIS, literature_data::MURRAY_2000];
+            let published = if flexes > 0.0 { flexors.as_slice() } else { &[literature_data::ARM26_TRICEPS] };
+            let series = published.iter().map(|series| Series {
+                name: series.name.to_owned(),
+                points: series.points.iter().map(|[angle, arm]| (*angle, arm * scale)).collect(),
+            });
+            plot.borrow_mut().reference_series = series.collect();
         }
         self.readings.replace(readings);
     }

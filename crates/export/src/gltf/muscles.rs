@@ -14,7 +14,7 @@ use sinew_scene::limits;
 use sinew_scene::{Frame, MuscleId, NodeId, Surface, SurfaceGeometry};
 
 /// Most morph targets of one muscle in one animation.
-const MAX_SHAPES: usize = 128;
+const MAX_SHAPES: usize = 144;
 /// Largest deviation of a surface between two of its shapes, in diagonals of the scene.
 const MAX_ERROR: f32 = 6e-5;
 
