@@ -4,17 +4,22 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use proptest::prelude::*;
+use sinew::animation::Pose;
 use sinew::muscle::{MuscleFile, MuscleRig, MuscleSample};
 use sinew::scene::{MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp};
 
 /// A muscle on an arm of 330 and 260 units whose elbow lies in the origin of the upper arm's bone shifted by −330 along y.
 fn on_arm(keys: &str) -> MuscleRig {
+    MuscleRig::build(&file_on_arm(keys), "m", &mut Scene::default(), MuscleId(0))
+}
+
+fn file_on_arm(keys: &str) -> MuscleFile {
     let yaml = format!(
         "arm: {{upper: 330, forearm: 260, thickness: 1, flexion: [0, 150]}}\nmuscles:\n  - {{length: 300, radii: [1, 2, 1], growth: [0, 1, 0], {keys}}}\n"
     );
     let file = MuscleFile::parse(&yaml).unwrap_or_else(|error| panic!("{error}\n{yaml}"));
     assert_eq!(MuscleFile::parse(&file.to_yaml()).unwrap(), file, "{}", file.to_yaml());
-    MuscleRig::build(&file, "m", &mut Scene::default(), MuscleId(0))
+    file
 }
 
 fn sample(rig: &MuscleRig, angle: f64) -> MuscleSample {
@@ -260,5 +265,63 @@ proptest! {
                 prop_assert!((posed - arm).abs() < 1e-6 * (1.0 + posed.abs()), "{posed} {arm}");
             }
         }
+    }
+
+}
+
+proptest! {
+    // Surfaces on which the path has a choice of ways take their time.
+    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+
+    /// Whatever surfaces, wherever they are: a length, a line as long as that, a surface of numbers, the volume kept.
+    #[test]
+    fn any_wraps_have_an_answer(
+        wraps in prop::collection::vec((0..4_usize, prop::array::uniform3(1.0..80.0_f64), prop::array::uniform3(-120.0..120.0_f64), prop::array::uniform3(-180.0..180.0_f64), 0..8_usize, 0..3_usize, any::<bool>()), 0..5),
+        via in prop::collection::vec((prop::array::uniform3(-60.0..60.0_f64), any::<bool>(), prop::option::of(0.0..90.0_f64)), 0..4),
+        angle in 0.0..150.0_f64,
+    ) {
+        let sides = ["+x", "-x", "+y", "-y", "+z", "-z", "[0.3, 1, -0.2]"];
+        let bone = |upper: bool| if upper { "upper arm" } else { "forearm" };
+        let shape = |(shape, sizes, at, rotation, side, between, upper): &(usize, [f64; 3], [f64; 3], [f64; 3], usize, usize, bool)| {
+            let [a, b, c] = sizes;
+            let what = match shape {
+                0 => format!("shape: sphere, radius: {a:?}"),
+                1 => format!("shape: cylinder, radius: {a:?}, length: {b:?}"),
+                2 => format!("shape: ellipsoid, radii: [{a:?}, {b:?}, {c:?}]"),
+                _ => format!("shape: torus, radius: {:?}, tube: {:?}", a.max(*b) + 0.5, a.min(*b)),
+            };
+            // A cylinder has no side along its axis, a torus none at all.
+            let side = match (shape, sides.get(*side)) {
+                (3, _) | (_, None) => String::new(),
+                (1, Some(side)) if side.contains('z') => String::new(),
+                (_, Some(side)) => format!(", side: {side}"),
+            };
+            let between = ["", ", between: joint", ", between: [0, 1]"][*between];
+            format!("{{{what}, bone: {}, offset: [{:?}, {:?}, {:?}], rotation: {rotation:?}{side}{between}}}", bone(*upper), at[0], at[1] - 200.0, at[2])
+        };
+        let point = |(at, upper, from): &([f64; 3], bool, Option<f64>)| {
+            let active = from.map_or_else(String::new, |from| format!(", active: {{joint: elbow, range: [{from:?}, {:?}]}}", from + 30.0));
+            format!("{{bone: {}, offset: [{:?}, {:?}, {:?}]{active}}}", bone(*upper), at[0], at[1] - 150.0, at[2])
+        };
+        let file = file_on_arm(&format!(
+            "origin: {{bone: upper arm, offset: [12, -30, 0]}}, insertion: {{bone: forearm, offset: [8, -47, 3]}}, via: [{}], wraps: [{}]",
+            via.iter().map(point).collect::<Vec<_>>().join(", "),
+            wraps.iter().map(shape).collect::<Vec<_>>().join(", ")
+        ));
+        let mut scene = Scene::default();
+        let rig = MuscleRig::build(&file, "m", &mut scene, MuscleId(0));
+        let row = sample(&rig, angle);
+        prop_assert!(row.solved.path_length.is_finite() && row.solved.path_length > 0.0, "{row:?}");
+        prop_assert!(row.moment_arm.unwrap().is_finite() && row.solved.volume_error.abs() < 1e-12, "{row:?}");
+        let mut pose = Pose::rest(&scene);
+        rig.apply(rig.at_flexion(angle), &mut pose);
+        let (mut local, mut world) = (Vec::new(), Vec::new());
+        pose.locals(&mut local);
+        scene.graph.world_from_local(&local, &mut world);
+        let solved = rig.solve(0, rig.at_flexion(angle), &world);
+        prop_assert!((solved.centerline().length() / solved.path_length - 1.0).abs() < 1e-6 || rig.findings().iter().any(|found| found.code() == "muscle-path-not-found"));
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        rig.deform(0, &solved, &world, &mut positions, &mut normals);
+        prop_assert!(!positions.is_empty() && positions.iter().all(|position| position.is_finite()));
     }
 }

@@ -37,6 +37,9 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
         if tendons[end].length > 0.0 { tendons[end].radius } else { radius.copied().unwrap_or(0.0) }
     };
     let lift = [end_radius(0, profile.radii().first()), end_radius(1, profile.radii().last())].map(|radius| radius + arm.thickness);
+    // The line of action is the same for all ends that are tried.
+    let angles = (0..).map(|step| range[0] + 5.0 * f64::from(step)).take_while(|angle| *angle <= range[1] + 1e-9);
+    let lengths: Vec<(f64, f64)> = angles.map(|angle| (angle, line.length(&hinge.at(angle)))).collect();
     let mut best: Option<(f64, CenterlineOffset)> = None;
     let mut solved = Solved::default();
     // At the insertion, near the elbow, a slide brings the end to the other rod sooner, so it is tried second.
@@ -49,13 +52,11 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
         });
         let drawn = CenterlineOffset { ends, side: DVec3::X * side };
         let mut clear = f64::NEG_INFINITY;
-        let mut angle = range[0];
-        while angle <= range[1] + 1e-9 {
-            if gap(arm, &hinge.at(angle), line, profile, tendons, &drawn, &mut solved) < 0.0 {
+        for (angle, length) in &lengths {
+            if gap(arm, &hinge.at(*angle), *length, profile, tendons, &drawn, &mut solved) < 0.0 {
                 break;
             }
-            clear = angle;
-            angle += 5.0;
+            clear = *angle;
         }
         if best.is_none_or(|(reach, _)| clear > reach) {
             best = Some((clear, drawn));
@@ -92,14 +93,14 @@ fn slid_towards_elbow(arm: &Arm, point: Point, by: f64) -> Point {
 fn gap(
     arm: &Arm,
     frames: &impl Frames,
-    line: &Line,
+    length: f64,
     profile: &Profile,
     tendons: &[Tendon; 2],
     drawn: &CenterlineOffset,
     solved: &mut Solved,
 ) -> f64 {
     let fixed = tendons[0].length + tendons[1].length;
-    profile.solve_into(line.length(frames) - fixed, solved);
+    profile.solve_into(length - fixed, solved);
     let [start, end] = drawn.ends.map(|point| frames.place(point));
     if start.distance(end) > solved.length + fixed {
         return f64::NEG_INFINITY;

@@ -107,6 +107,11 @@ impl Line {
         self
     }
 
+    /// Whether several surfaces leave a choice of ways, which takes hundreds of times as long to find.
+    pub(super) fn has_choices(&self) -> bool {
+        self.wraps.len() > 1 && self.wraps.iter().any(WrapObject::has_ways)
+    }
+
     /// How many points it has: origin, via points, insertion.
     pub(super) fn count(&self) -> usize {
         self.via.len() + 2

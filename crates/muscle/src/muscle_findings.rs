@@ -30,6 +30,8 @@ const THICK: f64 = 0.15;
 const SCHEMATIC: f64 = 0.02;
 /// A belly that comes further from the bone than at rest by more than this bow-strings, millimetres.
 const BOW_STRING: f64 = 15.0;
+/// Steps between two angles that are looked at for a jump, those in which most is missed.
+const JUMPS: usize = 4;
 /// A point that lies less deep in a wrap surface than this share of the rest length lies on it.
 const INSIDE: f64 = 1e-7;
 /// Least range of the joint in which a ball that is not touched is one that does nothing, degrees.
@@ -127,6 +129,7 @@ impl MuscleRig {
         let mut findings = Vec::new();
         for muscle in muscles.iter().filter_map(|index| self.muscles.get(*index)) {
             let Some(line) = &muscle.line else { continue };
+            let steps = if line.has_choices() { *STEPS_PER_MUSCLE.start() } else { steps };
             let (mut solver, mut wraps) = (LineSolver::default(), WrapUse::new(line));
             let mut sample = |angle: f64| {
                 let sample = sample_at(hinge, line, angle, &mut solver);
@@ -134,8 +137,14 @@ impl MuscleRig {
                 sample
             };
             let samples: Vec<AngleSample> = (0..=steps).map(|step| sample(between(hinge.range, step, steps))).collect();
-            let mut collector =
-                FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: self.arm.is_some(), findings: &mut findings };
+            let mut collector = FindingCollector {
+                muscle,
+                millimetres: 1e3 * self.unit,
+                on_arm: self.arm.is_some(),
+                is_lost: false,
+                findings: &mut findings,
+            };
+            collector.is_lost = wraps.lost.is_some();
             find_inert_wraps(&mut collector, hinge, line, &wraps);
             if !self.is_schematic(muscle, line) {
                 find_bow_string(&mut collector, hinge, line, &samples, &self.bone_shapes);
@@ -154,7 +163,8 @@ impl MuscleRig {
             }
             let lengths = moments.iter().map(|(time, world)| (*time, line.length(&self.frames(world))));
             let Some((time, length)) = lengths.min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
-            let mut collector = FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: false, findings: &mut findings };
+            let mut collector =
+                FindingCollector { muscle, millimetres: 1e3 * self.unit, on_arm: false, is_lost: false, findings: &mut findings };
             collector.check_length(length, FoundAt::Time(time));
         }
         self.findings.append(&mut findings);
@@ -201,6 +211,8 @@ struct FindingCollector<'a> {
     /// In a unit of the file.
     millimetres: f64,
     on_arm: bool,
+    /// Whether no shortest path was found at some angle, so that the length may jump there.
+    is_lost: bool,
     findings: &'a mut Vec<Diagnostic<Finding>>,
 }
 
@@ -242,7 +254,9 @@ fn check(
     }
     find_tight_bends(&mut collector, hinge, line, samples);
     find_sign_change(&mut collector, samples);
-    find_jumps(&mut collector, hinge, line, samples);
+    if !collector.is_lost {
+        find_jumps(&mut collector, hinge, line, samples);
+    }
     // The bones are looked at at fewer angles: what lies in a belly does so over many degrees.
     let every = samples.len().div_ceil(13).max(1);
     let worst = samples
@@ -360,8 +374,11 @@ fn find_jumps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line:
     let missed = |a: &AngleSample, b: &AngleSample| (b.length - a.length + 0.5 * (a.arm + b.arm) * (b.angle - a.angle).to_radians()).abs();
     let mut solver = LineSolver::default();
     let mut sample = |angle: f64| sample_at(hinge, line, angle, &mut solver);
-    let found = samples.windows(2).filter_map(|pair| {
-        let [mut from, mut to] = <[AngleSample; 2]>::try_from(pair).ok()?;
+    // Where most is missed; no file may ask for more work than that.
+    let mut pairs: Vec<[AngleSample; 2]> = samples.windows(2).filter_map(|pair| <[AngleSample; 2]>::try_from(pair).ok()).collect();
+    pairs.sort_by(|a, b| missed(&b[0], &b[1]).total_cmp(&missed(&a[0], &a[1])));
+    pairs.truncate(JUMPS);
+    let found = pairs.into_iter().filter_map(|[mut from, mut to]| {
         for _ in 0..20 {
             if missed(&from, &to) <= 0.5 * small {
                 return None;

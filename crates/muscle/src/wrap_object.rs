@@ -49,6 +49,11 @@ impl WrapObject {
         self.shape = self.shape.scaled(scale);
     }
 
+    /// Whether the path may pass it on either side.
+    pub(super) fn has_ways(&self) -> bool {
+        self.side.is_none() && !matches!(self.shape, WrapShape::Torus { .. })
+    }
+
     /// Whether it is more than a sphere with a side at the joint.
     pub(super) fn is_shaped(&self) -> bool {
         !matches!(self.shape, WrapShape::Sphere { .. })

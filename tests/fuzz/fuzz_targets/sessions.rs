@@ -20,6 +20,6 @@ fuzz_target!(|text: &str| {
     let state = saved.pose_state(&document);
     let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
     document.pose(&state, &mut buffers, &mut frame);
-    let _ = saved.display(&document, &frame.bounds);
+    let _ = saved.view_state(&document, &state, &frame.bounds, &frame.bounds);
     let _ = saved.camera.and_then(|camera| camera.orbit(&frame.bounds));
 });

@@ -92,7 +92,7 @@ const SHORTER: f64 = 1e-13;
 const REVERSALS: usize = 2;
 const REVERSED: f64 = 1e-3;
 /// Geodesics that may be tried for a stretch, and again for its choice of ways: a plain solution takes a few for each surface, a choice some hundreds.
-const GEODESICS: usize = 800;
+const GEODESICS: usize = 250;
 /// Runs of Newton's method on surfaces that grow from small ones.
 const GROWTHS: usize = 32;
 /// A surface that stopped acting so often in one run stays so.
