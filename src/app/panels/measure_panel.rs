@@ -22,7 +22,7 @@ use crate::export::file_extension::extension;
 use crate::i18n::{self, Sentence};
 use crate::muscle::{MuscleSample, literature_data};
 use crate::output::write_atomic;
-use crate::plot::{Page, Plot, Series};
+use crate::plot::{Page, Plot, PlotCurve, Series};
 use crate::render::Theme;
 use crate::scene::{Content, MuscleId};
 use crate::session::{ChangeSet, MeasureAxis, Session, csv};
@@ -47,6 +47,8 @@ const AXES: [MeasureAxis; 2] = [MeasureAxis::Angle, MeasureAxis::Time];
 const ON_PAPER: u32 = 0xB8_322E;
 /// Pixels of a saved picture to a logical pixel.
 const PICTURE_SCALE: f64 = 2.0;
+/// Colours of moment arms about the joints that are not turned, in turn: on light, and on dark.
+const OTHER_JOINTS: [[u32; 4]; 2] = [[0x00_72B2, 0x00_795A, 0x8E_4585, 0x8A_5A00], [0x56_B4E9, 0x3C_CFA0, 0xD9_A0CF, 0xE0_A84A]];
 
 ui::widgets! {
     /// The widgets of the panel.
@@ -262,9 +264,13 @@ impl MeasurePanel {
         let Some((rig, index)) = muscle else { return };
         let readings = session.measure(self.muscle.get(), against, self.joint());
         ui::set_label(&self.widgets.name, &i18n::label(rig.label(index)));
-        let (across, hint) = match against {
-            MeasureAxis::Angle => (tr!("app-measure-angle"), tr!("app-measure-hint")),
-            MeasureAxis::Time => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
+        let several = joints.get(self.joint()).filter(|_| joints.len() > 1);
+        let (across, hint) = match (against, several) {
+            (MeasureAxis::Angle, Some(joint)) => {
+                (tr!("app-measure-angle-of", joint = joint.as_str()), tr!("app-measure-hint-joint", joint = joint.as_str()))
+            }
+            (MeasureAxis::Angle, None) => (tr!("app-measure-angle"), tr!("app-measure-hint")),
+            (MeasureAxis::Time, _) => (tr!("app-measure-time"), tr!("app-measure-hint-time")),
         };
         self.widgets.hint.set_text(&hint);
         let unit = Unit::of_rig(document, rig);
@@ -273,6 +279,8 @@ impl MeasurePanel {
             plot.x_label.clone_from(&across);
             plot.y_label = tr!(key, unit = unit.length.as_str());
             plot.reference_series.clear();
+            plot.more_curves.clear();
+            plot.name.clear();
             plot.min_y_span = least_span;
             plot.points = readings.iter().map(|reading| (against.of(reading), read(reading))).collect();
             // There is no moment arm where there is no joint.
@@ -281,11 +289,15 @@ impl MeasurePanel {
         // The moment arms about the other joints stand beside that about the one that is turned.
         let own = if against == MeasureAxis::Angle { self.joint() } else { 0 };
         if let Some((_, plot)) = self.plots.get(PUBLISHED).filter(|_| joints.len() > 1) {
-            let others = joints.iter().enumerate().filter(|(number, _)| *number != own).map(|(number, name)| {
+            let others = joints.iter().enumerate().filter(|(number, _)| *number != own);
+            let others = others.map(|(number, name)| {
                 let arm = |reading: &MuscleSample| Some((against.of(reading), *reading.moment_arms.get(number)?));
-                Series { name: name.clone(), points: readings.iter().filter_map(arm).collect() }
+                PlotCurve { name: name.clone(), points: readings.iter().filter_map(arm).collect(), ..PlotCurve::default() }
             });
-            plot.borrow_mut().reference_series = others.collect();
+            let mut plot = plot.borrow_mut();
+            plot.name = joints.get(own).cloned().unwrap_or_default();
+            plot.more_curves = others.collect();
+            color_others(&mut plot, session.theme() == Theme::Dark);
         }
         // The published figures are of muscles that flex the elbow and of one that extends it.
         let flexes = readings.iter().filter_map(|reading| reading.moment_arm).sum::<f64>();
@@ -330,7 +342,11 @@ impl MeasurePanel {
     fn page(&self) -> Page {
         let name = self.widgets.name.text().to_string();
         let shown = self.plots.iter().filter(|(canvas, _)| canvas.get_visible());
-        let plots = shown.map(|(_, plot)| Plot { pointer: None, color: ON_PAPER, reference_color: 0x5B_6B82, ..plot.borrow().clone() });
+        let plots = shown.map(|(_, plot)| {
+            let mut plot = Plot { pointer: None, color: ON_PAPER, reference_color: 0x5B_6B82, ..plot.borrow().clone() };
+            color_others(&mut plot, false);
+            plot
+        });
         Page { sections: vec![(name, plots.collect())] }
     }
 
@@ -387,9 +403,17 @@ impl Panel for MeasurePanel {
             for (canvas, plot) in &self.plots {
                 let mut plot = plot.borrow_mut();
                 (plot.cursor, plot.color) = (present, session.display().palette.selected);
-                plot.reference_color = if session.theme() == Theme::Dark { 0x8FA3BF } else { 0x5B6B82 };
+                let is_dark = session.theme() == Theme::Dark;
+                plot.reference_color = if is_dark { 0x8FA3BF } else { 0x5B6B82 };
+                color_others(&mut plot, is_dark);
                 canvas.queue_draw();
             }
         }
     }
+}
+
+/// Gives the curves beside the first one their colours.
+fn color_others(plot: &mut Plot, is_dark: bool) {
+    let colors = OTHER_JOINTS[usize::from(is_dark)].into_iter().cycle();
+    plot.more_curves.iter_mut().zip(colors).for_each(|(curve, color)| curve.color = color);
 }
