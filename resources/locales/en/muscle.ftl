@@ -117,7 +117,7 @@ muscle-edit-offset = An offset must be three numbers between −10¹² and 10¹�
 muscle-edit-arm-bone = The arm has no bone “{ $bone }”; its bones are “upper arm” and “forearm”.
 muscle-edit-wrap = A wrap surface needs sizes above 0 (a torus a tube thinner than its ring), a side that is not [0, 0, 0] or along a cylinder’s axis, and points of the path in rising order.
 muscle-edit-no-wrap = The muscle has no wrap surface { $number }.
-muscle-edit-via-range-bad = The active range of a via point needs a least angle below the greatest.
+muscle-edit-via-range-bad = The range of a via point needs a least angle below the greatest, both from −360° to 360°.
 
 muscle-table-node = This row must begin with node number { NUMBER($number, useGrouping: 0) }: nodes are numbered in order.
 muscle-table-radius = “{ $text }” is not a radius; write a number above 0, as in 18.2.

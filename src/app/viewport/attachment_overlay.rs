@@ -24,8 +24,8 @@ pub(super) struct Shown {
     pub wraps: Vec<WrapOutline>,
 }
 
-/// Paints them: the origin full, the insertion hollow, points on the way and the middle of a ball small. The one under the pointer (`lit`) says what
-/// it is.
+/// Paints them: the origin full, the insertion hollow, points on the way and the middle of a surface small, a point that is not passed in this pose as a
+/// ring. The one under the pointer (`lit`) says what it is.
 pub(super) fn draw(
     shown: &Shown,
     lit: Option<AttachmentPoint>,
@@ -44,6 +44,10 @@ pub(super) fn draw(
         let radius = if let AttachmentPoint::End(_) = grip.attachment { RADIUS } else { 0.7 * RADIUS } + if held { 2.0 } else { 0.0 };
         // A dark edge round a light dot is legible over anything.
         disc(&context, grip, radius + 2.0, 0x10_1010, 0.55);
+        if !grip.passed {
+            ring(&context, grip, radius);
+            continue;
+        }
         disc(&context, grip, radius, 0xFF_FFFF, 0.95);
         if grip.attachment == AttachmentPoint::End(1) {
             disc(&context, grip, radius - 2.5, 0x10_1010, 0.8);
@@ -54,6 +58,7 @@ pub(super) fn draw(
         let name = match grip.attachment {
             AttachmentPoint::End(0) => tr!("app-origin"),
             AttachmentPoint::End(_) => tr!("app-insertion"),
+            AttachmentPoint::Via(number) if !grip.passed => tr!("app-via-not-passed", number = number + 1),
             AttachmentPoint::Via(number) => tr!("app-via-number", number = number + 1),
             AttachmentPoint::Wrap(number) if numbered => tr!("app-wrap-centre", number = number + 1),
             AttachmentPoint::Wrap(_) => tr!("app-wrap-centre-only"),
@@ -109,4 +114,12 @@ fn disc(context: &Context, grip: &AttachmentHandle, radius: f64, color: u32, opa
     set_color(context, &rgb(color), opacity);
     context.arc(grip.screen_position.x, grip.screen_position.y, radius, 0.0, std::f64::consts::TAU);
     ignore(context.fill());
+}
+
+fn ring(context: &Context, grip: &AttachmentHandle, radius: f64) {
+    set_color(context, &rgb(0xFF_FFFF), 0.85);
+    context.set_line_width(1.5);
+    context.new_path();
+    context.arc(grip.screen_position.x, grip.screen_position.y, radius, 0.0, std::f64::consts::TAU);
+    ignore(context.stroke());
 }

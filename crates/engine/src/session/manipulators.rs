@@ -18,6 +18,8 @@ pub struct AttachmentHandle {
     pub screen_position: DVec2,
     /// Where it is, world, metres.
     pub position: DVec3,
+    /// Whether the muscle goes there in the present pose: a via point with a range of angles may be left out.
+    pub passed: bool,
 }
 
 /// A drag of a dot: how things were when it began.
@@ -51,7 +53,9 @@ impl Session {
         let place = |point: DVec3| camera.project(point.as_vec3(), size.as_vec2()).map(|place| place.truncate().as_dvec2());
         let grip = |hold: AttachmentPoint| {
             let point = rig.hold(index, hold, &self.frame.world)?;
-            Some(AttachmentHandle { attachment: hold, screen_position: place(point).filter(|place| place.is_finite())?, position: point })
+            let passed = !matches!(hold, AttachmentPoint::Via(number) if !self.passes_via(self.shown_muscle, number));
+            let screen_position = place(point).filter(|place| place.is_finite())?;
+            Some(AttachmentHandle { attachment: hold, screen_position, position: point, passed })
         };
         rig.holds(index).filter_map(grip).collect()
     }

@@ -1,8 +1,13 @@
 //! The path of a muscle between its attachments: via points and wrap surfaces.
 
 use super::{Session, UndoStep};
-use sinew_muscle::{AttachmentPoint, Edit, EditError};
+use sinew_muscle::{ActiveRange, AttachmentPoint, Edit, EditError};
 use sinew_scene::{MuscleId, NodeId};
+
+/// Farthest angle that the range of a via point may end at, degrees: what a muscle file may say.
+const FARTHEST: f64 = 360.0;
+/// A range of angles ends this much later, degrees, as for the line of action.
+const TOLERANCE: f64 = 1e-5 * 180.0 / std::f64::consts::PI;
 
 impl Session {
     /// Adds a via point where it changes the way the least: half-way along the longest stretch of the drawn line.
@@ -15,6 +20,46 @@ impl Session {
         let (number, node, place) = rig.via_half_way(index, self.state.joints.drive, &self.frame.world).ok_or(EditError::NoEnds)?;
         let anchor = rig.anchor_at(&self.document.scene.graph, node, place, &self.frame.world).ok_or(EditError::NoName)?;
         self.edit_muscle(id, &Edit::AddVia(number, anchor), UndoStep::New)
+    }
+
+    /// The joints that via points of a muscle can depend on, each with its range of angles, degrees: those that its file names, and the elbow of its arm.
+    pub fn joints_for_via(&self, id: MuscleId) -> Vec<ActiveRange> {
+        let Some((rig, _)) = self.document.muscle(id) else { return Vec::new() };
+        let named = |(joint, (name, _)): (usize, (&str, _))| {
+            let range = rig.range_of(joint).filter(|_| !name.is_empty())?;
+            Some(ActiveRange { joint: name.to_owned(), range: [*range.start(), *range.end()] })
+        };
+        rig.joints().enumerate().filter_map(named).collect()
+    }
+
+    /// Lets a muscle pass via point `number` in a range of a joint's angle alone; `None` = always.
+    ///
+    /// # Errors
+    /// [`EditError`] where there is no such point, or a file could not say the range; nothing is changed then.
+    pub fn set_via_range(&mut self, id: MuscleId, number: usize, range: Option<ActiveRange>) -> Result<(), EditError> {
+        let Some((rig, index)) = self.document.muscle(id) else { return Err(EditError::NoMuscle(id.index())) };
+        let via = rig.spec(index).and_then(|spec| spec.via.get(number)).ok_or(EditError::NoVia(number))?;
+        if via.active == range {
+            return Ok(());
+        }
+        let is_known = |range: &ActiveRange| rig.joints().any(|(name, _)| !name.is_empty() && name == range.joint);
+        let fits = |range: &ActiveRange| range.range.iter().all(|angle| angle.abs() <= FARTHEST);
+        if range.as_ref().is_some_and(|range| !is_known(range) || !fits(range)) {
+            return Err(EditError::ViaRange);
+        }
+        self.edit_muscle(id, &Edit::ViaRange(number, range), UndoStep::New)
+    }
+
+    /// Whether a muscle passes via point `number` in the present pose: always, but for a point with a range that the joint's angle lies outside of.
+    pub fn passes_via(&self, id: MuscleId, number: usize) -> bool {
+        let Some((rig, index)) = self.document.muscle(id) else { return false };
+        let Some(active) = rig.spec(index).and_then(|spec| spec.via.get(number)).and_then(|via| via.active.as_ref()) else { return true };
+        let joint = rig.joints().find(|(name, _)| *name == active.joint);
+        let [low, high] = active.range;
+        // A joint that has no angle excludes nothing.
+        joint
+            .and_then(|(_, joint)| joint.angle(&self.document.scene, &self.frame.world))
+            .is_none_or(|angle| !(angle < low - TOLERANCE || angle > high + TOLERANCE))
     }
 
     /// Puts a via point on another bone: it stays where it is and moves with that bone from now on.
@@ -308,6 +353,47 @@ mod tests {
         let away = inside.distance(point.as_dvec3());
         assert!(away > 0.1 * thickest && away < 2.0 * thickest, "{away} {thickest}");
         assert!((length(&mut session, id) / before - 1.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_via_point_is_passed_in_its_range_alone() {
+        let mut session = Session::new(Document::built_in());
+        let id = session.shown_muscle();
+        session.add_via(id).unwrap();
+        let joints = session.joints_for_via(id);
+        let [elbow] = joints.as_slice() else { panic!("{joints:?}") };
+        assert_eq!(elbow.joint, "elbow");
+        let place = spec(&session, id).via[0].place.clone();
+        let aside = Anchor { offset: place.offset + DVec3::new(25.0, 0.0, 0.0), ..place };
+        session.edit_muscle(id, &Edit::Via(0, aside), UndoStep::New).unwrap();
+        let range = ActiveRange { range: [20.0, 60.0], ..elbow.clone() };
+        session.set_via_range(id, 0, Some(range.clone())).unwrap();
+        assert_eq!(session.undo_names().0, Some(&Edit::ViaRange(0, None).message()));
+        for (angle, passed) in [(10.0, false), (20.0, true), (40.0, true), (60.0, true), (61.0, false)] {
+            session.set_flexion(angle);
+            let dots = session.attachment_handles(DVec2::new(900.0, 600.0));
+            let dot = dots.iter().find(|dot| dot.attachment == AttachmentPoint::Via(0)).unwrap();
+            assert_eq!((session.passes_via(id, 0), dot.passed), (passed, passed), "{angle}");
+            // The muscle is as long as with a point that is always passed, or not.
+            let now = length(&mut session, id);
+            session.set_via_range(id, 0, None).unwrap();
+            let always = length(&mut session, id);
+            session.undo();
+            assert_eq!((now - always).abs() < 1e-9, passed, "{angle}: {now} {always}");
+        }
+        let steps = session.undo_names().0.cloned();
+        session.set_via_range(id, 0, Some(range.clone())).unwrap();
+        for (joint, range) in [("elbow", [60.0, 20.0]), ("elbow", [f64::NAN, 20.0]), ("elbow", [0.0, 400.0]), ("knee", [0.0, 20.0])] {
+            let bad = ActiveRange { joint: joint.to_owned(), range };
+            assert_eq!(session.set_via_range(id, 0, Some(bad)), Err(EditError::ViaRange), "{joint} {range:?}");
+        }
+        assert_eq!((spec(&session, id).via[0].active.as_ref(), session.undo_names().0.cloned()), (Some(&range), steps));
+        session.set_via_range(id, 0, None).unwrap();
+        assert!(session.passes_via(id, 0));
+        // A joint that was found and not named in the file has no name to refer to.
+        let (session, id) = attached();
+        assert!(session.document().muscle(id).unwrap().0.joint().is_some());
+        assert_eq!(session.joints_for_via(id), []);
     }
 
     #[test]

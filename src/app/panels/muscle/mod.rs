@@ -9,5 +9,6 @@ pub(crate) mod muscle_panel;
 mod profile_plot;
 mod profile_table;
 mod via_points_editor;
+mod via_range;
 mod wrap_surface_row;
 mod wrap_surfaces_editor;

@@ -8,6 +8,7 @@ use gtk4 as gtk;
 
 use super::attachment_field::{AttachmentField, Bones, connect_pick, show_pick};
 use super::muscle_editor::Editor;
+use super::via_range::{RangeJoints, ViaRange};
 use crate::app::widgets::ui::{self, object};
 use crate::muscle::edit::VIA;
 use crate::muscle::{AttachmentPoint, Edit};
@@ -32,6 +33,7 @@ ui::widgets! {
 struct ViaRow {
     root: gtk::Grid,
     place: AttachmentField,
+    range: ViaRange,
     up: gtk::Button,
     down: gtk::Button,
     delete: gtk::Button,
@@ -48,6 +50,7 @@ struct ViaRows {
 pub(crate) struct ViaPointsEditor {
     widgets: ViaWidgets,
     bones: Bones,
+    joints: RangeJoints,
     rows: ViaRows,
     editor: RefCell<Option<Editor>>,
 }
@@ -58,6 +61,7 @@ impl ViaPointsEditor {
         let widgets = ViaWidgets::of(builder);
         Self {
             bones: bones.clone(),
+            joints: RangeJoints::new(),
             rows: ViaRows { rows: Rc::default(), add: widgets.via_add.clone() },
             widgets,
             editor: RefCell::default(),
@@ -90,8 +94,10 @@ impl ViaPointsEditor {
         widgets.way_no_ends.set_visible(!has_ends);
         widgets.via_buttons.set_visible(has_ends);
         self.show_rows(spec.via.len());
-        for row in self.rows.rows.borrow().iter().take(spec.via.len()) {
+        self.joints.list(session, id);
+        for (row, via) in self.rows.rows.borrow().iter().zip(&spec.via) {
             row.place.show(session, id, anew);
+            row.range.show(via, &self.joints, anew);
         }
         self.rows.add.set_sensitive(held && spec.via.len() < VIA);
         self.widgets.via_pick_new.set_sensitive(held && spec.via.len() < VIA);
@@ -107,7 +113,7 @@ impl ViaPointsEditor {
     fn show_rows(&self, count: usize) {
         while self.rows.rows.borrow().len() < count {
             let Some(editor) = self.editor.borrow().clone() else { return };
-            let row = self.rows.make(&editor, &self.bones);
+            let row = self.rows.make(&editor, &self.bones, &self.joints);
             self.widgets.via_list.append(&row.root);
             self.rows.rows.borrow_mut().push(row);
         }
@@ -122,11 +128,12 @@ impl ViaPointsEditor {
 
 impl ViaRows {
     /// The row of the next via point.
-    fn make(&self, editor: &Editor, bones: &Bones) -> ViaRow {
+    fn make(&self, editor: &Editor, bones: &Bones, joints: &RangeJoints) -> ViaRow {
         let number = self.rows.borrow().len();
         let builder = ui::numbered(include_str!("via_point.ui"), number + 1);
         let place = AttachmentField::new(&builder, "via", AttachmentPoint::Via(number), bones);
         place.connect(editor);
+        let range = ViaRange::new(number, &builder, editor, joints);
         let button = |id: &str| object::<gtk::Button>(&builder, id);
         let (up, down, delete) = (button("via_up"), button("via_down"), button("via_delete"));
         // A point that moves takes the keyboard with it.
@@ -147,7 +154,7 @@ impl ViaRows {
                 rows.focus(number, |row| &row.delete);
             }
         });
-        ViaRow { root: object(&builder, "via"), place, up, down, delete }
+        ViaRow { root: object(&builder, "via"), place, range, up, down, delete }
     }
 
     /// Gives the keyboard to a button of a row; where that is no longer there, to the last row's, else to the button that adds one.
