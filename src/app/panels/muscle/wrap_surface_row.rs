@@ -21,6 +21,7 @@ ui::widgets! {
     /// The widgets of a wrap surface beside those of its centre.
     struct RowWidgets in "wrap_surface.ui" {
         wrap: gtk::Grid,
+        wrap_number: gtk::Label,
         wrap_shape: gtk::DropDown,
         wrap_delete: gtk::Button,
         wrap_unit: gtk::Label,
@@ -103,7 +104,8 @@ pub(crate) struct WrapSurfaceRow {
     widgets: RowWidgets,
     center: AttachmentField,
     entries: Vec<(Field, gtk::Entry)>,
-    points: gtk::StringList,
+    /// The points of the path at which the part that the surface acts on can begin, and at which it can end.
+    points: [gtk::StringList; 2],
 }
 
 impl WrapSurfaceRow {
@@ -115,10 +117,10 @@ impl WrapSurfaceRow {
         center.connect(editor);
         widgets.wrap_shape.set_model(Some(&ui::words(&SHAPES.map(|key| tr!(key)))));
         widgets.wrap_range.set_model(Some(&ui::words(&RANGES.map(|key| tr!(key)))));
-        let points = ui::words::<&str>(&[]);
-        for list in [&widgets.wrap_from, &widgets.wrap_to] {
+        let points = [0, 1].map(|_| ui::words::<&str>(&[]));
+        for (list, points) in [&widgets.wrap_from, &widgets.wrap_to].into_iter().zip(&points) {
             ui::narrow(list, 10);
-            list.set_model(Some(&points));
+            list.set_model(Some(points));
         }
         let entries: Vec<(Field, gtk::Entry)> = Field::ALL.into_iter().map(|(field, id)| (field, object(&builder, id))).collect();
         for (field, entry) in &entries {
@@ -169,8 +171,10 @@ impl WrapSurfaceRow {
             list.connect_selected_notify(move |list| {
                 let chosen = list.selected();
                 change(&own, &|wrap| {
-                    if let (WrapRange::Between(points), true) = (&mut wrap.range, chosen != gtk::INVALID_LIST_POSITION) {
-                        points[end] = chosen as usize;
+                    if let (WrapRange::Between([from, to]), true) = (&mut wrap.range, chosen != gtk::INVALID_LIST_POSITION) {
+                        let chosen = chosen as usize;
+                        // The other end gives way.
+                        (*from, *to) = if end == 0 { (chosen, (*to).max(chosen + 1)) } else { ((*from).min(chosen), chosen + 1) };
                     }
                 });
             });
@@ -187,6 +191,11 @@ impl WrapSurfaceRow {
     /// The widget of all.
     pub(crate) fn root(&self) -> &gtk::Grid {
         &self.widgets.wrap
+    }
+
+    /// The widgets that stand before all others; the column of one surface is as wide as that of another.
+    pub(crate) fn labels(&self) -> [&gtk::Widget; 2] {
+        [self.widgets.wrap_number.upcast_ref(), self.widgets.wrap_sided.upcast_ref()]
     }
 
     /// Shows a surface of a muscle.
@@ -228,15 +237,18 @@ impl WrapSurfaceRow {
 
     fn show_range(&self, spec: &MuscleSpec, wrap: &Wrap) {
         let widgets = &self.widgets;
+        // The first list leaves the insertion out, the second the origin.
         let count = spec.via.len() as u32 + 2;
-        if self.points.n_items() != count {
+        if self.points[0].n_items() + 1 != count {
             let name = |number: u32| match number {
                 0 => tr!("app-origin"),
                 number if number + 1 == count => tr!("app-insertion"),
-                number => tr!("app-via-number", number = number),
+                number => tr!("app-via-point-short", number = number),
             };
-            let names: Vec<String> = (0..count).map(name).collect();
-            self.points.splice(0, self.points.n_items(), &names.iter().map(String::as_str).collect::<Vec<_>>());
+            for (first, points) in [0, 1].into_iter().zip(&self.points) {
+                let names: Vec<String> = (first..count - 1 + first).map(name).collect();
+                points.splice(0, points.n_items(), &names.iter().map(String::as_str).collect::<Vec<_>>());
+            }
         }
         let (chosen, between) = match wrap.range {
             WrapRange::AtJoint => (0, None),
@@ -247,7 +259,7 @@ impl WrapSurfaceRow {
         widgets.wrap_between.set_visible(between.is_some());
         if let Some([from, to]) = between {
             widgets.wrap_from.set_selected(from as u32);
-            widgets.wrap_to.set_selected(to as u32);
+            widgets.wrap_to.set_selected(to as u32 - 1);
         }
     }
 }

@@ -33,13 +33,20 @@ pub(crate) struct WrapSurfacesEditor {
     widgets: WrapWidgets,
     bones: Bones,
     rows: RefCell<Vec<WrapSurfaceRow>>,
+    labels: gtk::SizeGroup,
     editor: RefCell<Option<Editor>>,
 }
 
 impl WrapSurfacesEditor {
     /// That of a panel.
     pub(crate) fn new(builder: &gtk::Builder, bones: &Bones) -> Self {
-        Self { widgets: WrapWidgets::of(builder), bones: bones.clone(), rows: RefCell::default(), editor: RefCell::default() }
+        Self {
+            widgets: WrapWidgets::of(builder),
+            bones: bones.clone(),
+            rows: RefCell::default(),
+            labels: gtk::SizeGroup::new(gtk::SizeGroupMode::Horizontal),
+            editor: RefCell::default(),
+        }
     }
 
     /// Connects the input of the widgets. A rejected change is reported below them.
@@ -68,6 +75,7 @@ impl WrapSurfacesEditor {
         while self.rows.borrow().len() < count {
             let Some(editor) = self.editor.borrow().clone() else { return };
             let row = WrapSurfaceRow::new(self.rows.borrow().len(), &editor, &self.bones, &self.widgets.wrap_add);
+            row.labels().into_iter().for_each(|label| self.labels.add_widget(label));
             self.widgets.wrap_list.append(row.root());
             self.rows.borrow_mut().push(row);
         }
