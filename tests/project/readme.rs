@@ -55,6 +55,7 @@ fn every_finding_is_explained() {
         "muscle-wrap-inert",
         "moment-arm-changes-sign",
         "muscle-path-jumps",
+        "muscle-path-not-found",
         "muscle-through-bone",
         "muscle-too-thick",
     ];
