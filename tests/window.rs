@@ -163,7 +163,7 @@ fn a_muscle_is_attached_to_a_clip_and_outlives_a_crash() {
 }
 
 #[test]
-fn a_muscle_gets_via_points_and_a_ball_to_go_round() {
+fn a_muscle_gets_via_points_and_surfaces_to_go_round() {
     drive("drive_way.py");
 }
 
