@@ -89,7 +89,7 @@ impl BoneShape {
     }
 
     /// How far a point is from the bone's axis.
-    pub(super) fn from_axis(&self, point: DVec3) -> f64 {
+    pub(super) fn axis_distance(&self, point: DVec3) -> f64 {
         (self.axes.transpose() * (point - self.origin)).truncate().length()
     }
 

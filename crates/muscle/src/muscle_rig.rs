@@ -16,7 +16,7 @@ use super::profile::Profile;
 use super::revolute_joint::{Bone, RevoluteJoint, plain};
 use super::solved_muscle::SolvedMuscle;
 use super::solver_report::SolverReport;
-use super::tessellation::{MeshQuality, MuscleTopology, ToWorld};
+use super::tessellation::{Laid, MeshQuality, MuscleTopology, ToWorld};
 use super::{MuscleSample, MuscleState, Solved, measure};
 use sinew_scene::animation::Pose;
 use sinew_scene::diagnostics::Diagnostic;
@@ -298,7 +298,7 @@ impl MuscleRig {
     /// Whether a muscle begins so near to the axis of its bone that it is a scheme.
     pub(super) fn is_schematic(&self, muscle: &Muscle, line: &Line) -> bool {
         let shape = self.bone_shapes.get(line.origin.bone).and_then(Option::as_ref);
-        shape.is_none_or(|shape| shape.from_axis(line.origin.local) < SCHEMATIC * muscle.spec.profile.rest_length())
+        shape.is_none_or(|shape| shape.axis_distance(line.origin.local) < SCHEMATIC * muscle.spec.profile.rest_length())
     }
 
     /// The joint that measurements turn above all, in the rest pose.
@@ -345,7 +345,7 @@ impl MuscleRig {
     ) -> Option<MeshQuality> {
         let muscle = self.muscles.get(index)?;
         let to_world = ToWorld::new(self.root_matrix(world));
-        Some(muscle.layout.deform(&solved.shape, &muscle.tendons, &solved.centerline, &solved.flesh, &to_world, positions, normals))
+        Some(muscle.layout.deform(&Laid::of(solved, &muscle.tendons), &to_world, positions, normals))
     }
 
     /// Measures muscle `index` at angles of the elbow, or of the joint that the file names first, in degrees; the other joints are at rest. Without any there

@@ -13,6 +13,7 @@ use super::Tendon;
 use super::centerline::{Centerline, CrossSectionFrame, Cursor};
 use super::flesh::{FlatSection, Flesh};
 use super::materials::TENDON_PART;
+use super::solved_muscle::SolvedMuscle;
 use sinew_scene::{Mesh, Part};
 
 /// Corners of a ring.
@@ -52,6 +53,26 @@ struct Ring {
     slope: f64,
     /// How it is flattened.
     flat: Option<FlatSection>,
+}
+
+/// A muscle as it lies in a pose.
+#[derive(Clone, Copy)]
+pub(super) struct Laid<'a> {
+    /// Its shape.
+    pub solved: &'a Solved,
+    /// Its tendons, with the lengths that they have.
+    pub tendons: &'a [Tendon; 2],
+    /// Its own centreline.
+    pub line: &'a Centerline,
+    /// Where bones push it aside.
+    pub flesh: &'a Flesh,
+}
+
+impl<'a> Laid<'a> {
+    /// A solved muscle with these tendons.
+    pub(super) fn of(solved: &'a SolvedMuscle, tendons: &'a [Tendon; 2]) -> Self {
+        Self { solved: &solved.shape, tendons, line: &solved.centerline, flesh: &solved.flesh }
+    }
 }
 
 /// Matrices from the space of the centre line to the world.
@@ -142,20 +163,12 @@ impl MuscleTopology {
         Arc::new(mesh)
     }
 
-    /// Writes positions and normals in the world for this solution along `path`.
-    pub(super) fn deform(
-        &self,
-        solved: &Solved,
-        tendons: &[Tendon; 2],
-        line: &Centerline,
-        flesh: &Flesh,
-        to_world: &ToWorld,
-        positions: &mut Vec<Vec3>,
-        normals: &mut Vec<Vec3>,
-    ) -> MeshQuality {
+    /// Writes positions and normals in the world of a muscle as it lies in a pose.
+    pub(super) fn deform(&self, laid: &Laid<'_>, to_world: &ToWorld, positions: &mut Vec<Vec3>, normals: &mut Vec<Vec3>) -> MeshQuality {
         positions.clear();
         normals.clear();
         let mut out = Writer { to_world, circle: circle(), positions, normals, before: None, folded: false };
+        let Laid { solved, tendons, line, flesh } = *laid;
         let path = flesh.centerline().unwrap_or(line);
         // A line that goes round a bone is longer than the muscle's own; its tendons take that up.
         let detour = path.length() - line.length();
@@ -351,15 +364,8 @@ mod tests {
         path.arc(DVec3::ZERO, DVec3::X, DVec3::Y, 10.0, std::f64::consts::FRAC_PI_2);
         let solved = Solved { length: path.length(), radii: vec![radius; 6], ..Solved::default() };
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        let cover = MuscleTopology::new(6, &NO_TENDONS).deform(
-            &solved,
-            &NO_TENDONS,
-            &path,
-            &Flesh::default(),
-            &ToWorld::new(world),
-            &mut positions,
-            &mut normals,
-        );
+        let laid = Laid { solved: &solved, tendons: &NO_TENDONS, line: &path, flesh: &Flesh::default() };
+        let cover = MuscleTopology::new(6, &NO_TENDONS).deform(&laid, &ToWorld::new(world), &mut positions, &mut normals);
         (cover, positions)
     }
 
