@@ -69,7 +69,7 @@ muscle-side-along-cylinder = The side of a cylinder must not be along its axis, 
 muscle-bad-between = “between” must be two points of the path in rising order, from 0 (the origin) to { $last } (the insertion), or the word joint.
 muscle-bone-not-found = The bone “{ $bone }” is in none of the open clips, so the muscle is not attached; check the name or open the clip too.
 muscle-joint-not-found = The joint “{ $bone }” is in none of the open clips, so nothing can be measured over its angle; check the name or open the clip too.
-muscle-bent-too-tight = The radius of curvature of the muscle’s path is smaller than the radius of the muscle, so its surface intersects itself; increase the radius of “wrap” or the length of the tendon.
+muscle-bent-too-tight = The radius of curvature of the muscle’s path is smaller than the radius of the muscle, so its surface intersects itself; increase the radius of a wrap surface or the length of the tendon.
 
 muscle-table-heading = The first line must name the angles in increasing order, as in “node,deg0,deg30,deg60,deg90”.
 muscle-table-empty = The table has no rows; after the heading it needs one row per node.
