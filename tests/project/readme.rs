@@ -56,6 +56,8 @@ fn every_finding_is_explained() {
         "moment-arm-changes-sign",
         "muscle-path-jumps",
         "muscle-path-not-found",
+        "muscle-wrap-beyond-end",
+        "muscle-bow-strings",
         "muscle-through-bone",
         "muscle-too-thick",
     ];

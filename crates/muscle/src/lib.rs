@@ -22,10 +22,10 @@
 //! reaches 0, or the belly gets shorter than 40 % of its rest length, the length is held ([`Profile::limits`] says which it was). Measured radii at several
 //! lengths take the place of multipliers where there are such ([`Profile::of_poses`]); one factor then brings the blended radii to the volume.
 //!
-//! The volume is kept along a bent line too. The length is that of the **line of action**: the shortest path from origin to insertion, over via points and
-//! round a sphere at the joint, exact and without jumps. What is drawn is another line of *exactly the same length*, made of straight segments and circular
-//! arcs; where radius times curvature stays below 1, Pappus' theorem makes the volume round a bent line that round a straight one. Cross-sections are turned
-//! by frames that do not twist.
+//! The volume is kept along a bent line too. The length is that of the **line of action**: the shortest path from origin to insertion, through via points and
+//! round wrap surfaces, exact and without jumps. What is drawn is another line of *exactly the same length*, rounded at its corners; where radius times
+//! curvature stays below 1, Pappus' theorem makes the volume round a bent line that round a straight one. Cross-sections are turned by frames that do not twist.
+//! On the bones of a clip the flesh lies beside the bones: bent away from them, and flattened into ellipses of the same area.
 //!
 //! # From a file to a surface
 //!

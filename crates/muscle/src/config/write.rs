@@ -120,6 +120,16 @@ pub(super) fn muscle_lines(muscle: &MuscleSpec, indent: usize) -> String {
     text
 }
 
+/// A list of whole numbers on one line; any other value as it is.
+fn counts(value: &Yaml) -> String {
+    let Yaml::List(items) = value else { return flow(value) };
+    let count = |item: &Yaml| match item {
+        Yaml::Number(number) => number.to_string(),
+        other => flow(other),
+    };
+    format!("[{}]", items.iter().map(count).collect::<Vec<_>>().join(", "))
+}
+
 /// A value on one line.
 pub(super) fn flow(value: &Yaml) -> String {
     match value {
@@ -127,7 +137,12 @@ pub(super) fn flow(value: &Yaml) -> String {
         Yaml::Text(text) => quoted(text),
         Yaml::List(items) => format!("[{}]", items.iter().map(flow).collect::<Vec<_>>().join(", ")),
         Yaml::Map(entries) => {
-            let entry = |(key, value): &(Option<String>, Yaml)| format!("{}: {}", key.as_deref().unwrap_or_default(), flow(value));
+            let entry = |(key, value): &(Option<String>, Yaml)| {
+                let key = key.as_deref().unwrap_or_default();
+                // Points of the path have numbers, not measures.
+                let value = if key == "between" { counts(value) } else { flow(value) };
+                format!("{key}: {value}")
+            };
             format!("{{{}}}", entries.iter().map(entry).collect::<Vec<_>>().join(", "))
         }
         // The canonical form has none of these.
