@@ -31,15 +31,15 @@ pub(super) struct ClearanceResult {
 /// a slide the straight arm would leave no length for an arch; with more than needed the belly stands off when the arm is bent. So the smallest
 /// slide is taken that keeps clear up to the greatest angle.
 pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> ClearanceResult {
-    let hinge = RevoluteJoint::elbow(arm, range);
-    let side = flexor_side(&hinge, line);
+    let revolute = RevoluteJoint::elbow(arm, range);
+    let side = flexor_side(&revolute, line);
     let end_radius = |end: usize, radius: Option<&f64>| {
         if tendons[end].length > 0.0 { tendons[end].radius } else { radius.copied().unwrap_or(0.0) }
     };
     let lift = [end_radius(0, profile.radii().first()), end_radius(1, profile.radii().last())].map(|radius| radius + arm.thickness);
     // The line of action is the same for all ends that are tried.
     let angles = (0..).map(|step| range[0] + 5.0 * f64::from(step)).take_while(|angle| *angle <= range[1] + 1e-9);
-    let lengths: Vec<(f64, f64)> = angles.map(|angle| (angle, line.length(&hinge.at(angle)))).collect();
+    let lengths: Vec<(f64, f64)> = angles.map(|angle| (angle, line.length(&revolute.at(angle)))).collect();
     let mut best: Option<(f64, CenterlineOffset)> = None;
     let mut solved = Solved::default();
     // At the insertion, near the elbow, a slide brings the end to the other rod sooner, so it is tried second.
@@ -53,7 +53,7 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
         let drawn = CenterlineOffset { ends, side: DVec3::X * side };
         let mut clear = f64::NEG_INFINITY;
         for (angle, length) in &lengths {
-            if gap(arm, &hinge.at(*angle), *length, profile, tendons, &drawn, &mut solved) < 0.0 {
+            if gap(arm, &revolute.at(*angle), *length, profile, tendons, &drawn, &mut solved) < 0.0 {
                 break;
             }
             clear = *angle;
@@ -72,9 +72,9 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
 }
 
 /// +1 for a muscle that shortens when the elbow bends, −1 for one that lengthens.
-fn flexor_side(hinge: &RevoluteJoint, line: &Line) -> f64 {
-    let middle = 0.5 * (hinge.range[0] + hinge.range[1]).min(FULL_FLEXION);
-    if line.length(&hinge.at(middle + 30.0)) > line.length(&hinge.at(middle - 30.0)) { -1.0 } else { 1.0 }
+fn flexor_side(revolute: &RevoluteJoint, line: &Line) -> f64 {
+    let middle = 0.5 * (revolute.range[0] + revolute.range[1]).min(FULL_FLEXION);
+    if line.length(&revolute.at(middle + 30.0)) > line.length(&revolute.at(middle - 30.0)) { -1.0 } else { 1.0 }
 }
 
 /// Bone 0 hangs from the shoulder, bone 1 from the elbow; both point down.

@@ -188,14 +188,14 @@ impl MuscleRig {
         let turning = |(number, (name, dof)): (usize, (String, JointDof))| {
             let below = graph.subtree(dof.node);
             let carries = parents.iter().map(|parent| parent.is_some_and(|parent| below.contains(&parent))).collect();
-            let revolute = RevoluteJoint { angles: rest_angles.clone(), own: Some(number), ..self.hinge_of(&dof, scene, rest) };
+            let revolute = RevoluteJoint { angles: rest_angles.clone(), own: Some(number), ..self.revolute_of(&dof, scene, rest) };
             RigJoint { name, dof, angle: angles[number], revolute, carries }
         };
         self.joints = joints.into_iter().enumerate().map(turning).collect();
     }
 
     /// The joint in a pose, with the bones that it moves.
-    pub(super) fn hinge_of(&self, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> RevoluteJoint {
+    pub(super) fn revolute_of(&self, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> RevoluteJoint {
         let below = scene.graph.subtree(joint.node);
         let frames = self.frames(world);
         let bone = |(index, node): (usize, &NodeId)| frames.bone(index, below.contains(node));
@@ -210,8 +210,8 @@ impl MuscleRig {
 
     /// On the arm: finds drawn ends and the range of the elbow, once all muscles are there, and roots the ends in the rods.
     fn settle_on_arm(&mut self, scene: &mut Scene, tendon: MaterialId) {
-        let (Some((arm, nodes)), Some(hinge)) = (self.arm, self.joints.first_mut().map(|joint| &mut joint.revolute)) else { return };
-        let asked = hinge.range;
+        let (Some((arm, nodes)), Some(revolute)) = (self.arm, self.joints.first_mut().map(|joint| &mut joint.revolute)) else { return };
+        let asked = revolute.range;
         let mut range = asked;
         for (index, muscle) in self.muscles.iter_mut().enumerate() {
             let fixed = muscle.fixed();
@@ -226,19 +226,19 @@ impl MuscleRig {
                     range[1] = range[1].min(fit.flexion);
                 }
                 let valid = muscle.shape.length_range();
-                range = super::muscle_state::valid_part(range, |angle| valid.contains(&(line.length(&hinge.at(angle)) - fixed)));
+                range = super::muscle_state::valid_part(range, |angle| valid.contains(&(line.length(&revolute.at(angle)) - fixed)));
             }
         }
-        hinge.range = range;
+        revolute.range = range;
         self.span = Some(LengthRange::new(range, |angle| self.driving_length(angle)));
     }
 
     /// Finds out how long muscles are at the angles of their measured poses, now that they are on their joint.
     fn place_poses(&mut self) {
-        let hinge = self.joints.first().map(|joint| &joint.revolute);
+        let revolute = self.joints.first().map(|joint| &joint.revolute);
         for muscle in self.muscles.iter_mut().filter(|muscle| muscle.spec.poses.iter().any(|pose| matches!(pose.at, PoseAt::Angle(_)))) {
-            let found = hinge.zip(muscle.line.as_ref());
-            let length_at = |angle: f64| found.map(|(hinge, line)| (line.length(&hinge.at(angle)) - muscle.fixed()) / muscle.scale);
+            let found = revolute.zip(muscle.line.as_ref());
+            let length_at = |angle: f64| found.map(|(revolute, line)| (line.length(&revolute.at(angle)) - muscle.fixed()) / muscle.scale);
             let finding = match MuscleSpec::posed(&muscle.spec.poses, muscle.spec.profile.rest_length(), length_at) {
                 Ok(profile) => {
                     let whole = profile.is_posed();

@@ -15,8 +15,8 @@ pub(super) struct LineAtAngle {
 /// Length and moment arm at an angle of the joint, degrees.
 ///
 /// The moment arm is that of virtual work, which is exact for a shortest path. On the two-rod arm it is `p d sin φ / L`.
-pub(super) fn at_angle(hinge: &RevoluteJoint, line: &Line, degrees: f64, solver: &mut LineSolver) -> LineAtAngle {
-    let frames = hinge.at(degrees);
+pub(super) fn at_angle(revolute: &RevoluteJoint, line: &Line, degrees: f64, solver: &mut LineSolver) -> LineAtAngle {
+    let frames = revolute.at(degrees);
     let solution = line.solve(&frames, solver);
     LineAtAngle { length: solution.length, moment_arm: -line.length_rate(&frames, solution) }
 }

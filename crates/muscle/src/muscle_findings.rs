@@ -120,23 +120,23 @@ impl MuscleRig {
     }
 
     fn check_over_joint(&mut self, muscles: &[usize], graph: &Graph) {
-        let Some(hinge) = self.hinge() else { return };
+        let Some(revolute) = self.main_joint() else { return };
         let names: Vec<OwnedLabel> = self.bones.iter().map(|bone| graph.label(*bone).to_owned()).collect();
-        let limbs = self.limbs(graph, hinge);
+        let limbs = self.limbs(graph, revolute);
         let steps = (ANGLES / self.muscles.len().max(1)).clamp(*STEPS_PER_MUSCLE.start(), *STEPS_PER_MUSCLE.end());
         // What the file asks for, although the belly does not let the joint go so far.
-        let asked = self.arm.as_ref().and_then(|(arm, _)| arm.flexion).unwrap_or(hinge.range);
+        let asked = self.arm.as_ref().and_then(|(arm, _)| arm.flexion).unwrap_or(revolute.range);
         let mut findings = Vec::new();
         for muscle in muscles.iter().filter_map(|index| self.muscles.get(*index)) {
             let Some(line) = &muscle.line else { continue };
             let steps = if line.has_choices() { *STEPS_PER_MUSCLE.start() } else { steps };
             let (mut solver, mut wraps) = (LineSolver::default(), WrapUse::new(line));
             let mut sample = |angle: f64| {
-                let sample = sample_at(hinge, line, angle, &mut solver);
+                let sample = sample_at(revolute, line, angle, &mut solver);
                 wraps.see(angle, &solver);
                 sample
             };
-            let samples: Vec<AngleSample> = (0..=steps).map(|step| sample(between(hinge.range, step, steps))).collect();
+            let samples: Vec<AngleSample> = (0..=steps).map(|step| sample(between(revolute.range, step, steps))).collect();
             let mut collector = FindingCollector {
                 muscle,
                 millimetres: 1e3 * self.unit,
@@ -145,11 +145,11 @@ impl MuscleRig {
                 findings: &mut findings,
             };
             collector.is_lost = wraps.lost.is_some();
-            find_inert_wraps(&mut collector, hinge, line, &wraps);
+            find_inert_wraps(&mut collector, revolute, line, &wraps);
             if !self.is_schematic(muscle, line) {
-                find_bow_string(&mut collector, hinge, line, &samples, &self.bone_shapes);
+                find_bow_string(&mut collector, revolute, line, &samples, &self.bone_shapes);
             }
-            check(collector, hinge, line, &samples, asked, &limbs, &names);
+            check(collector, revolute, line, &samples, asked, &limbs, &names);
         }
         self.findings.append(&mut findings);
     }
@@ -171,7 +171,7 @@ impl MuscleRig {
     }
 
     /// For each bone of the muscles the other end of its limb, in the axes that offsets on it are in; `None` where nothing follows it.
-    fn limbs(&self, graph: &Graph, hinge: &RevoluteJoint) -> Vec<Option<DVec3>> {
+    fn limbs(&self, graph: &Graph, revolute: &RevoluteJoint) -> Vec<Option<DVec3>> {
         if let Some((arm, _)) = &self.arm {
             return vec![Some(DVec3::NEG_Y * arm.upper), Some(DVec3::NEG_Y * arm.lower)];
         }
@@ -184,7 +184,7 @@ impl MuscleRig {
             let follows = |node: &&NodeId| about.kind != NodeKind::Joint || graph.node(**node).kind == NodeKind::Joint;
             let tips = about.children().iter().filter(follows).filter_map(|child| place(*child));
             let far = tips.max_by(|a, b| a.distance(here).total_cmp(&b.distance(here)))?;
-            let frame = hinge.at(hinge.at_rest).frame(index);
+            let frame = revolute.at(revolute.at_rest).frame(index);
             let inside = (frame.determinant().abs() > f64::MIN_POSITIVE).then(|| frame.inverse().transform_point3(far))?;
             (inside.length() > 0.0 && inside.is_finite()).then_some(inside)
         };
@@ -196,8 +196,8 @@ fn is_about_length(finding: &Finding) -> bool {
     matches!(finding, Finding::EndsCoincide | Finding::ShorterThanTendons | Finding::TooShort { .. })
 }
 
-fn sample_at(hinge: &RevoluteJoint, line: &Line, angle: f64, solver: &mut LineSolver) -> AngleSample {
-    let LineAtAngle { length, moment_arm } = at_angle(hinge, line, angle, solver);
+fn sample_at(revolute: &RevoluteJoint, line: &Line, angle: f64, solver: &mut LineSolver) -> AngleSample {
+    let LineAtAngle { length, moment_arm } = at_angle(revolute, line, angle, solver);
     AngleSample { angle, length, arm: moment_arm }
 }
 
@@ -240,29 +240,29 @@ impl FindingCollector<'_> {
 
 fn check(
     mut collector: FindingCollector<'_>,
-    hinge: &RevoluteJoint,
+    revolute: &RevoluteJoint,
     line: &Line,
     samples: &[AngleSample],
     asked: [f64; 2],
     limbs: &[Option<DVec3>],
     names: &[OwnedLabel],
 ) {
-    let beyond = asked.map(|angle| (angle, line.length(&hinge.at(angle))));
+    let beyond = asked.map(|angle| (angle, line.length(&revolute.at(angle))));
     let all = samples.iter().map(|sample| (sample.angle, sample.length)).chain(beyond);
     if let Some((angle, length)) = all.min_by(|a, b| a.1.total_cmp(&b.1)) {
         collector.check_length(length, FoundAt::Angle(angle));
     }
-    find_tight_bends(&mut collector, hinge, line, samples);
+    find_tight_bends(&mut collector, revolute, line, samples);
     find_sign_change(&mut collector, samples);
     if !collector.is_lost {
-        find_jumps(&mut collector, hinge, line, samples);
+        find_jumps(&mut collector, revolute, line, samples);
     }
     // The bones are looked at at fewer angles: what lies in a belly does so over many degrees.
     let every = samples.len().div_ceil(13).max(1);
     let worst = samples
         .iter()
         .step_by(every)
-        .filter_map(|sample| Some((sample.angle, deepest_penetration(&collector, hinge, line, *sample, limbs)?)));
+        .filter_map(|sample| Some((sample.angle, deepest_penetration(&collector, revolute, line, *sample, limbs)?)));
     if let Some((angle, found)) = worst.max_by(|a, b| a.1.share.total_cmp(&b.1.share)).filter(|(_, found)| found.share > DEEP)
         && let Some(bone) = names.get(found.bone).cloned()
     {
@@ -284,11 +284,11 @@ fn drawn(muscle: &Muscle, line: &Line, frames: &impl Frames, solved: &mut Solved
 }
 
 /// Says where the belly is bent tighter than it is thick: there the surface would fold into itself.
-fn find_tight_bends(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
+fn find_tight_bends(collector: &mut FindingCollector<'_>, revolute: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
     let (muscle, mut solved) = (collector.muscle, Solved::default());
     let every = samples.len().div_ceil(13).max(1);
     let mut folds = |sample: &AngleSample| {
-        let path = drawn(muscle, line, &hinge.at(sample.angle), &mut solved);
+        let path = drawn(muscle, line, &revolute.at(sample.angle), &mut solved);
         let spacing = solved.length / solved.radii.len().saturating_sub(1).max(1) as f64;
         let start = muscle.tendons[0].length;
         solved.radii.windows(2).enumerate().any(|(node, pair)| {
@@ -302,8 +302,8 @@ fn find_tight_bends(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint,
 }
 
 /// Says where a wrap does nothing, or only as far as a point inside it lets it, and where no path was found round all.
-fn find_inert_wraps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, wraps: &WrapUse) {
-    let turns = hinge.range[1] - hinge.range[0] >= LEAST_RANGE;
+fn find_inert_wraps(collector: &mut FindingCollector<'_>, revolute: &RevoluteJoint, line: &Line, wraps: &WrapUse) {
+    let turns = revolute.range[1] - revolute.range[0] >= LEAST_RANGE;
     for wrap in 0..line.wraps.len() {
         let deepest = wraps.deepest.get(wrap).copied().flatten();
         if let Some((number, depth, angle)) = deepest.filter(|(_, depth, _)| *depth > INSIDE * collector.muscle.shape.rest_length()) {
@@ -314,7 +314,7 @@ fn find_inert_wraps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint,
             };
             collector.push(Finding::InsideWrap { wrap, point, depth: collector.to_millimetres(depth), angle });
         } else if turns && wraps.touched.get(wrap) == Some(&false) {
-            collector.push(Finding::WrapNotTouched { wrap, range: hinge.range });
+            collector.push(Finding::WrapNotTouched { wrap, range: revolute.range });
         } else if let Some(angle) = wraps.beyond.get(wrap).copied().flatten() {
             collector.push(Finding::BeyondCylinder { wrap, angle });
         }
@@ -327,14 +327,14 @@ fn find_inert_wraps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint,
 /// Says where the middle of the belly leaves the bone.
 fn find_bow_string(
     collector: &mut FindingCollector<'_>,
-    hinge: &RevoluteJoint,
+    revolute: &RevoluteJoint,
     line: &Line,
     samples: &[AngleSample],
     shapes: &[Option<BoneShape>],
 ) {
     let mut solved = Solved::default();
     let mut away = |angle: f64| {
-        let frames = hinge.at(angle);
+        let frames = revolute.at(angle);
         let path = drawn(collector.muscle, line, &frames, &mut solved);
         let fixed = collector.muscle.fixed();
         let start = 0.5 * (path.length() - solved.length - fixed).max(0.0) + collector.muscle.tendons[0].length;
@@ -346,7 +346,7 @@ fn find_bow_string(
         };
         line.bones().filter_map(distance).min_by(f64::total_cmp)
     };
-    let Some(rest) = away(hinge.at_rest.clamp(hinge.range[0], hinge.range[1])) else { return };
+    let Some(rest) = away(revolute.at_rest.clamp(revolute.range[0], revolute.range[1])) else { return };
     let every = samples.len().div_ceil(13).max(1);
     let all = samples.iter().step_by(every).filter_map(|sample| Some((sample.angle, away(sample.angle)?)));
     let Some((angle, most)) = all.max_by(|a, b| a.1.total_cmp(&b.1)) else { return };
@@ -369,11 +369,11 @@ fn find_sign_change(collector: &mut FindingCollector<'_>, samples: &[AngleSample
 }
 
 /// Says where the length changes by more than the moment arm does between two angles, and goes on doing so however near they are.
-fn find_jumps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
+fn find_jumps(collector: &mut FindingCollector<'_>, revolute: &RevoluteJoint, line: &Line, samples: &[AngleSample]) {
     let small = SMALL * collector.muscle.shape.rest_length();
     let missed = |a: &AngleSample, b: &AngleSample| (b.length - a.length + 0.5 * (a.arm + b.arm) * (b.angle - a.angle).to_radians()).abs();
     let mut solver = LineSolver::default();
-    let mut sample = |angle: f64| sample_at(hinge, line, angle, &mut solver);
+    let mut sample = |angle: f64| sample_at(revolute, line, angle, &mut solver);
     // Where most is missed; no file may ask for more work than that.
     let mut pairs: Vec<[AngleSample; 2]> = samples.windows(2).filter_map(|pair| <[AngleSample; 2]>::try_from(pair).ok()).collect();
     pairs.sort_by(|a, b| missed(&b[0], &b[1]).total_cmp(&missed(&a[0], &a[1])));
@@ -396,12 +396,12 @@ fn find_jumps(collector: &mut FindingCollector<'_>, hinge: &RevoluteJoint, line:
 /// The bone of the muscle that lies deepest in its belly at one angle.
 fn deepest_penetration(
     collector: &FindingCollector<'_>,
-    hinge: &RevoluteJoint,
+    revolute: &RevoluteJoint,
     line: &Line,
     sample: AngleSample,
     limbs: &[Option<DVec3>],
 ) -> Option<BonePenetration> {
-    let (muscle, frames) = (collector.muscle, hinge.at(sample.angle));
+    let (muscle, frames) = (collector.muscle, revolute.at(sample.angle));
     let own = (*limbs.get(line.origin.bone)?)?.normalize_or_zero();
     if !collector.on_arm && line.origin.local.reject_from_normalized(own).length() < SCHEMATIC * muscle.spec.profile.rest_length() {
         return None;

@@ -97,7 +97,7 @@ pub(super) struct WorldFrames<'a> {
 }
 
 impl WorldFrames<'_> {
-    /// Bone `index` as a hinge has it.
+    /// Bone `index` as a joint turns it.
     pub(super) fn bone(&self, index: usize, moves: bool) -> Bone {
         let world = self.bones.get(index).and_then(|node| self.world.get(node.index()));
         let mut matrix = world.map_or(DMat4::IDENTITY, |world| self.from_world * *world);
@@ -208,9 +208,9 @@ impl MuscleRig {
     /// −dL/dφ of muscle `index` about any joint in a pose of `scene`, φ in radians; `None` where nothing holds the muscle.
     pub fn moment_arm_about(&self, index: usize, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> Option<f64> {
         let line = self.muscles.get(index)?.line.as_ref()?;
-        let hinge = self.hinge_of(joint, scene, world);
+        let revolute = self.revolute_of(joint, scene, world);
         // The bones stand where the pose has them: not turned any further.
-        Some(measure::at_angle(&hinge, line, hinge.at_rest, &mut LineSolver::default()).moment_arm)
+        Some(measure::at_angle(&revolute, line, revolute.at_rest, &mut LineSolver::default()).moment_arm)
     }
 
     /// The numbers behind a solution of muscle `index` in a pose of `scene`.
@@ -237,7 +237,7 @@ impl MuscleRig {
     /// Length of the first muscle's line of action on the arm.
     pub(super) fn driving_length(&self, angle: f64) -> f64 {
         let line = self.muscles.first().and_then(|muscle| muscle.line.as_ref());
-        self.hinge().zip(line).map_or(0.0, |(hinge, line)| line.length(&hinge.at(angle)))
+        self.main_joint().zip(line).map_or(0.0, |(revolute, line)| line.length(&revolute.at(angle)))
     }
 
     fn free_contraction_at_rest(&self) -> f64 {
@@ -302,7 +302,7 @@ impl MuscleRig {
     }
 
     /// The joint that measurements turn above all, in the rest pose.
-    pub(super) fn hinge(&self) -> Option<&RevoluteJoint> {
+    pub(super) fn main_joint(&self) -> Option<&RevoluteJoint> {
         self.joints.first().map(|joint| &joint.revolute)
     }
 

@@ -232,7 +232,7 @@ impl MuscleRig {
         if out.length() > ON_LINE * self.profile(index)?.rest_length() {
             return Some(out.normalize_or(DVec3::X));
         }
-        let bends = self.joint().map_or(DVec3::Z.cross(tangent), |joint| self.hinge_of(&joint, scene, world).bends(tangent));
+        let bends = self.joint().map_or(DVec3::Z.cross(tangent), |joint| self.revolute_of(&joint, scene, world).bends(tangent));
         Some(bends.normalize_or(DVec3::X))
     }
 }

@@ -61,9 +61,9 @@ impl RevoluteJoint {
     pub(super) fn in_pose(&self, turned: &Turned<'_>, carried: bool) -> Self {
         let bone =
             |(bone, other): (&Bone, &Bone)| Bone { matrix: if other.moves { turned.turn * bone.matrix } else { bone.matrix }, ..*bone };
-        let bones = self.bones.iter().zip(&turned.hinge.bones).map(bone).collect();
+        let bones = self.bones.iter().zip(&turned.revolute.bones).map(bone).collect();
         let above = if carried { turned.turn * self.above } else { self.above };
-        let angles = (0..turned.hinge.angles.len()).map(|index| turned.angle(index)).collect();
+        let angles = (0..turned.revolute.angles.len()).map(|index| turned.angle(index)).collect();
         Self { at_rest: self.at_rest, range: self.range, angles, own: self.own, ..Self::new(above, self.pivot, self.axis, bones) }
     }
 
@@ -74,7 +74,7 @@ impl RevoluteJoint {
 
     /// The bones with the joint at this angle.
     pub(super) fn at(&self, degrees: f64) -> Turned<'_> {
-        let Some(back) = self.back else { return Turned { hinge: self, degrees, turn: DMat4::IDENTITY, rate: DMat4::ZERO } };
+        let Some(back) = self.back else { return Turned { revolute: self, degrees, turn: DMat4::IDENTITY, rate: DMat4::ZERO } };
         let turn = DMat3::from_quat(DQuat::from_axis_angle(self.axis, (degrees - self.at_rest).to_radians()));
         let [x, y, z] = [turn.x_axis, turn.y_axis, turn.z_axis].map(|column| self.axis.cross(column));
         let about = |linear: DMat3, still: DVec3| {
@@ -85,14 +85,14 @@ impl RevoluteJoint {
         // A rate has no place of its own: where the turn has a 1 in the corner, it has a 0.
         let mut rate = about(DMat3::from_cols(x, y, z), DVec3::ZERO);
         rate.w_axis.w = 0.0;
-        Turned { hinge: self, degrees, turn: self.above * about(turn, self.pivot) * back, rate: self.above * rate * back }
+        Turned { revolute: self, degrees, turn: self.above * about(turn, self.pivot) * back, rate: self.above * rate * back }
     }
 }
 
-/// A hinge's bones at one angle.
+/// The bones of a joint at one angle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Turned<'a> {
-    hinge: &'a RevoluteJoint,
+    revolute: &'a RevoluteJoint,
     degrees: f64,
     turn: DMat4,
     /// Its change a radian; the last row is zero.
@@ -101,7 +101,7 @@ pub(super) struct Turned<'a> {
 
 impl FrameRates for Turned<'_> {
     fn rate(&self, index: usize) -> DMat4 {
-        let Some(bone) = self.hinge.bones.get(index).filter(|bone| bone.moves) else { return DMat4::ZERO };
+        let Some(bone) = self.revolute.bones.get(index).filter(|bone| bone.moves) else { return DMat4::ZERO };
         let (mut frame, mut rate) = (self.turn * bone.matrix, self.rate * bone.matrix);
         rate.w_axis.w = 0.0;
         if bone.plain {
@@ -116,18 +116,18 @@ impl FrameRates for Turned<'_> {
     }
 
     fn angle_rate(&self, index: usize) -> f64 {
-        f64::from(self.hinge.own == Some(index))
+        f64::from(self.revolute.own == Some(index))
     }
 }
 
 impl Frames for Turned<'_> {
     fn angle(&self, index: usize) -> f64 {
-        let posed = self.hinge.angles.get(index).copied().unwrap_or(f64::NAN);
-        if self.hinge.own == Some(index) { posed + self.degrees - self.hinge.at_rest } else { posed }
+        let posed = self.revolute.angles.get(index).copied().unwrap_or(f64::NAN);
+        if self.revolute.own == Some(index) { posed + self.degrees - self.revolute.at_rest } else { posed }
     }
 
     fn frame(&self, index: usize) -> DMat4 {
-        let Some(bone) = self.hinge.bones.get(index) else { return DMat4::IDENTITY };
+        let Some(bone) = self.revolute.bones.get(index) else { return DMat4::IDENTITY };
         let frame = if bone.moves { self.turn * bone.matrix } else { bone.matrix };
         if bone.plain { plain(frame) } else { frame }
     }
