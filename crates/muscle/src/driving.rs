@@ -27,7 +27,7 @@ impl MuscleRig {
     pub fn driven_by(&self, index: usize, joint: &JointDof, scene: &Scene, world: &[DMat4]) -> Option<Driving<'_>> {
         let muscle = self.muscles.get(index)?;
         let line = muscle.line.as_ref()?;
-        // The bones stand turned as the pose has them: that is where the revolute's angle counts from.
+        // The bones stand turned as the pose has them: that is where the joint's angle counts from.
         let revolute = RevoluteJoint { at_rest: joint.angle(scene, world)?, ..self.revolute_of(joint, scene, world) };
         let lengths =
             (0..=8).map(|step| line.length(&revolute.at(joint.range[0] + (joint.range[1] - joint.range[0]) * f64::from(step) / 8.0)));

@@ -17,7 +17,7 @@ use sinew_scene::{MuscleId, NodeId, NodeKind};
 pub enum JointAxis {
     /// That about which the skeleton bends it.
     #[default]
-    Hinge,
+    Flexion,
     /// The bone's own X (0), Y (1) or Z (2) axis.
     Own(usize),
 }
@@ -81,7 +81,7 @@ impl Session {
     fn joint_at(&self, node: NodeId, axis: JointAxis) -> Option<JointDof> {
         let scene = &self.document.scene;
         match axis {
-            JointAxis::Hinge => {
+            JointAxis::Flexion => {
                 let mut joints = self.document.rigs().flat_map(|(rig, _)| rig.joints().map(|(_, joint)| joint));
                 let named = self.document.muscles_joint().filter(|joint| joint.node == node);
                 named
@@ -194,7 +194,7 @@ impl Session {
         self.undoable(message!("app-edit-bend"), UndoStep::near(0), |session| {
             // The first joint is what the slider turns anyway.
             if let Some(node) = measured.filter(|node| joint > 0 || session.chosen_joint().is_some_and(|(chosen, _)| chosen != *node)) {
-                session.choose_joint(Some((node, JointAxis::Hinge)));
+                session.choose_joint(Some((node, JointAxis::Flexion)));
             }
             session.set_flexion(degrees);
         });

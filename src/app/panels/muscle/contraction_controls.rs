@@ -18,7 +18,7 @@ use crate::session::{ChangeSet, JointAxis, Session, UndoStep};
 use crate::tr;
 
 /// The axes, in the order of their list.
-const AXES: [JointAxis; 4] = [JointAxis::Hinge, JointAxis::Own(0), JointAxis::Own(1), JointAxis::Own(2)];
+const AXES: [JointAxis; 4] = [JointAxis::Flexion, JointAxis::Own(0), JointAxis::Own(1), JointAxis::Own(2)];
 
 ui::widgets! {
     /// The widgets of the muscle panel for contraction and joint.
@@ -82,7 +82,7 @@ impl ContractionControls {
                     let axis = AXES.get(axis.selected() as usize).copied().unwrap_or_default();
                     session.update(|session| {
                         // Another axis of the joint that was found is a choice too.
-                        let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Hinge);
+                        let found = || session.joint().map(|joint| joint.node).filter(|_| axis != JointAxis::Flexion);
                         let chosen = bone.or_else(found).map(|node| (node, axis));
                         session.undoable(message!("app-edit-joint"), UndoStep::New, |session| session.choose_joint(chosen));
                     });
@@ -134,7 +134,7 @@ impl ContractionControls {
             self.widgets.on_top.set_visible(!session.document().clips.is_empty());
             self.widgets.joint_release.set_sensitive(bend.is_manual);
             let row = |node: NodeId| self.bones.borrow().iter().position(|bone| *bone == node).map_or(0, |row| row as u32 + 1);
-            let (bone, axis) = session.chosen_joint().map_or((0, JointAxis::Hinge), |(node, axis)| (row(node), axis));
+            let (bone, axis) = session.chosen_joint().map_or((0, JointAxis::Flexion), |(node, axis)| (row(node), axis));
             self.widgets.joint.set_selected(bone);
             self.widgets.joint_axis.set_selected(AXES.iter().position(|own| *own == axis).unwrap_or(0) as u32);
         }
