@@ -10,7 +10,7 @@ use sinew::scene::Frame;
 
 pub(crate) fn posing_again_allocates_nothing() {
     let configs = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs");
-    for name in ["curl.dae", "walker.dae", "lamp.dae", "biceps.yaml"] {
+    for name in ["curl.dae", "walker.dae", "lamp.dae", "biceps.yaml", "atlas-muscles.yaml"] {
         let document = Document::open(&[configs.join(name)], SCENE_READERS, &Progress::default()).expect(name);
         let (mut buffers, mut frame, start) = (PoseBuffers::default(), Frame::default(), document.start_state());
         let duration = document.clips.first().map_or(0.0, |clip| clip.duration());

@@ -157,6 +157,8 @@ impl Centerline {
     /// Makes it an empty line, whose memory is kept.
     pub(super) fn begin(&mut self, u: DVec3) {
         self.pieces.clear();
+        // Room for the lines of most poses, so that none of them asks for more.
+        self.pieces.reserve(GEODESIC_PIECES);
         (self.length, self.u) = (0.0, u);
     }
 

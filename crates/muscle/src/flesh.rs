@@ -154,6 +154,9 @@ impl Flesh {
     ) {
         self.leave();
         self.bones.clear();
+        // A later pose may push what this one leaves alone.
+        self.sections.reserve(PLACES + 1);
+        self.centerline.begin(DVec3::X);
         let (mut first, mut last) = (None, None);
         for (bone, frame) in bones {
             first.get_or_insert(bone);

@@ -154,7 +154,13 @@ impl Line {
 
     /// Length of the line of action.
     pub(super) fn length(&self, frames: &(impl Frames + ?Sized)) -> f64 {
-        self.solve(frames, &mut LineSolver::default()).length
+        if !self.wraps.is_empty() {
+            return self.solve(frames, &mut LineSolver::default()).length;
+        }
+        // Straight from point to point, which needs no memory: a slider asks for many lengths a frame.
+        let mut places = (0..self.count()).filter_map(|number| self.place(number, frames));
+        let first = places.next();
+        places.fold((0.0, first), |(length, before), place| (length + before.map_or(0.0, |before| before.distance(place)), Some(place))).0
     }
 
     /// The change of the length a radian, of a line that has been solved in these frames.

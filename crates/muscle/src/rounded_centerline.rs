@@ -20,6 +20,9 @@ const TINY: f64 = 1e-12;
 /// A line that turns by less than this, radians, has no corner that could be seen.
 const FLAT: f64 = 1e-7;
 
+/// Corners for which there is room from the first: as many as most lines have in any pose.
+const CORNERS: usize = 16;
+
 /// A part of the line.
 #[derive(Clone, Copy)]
 enum Part<'a> {
@@ -145,6 +148,7 @@ fn parts(solution: &Solution) -> impl Iterator<Item = Part<'_>> {
 /// first axis points.
 pub(super) fn round(solution: &Solution, rounding: f64, side: DVec3, corners: &mut Vec<Corner>, centerline: &mut Centerline) {
     corners.clear();
+    corners.reserve(CORNERS);
     let mut before: Option<Part<'_>> = None;
     for part in parts(solution) {
         if let Some(before) = before {

@@ -47,6 +47,9 @@ impl PathSolver {
         solution.stretches.clear();
         solution.arcs.clear();
         solution.inside.clear();
+        // What this path does not touch the next one may.
+        solution.arcs.reserve(surfaces.len());
+        solution.inside.reserve(surfaces.len());
         (solution.length, solution.status, solution.path_error, solution.steps) = (0.0, Status::Converged, 0.0, 0);
         let near = |point: DVec3| point.abs().max_element() < FARTHEST && point.is_finite();
         if !points.iter().all(|point| near(point.position)) || !surfaces.iter().all(|surface| near(surface.center)) {
