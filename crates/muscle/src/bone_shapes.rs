@@ -133,7 +133,7 @@ fn collect(
 }
 
 /// The other end of a bone in the world: the farthest of the joints below it; of a joint without one, as far beyond as it is from the joint above it.
-fn tip_of(graph: &Graph, bone: NodeId, rest: &[DMat4]) -> Option<DVec3> {
+pub(super) fn tip_of(graph: &Graph, bone: NodeId, rest: &[DMat4]) -> Option<DVec3> {
     let place = |node: NodeId| rest.get(node.index()).map(|world| world.w_axis.truncate());
     let (about, here) = (graph.node(bone), place(bone)?);
     let follows = |node: &&NodeId| about.kind != NodeKind::Joint || graph.node(**node).kind == NodeKind::Joint;

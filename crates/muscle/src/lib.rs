@@ -50,6 +50,7 @@
 //! | `bone_clearance` | distance between the belly and the rods |
 //! | `bone_shape`, `bone_shapes` | how thick bones are round their axes, from their meshes |
 //! | `flesh` | the belly bent away from bones and flattened against them |
+//! | `cross_sections`, `bone_chain` | a muscle in a pose as a row of cross-sections, and the bones that it runs along |
 //! | `tessellation` | rings, hemispheres and tendons as triangles |
 //! | `muscle_state` | contraction and elbow angle of an arm, each computed from the other |
 //! | `driving` | the same for a joint of a clip's skeleton |
@@ -73,6 +74,7 @@
 //! | `config` | YAML |
 
 mod arm;
+mod bone_chain;
 mod bone_clearance;
 mod bone_name_heuristics;
 mod bone_shape;
@@ -81,6 +83,7 @@ mod bones;
 mod build;
 mod centerline;
 pub mod config;
+mod cross_sections;
 mod csv_table;
 mod driving;
 pub mod edit;
@@ -116,10 +119,12 @@ mod wrap_placement;
 pub mod wrapping;
 
 pub use arm::{Arm, ArmNodes, FOREARM, FULL_FLEXION, UPPER_ARM};
+pub use bone_chain::BoneAxis;
 pub use bones::{AttachmentPoint, bone_name};
 pub use centerline::{Centerline, CrossSectionFrame, Cursor};
 pub use config::{ActiveRange, PointMotion, ViaPoint, WrapRange, WrapShape};
 pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, SaveResult, Tendon, Wrap};
+pub use cross_sections::CrossSection;
 pub use driving::Driving;
 pub use edit::{Edit, EditError};
 pub use finding::{Finding, FoundAt, LinePoint, MomentArmAt};

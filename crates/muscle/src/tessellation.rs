@@ -73,6 +73,29 @@ impl<'a> Laid<'a> {
     pub(super) fn of(solved: &'a SolvedMuscle, tendons: &'a [Tendon; 2]) -> Self {
         Self { solved: &solved.shape, tendons, line: &solved.centerline, flesh: &solved.flesh }
     }
+
+    /// Where along its line belly and tendons lie.
+    pub(super) fn extent(&self) -> Extent<'a> {
+        let path = self.flesh.centerline().unwrap_or(self.line);
+        // A line that goes round a bone is longer than the muscle's own; its tendons take that up.
+        let detour = path.length() - self.line.length();
+        let tendons = fitting(self.tendons, self.line.length() - self.solved.length);
+        // Where a limit holds the length, the muscle lies in the middle of its line.
+        let slack = path.length() - self.solved.length - tendons[0].length - tendons[1].length;
+        Extent { path, start: tendons[0].length + 0.5 * slack, tendons, detour }
+    }
+}
+
+/// Where belly and tendons lie along the line that is drawn.
+pub(super) struct Extent<'a> {
+    /// The line through the centres of the cross-sections.
+    pub path: &'a Centerline,
+    /// Where on it the belly begins.
+    pub start: f64,
+    /// The tendons as they are drawn; each takes up half of the detour as well.
+    pub tendons: [Tendon; 2],
+    /// By how much the line that is drawn is longer than the muscle's own.
+    pub detour: f64,
 }
 
 /// Matrices from the space of the centre line to the world.
@@ -168,14 +191,8 @@ impl MuscleTopology {
         positions.clear();
         normals.clear();
         let mut out = Writer { to_world, circle: circle(), positions, normals, before: None, folded: false };
-        let Laid { solved, tendons, line, flesh } = *laid;
-        let path = flesh.centerline().unwrap_or(line);
-        // A line that goes round a bone is longer than the muscle's own; its tendons take that up.
-        let detour = path.length() - line.length();
-        let tendons = &fitting(tendons, line.length() - solved.length);
-        // Where a limit holds the length, the muscle lies in the middle of its line.
-        let slack = path.length() - solved.length - tendons[0].length - tendons[1].length;
-        let start = tendons[0].length + 0.5 * slack;
+        let Laid { solved, flesh, .. } = *laid;
+        let Extent { path, start, ref tendons, detour } = laid.extent();
         let section = |at: f64| flesh.section(at / path.length());
         let spans = self.nodes.saturating_sub(1).max(1);
         let spacing = solved.length / spans as f64;

@@ -31,6 +31,7 @@ mod open;
 mod outline;
 mod pose;
 mod posed_copy;
+mod skin_follow;
 mod skin_kernel;
 mod skin_plan;
 mod skinning;
@@ -112,6 +113,7 @@ pub struct Document {
     revision: u64,
     /// Changes whenever the muscles do, whose nodes stand behind all others: then only what belongs to muscles is laid out anew.
     muscle_revision: u64,
+    skins: skin_follow::SkinCache,
 }
 
 /// How joints bend a skin.
@@ -122,6 +124,16 @@ pub enum Skinning {
     Linear,
     /// Blends unit dual quaternions: keeps the volume of a twisted joint (Kavan et al., "Skinning with dual quaternions", I3D 2007).
     DualQuaternion,
+}
+
+/// What moves a skin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SkinMotion {
+    /// The skeleton, and the muscles that lie beneath it.
+    #[default]
+    FollowsMuscles,
+    /// The skeleton alone.
+    Skeleton,
 }
 
 /// The values that choose a moment.
@@ -137,6 +149,8 @@ pub struct PoseState {
     pub model: DMat4,
     /// How joints bend a skin.
     pub skinning: Skinning,
+    /// Whether muscles move the skin over them.
+    pub skin: SkinMotion,
 }
 
 impl PoseState {

@@ -7,6 +7,7 @@ use glam::{DMat4, Mat4};
 
 use super::deform::MeshDeformer;
 use super::occlusion_test::mark_covering_surfaces;
+use super::skin_follow::SkinBuffers;
 use super::{Document, PoseState, SourceKind};
 use sinew_muscle::SolvedMuscle;
 use sinew_scene::animation::Pose;
@@ -23,6 +24,7 @@ pub struct PoseBuffers {
     plans: Vec<SurfacePlan>,
     solved: Vec<SolvedMuscle>,
     times: PoseTimes,
+    skin: SkinBuffers,
     /// Whether the surfaces that cover muscles were looked for since the frame was laid out.
     covering_surfaces_marked: bool,
 }
@@ -134,7 +136,8 @@ impl Document {
     fn place_surfaces(&self, state: &PoseState, buffers: &mut PoseBuffers, frame: &mut Frame) {
         self.update_visibility(&mut buffers.shown);
         frame.bounds = Bounds::EMPTY;
-        for (surface, plan) in frame.surfaces.iter_mut().zip(&mut buffers.plans) {
+        buffers.skin.begin(self, state, &buffers.solved, &frame.world);
+        for (index, (surface, plan)) in frame.surfaces.iter_mut().zip(&mut buffers.plans).enumerate() {
             surface.visible = buffers.shown.get(surface.node.index()).copied().unwrap_or(true);
             let world = frame.world.get(surface.node.index()).copied().unwrap_or(DMat4::IDENTITY);
             let (bounds, solid) = match plan {
@@ -159,7 +162,7 @@ impl Document {
                     let (bounds, mirrored) =
                         bender.deform(&self.scene, (surface.node, instance), &surface.mesh, state, &frame.world, weights, into);
                     surface.mirrored = mirrored;
-                    (bounds, false)
+                    (buffers.skin.follow(index, surface).unwrap_or(bounds), false)
                 }
                 SurfacePlan::Muscle(id) => {
                     let SurfaceGeometry::Deformed { positions, normals } = &mut surface.geometry else { continue };
@@ -228,6 +231,7 @@ impl Document {
         frame.surfaces.truncate(kept);
         buffers.plans.truncate(kept);
         buffers.covering_surfaces_marked = false;
+        buffers.skin.invalidate();
         self.prepare_nodes_from(first, buffers, frame);
         self.prepare_surfaces_from(first, buffers, frame);
     }

@@ -255,7 +255,14 @@ impl PoseComparison {
                     }
                 });
                 let (clip, time) = (self.clip, moment(other, self.clip));
-                PoseState { clip, time, joints: JointControl::driven(drive.unwrap_or_default()), model, skinning: state.skinning }
+                PoseState {
+                    clip,
+                    time,
+                    joints: JointControl::driven(drive.unwrap_or_default()),
+                    model,
+                    skinning: state.skinning,
+                    skin: state.skin,
+                }
             }
             CompareTarget::Clip(clip) => PoseState { clip: Some(*clip), time: moment(document, Some(*clip)), model, ..state.clone() },
             CompareTarget::Skinning => PoseState { model, skinning: other_skinning(state.skinning), ..state.clone() },
