@@ -293,7 +293,7 @@ fn verbose() -> Arg {
 }
 
 /// The options that choose a moment, shared by `render` and `export`.
-fn pose_args() -> [Arg; 5] {
+fn pose_args() -> [Arg; 6] {
     let heading = "cli-heading-time";
     [
         number("time", "S", arg_parsers::number, "cli-arg-time", heading),
@@ -302,6 +302,7 @@ fn pose_args() -> [Arg; 5] {
             .conflicts_with("contraction"),
         flag("on-top", "cli-arg-on-top", heading).requires("angle"),
         number("contraction", "PCT", arg_parsers::number_within(0.0, 100.0), "cli-arg-contraction", heading),
+        flag("no-skin-follow", "cli-arg-no-skin-follow", heading),
     ]
 }
 

@@ -8,7 +8,7 @@ use super::arg_parsers::plain;
 use super::output::{Failure, display_name, print_notice};
 use super::value;
 use crate::animation::Clip;
-use crate::document::{Document, PoseState};
+use crate::document::{Document, PoseState, SkinMotion};
 use crate::i18n;
 use crate::muscle::MuscleRig;
 use crate::scene::NodeKind;
@@ -26,6 +26,7 @@ pub(super) struct PoseOptions {
     angle: Option<f64>,
     contraction: Option<f64>,
     on_top: bool,
+    skin_by_skeleton: bool,
 }
 
 impl PoseOptions {
@@ -37,6 +38,7 @@ impl PoseOptions {
             angle: value(given, "angle"),
             contraction: value(given, "contraction"),
             on_top: given.get_flag("on-top"),
+            skin_by_skeleton: given.get_flag("no-skin-follow"),
         }
     }
 
@@ -58,6 +60,9 @@ impl PoseOptions {
     /// # Errors
     /// As there.
     pub(super) fn over(&self, mut state: PoseState, document: &Document, file: &Path) -> Result<PoseState, Failure> {
+        if self.skin_by_skeleton {
+            state.skin = SkinMotion::Skeleton;
+        }
         if let Some(name) = &self.clip {
             let found = document.clip_named(name).ok_or_else(|| unknown_clip(document, file, name))?;
             state.clip = Some(found);

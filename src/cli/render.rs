@@ -265,7 +265,7 @@ fn call_note(given: &ArgMatches, files: &[PathBuf], size: (u32, u32), scale: f32
             note.push_str(&format!(" --{id} {}", quoted(&text.to_string_lossy())));
         }
     }
-    for (option, ..) in LOOK_FLAGS {
+    for option in LOOK_FLAGS.iter().map(|(option, ..)| *option).chain(["no-skin-follow"]) {
         if given.get_flag(option) {
             note.push_str(&format!(" --{option}"));
         }

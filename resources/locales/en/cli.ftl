@@ -55,6 +55,7 @@ cli-arg-shading = Where lighting is computed: once per triangle (flat), at each 
 cli-arg-bones = Draw the bones
 cli-arg-wireframe = Draw the edges of the triangles
 cli-arg-no-materials = Ignore materials and textures
+cli-arg-no-skin-follow = Bend the skin by the skeleton alone, not by the muscles beneath it
 cli-arg-no-see-through = Hide the muscles beneath the skin of a clip
 cli-arg-no-normals = Use the normal of each triangle instead of the vertex normals in lighting
 cli-arg-angles = Elbow angles in degrees; default: 0,30,60,90

@@ -108,6 +108,11 @@ pub(crate) fn has_skins(conditions: &Conditions) -> bool {
     conditions.session.posed().surfaces.iter().any(|surface| surface.skin)
 }
 
+/// A skin lies round a muscle on bones.
+pub(crate) fn has_muscles_under_skin(conditions: &Conditions) -> bool {
+    conditions.session.document().has_muscles_under_skin()
+}
+
 /// A bone is selected, or weights are shown.
 pub(crate) fn can_show_weights(conditions: &Conditions) -> bool {
     let session = conditions.session;

@@ -289,6 +289,10 @@ commands! {
         Muscle = "muscle" ["m"] Flag(|display| &mut display.muscle);
         /// Muscles through the skin.
         SeeThrough = "see-through" [] Flag(|display| &mut display.see_through), if has_skins;
+        /// Muscles move the skin over them.
+        SkinFollowsMuscles = "skin-follows-muscles" []
+            Toggle(Session::skin_follows_muscles, |session| session.set_skin_follows_muscles(!session.skin_follows_muscles())),
+            if has_muscles_under_skin;
         /// Lines of action of muscles.
         LinesOfAction = "lines-of-action" [] Flag(|display| &mut display.lines_of_action), if has_muscles;
         /// Materials and textures.

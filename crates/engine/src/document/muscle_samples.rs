@@ -1,6 +1,6 @@
 //! Muscles over the time of a clip that moves their bones.
 
-use super::{Document, PoseBuffers, PoseState};
+use super::{Document, PoseBuffers, PoseState, SkinMotion};
 use sinew_muscle::MuscleSample;
 use sinew_scene::Frame;
 
@@ -10,6 +10,8 @@ impl Document {
     pub fn measure_times(&self, state: &PoseState, times: &[f64]) -> Vec<Vec<MuscleSample>> {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         let mut rows: Vec<Vec<MuscleSample>> = vec![Vec::with_capacity(times.len()); self.muscle_count()];
+        // Lengths and moment arms do not depend on the skin.
+        let state = &PoseState { skin: SkinMotion::Skeleton, ..state.clone() };
         let clip = state.clip.and_then(|clip| self.clips.get(clip));
         for time in times {
             let time = clip.map_or(*time, |clip| time.max(clip.start).min(clip.end.max(clip.start)));

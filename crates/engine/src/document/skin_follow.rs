@@ -135,6 +135,11 @@ impl Document {
         (0..self.muscle_count()).filter(under).map(|index| MuscleId(index as u32)).collect()
     }
 
+    /// Whether a skin follows any muscle.
+    pub fn has_muscles_under_skin(&self) -> bool {
+        self.may_have_bound_skins() && self.bound_skins().bindings().next().is_some()
+    }
+
     /// Whether there are muscles on bones and meshes that bones move at all.
     fn may_have_bound_skins(&self) -> bool {
         !self.scene.skins.is_empty() && self.rigs().any(|(rig, _)| (0..rig.len()).any(|index| rig.is_attached(index)))

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::{CameraController, ChangeSet, LightDirection, Session, UndoStep, Viewpoint};
-use crate::document::Skinning;
+use crate::document::{SkinMotion, Skinning};
 use crate::view::{BackgroundPreset, file_camera};
 use sinew_render::{Display, Theme};
 use sinew_scene::message;
@@ -124,6 +124,21 @@ impl Session {
     pub fn set_skinning(&mut self, skinning: Skinning) {
         if skinning != self.state.skinning {
             self.state.skinning = skinning;
+            self.needs_posing = true;
+            self.changed(ChangeSet::DISPLAY);
+        }
+    }
+
+    /// Whether muscles move the skin over them.
+    pub fn skin_follows_muscles(&self) -> bool {
+        self.state.skin == SkinMotion::FollowsMuscles
+    }
+
+    /// Lets muscles move the skin over them, or leaves it to the skeleton.
+    pub fn set_skin_follows_muscles(&mut self, follows: bool) {
+        let skin = if follows { SkinMotion::FollowsMuscles } else { SkinMotion::Skeleton };
+        if skin != self.state.skin {
+            self.state.skin = skin;
             self.needs_posing = true;
             self.changed(ChangeSet::DISPLAY);
         }

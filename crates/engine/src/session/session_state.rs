@@ -48,6 +48,7 @@ impl Session {
                 scale: model.scale,
             }),
             dual_quaternions: self.state().skinning == Skinning::DualQuaternion,
+            skin_follows_muscles: (!self.skin_follows_muscles()).then_some(false),
             display: self.display_options(),
             hidden: document.scene.graph.iter().filter(|(_, node)| !node.visible).map(|(id, _)| saved_node(document, id)).collect(),
             selected: self.selected().map(|node| saved_node(document, node)),
@@ -94,6 +95,7 @@ impl Session {
             self.set_clip(clip);
         }
         self.set_skinning(if saved.dual_quaternions { Skinning::DualQuaternion } else { Skinning::Linear });
+        self.set_skin_follows_muscles(saved.skin_follows_muscles != Some(false));
         let mode = MODES.iter().find(|(name, _)| *name == saved.loop_mode).map_or(LoopMode::Loop, |(_, mode)| *mode);
         self.time(|cursor| {
             cursor.mode = mode;
@@ -170,6 +172,7 @@ mod tests {
         session.set_backdrop(BackgroundPreset::Grey);
         session.set_bone_names(true);
         session.set_skinning(Skinning::DualQuaternion);
+        session.set_skin_follows_muscles(false);
         session.override_joint(NodeId(2), DVec3::new(1.0, 2.5, -3.0));
         let saved = session.session_state(Path::new("/somewhere"));
         let read = SessionState::parse(&saved.to_yaml().expect("written")).expect("a session file").expect("sound");

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
 
 use super::{CameraFollow, DisplayOptions, LightDirection, ModelTransform, OnionSkinSettings, ViewState, file_cameras};
-use crate::document::{Document, JointControl, OpenErrorKind, PoseBuffers, PoseState, Skinning};
+use crate::document::{Document, JointControl, OpenErrorKind, PoseBuffers, PoseState, SkinMotion, Skinning};
 use crate::input;
 use sinew_render::Highlight;
 use sinew_scene::limits;
@@ -44,6 +44,8 @@ pub struct SessionState {
     pub model: Option<SavedModel>,
     /// Whether dual quaternions are blended.
     pub dual_quaternions: bool,
+    /// Whether muscles move the skin over them; none = they do.
+    pub skin_follows_muscles: Option<bool>,
     /// What is drawn and how.
     #[serde(flatten, skip_deserializing)]
     pub display: DisplayOptions,
@@ -301,6 +303,7 @@ impl SessionState {
         }
         self.apply_to_joints(document, &mut state.joints);
         state.skinning = if self.dual_quaternions { Skinning::DualQuaternion } else { Skinning::Linear };
+        state.skin = if self.skin_follows_muscles == Some(false) { SkinMotion::Skeleton } else { SkinMotion::FollowsMuscles };
         if let Some(saved) = &self.model {
             let mut frame = Frame::default();
             document.pose(&document.start_state(), &mut PoseBuffers::default(), &mut frame);
