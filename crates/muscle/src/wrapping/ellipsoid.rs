@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3};
 
-use super::geodesic::{Bend, GeodesicEnd, GeodesicStart, integrate};
+use super::geodesic::{Accuracy, Bend, GeodesicEnd, GeodesicStart, integrate};
 use super::shape::Curvature;
 use super::sphere;
 use super::touch::Touch;
@@ -152,10 +152,11 @@ impl Ellipsoid {
 }
 
 /// The geodesic from a point in a direction, integrated.
-pub(super) fn shoot(ellipsoid: &Ellipsoid, start: &GeodesicStart) -> GeodesicEnd {
+pub(super) fn shoot(ellipsoid: &Ellipsoid, start: &GeodesicStart, accuracy: Accuracy) -> GeodesicEnd {
     let root = ellipsoid.determinant.sqrt();
     integrate(
         start,
+        accuracy,
         |point, tangent| {
             let gradient = ellipsoid.gradient(point);
             let square = gradient.length_squared();

@@ -44,37 +44,77 @@ pub(super) struct Bend {
     pub gauss: f64,
 }
 
+/// How far a step may leave the surface, turn out of it, or change the Wronskian of the Jacobi fields, as shares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Accuracy {
+    /// To rounding: lengths and moment arms come from it.
+    Exact,
+    /// To 10⁻⁹: what is only drawn.
+    Drawn,
+}
+
+impl Accuracy {
+    fn tolerance(self) -> f64 {
+        match self {
+            Accuracy::Exact => 3e-14,
+            Accuracy::Drawn => 1e-9,
+        }
+    }
+
+    /// The first step that is tried, in radians that the sharpest curvature near it turns: long enough for most, and so short that few are tried again.
+    fn first(self) -> f64 {
+        match self {
+            Accuracy::Exact => 0.08,
+            Accuracy::Drawn => STEP,
+        }
+    }
+}
+
 /// Longest step, in radians that the sharpest curvature near it turns.
 const STEP: f64 = 0.3;
-/// Most that a step may leave the surface, turn out of it, or change the Wronskian of the Jacobi fields, as shares.
-const TOLERANCE: f64 = 3e-14;
 /// A step that goes wrong is made no shorter than the length over this.
 const STEPS: f64 = 400.0;
 /// Most steps tried, those that go wrong among them.
 const TRIES: usize = 800;
 
-/// Point, tangent, and both Jacobi fields with their derivatives.
+/// Point, tangent, and both Jacobi fields with their derivatives: x, x′, (shift, turn), (shift′, turn′). One list, so that a step is a few instructions for
+/// each of its weights.
 #[derive(Debug, Clone, Copy)]
-struct State {
-    point: DVec3,
-    tangent: DVec3,
-    /// (shift, turn) and their derivatives.
-    fields: [f64; 4],
-}
+struct State([f64; 10]);
 
 impl State {
-    /// This state moved by `step` times the weighted sum of derivatives. Weights beyond the derivatives are not read.
+    fn new(point: DVec3, tangent: DVec3, fields: [f64; 4]) -> Self {
+        let [a, b, c, d] = fields;
+        Self([point.x, point.y, point.z, tangent.x, tangent.y, tangent.z, a, b, c, d])
+    }
+
+    fn point(&self) -> DVec3 {
+        let [x, y, z, ..] = self.0;
+        DVec3::new(x, y, z)
+    }
+
+    fn tangent(&self) -> DVec3 {
+        let [_, _, _, x, y, z, ..] = self.0;
+        DVec3::new(x, y, z)
+    }
+
+    /// Shift, turn, and their derivatives.
+    fn fields(&self) -> [f64; 4] {
+        let [.., a, b, c, d] = self.0;
+        [a, b, c, d]
+    }
+
+    /// This state moved by `step` times the weighted sum of derivatives.
+    #[inline(always)]
     fn moved<const N: usize>(&self, step: f64, weights: [f64; N], rates: [&State; N]) -> State {
-        let mut moved = *self;
+        let mut moved = self.0;
         for (weight, rate) in weights.into_iter().zip(rates) {
             let factor = step * weight;
-            moved.point += rate.point * factor;
-            moved.tangent += rate.tangent * factor;
-            for (value, rate) in moved.fields.iter_mut().zip(rate.fields) {
+            for (value, rate) in moved.iter_mut().zip(rate.0) {
                 *value += rate * factor;
             }
         }
-        moved
+        State(moved)
     }
 }
 
@@ -84,17 +124,19 @@ impl State {
 /// along the normal.
 pub(super) fn integrate(
     start: &GeodesicStart,
+    accuracy: Accuracy,
     bend: impl Fn(DVec3, DVec3) -> Bend,
     sharpness: impl Fn(DVec3, DVec3) -> f64,
     project: impl Fn(DVec3) -> DVec3,
     normal: impl Fn(DVec3) -> DVec3,
 ) -> GeodesicEnd {
     let rate = |state: &State| {
-        let Bend { acceleration, gauss } = bend(state.point, state.tangent);
-        let [shift, turn, shift_rate, turn_rate] = state.fields;
-        State { point: state.tangent, tangent: acceleration, fields: [shift_rate, turn_rate, -gauss * shift, -gauss * turn] }
+        let Bend { acceleration, gauss } = bend(state.point(), state.tangent());
+        let [shift, turn, shift_rate, turn_rate] = state.fields();
+        State::new(state.tangent(), acceleration, [shift_rate, turn_rate, -gauss * shift, -gauss * turn])
     };
-    let mut state = State { point: start.point, tangent: start.tangent, fields: [1.0, 0.0, 0.0, 1.0] };
+    let tolerance = accuracy.tolerance();
+    let mut state = State::new(start.point, start.tangent, [1.0, 0.0, 0.0, 1.0]);
     let mut left = start.length.abs();
     let shortest = left / STEPS;
     let mut proven = f64::INFINITY;
@@ -103,8 +145,9 @@ pub(super) fn integrate(
         if left <= 0.0 {
             break;
         }
-        let sharpness = sharpness(state.point, state.tangent);
-        let wanted = (STEP / sharpness).min(proven).max(shortest);
+        let sharpness = sharpness(state.point(), state.tangent());
+        let longest = if proven.is_finite() { proven.min(STEP / sharpness) } else { accuracy.first() / sharpness };
+        let wanted = longest.max(shortest);
         // Of what is left, two even steps are better than a long and a tiny one.
         let size = if left <= wanted {
             left
@@ -114,25 +157,30 @@ pub(super) fn integrate(
             wanted
         };
         let moved = step(&state, size.copysign(start.length), &rate);
-        let point = project(moved.point);
+        let tangent = moved.tangent();
+        let point = project(moved.point());
         let normal = normal(point).normalize_or(DVec3::X);
         // All of these are 0 on a geodesic, and about as large as the error of the step.
-        let [shift, turn, shift_rate, turn_rate] = moved.fields;
+        let fields = moved.fields();
+        let [shift, turn, shift_rate, turn_rate] = fields;
         let wronskian = (shift * turn_rate - turn * shift_rate - 1.0) / (1.0 + (shift * turn_rate).abs());
-        let error = (moved.point.distance(point) * sharpness)
-            .max((moved.tangent.length_squared() - 1.0).abs())
-            .max(moved.tangent.dot(normal).abs())
+        let error = (moved.point().distance(point) * sharpness)
+            .max((tangent.length_squared() - 1.0).abs())
+            .max(tangent.dot(normal).abs())
             .max((wronskian - drift).abs());
-        proven = size * (0.9 * (TOLERANCE / error.max(1e-18)).powf(1.0 / 9.0)).clamp(0.25, 2.0);
-        if error > TOLERANCE && size > shortest {
+        let fails = error > tolerance && size > shortest;
+        if fails || left > size {
+            proven = size * (0.9 * (tolerance / error.max(1e-18)).powf(1.0 / 9.0)).clamp(0.1, 2.0);
+        }
+        if fails {
             continue;
         }
         left -= size;
         drift = wronskian;
-        state = State { point, tangent: moved.tangent.reject_from_normalized(normal).normalize_or(state.tangent), ..moved };
+        state = State::new(point, tangent.reject_from_normalized(normal).normalize_or(state.tangent()), fields);
     }
-    let [shift, turn, shift_rate, turn_rate] = state.fields;
-    GeodesicEnd { point: state.point, tangent: state.tangent, shift, shift_rate, turn, turn_rate }
+    let [shift, turn, shift_rate, turn_rate] = state.fields();
+    GeodesicEnd { point: state.point(), tangent: state.tangent(), shift, shift_rate, turn, turn_rate }
 }
 
 /// One step of Cooper and Verner's method; `S` is √21.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::ellipsoid::Ellipsoid;
-use super::geodesic::{GeodesicEnd, GeodesicStart};
+use super::geodesic::{Accuracy, GeodesicEnd, GeodesicStart};
 use super::surface::Surface;
 use super::torus::Torus;
 use super::touch::Touch;
@@ -104,11 +104,16 @@ impl Shape {
 
     /// The geodesic from a point in a direction, with its Jacobi fields. Negative lengths run backwards.
     pub(super) fn shoot(&self, start: &GeodesicStart) -> GeodesicEnd {
+        self.shoot_within(start, Accuracy::Exact)
+    }
+
+    /// [`Shape::shoot`] as exactly as asked for, or better.
+    pub(super) fn shoot_within(&self, start: &GeodesicStart, accuracy: Accuracy) -> GeodesicEnd {
         match self {
             Shape::Sphere(radius) => sphere::shoot(*radius, start),
             Shape::Cylinder(radius) => cylinder::shoot(*radius, start),
-            Shape::Ellipsoid(ellipsoid) => ellipsoid::shoot(ellipsoid, start),
-            Shape::Torus(torus) => torus::shoot(torus, start),
+            Shape::Ellipsoid(ellipsoid) => ellipsoid::shoot(ellipsoid, start, accuracy),
+            Shape::Torus(torus) => torus::shoot(torus, start, accuracy),
         }
     }
 

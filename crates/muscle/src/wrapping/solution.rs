@@ -6,7 +6,7 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::dual::DualVec;
-use super::geodesic::GeodesicStart;
+use super::geodesic::{Accuracy, GeodesicStart};
 use super::newton::{Contact, Placed};
 use super::shape::Shape;
 use super::yielding::Yielding;
@@ -126,15 +126,19 @@ impl Arc {
         self.start_normal
     }
 
-    /// `count` points in the world at equal spacing from P to Q, both among them, and the path's direction at each; of a count of 1, P alone.
+    /// `count` points in the world at equal spacing from P to Q, both among them, and the path's direction at each; of a count of 1, P alone. Those between
+    /// P and Q are for drawing: on the surface, and within 10⁻⁷ of its size on the geodesic.
     pub fn sample(&self, count: usize) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
-        let mut start = self.contact.start;
-        start.length /= count.saturating_sub(1).max(1) as f64;
-        let points = iter::successors(Some(start), move |start| {
-            let end = self.placed.shape.shoot(start);
-            Some(GeodesicStart { point: end.point, tangent: end.tangent, length: start.length })
-        });
-        points.take(count).map(|start| (self.placed.to_world(start.point), self.placed.rotation * start.tangent))
+        let last = count.saturating_sub(1);
+        let mut at = self.contact.start;
+        at.length /= last.max(1) as f64;
+        (0..count).map(move |index| {
+            if index > 0 {
+                let end = if index < last { self.placed.shape.shoot_within(&at, Accuracy::Drawn) } else { self.contact.end };
+                (at.point, at.tangent) = (end.point, end.tangent);
+            }
+            (self.placed.to_world(at.point), self.placed.rotation * at.tangent)
+        })
     }
 
     /// The radius of the circle that the geodesic is a part of; `None` where it is another curve.
@@ -154,7 +158,7 @@ impl Arc {
     pub fn turn(&self) -> f64 {
         let shape = &self.placed.shape;
         let start = self.contact.start;
-        let middle = shape.shoot(&GeodesicStart { length: 0.5 * start.length, ..start });
+        let middle = shape.shoot_within(&GeodesicStart { length: 0.5 * start.length, ..start }, Accuracy::Drawn);
         let end = self.contact.end;
         let bend = |(point, tangent): (DVec3, DVec3)| {
             let curvature = shape.curvature(point, tangent, tangent.cross(shape.normal(point)));

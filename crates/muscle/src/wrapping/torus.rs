@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::{DVec2, DVec3};
 
 use super::cylinder;
-use super::geodesic::{Bend, GeodesicEnd, GeodesicStart, integrate};
+use super::geodesic::{Accuracy, Bend, GeodesicEnd, GeodesicStart, integrate};
 use super::shape::Curvature;
 use super::touch::Touch;
 
@@ -148,13 +148,14 @@ fn minimum([low, high]: [f64; 2], function: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// The geodesic from a point in a direction, integrated.
-pub(super) fn shoot(torus: &Torus, start: &GeodesicStart) -> GeodesicEnd {
+pub(super) fn shoot(torus: &Torus, start: &GeodesicStart, accuracy: Accuracy) -> GeodesicEnd {
     let round_curvature = |point: DVec3| {
         let (radial, distance) = Torus::radial(point);
         (radial, torus.normal(point).dot(radial) / distance.max(torus.major - torus.minor))
     };
     integrate(
         start,
+        accuracy,
         |point, tangent| {
             let (radial, k_round) = round_curvature(point);
             let normal = torus.normal(point);

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use glam::DVec3;
 
 use super::super::ellipsoid::Ellipsoid;
-use super::super::geodesic::GeodesicStart;
+use super::super::geodesic::{Accuracy, GeodesicStart};
 use super::super::shape::Shape;
 use super::super::torus::Torus;
 use super::Random;
@@ -47,6 +47,22 @@ fn an_ellipsoid_of_equal_radii_has_the_great_circles_of_the_sphere() {
             assert!((exact - found).abs() < 1e-10, "{exact} {found}");
         }
     }
+}
+
+#[test]
+fn what_is_only_drawn_lies_on_the_surface_and_near_the_geodesic() {
+    let mut random = Random(11);
+    let mut farthest = 0.0_f64;
+    for shape in shapes() {
+        for _ in 0..200 {
+            let length = random.between(0.0, 2.0);
+            let start = random_start(&shape, &mut random, length);
+            let (exact, drawn) = (shape.shoot(&start), shape.shoot_within(&start, Accuracy::Drawn));
+            assert!(drawn.point.distance(shape.project(drawn.point)) < 1e-14 && (drawn.tangent.length() - 1.0).abs() < 1e-14);
+            farthest = farthest.max(exact.point.distance(drawn.point)).max(exact.tangent.distance(drawn.tangent));
+        }
+    }
+    assert!(farthest > 0.0 && farthest < 1e-7, "{farthest:e}");
 }
 
 #[test]
