@@ -212,7 +212,7 @@ proptest! {
     }
 
     #[test]
-    fn no_edit_breaks_a_file(node in 0..12_usize, value in prop::num::f64::ANY, which in 0..6_usize) {
+    fn no_edit_breaks_a_file(node in 0..12_usize, value in prop::num::f64::ANY, which in 0..7_usize) {
         let file = file();
         let edit = match which {
             0 => Edit::Radius(node, value),
@@ -220,6 +220,7 @@ proptest! {
             2 => Edit::RestLength(value),
             3 => Edit::AddNode(node),
             4 => Edit::DeleteNode(node),
+            5 => Edit::Pennation(value),
             _ => Edit::Tendon(node % 2, Tendon { length: value, radius: 2.0 }),
         };
         if let Ok(edited) = file.edited(0, &edit) {

@@ -10,6 +10,7 @@ mod joint;
 mod line;
 mod pappus;
 mod paths;
+mod pennation;
 mod profile;
 mod save;
 mod schema;

@@ -48,6 +48,7 @@ fn fits(root: &Value, schema: &Value, value: &Value) -> bool {
         }
         "minimum" => number(rule, |value, bound| value >= bound),
         "maximum" => number(rule, |value, bound| value <= bound),
+        "exclusiveMaximum" => number(rule, |value, bound| value < bound),
         "exclusiveMinimum" => number(rule, |value, bound| value > bound),
         "minItems" => count(rule, |count, bound| count >= bound),
         "maxItems" => count(rule, |count, bound| count <= bound),
@@ -78,7 +79,7 @@ fn complete() -> [Value; 4] {
         json!({"muscle_config": {"radiuses": [1.0, 2.0, 1.0], "grow_mults": [0.0, 1.0, 0.0], "len": 30.0},
             "carcass_config": {"data": [[10.0, 200.0], [30.0, 100.0]], "thickness": 5.0}}),
         json!({"unit": "cm", "arm": {"upper": 33.0, "forearm": 26.0, "thickness": 1.0, "flexion": [0.0, 140.0]}, "muscles": [{
-            "name": "A", "color": "#b0A030", "source": "none", "length": 25.0, "radii": [1.0, 2.0, 1.0], "growth": [0.0, 1.0, 0.0],
+            "name": "A", "color": "#b0A030", "pennation": 12.5, "source": "none", "length": 25.0, "radii": [1.0, 2.0, 1.0], "growth": [0.0, 1.0, 0.0],
             "origin": {"bone": "upper arm", "offset": [0.0, -3.0, 0.0]}, "insertion": {"bone": "forearm", "offset": [0.0, -4.0, 0.0]},
             "via": [{"bone": "upper arm", "offset": [3.0, -15.0, 0.0]}],
             "wrap": {"bone": "upper arm", "offset": [0.0, -33.0, 0.0], "radius": 1.5, "side": [1.0, 0.0, 0.0]},

@@ -147,6 +147,7 @@ impl World {
             visible: true,
             content: 0,
             skin: false,
+            coordinates: Vec::new(),
             ghost: None,
         });
         node
@@ -231,6 +232,7 @@ pub(crate) fn arm(world: &mut World, degrees: f32) -> [NodeId; 3] {
         visible: true,
         content: 0,
         skin: false,
+        coordinates: Vec::new(),
         ghost: None,
     });
     [joints[0], joints[1], joints[2]]

@@ -153,6 +153,7 @@ mod tests {
             solid: None,
             muscle: None,
             fibers: Arc::default(),
+            coordinates: Vec::new(),
             ghost: None,
             visible: true,
             content: 0,

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::arm::{FOREARM, UPPER_ARM};
 use super::bones::AttachmentPoint;
 use super::config::{ActiveRange, Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, ViaPoint, Wrap, WrapRange, WrapShape};
+use super::pennation;
 use super::profile::{LARGEST, Profile, ProfileError};
 use sinew_scene::limits;
 use sinew_scene::message;
@@ -42,6 +43,8 @@ pub enum Edit {
     DeleteNode(usize),
     /// The tendon at the origin (0) or the insertion (1).
     Tendon(usize, Tendon),
+    /// The angle of the fibres at the rest length, degrees.
+    Pennation(f64),
     /// Origin and insertion; `None` = the muscle lies on its own, without via points and wrap.
     Ends(Option<[Anchor; 2]>),
     /// One end: origin (0) or insertion (1).
@@ -82,6 +85,8 @@ pub enum EditError {
     TooMuchSurface,
     /// A tendon with a negative length, or a length without a radius.
     Tendon,
+    /// A pennation angle below 0, not below [`pennation::LIMIT`], or no number.
+    Pennation,
     /// Origin and insertion are the same point of one bone.
     EndsCoincide,
     /// The muscle has no ends for via points or a wrap to lie between.
@@ -117,6 +122,7 @@ impl ToMessage for EditError {
             Self::Count => message!("muscle-edit-count", limit = limits::MUSCLES),
             Self::TooMuchSurface => message!("muscle-too-much-surface", limit = limits::MUSCLE_VERTICES),
             Self::Tendon => message!("muscle-edit-tendon"),
+            Self::Pennation => message!("muscle-edit-pennation-bad", limit = pennation::LIMIT),
             Self::EndsCoincide => message!("muscle-edit-ends-coincide"),
             Self::NoEnds => message!("muscle-edit-no-ends"),
             Self::Offset => message!("muscle-edit-offset"),
@@ -149,6 +155,7 @@ impl ToMessage for Edit {
             Self::DeleteNode(node) => message!("muscle-edit-delete-node", node = node + 1),
             Self::Tendon(0, _) => message!("muscle-edit-tendon-origin"),
             Self::Tendon(..) => message!("muscle-edit-tendon-insertion"),
+            Self::Pennation(_) => message!("muscle-edit-pennation"),
             Self::Ends(_) => message!("muscle-edit-attach"),
             Self::End(0, _) => message!("muscle-edit-origin"),
             Self::End(..) => message!("muscle-edit-insertion"),
@@ -266,6 +273,8 @@ impl MuscleSpec {
                     *slot = *tendon;
                 }
             }
+            Edit::Pennation(degrees) if pennation::is_pennation(*degrees) => self.pennation = *degrees,
+            Edit::Pennation(_) => return Err(EditError::Pennation),
             Edit::Ends(Some([origin, insertion])) => {
                 (self.origin, self.insertion) = (Some(origin.clone()), Some(insertion.clone()));
             }

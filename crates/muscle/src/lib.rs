@@ -69,6 +69,7 @@
 //! | `build` | puts a file into a scene, attaches muscles to the bones of a clip |
 //! | `reshape` | another shape for a muscle that is in a scene already |
 //! | `scaling` | muscles that scale with their bones |
+//! | `pennation` | the angle of the fibres, and how they are drawn at it |
 //! | `muscle_findings`, `finding` | diagnostics of a muscle over the range of its joint; what they are and how they are said |
 //! | `muscle_rig` | muscles in a scene: solving, centrelines, surfaces, measuring |
 //! | `config` | YAML |
@@ -101,6 +102,7 @@ mod muscle_sample;
 mod muscle_state;
 pub mod parameter_fit;
 mod path_editing;
+pub mod pennation;
 pub mod presets;
 mod primitive_meshes;
 mod profile;

@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 use std::sync::{Arc, OnceLock};
 
-use glam::{DMat4, DVec3, Vec3};
+use glam::{DMat4, DVec3, Vec2, Vec3};
 
 use super::Finding;
 use super::arm::{Arm, ArmNodes};
@@ -12,6 +12,7 @@ use super::config::{JointSpec, MuscleSpec, Tendon};
 use super::joint_dof::{JointAngle, JointDof};
 use super::line_of_action::{Frames, Line, LineSolver};
 use super::muscle_state::{FREE, LengthRange};
+use super::pennation::{self, BellyTurns};
 use super::profile::Profile;
 use super::revolute_joint::{Bone, RevoluteJoint, plain};
 use super::solved_muscle::SolvedMuscle;
@@ -346,6 +347,23 @@ impl MuscleRig {
         let muscle = self.muscles.get(index)?;
         let to_world = ToWorld::new(self.root_matrix(world));
         Some(muscle.layout.deform(&Laid::of(solved, &muscle.tendons), &to_world, positions, normals))
+    }
+
+    /// Writes the texture coordinates of muscle `index`'s surface, one a vertex of [`MuscleRig::mesh`], that draw its fibres at their pennation: fibres lie along
+    /// v at constant u. Those of a muscle without pennation are its mesh's, and `coordinates` becomes empty.
+    pub fn fiber_coordinates(&self, index: usize, solved: &SolvedMuscle, coordinates: &mut Vec<Vec2>) {
+        coordinates.clear();
+        let Some(muscle) = self.muscles.get(index).filter(|muscle| muscle.spec.pennation > 0.0) else { return };
+        let angle = self.pennation(index, solved);
+        coordinates.extend(self.mesh(index).uv_sets.first().into_iter().flatten());
+        muscle.layout.turn_fibers(&BellyTurns::new(&solved.shape.radii, solved.shape.length, angle), coordinates);
+    }
+
+    /// The angle of the fibres of muscle `index` to its line of action in a pose, radians; 0 of one without pennation.
+    pub fn pennation(&self, index: usize, solved: &SolvedMuscle) -> f64 {
+        self.muscles
+            .get(index)
+            .map_or(0.0, |muscle| pennation::angle(muscle.spec.pennation, muscle.shape.rest_length(), solved.shape.length))
     }
 
     /// Measures muscle `index` at angles of the elbow, or of the joint that the file names first, in degrees; the other joints are at rest. Without any there

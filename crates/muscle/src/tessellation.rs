@@ -13,6 +13,7 @@ use super::Tendon;
 use super::centerline::{Centerline, CrossSectionFrame, Cursor};
 use super::flesh::{FlatSection, Flesh};
 use super::materials::TENDON_PART;
+use super::pennation::BellyTurns;
 use super::solved_muscle::SolvedMuscle;
 use sinew_scene::{Mesh, Part};
 
@@ -184,6 +185,24 @@ impl MuscleTopology {
         mesh.source_vertex = (0..mesh.source_count).collect();
         mesh.uv_sets = vec![uvs];
         Arc::new(mesh)
+    }
+
+    /// Changes the texture coordinates of the mesh so that fibres go round the belly: towards its seam, from both sides.
+    pub(super) fn turn_fibers(&self, turns: &BellyTurns<'_>, coordinates: &mut [Vec2]) {
+        let places = self.nodes.saturating_sub(1) * self.steps;
+        let mut turned = 0.0;
+        for (ring, corners) in coordinates.chunks_mut(RING).take(self.belly_rings()).enumerate() {
+            // The hemispheres keep the value of their rim.
+            let place = ring.saturating_sub(CAP).min(places);
+            let (span, step) = (place / self.steps, place % self.steps);
+            if step == 0 && place > 0 && ring == place + CAP {
+                turned += turns.over(span - 1, 1.0);
+            }
+            let here = turned + if step > 0 { turns.over(span, step as f64 / self.steps as f64) } else { 0.0 };
+            for corner in corners {
+                corner.x = corner.x.min(1.0 - corner.x) - here as f32;
+            }
+        }
     }
 
     /// Writes positions and normals in the world of a muscle as it lies in a pose.

@@ -34,6 +34,7 @@ fn posed() -> (Scene, Frame) {
         visible: true,
         content: 0,
         skin: false,
+        coordinates: Vec::new(),
         ghost: None,
     };
     (scene, Frame { surfaces: vec![surface], bounds, ..Frame::default() })

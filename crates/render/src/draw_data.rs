@@ -197,8 +197,7 @@ impl<'a> FrameData<'a> {
         let geometry = geometry(self.frame, self.bones, self.computed_colors, item);
         let (uv, placing) = match (&item.source, &item.material.diffuse.or(item.material.cutout).or(item.material.emission_texture)) {
             (GeometrySource::Surface { index, .. }, Some(sampler)) => {
-                let set = self.frame.surfaces[*index as usize].mesh.uv_sets.get(sampler.uv_set as usize);
-                (set.map_or(&[][..], |set| set), sampler.uv_transform)
+                (self.frame.surfaces[*index as usize].texture_coordinates(sampler.uv_set as usize), sampler.uv_transform)
             }
             _ => (&[][..], None),
         };

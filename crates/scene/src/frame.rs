@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{DMat4, Mat4, Vec3};
+use glam::{DMat4, Mat4, Vec2, Vec3};
 
 use super::{Bounds, Material, MaterialBinding, Mesh, MuscleId, NodeId};
 
@@ -50,7 +50,7 @@ pub struct OverlayLine {
     pub width: f32,
 }
 
-/// A procedural texture that a part of a surface is drawn with: fibres along v of the first set of texture coordinates.
+/// A procedural texture that a part of a surface is drawn with: fibres along v, at constant u, of the first set of texture coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fibers {
     /// Their colour where the part has no material, `0xRRGGBB`, sRGB; else the material's counts.
@@ -78,6 +78,8 @@ pub struct Surface {
     pub solid: Option<Bounds>,
     /// One a part of the mesh where the surface is made of fibres; else none.
     pub fibers: Arc<[Fibers]>,
+    /// Texture coordinates at this moment in place of the first set of the mesh, one a vertex; none = those of the mesh.
+    pub coordinates: Vec<Vec2>,
     /// Whether its node is shown.
     pub visible: bool,
     /// Which of its node's contents it shows, so that skin, morph and weights can be found.
@@ -129,6 +131,11 @@ impl Surface {
     /// Whether it is made of fibres. Such a surface is made by the program: it has no skin weights, and the lines of its mesh show how it is made.
     pub fn is_fibrous(&self) -> bool {
         !self.fibers.is_empty()
+    }
+
+    /// Texture coordinates of set `set`, one a vertex; none where the mesh has no such set.
+    pub fn texture_coordinates(&self, set: usize) -> &[Vec2] {
+        if set == 0 && !self.coordinates.is_empty() { &self.coordinates } else { self.mesh.uv_sets.get(set).map_or(&[], Vec::as_slice) }
     }
 
     /// Position of vertex `v` in the world; NaN where it isn't there.

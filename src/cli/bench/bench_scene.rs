@@ -46,6 +46,7 @@ impl BenchScene {
             solid: None,
             muscle: None,
             fibers: Arc::default(),
+            coordinates: Vec::new(),
             ghost: None,
             visible: true,
             content: 0,

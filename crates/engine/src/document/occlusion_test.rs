@@ -81,6 +81,7 @@ mod tests {
             visible: true,
             content: 0,
             skin: false,
+            coordinates: Vec::new(),
             ghost: None,
         }
     }

@@ -168,6 +168,7 @@ impl Document {
                     let SurfaceGeometry::Deformed { positions, normals } = &mut surface.geometry else { continue };
                     let (Some((rig, index)), Some(solved)) = (self.muscle(*id), buffers.solved.get(id.index())) else { continue };
                     let Some(shape) = rig.deform(index, solved, &frame.world, positions, normals) else { continue };
+                    rig.fiber_coordinates(index, solved, &mut surface.coordinates);
                     surface.mirrored = shape.mirrored;
                     (Bounds::of(positions.iter().copied()), !shape.folded)
                 }
@@ -251,6 +252,7 @@ impl Document {
                     solid: None,
                     muscle,
                     fibers,
+                    coordinates: Vec::new(),
                     visible: true,
                     content,
                     skin: false,

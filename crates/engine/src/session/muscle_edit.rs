@@ -172,6 +172,7 @@ mod tests {
             (50.0..400.0).prop_map(Edit::RestLength),
             (0..2_usize, 0.0..60.0, 0.5..4.0).prop_map(|(end, length, radius)| Edit::Tendon(end, Tendon { length, radius })),
             (0..4_usize).prop_map(Edit::AddNode),
+            (0.0..59.0).prop_map(Edit::Pennation),
             Just(Edit::Name("same".into())),
         ]
     }

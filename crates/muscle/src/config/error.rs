@@ -3,6 +3,7 @@
 use super::full_format::{ARM_BONES, WITH_BONES};
 use super::yaml::Step;
 use crate::edit::{MOTION_POINTS, VIA, WRAPS};
+use crate::pennation;
 use crate::profile::ProfileError;
 use sinew_scene::limits;
 use sinew_scene::message;
@@ -176,6 +177,8 @@ pub enum ConfigErrorKind {
     },
     /// A text that is no colour.
     BadColor(String),
+    /// A pennation angle, degrees, that no muscle of a file may have.
+    BadPennation(f64),
     /// Both the key `joint` and the key `joints`.
     JointAndJoints,
     /// No joint, or so many, more than [`limits::JOINTS`].
@@ -322,6 +325,7 @@ impl ToMessage for ConfigErrorKind {
                 message!("muscle-unknown-arm-bone", bone = shortened(bone), near = *near, known = ARM_BONES.join(", "))
             }
             Self::BadColor(text) => message!("muscle-bad-color", text = shortened(text)),
+            Self::BadPennation(value) => message!("muscle-bad-pennation", value = value, limit = pennation::LIMIT),
             Self::JointAndJoints => message!("muscle-joint-and-joints"),
             Self::JointCount(count) => message!("muscle-joint-count", limit = limits::JOINTS, count = count),
             Self::RepeatedJoint(joint) => message!("muscle-repeated-joint", joint = shortened(joint)),

@@ -8,6 +8,7 @@ use super::path;
 use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon};
 use crate::arm::{Arm, FOREARM, UPPER_ARM};
 use crate::edit::{VIA, WRAPS};
+use crate::pennation::is_pennation;
 use crate::profile::{Profile, ProfileError};
 use sinew_scene::limits;
 
@@ -174,6 +175,7 @@ fn muscle(at: &At<'_>, names: &Names<'_>) -> Result<MuscleSpec, DecodeError> {
         "wraps",
         "insertion",
         "tendons",
+        "pennation",
     ])?;
     let length = map.need("length")?;
     let mut spec = match map.get("poses") {
@@ -190,6 +192,12 @@ fn muscle(at: &At<'_>, names: &Names<'_>) -> Result<MuscleSpec, DecodeError> {
     }
     if let Some(at) = map.get("color") {
         spec.color = Some(color(&at)?);
+    }
+    if let Some(at) = map.get("pennation") {
+        spec.pennation = at.number()?;
+        if !is_pennation(spec.pennation) {
+            return Err(at.error(ConfigErrorKind::BadPennation(spec.pennation)));
+        }
     }
     if let Some(at) = map.get("source") {
         spec.source = at.text()?.to_owned();

@@ -93,6 +93,8 @@ pub struct MuscleSpec {
     pub insertion: Option<Anchor>,
     /// Tendons at the origin and at the insertion.
     pub tendons: [Tendon; 2],
+    /// The angle of its fibres to the line of action at its rest length, degrees: from 0 to below [`LIMIT`](crate::pennation::LIMIT).
+    pub pennation: f64,
 }
 
 impl JointSpec {
@@ -122,6 +124,7 @@ impl MuscleSpec {
             wraps: Vec::new(),
             insertion: None,
             tendons: [Tendon::default(); 2],
+            pennation: 0.0,
         }
     }
 }

@@ -204,6 +204,9 @@ fn write_muscle(text: &mut String, muscle: &MuscleSpec, indent: usize) {
     if let Some(insertion) = &muscle.insertion {
         line(text, indent, "insertion", &anchor(insertion));
     }
+    if muscle.pennation != 0.0 {
+        line(text, indent, "pennation", &number(muscle.pennation));
+    }
     if muscle.tendons.iter().any(|tendon| tendon.length != 0.0 || tendon.radius != 0.0) {
         let _ = writeln!(text, "{:indent$}tendons:", "");
         for (tendon, key) in muscle.tendons.iter().zip(["origin", "insertion"]) {

@@ -73,10 +73,10 @@ pub(crate) struct MusclePanel {
     editor: Editor,
     profile: ProfilePlot,
     nodes: ProfileTable,
-    /// Rest length; length and radius of both tendons.
-    fields: [gtk::Entry; 5],
+    /// Rest length; length and radius of both tendons; pennation angle.
+    fields: [gtk::Entry; 6],
     /// The signs of their units.
-    units: [gtk::Label; 5],
+    units: [gtk::Label; 6],
     ledger: [gtk::Label; 9],
     quadratic: [gtk::Label; 6],
     solved: RefCell<SolvedMuscle>,
@@ -86,14 +86,17 @@ pub(crate) struct MusclePanel {
 const NEW: Preset = PRESETS[2];
 
 /// The entries of the shape, rest length first.
-const FIELDS: [&str; 5] = ["rest_length", "tendon_0_length", "tendon_0_radius", "tendon_1_length", "tendon_1_radius"];
+const FIELDS: [&str; 6] = ["rest_length", "tendon_0_length", "tendon_0_radius", "tendon_1_length", "tendon_1_radius", "pennation"];
+/// The one of them that is an angle.
+const PENNATION: usize = 5;
 /// What a person calls them, in the same order.
-const FIELD_NAMES: [&str; 5] = [
+const FIELD_NAMES: [&str; 6] = [
     "app-rest-length",
     "app-tendon-origin-length",
     "app-tendon-origin-radius",
     "app-tendon-insertion-length",
     "app-tendon-insertion-radius",
+    "app-pennation",
 ];
 
 /// Takes what was typed into a field of the shape.
@@ -118,6 +121,7 @@ fn typed(editor: &Editor, field: usize, entry: &gtk::Entry) {
         1 => tendon(0, &|tendon| tendon.length = value),
         2 => tendon(0, &|tendon| tendon.radius = value),
         3 => tendon(1, &|tendon| tendon.length = value),
+        PENNATION => Edit::Pennation(value),
         _ => tendon(1, &|tendon| tendon.radius = value),
     };
     if !editor.edit(&edit, UndoStep::New) {
@@ -135,6 +139,7 @@ fn field_text(spec: &MuscleSpec, field: usize) -> String {
         1 => spec.tendons[0].length,
         2 => spec.tendons[0].radius,
         3 => spec.tendons[1].length,
+        PENNATION => spec.pennation,
         _ => spec.tendons[1].radius,
     };
     format::number(value, 2)
@@ -432,9 +437,10 @@ impl MusclePanel {
         for (field, entry) in self.fields.iter().enumerate() {
             let text = field_text(spec, field);
             show_text(entry, &text, anew);
-            self.units[field].set_text(&unit.length);
+            let sign = if field == PENNATION { tr!("app-unit-degree") } else { unit.length.clone() };
+            self.units[field].set_text(&sign);
             if anew {
-                entry.set_tooltip_text(Some(&format!("{}, {}", tr!(FIELD_NAMES[field]), unit.length)));
+                entry.set_tooltip_text(Some(&format!("{}, {sign}", tr!(FIELD_NAMES[field]))));
             }
         }
         let [red, green, blue] = spec.color.unwrap_or([0xB8, 0x32, 0x2E]).map(|part| f32::from(part) / 255.0);
