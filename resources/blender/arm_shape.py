@@ -26,9 +26,9 @@ SHOULDER_ROWS = [
 # The arm: height; how far it reaches forward, back, outward and inward from the line x = y = 0, which runs through the joints.
 ARM_ROWS = [
     (654.0, 51.0, 52.0, 50.8, 41.2),
-    (625.0, 50.0, 50.5, 46.2, 40.2),
-    (595.0, 49.5, 49.0, 42.6, 39.6),
-    (565.0, 48.0, 47.0, 41.0, 39.2),
+    (625.0, 50.0, 51.0, 46.2, 40.6),
+    (595.0, 49.6, 50.0, 42.8, 40.4),
+    (565.0, 48.0, 48.0, 41.4, 40.0),
     (535.0, 45.0, 44.5, 40.8, 38.8),
     (508.0, 41.8, 42.3, 41.6, 38.6),
     (485.0, 39.6, 41.4, 43.0, 39.2),
@@ -121,7 +121,7 @@ def relief(turn, z):
     made = 3.4 * smoothstep(588.0, 665.0, z) * (1.0 - smoothstep(half - 14.0, half + 22.0, off))
     # The furrows between biceps and triceps, outer and inner.
     made -= 1.6 * bump(turn, -8.0, 34.0, z, 470.0, 632.0, 50.0)
-    made -= 2.2 * bump(turn, 178.0, 40.0, z, 480.0, 668.0, 60.0)
+    made -= 1.6 * bump(turn, 178.0, 34.0, z, 480.0, 668.0, 60.0)
     # Biceps in front; the outer and the long head of the triceps behind.
     made += 1.6 * bump(turn, 92.0, 58.0, z, 490.0, 660.0, 70.0)
     made += 1.8 * bump(turn, -52.0, 46.0, z, 545.0, 665.0, 50.0)

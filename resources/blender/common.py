@@ -96,6 +96,16 @@ class Parts:
             top = first + last * segments
             self._face((top + k, top + n, end), slot, (uv(left, high), uv(right, high), uv(middle, 1.0)))
 
+    def add(self, made, slot, owner):
+        """Takes the faces of a Blender object over, and removes the object."""
+        first = len(self.vertices)
+        for vertex in made.data.vertices:
+            self.vertices.append(tuple(vertex.co))
+            self.owner.append(owner(vertex.co))
+        for polygon in made.data.polygons:
+            self._face(tuple(first + number for number in polygon.vertices), slot, ((0.0, 0.0),) * len(polygon.vertices))
+        bpy.data.objects.remove(made)
+
     def _vertex(self, point, owner):
         point = self.mould(point)
         self.vertices.append(tuple(point))
