@@ -107,9 +107,9 @@ def skin(material):
 def weights(point):
     """Blended over 12 cm at the elbow, half of it by way of the helper, and over 4 cm at the wrist.
 
-    The blend lies 3 cm higher behind than in front: the point of the elbow belongs to the ulna and goes with it.
+    The blend lies 5 cm higher behind than in front: the point of the elbow belongs to the ulna and goes with it.
     """
-    z = point.z - 0.030 * smoothstep(-0.050, 0.045, -point.x)
+    z = point.z - 0.060 * smoothstep(-0.050, 0.045, -point.x)
     below = 1.0 - smoothstep(ELBOW.z - 0.004, ELBOW.z + 0.056, z)
     forearm = 1.0 - smoothstep(ELBOW.z - 0.056, ELBOW.z + 0.004, z)
     hand = 1.0 - smoothstep(WRIST.z - 0.022, WRIST.z + 0.018, point.z)
