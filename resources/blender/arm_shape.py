@@ -1,8 +1,8 @@
 """The shape of a right arm that hangs at rest, thumb forward: what curl.py covers with skin and atlas.py fills with bones.
 
 Millimetres in the tables, metres out of the functions. x is forward, z up, and the body lies towards +y: the outer side of the arm is -y. The
-proportions are those of an adult of about 1.75 m: upper arm 33 cm from the acromion to the elbow, 29 cm round its middle, forearm 26 cm, 26.5 cm
-round where it is thickest, 16.5 cm round the wrist.
+proportions are those of an adult of about 1.75 m: upper arm 33 cm from the acromion to the elbow, 29 cm round its middle, forearm 26 cm, 27 cm
+round where it is thickest, 16 to 17 cm round the wrist.
 """
 
 import bisect

@@ -139,7 +139,7 @@ def skeleton():
 
 def main():
     common.empty_scene(FPS, LAST)
-    made = skin(common.material("skin", (0.800, 0.585, 0.475)))
+    made = skin(common.material("skin", (0.850, 0.610, 0.495)))
     rig = skeleton()
     common.bind(made, rig)
     curl(rig)
