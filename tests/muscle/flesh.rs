@@ -8,12 +8,12 @@ use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::scene::{Frame, Surface, SurfaceGeometry};
 
-fn demo(name: &str) -> Document {
+pub(crate) fn demo(name: &str) -> Document {
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("configs").join(name);
     Document::open(&[file], SCENE_READERS, &Progress::default()).unwrap()
 }
 
-fn positions(surface: &Surface) -> Vec<DVec3> {
+pub(crate) fn positions(surface: &Surface) -> Vec<DVec3> {
     match &surface.geometry {
         SurfaceGeometry::Deformed { positions, .. } => positions.iter().map(|position: &Vec3| position.as_dvec3()).collect(),
         SurfaceGeometry::Rigid(matrix) => {
@@ -23,17 +23,17 @@ fn positions(surface: &Surface) -> Vec<DVec3> {
 }
 
 /// A closed surface that tells what is inside of it: how often a ray along x comes out of it more than it goes in.
-struct Solid {
+pub(crate) struct Solid {
     triangles: Vec<[DVec3; 3]>,
 }
 
 impl Solid {
-    fn of(surface: &Surface) -> Self {
+    pub(crate) fn of(surface: &Surface) -> Self {
         let corners = positions(surface);
         Self { triangles: surface.mesh.triangles.iter().map(|triangle| triangle.map(|corner| corners[corner as usize])).collect() }
     }
 
-    fn contains(&self, point: DVec3) -> bool {
+    pub(crate) fn contains(&self, point: DVec3) -> bool {
         // A direction along which no edge lies.
         let along = DVec3::new(1.0, 1.3e-4, -2.7e-4);
         let crossings = self.triangles.iter().filter_map(|[a, b, c]| {

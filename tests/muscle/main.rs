@@ -2,6 +2,7 @@
 
 mod attach;
 mod config;
+mod demo_arm;
 mod edit;
 mod experiment;
 mod flesh;
