@@ -34,7 +34,8 @@ impl MuscleRig {
         node.kind = NodeKind::Asset;
         node.transform = Transform { ops: vec![TransformOp::Scale(DVec3::splat(unit))] };
         let root = scene.graph.add(None, node);
-        let mut rig = Self { root: Some(root), joint_specs: file.joints.clone(), unit, scaled_at: file.scale, ..Self::default() };
+        let mut rig =
+            Self { root: Some(root), joint_specs: file.joints.clone(), unit, scaled_at: file.scale, skin: file.skin, ..Self::default() };
         if let Some(arm) = file.arm {
             let nodes = arm.build(scene, root);
             rig.bones = vec![nodes.upper, nodes.elbow];

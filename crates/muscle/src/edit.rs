@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::arm::{FOREARM, UPPER_ARM};
 use super::bones::AttachmentPoint;
-use super::config::{ActiveRange, Anchor, MuscleFile, MuscleSpec, PoseSpec, Tendon, ViaPoint, Wrap, WrapRange, WrapShape};
+use super::config::{ActiveRange, Anchor, MuscleFile, MuscleSpec, PoseSpec, SkinSpec, Tendon, ViaPoint, Wrap, WrapRange, WrapShape};
 use super::pennation;
 use super::profile::{LARGEST, Profile, ProfileError};
 use sinew_scene::limits;
@@ -41,6 +41,8 @@ pub enum Edit {
     AddNode(usize),
     /// One node less. The length stays, the nodes stand wider.
     DeleteNode(usize),
+    /// How skin lies over the muscles of the file; `None` = as usual.
+    Skin(Option<SkinSpec>),
     /// The tendon at the origin (0) or the insertion (1).
     Tendon(usize, Tendon),
     /// The angle of the fibres at the rest length, degrees.
@@ -111,6 +113,8 @@ pub enum EditError {
     TooManyWraps(usize),
     /// A range of angles that is empty or of no joint of the file.
     ViaRange,
+    /// A thickness, reach or elasticity of skin that is negative or too large.
+    Skin,
 }
 
 impl ToMessage for EditError {
@@ -135,6 +139,7 @@ impl ToMessage for EditError {
             Self::NoWrap(number) => message!("muscle-edit-no-wrap", number = number + 1),
             Self::TooManyWraps(count) => message!("muscle-too-many-wraps", limit = WRAPS, count = count),
             Self::ViaRange => message!("muscle-edit-via-range-bad"),
+            Self::Skin => message!("muscle-edit-skin-bad"),
         }
     }
 }
@@ -153,6 +158,7 @@ impl ToMessage for Edit {
             Self::Poses(_) => message!("muscle-edit-poses"),
             Self::AddNode(_) => message!("muscle-edit-add-node"),
             Self::DeleteNode(node) => message!("muscle-edit-delete-node", node = node + 1),
+            Self::Skin(_) => message!("muscle-edit-skin"),
             Self::Tendon(0, _) => message!("muscle-edit-tendon-origin"),
             Self::Tendon(..) => message!("muscle-edit-tendon-insertion"),
             Self::Pennation(_) => message!("muscle-edit-pennation"),
@@ -192,6 +198,13 @@ impl MuscleFile {
         let mut file = self.clone();
         let on_arm = self.arm.is_some();
         let muscle = file.muscles.get_mut(index).ok_or(EditError::NoMuscle(index))?;
+        if let Edit::Skin(skin) = edit {
+            if skin.is_some_and(|skin| !skin.is_valid(self.unit_metres)) {
+                return Err(EditError::Skin);
+            }
+            file.skin = *skin;
+            return Ok(file);
+        }
         muscle.apply(edit)?;
         muscle.check_places(on_arm)?;
         file.drawable()
@@ -248,6 +261,8 @@ impl MuscleSpec {
             Ok::<_, EditError>(list)
         };
         match edit {
+            // The file's, not the muscle's.
+            Edit::Skin(_) => {}
             Edit::Name(name) => self.name.clone_from(name),
             Edit::Source(source) => self.source.clone_from(source),
             Edit::Color(color) => self.color = *color,

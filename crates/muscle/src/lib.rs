@@ -125,7 +125,7 @@ pub use bone_chain::BoneAxis;
 pub use bones::{AttachmentPoint, bone_name};
 pub use centerline::{Centerline, CrossSectionFrame, Cursor};
 pub use config::{ActiveRange, PointMotion, ViaPoint, WrapRange, WrapShape};
-pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, SaveResult, Tendon, Wrap};
+pub use config::{Anchor, ConfigError, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, SaveResult, SkinSpec, Tendon, Wrap};
 pub use cross_sections::CrossSection;
 pub use driving::Driving;
 pub use edit::{Edit, EditError};

@@ -8,7 +8,7 @@ use glam::{DMat4, DVec3, Vec2, Vec3};
 use super::Finding;
 use super::arm::{Arm, ArmNodes};
 use super::bone_shape::BoneShape;
-use super::config::{JointSpec, MuscleSpec, Tendon};
+use super::config::{JointSpec, MuscleSpec, SkinSpec, Tendon};
 use super::joint_dof::{JointAngle, JointDof};
 use super::line_of_action::{Frames, Line, LineSolver};
 use super::muscle_state::{FREE, LengthRange};
@@ -47,6 +47,8 @@ pub struct MuscleRig {
     pub(super) ride: Option<Vec<f64>>,
     /// Metres a unit of the file.
     pub(super) unit: f64,
+    /// How skin lies over the muscles, in the file's unit.
+    pub(super) skin: Option<SkinSpec>,
     /// The bones' scale at which the file's lengths hold, where muscles scale with the bones.
     pub(super) scaled_at: Option<f64>,
 }
@@ -194,6 +196,13 @@ impl MuscleRig {
     /// The angles that joint `joint` of the rig is turned through, degrees.
     pub fn range_of(&self, joint: usize) -> Option<RangeInclusive<f64>> {
         self.joints.get(joint).map(|joint| joint.revolute.range[0]..=joint.revolute.range[1])
+    }
+
+    /// How skin lies over the muscles: lengths in metres.
+    pub fn skin(&self) -> SkinSpec {
+        let unit = if self.unit > 0.0 { self.unit } else { 1.0 };
+        let SkinSpec { fat, reach, elasticity } = self.skin.unwrap_or_else(|| SkinSpec::in_unit(unit));
+        SkinSpec { fat: fat * unit, reach: reach * unit, elasticity }
     }
 
     /// The joint that [`MuscleRig::measure`] turns: the arm's elbow, the one that the file names, or the one that was found in the clip's skeleton.

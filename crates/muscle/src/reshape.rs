@@ -11,13 +11,14 @@ use super::tessellation::MuscleTopology;
 impl MuscleRig {
     /// Whether `new` differs from `old`, the file that the rig was built of, in shapes alone, so that [`MuscleRig::reshape`] does what building would.
     pub fn can_reshape(&self, old: &MuscleFile, new: &MuscleFile) -> bool {
-        let MuscleFile { unit_metres, form, clip, arm, joints, scale, muscles } = old;
+        let MuscleFile { unit_metres, form, clip, arm, joints, scale, skin, muscles } = old;
         let rest_is_same = *unit_metres == new.unit_metres
             && *form == new.form
             && *clip == new.clip
             && *arm == new.arm
             && *joints == new.joints
             && *scale == new.scale
+            && *skin == new.skin
             && muscles.len() == new.muscles.len();
         // On an arm of its own the shape decides where the muscle is drawn and how far the elbow goes; one that nothing holds makes room for the next.
         rest_is_same

@@ -7,7 +7,7 @@ use glam::{Quat, Vec3};
 use crate::balance::{Balance, BentSkin};
 use crate::binding::Binding;
 use crate::clearance::lack;
-use crate::fairing::Coupling;
+use crate::fairing::{Coupling, Edge};
 use crate::points::add_normals;
 use crate::soft::{positive_part, saturated};
 use crate::station::Stations;
@@ -18,6 +18,8 @@ const SOFT: f32 = 0.002;
 const FARTHEST: f32 = 0.08;
 /// With fewer points one thread does all.
 const ALONE: usize = 1500;
+/// How often room is averaged over neighbours.
+const ROOM_STEPS: usize = 4;
 
 /// Moves a skin. Holds nothing but working memory: the same skin and stations give the same moves whatever came before.
 #[derive(Debug, Clone, Default)]
@@ -25,6 +27,8 @@ pub struct Follower {
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
     room: Vec<f32>,
+    around: Vec<f32>,
+    beyond: Vec<f32>,
     moves: Vec<Vec3>,
     passed: Vec<Vec3>,
     after: Vec<Vec3>,
@@ -54,6 +58,7 @@ impl Follower {
             return;
         }
         self.clear(binding, stations);
+        self.share_room(binding);
         self.pass_on(binding, stations);
         self.passed.clone_from(&self.moves);
         let skin = BentSkin { positions: &self.positions, normals: &self.normals, room: &self.room, cleared: &self.passed };
@@ -117,6 +122,22 @@ impl Follower {
         });
         if let Some(last) = last.take() {
             clear_points(binding, stations, positions, middle..bound, last);
+        }
+    }
+
+    /// Gives less room to points whose neighbours have little, so that no single point is drawn in between others that stay.
+    fn share_room(&mut self, binding: &Binding) {
+        let Self { room, around, beyond, .. } = self;
+        around.clone_from(room);
+        for _ in 0..ROOM_STEPS {
+            beyond.clone_from(around);
+            for (point, mean) in around.iter_mut().enumerate() {
+                let of = |edge: &Edge| beyond.get(edge.point as usize).copied().unwrap_or(0.0) * edge.weight;
+                *mean = binding.layout.neighbours.of(point).iter().map(of).sum();
+            }
+        }
+        for (room, around) in room.iter_mut().zip(around) {
+            *room *= *around;
         }
     }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use glam::DMat4;
 
 use super::{Document, PoseBuffers, PoseState, SkinMotion};
-use sinew_muscle::{BoneAxis, CrossSection, SolvedMuscle};
+use sinew_muscle::{BoneAxis, CrossSection, SkinSpec, SolvedMuscle};
 use sinew_scene::{Bounds, Frame, MuscleId, Surface, SurfaceGeometry};
 use sinew_skin::{Binding, Follower, MuscleTissue, Segment, SkinLayer, SkinMesh, Stations};
 
@@ -165,6 +165,7 @@ impl Document {
         let mut skins = BoundSkins::default();
         let mut first_section = 0;
         for (rig, _) in self.rigs() {
+            let SkinSpec { fat, reach, elasticity } = rig.skin();
             for index in 0..rig.len() {
                 let count = rig.cross_section_count(index);
                 let mut numbers = Vec::new();
@@ -176,7 +177,7 @@ impl Document {
                     }
                 }
                 let sections = first_section..first_section + count;
-                skins.muscles.push(MuscleTissue { sections, bones: numbers, layer: SkinLayer::default() });
+                skins.muscles.push(MuscleTissue { sections, bones: numbers, layer: SkinLayer { fat, reach, elasticity } });
                 first_section += count;
             }
         }

@@ -145,6 +145,13 @@ pub enum ConfigErrorKind {
     UnknownUnit(String),
     /// A text for the scale that is not the one that it may be.
     BadScale,
+    /// A number above what is possible.
+    TooLarge {
+        /// Of which value.
+        name: ValueName,
+        /// The largest that is possible, in the file's unit.
+        most: f64,
+    },
     /// A range of angles that is empty or goes beyond what is possible.
     BadRange {
         /// What the range is called.
@@ -313,6 +320,7 @@ impl ToMessage for ConfigErrorKind {
             Self::TooMuchSurface => message!("muscle-too-much-surface", limit = limits::MUSCLE_VERTICES),
             Self::UnknownUnit(unit) => message!("muscle-unknown-unit", unit = shortened(unit)),
             Self::BadScale => message!("muscle-bad-scale", known = WITH_BONES),
+            Self::TooLarge { name, most } => message!("muscle-too-large", name = name.message(), most = most),
             Self::BadRange { name, least, most } => message!("muscle-bad-range", name = name.message(), least = least, most = most),
             Self::NoDirection(name) => message!("muscle-no-direction", name = name.message()),
             Self::PosesAndRadii => message!("muscle-poses-and-radii"),

@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::decode::{At, nearest};
 use super::error::{ConfigErrorKind, DecodeError};
 use super::path;
-use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, Tendon};
+use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, PoseSpec, SkinSpec, Tendon};
 use crate::arm::{Arm, FOREARM, UPPER_ARM};
 use crate::edit::{VIA, WRAPS};
 use crate::pennation::is_pennation;
@@ -13,7 +13,7 @@ use crate::profile::{Profile, ProfileError};
 use sinew_scene::limits;
 
 /// Keys at the top of the richer form; one of them makes a file a richer one.
-pub(super) const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "joints", "scale", "muscles"];
+pub(super) const KEYS: &[&str] = &["unit", "clip", "arm", "joint", "joints", "scale", "skin", "muscles"];
 /// The value of `scale` that lets muscles scale with the bones.
 pub(super) const WITH_BONES: &str = "with bones";
 /// Ids of the bones of the arm.
@@ -57,6 +57,9 @@ pub(super) fn decode(root: &At<'_>) -> Result<MuscleFile, DecodeError> {
         }
         file.scale = Some(scale(&at)?);
     }
+    if let Some(at) = map.get("skin") {
+        file.skin = Some(skin(&at, file.unit_metres)?);
+    }
     let list = map.need("muscles")?;
     let items = list.items()?;
     if items.is_empty() {
@@ -93,6 +96,20 @@ fn scale(at: &At<'_>) -> Result<f64, DecodeError> {
         Ok(_) => Err(at.error(ConfigErrorKind::BadScale)),
         Err(_) => at.positive(false),
     }
+}
+
+fn skin(at: &At<'_>, unit_metres: f64) -> Result<SkinSpec, DecodeError> {
+    let map = at.map(&["fat", "reach", "elasticity"])?;
+    let mut skin = SkinSpec::in_unit(unit_metres);
+    let most = SkinSpec::MOST / unit_metres;
+    for (key, value, most) in [("fat", &mut skin.fat, most), ("reach", &mut skin.reach, most), ("elasticity", &mut skin.elasticity, 1.0)] {
+        let Some(at) = map.get(key) else { continue };
+        *value = at.positive(true)?;
+        if *value > most {
+            return Err(at.error(ConfigErrorKind::TooLarge { name: at.name(), most }));
+        }
+    }
+    Ok(skin)
 }
 
 fn arm(at: &At<'_>) -> Result<Arm, DecodeError> {

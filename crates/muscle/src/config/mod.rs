@@ -34,8 +34,8 @@ mod yaml;
 pub use error::{ConfigError, ConfigErrorKind, ValueName, WantedKind};
 pub use lossless_save::SaveResult;
 pub use spec::{
-    ActiveRange, Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PointMotion, PoseAt, PoseSpec, Tendon, ViaPoint, Wrap, WrapRange,
-    WrapShape,
+    ActiveRange, Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PointMotion, PoseAt, PoseSpec, SkinSpec, Tendon, ViaPoint, Wrap,
+    WrapRange, WrapShape,
 };
 
 use decode::At;

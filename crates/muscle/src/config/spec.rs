@@ -35,6 +35,8 @@ pub struct MuscleFile {
     /// Where muscles scale with the bones that they are on: the bones' scale at which the lengths of this file hold, 1 unless it names another. `None` =
     /// lengths are in the unit whatever the bones' scale.
     pub scale: Option<f64>,
+    /// How skin lies over the muscles; `None` = as [`SkinSpec::in_unit`] has it.
+    pub skin: Option<SkinSpec>,
     /// The muscles.
     pub muscles: Vec<MuscleSpec>,
 }
@@ -53,7 +55,43 @@ impl MuscleFile {
 
 impl Default for MuscleFile {
     fn default() -> Self {
-        Self { unit_metres: 0.001, form: Form::Report, clip: None, arm: None, joints: Vec::new(), scale: None, muscles: Vec::new() }
+        Self {
+            unit_metres: 0.001,
+            form: Form::Report,
+            clip: None,
+            arm: None,
+            joints: Vec::new(),
+            scale: None,
+            skin: None,
+            muscles: Vec::new(),
+        }
+    }
+}
+
+/// How skin lies over muscles and follows them. Lengths are in the file's unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SkinSpec {
+    /// Thickness of the tissue between muscle and skin.
+    pub fat: f64,
+    /// How far from a muscle's surface skin follows it.
+    pub reach: f64,
+    /// How much skin round a bulge is drawn along with it, 0 to 1.
+    pub elasticity: f64,
+}
+
+impl SkinSpec {
+    /// The largest thickness and reach, metres.
+    pub const MOST: f64 = 1.0;
+
+    /// What holds where a file says nothing: 3 mm, 40 mm and 0.5, in a unit of so many metres.
+    pub fn in_unit(unit_metres: f64) -> Self {
+        Self { fat: 0.003 / unit_metres, reach: 0.04 / unit_metres, elasticity: 0.5 }
+    }
+
+    /// Whether all three are within their limits, in a unit of so many metres.
+    pub fn is_valid(&self, unit_metres: f64) -> bool {
+        let length = |value: f64| (0.0..=Self::MOST).contains(&(value * unit_metres));
+        length(self.fat) && length(self.reach) && (0.0..=1.0).contains(&self.elasticity)
     }
 }
 

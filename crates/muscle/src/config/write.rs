@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::full_format::{UNITS, WITH_BONES};
 use super::path::AT_JOINT;
-use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, ViaPoint, Wrap, WrapRange, WrapShape};
+use super::spec::{Anchor, Form, JointSpec, MuscleFile, MuscleSpec, PoseAt, SkinSpec, ViaPoint, Wrap, WrapRange, WrapShape};
 use super::yaml::Yaml;
 use crate::arm::{Arm, FOREARM, UPPER_ARM};
 use sinew_yaml::quoted;
@@ -25,7 +25,13 @@ fn report(file: &MuscleFile) -> Option<String> {
     let [muscle] = file.muscles.as_slice() else { return None };
     let plain =
         MuscleSpec { origin: muscle.origin.clone(), insertion: muscle.insertion.clone(), ..MuscleSpec::new(muscle.profile.clone()) };
-    if *muscle != plain || file.unit_metres != 0.001 || file.clip.is_some() || !file.joints.is_empty() || file.scale.is_some() {
+    if *muscle != plain
+        || file.unit_metres != 0.001
+        || file.clip.is_some()
+        || !file.joints.is_empty()
+        || file.scale.is_some()
+        || file.skin.is_some()
+    {
         return None;
     }
     let mut text = String::from("muscle_config:\n");
@@ -92,6 +98,10 @@ fn rich(file: &MuscleFile) -> String {
     }
     if let Some(scale) = file.scale {
         line(&mut text, 0, "scale", &if scale == 1.0 { WITH_BONES.to_owned() } else { number(scale) });
+    }
+    if let Some(SkinSpec { fat, reach, elasticity }) = file.skin {
+        let value = format!("{{fat: {}, reach: {}, elasticity: {}}}", number(fat), number(reach), number(elasticity));
+        line(&mut text, 0, "skin", &value);
     }
     text.push_str("muscles:\n");
     for muscle in &file.muscles {
