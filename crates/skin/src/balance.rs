@@ -31,7 +31,7 @@ pub(crate) struct Balance {
 pub(crate) struct BentSkin<'a> {
     /// Where the skeleton has put the points, metres.
     pub(crate) positions: &'a [Vec3],
-    /// Outward, of length 1.
+    /// Outward, of length 1, shorter where the skin is crushed.
     pub(crate) normals: &'a [Vec3],
     /// By point that moves: how freely it may be moved, 0 to 1.
     pub(crate) room: &'a [f32],

@@ -15,6 +15,10 @@ use crate::station::Station;
 const SMOOTHED: f32 = 0.0005;
 /// A value this much below the largest counts for nothing, times τ.
 const FORGOTTEN: f32 = 16.0;
+/// The directions of cross-sections whose values are less than this below the largest are blended, metres.
+const BLENDED: f32 = 0.008;
+/// Where the mean of blended directions is shorter than this, they do not agree.
+const AGREED: f32 = 0.7;
 /// Points deeper than this below a cross-section belong to another side of the limb, metres.
 const DEEP: f32 = 0.03;
 /// Over this distance penalties set in, metres.
@@ -41,7 +45,7 @@ pub(crate) struct Pair {
 pub(crate) struct Lack {
     /// Metres; negative where there is room, and not below a centimetre.
     pub(crate) amount: f32,
-    /// Of length 1 where [`Lack::amount`] is not far below 0.
+    /// Of length 1 where [`Lack::amount`] is not far below 0, shorter where the muscle pushes to several sides.
     pub(crate) outward: Vec3,
     /// How freely it may be moved otherwise: 1 where it is far from every cross-section, 0 where it touches the layer of tissue over one.
     pub(crate) room: f32,
@@ -70,7 +74,7 @@ fn lack_over(station: &Station, point: Vec3, edge: f32, scale: f32) -> (f32, f32
     let deep = if height < -DEEP * scale { 1.5 * positive_part(-height - DEEP * scale, SET_IN * scale) } else { 0.0 };
     let ratio = (height * height / tall + sideways / wide + beyond / tall + 1e-6).sqrt();
     let outside = (height * height + sideways + beyond).sqrt() * (1.0 - 1.0 / ratio);
-    (tent(q, station.height, across) - height - deep, outside)
+    (tent(q, station.height, across) - height - deep - station.doubt, outside)
 }
 
 /// How far a point lacks to clear all of its cross-sections. `values` is working memory.
@@ -90,18 +94,21 @@ pub(crate) fn lack(stations: &[Station], pairs: &[Pair], point: Vec3, edge: f32,
     if most + tau * (pairs.len() as f32).ln() < -NO_MATTER * scale || !most.is_finite() {
         return Lack { amount: -NO_MATTER * scale, outward: Vec3::ZERO, room };
     }
-    let (mut sum, mut outward) = (0.0, Vec3::ZERO);
+    let sum: f32 = values.iter().map(|value| (value - most) / tau).filter(|below| *below > -FORGOTTEN).map(f32::exp).sum();
+    let amount = (most + tau * sum.ln()).max(-NO_MATTER * scale);
+    let (mut weights, mut outward) = (0.0, Vec3::ZERO);
     for (pair, value) in pairs.iter().zip(values.iter()) {
-        let below = (value - most) / tau;
-        if below > -FORGOTTEN
+        let weight = 1.0 - (amount - value) / (BLENDED * scale);
+        if weight > 0.0
             && let Some(station) = stations.get(pair.station as usize)
         {
-            let share = below.exp();
-            sum += share;
-            outward += station.outward * share;
+            weights += weight * weight;
+            outward += station.outward * (weight * weight);
         }
     }
-    Lack { amount: (most + tau * sum.ln()).max(-NO_MATTER * scale), outward: outward.normalize_or_zero(), room }
+    // Between parts of a muscle that push to opposite sides, as in a fold, a point goes neither way.
+    let agreed = outward.length() / weights.max(f32::MIN_POSITIVE);
+    Lack { amount, outward: outward.normalize_or_zero() * smooth_step(agreed / AGREED), room }
 }
 
 #[cfg(test)]
@@ -109,7 +116,17 @@ mod tests {
     use super::*;
 
     fn station(y: f32) -> Station {
-        Station { center: Vec3::Y * y, along: Vec3::Y, outward: Vec3::Z, height: 0.02, across: 0.02, half: 0.005, depth: 0.03, belly: true }
+        Station {
+            center: Vec3::Y * y,
+            along: Vec3::Y,
+            outward: Vec3::Z,
+            height: 0.02,
+            across: 0.02,
+            half: 0.005,
+            depth: 0.03,
+            belly: true,
+            doubt: 0.0,
+        }
     }
 
     fn row() -> (Vec<Station>, Vec<Pair>) {

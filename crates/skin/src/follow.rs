@@ -96,6 +96,7 @@ mod tests {
             half: 0.005,
             depth: 0.02,
             belly: true,
+            doubt: 0.0,
         };
         let muscles = vec![MuscleTissue { sections: 0..25, bones: vec![0], layer: SkinLayer::default() }];
         let mut stations = Stations::default();

@@ -9,7 +9,7 @@ use crate::binding::Binding;
 use crate::clearance::lack;
 use crate::fairing::{Coupling, Edge};
 use crate::points::add_normals;
-use crate::soft::{positive_part, saturated};
+use crate::soft::{positive_part, saturated, smooth_step};
 use crate::station::Stations;
 
 /// A point begins to move softly over this much, metres.
@@ -18,6 +18,8 @@ const SOFT: f32 = 0.002;
 const FARTHEST: f32 = 0.08;
 /// With fewer points one thread does all.
 const ALONE: usize = 1500;
+/// Where the mean normal of a point's triangles is shorter than this share of what it is on a flat surface at rest, it counts less.
+const STRAIGHT: f32 = 0.5;
 /// How often room is averaged over neighbours.
 const ROOM_STEPS: usize = 4;
 
@@ -54,7 +56,7 @@ impl Follower {
         if binding.is_empty() || positions.len() != count || normals.len() != count || !stations.is_finite() {
             return;
         }
-        if !self.gather(binding, positions) {
+        if !self.gather(binding, positions, stations.scale) {
             return;
         }
         self.clear(binding, stations);
@@ -72,7 +74,7 @@ impl Follower {
     }
 
     /// Collects the points of the skin and their normals; `false` where one is no number.
-    fn gather(&mut self, binding: &Binding, positions: &[Vec3]) -> bool {
+    fn gather(&mut self, binding: &Binding, positions: &[Vec3], scale: f64) -> bool {
         let layout = &binding.layout;
         self.positions.clear();
         for point in 0..layout.order.len() {
@@ -85,8 +87,11 @@ impl Follower {
         self.normals.clear();
         self.normals.resize(self.positions.len(), Vec3::ZERO);
         add_normals(&self.positions, &layout.triangles, &mut self.normals);
-        for (normal, orientation) in self.normals.iter_mut().zip(&binding.orientation) {
-            *normal = normal.normalize_or_zero() * *orientation;
+        let flat = 6.0 * (scale * scale) as f32;
+        for ((normal, orientation), area) in self.normals.iter_mut().zip(&binding.orientation).zip(&layout.areas) {
+            // Of crushed triangles the mean normal may turn round in no time; before it does it gets short.
+            let straight = normal.length() / (flat * area).max(f32::MIN_POSITIVE);
+            *normal = normal.normalize_or_zero() * (*orientation * smooth_step(straight / STRAIGHT));
         }
         true
     }
@@ -159,11 +164,11 @@ impl Follower {
         add_normals(&self.positions, &layout.triangles, &mut self.after);
         let points = self.moves.iter().zip(&self.normals).zip(self.after.iter().zip(&binding.orientation));
         for (point, ((step, before), (after, orientation))) in points.enumerate().take(layout.bound) {
-            let after = after.normalize_or_zero() * *orientation;
-            let turn = if *before == Vec3::ZERO || after == Vec3::ZERO || *before == after {
+            let (before, after) = (before.normalize_or_zero(), after.normalize_or_zero() * *orientation);
+            let turn = if before == Vec3::ZERO || after == Vec3::ZERO || before == after {
                 None
             } else {
-                Some(Quat::from_rotation_arc(*before, after))
+                Some(Quat::from_rotation_arc(before, after))
             };
             for vertex in layout.vertices.of(point) {
                 let Some((position, normal)) = positions.get_mut(*vertex as usize).zip(normals.get_mut(*vertex as usize)) else { continue };

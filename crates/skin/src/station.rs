@@ -3,13 +3,17 @@
 use glam::{DVec3, Vec3};
 
 use crate::section::{CrossSection, MuscleTissue, Segment};
-use crate::soft::held_within_unit;
+use crate::soft::{held_within_unit, smooth_step};
 use crate::splines::{SPLINES, splines_at};
 
 /// Distance below which bones are no more told apart by distance, metres.
 const NEAR: f64 = 0.005;
 /// Over this share of a bone's length its ends are rounded: the foot of a perpendicular stops there without a jump in the slope.
 const ROUNDED: f64 = 0.15;
+/// Where the mean of the directions away from the bones is shorter than this, they do not agree: a tendon lies between two bones, or along one.
+const AGREED: f64 = 0.5;
+/// By how much less skin has to clear a cross-section where they do not agree at all, metres.
+const DOUBT: f64 = 0.06;
 /// Outward directions are averaged over so many neighbours to either side.
 const NEIGHBOURS: usize = 2;
 
@@ -29,6 +33,8 @@ pub(crate) struct Station {
     /// How far the bones' axes are, metres.
     pub(crate) depth: f32,
     pub(crate) belly: bool,
+    /// By how much less skin has to clear it because the bones beside it do not agree on what is outward, metres.
+    pub(crate) doubt: f32,
 }
 
 /// All stations of a moment, and the volume of muscle along the bones.
@@ -120,9 +126,10 @@ impl Stations {
             });
         }
         for (index, section) in sections.iter().enumerate() {
-            let outward = self.mean_outward(index, section.tangent);
+            let (outward, agreed) = self.mean_outward(index, section.tangent);
+            let doubt = DOUBT * self.scale * (1.0 - f64::from(smooth_step((agreed / AGREED) as f32)));
             let Some(station) = self.list.get_mut(first + index) else { break };
-            station.outward = outward.as_vec3();
+            (station.outward, station.doubt) = (outward.as_vec3(), doubt as f32);
             let [height, across] = half_axes(section, outward);
             (station.height, station.across) = (height as f32, across as f32);
         }
@@ -140,17 +147,20 @@ impl Stations {
         if sum > 0.0 { Nearness { outward: outward / sum, depth: depth / sum } } else { Nearness { outward: DVec3::ZERO, depth: 0.0 } }
     }
 
-    /// The mean direction of a station and its neighbours, square to its line.
-    fn mean_outward(&self, index: usize, tangent: DVec3) -> DVec3 {
-        let mut sum = DVec3::ZERO;
+    /// The mean direction of a station and its neighbours, square to its line, and how far they agree, 0 to 1.
+    fn mean_outward(&self, index: usize, tangent: DVec3) -> (DVec3, f64) {
+        let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
         for (other, outward) in self.outward.iter().enumerate().skip(index.saturating_sub(NEIGHBOURS)).take(2 * NEIGHBOURS + 1) {
             let away = other.abs_diff(index);
             if away <= NEIGHBOURS {
-                sum += *outward * (NEIGHBOURS + 1 - away) as f64;
+                let weight = (NEIGHBOURS + 1 - away) as f64;
+                sum += *outward * weight;
+                weights += weight;
             }
         }
         let outward = sum.reject_from_normalized(tangent);
-        outward.try_normalize().unwrap_or_else(|| tangent.any_orthonormal_vector())
+        let agreed = outward.length() / weights.max(f64::MIN_POSITIVE);
+        (outward.try_normalize().unwrap_or_else(|| tangent.any_orthonormal_vector()), agreed)
     }
 }
 

@@ -116,3 +116,4 @@ document-unnamed-material = Material
 document-unnamed-image = Image
 document-unnamed-light = Light
 document-unnamed-camera = Camera
+document-muscle-outside-skin = The muscle lies outside of the skin that its bones move, so that the skin does not follow it.

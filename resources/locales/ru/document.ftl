@@ -129,3 +129,4 @@ document-unnamed-material = Материал
 document-unnamed-image = Изображение
 document-unnamed-light = Свет
 document-unnamed-camera = Камера
+document-muscle-outside-skin = Мышца лежит вне кожи, которую двигают её кости, поэтому кожа за ней не следует.

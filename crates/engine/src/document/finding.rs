@@ -15,6 +15,8 @@ pub enum Finding {
     Reader(AnyFinding),
     /// About a muscle.
     Muscle(muscle::Finding),
+    /// A muscle on the bones of a skin lies outside of that skin, which does not follow it then.
+    MuscleOutsideSkin,
     /// About an image.
     Image(ImageFinding),
     /// The clip that a muscle file names could not be opened; the muscles are shown without it.
@@ -26,6 +28,7 @@ impl ToMessage for Finding {
         match self {
             Self::Reader(finding) => finding.message(),
             Self::Muscle(finding) => finding.message(),
+            Self::MuscleOutsideSkin => message!("document-muscle-outside-skin"),
             Self::Image(finding) => finding.message(),
             Self::ClipNotOpened(error) => message!("document-clip-not-opened", error = error.message()),
         }
@@ -37,6 +40,7 @@ impl DiagnosticKind for Finding {
         match self {
             Self::Reader(finding) => finding.code(),
             Self::Muscle(finding) => finding.code(),
+            Self::MuscleOutsideSkin => "muscle-outside-skin",
             Self::Image(finding) => finding.code(),
             Self::ClipNotOpened(_) => "clip-not-opened",
         }
@@ -46,6 +50,7 @@ impl DiagnosticKind for Finding {
         match self {
             Self::Reader(finding) => finding.severity(),
             Self::Muscle(finding) => finding.severity(),
+            Self::MuscleOutsideSkin => Severity::Info,
             Self::Image(finding) => finding.severity(),
             Self::ClipNotOpened(_) => Severity::Warning,
         }

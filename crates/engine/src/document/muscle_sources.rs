@@ -43,6 +43,7 @@ impl Document {
         }
         self.build_muscles();
         self.bump_revision();
+        self.tell_of_muscles_outside_skin();
     }
 
     fn build_muscles(&mut self) {
@@ -134,6 +135,7 @@ impl Document {
     pub fn set_muscle_files(&mut self, files: &[MuscleFile]) {
         self.bump_muscle_revision();
         if self.reshape_muscles(files) {
+            self.tell_of_muscles_outside_skin();
             return;
         }
         let count = self.muscle_files().count();
@@ -161,6 +163,7 @@ impl Document {
         self.scene.meshes.truncate(self.scene_baseline.meshes);
         self.scene.materials.truncate(self.scene_baseline.materials);
         self.build_muscles();
+        self.tell_of_muscles_outside_skin();
     }
 
     /// Where muscle file `index` is kept; `None` for one that was never saved.

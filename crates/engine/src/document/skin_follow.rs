@@ -4,9 +4,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::DMat4;
 
-use super::{Document, PoseBuffers, PoseState, SkinMotion};
+use super::{Document, Finding, PoseBuffers, PoseState, SkinMotion, SourceKind};
+use rustc_hash::FxHashSet;
 use sinew_muscle::{BoneAxis, CrossSection, SkinSpec, SolvedMuscle};
-use sinew_scene::{Bounds, Frame, MuscleId, Surface, SurfaceGeometry};
+use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::{Bounds, Content, Deformer, Frame, MuscleId, NodeId, Surface, SurfaceGeometry};
 use sinew_skin::{Binding, Follower, MuscleTissue, Segment, SkinLayer, SkinMesh, Stations};
 
 /// The skins of a document, bound to its muscles.
@@ -138,6 +140,41 @@ impl Document {
     /// Whether a skin follows any muscle.
     pub fn has_muscles_under_skin(&self) -> bool {
         self.may_have_bound_skins() && self.bound_skins().bindings().next().is_some()
+    }
+
+    /// Tells of the muscles on bones of a skin that lie outside of it, in place of what was told of that before.
+    pub(super) fn tell_of_muscles_outside_skin(&mut self) {
+        self.diagnostics.retain(|found| found.finding != Finding::MuscleOutsideSkin);
+        if !self.may_have_bound_skins() {
+            return;
+        }
+        let skins = self.bound_skins();
+        let joints = self.scene.graph.iter().flat_map(|(_, node)| &node.contents).filter_map(|content| match content {
+            Content::Mesh(instance) => Some(&instance.deformers),
+            _ => None,
+        });
+        let joints: FxHashSet<NodeId> = joints
+            .flatten()
+            .filter_map(|deformer| match deformer {
+                Deformer::Skin { joints, .. } => Some(joints),
+                Deformer::Morph(_) => None,
+            })
+            .flat_map(|joints| joints.iter().flatten().copied())
+            .collect();
+        let mut told = Vec::new();
+        for source in &self.sources {
+            let SourceKind::Muscles(_, rig) = &source.kind else { continue };
+            let first = self.rigs().find(|(other, _)| std::ptr::eq(*other, &raw const **rig)).map_or(0, |(_, first)| first.index());
+            for index in 0..rig.len() {
+                let bones = skins.muscles.get(first + index).map_or(&[][..], |muscle| &muscle.bones);
+                let moved = bones.iter().any(|bone| skins.bones.get(*bone).is_some_and(|bone| joints.contains(&bone.node)));
+                if moved && !skins.bindings().any(|(_, binding)| binding.encloses(first + index)) {
+                    let found = Diagnostic::new(Finding::MuscleOutsideSkin, None, rig.label(index).to_owned());
+                    told.push(found.in_file(source.name.clone()));
+                }
+            }
+        }
+        self.diagnostics.extend(told);
     }
 
     /// Whether there are muscles on bones and meshes that bones move at all.
