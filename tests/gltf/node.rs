@@ -55,14 +55,14 @@ impl Node {
         }
     }
 
-    /// Reads files with three.js and holds their surfaces against OBJ files. Returns how far each surface goes in [`crate::expected::directions`].
-    pub(crate) fn read_back(&self, list: &Path, cases: &[Value], apart: f64) -> Vec<Vec<f64>> {
+    /// Reads files with three.js and holds their surfaces against OBJ files, from which they may be as far away as each pose says. Returns how far each surface goes in [`crate::expected::directions`].
+    pub(crate) fn read_back(&self, list: &Path, cases: &[Value]) -> Vec<Vec<f64>> {
         std::fs::write(list, serde_json::to_vec(cases).expect("JSON")).expect("written");
         let rows = self.run(&["readback.mjs", list.to_str().expect("text")]);
         assert_eq!(rows.len(), cases.iter().map(|case| case["poses"].as_array().map_or(0, Vec::len)).sum::<usize>());
-        for row in &rows {
-            let (off, diagonal) = (row["off"].as_f64().expect("a number"), row["diagonal"].as_f64().unwrap_or(0.0));
-            assert!(off <= diagonal * apart, "{row}");
+        let poses = cases.iter().filter_map(|case| case["poses"].as_array()).flatten();
+        for (row, pose) in rows.iter().zip(poses) {
+            assert!(row["off"].as_f64().expect("a number") <= pose["allowed"].as_f64().expect("a number"), "{row}");
         }
         // A surface without points goes nowhere, which JSON cannot say.
         let reach = |row: &Value| row["reach"].as_array().expect("a list").iter().filter_map(Value::as_f64).collect();

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use glam::{DMat4, DQuat, DVec3};
+use glam::{DMat3, DMat4, DQuat, DVec3};
 use serde_json::Value;
 
 /// An open file.
@@ -12,9 +12,14 @@ pub(crate) struct Glb {
 }
 
 /// One primitive at a moment.
-struct Part {
+pub(crate) struct Part {
+    /// Its node.
+    pub node: usize,
     corners: Vec<usize>,
-    placed: Vec<DVec3>,
+    /// All vertices in the world.
+    pub placed: Vec<DVec3>,
+    /// The normals of all vertices in the world, of a primitive without a skin that has some.
+    pub normals: Vec<DVec3>,
     turned: bool,
 }
 
@@ -50,7 +55,6 @@ impl Glb {
     /// The rows of an accessor.
     pub(crate) fn rows(&self, accessor: usize) -> Vec<Vec<f64>> {
         let accessor = &self.root["accessors"][accessor];
-        let view = &self.root["bufferViews"][index(&accessor["bufferView"]).expect("a view")];
         let columns = match accessor["type"].as_str().expect("a type") {
             "SCALAR" => 1,
             "VEC2" => 2,
@@ -59,9 +63,29 @@ impl Glb {
             "MAT4" => 16,
             other => panic!("type {other}"),
         };
-        let (kind, start, count) =
-            (index(&accessor["componentType"]), index(&view["byteOffset"]).unwrap_or(0), index(&accessor["count"]).expect("a count"));
-        let length = index(&view["byteLength"]).expect("a length");
+        let (kind, count) = (index(&accessor["componentType"]), index(&accessor["count"]).expect("a count"));
+        let mut rows = match index(&accessor["bufferView"]) {
+            Some(view) => self.view_rows(view, kind, columns, count),
+            // Section 5.1: without a view the numbers are zeros, unless sparse values replace them.
+            None => vec![vec![0.0; columns]; count],
+        };
+        if let Some(sparse) = accessor.get("sparse") {
+            let replaced = index(&sparse["count"]).filter(|count| *count > 0).expect("a count");
+            let (indices, values) = (&sparse["indices"], &sparse["values"]);
+            let places = self.view_rows(index(&indices["bufferView"]).expect("a view"), index(&indices["componentType"]), 1, replaced);
+            let values = self.view_rows(index(&values["bufferView"]).expect("a view"), kind, columns, replaced);
+            assert!(places.windows(2).all(|pair| pair[0][0] < pair[1][0]), "indices rise");
+            for (place, value) in places.iter().zip(values) {
+                rows[place[0] as usize] = value;
+            }
+        }
+        rows
+    }
+
+    /// The first rows of a view.
+    fn view_rows(&self, view: usize, kind: Option<usize>, columns: usize, count: usize) -> Vec<Vec<f64>> {
+        let view = &self.root["bufferViews"][view];
+        let (start, length) = (index(&view["byteOffset"]).unwrap_or(0), index(&view["byteLength"]).expect("a length"));
         let size = match kind {
             Some(5121) => 1,
             Some(5123) => 2,
@@ -149,7 +173,8 @@ impl Glb {
         self.parts(animation, time).iter().map(of).sum()
     }
 
-    fn parts(&self, animation: Option<&Value>, time: f64) -> Vec<Part> {
+    /// All primitives of triangles at a moment.
+    pub(crate) fn parts(&self, animation: Option<&Value>, time: f64) -> Vec<Part> {
         let mut moved: HashMap<(usize, String), Vec<f64>> = HashMap::new();
         for channel in animation.map_or(&[][..], |animation| list(animation, "channels")) {
             let (node, path) = (index(&channel["target"]["node"]).expect("a node"), channel["target"]["path"].as_str().expect("a path"));
@@ -182,7 +207,13 @@ impl Glb {
             let weights = weights.unwrap_or_else(|| list(mesh, "weights").iter().filter_map(Value::as_f64).collect());
             let skin = index(&node["skin"]).map(|skin| &self.root["skins"][skin]);
             for primitive in list(mesh, "primitives").iter().filter(|primitive| primitive["mode"] == 4) {
-                let shape = self.shape(primitive, &weights);
+                let shape = self.shape(primitive, &weights, "POSITION");
+                // Normals go by the inverse of the transposed matrix.
+                let upright = DMat3::from_mat4(at(number)).inverse().transpose();
+                let normals = match skin {
+                    None => self.shape(primitive, &weights, "NORMAL").iter().map(|normal| (upright * *normal).normalize()).collect(),
+                    Some(_) => Vec::new(),
+                };
                 let placed: Vec<DVec3> = match skin {
                     None => shape.iter().map(|point| at(number).transform_point3(*point)).collect(),
                     Some(skin) => {
@@ -196,20 +227,22 @@ impl Glb {
                 let corners = self.rows(index(&primitive["indices"]).expect("indices")).into_iter().flatten();
                 // A skinned mesh goes where its joints are, whatever node it hangs on; players still look at that node's matrix.
                 let turned = at(number).determinant() < 0.0;
-                parts.push(Part { corners: corners.map(|vertex| vertex as usize).collect(), placed, turned });
+                parts.push(Part { node: number, corners: corners.map(|vertex| vertex as usize).collect(), placed, normals, turned });
             }
         }
         parts
     }
 
-    fn shape(&self, primitive: &Value, weights: &[f64]) -> Vec<DVec3> {
-        let read = |accessor: &Value| {
-            self.rows(index(accessor).expect("positions")).into_iter().map(|row| DVec3::from_slice(&row)).collect::<Vec<_>>()
+    /// An attribute of three numbers with its morph targets; nothing where there is no such attribute.
+    fn shape(&self, primitive: &Value, weights: &[f64], attribute: &str) -> Vec<DVec3> {
+        let read = |attributes: &Value| {
+            let rows = index(&attributes[attribute]).map(|accessor| self.rows(accessor)).unwrap_or_default();
+            rows.into_iter().map(|row| DVec3::from_slice(&row)).collect::<Vec<_>>()
         };
-        let mut shape = read(&primitive["attributes"]["POSITION"]);
+        let mut shape = read(&primitive["attributes"]);
         assert_eq!(weights.len(), list(primitive, "targets").len());
         for (target, weight) in list(primitive, "targets").iter().zip(weights).filter(|(_, weight)| **weight != 0.0) {
-            for (point, delta) in shape.iter_mut().zip(read(&target["POSITION"])) {
+            for (point, delta) in shape.iter_mut().zip(read(target)) {
                 *point += delta * *weight;
             }
         }

@@ -78,11 +78,13 @@ impl AnimationRange {
 
     /// Moments that any key of it stands at.
     pub(super) fn moments(&self, document: &Document) -> Vec<KeyTime> {
-        let times = match self.kind {
-            AnimationSource::Clip(clip) => document.clips.get(clip).map(|clip| within(clip.key_times(None), self.span)).unwrap_or_default(),
-            AnimationSource::Bend(_) | AnimationSource::Contract => self.even(),
-        };
-        moments(&times, &[], self.shift)
+        match self.kind {
+            AnimationSource::Clip(clip) => document.clips.get(clip).map_or_else(Vec::new, |clip| {
+                let channels: Vec<&Channel> = clip.channels.iter().collect();
+                moments(&within(clip.key_times(None), self.span), &jumps(&channels), self.shift)
+            }),
+            AnimationSource::Bend(_) | AnimationSource::Contract => moments(&self.even(), &[], self.shift),
+        }
     }
 
     fn even(&self) -> Vec<f64> {

@@ -13,6 +13,20 @@ const FLOAT: u32 = 5126;
 /// What an entry of the JSON takes while it is put together, roughly, bytes.
 pub(super) const ENTRY: usize = 1_024;
 
+/// What a sparse accessor takes of the JSON beside a dense one, roughly, bytes.
+const SPARSE_JSON: usize = 200;
+
+/// The smallest and the largest number of each column; zeros where there are no rows.
+fn extremes<const N: usize>(rows: &[[f32; N]]) -> [[f32; N]; 2] {
+    let first = rows.first().copied().unwrap_or([0.0; N]);
+    [f32::min, f32::max].map(|pick: fn(f32, f32) -> f32| {
+        rows.iter().fold(first, |mut found, row| {
+            found.iter_mut().zip(row).for_each(|(found, number)| *found = pick(*found, *number));
+            found
+        })
+    })
+}
+
 /// What a view is for, where the format wants it said.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Usage {
@@ -84,17 +98,51 @@ impl Buffer {
             _ => "MAT4",
         };
         let accessor = self.accessor(view, FLOAT, rows.len(), shape);
-        if bounds && let Some(first) = rows.first() {
-            let fold = |pick: fn(f32, f32) -> f32| {
-                rows.iter().fold(*first, |mut found, row| {
-                    found.iter_mut().zip(row).for_each(|(found, number)| *found = pick(*found, *number));
-                    found
-                })
-            };
-            self.accessors[accessor]["min"] = fold(f32::min).to_vec().into();
-            self.accessors[accessor]["max"] = fold(f32::max).to_vec().into();
+        if bounds && !rows.is_empty() {
+            let [low, high] = extremes(rows);
+            self.accessors[accessor]["min"] = low.to_vec().into();
+            self.accessors[accessor]["max"] = high.to_vec().into();
         }
         accessor
+    }
+
+    /// Adds differences of vectors, most of which may be zero: as a sparse accessor (section 3.6.2.3) where that takes fewer bytes.
+    pub(super) fn differences(&mut self, rows: &[[f32; 3]], bounds: bool) -> usize {
+        let mut moved: Vec<u32> = (0..).zip(rows).filter(|(_, row)| **row != [0.0; 3]).map(|(vertex, _)| vertex).collect();
+        if moved.is_empty() && !rows.is_empty() {
+            // A sparse accessor of nothing is not allowed.
+            moved.push(0);
+        }
+        let short = rows.len() <= usize::from(u16::MAX);
+        let bytes = moved.len() * (size_of::<[f32; 3]>() + if short { 2 } else { 4 }) + SPARSE_JSON;
+        if bytes >= size_of_val(rows) {
+            return self.floats(Usage::Vertices, rows, bounds);
+        }
+        let indices = self.view(Usage::Other, None, |bytes| {
+            for &vertex in &moved {
+                match u16::try_from(vertex) {
+                    Ok(vertex) if short => bytes.extend_from_slice(&vertex.to_le_bytes()),
+                    _ => bytes.extend_from_slice(&vertex.to_le_bytes()),
+                }
+            }
+        });
+        let values = self.view(Usage::Other, None, |bytes| {
+            let rows = moved.iter().filter_map(|vertex| rows.get(*vertex as usize));
+            rows.flatten().for_each(|number| bytes.extend_from_slice(&number.to_le_bytes()));
+        });
+        self.spend(ENTRY);
+        let mut accessor = json!({"componentType": FLOAT, "count": rows.len(), "type": "VEC3", "sparse": {
+            "count": moved.len(),
+            "indices": {"bufferView": indices, "componentType": if short { SHORT } else { INT }},
+            "values": {"bufferView": values},
+        }});
+        if bounds {
+            let [low, high] = extremes(rows);
+            accessor["min"] = low.to_vec().into();
+            accessor["max"] = high.to_vec().into();
+        }
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
     }
 
     /// Adds a list of single floats.

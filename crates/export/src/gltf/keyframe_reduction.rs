@@ -76,6 +76,25 @@ pub(super) fn numbers(moments: &[KeyTime], most: f64, take: &mut dyn FnMut(f64) 
     walk(moments, &fits, take)
 }
 
+/// Leaves out the keys that linear interpolation between those that stay makes within `most`, after Douglas and Peucker: `off(from, to, between)` is how far
+/// it is off at key `between`. Of `count` keys the numbers of those that stay, rising; the first and the last are among them.
+pub(super) fn thin(count: usize, most: f32, off: &dyn Fn(usize, usize, usize) -> f32) -> Vec<usize> {
+    let Some(last) = count.checked_sub(1) else { return Vec::new() };
+    let mut kept = vec![0, last];
+    let mut open = vec![(0, last)];
+    while let Some((from, to)) = open.pop() {
+        let worst = (from + 1..to).map(|between| (off(from, to, between), between)).max_by(|a, b| a.0.total_cmp(&b.0));
+        // Written so that what is no number stays.
+        if let Some((_, at)) = worst.filter(|(worst, _)| !(*worst <= most)) {
+            kept.push(at);
+            open.extend([(from, at), (at, to)]);
+        }
+    }
+    kept.sort_unstable();
+    kept.dedup();
+    kept
+}
+
 /// Whether a value sampled between two keys equals their linear interpolation within the tolerance.
 type FitsFn<'a, V> = &'a dyn Fn(&V, &V, f64, &V) -> bool;
 
@@ -162,6 +181,23 @@ mod tests {
         assert_eq!(found.len(), 4);
         assert_eq!(found[1].written, 1.0_f32.next_down());
         assert!(found[1].at < 1.0 && found[2].at == 1.0);
+    }
+
+    #[test]
+    fn keys_that_others_make_are_left_out() {
+        let off = |values: &'static [f32]| {
+            move |from: usize, to: usize, between: usize| {
+                let part = (between - from) as f32 / (to - from) as f32;
+                (values[from] + (values[to] - values[from]) * part - values[between]).abs()
+            }
+        };
+        assert_eq!(thin(5, 0.01, &off(&[0.0, 1.0, 2.0, 1.0, 0.0])), [0, 2, 4]);
+        assert_eq!(thin(5, 0.01, &off(&[0.0, 1.0, 2.0, 3.0, 4.0])), [0, 4]);
+        assert_eq!(thin(4, 0.01, &off(&[0.0, f32::NAN, 0.0, 0.0])), [0, 1, 2, 3]);
+        assert_eq!(
+            (thin(0, 0.01, &off(&[])), thin(1, 0.01, &off(&[2.0])), thin(2, 0.01, &off(&[2.0, 3.0]))),
+            (vec![], vec![0], vec![0, 1])
+        );
     }
 
     #[test]

@@ -10,8 +10,11 @@ mod container;
 mod keyframe_reduction;
 mod materials;
 mod muscles;
+mod shape_basis;
+mod shape_sampling;
 mod spline;
 mod surfaces;
+mod symmetric_eigen;
 mod trs;
 mod unsupported_features;
 
@@ -182,9 +185,7 @@ impl<'a> GltfWriter<'a> {
                 Weights { node: *node, morphs }.write(self.document, range, animation, &mut self.buffer);
             }
         }
-        let muscles = Muscles::new(self.document).write(
-            &ranges,
-            frame.bounds.diagonal(),
+        let muscles = Muscles::new(self.document, &ranges).write(
             &mut animations,
             &mut self.nodes,
             &mut self.surfaces.meshes,

@@ -1,92 +1,126 @@
-//! Muscles: each moment's surface as a morph target, so that they bulge in any viewer.
+//! Muscles: their movement as a few morph targets with weights, so that they bulge in any viewer.
+//!
+//! Targets are plain `f32` accessors, sparse where that is smaller: both are core glTF 2.0, which every reader knows. Targets of 16-bit integers would need
+//! `KHR_mesh_quantization` as a *required* extension, and readers without it refuse the whole file.
 
 use glam::{DMat3, DMat4, Vec3};
 use serde_json::{Value, json};
+use std::sync::Arc;
 
 use super::animations::{Animation, AnimationRange};
-use super::buffer::{Buffer, Usage};
+use super::buffer::Buffer;
 use super::keyframe_reduction::KeyTime;
 use super::materials::GltfMaterials;
+use super::shape_sampling::{AnimatedShapes, Displacements, MAX_SHAPES, MovingSurfaces, sample, thread_count};
 use super::surfaces::{IndexAccessors, MeshSides, given_shape, primitives};
 use super::unsupported_features::UnsupportedFeature;
-use sinew_engine::document::{Document, PoseBuffers, PoseState};
+use sinew_engine::document::{Document, PoseBuffers};
 use sinew_scene::limits;
-use sinew_scene::{Frame, MuscleId, NodeId, Surface, SurfaceGeometry};
+use sinew_scene::{Frame, Mesh, MuscleId, NodeId, Surface, SurfaceGeometry};
 
-/// Most morph targets of one muscle in one animation.
-const MAX_SHAPES: usize = 144;
-/// Largest deviation of a surface between two of its shapes, in diagonals of the scene.
-const MAX_ERROR: f32 = 6e-5;
+/// Largest distance of a vertex from where it belongs, at any moment, metres.
+const MAX_ERROR: f32 = 5e-4;
+/// The same in diagonals of the scene, for small ones.
+const MAX_RELATIVE_ERROR: f32 = 1e-3;
 
-/// The surface of one muscle at one moment, in the space of the bone that it originates from: there it moves least, however far the whole walks.
+/// The surface of one muscle at one moment, in the space of a bone.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct MuscleShape {
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
-    /// Metres a unit of that space.
+    /// Metres a unit of that space, in the direction in which they are most.
     scale: f32,
 }
 
-/// A muscle's surface in a frame, and the node that its shapes are given in; `None` for the world.
+/// A muscle's surface in a frame, and the node that its shapes are given in: the bone that it originates from, in whose space it moves least, however far the
+/// whole walks. `None` for the world.
 #[derive(Debug, Clone, Copy)]
 struct MuscleSurface {
     surface: usize,
     bone: Option<NodeId>,
 }
 
-/// Poses a document and hands out the surfaces of its muscles.
+/// The muscles of a document as they stand at its start, and how they move.
 pub(super) struct Muscles<'a> {
     document: &'a Document,
-    buffers: PoseBuffers,
+    ranges: &'a [AnimationRange],
+    /// The document's start.
     frame: Frame,
     surfaces: Vec<MuscleSurface>,
+    rest: Vec<MuscleShape>,
 }
 
-/// An interval between two keys, with the shapes in its middle and their deviation from linear interpolation.
-struct KeyInterval {
-    from: usize,
-    to: usize,
-    error: f32,
-    middle: (KeyTime, Vec<MuscleShape>),
+/// Buffers that posing uses again and again.
+#[derive(Default)]
+pub(super) struct MuscleScratch {
+    buffers: PoseBuffers,
+    frame: Frame,
+}
+
+/// Index accessors of the meshes written so far: muscles with as many nodes have the same triangles.
+type SharedIndices = Vec<(Arc<Mesh>, IndexAccessors)>;
+
+impl MovingSurfaces for Muscles<'_> {
+    type Scratch = MuscleScratch;
+
+    fn vertices(&self) -> Vec<usize> {
+        self.rest.iter().map(|shape| shape.positions.len()).collect()
+    }
+
+    fn pose(&self, range: usize, at: f64, scratch: &mut MuscleScratch) -> Vec<Displacements> {
+        if let Some(range) = self.ranges.get(range) {
+            self.document.pose(&range.state(self.document, at), &mut scratch.buffers, &mut scratch.frame);
+        }
+        let less = |a: &[Vec3], b: &[Vec3]| -> Vec<Vec3> { a.iter().zip(b).map(|(a, b)| *a - *b).collect() };
+        let displaced = |(place, rest): (&MuscleSurface, &MuscleShape)| match shape(&scratch.frame, place) {
+            Some(shape) => Displacements {
+                positions: less(&shape.positions, &rest.positions),
+                normals: less(&shape.normals, &rest.normals),
+                scale: shape.scale,
+            },
+            None => Displacements::default(),
+        };
+        self.surfaces.iter().zip(&self.rest).map(displaced).collect()
+    }
+}
+
+/// A muscle in the space of its bone; `None` where it is not shown or the bone is flat.
+fn shape(frame: &Frame, place: &MuscleSurface) -> Option<MuscleShape> {
+    let SurfaceGeometry::Deformed { positions, normals } = &frame.surfaces.get(place.surface)?.geometry else { return None };
+    let world = place.bone.and_then(|bone| frame.world.get(bone.index())).copied().unwrap_or(DMat4::IDENTITY);
+    let (inside, upright) = (world.inverse(), DMat3::from_mat4(world).transpose());
+    if !inside.is_finite() {
+        return None;
+    }
+    let positions = positions.iter().map(|point| inside.transform_point3(point.as_dvec3()).as_vec3()).collect();
+    let normals = normals.iter().map(|normal| (upright * normal.as_dvec3()).as_vec3().normalize_or(Vec3::Y)).collect();
+    Some(MuscleShape { positions, normals, scale: stretch(&world) as f32 })
+}
+
+/// How much longer a matrix makes a vector at most: exact where its columns are square to each other, else an upper bound (‖M‖₂² ≤ ‖MᵀM‖∞).
+fn stretch(matrix: &DMat4) -> f64 {
+    let upright = DMat3::from_mat4(*matrix);
+    let square = upright.transpose() * upright;
+    [square.row(0), square.row(1), square.row(2)].map(|row| row.abs().element_sum()).into_iter().fold(0.0, f64::max).sqrt()
 }
 
 impl<'a> Muscles<'a> {
-    pub(super) fn new(document: &'a Document) -> Self {
+    pub(super) fn new(document: &'a Document, ranges: &'a [AnimationRange]) -> Self {
         let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
         document.pose(&document.start_state(), &mut buffers, &mut frame);
         let bone = |muscle: MuscleId| document.muscle(muscle).and_then(|(rig, index)| rig.origin_bone(index));
         // A bone that is flat at the start has no inside to stand in.
         let solid = |node: &NodeId| frame.world.get(node.index()).is_some_and(|world| world.determinant().abs() > f64::MIN_POSITIVE);
         let place = |(surface, shown): (usize, &Surface)| Some(MuscleSurface { surface, bone: bone(shown.muscle?).filter(solid) });
-        let places = frame.surfaces.iter().enumerate().filter_map(place).collect();
-        Self { document, buffers, frame, surfaces: places }
-    }
-
-    fn at(&mut self, state: &PoseState) -> Vec<MuscleShape> {
-        self.document.pose(state, &mut self.buffers, &mut self.frame);
-        let shape = |place: &MuscleSurface| match self.frame.surfaces.get(place.surface).map(|surface| &surface.geometry) {
-            Some(SurfaceGeometry::Deformed { positions, normals }) => {
-                let world = place.bone.and_then(|bone| self.frame.world.get(bone.index())).copied().unwrap_or(DMat4::IDENTITY);
-                let scale = world.determinant().abs().cbrt() as f32;
-                let (inside, upright) = (world.inverse(), DMat3::from_mat4(world).transpose());
-                if !inside.is_finite() {
-                    return MuscleShape { positions: vec![Vec3::ZERO; positions.len()], normals: vec![Vec3::Y; normals.len()], scale };
-                }
-                let positions = positions.iter().map(|point| inside.transform_point3(point.as_dvec3()).as_vec3()).collect();
-                let normals = normals.iter().map(|normal| (upright * normal.as_dvec3()).as_vec3().normalize_or(Vec3::Y)).collect();
-                MuscleShape { positions, normals, scale }
-            }
-            _ => MuscleShape::default(),
-        };
-        self.surfaces.iter().map(shape).collect()
+        let surfaces: Vec<MuscleSurface> = frame.surfaces.iter().enumerate().filter_map(place).collect();
+        let rest = surfaces.iter().map(|place| shape(&frame, place).unwrap_or_default()).collect();
+        Self { document, ranges, frame, surfaces, rest }
     }
 
     /// Writes all muscles and the movement of their shapes into the takes' `animations`. Returns the new nodes, each with the bone that it belongs under.
     #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
     pub(super) fn write(
-        &mut self,
-        ranges: &[AnimationRange],
-        diagonal: f32,
+        &self,
         animations: &mut [Animation],
         nodes: &mut Vec<Value>,
         meshes: &mut Vec<Value>,
@@ -94,142 +128,90 @@ impl<'a> Muscles<'a> {
         buffer: &mut Buffer,
         losses: &mut Vec<UnsupportedFeature>,
     ) -> Vec<(usize, Option<NodeId>)> {
-        let start = self.at(&self.document.start_state());
-        // However many muscles and clips there are, all shapes together stay within a bound.
-        let vertices: usize = start.iter().map(|shape| shape.positions.len()).sum();
-        let most = (limits::SHAPE_VERTICES / vertices.max(1) / ranges.len().max(1)).min(MAX_SHAPES);
-        let mut rough = false;
-        let mut keyed: Vec<Vec<(f32, Vec<MuscleShape>)>> = Vec::new();
-        for range in ranges {
-            let keys = self.keys(range, diagonal * MAX_ERROR, most, &mut rough);
-            let shapes = keys.iter().flat_map(|(_, shapes)| shapes);
-            buffer.spend(shapes.map(|shape| size_of_val(&*shape.positions) + size_of_val(&*shape.normals)).sum());
-            keyed.push(keys);
-            if buffer.is_full() {
-                return Vec::new();
+        let moments: Vec<Vec<KeyTime>> = self.ranges.iter().map(|range| range.moments(self.document)).collect();
+        let error = MAX_ERROR.min(MAX_RELATIVE_ERROR * self.frame.bounds.diagonal());
+        // However many muscles there are, all shapes together stay within a bound.
+        let most = (limits::SHAPE_VERTICES / self.vertices().into_iter().sum::<usize>().max(1)).min(MAX_SHAPES);
+        let sampled = sample(self, &moments, error, most, thread_count());
+        let mut exceeded = sampled.exceeded;
+        let (mut written, mut shared) = (Vec::new(), SharedIndices::new());
+        sampled.finish(|number, shapes| {
+            exceeded |= shapes.basis.exceeded;
+            if let (Some(place), Some(base), false) = (self.surfaces.get(number), self.rest.get(number), buffer.is_full())
+                && let Some(mesh) = self.mesh(place, base, &shapes, &mut shared, materials, buffer, losses)
+            {
+                nodes.push(json!({"name": mesh["name"], "mesh": meshes.len()}));
+                meshes.push(mesh);
+                written.push((nodes.len() - 1, place.bone));
+                write_weights(nodes.len() - 1, &shapes, animations, buffer);
             }
-        }
-        if rough && most < MAX_SHAPES {
-            losses.push(UnsupportedFeature::Shapes { kept: if most < 2 { 0 } else { most } });
-        }
-        let mut written = Vec::new();
-        for (number, place) in self.surfaces.clone().into_iter().enumerate() {
-            let Some(surface) = self.frame.surfaces.get(place.surface) else { continue };
-            let Some(base) = start.get(number) else { continue };
-            let mut targets = Vec::new();
-            for (_, shapes) in keyed.iter().flatten() {
-                let Some(shape) = shapes.get(number) else { continue };
-                let less = |a: &[Vec3], b: &[Vec3]| -> Vec<[f32; 3]> { a.iter().zip(b).map(|(a, b)| (*a - *b + 0.0).to_array()).collect() };
-                targets.push(json!({
-                    "POSITION": buffer.floats(Usage::Vertices, &less(&shape.positions, &base.positions), true),
-                    "NORMAL": buffer.floats(Usage::Vertices, &less(&shape.normals, &base.normals), false),
-                }));
-            }
-            let attributes = given_shape(&base.positions, &base.normals, buffer);
-            let scene = &self.document.scene;
-            let shaped = sinew_scene::Mesh { positions: base.positions.clone(), ..(*surface.mesh).clone() };
-            let primitives = primitives(
-                scene,
-                &shaped,
-                &surface.materials,
-                &attributes,
-                &targets,
-                MeshSides::default(),
-                &mut IndexAccessors::default(),
-                materials,
-                buffer,
-                losses,
-            );
-            if primitives.is_empty() {
-                continue;
-            }
-            let name = scene.graph.label(surface.node).plain().into_owned();
-            let mut mesh = json!({"name": name, "primitives": primitives});
-            if !targets.is_empty() {
-                mesh["weights"] = json!(vec![0.0; targets.len()]);
-            }
-            meshes.push(mesh);
-            nodes.push(json!({"name": name, "mesh": meshes.len() - 1}));
-            written.push((nodes.len() - 1, place.bone));
-            self.weights(nodes.len() - 1, &keyed, animations, buffer);
+        });
+        if exceeded {
+            losses.push(UnsupportedFeature::Shapes { kept: most });
         }
         written
     }
 
-    /// At each key its own target counts whole, and in between the two neighbours mix.
-    fn weights(&self, node: usize, keyed: &[Vec<(f32, Vec<MuscleShape>)>], animations: &mut [Animation], buffer: &mut Buffer) {
-        let all: usize = keyed.iter().map(Vec::len).sum();
-        let mut before = 0;
-        for (keys, animation) in keyed.iter().zip(animations) {
-            if !keys.is_empty() {
-                let times: Vec<f32> = keys.iter().map(|(time, _)| *time).collect();
-                let mut values = vec![0.0_f32; all * keys.len()];
-                for key in 0..keys.len() {
-                    values[key * all + before + key] = 1.0;
-                }
-                let (input, output) = (buffer.scalars(&times, true), buffer.scalars(&values, false));
-                animation.add(node, "weights", input, output, "LINEAR");
-            }
-            before += keys.len();
+    /// Writes the surface of a muscle with its morph targets; `None` where nothing of it can be drawn.
+    #[allow(clippy::too_many_arguments, reason = "what is written and the tables that it goes into, each borrowed for itself")]
+    fn mesh(
+        &self,
+        place: &MuscleSurface,
+        base: &MuscleShape,
+        shapes: &AnimatedShapes,
+        shared: &mut SharedIndices,
+        materials: &mut GltfMaterials,
+        buffer: &mut Buffer,
+        losses: &mut Vec<UnsupportedFeature>,
+    ) -> Option<Value> {
+        let surface = self.frame.surfaces.get(place.surface)?;
+        let mut targets = Vec::new();
+        for shape in &shapes.basis.shapes {
+            targets
+                .push(json!({"POSITION": buffer.differences(&shape.positions, true), "NORMAL": buffer.differences(&shape.normals, false)}));
         }
-    }
-
-    /// The shapes of all muscles at so many moments of a take that the straight way between them is nowhere off by more than `length`, the worst stretches
-    /// halved first; no more than `most` moments, and none where that is less than the two ends. `rough` where that was too few.
-    fn keys(&mut self, range: &AnimationRange, length: f32, most: usize, rough: &mut bool) -> Vec<(f32, Vec<MuscleShape>)> {
-        if self.surfaces.is_empty() {
-            return Vec::new();
+        let attributes = given_shape(&base.positions, &base.normals, buffer);
+        let scene = &self.document.scene;
+        let shaped = Mesh { positions: base.positions.clone(), ..(*surface.mesh).clone() };
+        let same = |known: &Mesh| {
+            known.triangles == surface.mesh.triangles && known.lines == surface.mesh.lines && known.parts == surface.mesh.parts
+        };
+        let mut own = IndexAccessors::default();
+        // Triangles of vertices that are nowhere are left out, so that only whole surfaces have indices in common.
+        let indices = if base.positions.iter().all(|position| position.is_finite()) {
+            let known = shared.iter().position(|(mesh, _)| mesh.positions.len() == base.positions.len() && same(mesh));
+            let at = known.unwrap_or_else(|| {
+                shared.push((surface.mesh.clone(), IndexAccessors::default()));
+                shared.len() - 1
+            });
+            &mut shared[at].1
+        } else {
+            &mut own
+        };
+        let bindings = &surface.materials;
+        let primitives =
+            primitives(scene, &shaped, bindings, &attributes, &targets, MeshSides::default(), indices, materials, buffer, losses);
+        if primitives.is_empty() {
+            return None;
         }
-        if most < 2 {
-            *rough = true;
-            return Vec::new();
+        let mut mesh = json!({"name": scene.graph.label(surface.node).plain(), "primitives": primitives});
+        if !targets.is_empty() {
+            mesh["weights"] = json!(vec![0.0; targets.len()]);
         }
-        let document = self.document;
-        let when = range.moments(document);
-        let ends = [when.first(), when.last()].into_iter().flatten().copied();
-        let mut keys: Vec<(KeyTime, Vec<MuscleShape>)> = ends.map(|moment| (moment, self.at(&range.state(document, moment.at)))).collect();
-        if keys.len() == 2 && keys[0].0 == keys[1].0 {
-            keys.pop();
-        }
-        let mut open: Vec<KeyInterval> = Vec::new();
-        if keys.len() == 2 {
-            open.push(self.stretch(range, &keys, 0, 1));
-        }
-        loop {
-            let worst = (0..open.len()).max_by(|a, b| open[*a].error.total_cmp(&open[*b].error));
-            let Some(worst) = worst.filter(|worst| open[*worst].error > length) else { break };
-            if keys.len() >= most {
-                *rough = true;
-                break;
-            }
-            let KeyInterval { from, to, middle, .. } = open.swap_remove(worst);
-            if middle.0.written <= keys[from].0.written || middle.0.written >= keys[to].0.written {
-                continue;
-            }
-            keys.push(middle);
-            let new = keys.len() - 1;
-            open.push(self.stretch(range, &keys, from, new));
-            open.push(self.stretch(range, &keys, new, to));
-        }
-        keys.sort_by(|a, b| a.0.written.total_cmp(&b.0.written));
-        keys.into_iter().map(|(moment, shapes)| (moment.written, shapes)).collect()
-    }
-
-    fn stretch(&mut self, range: &AnimationRange, keys: &[(KeyTime, Vec<MuscleShape>)], from: usize, to: usize) -> KeyInterval {
-        let ((start, first), (end, last)) = (&keys[from], &keys[to]);
-        let at = |part: f64| start.at + (end.at - start.at) * part;
-        let [quarter, middle, rest] = [0.25, 0.5, 0.75].map(|part| self.at(&range.state(self.document, at(part))));
-        let off = off(first, last, 0.25, &quarter).max(off(first, last, 0.5, &middle)).max(off(first, last, 0.75, &rest));
-        let moment = KeyTime { at: at(0.5), written: start.written + (end.written - start.written) * 0.5 };
-        KeyInterval { from, to, error: off, middle: (moment, middle) }
+        Some(mesh)
     }
 }
 
-/// Deviation of shapes from the linear interpolation of two others, metres.
-fn off(from: &[MuscleShape], to: &[MuscleShape], part: f32, shapes: &[MuscleShape]) -> f32 {
-    let muscle = |((from, to), shape): ((&MuscleShape, &MuscleShape), &MuscleShape)| {
-        let vertices = from.positions.iter().zip(&to.positions).zip(&shape.positions);
-        vertices.map(|((from, to), here)| (from.lerp(*to, part) - *here).length()).fold(0.0, f32::max) * shape.scale
-    };
-    from.iter().zip(to).zip(shapes).map(muscle).fold(0.0, f32::max)
+/// Writes the weights of a muscle over each range.
+fn write_weights(node: usize, shapes: &AnimatedShapes, animations: &mut [Animation], buffer: &mut Buffer) {
+    if shapes.basis.shapes.is_empty() {
+        return;
+    }
+    for (keys, animation) in shapes.keys.iter().zip(animations).filter(|(keys, _)| !keys.is_empty()) {
+        let times: Vec<f32> = keys.iter().map(|(time, _)| *time).collect();
+        let rows = keys.iter().filter_map(|(_, moment)| shapes.basis.weights.get(*moment));
+        let values: Vec<f32> = rows.flatten().copied().collect();
+        let (input, output) = (buffer.scalars(&times, true), buffer.scalars(&values, false));
+        animation.add(node, "weights", input, output, "LINEAR");
+    }
 }
