@@ -206,12 +206,19 @@ impl Glb {
             let weights = moved.get(&(number, "weights".to_owned())).cloned();
             let weights = weights.unwrap_or_else(|| list(mesh, "weights").iter().filter_map(Value::as_f64).collect());
             let skin = index(&node["skin"]).map(|skin| &self.root["skins"][skin]);
+            // Primitives of one mesh mostly have the same vertices.
+            let mut known: Option<(&Value, &Value, [Vec<DVec3>; 2])> = None;
             for primitive in list(mesh, "primitives").iter().filter(|primitive| primitive["mode"] == 4) {
-                let shape = self.shape(primitive, &weights, "POSITION");
+                let (attributes, targets) = (&primitive["attributes"], &primitive["targets"]);
+                let [shape, directions] = match known.take() {
+                    Some((same, bent, shape)) if same == attributes && bent == targets => shape,
+                    _ => ["POSITION", "NORMAL"].map(|attribute| self.shape(primitive, &weights, attribute)),
+                };
+                known = Some((attributes, targets, [shape.clone(), directions.clone()]));
                 // Normals go by the inverse of the transposed matrix.
                 let upright = DMat3::from_mat4(at(number)).inverse().transpose();
                 let normals = match skin {
-                    None => self.shape(primitive, &weights, "NORMAL").iter().map(|normal| (upright * *normal).normalize()).collect(),
+                    None => directions.iter().map(|normal| (upright * *normal).normalize()).collect(),
                     Some(_) => Vec::new(),
                 };
                 let placed: Vec<DVec3> = match skin {

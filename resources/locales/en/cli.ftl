@@ -263,8 +263,8 @@ gltf-mixed = The mesh “{ $mesh }” is morphed after skinning, which glTF does
 gltf-moved = Clip “{ $clip }” starts before 0 s, which glTF does not allow; its keyframes are shifted by { NUMBER($milliseconds, useGrouping: 0) } ms.
 gltf-shapes = { $count ->
     [0] The muscles have too many vertices for morph targets; they are written without animation.
-    [one] The muscles have so many vertices that only one morph target per clip is written; shapes between morph targets are interpolated linearly.
-   *[other] The muscles have so many vertices that only { NUMBER($count, useGrouping: 0) } morph targets per clip are written; shapes between them are interpolated linearly.
+    [one] The muscles have too many vertices or keyframes for an error below 0.5 mm; one morph target per muscle is written.
+   *[other] The muscles have too many vertices or keyframes for an error below 0.5 mm; up to { NUMBER($count, useGrouping: 0) } morph targets per muscle are written.
 }
 # Films, shells, questions.
 cli-about-completions = Prints a completion script for a shell.

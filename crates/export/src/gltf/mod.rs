@@ -1,4 +1,4 @@
-//! Export of the whole document as glTF 2.0: node tree, meshes, skins, morphs, materials, images, cameras, lights and animations; muscles as morph targets.
+//! Export of the whole document as glTF 2.0: node tree, meshes, skins, morphs, materials, images, cameras, lights and animations; muscles as a few morph targets each.
 //!
 //! What both formats express alike is written unchanged: values of nodes, LINEAR and STEP keys, Bézier translations at thirds as cubic splines.
 //! Everything else is taken from the same sampler that draws, with keys wherever interpolation between two deviates by more than [`MAX_ERROR`] of the scene's diagonal

@@ -176,32 +176,76 @@ struct Component {
     normals: Vec<[f32; 3]>,
 }
 
+/// Part of the error that shapes may take which move a vertex so little that it is not looked at when.
+const UNSEEN: f32 = 0.25;
+
 /// Leaves each vertex out of the shapes that move it least, as long as no moment of it is off by more than `most` / scale for it.
 fn omit(components: &mut [Component], part: fn(&mut Component) -> &mut Vec<[f32; 3]>, scales: &[f32], most: f32) {
     let vertices = components.first_mut().map_or(0, |component| part(component).len());
-    let moments = scales.len();
-    let (mut off, mut tried) = (vec![[0.0_f32; 3]; moments], vec![[0.0_f32; 3]; moments]);
+    let widest = scales.iter().copied().fold(0.0, f32::max);
+    // Weights in the unit of the tolerance, so that every moment has the same bound.
+    let scaled = |component: &Component| component.weights.iter().zip(scales).map(|(weight, scale)| weight * scale).collect();
+    let weights: Vec<Vec<f32>> = components.iter().map(scaled).collect();
+    let mut off = MomentErrors::new(scales.len());
     for vertex in 0..vertices {
-        let length = |delta: [f32; 3]| Vec3::from_array(delta).length();
-        let mut order: Vec<(f32, usize)> =
-            components.iter_mut().enumerate().map(|(number, component)| (length(part(component)[vertex]), number)).collect();
+        let mut order: Vec<(f32, usize)> = Vec::with_capacity(components.len());
+        for (number, component) in components.iter_mut().enumerate() {
+            order.push((widest * Vec3::from_array(part(component)[vertex]).length(), number));
+        }
         order.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-        off.fill([0.0; 3]);
-        for (_, number) in order {
-            let component = &mut components[number];
-            let delta = part(component)[vertex];
-            let mut worst = 0.0_f32;
-            for (((tried, off), weight), scale) in tried.iter_mut().zip(&off).zip(&component.weights).zip(scales) {
-                *tried = [off[0] + weight * delta[0], off[1] + weight * delta[1], off[2] + weight * delta[2]];
-                let [x, y, z] = *tried;
-                worst = worst.max((x * x + y * y + z * z) * (scale * scale));
-            }
-            if worst.sqrt() > most {
+        off.clear();
+        let (mut unseen, mut left) = (0.0, most);
+        for (length, number) in order {
+            let delta = &mut part(&mut components[number])[vertex];
+            if unseen + length <= UNSEEN * most {
+                unseen += length;
+                left = most - unseen;
+            } else if !off.add(*delta, &weights[number], left) {
                 break;
             }
-            std::mem::swap(&mut off, &mut tried);
-            part(component)[vertex] = [0.0; 3];
+            *delta = [0.0; 3];
         }
+    }
+}
+
+/// How far a vertex is off at each moment, in lanes of [`LANES`] moments that the compiler turns into vectors.
+struct MomentErrors {
+    off: [Vec<[f32; LANES]>; 3],
+    moments: usize,
+}
+
+const LANES: usize = 8;
+
+impl MomentErrors {
+    fn new(moments: usize) -> Self {
+        Self { off: [(); 3].map(|()| vec![[0.0; LANES]; moments.div_ceil(LANES)]), moments }
+    }
+
+    fn clear(&mut self) {
+        self.off.iter_mut().for_each(|axis| axis.fill([0.0; LANES]));
+    }
+
+    /// Adds a displacement at these weights; `false` where a moment then is off by more than `most`.
+    fn add(&mut self, delta: [f32; 3], weights: &[f32], most: f32) -> bool {
+        debug_assert_eq!(weights.len(), self.moments);
+        let [x, y, z] = &mut self.off;
+        let (whole, rest) = weights.as_chunks::<LANES>();
+        let mut last = [0.0; LANES];
+        last[..rest.len()].copy_from_slice(rest);
+        let chunks = whole.iter().chain(std::iter::once(&last));
+        for (((weights, x), y), z) in chunks.zip(x).zip(y).zip(z) {
+            let mut worst = [0.0_f32; LANES];
+            for lane in 0..LANES {
+                x[lane] += weights[lane] * delta[0];
+                y[lane] += weights[lane] * delta[1];
+                z[lane] += weights[lane] * delta[2];
+                worst[lane] = x[lane] * x[lane] + y[lane] * y[lane] + z[lane] * z[lane];
+            }
+            if worst.iter().any(|worst| *worst > most * most) {
+                return false;
+            }
+        }
+        true
     }
 }
 

@@ -15,9 +15,10 @@ use super::shape_basis::{ShapeBasis, ShapeBasisBuilder, ShapeTolerance};
 /// Most shapes of one surface.
 pub(super) const MAX_SHAPES: usize = 64;
 /// Most moments of all ranges together.
-const MAX_MOMENTS: usize = 8_192;
-/// How often an interval between two keys of the file may be halved.
-const HALVINGS: u32 = 10;
+const MAX_MOMENTS: usize = 4_096;
+/// Intervals shorter than this are not halved, seconds: over a shorter one only what leaps goes further than the error allows, and no number of samples
+/// would follow that.
+const SHORTEST: f64 = 1.0 / 120.0;
 /// An interval between keys of the file is looked at in its quarters too if it is longer than this, seconds: an S-shaped way crosses the straight one in
 /// the middle.
 const LONG: f64 = 0.05;
@@ -26,11 +27,12 @@ const POSED_BYTES: usize = 64 << 20;
 /// Most threads.
 const MAX_THREADS: usize = 8;
 
-/// Parts of the largest error that projecting, leaving out vertices, sampling, and leaving out keys may take; the rest is for what no sample shows.
-const PROJECTION: f32 = 0.2;
-const OMISSION: f32 = 0.4;
-const SAMPLING: f32 = 0.1;
-const THINNING: f32 = 0.15;
+/// Parts of the largest error that projecting, leaving out vertices, and leaving out keys may take, and how far a sampled middle may be from the straight way
+/// before its halves are sampled too. The middle becomes a key, so that half of that is left at most, beside a bend, and a quarter where movement is smooth.
+const PROJECTION: f32 = 0.3;
+const OMISSION: f32 = 0.35;
+const SAMPLING: f32 = 0.4;
+const THINNING: f32 = 0.1;
 /// What leaving vertices out of shapes may add to the error of a normal, a part of its length: about 1°.
 const NORMAL: f32 = 0.02;
 
@@ -77,12 +79,15 @@ struct Interval {
     range: usize,
     from: Sample,
     to: Sample,
-    halvings: u32,
     /// Whether it is halved in any case.
     long: bool,
 }
 
 impl Interval {
+    fn length(&self) -> f64 {
+        self.to.time.at - self.from.time.at
+    }
+
     fn middle(&self) -> Option<KeyTime> {
         let written = self.from.time.written + (self.to.time.written - self.from.time.written) * 0.5;
         let inside = written > self.from.time.written && written < self.to.time.written;
@@ -145,7 +150,7 @@ impl SampledSurfaces {
         }
         let of_range = |(range, samples): (usize, &Vec<Sample>)| -> Vec<Interval> {
             let interval = |pair: &[Sample]| match pair {
-                &[from, to] => Some(Interval { range, from, to, halvings: 0, long: to.time.at - from.time.at > LONG }),
+                &[from, to] => Some(Interval { range, from, to, long: to.time.at - from.time.at > LONG }),
                 _ => None,
             };
             samples.windows(2).filter_map(interval).collect()
@@ -176,11 +181,11 @@ impl SampledSurfaces {
             .iter()
             .enumerate()
             .zip(bent)
-            .filter(|((_, (interval, _)), bent)| interval.halvings < HALVINGS && (*bent || interval.long));
+            .filter(|((_, (interval, _)), bent)| interval.length() > SHORTEST && (*bent || interval.long));
         halves
             .flat_map(|((number, (interval, time)), _)| {
                 let middle = Sample { time: *time, moment: first + number };
-                let half = Interval { halvings: interval.halvings + 1, long: false, ..*interval };
+                let half = Interval { long: false, ..*interval };
                 [Interval { to: middle, ..half }, Interval { from: middle, ..half }]
             })
             .collect()

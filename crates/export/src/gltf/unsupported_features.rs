@@ -31,9 +31,9 @@ pub enum UnsupportedFeature {
         /// The light's name.
         name: String,
     },
-    /// The muscles have so many vertices that fewer shapes of them are kept than their movement needs.
+    /// The muscles have so many vertices, or clips so many keys, that fewer shapes or moments of them are kept than their movement needs.
     Shapes {
-        /// How many a clip; none = they keep one shape.
+        /// How many shapes a muscle has at most; none = they keep one shape.
         kept: usize,
     },
     /// A clip that starts before zero; its times are moved.
