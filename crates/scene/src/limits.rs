@@ -81,8 +81,8 @@ pub const MUSCLES: usize = 1_000;
 pub const JOINTS: usize = 64;
 /// Most vertices that the surfaces of all muscles of a document have together: nodes times muscles times the corners of a ring.
 pub const MUSCLE_VERTICES: usize = 2_000_000;
-/// Most vertices of all shapes together that muscles are kept in when a document is converted.
-pub const SHAPE_VERTICES: usize = 8_000_000;
+/// Most vertices of all shapes together that muscles are kept in when a document is converted; each takes 24 bytes.
+pub const SHAPE_VERTICES: usize = 12_000_000;
 /// Largest side of a picture, pixels.
 pub const PICTURE_SIDE: u32 = 16_384;
 /// Most worker threads of the renderer.

@@ -210,7 +210,7 @@ fn write_weights(node: usize, shapes: &AnimatedShapes, animations: &mut [Animati
     for (keys, animation) in shapes.keys.iter().zip(animations).filter(|(keys, _)| !keys.is_empty()) {
         let times: Vec<f32> = keys.iter().map(|(time, _)| *time).collect();
         let rows = keys.iter().filter_map(|(_, moment)| shapes.basis.weights.get(*moment));
-        let values: Vec<f32> = rows.flatten().copied().collect();
+        let values: Vec<f32> = rows.flatten().map(|weight| weight + 0.0).collect();
         let (input, output) = (buffer.scalars(&times, true), buffer.scalars(&values, false));
         animation.add(node, "weights", input, output, "LINEAR");
     }
