@@ -84,8 +84,8 @@ pub(super) fn thin(count: usize, most: f32, off: &dyn Fn(usize, usize, usize) ->
     let mut open = vec![(0, last)];
     while let Some((from, to)) = open.pop() {
         let worst = (from + 1..to).map(|between| (off(from, to, between), between)).max_by(|a, b| a.0.total_cmp(&b.0));
-        // Written so that what is no number stays.
-        if let Some((_, at)) = worst.filter(|(worst, _)| !(*worst <= most)) {
+        // What is no number stays.
+        if let Some((_, at)) = worst.filter(|(worst, _)| *worst > most || worst.is_nan()) {
             kept.push(at);
             open.extend([(from, at), (at, to)]);
         }

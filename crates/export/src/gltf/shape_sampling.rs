@@ -91,7 +91,7 @@ impl Interval {
     fn middle(&self) -> Option<KeyTime> {
         let written = self.from.time.written + (self.to.time.written - self.from.time.written) * 0.5;
         let inside = written > self.from.time.written && written < self.to.time.written;
-        inside.then(|| KeyTime { at: self.from.time.at + (self.to.time.at - self.from.time.at) * 0.5, written })
+        inside.then_some(KeyTime { at: self.from.time.at + (self.to.time.at - self.from.time.at) * 0.5, written })
     }
 }
 
