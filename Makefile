@@ -15,7 +15,7 @@ ICONS = $(SHARE)/icons/hicolor
 MIME_CACHES := XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses treemagic types version
 COMPLETIONS = "$(SHARE)/bash-completion/completions/sinew" "$(SHARE)/zsh/site-functions/_sinew" "$(SHARE)/fish/vendor_completions.d/sinew.fish"
 
-.PHONY: run build test test-newer soak monkey shots bench fuzz install uninstall deb clean refresh clips
+.PHONY: run build test test-newer soak monkey shots plots bench fuzz install uninstall deb clean refresh clips
 
 # The window starts with this biceps; without a display it is drawn instead.
 START := configs/biceps-measured.yaml
@@ -78,6 +78,11 @@ shots:
 	@resources/setup.sh test
 	SINEW_SHOTS="$(CURDIR)/out/shots" $(CARGO) test --locked --test window -- --ignored --nocapture main_views
 	@echo "The pictures are in $(CURDIR)/out/shots"
+
+# The plot of the README: the moment arms of the presets over those of Arm26.
+PRESETS := configs/biceps-human-wrapped.yaml configs/brachialis-human.yaml configs/triceps-human.yaml
+plots: build
+	$(BINARY) measure $(PRESETS) --sweep 0:130:1 --plot resources/pictures/moment-arms.png --published --force
 
 # Set beside two rasterizers in Rust, beside assimp and f3d where they are installed, and beside Mesa's llvmpipe where Mesa and Python are.
 PEERS := $(TARGET)/peers

@@ -160,17 +160,18 @@ fn measure() -> Command {
     page(
         "measure",
         "cli-about-measure",
-        "sinew measure FILE [OPTIONS]",
+        "sinew measure FILE… [OPTIONS]",
         &[
             ("sinew measure biceps.yaml --angles 0,30,60,90", "cli-example-measure"),
             ("sinew measure biceps.yaml --sweep 0:120:5 --csv > biceps.csv", "cli-example-measure-csv"),
             ("sinew measure biceps.yaml --compare radii.csv", "cli-example-measure-compare"),
             ("sinew measure arm-muscles.yaml --times 0:4:0.1 --csv", "cli-example-measure-times"),
             ("sinew measure biceps.yaml --plot biceps.svg", "cli-example-measure-plot"),
+            ("sinew measure biceps.yaml triceps.yaml --plot arms.svg --published", "cli-example-measure-published"),
             ("sinew measure walk.dae --joints --csv > joints.csv", "cli-example-measure-joints"),
         ],
     )
-    .arg(file())
+    .arg(files("cli-arg-measure-files").num_args(1..).required(true))
     .arg(option("angles", "DEG,DEG,…", arg_parsers::angles, "cli-arg-angles", heading).allow_hyphen_values(true).conflicts_with("sweep"))
     .arg(option("sweep", "FROM:TO:STEP", arg_parsers::sweep, "cli-arg-sweep", heading).allow_hyphen_values(true))
     .arg(option("joint", "NAME", clap::value_parser!(String), "cli-arg-joint", heading).conflicts_with_all(["over-time", "compare"]))
@@ -195,6 +196,7 @@ fn measure() -> Command {
             .value_hint(clap::ValueHint::FilePath),
     )
     .arg(number("scale", "K", arg_parsers::number_within(0.1, 8.0), "cli-arg-plot-scale", heading).requires("plot"))
+    .arg(flag("published", "cli-arg-published", heading).requires("plot").conflicts_with_all(["over-time", "joint"]))
     .arg(flag("force", "cli-arg-force", heading))
 }
 

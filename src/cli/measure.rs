@@ -16,8 +16,10 @@ use super::progress::install_interrupt_handler;
 use super::text_table::columns;
 use super::{files, joints, value};
 use crate::document::{Document, ImageLoading, OpenOptions, PoseState};
+use crate::export::plot::Page;
 use crate::export::tables::{
-    JointTable, MeasureTable, MuscleTable, PLOT_SCALE, TableError, TableFormat, TableSubject, UnknownJoint, even_times, unit_label,
+    JointTable, MeasureTable, MuscleTable, PLOT_SCALE, PlotFormat, TableError, TableFormat, TableSubject, UnknownJoint, even_times,
+    save_page, unit_label,
 };
 use crate::formats::SCENE_READERS;
 use crate::i18n::{self, Sentence, decimal};
@@ -31,8 +33,14 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     let files = files(given);
     let document =
         Document::open_with(&files, OpenOptions { images: ImageLoading::Locate, ..OpenOptions::new(SCENE_READERS) }, &Progress::default())?;
-    let sheet = MeasureReport { given, guard: OverwriteGuard::of_files(&files).and(document.files()) };
     let file = files.first().cloned().unwrap_or_default();
+    let name = files.iter().map(|file| display_name(file)).collect::<Vec<_>>().join(", ");
+    let sheet = MeasureReport {
+        given,
+        guard: OverwriteGuard::of_files(&files).and(document.files()),
+        name: name.clone(),
+        unit_metres: document.muscle_files().next().map_or(0.001, |file| file.unit_metres),
+    };
     if given.get_flag("joints") {
         // A file without joints is to be told so, whether it has a clip or not.
         if TableError::check(TableSubject::Joints, &document, &document.start_state(), DEFAULT_FPS) == Err(TableError::NoJoint) {
@@ -48,6 +56,9 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     if document.muscle_count() == 0 {
         return Err(Failure::file(&file, TableError::NoMuscle.sentence()));
     }
+    if !has_one_unit(&document) {
+        return Err(Failure::usage(tr!("cli-measure-units-differ")));
+    }
     if let Some(csv) = value::<PathBuf>(given, "compare") {
         let comparison = CompareReport::of(&document, &file, &csv)?;
         return if given.get_flag("json") {
@@ -60,7 +71,7 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
     }
     if given.contains_id("times") {
         let (state, times) = times(given, &document, &file)?;
-        let table = MuscleTable::over_time(&document, display_name(&file), &state, &times);
+        let table = MuscleTable::over_time(&document, name, &state, &times);
         return sheet.answer(&MeasureTable::Muscles(table.map_err(|error| table_failure(error, &file))?));
     }
     let angles = value::<Angles>(given, "angles").or_else(|| value::<Angles>(given, "sweep")).map(|angles| angles.0);
@@ -81,16 +92,27 @@ pub(super) fn run(given: &ArgMatches) -> Result<(), Failure> {
         return sheet.answer(&table);
     }
     let joint = value::<String>(given, "joint");
-    let table = MuscleTable::over_joint(&document, display_name(&file), joint.as_deref(), angles.as_deref());
+    let table = MuscleTable::over_joint(&document, name, joint.as_deref(), angles.as_deref());
     let table = table.map_err(|error| unknown_joint(&error, &file))?;
     let table = table.ok_or_else(|| Failure::usage(tr!("cli-no-arm-to-measure", file = display_name(&file))))?;
     sheet.answer(&MeasureTable::Muscles(table))
+}
+
+/// Whether all muscle files give lengths in the same unit, which a table has one of.
+fn has_one_unit(document: &Document) -> bool {
+    let mut units = document.muscle_files().map(|file| file.unit_metres);
+    let first = units.next();
+    units.all(|unit| Some(unit) == first)
 }
 
 /// How a table is to be answered.
 struct MeasureReport<'a> {
     given: &'a ArgMatches,
     guard: OverwriteGuard,
+    /// What the files are called.
+    name: String,
+    /// Metres a unit of the muscle files.
+    unit_metres: f64,
 }
 
 impl MeasureReport<'_> {
@@ -115,12 +137,28 @@ impl MeasureReport<'_> {
     fn draw(&self, table: &MeasureTable, out: &Path) -> Result<(), Failure> {
         let form = TableFormat::of_plot(out).ok_or_else(|| wrong_extension(out, "cli-plot-ending"))?;
         refuse_number_pattern(out)?;
+        let scale = value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE);
+        let published = self.given.get_flag("published").then(|| self.published_page(table)).transpose()?;
         let target = self.guard.output(out)?;
         allow_overwriting(self.given, std::iter::once(out.to_owned()))?;
         install_interrupt_handler();
-        table.save(&target, form, value::<f64>(self.given, "scale").unwrap_or(PLOT_SCALE), i18n::sentence)?;
+        match published {
+            Some(page) => save_page(&page, &target, if form == TableFormat::Png { PlotFormat::Png { scale } } else { PlotFormat::Svg })?,
+            None => table.save(&target, form, scale, i18n::sentence)?,
+        }
         print_verbose([tr!("cli-export-written", out = output_name(out))]);
         Ok(())
+    }
+}
+
+impl MeasureReport<'_> {
+    /// Moment arms beside published ones.
+    fn published_page(&self, table: &MeasureTable) -> Result<Page, Failure> {
+        let page = match table {
+            MeasureTable::Muscles(table) => table.published_page(self.unit_metres, i18n::sentence),
+            MeasureTable::Joints(_) => None,
+        };
+        page.ok_or_else(|| Failure::usage(tr!("cli-measure-none-published", file = self.name.clone())))
     }
 }
 

@@ -57,7 +57,10 @@ fn help_names_every_option_of_the_contract() {
     for command in ["render", "export"] {
         options(command, &["--force", "-q", "--quiet", "-v", "--verbose"]);
     }
-    options("measure", &["--angles", "--sweep", "--times", "--joints", "--compare", "--csv", "--json", "--plot", "--scale", "--force"]);
+    options(
+        "measure",
+        &["--angles", "--sweep", "--times", "--joints", "--compare", "--csv", "--json", "--plot", "--scale", "--published", "--force"],
+    );
 }
 
 /// Wrong calls with a part of what is said about each.

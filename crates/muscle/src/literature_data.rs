@@ -90,6 +90,23 @@ pub const ARM26_BRACHIALIS: Published = Published {
     ],
 };
 
+/// Muscles by the words that names of theirs have, and the moment arms about the elbow that were published of each.
+const MOMENT_ARMS: [(&[&str], &[Published]); 3] = [
+    (&["biceps", "бицепс"], &[ARM26_BICEPS, MURRAY_2000]),
+    (&["triceps", "трицепс"], &[ARM26_TRICEPS]),
+    (&["brachialis", "плечевая"], &[ARM26_BRACHIALIS]),
+];
+/// Words of names of other muscles: of the thigh, of the calf, of the forearm.
+const ELSEWHERE: [&str; 6] = ["femoris", "surae", "бедра", "голени", "лучевая", "плечелучевая"];
+
+/// What was published of the moment arm about the elbow of a muscle with this name; nothing where the name is of no such muscle.
+pub fn moment_arms(muscle: &str) -> &'static [Published] {
+    let name = muscle.to_lowercase();
+    let has = |words: &[&str]| name.split(|letter: char| !letter.is_alphanumeric()).any(|word| words.contains(&word));
+    let found = MOMENT_ARMS.iter().find(|(words, _)| has(words) && !has(&ELSEWHERE));
+    found.map_or(&[], |(_, published)| published)
+}
+
 /// Radii that were measured on a biceps at four angles, as [`super::validation::Table::parse`] reads them; the source stands in its first lines.
 pub const MEASURED_RADII: &str = include_str!("../presets/biceps-radii.csv");
 
@@ -116,6 +133,22 @@ impl Published {
         match inside().count() {
             0 => None,
             count => Some((squares / count as f64).sqrt()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn moment_arms_are_found_by_the_name_of_the_muscle() {
+        let names = |muscle: &str| moment_arms(muscle).iter().map(|published| published.name).collect::<Vec<_>>();
+        assert_eq!(names("Biceps"), ["Arm26 biceps", "Murray 2000"]);
+        assert_eq!((names("left triceps-2"), names("Brachialis")), (vec!["Arm26 triceps"], vec!["Arm26 brachialis"]));
+        assert_eq!(names("Трицепс"), ["Arm26 triceps"]);
+        for other in ["", "Biceps femoris", "Triceps surae", "bicepsoid", "Deltoid"] {
+            assert!(names(other).is_empty(), "{other}");
         }
     }
 }

@@ -24,6 +24,7 @@ cli-help-closing = Exit code: 0 = done, 1 = a file could not be used, 2 = the ca
 
 cli-arg-files = Files to open side by side in one scene
 cli-arg-file = The file: .dae, .zae or .yaml
+cli-arg-measure-files = Files to measure; lengths of several must be in the same unit
 cli-arg-check-files = Files to read
 cli-arg-render-files = Files to draw, side by side in one scene
 cli-arg-command = The command whose help is shown
@@ -319,6 +320,10 @@ table-no-joint = This file has no joint, so nothing can be measured.
 table-too-long = The table would have more than { NUMBER($limit, useGrouping: 0) } rows; choose fewer times.
 cli-arg-plot = Draw the curves to a .png or .svg file; without angles or times: for each degree, or over the clip
 cli-arg-plot-scale = Scale factor of a .png, relative to a width of 848 pixels, 0.1 to 8; default: 2
+cli-arg-published = Draw the moment arm of each muscle alone, with published ones of biceps, triceps or brachialis behind it
+cli-measure-none-published = “{ $file }” has no muscle of an elbow whose moment arm was published: one that is called biceps, triceps or brachialis.
+cli-measure-units-differ = The files give lengths in different units; measure them one by one.
+cli-example-measure-published = moment arms over those of Arm26
 cli-example-measure-plot = length, moment arm, radius and volume as curves
 cli-plot-ending = { $out }: the name must end in .png or .svg.
 plot-flexion = flexion, °

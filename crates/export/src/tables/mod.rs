@@ -11,6 +11,7 @@ use sinew_engine::output::Output;
 use sinew_engine::output::write_atomic;
 
 use super::ExportError;
+use super::plot::Page;
 use sinew_engine::document::{Document, PoseState};
 use sinew_muscle::MuscleRig;
 use sinew_scene::limits;
@@ -93,19 +94,39 @@ impl MeasureTable {
     /// # Errors
     /// [`ExportError`] where the file cannot be written, or a plot in pixels cannot be drawn.
     pub fn save(&self, file: &Output, form: TableFormat, scale: f64, say: Translate) -> Result<(), ExportError> {
-        let drawn = match form {
-            TableFormat::Png => self.page(say).png(scale).map_err(|why| ExportError::Plot { file: file.file().to_owned(), why })?,
-            TableFormat::Svg => self.page(say).svg().into_bytes(),
-            TableFormat::Csv | TableFormat::Json => Vec::new(),
-        };
-        Ok(write_atomic(file, |out| match (form, self) {
-            (TableFormat::Png | TableFormat::Svg, _) => out.write_all(&drawn),
-            (TableFormat::Csv, Self::Muscles(table)) => out.write_all(table.csv().as_bytes()),
-            (TableFormat::Csv, Self::Joints(table)) => out.write_all(table.csv().as_bytes()),
-            (TableFormat::Json, Self::Muscles(table)) => json(out, table),
-            (TableFormat::Json, Self::Joints(table)) => json(out, table),
-        })?)
+        Ok(match (form, self) {
+            (TableFormat::Png, _) => save_page(&self.page(say), file, PlotFormat::Png { scale })?,
+            (TableFormat::Svg, _) => save_page(&self.page(say), file, PlotFormat::Svg)?,
+            (TableFormat::Csv, Self::Muscles(table)) => write_atomic(file, |out| out.write_all(table.csv().as_bytes()))?,
+            (TableFormat::Csv, Self::Joints(table)) => write_atomic(file, |out| out.write_all(table.csv().as_bytes()))?,
+            (TableFormat::Json, Self::Muscles(table)) => write_atomic(file, |out| json(out, table))?,
+            (TableFormat::Json, Self::Joints(table)) => write_atomic(file, |out| json(out, table))?,
+        })
     }
+}
+
+/// How a page of plots is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PlotFormat {
+    /// In pixels, so many a logical pixel.
+    Png {
+        /// See [`PLOT_SCALE`].
+        scale: f64,
+    },
+    /// Sharp at any size.
+    Svg,
+}
+
+/// Writes a page of plots to `file` atomically.
+///
+/// # Errors
+/// [`ExportError`] where the file cannot be written, or a plot in pixels cannot be drawn.
+pub fn save_page(page: &Page, file: &Output, format: PlotFormat) -> Result<(), ExportError> {
+    let drawn = match format {
+        PlotFormat::Png { scale } => page.png(scale).map_err(|why| ExportError::Plot { file: file.file().to_owned(), why })?,
+        PlotFormat::Svg => page.svg().into_bytes(),
+    };
+    Ok(write_atomic(file, |out| out.write_all(&drawn))?)
 }
 
 fn json(out: &mut impl Write, table: &impl serde::Serialize) -> io::Result<()> {

@@ -39,7 +39,7 @@ pub struct MuscleRows {
 }
 
 /// One row of a measurement; lengths are in the file's unit.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, Default, Serialize)]
 pub struct MuscleRow {
     /// Seconds on the clip's axis, where the measurement is one over time.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,7 +1,8 @@
 //! Tables as plots.
 
 use super::{JointRow, JointTable, MeasureTable, MuscleRow, MuscleRows, MuscleTable};
-use crate::plot::{Page, Plot, PlotCurve};
+use crate::plot::{Page, Plot, PlotCurve, Series};
+use sinew_muscle::literature_data::{self, Published};
 use sinew_scene::OwnedLabel;
 use sinew_scene::message;
 use sinew_scene::message::{Message, ToMessage};
@@ -76,6 +77,35 @@ impl MuscleTable {
     }
 }
 
+impl MuscleTable {
+    /// The moment arm of each muscle over the angle of its joint, with what was published of a muscle of its name on the same axes; `None` where that is
+    /// nothing, or there is no angle. `metres` is the length of the table's unit.
+    pub fn published_page(&self, metres: f64, say: Translate) -> Option<Page> {
+        // Centimetres to the table's unit.
+        let scale = 0.01 / metres;
+        let of_muscle = |muscle: &MuscleRows| {
+            let name = muscle.name.to_string();
+            let series = |published: &Published| Series {
+                name: published.name.to_owned(),
+                points: published.points.iter().map(|[angle, arm]| (*angle, arm * scale)).collect(),
+            };
+            let reference_series: Vec<Series> = literature_data::moment_arms(&name).iter().map(series).collect();
+            let point = |row: &MuscleRow| Some((row.angle?, row.moment_arm?));
+            let points: Vec<(f64, f64)> = muscle.samples.iter().filter_map(point).collect();
+            let (up, across) = (message!("cli-measure-moment-arm", unit = unit_label(&self.unit)), message!("cli-measure-angle"));
+            let curves = vec![(String::new(), points)];
+            (!reference_series.is_empty() && curves.iter().any(|(_, points)| points.len() > 1)).then(|| Plot {
+                name,
+                reference_series,
+                reference_color: COLORS[1],
+                ..plot(say(&up), say(&across), curves, 0.0)
+            })
+        };
+        let plots: Vec<Plot> = self.muscles.iter().filter_map(of_muscle).collect();
+        (!plots.is_empty()).then(|| Page { sections: vec![(self.file.clone(), plots)] })
+    }
+}
+
 impl JointTable {
     /// Flexion and turn over time, of the joints that move most where there are many.
     fn page(&self, say: Translate) -> Page {
@@ -133,6 +163,27 @@ mod tests {
         }
         let volumes = &plots[3].points;
         assert!(volumes.iter().all(|(_, volume)| (volume - volumes[0].1).abs() < 1e-9 * volumes[0].1));
+    }
+
+    #[test]
+    fn published_moment_arms_stand_behind_those_of_a_muscle_of_their_name() {
+        let row = |angle: f64, arm: f64| MuscleRow { angle: Some(angle), moment_arm: Some(arm), ..MuscleRow::default() };
+        let muscle = |name: &str| MuscleRows { name: OwnedLabel::Name(name.into()), samples: vec![row(0.0, 9.0), row(130.0, 40.0)] };
+        let table = |names: &[&str]| MuscleTable {
+            file: "f".into(),
+            unit: "mm".into(),
+            joint: None,
+            muscles: names.iter().map(|name| muscle(name)).collect(),
+        };
+        let page = table(&["Biceps", "Deltoid", "Triceps"]).published_page(0.001, sinew_i18n::sentence).expect("a page");
+        let [(_, plots)] = &page.sections[..] else { panic!("one section") };
+        let names: Vec<&str> = plots.iter().map(|plot| plot.name.as_str()).collect();
+        assert_eq!(names, ["Biceps", "Triceps"]);
+        assert_eq!(plots[0].points, [(0.0, 9.0), (130.0, 40.0)]);
+        let first = &plots[0].reference_series[0];
+        // 0.94 cm at 0° in Arm26, in millimetres.
+        assert!(first.points[0].0 == 0.0 && (first.points[0].1 - 9.4).abs() < 1e-12 && first.points.len() == 14);
+        assert!(table(&["Deltoid"]).published_page(0.001, sinew_i18n::sentence).is_none());
     }
 
     #[test]
