@@ -142,6 +142,36 @@ fn plots_are_drawn_in_any_size_and_language() {
 }
 
 #[test]
+fn moment_arms_are_drawn_over_published_ones() {
+    let folder = folder();
+    let svg = folder.path().join("a.svg");
+    let [biceps, triceps] = ["biceps-human-wrapped.yaml", "triceps-human.yaml"].map(config);
+    let call = ["measure", arg(&biceps), arg(&triceps), "--sweep", "0:130:1", "--published", "--plot", arg(&svg)];
+    assert_eq!(sinew(call).well(), "");
+    let (lines, words) = read_svg(&std::fs::read_to_string(&svg).expect("there"));
+    for word in ["— Biceps", "- - Arm26 biceps", "○ Murray 2000", "— Triceps", "- - Arm26 triceps"] {
+        assert!(words.iter().any(|found| found == word), "{word} is not in {words:?}");
+    }
+    assert_eq!(words.iter().filter(|word| *word == "moment arm, mm").count(), 2);
+    assert!(!words.iter().any(|word| word == "belly, mm"));
+    // A point a degree of each muscle, and one a ten degrees of Arm26, over the same width.
+    let of = |count: usize| lines.iter().filter(|points| points.len() == count).collect::<Vec<_>>();
+    assert_eq!((of(131).len(), of(14).len()), (2, 2));
+    for (own, published) in of(131).into_iter().zip(of(14)) {
+        assert!((own[0].0 - published[0].0).abs() < 0.1 && (own[130].0 - published[13].0).abs() < 0.1);
+    }
+    let other = folder.path().join("deltoid.yaml");
+    let text = std::fs::read_to_string(&biceps).expect("there");
+    std::fs::write(&other, text.replace("name: Biceps", "name: Deltoid")).expect("written");
+    let out = folder.path().join("b.svg");
+    assert!(sinew(["measure", arg(&other), "--published", "--plot", arg(&out)]).refused(2).contains("biceps"));
+    sinew(["measure", arg(&biceps), "--published"]).refused(2);
+    std::fs::write(&other, text.replace("unit: mm", "unit: cm")).expect("written");
+    assert!(sinew(["measure", arg(&biceps), arg(&other)]).refused(2).contains("units"));
+    assert!(!out.exists());
+}
+
+#[test]
 fn plots_that_cannot_be_are_told() {
     let folder = folder();
     let file = config("biceps.yaml");

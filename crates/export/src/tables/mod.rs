@@ -94,14 +94,15 @@ impl MeasureTable {
     /// # Errors
     /// [`ExportError`] where the file cannot be written, or a plot in pixels cannot be drawn.
     pub fn save(&self, file: &Output, form: TableFormat, scale: f64, say: Translate) -> Result<(), ExportError> {
-        Ok(match (form, self) {
+        match (form, self) {
             (TableFormat::Png, _) => save_page(&self.page(say), file, PlotFormat::Png { scale })?,
             (TableFormat::Svg, _) => save_page(&self.page(say), file, PlotFormat::Svg)?,
             (TableFormat::Csv, Self::Muscles(table)) => write_atomic(file, |out| out.write_all(table.csv().as_bytes()))?,
             (TableFormat::Csv, Self::Joints(table)) => write_atomic(file, |out| out.write_all(table.csv().as_bytes()))?,
             (TableFormat::Json, Self::Muscles(table)) => write_atomic(file, |out| json(out, table))?,
             (TableFormat::Json, Self::Joints(table)) => write_atomic(file, |out| json(out, table))?,
-        })
+        }
+        Ok(())
     }
 }
 
