@@ -9,7 +9,7 @@ use sinew::document::Document;
 use sinew::formats::SCENE_READERS;
 use sinew::i18n::{Language, Sentence, finding_line};
 use sinew::muscle::presets::{PRESETS, Preset};
-use sinew::muscle::{MuscleFile, MuscleRig};
+use sinew::muscle::{Finding, MuscleFile, MuscleRig};
 use sinew::progress::Progress;
 use sinew::scene::{Label, MuscleId, Node, NodeId, NodeKind, Scene, Transform, TransformOp, Unnamed};
 
@@ -92,6 +92,38 @@ fn the_triceps_straightens_the_elbow_at_every_angle() {
     }
     for preset in PRESETS {
         assert!(alone(preset.yaml).findings().is_empty(), "{}", preset.id);
+    }
+}
+
+#[test]
+fn the_tendon_of_the_triceps_lies_round_the_elbow() {
+    const PLACES: usize = 300;
+    let yaml = Preset::by_id("triceps").unwrap().yaml;
+    let mut scene = Scene::default();
+    let rig = MuscleRig::build(&MuscleFile::parse(yaml).unwrap(), "stage", &mut scene, MuscleId(0));
+    let mut before: Option<Vec<DVec3>> = None;
+    for angle in quarters(0.0, 150.0) {
+        let mut pose = Pose::rest(&scene);
+        rig.apply(rig.at_flexion(angle), &mut pose);
+        let (mut local, mut world) = (Vec::new(), Vec::new());
+        pose.locals(&mut local);
+        scene.graph.world_from_local(&local, &mut world);
+        let solved = rig.solve(0, rig.at_flexion(angle), &world);
+        let (line, length) = (solved.centerline(), solved.line_of_action().length);
+        assert!((line.length() - length).abs() < 1e-9 * length, "{angle}°");
+        let places: Vec<DVec3> = (0..=PLACES).map(|place| line.frame_at(length * place as f64 / PLACES as f64).position).collect();
+        // The elbow's ball has 1.35 times the rods' radius of 8 mm, the tendon 4 mm.
+        let elbow = world[rig.joint().unwrap().node.index()].w_axis.truncate() * 1000.0;
+        let nearest = places.iter().map(|place| place.distance(elbow)).fold(f64::INFINITY, f64::min);
+        assert!(nearest > 1.35 * 8.0 + 4.0, "{angle}°: {nearest} mm from the middle of the elbow");
+        if angle > 100.0 {
+            assert!(nearest > 20.9, "{angle}°: {nearest} mm, inside of the wrap sphere");
+        }
+        if let Some(before) = &before {
+            let moved = places.iter().zip(before).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+            assert!(moved < 1.0, "{angle}°: {moved} mm in a quarter of a degree");
+        }
+        before = Some(places);
     }
 }
 
@@ -206,6 +238,26 @@ impl Limb {
 
 fn grid() -> impl Strategy<Value = [i32; 3]> {
     (-1..3_i32, -6..0_i32, -1..2_i32).prop_map(|(x, y, z)| [x * 10, y * 40, z * 10])
+}
+
+#[test]
+fn a_belly_that_leaves_the_bone_bow_strings_and_a_via_point_holds_it() {
+    let found = |via: &str| {
+        let yaml = format!(
+            "joint: {{bone: fore, axis: [0, 0, 1], range: [0, 120]}}\nmuscles:\n  - {{length: 200, radii: [4, 12, 16, 4], growth: [0, 1, 1.5, 0], \
+             origin: {{bone: upper, offset: [25, -20, 0]}}, insertion: {{bone: fore, offset: [10, -60, 0]}}{via}, \
+             tendons: {{origin: {{length: 40, radius: 3}}, insertion: {{length: 100, radius: 3}}}}}}\n"
+        );
+        let limb = Limb { above: DMat4::IDENTITY, own: [DVec3::ONE; 2], rest: 0.0, unit: 1.0, yaml, angle: 0.0 };
+        let (mut scene, _) = limb.scene();
+        let mut rig = MuscleRig::build(&MuscleFile::parse(&limb.yaml).unwrap(), "muscle", &mut scene, MuscleId(0));
+        rig.attach(&scene).into_iter().filter(|found| found.code() == "muscle-bow-strings").map(|found| found.finding).collect::<Vec<_>>()
+    };
+    let [Finding::BowStrings { rest, most, angle }] = found("")[..] else { panic!("one finding") };
+    assert!(most > rest + 15.0 && (0.0..=120.0).contains(&angle) && angle > 60.0, "{rest} to {most} mm at {angle}°");
+    // 25 mm beside the bone at rest, and so all the time where a point above the elbow holds the line there.
+    assert!((15.0..30.0).contains(&rest), "{rest}");
+    assert!(found(", via: [{bone: upper, offset: [25, -240, 0]}]").is_empty());
 }
 
 proptest! {
