@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use glam::DVec3;
-use sinew::scene::{Frame, Surface};
+use sinew::scene::Surface;
 
 /// A surface in a pose.
 pub(crate) struct Shape {
@@ -100,11 +100,6 @@ fn clipped(polygon: &[DVec3], height: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
         }
     }
     kept
-}
-
-/// The surfaces of a frame that muscles lie in.
-pub(crate) fn skins(frame: &Frame) -> Vec<usize> {
-    (0..frame.surfaces.len()).filter(|index| frame.surfaces[*index].skin).collect()
 }
 
 /// The number of pairs of triangles that cross each other and share no point. Points at one place count as one.

@@ -17,10 +17,14 @@ const SMOOTHED: f32 = 0.0005;
 const FORGOTTEN: f32 = 16.0;
 /// The directions of cross-sections whose values are less than this below the largest are blended, metres.
 const BLENDED: f32 = 0.008;
+/// A cross-section is thick from this half axis on, in full from twice that, metres.
+const THICK: f32 = 0.006;
+/// Tangent of the angle by which skin moves to the side beside a thick cross-section.
+const TILT: f32 = 0.5;
 /// Where the mean of blended directions is shorter than this, they do not agree.
 const AGREED: f32 = 0.7;
 /// Points deeper than this below a cross-section belong to another side of the limb, metres.
-const DEEP: f32 = 0.03;
+const DEEP: f32 = 0.022;
 /// Over this distance penalties set in, metres.
 const SET_IN: f32 = 0.01;
 /// What a point lacks is not told apart below minus this, metres.
@@ -77,6 +81,16 @@ fn lack_over(station: &Station, point: Vec3, edge: f32, scale: f32) -> (f32, f32
     (tent(q, station.height, across) - height - deep - station.doubt, outside)
 }
 
+/// Where a point moves to clear a cross-section: outward, and beside a thick belly a little to its side.
+fn direction(station: &Station, point: Vec3, scale: f32) -> Vec3 {
+    let offset = point - station.center;
+    let beside = offset - station.along * offset.dot(station.along) - station.outward * offset.dot(station.outward);
+    let apart = beside.length();
+    let thick = smooth_step(station.height / (THICK * scale) - 1.0);
+    let tilt = TILT * smooth_step(2.0 * apart / station.across - 1.0) * thick;
+    if tilt > 0.0 { (station.outward + beside * (tilt / apart)).normalize_or_zero() } else { station.outward }
+}
+
 /// How far a point lacks to clear all of its cross-sections. `values` is working memory.
 pub(crate) fn lack(stations: &[Station], pairs: &[Pair], point: Vec3, edge: f32, scale: f32, values: &mut Vec<f32>) -> Lack {
     let tau = SMOOTHED * scale;
@@ -103,7 +117,7 @@ pub(crate) fn lack(stations: &[Station], pairs: &[Pair], point: Vec3, edge: f32,
             && let Some(station) = stations.get(pair.station as usize)
         {
             weights += weight * weight;
-            outward += station.outward * (weight * weight);
+            outward += direction(station, point, scale) * (weight * weight);
         }
     }
     // Between parts of a muscle that push to opposite sides, as in a fold, a point goes neither way.
