@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use glam::{DMat4, DVec3, Vec3};
-use sinew::document::{Document, PoseBuffers, PoseState, Skinning};
+use sinew::document::{Document, PoseBuffers, PoseState, SkinMotion, Skinning};
 use sinew::formats::SCENE_READERS;
 use sinew::progress::Progress;
 use sinew::scene::{
@@ -57,6 +57,32 @@ fn skinned() -> Document {
     document
 }
 
+/// Skin over muscles: what following them takes on top of the skeleton, over the range of the joint.
+fn following(path: &Path) {
+    let Ok(document) = Document::open(&[path], SCENE_READERS, &Progress::default()) else { return };
+    let Some(joint) = document.joint() else { return };
+    let median = |skin| {
+        let (mut buffers, mut frame) = (PoseBuffers::default(), Frame::default());
+        let mut times = Vec::new();
+        for step in 0..600 {
+            let share = f64::from(step) * 0.618_034 % 1.0;
+            let turn = joint.absolute(joint.range[0] + share * (joint.range[1] - joint.range[0]));
+            let state = PoseState { skin, ..PoseState::default().with_rotation(Some(turn)) };
+            document.pose(&state, &mut buffers, &mut frame);
+            times.push(buffers.times().deform_ms);
+        }
+        times.sort_by(f64::total_cmp);
+        times[times.len() / 2]
+    };
+    let took = median(SkinMotion::FollowsMuscles) - median(SkinMotion::Skeleton);
+    let bound = document.bound_vertices();
+    println!(
+        "{}: {took:.3} ms for {bound} vertices that follow muscles, {:.2} µs each",
+        path.file_name().unwrap_or_default().display(),
+        1e3 * took / bound.max(1) as f64
+    );
+}
+
 /// A figure as an exporter wrote it, at moments all over its clip: the time of the deformation alone, so that its few vertices don't carry the bones.
 fn figure(path: &Path) {
     let Ok(document) = Document::open(&[path], SCENE_READERS, &Progress::default()) else { return };
@@ -92,6 +118,9 @@ fn main() {
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let shared = std::env::var_os("SINEW_SHARED").map_or_else(|| root.join("../shared"), Into::into).join("models");
+    for name in ["curl-muscles.yaml", "atlas-muscles.yaml"] {
+        following(&root.join("configs").join(name));
+    }
     figure(&root.join("configs/walker.dae"));
     for name in ["walk.dae", "raptor_attack.dae", "cowboy.dae"] {
         figure(&shared.join(name));

@@ -60,6 +60,7 @@ fn every_finding_is_explained() {
         "muscle-bow-strings",
         "muscle-through-bone",
         "muscle-too-thick",
+        "muscle-outside-skin",
     ];
     let codes = sinew::collada::diagnostic_codes::ALL.iter().map(|(code, _)| *code).chain(others);
     let codes: Vec<&str> = codes.collect();

@@ -15,6 +15,8 @@ use crate::station::Station;
 const SMOOTHED: f32 = 0.0005;
 /// A value this much below the largest counts for nothing, times τ.
 const FORGOTTEN: f32 = 16.0;
+/// The height of a tent is at most so many times the longer half axis: √2, rounded up.
+const SLOPE: f32 = 1.4143;
 /// The directions of cross-sections whose values are less than this below the largest are blended, metres.
 const BLENDED: f32 = 0.008;
 /// A cross-section is thick from this half axis on, in full from twice that, metres.
@@ -63,12 +65,19 @@ fn tent(q: f32, height: f32, across_squared: f32) -> f32 {
 
 /// How far a point lacks to clear one cross-section, without layer and penalty, and how far it is outside of it along the ray from its centre. `edge` is the
 /// length of the skin's edges there.
-fn lack_over(station: &Station, point: Vec3, edge: f32, scale: f32) -> (f32, f32) {
+///
+/// Where neither can matter, both are infinite.
+fn lack_over(station: &Station, point: Vec3, edge: f32, layer: f32, scale: f32) -> (f32, f32) {
     let offset = point - station.center;
     let (along, height) = (offset.dot(station.along), offset.dot(station.outward));
     let sideways = (offset.length_squared() - along * along - height * height).max(0.0);
     let beyond = positive_part(along.abs() - 0.6 * station.half, 0.8 * station.half).powi(2);
     let (tall, wide) = (station.height * station.height, station.across * station.across);
+    // Above the plane through the middle a point lacks at most the top of the tent less its distance.
+    let most = SLOPE * station.height.max(station.across) + CHORD * edge + (layer + NO_MATTER) * scale;
+    if height > 0.0 && height * height + sideways + beyond > most * most {
+        return (f32::NEG_INFINITY, f32::INFINITY);
+    }
     // Straight above the middle every direction is as good as another.
     let least = 1e-4 * tall;
     let across = (sideways + beyond + least) / (sideways / wide + (beyond + least) / tall);
@@ -98,7 +107,7 @@ pub(crate) fn lack(stations: &[Station], pairs: &[Pair], point: Vec3, edge: f32,
     let (mut most, mut room) = (f32::NEG_INFINITY, 1.0);
     for pair in pairs {
         let Some(station) = stations.get(pair.station as usize) else { continue };
-        let (lacking, outside) = lack_over(station, point, edge, scale);
+        let (lacking, outside) = lack_over(station, point, edge, pair.layer, scale);
         let value = lacking + (pair.layer - pair.penalty) * scale;
         room *= smooth_step((outside - pair.layer * scale) / (FREE * scale));
         most = most.max(value);

@@ -17,7 +17,7 @@ const SOFT: f32 = 0.002;
 /// No point is moved farther than this to clear a muscle, metres.
 const FARTHEST: f32 = 0.08;
 /// With fewer points one thread does all.
-const ALONE: usize = 1500;
+const ALONE: usize = 3000;
 /// Where the mean normal of a point's triangles is shorter than this share of what it is on a flat surface at rest, it counts less.
 const STRAIGHT: f32 = 0.5;
 /// How often room is averaged over neighbours.

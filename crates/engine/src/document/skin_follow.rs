@@ -137,6 +137,14 @@ impl Document {
         (0..self.muscle_count()).filter(under).map(|index| MuscleId(index as u32)).collect()
     }
 
+    /// Number of vertices that follow muscles.
+    pub fn bound_vertices(&self) -> usize {
+        if !self.may_have_bound_skins() {
+            return 0;
+        }
+        self.bound_skins().bindings().map(|(_, binding)| binding.vertices().count()).sum()
+    }
+
     /// Whether a skin follows any muscle.
     pub fn has_muscles_under_skin(&self) -> bool {
         self.may_have_bound_skins() && self.bound_skins().bindings().next().is_some()

@@ -45,6 +45,7 @@ pub struct SessionState {
     /// Whether dual quaternions are blended.
     pub dual_quaternions: bool,
     /// Whether muscles move the skin over them; none = they do.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub skin_follows_muscles: Option<bool>,
     /// What is drawn and how.
     #[serde(flatten, skip_deserializing)]
