@@ -6,10 +6,11 @@
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 
-use super::bone_name_heuristics::{self, Side};
+use super::bone_name_heuristics::{self, BodyPart, Side};
 use super::config::JointSpec;
+use super::humanoid;
 use sinew_scene::animation::{Clip, Pose};
-use sinew_scene::{Graph, NodeId, NodeKind, Scene};
+use sinew_scene::{Graph, NodeId, Scene};
 
 /// Farthest that an elbow which was found is bent, degrees.
 const FLEXION: f64 = 150.0;
@@ -188,16 +189,7 @@ struct Segments {
 impl<'a> Skeleton<'a> {
     fn new(scene: &'a Scene, clips: &[Clip], skip: &[NodeId]) -> Self {
         let graph = &scene.graph;
-        let joints = graph.iter().any(|(id, node)| node.kind == NodeKind::Joint && !under(graph, id, skip));
-        let mut bones: Vec<bool> = Vec::with_capacity(graph.len());
-        let mut skipped: Vec<bool> = Vec::with_capacity(graph.len());
-        for (id, node) in graph.iter() {
-            let above = node.parent().is_some_and(|parent| skipped.get(parent.index()).copied().unwrap_or(false));
-            let skips = above || skip.contains(&id);
-            skipped.push(skips);
-            let kind = if joints { node.kind == NodeKind::Joint } else { node.kind == NodeKind::Node };
-            bones.push(kind && !skips);
-        }
+        let bones = humanoid::bone_flags(graph, skip);
         let (mut rest, mut local, mut moments) = (Vec::new(), Vec::new(), Vec::new());
         graph.world_from_local(&graph.rest_locals(), &mut rest);
         if clips.iter().any(|clip| clip.duration() > 0.0) {
@@ -220,7 +212,7 @@ impl<'a> Skeleton<'a> {
         let named = self.graph.iter().filter(|(id, _)| self.is_bone(*id)).filter_map(|(id, node)| {
             let meaning = [&node.name, &node.id, &node.sid]
                 .into_iter()
-                .filter_map(|name| bone_name_heuristics::forearm(name))
+                .filter_map(|name| bone_name_heuristics::names(name, BodyPart::Forearm))
                 .min_by_key(|m| m.rank)?;
             let parts = self.segments(id)?;
             // A bone without one below it is the last of its arm, or a helper.
@@ -299,7 +291,10 @@ impl<'a> Skeleton<'a> {
     fn front(&self, node: NodeId) -> DVec3 {
         let side_of = |id: NodeId| {
             let node = self.graph.node(id);
-            [&node.name, &node.id].into_iter().find_map(|name| bone_name_heuristics::forearm(name)).and_then(|meaning| meaning.side)
+            [&node.name, &node.id]
+                .into_iter()
+                .find_map(|name| bone_name_heuristics::names(name, BodyPart::Forearm))
+                .and_then(|meaning| meaning.side)
         };
         let other = self
             .graph
@@ -316,10 +311,7 @@ impl<'a> Skeleton<'a> {
     /// The nearest bones above and below that lie elsewhere; the node itself where there is none below. `None` where there is none above.
     fn segments(&self, node: NodeId) -> Option<Segments> {
         let here = place(&self.rest, node);
-        let apart = |id: NodeId| {
-            let there = place(&self.rest, id);
-            there.is_finite() && here.is_finite() && there.distance(here) > 1e-6 * (1e-3 + here.length().max(there.length()))
-        };
+        let apart = |id: NodeId| humanoid::are_apart(place(&self.rest, id), here);
         let mut above = self.graph.node(node).parent();
         while let Some(id) = above.filter(|id| !apart(*id)) {
             above = self.graph.node(id).parent();
@@ -368,10 +360,6 @@ impl<'a> Skeleton<'a> {
     fn is_bone(&self, id: NodeId) -> bool {
         self.bones.get(id.index()).copied().unwrap_or(false)
     }
-}
-
-fn under(graph: &Graph, id: NodeId, roots: &[NodeId]) -> bool {
-    std::iter::successors(Some(id), |id| graph.node(*id).parent()).any(|id| roots.contains(&id))
 }
 
 fn place(world: &[DMat4], id: NodeId) -> DVec3 {

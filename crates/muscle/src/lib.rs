@@ -57,7 +57,9 @@
 //! | `bones` | bones by name, and the points of a muscle on them in the world |
 //! | `retarget` | preset muscles fitted to the bones of a skeleton |
 //! | `revolute_joint` | the joint that measurements turn |
-//! | `joint_dof`, `bone_name_heuristics` | the elbow of any skeleton, or the joint that a file names |
+//! | `joint_dof` | the elbow of any skeleton, or the joint that a file names |
+//! | `bone_name_heuristics` | which part of a body a bone's name means |
+//! | `humanoid` | shoulders, elbows, wrists, hips, knees and ankles of figures of human build |
 //! | `measure`, `muscle_sample` | moment arms; a muscle as it was measured once |
 //! | `solver_report` | the figures behind a solution: coefficients, roots, limits |
 //! | `edit` | changes of a file by hand, each checked |
@@ -90,6 +92,7 @@ mod driving;
 pub mod edit;
 mod finding;
 mod flesh;
+mod humanoid;
 mod joint_dof;
 mod line_of_action;
 pub mod literature_data;
