@@ -32,7 +32,7 @@ pub fn command() -> Command {
     )
     .arg(help_flag())
     .subcommands(
-        [info(), check(), render(), export(), convert(), measure(), fit(), bench(), completions(), help()]
+        [info(), check(), render(), export(), convert(), measure(), fit(), attach(), bench(), completions(), help()]
             .map(|command| command.args([quiet(), verbose(), help_flag()])),
     )
 }
@@ -217,6 +217,24 @@ fn fit() -> Command {
     .arg(choice("model", &["growth", "poses"], "cli-arg-model", heading))
     .arg(flag("force", "cli-arg-force", heading))
     .arg(flag("json", "cli-arg-json", heading))
+}
+
+fn attach() -> Command {
+    let heading = "cli-heading-options";
+    page(
+        "attach",
+        "cli-about-attach",
+        "sinew attach FILE --set arm|leg|body -o OUT.yaml [OPTIONS]",
+        &[
+            ("sinew attach walk.dae --set leg -o walk-muscles.yaml", "cli-example-attach"),
+            ("sinew attach walk.dae --set body --side left -o left.yaml", "cli-example-attach-side"),
+        ],
+    )
+    .arg(file())
+    .arg(output("cli-arg-attach-output"))
+    .arg(choice("set", &["arm", "leg", "body"], "cli-arg-set", heading).required(true))
+    .arg(choice("side", &["left", "right", "both"], "cli-arg-side", heading))
+    .arg(flag("force", "cli-arg-force", heading))
 }
 
 fn bench() -> Command {

@@ -4,6 +4,7 @@
 //! 2 = the call was wrong.
 
 mod arg_parsers;
+mod attach;
 mod bench;
 mod check;
 mod command;
@@ -77,6 +78,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, opener: WindowOpener) 
         Some(("convert", given)) => finish(convert::run(given)),
         Some(("measure", given)) => finish(measure::run(given)),
         Some(("fit", given)) => finish(fit::run(given)),
+        Some(("attach", given)) => finish(attach::run(given)),
         Some(("bench", given)) => finish(bench::run(given)),
         Some(("completions", given)) => finish(completions::run(given)),
         Some(("help", given)) => finish(help(given)),

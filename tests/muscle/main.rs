@@ -1,5 +1,8 @@
 //! Muscles: the profile, the line of action, the surface, the YAML and its editing.
 
+#[path = "../support/mod.rs"]
+mod support;
+
 mod attach;
 mod config;
 mod demo_arm;
@@ -15,6 +18,7 @@ mod pennation;
 mod profile;
 mod save;
 mod schema;
+mod sets;
 
 use std::sync::{Mutex, PoisonError};
 

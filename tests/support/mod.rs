@@ -3,6 +3,7 @@
 //! Each test file includes this module and uses a part of it.
 #![allow(dead_code, reason = "each test target uses a part of it")]
 
+pub(crate) mod humanoid;
 pub(crate) mod models;
 pub(crate) mod obj;
 pub(crate) mod picture;

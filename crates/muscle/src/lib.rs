@@ -56,6 +56,7 @@
 //! | `driving` | the same for a joint of a clip's skeleton |
 //! | `bones` | bones by name, and the points of a muscle on them in the world |
 //! | `retarget` | preset muscles fitted to the bones of a skeleton |
+//! | [`sets`] | whole sets of muscles of published models on the bones of a figure |
 //! | `revolute_joint` | the joint that measurements turn |
 //! | `joint_dof` | the elbow of any skeleton, or the joint that a file names |
 //! | `bone_name_heuristics` | which part of a body a bone's name means |
@@ -114,6 +115,7 @@ mod retarget;
 mod revolute_joint;
 mod rounded_centerline;
 mod scaling;
+pub mod sets;
 mod solved_muscle;
 pub mod solver_report;
 mod tessellation;
@@ -133,6 +135,7 @@ pub use cross_sections::CrossSection;
 pub use driving::Driving;
 pub use edit::{Edit, EditError};
 pub use finding::{Finding, FoundAt, LinePoint, MomentArmAt};
+pub use humanoid::BodySide;
 pub use joint_dof::rotation;
 pub use joint_dof::{FoundBy, JointDof, JointRotation};
 pub use materials::fibers;

@@ -145,7 +145,7 @@ impl MuscleRig {
                 findings: &mut findings,
             };
             collector.is_lost = wraps.lost.is_some();
-            find_inert_wraps(&mut collector, revolute, line, &wraps);
+            find_inert_wraps(&mut collector, revolute, line, &samples, &wraps);
             if !self.is_schematic(muscle, line) {
                 find_bow_string(&mut collector, revolute, line, &samples, &self.bone_shapes);
             }
@@ -302,8 +302,10 @@ fn find_tight_bends(collector: &mut FindingCollector<'_>, revolute: &RevoluteJoi
 }
 
 /// Says where a wrap does nothing, or only as far as a point inside it lets it, and where no path was found round all.
-fn find_inert_wraps(collector: &mut FindingCollector<'_>, revolute: &RevoluteJoint, line: &Line, wraps: &WrapUse) {
-    let turns = revolute.range[1] - revolute.range[0] >= LEAST_RANGE;
+fn find_inert_wraps(collector: &mut FindingCollector<'_>, revolute: &RevoluteJoint, line: &Line, samples: &[AngleSample], wraps: &WrapUse) {
+    // A joint that does not move the muscle says nothing about its wraps.
+    let moves = samples.iter().any(|sample| sample.arm != 0.0);
+    let turns = moves && revolute.range[1] - revolute.range[0] >= LEAST_RANGE;
     for wrap in 0..line.wraps.len() {
         let deepest = wraps.deepest.get(wrap).copied().flatten();
         if let Some((number, depth, angle)) = deepest.filter(|(_, depth, _)| *depth > INSIDE * collector.muscle.shape.rest_length()) {

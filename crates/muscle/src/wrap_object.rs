@@ -119,11 +119,16 @@ pub(super) fn turned(rotation: DVec3) -> DMat3 {
     DMat3::from_quat(DQuat::from_euler(EulerRot::XYZ, x, y, z))
 }
 
-/// The angles of the frame with this z axis and an x axis near this one, degrees, in hundredths.
-pub(super) fn angles_of(x: DVec3, z: DVec3) -> DVec3 {
+/// The angles of the frame with this z axis and an x axis near this one, degrees.
+pub(super) fn euler_angles(x: DVec3, z: DVec3) -> DVec3 {
     let Some(frame) = orthonormal(z, x) else { return DVec3::ZERO };
     let (x, y, z) = DQuat::from_mat3(&frame).to_euler(EulerRot::XYZ);
-    (DVec3::new(x, y, z).map(f64::to_degrees) * 100.0).round() / 100.0 + DVec3::ZERO
+    DVec3::new(x, y, z).map(f64::to_degrees)
+}
+
+/// [`euler_angles`] in hundredths of a degree.
+pub(super) fn angles_of(x: DVec3, z: DVec3) -> DVec3 {
+    (euler_angles(x, z) * 100.0).round() / 100.0 + DVec3::ZERO
 }
 
 /// The frame whose z axis is along `z` and whose x axis is as near `x` as that allows; `None` where they tell none.

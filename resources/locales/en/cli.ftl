@@ -329,3 +329,15 @@ cli-plot-ending = { $out }: the name must end in .png or .svg.
 plot-flexion = flexion, °
 plot-rotation = rotation from the rest pose, °
 plot-some = { $what } (the { NUMBER($shown, useGrouping: 0) } joints of { NUMBER($all, useGrouping: 0) } with the largest range)
+
+cli-about-attach = Puts a set of muscles of published models on the bones of a figure and writes them as a muscle file.
+cli-arg-attach-output = Output file: the muscles (.yaml), which name the clip
+cli-arg-set = Muscles of the arms (Arm26), of the legs (Gait2392), or of both
+cli-arg-side = Sides of the body that get muscles; default: both
+cli-example-attach = muscles of both legs
+cli-example-attach-side = muscles of the left side
+cli-attach-several-figures = { $file }: there are { $count } figures; the first one gets the muscles.
+cli-attach-written = { $out }: { $count ->
+    [one] { $count } muscle
+   *[other] { $count } muscles
+} written.

@@ -325,3 +325,16 @@ cli-plot-ending = { $out }: имя должно оканчиваться на .p
 plot-flexion = сгибание, °
 plot-rotation = поворот от позы покоя, °
 plot-some = { $what } ({ NUMBER($shown, useGrouping: 0) } суставов из { NUMBER($all, useGrouping: 0) } с наибольшим размахом)
+
+cli-about-attach = Закрепляет набор мышц из опубликованных моделей на костях фигуры и записывает их в файл мышц.
+cli-arg-attach-output = Выходной файл: мышцы (.yaml); клип указан в нём
+cli-arg-set = Мышцы рук (Arm26), ног (Gait2392) или и тех и других
+cli-arg-side = Стороны тела, на которых будут мышцы; по умолчанию обе
+cli-example-attach = мышцы обеих ног
+cli-example-attach-side = мышцы левой стороны
+cli-attach-several-figures = { $file }: фигур в файле { $count }; мышцы получает первая.
+cli-attach-written = { $out }: { $count ->
+    [one] записана { $count } мышца
+    [few] записаны { $count } мышцы
+   *[other] записано { $count } мышц
+}.

@@ -10,11 +10,12 @@ use glam::DMat4;
 use super::Finding;
 use super::arm_placement::ArmPlacer;
 use super::{Document, Source, SourceKind};
+use sinew_muscle::sets::{AttachedSet, MuscleSet, SetError, Sides};
 use sinew_muscle::{MuscleFile, MuscleRig};
 use sinew_scene::animation::Pose;
 use sinew_scene::diagnostics::Diagnostic;
 use sinew_scene::message::SourceName;
-use sinew_scene::{Bounds, MuscleId, TransformOp};
+use sinew_scene::{Bounds, MuscleId, NodeId, TransformOp};
 
 /// Moments of a clip at which muscles on its bones are looked at, the first clips alone, and the most nodes posed for that at all moments of one.
 const CLIP_SAMPLES: usize = 32;
@@ -112,6 +113,15 @@ impl Document {
             }
         }
         moments
+    }
+
+    /// A set of muscles on the first figure of the scene at rest; the scene stays as it is.
+    ///
+    /// # Errors
+    /// [`SetError`] where there is no figure, or it lacks joints.
+    pub fn attach_set(&self, set: MuscleSet, sides: Sides) -> Result<AttachedSet, SetError> {
+        let own: Vec<NodeId> = self.rigs().filter_map(|(rig, _)| rig.root).collect();
+        set.attach(&self.scene, &self.clips, &own, sides)
     }
 
     /// The muscle files, in the order of their sources.

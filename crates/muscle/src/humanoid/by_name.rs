@@ -40,9 +40,10 @@ pub(super) fn find(tree: &BoneTree<'_>, bones: &[NodeId]) -> FoundLimbs {
     let sides = [Some(Side::Left), Some(Side::Right)];
     let mut arms = sides.map(|side| limb(tree, bones, &ARM, side));
     let mut legs = sides.map(|side| limb(tree, bones, &LEG, side));
-    let has_one_arm = arms.iter().all(Limb::is_empty);
+    let one_arm = limb(tree, bones, &ARM, None);
+    let has_one_arm = arms.iter().all(Limb::is_empty) && !one_arm.is_empty();
     if has_one_arm {
-        arms[1] = limb(tree, bones, &ARM, None);
+        arms[1] = one_arm;
     }
     // Both legs are on one pelvis, whatever bones lie between.
     if let [Some(left), Some(right)] = legs.map(|leg| leg.bones[0]) {
