@@ -47,6 +47,11 @@ fn joint(file: &MuscleFile, name: &str) -> usize {
     file.joints.iter().position(|joint| joint.name == name).unwrap_or_else(|| panic!("no joint {name}"))
 }
 
+/// A name of the right side as the left side has it.
+fn other_side(name: &str) -> String {
+    format!("{}_l", name.strip_suffix("_r").expect("a name of the right side"))
+}
+
 /// Lengths of the units and volumes of all muscles at rest, metres.
 fn sizes(file: &MuscleFile, rig: &MuscleRig) -> BTreeMap<String, [f64; 2]> {
     let size = |index: usize| {
@@ -121,9 +126,9 @@ fn left_and_right_are_alike_to_a_millionth_of_a_metre() {
     for figure in [Figure::new(t_pose(), "Rigify"), Figure::new(model_pose(), "VRM"), mirrored] {
         let (file, rig, _) = body(&figure);
         for right in file.muscles.iter().filter(|muscle| muscle.name.ends_with("_r")) {
-            let [r, l] = [right.name.clone(), right.name.replace("_r", "_l")].map(|name| muscle(&file, &name));
+            let [r, l] = [right.name.clone(), other_side(&right.name)].map(|name| muscle(&file, &name));
             for (number, spec) in file.joints.iter().enumerate().filter(|(_, spec)| spec.name.ends_with("_r")) {
-                let other = joint(&file, &spec.name.replace("_r", "_l"));
+                let other = joint(&file, &other_side(&spec.name));
                 let angles: Vec<f64> =
                     (0..=12).map(|step| spec.range[0] + (spec.range[1] - spec.range[0]) * f64::from(step) / 12.0).collect();
                 for (a, b) in rig.measure_over(r, number, &angles).iter().zip(rig.measure_over(l, other, &angles)) {
@@ -138,14 +143,19 @@ fn left_and_right_are_alike_to_a_millionth_of_a_metre() {
 
 #[test]
 fn on_the_model_itself_moment_arms_are_those_of_opensim() {
-    // The knee of rigs is a hinge, that of Gait2392 rolls and slides; its elbow, hip and ankle are hinges too.
-    let near = |coordinate: &str| if coordinate == "knee_angle" { 9.0 } else { 0.6 };
+    // The knee of rigs is a hinge, that of Gait2392 rolls and slides. One small surface at the shoulder is left out. Millimetres.
+    let near = |coordinate: &str| match coordinate {
+        "knee_angle" => 10.0,
+        "shoulder_elevation" => 2.0,
+        _ => 0.3,
+    };
     let (file, rig, _) = body(&Figure::new(model_pose(), "Unreal"));
     let mut worst: BTreeMap<&str, (f64, &str, f64)> = BTreeMap::new();
     for (name, coordinate, pairs) in figures() {
         for side in ["_r", "_l"] {
             let (index, number) = (muscle(&file, &format!("{name}{side}")), joint(&file, &format!("{coordinate}{side}")));
-            for [angle, arm] in &pairs {
+            // Beyond the straight knee the points of the model's quadriceps go back to a place for a knee that is bent forwards.
+            for [angle, arm] in pairs.iter().filter(|pair| coordinate != "knee_angle" || pair[0] <= 0.0) {
                 let sample = &rig.measure_over(index, number, &[*angle])[0];
                 let off = (sample.moment_arm.expect("a joint") - arm).abs();
                 let known = worst.entry(coordinate).or_insert((0.0, name, *angle));
@@ -228,7 +238,7 @@ fn a_figure_that_lacks_joints_is_told_which() {
     // Bones 4 to 11 are the left side from the clavicle on, 12 to 19 the right: clavicle, upper arm, forearm, hand, thigh, shin, foot, toes.
     let cases: [(&[usize], MuscleSet, &str, &str); 5] = [
         (&[10], MuscleSet::Leg, "left ankle", "голеностопный сустав слева"),
-        (&[9, 17], MuscleSet::Body, "left knee, left ankle, right", "колено"),
+        (&[9, 17], MuscleSet::Body, "joints that the muscles need: right knee, right ankle, left knee, left ankle", "колено слева"),
         (&[15], MuscleSet::Arm, "right wrist", "запястье справа"),
         (&[8, 16], MuscleSet::Leg, "right hip, right knee", "тазобедренный сустав справа"),
         (&[4, 12], MuscleSet::Arm, "right shoulder", "плечо справа"),
@@ -248,11 +258,12 @@ fn a_figure_that_lacks_joints_is_told_which() {
     // Without toes the foot points to the front.
     let (.., scene) = attached(&open(&Figure::new(t_pose(), "Mixamo").without(&[11, 19]).dae()), MuscleSet::Leg, Sides::Both);
     assert!(!scene.graph.is_empty());
-    // A knee at the hip leaves the thigh without a length.
+    // A knee at the hip is the thigh's own place, so no hip is left.
     let mut flat = Figure::new(t_pose(), "Mixamo");
     flat.bones[9].2 = flat.bones[8].2;
     let error = open(&flat.dae()).attach_set(MuscleSet::Leg, Sides::Both).expect_err("no thigh");
-    assert!(matches!(error, SetError::NoLength(_) | SetError::MissingJoints(_)), "{error:?}");
+    in_each_language(|_| assert!(!error.sentence().is_empty()));
+    assert!(matches!(error, SetError::MissingJoints(joints) if joints.len() == 1), "one hip");
 }
 
 #[test]

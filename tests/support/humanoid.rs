@@ -106,8 +106,9 @@ pub(crate) fn model_pose() -> Places {
     let (hip, shoulder) = (DVec3::new(0.0835, 0.9, 0.0), DVec3::new(0.17, 1.4, 0.0));
     // The left side has z the other way.
     let left = |base: DVec3, [x, y, z]: [f64; 3]| at(base, [x, y, -z]);
-    let knee = left(hip, [-0.0045, -0.3958, 0.0]);
-    let ankle = left(knee, [0.0, -0.43, 0.0]);
+    // The centre of the knee on the femur and on the tibia, see the data of the set.
+    let knee = left(hip, [-0.0108, -0.4086, 0.0]);
+    let ankle = left(knee, [0.0057, -0.4162, 0.0]);
     let elbow = left(shoulder, [0.0061, -0.2904, -0.0123]);
     (
         [DVec3::new(0.0, 0.97, 0.0), DVec3::new(0.0, 1.3, 0.0), DVec3::new(0.0, 1.55, 0.0)],

@@ -65,15 +65,21 @@ impl WrapUse {
         Self { touched: vec![false; count], deepest: vec![None; count], beyond: vec![None; count], lost: None }
     }
 
+    fn touch(&mut self, solver: &LineSolver) {
+        for arc in solver.solution().arcs() {
+            if let Some(touched) = self.touched.get_mut(arc.surface) {
+                *touched = true;
+            }
+        }
+    }
+
     fn see(&mut self, angle: f64, solver: &LineSolver) {
         let solution = solver.solution();
         if solution.status != Status::Converged {
             self.lost.get_or_insert(angle);
         }
+        self.touch(solver);
         for arc in solution.arcs() {
-            if let Some(touched) = self.touched.get_mut(arc.surface) {
-                *touched = true;
-            }
             if let Some(beyond) = self.beyond.get_mut(arc.surface).filter(|_| arc.beyond_end) {
                 beyond.get_or_insert(angle);
             }
@@ -145,6 +151,7 @@ impl MuscleRig {
                 findings: &mut findings,
             };
             collector.is_lost = wraps.lost.is_some();
+            self.touch_over_other_joints(line, &mut wraps);
             find_inert_wraps(&mut collector, revolute, line, &samples, &wraps);
             if !self.is_schematic(muscle, line) {
                 find_bow_string(&mut collector, revolute, line, &samples, &self.bone_shapes);
@@ -152,6 +159,21 @@ impl MuscleRig {
             check(collector, revolute, line, &samples, asked, &limbs, &names);
         }
         self.findings.append(&mut findings);
+    }
+
+    /// Notes the wrap surfaces that a line touches while another joint than the main one turns: surfaces at the shoulder say nothing at the elbow.
+    fn touch_over_other_joints(&self, line: &Line, wraps: &mut WrapUse) {
+        let mut solver = LineSolver::default();
+        for joint in self.joints.iter().skip(1) {
+            if wraps.touched.iter().all(|touched| *touched) {
+                return;
+            }
+            let steps = *STEPS_PER_MUSCLE.start();
+            for step in 0..=steps {
+                sample_at(&joint.revolute, line, between(joint.revolute.range, step, steps), &mut solver);
+                wraps.touch(&solver);
+            }
+        }
     }
 
     fn check_at_moments(&mut self, muscles: &[usize], moments: &[(f64, Vec<DMat4>)]) {

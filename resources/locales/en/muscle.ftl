@@ -181,6 +181,5 @@ muscle-joint-right = right { $joint }
 muscle-set-list = { $list }, { $last }
 muscle-set-no-figure = No figure of human build was found: no bones named after arms or legs, and no trunk with two pairs of limbs.
 muscle-set-missing-joints = The figure lacks joints that the muscles need: { $joints }.
-muscle-set-no-length = The { $joint } of the figure lies where the next joint does, so the bone between them has no length.
 muscle-set-nameless-bone = The bone “{ $bone }” cannot be named in a muscle file, because no id and no name tells it from the other nodes.
 muscle-set-no-muscle = The muscle “{ $muscle }” cannot be made for this figure. { $error }

@@ -181,6 +181,5 @@ muscle-joint-right = { $joint } справа
 muscle-set-list = { $list }, { $last }
 muscle-set-no-figure = Фигура человека не найдена: нет костей с именами рук или ног и нет туловища с двумя парами конечностей.
 muscle-set-missing-joints = У фигуры нет суставов, которые нужны мышцам: { $joints }.
-muscle-set-no-length = Сустав фигуры ({ $joint }) лежит там же, где следующий, поэтому у кости между ними нет длины.
 muscle-set-nameless-bone = Кость «{ $bone }» нельзя назвать в файле мышц: ни id, ни имя не отличают её от других узлов.
 muscle-set-no-muscle = Мышцу «{ $muscle }» нельзя сделать для этой фигуры. { $error }

@@ -45,12 +45,26 @@ pub(super) fn find(tree: &BoneTree<'_>, bones: &[NodeId]) -> FoundLimbs {
     if has_one_arm {
         arms[1] = one_arm;
     }
+    without_trunk(tree, &mut arms);
+    without_trunk(tree, &mut legs);
     // Both legs are on one pelvis, whatever bones lie between.
     if let [Some(left), Some(right)] = legs.map(|leg| leg.bones[0]) {
         let pelvis = tree.common(left, right).filter(|id| tree.is_bone(*id));
         legs.iter_mut().for_each(|leg| leg.girdle = pelvis);
     }
     FoundLimbs { arms, legs, has_one_arm }
+}
+
+/// Takes away the root of a limb that carries the other limb too: that is the trunk, and the limb's own root is not there.
+fn without_trunk(tree: &BoneTree<'_>, pair: &mut [Limb; 2]) {
+    let lower = pair.map(|limb| limb.bones[1]);
+    for (limb, other) in pair.iter_mut().zip([lower[1], lower[0]]) {
+        if let (Some(root), Some(other)) = (limb.bones[0], other)
+            && tree.ancestors(other).any(|above| above == root)
+        {
+            (limb.girdle, limb.bones[0]) = (None, None);
+        }
+    }
 }
 
 /// What the names of a node say about a part.
@@ -72,7 +86,12 @@ fn limb(tree: &BoneTree<'_>, bones: &[NodeId], of: &LimbNames, side: Option<Side
         .filter_map(|id| Some((rank_of(*id)?, *id)))
         .min_by_key(|(rank, id)| (!leads_on(*id), *rank, is_original(tree, *id), tree.depth(*id), id.0))
         .map(|(_, id)| id);
-    let Some(lower) = lower else { return Limb::default() };
+    let Some(lower) = lower else {
+        // What is there is told apart from what is not.
+        let uppers = bones.iter().filter_map(|id| Some((is(*id, of.upper)?.rank, tree.depth(*id), *id)));
+        let upper = uppers.min().map(|(.., id)| id);
+        return Limb { girdle: upper.and_then(|upper| girdle_of(tree, upper)), bones: [upper, None, None, None] };
+    };
     let upper = upper_of(tree, lower, |id| is(id, of.upper)).or_else(|| tree.bone_above_apart(lower));
     let below = tree.bones_below(lower);
     let begins_elsewhere = |id: &NodeId| are_apart(tree.place(*id), tree.place(lower));

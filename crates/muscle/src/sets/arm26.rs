@@ -2,8 +2,8 @@
 //!
 //! Jeff Reinbolt, Ajay Seth, Ayman Habib and Sam Hamner after a model by Kate Holzbaur; licence CC BY 3.0. Holzbaur, Murray and Delp 2005, A model of the upper
 //! extremity for simulating musculoskeletal surgery and analyzing neuromuscular control, Ann. Biomed. Eng. 33:829. The figures are those of the model; points
-//! on its base are given from the centre of the shoulder. The wrist is ours: Arm26 has none; it stands where the lunate meets the radius. So is the share of
-//! the tendon at the origin, and the sides on which muscles pass the cylinder of the elbow, where the model takes the nearer one.
+//! on its base are given from the centre of the shoulder. The wrist is ours: Arm26 has none; it stands where the lunate meets the radius. So is where along a unit its belly lies,
+//! and so are the sides on which muscles pass the cylinder of the elbow, where the model takes the nearer one.
 
 use glam::DVec3;
 
@@ -68,6 +68,7 @@ const MUSCLES: [MuscleData; 6] = [
         tendon: 0.143,
         belly_on: Humerus,
         origin_tendon: 0.2,
+        belly_end: 0.92,
         path: &[
             fixed(Girdle, [-0.036105, -0.00673, -0.02277]),
             fixed(Humerus, [-0.02714, -0.11441, -0.00664]),
@@ -85,6 +86,7 @@ const MUSCLES: [MuscleData; 6] = [
         tendon: 0.098,
         belly_on: Humerus,
         origin_tendon: 0.1,
+        belly_end: 0.92,
         path: &[
             fixed(Humerus, [-0.00599, -0.12646, 0.00428]),
             fixed(Humerus, [-0.02344, -0.14528, 0.00928]),
@@ -102,6 +104,7 @@ const MUSCLES: [MuscleData; 6] = [
         tendon: 0.0908,
         belly_on: Humerus,
         origin_tendon: 0.1,
+        belly_end: 0.92,
         path: &[
             fixed(Humerus, [-0.00838, -0.13695, -0.00906]),
             fixed(Humerus, [-0.02601, -0.15139, -0.0108]),
@@ -119,6 +122,7 @@ const MUSCLES: [MuscleData; 6] = [
         tendon: 0.2723,
         belly_on: Humerus,
         origin_tendon: 0.6,
+        belly_end: 0.92,
         path: &[
             fixed(Girdle, [-0.02169, 0.01047, -0.02205]),
             fixed(Girdle, [-0.0114, 0.02091, -0.01361]),
@@ -140,6 +144,7 @@ const MUSCLES: [MuscleData; 6] = [
         tendon: 0.1923,
         belly_on: Humerus,
         origin_tendon: 0.6,
+        belly_end: 0.92,
         path: &[
             fixed(Girdle, [0.02222, -0.00531, -0.03525]),
             fixed(Girdle, [0.01047, -0.03304, -0.02493]),
@@ -157,7 +162,8 @@ const MUSCLES: [MuscleData; 6] = [
         fiber: 0.0858,
         tendon: 0.0535,
         belly_on: Humerus,
-        origin_tendon: 0.1,
+        origin_tendon: 0.02,
+        belly_end: 0.8,
         path: &[fixed(Humerus, [0.0068, -0.1739, -0.0036]), fixed(Forearm, [-0.0032, -0.0239, 0.0009])],
         wraps: &[AT_ELBOW_FRONT],
     },

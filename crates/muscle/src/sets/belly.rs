@@ -13,8 +13,6 @@ use crate::profile::{Profile, ProfileError};
 pub const SPECIFIC_TENSION: f64 = 45e4;
 /// Most that the thickest radius of a belly is, as a share of its length.
 const SLENDER: f64 = 0.11;
-/// Most that a belly takes of the unit's length, where that is needed.
-const MOST: f64 = 0.9;
 /// Nodes of a belly.
 const NODES: usize = 11;
 /// Radius at the ends of a belly as a share of the thickest.
@@ -30,12 +28,14 @@ pub(super) fn shape(data: &MuscleData, unit: f64, scale: f64, per_metre: f64) ->
     // The volume of a belly of thickest radius 1 and length 1.
     let unit_volume = Profile::new(outline.clone(), growth.clone(), 1.0)?.volume();
     let slender = (volume / (unit_volume * SLENDER * SLENDER)).cbrt();
-    let length = (unit - data.tendon * scale).max(slender).min(MOST * unit);
+    let most = data.belly_end * unit;
+    let length = (unit - data.tendon * scale).max(slender).min(most);
     let radius = (volume / (unit_volume * length)).sqrt();
     let radii = outline.iter().map(|share| share * radius * per_metre).collect();
-    let tendon = |share: f64| Tendon { length: (unit - length) * share * per_metre, radius: 0.8 * ENDS * radius * per_metre };
+    let at_origin = (data.origin_tendon * (unit - length)).min(most - length);
+    let tendon = |length: f64| Tendon { length: length * per_metre, radius: 0.8 * ENDS * radius * per_metre };
     let spec = MuscleSpec::new(Profile::new(radii, growth, length * per_metre)?);
-    Ok(MuscleSpec { tendons: [tendon(data.origin_tendon), tendon(1.0 - data.origin_tendon)], ..spec })
+    Ok(MuscleSpec { tendons: [tendon(at_origin), tendon(unit - length - at_origin)], ..spec })
 }
 
 /// Half a wave over the nodes.

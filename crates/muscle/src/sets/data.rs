@@ -133,6 +133,8 @@ pub(super) struct MuscleData {
     pub belly_on: Segment,
     /// Share of the tendon that lies at the origin.
     pub origin_tendon: f64,
+    /// The share of the unit, from the origin, beyond which all is tendon.
+    pub belly_end: f64,
     /// From origin to insertion.
     pub path: &'static [PointData],
     pub wraps: &'static [WrapData],

@@ -44,8 +44,6 @@ pub enum SetError {
     NoFigure,
     /// The figure lacks these joints.
     MissingJoints(Vec<SidedJoint>),
-    /// Two joints of the figure lie at one place: this one and the next.
-    NoLength(SidedJoint),
     /// A bone that no name tells from the others.
     NamelessBone(OwnedLabel),
     /// The sizes of this muscle make none on this figure.
@@ -86,7 +84,6 @@ impl ToMessage for SetError {
                     joints.iter().map(SidedJoint::message).reduce(|list, joint| message!("muscle-set-list", list = list, last = joint));
                 message!("muscle-set-missing-joints", joints = list.unwrap_or_else(|| message!("muscle-joint-pelvis")))
             }
-            Self::NoLength(joint) => message!("muscle-set-no-length", joint = joint.message()),
             Self::NamelessBone(bone) => message!("muscle-set-nameless-bone", bone = bone.as_label()),
             Self::NoMuscle { muscle, error } => message!("muscle-set-no-muscle", muscle = muscle, error = error.message()),
         }

@@ -93,7 +93,7 @@ impl Figure<'_> {
         let is_leg = model.segments.iter().any(|data| data.segment == Segment::Femur);
         let limb = if is_leg { &self.humanoid.legs[side as usize] } else { &self.humanoid.arms[side as usize] };
         let joints = LimbBones::of(limb).ok_or_else(|| SetError::MissingJoints(missing(limb, is_leg, Some(side))))?;
-        if is_leg { self.leg(model, side, joints) } else { self.arm(model, side, joints) }
+        Ok(if is_leg { self.leg(model, side, &joints) } else { self.arm(model, side, &joints) })
     }
 
     /// The figure's axes, and to which hand a side's frames are: 1 right-handed.
@@ -103,13 +103,12 @@ impl Figure<'_> {
         (axes, outward, if (side == BodySide::Right) != axes.is_mirrored() { 1.0 } else { -1.0 })
     }
 
-    fn leg(&self, model: &Model, side: BodySide, joints: LimbBones) -> Result<LimbFrames, SetError> {
+    fn leg(&self, model: &Model, side: BodySide, joints: &LimbBones) -> LimbFrames {
         let (axes, outward, hand) = self.axes(side);
         let [hip, knee, ankle] = joints.bones.map(|bone| self.place(bone));
         let toes = joints.tip.map(|bone| self.place(bone));
         let lateral = limb_axis([hip, knee, ankle], outward, -hand);
-        let at = |joint| SidedJoint { joint, side: Some(side) };
-        let (thigh, shin) = (along(hip, knee, at(BodyJoint::Hip))?, along(knee, ankle, at(BodyJoint::Knee))?);
+        let (thigh, shin) = (knee - hip, ankle - knee);
         let data = |segment| segment_data(model, segment);
         let femur = limb_frame(data(Segment::Femur), joints.bones[0], hip, thigh, lateral, hand);
         let tibia = limb_frame(data(Segment::Tibia), joints.bones[1], knee, shin, lateral, hand);
@@ -131,15 +130,14 @@ impl Figure<'_> {
             scale: hips.clamp(LEAST_PELVIS * femur.scale, femur.scale),
         };
         let frames = vec![(Segment::Pelvis, pelvis), (Segment::Femur, femur), (Segment::Tibia, tibia), (Segment::Foot, foot)];
-        Ok(LimbFrames { frames, hangs: true })
+        LimbFrames { frames, hangs: true }
     }
 
-    fn arm(&self, model: &Model, side: BodySide, joints: LimbBones) -> Result<LimbFrames, SetError> {
+    fn arm(&self, model: &Model, side: BodySide, joints: &LimbBones) -> LimbFrames {
         let (axes, mut outward, hand) = self.axes(side);
         let mut front = axes.front;
         let [shoulder, elbow, wrist] = joints.bones.map(|bone| self.place(bone));
-        let at = |joint| SidedJoint { joint, side: Some(side).filter(|_| !self.humanoid.has_one_arm) };
-        let (upper, fore) = (along(shoulder, elbow, at(BodyJoint::Shoulder))?, along(elbow, wrist, at(BodyJoint::Elbow))?);
+        let (upper, fore) = (elbow - shoulder, wrist - elbow);
         if self.humanoid.has_one_arm {
             // An arm without a body bends as its clip bends it, else as its file lets it.
             let bends = JointDof::at_node(self.scene, self.clips, joints.bones[1]);
@@ -163,7 +161,7 @@ impl Figure<'_> {
         };
         let hangs = upper.angle_between(-axes.up).to_degrees() < HANGS;
         let frames = vec![(Segment::Girdle, girdle), (Segment::Humerus, humerus), (Segment::Forearm, forearm)];
-        Ok(LimbFrames { frames, hangs })
+        LimbFrames { frames, hangs }
     }
 
     /// Where a joint brings the limb below it, across the limb above.
@@ -209,12 +207,6 @@ fn segment_data(model: &Model, segment: Segment) -> &SegmentData {
     // Every model has the segments of its limb; a test holds that.
     const NONE: SegmentData = SegmentData { segment: Segment::Pelvis, begin: [0.0; 3], end: [0.0, -1.0, 0.0] };
     model.segments.iter().find(|data| data.segment == segment).unwrap_or(&NONE)
-}
-
-/// The way from one joint to the next.
-fn along(from: DVec3, to: DVec3, joint: SidedJoint) -> Result<DVec3, SetError> {
-    let way = to - from;
-    if way.is_finite() && way.length() > 1e-9 { Ok(way) } else { Err(SetError::NoLength(joint)) }
 }
 
 /// The direction that is outward (z) for a limb of three joints: `trunk`, unless the bend of the limb tells; `sign` is that of the model's z axis against the axis of

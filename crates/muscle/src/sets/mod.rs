@@ -19,12 +19,14 @@ pub use belly::SPECIFIC_TENSION;
 pub use error::{BodyJoint, SetError, SidedJoint};
 
 use super::humanoid::{BodySide, Humanoid, Limb};
-use crate::config::{Form, MuscleFile};
+use crate::config::{Form, MuscleFile, MuscleSpec};
+use crate::{Finding, MuscleRig};
 use carry::{Bones, UNIT};
 use data::Model;
 use frames::{Figure, missing};
 use sinew_scene::animation::Clip;
-use sinew_scene::{NodeId, Scene};
+use sinew_scene::diagnostics::Diagnostic;
+use sinew_scene::{Graph, Label, MuscleId, NodeId, Scene};
 
 /// A set of muscles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -122,6 +124,7 @@ impl MuscleSet {
             }
             file.joints.extend(joints);
         }
+        drop_idle_wraps(&mut file, &scene.graph);
         Ok(AttachedSet { file, figures: figures.len() })
     }
 
@@ -142,6 +145,25 @@ impl MuscleSet {
             }
         }
         limbs
+    }
+}
+
+/// Takes off the wrap surfaces that a muscle touches at no angle of any joint: where a figure rests with its arms raised, those at the back of the shoulder.
+fn drop_idle_wraps(file: &mut MuscleFile, graph: &Graph) {
+    let mut scene = Scene { graph: graph.clone(), ..Scene::default() };
+    let mut rig = MuscleRig::build(file, "", &mut scene, MuscleId(0));
+    let findings = rig.attach(&scene);
+    let idle = |muscle: &MuscleSpec, wrap: usize| {
+        let is_it = |found: &Diagnostic<Finding>| {
+            matches!(&found.finding, Finding::WrapNotTouched { wrap: other, .. } if *other == wrap)
+                && matches!(found.element.as_label(), Label::Name(name) if name == muscle.name)
+        };
+        findings.iter().any(is_it)
+    };
+    for muscle in &mut file.muscles {
+        let used: Vec<bool> = (0..muscle.wraps.len()).map(|wrap| !idle(muscle, wrap)).collect();
+        let mut used = used.into_iter();
+        muscle.wraps.retain(|_| used.next().unwrap_or(true));
     }
 }
 
