@@ -173,6 +173,11 @@ clips:
 	$(BLENDER) --python resources/blender/walker.py
 	python3 resources/blender/lamp.py
 
+# Makes the walker's muscles again, and their film in README.md.
+walker-muscles: build
+	$(BINARY) attach configs/walker.dae --set body -o configs/walker-muscles.yaml --force
+	$(BINARY) render configs/walker-muscles.yaml -o resources/pictures/walker-muscles.gif --size 300x400 --fps 15 --yaw 40 --pitch 4 --zoom 1.1 --force
+
 clean:
 	$(CARGO) clean
 	rm -rf out

@@ -67,6 +67,7 @@ fn credited(set: MuscleSet, file: &MuscleFile) -> String {
         // Writing to a string cannot fail.
         let _ = writeln!(text, "# {name}: {credit}.");
     }
+    text.push_str("# CC BY 3.0: https://creativecommons.org/licenses/by/3.0/\n");
     text.push_str("# Volumes are F_max / σ · l_opt with σ = 45 N/cm², scaled with the bones. Angles of joints count from the rest pose of the clip.\n");
     text.push_str(&file.to_yaml());
     text

@@ -2,7 +2,7 @@
 
 use crate::support::{sinew, sinew_ru};
 
-const COMMANDS: [&str; 10] = ["info", "check", "render", "export", "convert", "measure", "fit", "bench", "completions", "help"];
+const COMMANDS: [&str; 11] = ["info", "check", "render", "export", "convert", "measure", "fit", "attach", "bench", "completions", "help"];
 
 #[test]
 fn every_page_is_there_in_both_languages() {

@@ -14,7 +14,7 @@ use crate::config::WrapShape;
 /// The arm.
 pub(super) const ARM: Model = Model {
     name: "Arm26",
-    credit: "Reinbolt J., Seth A., Habib A., Hamner S., after a model by Holzbaur K., CC BY 3.0",
+    credit: "Reinbolt, Seth, Habib, Hamner after a model by Holzbaur; CC BY 3.0",
     segments: &[
         // Its frame is the humerus' in the default pose, and has that bone's scale.
         SegmentData { segment: Girdle, begin: [0.0, 0.0, 0.0], end: [0.0061, -0.2904, -0.0123] },

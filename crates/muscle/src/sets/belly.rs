@@ -5,6 +5,7 @@
 //! the belly. Fibres of pennate muscles are shorter than their belly, along which they follow one another; there the belly is lengthened, and the tendon
 //! shortened, until the belly is as slender as bellies are.
 
+use super::carry::STEPS;
 use super::data::MuscleData;
 use crate::config::{MuscleSpec, Tendon};
 use crate::profile::{Profile, ProfileError};
@@ -24,18 +25,23 @@ const GROWTH: f64 = 2.0;
 pub(super) fn shape(data: &MuscleData, unit: f64, scale: f64, per_metre: f64) -> Result<MuscleSpec, ProfileError> {
     let volume = data.force / SPECIFIC_TENSION * data.fiber * scale.powi(3);
     let outline: Vec<f64> = (0..NODES).map(|node| ENDS + (1.0 - ENDS) * wave(node)).collect();
-    let growth: Vec<f64> = (0..NODES).map(|node| GROWTH * wave(node)).collect();
+    let growth: Vec<f64> = (0..NODES).map(|node| rounded(GROWTH * wave(node))).collect();
     // The volume of a belly of thickest radius 1 and length 1.
     let unit_volume = Profile::new(outline.clone(), growth.clone(), 1.0)?.volume();
     let slender = (volume / (unit_volume * SLENDER * SLENDER)).cbrt();
     let most = data.belly_end * unit;
     let length = (unit - data.tendon * scale).max(slender).min(most);
     let radius = (volume / (unit_volume * length)).sqrt();
-    let radii = outline.iter().map(|share| share * radius * per_metre).collect();
+    let radii = outline.iter().map(|share| rounded(share * radius * per_metre)).collect();
     let at_origin = (data.origin_tendon * (unit - length)).min(most - length);
-    let tendon = |length: f64| Tendon { length: length * per_metre, radius: 0.8 * ENDS * radius * per_metre };
-    let spec = MuscleSpec::new(Profile::new(radii, growth, length * per_metre)?);
+    let tendon = |length: f64| Tendon { length: rounded(length * per_metre), radius: rounded(0.8 * ENDS * radius * per_metre) };
+    let spec = MuscleSpec::new(Profile::new(radii, growth, rounded(length * per_metre))?);
     Ok(MuscleSpec { tendons: [tendon(at_origin), tendon(unit - length - at_origin)], ..spec })
+}
+
+/// Numbers in a file have so many decimals, far finer than anything that can be seen, so that the same file comes from every machine.
+fn rounded(value: f64) -> f64 {
+    (value * STEPS).round() / STEPS
 }
 
 /// Half a wave over the nodes.

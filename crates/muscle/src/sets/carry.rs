@@ -18,7 +18,7 @@ use crate::config::{ActiveRange, Anchor, JointSpec, MuscleSpec, PointMotion, Via
 /// Metres a unit of the files that are made.
 pub(super) const UNIT: f64 = 0.001;
 /// Steps of numbers in the file: far below what can be seen, so that left and right stay alike to a millionth of a metre.
-const STEPS: f64 = 1e5;
+pub(super) const STEPS: f64 = 1e5;
 /// Angles between which a point is looked for in a wrap surface, degrees.
 const LOOK: f64 = 5.0;
 /// A point lies outside a wrap surface by this share of its size at least.
@@ -152,8 +152,7 @@ pub(super) fn muscle(
     let scale = frame(data.belly_on)?.scale;
     let mut spec = belly::shape(data, unit, scale, (UNIT * lengths).recip()).map_err(|error| no_muscle(data, error))?;
     spec.name = format!("{}{suffix}", data.name);
-    spec.source =
-        format!("{}: path and sizes of {} in {} ({}), carried to this figure.", data.meaning, data.name, model.name, model.credit);
+    spec.source = format!("{}: {} of {} ({}), carried to this figure.", data.meaning, data.name, model.name, model.credit);
     Ok(MuscleSpec { origin: path.origin, via: path.via, wraps: path.wraps, insertion: path.insertion, ..spec })
 }
 

@@ -12,7 +12,7 @@ use super::data::{Coordinate, CoordinateData, Model, MuscleData, PointData, Segm
 /// The leg.
 pub(super) const LEG: Model = Model {
     name: "Gait2392",
-    credit: "Delp S.L., Loan J.P., Hoy M.G., Zajac F.E., Topp E.L., Rosen J.M., Thelen D.G., Anderson F.C., Seth A., CC BY 3.0",
+    credit: "Delp, Loan, Hoy, Zajac, Topp, Rosen, Thelen, Anderson, Seth; CC BY 3.0",
     segments: &[
         // From hip to hip; the pelvis' own origin is the middle between its front spines.
         SegmentData { segment: Pelvis, begin: [-0.0707, -0.0661, 0.0835], end: [-0.0707, -0.0661, -0.0835] },
