@@ -183,3 +183,6 @@ muscle-set-no-figure = No figure of human build was found: no bones named after 
 muscle-set-missing-joints = The figure lacks joints that the muscles need: { $joints }.
 muscle-set-nameless-bone = The bone “{ $bone }” cannot be named in a muscle file, because no id and no name tells it from the other nodes.
 muscle-set-no-muscle = The muscle “{ $muscle }” cannot be made for this figure. { $error }
+muscle-set-no-counterpart = No bone on the other side of the figure matches “{ $bone }”.
+muscle-edit-set = attach a set of muscles
+muscle-edit-mirror = mirror the muscle

@@ -183,3 +183,6 @@ muscle-set-no-figure = Фигура человека не найдена: нет
 muscle-set-missing-joints = У фигуры нет суставов, которые нужны мышцам: { $joints }.
 muscle-set-nameless-bone = Кость «{ $bone }» нельзя назвать в файле мышц: ни id, ни имя не отличают её от других узлов.
 muscle-set-no-muscle = Мышцу «{ $muscle }» нельзя сделать для этой фигуры. { $error }
+muscle-set-no-counterpart = На другой стороне фигуры нет кости, парной к «{ $bone }».
+muscle-edit-set = крепление набора мышц
+muscle-edit-mirror = зеркальная копия мышцы

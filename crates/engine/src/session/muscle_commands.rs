@@ -212,14 +212,14 @@ fn on_arm(model: &MuscleSpec, scale: f64) -> Result<MuscleSpec, EditError> {
 }
 
 /// The number of a muscle among all: the last one of its file for an index past the end.
-fn id_of(files: &[MuscleFile], place: usize, index: usize) -> MuscleId {
+pub(super) fn id_of(files: &[MuscleFile], place: usize, index: usize) -> MuscleId {
     let before: usize = files.iter().take(place).map(|file| file.muscles.len()).sum();
     let own = files.get(place).map_or(0, |file| file.muscles.len().saturating_sub(1));
     MuscleId((before + index.min(own)) as u32)
 }
 
 /// The name, with the next free number where it is taken.
-fn unused_name(file: &MuscleFile, name: &str) -> String {
+pub(super) fn unused_name(file: &MuscleFile, name: &str) -> String {
     let taken = |name: &str| file.muscles.iter().any(|muscle| muscle.name == name);
     let numbered = (2..).map(|number| format!("{name} {number}"));
     std::iter::once(name.to_owned()).chain(numbered).find(|name| !taken(name)).unwrap_or_default()

@@ -176,7 +176,8 @@ fn limbs_are_found_in_the_names_of_usual_rigs() {
 #[test]
 fn limbs_are_found_without_names_wherever_the_figure_stands() {
     let turn = glam::DQuat::from_rotation_y(2.0) * glam::DQuat::from_rotation_z(0.3);
-    let moves: [(&str, Box<dyn Fn(DVec3) -> DVec3>); 4] = [
+    type Move = Box<dyn Fn(DVec3) -> DVec3>;
+    let moves: [(&str, Move); 4] = [
         ("as it is", Box::new(|at| at)),
         ("turned", Box::new(move |at| turn * at + DVec3::new(3.0, -2.0, 5.0))),
         ("small", Box::new(|at| at * 0.01)),

@@ -5,7 +5,7 @@
 //! the belly. Fibres of pennate muscles are shorter than their belly, along which they follow one another; there the belly is lengthened, and the tendon
 //! shortened, until the belly is as slender as bellies are.
 
-use super::carry::STEPS;
+use super::bone_space::STEPS;
 use super::data::MuscleData;
 use crate::config::{MuscleSpec, Tendon};
 use crate::profile::{Profile, ProfileError};

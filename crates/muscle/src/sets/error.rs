@@ -46,6 +46,8 @@ pub enum SetError {
     MissingJoints(Vec<SidedJoint>),
     /// A bone that no name tells from the others.
     NamelessBone(OwnedLabel),
+    /// A bone that has none to match it on the other side of the figure.
+    NoCounterpart(OwnedLabel),
     /// The sizes of this muscle make none on this figure.
     NoMuscle {
         /// The muscle.
@@ -85,6 +87,7 @@ impl ToMessage for SetError {
                 message!("muscle-set-missing-joints", joints = list.unwrap_or_else(|| message!("muscle-joint-pelvis")))
             }
             Self::NamelessBone(bone) => message!("muscle-set-nameless-bone", bone = bone.as_label()),
+            Self::NoCounterpart(bone) => message!("muscle-set-no-counterpart", bone = bone.as_label()),
             Self::NoMuscle { muscle, error } => message!("muscle-set-no-muscle", muscle = muscle, error = error.message()),
         }
     }

@@ -9,19 +9,23 @@
 
 mod arm26;
 mod belly;
+mod bone_space;
 mod carry;
 mod data;
 mod error;
 mod frames;
 mod gait2392;
+mod mirror;
+mod wraps;
 
 pub use belly::SPECIFIC_TENSION;
 pub use error::{BodyJoint, SetError, SidedJoint};
+pub use mirror::mirrored;
 
 use super::humanoid::{BodySide, Humanoid, Limb};
 use crate::config::{Form, MuscleFile, MuscleSpec};
 use crate::{Finding, MuscleRig};
-use carry::{Bones, UNIT};
+use bone_space::{Bones, UNIT};
 use data::Model;
 use frames::{Figure, missing};
 use sinew_scene::animation::Clip;
