@@ -339,7 +339,7 @@ app-joint-held = “{ $joint }” held at { $angle }°
 app-joint-release-tip = Release the joint: it follows the clip again
 app-new-muscle = New
 app-new-muscle-tip = Add a muscle: on the arm, or on the bones that meet in the selected joint or in the elbow
-app-muscle-menu = Duplicate, delete or replace the muscle
+app-muscle-menu = Duplicate, mirror, delete or replace the muscle
 app-do-new-muscle = Add a muscle
 app-do-duplicate-muscle = Duplicate
 app-do-delete-muscle = Delete
@@ -776,3 +776,13 @@ app-help-export = Save and export
 app-help-export-text = { $picture } saves the image, { $copy-picture } copies it, { $export } exports animations, videos, surfaces and tables. { $save-session } saves the open files together with camera and display.
 app-help-trouble = Problems
 app-help-trouble-text = The Diagnostics page lists the problems of a file, each with its line and how the program handled it. A bar above the viewport names a file that cannot be opened; the files that were open stay open. { $shortcuts } lists all keys; in a terminal, sinew --help describes the command line.
+app-do-mirror-muscle = Mirror
+app-do-attach-arms = Muscles of the arms
+app-do-attach-legs = Muscles of the legs
+app-do-attach-body = Muscles of arms and legs
+app-menu-muscles = Muscles
+app-menu-muscle-sets = Attach a set of muscles
+app-set-attached = { $count ->
+    [one] { $count } muscle is attached to the figure. Undo takes it off again.
+   *[other] { $count } muscles are attached to the figure. Undo takes them off again.
+}

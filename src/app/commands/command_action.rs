@@ -1,6 +1,7 @@
 //! What a command does, in the words of the table: a change of the session, or something that the window does.
 
 use crate::app::settings::{ColorScheme, SheetPage};
+use crate::muscle::sets::MuscleSet;
 use crate::render::{Display, Shading};
 use crate::scene::ViewDirection;
 use crate::session::{DisplayPreset, Session, Tool};
@@ -74,6 +75,10 @@ pub(crate) enum AppCommand {
     NewMuscle,
     /// Copies the muscle that is shown.
     DuplicateMuscle,
+    /// Copies the muscle that is shown to the other side of its figure.
+    MirrorMuscle,
+    /// Puts a set of muscles on the figure of the clip.
+    AttachSet(MuscleSet),
     /// Takes the muscle that is shown away.
     DeleteMuscle,
     /// Shows or folds away both side panels.

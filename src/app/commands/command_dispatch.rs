@@ -13,6 +13,7 @@ use super::command_conditions::Conditions;
 use super::command_context::CommandContext;
 use crate::app::appearance;
 use crate::app::dialogs::{about, compare_file, export_dialog, help, save_session, saving, screenshot};
+use crate::app::panels::muscle::attach_muscles;
 use crate::app::settings::SheetPage;
 use crate::session::Session;
 
@@ -134,6 +135,8 @@ fn perform_in_window(context: &Rc<CommandContext>, command: AppCommand) {
         AppCommand::Fly => context.viewport.toggle_flight(),
         AppCommand::NewMuscle => context.muscle.add_muscle(),
         AppCommand::DuplicateMuscle => context.muscle.duplicate_muscle(),
+        AppCommand::MirrorMuscle => attach_muscles::mirror(&app.session, &app.toasts),
+        AppCommand::AttachSet(set) => attach_muscles::attach_set(&app.session, &app.toasts, set),
         AppCommand::DeleteMuscle => context.muscle.delete_muscle(),
         AppCommand::Sidebars => {
             let shown = context.side_panels.shown() != (false, false);

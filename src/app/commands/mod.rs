@@ -20,6 +20,7 @@ use self::command_action::{Action, AppCommand as A, AppSwitch as S};
 use self::command_conditions::*;
 use self::session_commands::*;
 use crate::app::settings::{ColorScheme, SheetPage};
+use crate::muscle::sets::MuscleSet;
 use crate::render::Shading;
 use crate::scene::ViewDirection as V;
 use crate::session::{DisplayPreset as P, Session, Tool as T};
@@ -263,6 +264,14 @@ commands! {
         NewMuscle = "new-muscle" [] Run(A::NewMuscle);
         /// A copy of the muscle that is shown.
         DuplicateMuscle = "duplicate-muscle" [] Run(A::DuplicateMuscle), if has_muscles;
+        /// The muscle that is shown, on the other side of its figure.
+        MirrorMuscle = "mirror-muscle" [] Run(A::MirrorMuscle), if has_muscles;
+        /// Muscles of both arms.
+        AttachArms = "attach-arms" [] Run(A::AttachSet(MuscleSet::Arm)), if is_open;
+        /// Muscles of both legs.
+        AttachLegs = "attach-legs" [] Run(A::AttachSet(MuscleSet::Leg)), if is_open;
+        /// Muscles of arms and legs.
+        AttachBody = "attach-body" [] Run(A::AttachSet(MuscleSet::Body)), if is_open;
         /// Take the muscle that is shown away.
         DeleteMuscle = "delete-muscle" [] Run(A::DeleteMuscle), if has_muscles;
         /// Pick the bone that the muscle comes from.

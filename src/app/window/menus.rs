@@ -70,8 +70,14 @@ fn main_menu() -> gio::Menu {
     section(&time, &[C::Sheet, C::Curves]);
     let colours = gio::Menu::new();
     section(&colours, &[C::ColoursSystem, C::ColoursLight, C::ColoursDark]);
+    let muscles = gio::Menu::new();
+    section(&muscles, &[C::NewMuscle, C::DuplicateMuscle, C::MirrorMuscle, C::DeleteMuscle]);
+    let sets = gio::Menu::new();
+    section(&sets, &[C::AttachArms, C::AttachLegs, C::AttachBody]);
+    muscles.append_submenu(Some(&tr!("app-menu-muscle-sets")), &sets);
     let more = gio::Menu::new();
     more.append_submenu(Some(&tr!("app-group-time")), &time);
+    more.append_submenu(Some(&tr!("app-menu-muscles")), &muscles);
     more.append_submenu(Some(&tr!("app-menu-colours")), &colours);
     menu.append_section(None, &more);
     section(&menu, &[C::Sidebars, C::Fullscreen]);

@@ -340,7 +340,7 @@ impl MusclePanel {
             own.tell(|session| session.apply_preset(id, preset));
         });
         let menu = gio::Menu::new();
-        for command in [Command::DuplicateMuscle, Command::DeleteMuscle] {
+        for command in [Command::DuplicateMuscle, Command::MirrorMuscle, Command::DeleteMuscle] {
             menu.append(Some(&command.label()), Some(&format!("win.{}", command.id())));
         }
         menu.append_section(Some(&tr!("app-muscle-replace")), &ready);
