@@ -173,6 +173,11 @@ fn joints_of_a_clip_are_bent_about_any_axis_with_the_clip_or_without() {
 }
 
 #[test]
+fn a_set_of_muscles_is_attached_and_a_muscle_mirrored() {
+    drive("drive_sets.py");
+}
+
+#[test]
 fn muscles_are_copied_renamed_and_deleted() {
     drive("drive_several.py");
 }

@@ -6,7 +6,7 @@ use serde_json::{Map, Value, json};
 use sinew::muscle::config::ConfigErrorKind;
 use sinew::muscle::{MuscleFile, ProfileError};
 
-const SHIPPED: [&str; 9] = [
+const SHIPPED: [&str; 10] = [
     include_str!("../../configs/atlas-muscles.yaml"),
     include_str!("../../configs/biceps-human-wrapped.yaml"),
     include_str!("../../configs/biceps-human.yaml"),
@@ -16,6 +16,7 @@ const SHIPPED: [&str; 9] = [
     include_str!("../../configs/curl-muscles.yaml"),
     include_str!("../../configs/example.yaml"),
     include_str!("../../configs/triceps-human.yaml"),
+    include_str!("../../configs/walker-muscles.yaml"),
 ];
 
 fn schema() -> Value {

@@ -9,7 +9,7 @@ from drive_hands import click, enter, muscle_page, named, reveal, text, title
 
 def choose(window, item):
     """Chooses from the menu beside the list of muscles."""
-    label = "Duplicate, delete or replace the muscle"
+    label = "Duplicate, mirror, delete or replace the muscle"
     buttons = lambda: [node for node in walk(window.root) if node.get_name() == label and node.get_role_name().endswith("button")]
     button = wait("there is a menu for the muscle", buttons)[0]
     reveal(button)
@@ -17,7 +17,7 @@ def choose(window, item):
     items = lambda: [called(node) for node in walk(window.root) if node.get_role_name() == "menu item"]
     wait(f"the menu offers {item}", lambda: item in items())
     # By the keyboard: the menu says where its items are only while it is still coming up.
-    place = ["Duplicate", "Delete"].index(item)
+    place = ["Duplicate", "Mirror", "Delete"].index(item)
     window.key(*(["Down"] * place), "Return")
 
 

@@ -375,7 +375,7 @@ const MUSCLES: [MuscleData; 32] = [
         tendon: 0.126 + PATELLAR_LIGAMENT,
         belly_on: Femur,
         origin_tendon: 0.02,
-        belly_end: 0.55,
+        belly_end: 0.5,
         path: &[
             fixed(Femur, [0.014, -0.2099, 0.0188]),
             fixed(Femur, [0.0356, -0.2769, 0.0009]),

@@ -331,9 +331,15 @@ impl MusclePanel {
             menu
         };
         let button = &self.widgets.new_muscle;
-        button.set_menu_model(Some(&list(button, "new", |editor, preset| {
+        let new = list(button, "new", |editor, preset| {
             editor.tell(|session| session.new_muscle(preset));
-        })));
+        });
+        let sets = gio::Menu::new();
+        for command in [Command::AttachArms, Command::AttachLegs, Command::AttachBody] {
+            sets.append(Some(&command.label()), Some(&format!("win.{}", command.id())));
+        }
+        new.append_section(Some(&tr!("app-menu-muscle-sets")), &sets);
+        button.set_menu_model(Some(&new));
         let button = &self.widgets.muscle_menu;
         let ready = list(button, "ready", |own, preset| {
             let id = own.id();
