@@ -80,7 +80,7 @@ fn limb(tree: &BoneTree<'_>, bones: &[NodeId], of: &LimbNames, side: Option<Side
         let below_upper = || tree.bones_above(id).any(|above| is(above, of.upper).is_some());
         (of.lower != BodyPart::Shin || rank < BARE_LEG || below_upper()).then_some(rank)
     };
-    let leads_on = |id: NodeId| tree.bones_below(id).iter().any(|below| are_apart(tree.place(*below), tree.place(id)));
+    let leads_on = |id: NodeId| tree.longest_way(id).any(|below| are_apart(tree.place(below), tree.place(id)));
     let lower = bones
         .iter()
         .filter_map(|id| Some((rank_of(*id)?, *id)))

@@ -57,39 +57,28 @@ fn holds(tree: &BoneTree<'_>, limb: &Limb, id: NodeId) -> bool {
 /// The two longest chains of equal length that leave the trunk at a bone.
 fn pair_at(tree: &BoneTree<'_>, trunk: NodeId) -> Option<Pair> {
     let children = tree.graph.node(trunk).children().iter().copied().filter(|id| tree.is_bone(*id));
-    let mut chains: Vec<(f64, Chain)> = children.map(|child| longest(tree, child)).filter(|(_, chain)| chain.len() > 2).collect();
-    chains.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let at = chains.windows(2).position(|two| match two {
-        [a, b] => {
-            let roots = [a, b].map(|(_, chain)| chain.first().map_or(DVec3::NAN, |id| tree.place(*id)));
-            let tips = [a, b].map(|(_, chain)| chain.last().map_or(DVec3::NAN, |id| tree.place(*id)));
-            (a.0 - b.0).abs() <= ALIKE * a.0 && a.1.len() == b.1.len() && (are_apart(roots[0], roots[1]) || are_apart(tips[0], tips[1]))
+    let mut children: Vec<(f64, NodeId)> = children.map(|child| (tree.longest_below(child), child)).collect();
+    children.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    children.windows(2).find_map(|two| {
+        let [(length, one), (other_length, other)] = *<&[(f64, NodeId); 2]>::try_from(two).ok()?;
+        if length - other_length > ALIKE * length {
+            return None;
         }
-        _ => false,
-    })?;
-    let mut two = chains.drain(at..at + 2);
-    let ((length, one), (_, other)) = (two.next()?, two.next()?);
-    Some(Pair { trunk, chains: [one, other], length })
+        let chains = [one, other].map(|child| chain_below(tree, child));
+        let [a, b] = &chains;
+        let differ = |first: Option<&NodeId>, second: Option<&NodeId>| {
+            first.zip(second).is_some_and(|(first, second)| are_apart(tree.place(*first), tree.place(*second)))
+        };
+        let is_pair = a.len() == b.len() && a.len() > 2 && (differ(a.first(), b.first()) || differ(a.last(), b.last()));
+        is_pair.then(|| Pair { trunk, chains, length })
+    })
 }
 
-/// The longest way down from a bone, and its length; bones that begin at one place count once.
-fn longest(tree: &BoneTree<'_>, from: NodeId) -> (f64, Chain) {
-    // Each bone below with the length of the way to it; children come after their parents.
-    let mut ways: Vec<(NodeId, f64, Option<usize>)> = vec![(from, 0.0, None)];
-    let mut next = 0;
-    while let Some((id, length, _)) = ways.get(next).copied() {
-        let here = tree.place(id);
-        let below = tree.graph.node(id).children().iter().filter(|child| tree.is_bone(**child));
-        ways.extend(below.map(|child| (*child, length + here.distance(tree.place(*child)), Some(next))).collect::<Vec<_>>());
-        next += 1;
-    }
-    let end =
-        ways.iter().enumerate().filter(|(_, (_, length, _))| length.is_finite()).max_by(|a, b| a.1.1.total_cmp(&b.1.1)).map(|(at, _)| at);
-    let length = end.and_then(|at| ways.get(at)).map_or(0.0, |way| way.1);
-    let mut chain: Chain = std::iter::successors(end, |at| ways.get(*at)?.2).filter_map(|at| Some(ways.get(at)?.0)).collect();
-    chain.reverse();
+/// The longest way down from a bone; bones that begin at one place count once.
+fn chain_below(tree: &BoneTree<'_>, from: NodeId) -> Chain {
+    let mut chain: Chain = tree.longest_way(from).collect();
     chain.dedup_by(|later, earlier| !are_apart(tree.place(*later), tree.place(*earlier)));
-    (length, chain)
+    chain
 }
 
 /// The joints of a chain: its two longest segments in a row that are alike.

@@ -252,3 +252,19 @@ fn what_a_rig_lacks_stays_empty() {
     ball.graph.add(None, Node::new("ball"));
     assert!(Humanoid::find(&ball, &[]).is_empty());
 }
+
+#[test]
+fn thousands_of_bones_with_the_names_of_limbs_are_no_figure() {
+    let mut scene = Scene::default();
+    let mut bone = |parent: Option<NodeId>, name: &str, at: DVec3| {
+        let node = Node::new(name).with_kind(NodeKind::Joint).with_transform(Transform { ops: vec![TransformOp::Translate(at)] });
+        scene.graph.add(parent, node)
+    };
+    let mut spine = None;
+    for number in 0..4000 {
+        spine = Some(bone(spine, if number % 2 == 0 { "forearm" } else { "l_shin" }, DVec3::Y * 0.1));
+        bone(spine, "l_leg", DVec3::X * 0.1);
+    }
+    let found = Humanoid::find(&scene, &[]);
+    assert!(found.iter().all(|figure| figure.legs.iter().chain(&figure.arms).any(|limb| !limb.is_whole())));
+}

@@ -29,6 +29,9 @@ pub(super) struct BoneTree<'a> {
     pub graph: &'a Graph,
     bones: Vec<bool>,
     rest: Vec<DMat4>,
+    depths: Vec<usize>,
+    /// For each node the length of the longest way down from it over bones, metres, and the next bone of that way.
+    reach: Vec<(f64, Option<NodeId>)>,
 }
 
 impl<'a> BoneTree<'a> {
@@ -36,7 +39,33 @@ impl<'a> BoneTree<'a> {
         let graph = &scene.graph;
         let mut rest = Vec::new();
         graph.world_from_local(&graph.rest_locals(), &mut rest);
-        Self { graph, bones: bone_flags(graph, skip), rest }
+        let mut depths: Vec<usize> = Vec::with_capacity(graph.len());
+        for (_, node) in graph.iter() {
+            depths.push(node.parent().and_then(|parent| depths.get(parent.index())).map_or(0, |depth| depth + 1));
+        }
+        let mut tree = Self { graph, bones: bone_flags(graph, skip), rest, depths, reach: vec![(0.0, None); graph.len()] };
+        // Children come after their parents.
+        for index in (0..graph.len()).rev() {
+            let id = NodeId(index as u32);
+            let Some(parent) = graph.node(id).parent().filter(|_| tree.is_bone(id)) else { continue };
+            let length = tree.longest_below(id) + tree.place(id).distance(tree.place(parent));
+            if let Some(known) =
+                tree.reach.get_mut(parent.index()).filter(|known| length.is_finite() && (length > known.0 || known.1.is_none()))
+            {
+                *known = (length, Some(id));
+            }
+        }
+        tree
+    }
+
+    /// Length of the longest way down from a bone, metres.
+    pub(super) fn longest_below(&self, id: NodeId) -> f64 {
+        self.reach.get(id.index()).map_or(0.0, |reach| reach.0)
+    }
+
+    /// That way, from the bone itself on.
+    pub(super) fn longest_way(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        std::iter::successors(Some(id), |id| self.reach.get(id.index())?.1)
     }
 
     pub(super) fn is_bone(&self, id: NodeId) -> bool {
@@ -98,7 +127,7 @@ impl<'a> BoneTree<'a> {
 
     /// How many nodes are above.
     pub(super) fn depth(&self, id: NodeId) -> usize {
-        self.ancestors(id).count()
+        self.depths.get(id.index()).copied().unwrap_or(0)
     }
 
     /// The lowest node above both, which may be one of them.
