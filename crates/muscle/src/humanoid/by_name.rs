@@ -75,10 +75,20 @@ fn named(tree: &BoneTree<'_>, id: NodeId, part: BodyPart) -> Option<BoneNameMatc
 
 fn limb(tree: &BoneTree<'_>, bones: &[NodeId], of: &LimbNames, side: Option<Side>) -> Limb {
     let is = |id: NodeId, part: BodyPart| named(tree, id, part).filter(|found| !found.helper && found.side == side);
+    // Whether a bone is below one that is named as the upper part; parents come before their children.
+    let mut below_upper = vec![false; tree.graph.len()];
+    if of.lower == BodyPart::Shin {
+        for id in bones {
+            let parent = tree.graph.node(*id).parent();
+            let below = parent.is_some_and(|parent| below_upper.get(parent.index()) == Some(&true) || is(parent, of.upper).is_some());
+            if let Some(slot) = below_upper.get_mut(id.index()) {
+                *slot = below;
+            }
+        }
+    }
     let rank_of = |id: NodeId| {
         let rank = is(id, of.lower)?.rank;
-        let below_upper = || tree.bones_above(id).any(|above| is(above, of.upper).is_some());
-        (of.lower != BodyPart::Shin || rank < BARE_LEG || below_upper()).then_some(rank)
+        (of.lower != BodyPart::Shin || rank < BARE_LEG || below_upper.get(id.index()) == Some(&true)).then_some(rank)
     };
     let leads_on = |id: NodeId| tree.longest_way(id).any(|below| are_apart(tree.place(below), tree.place(id)));
     let lower = bones

@@ -70,7 +70,7 @@ fn pair_at(tree: &BoneTree<'_>, trunk: NodeId) -> Option<Pair> {
             first.zip(second).is_some_and(|(first, second)| are_apart(tree.place(*first), tree.place(*second)))
         };
         let is_pair = a.len() == b.len() && a.len() > 2 && (differ(a.first(), b.first()) || differ(a.last(), b.last()));
-        is_pair.then(|| Pair { trunk, chains, length })
+        is_pair.then_some(Pair { trunk, chains, length })
     })
 }
 
