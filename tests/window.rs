@@ -153,6 +153,11 @@ fn a_muscle_is_edited_saved_and_read_again() {
 }
 
 #[test]
+fn the_skin_over_muscles_is_set_and_follows_them() {
+    drive("drive_skin.py");
+}
+
+#[test]
 fn exports_are_made_stopped_and_saved() {
     drive("drive_export.py");
 }

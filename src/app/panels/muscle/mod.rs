@@ -8,6 +8,7 @@ pub(crate) mod muscle_editor;
 pub(crate) mod muscle_panel;
 mod profile_plot;
 mod profile_table;
+mod skin_editor;
 mod via_points_editor;
 mod via_range;
 mod wrap_surface_row;

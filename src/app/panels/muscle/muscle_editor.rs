@@ -9,7 +9,7 @@ use gtk4 as gtk;
 use crate::app::handles::session_handle::{SessionHandle, WeakSession};
 use crate::app::widgets::ui;
 use crate::i18n::{self, Sentence, shown};
-use crate::muscle::{Edit, EditError, MuscleSpec};
+use crate::muscle::{Edit, EditError, MuscleFile, MuscleSpec};
 use crate::scene::MuscleId;
 use crate::session::{Session, UndoStep};
 
@@ -65,6 +65,16 @@ impl Editor {
             rig.spec(index).cloned()
         };
         self.session.upgrade()?.try_read(spec)?
+    }
+
+    /// The file that the muscle shown is in; `None` as above.
+    pub(crate) fn file(&self) -> Option<MuscleFile> {
+        let id = self.id();
+        let file = |session: &mut Session| {
+            let document = session.document();
+            document.muscle_files().nth(document.file_of_muscle(id)?.0).cloned()
+        };
+        self.session.upgrade()?.try_read(file)?
     }
 
     /// What the muscle shown is called; `None` as above.

@@ -15,6 +15,7 @@ use super::contraction_controls::ContractionControls;
 use super::muscle_editor::{Editor, connect_entry, show_text};
 use super::profile_plot::{ProfilePlot, ProfileShape};
 use super::profile_table::ProfileTable;
+use super::skin_editor::SkinEditor;
 use super::via_points_editor::ViaPointsEditor;
 use super::wrap_surfaces_editor::WrapSurfacesEditor;
 use crate::app::commands::Command;
@@ -69,6 +70,7 @@ pub(crate) struct MusclePanel {
     ends: AttachmentsEditor,
     way: ViaPointsEditor,
     wraps: WrapSurfacesEditor,
+    skin: SkinEditor,
     shown: Rc<Cell<u32>>,
     editor: Editor,
     profile: ProfilePlot,
@@ -212,6 +214,7 @@ impl MusclePanel {
             ends: AttachmentsEditor::new(&builder, &bones),
             way: ViaPointsEditor::new(&builder, &bones),
             wraps: WrapSurfacesEditor::new(&builder, &bones),
+            skin: SkinEditor::new(&builder),
             bones,
             editor: Editor::new(session, &shown, &widgets.refused),
             shown,
@@ -296,6 +299,7 @@ impl MusclePanel {
         self.ends.connect(editor);
         self.way.connect(editor);
         self.wraps.connect(editor);
+        self.skin.connect(editor);
         let own = editor.clone();
         connect_entry(&self.widgets.name, move |entry| {
             let name = entry.text().trim().to_owned();
@@ -458,6 +462,7 @@ impl MusclePanel {
         self.ends.show(session, id, &unit.length, anew);
         self.way.show(session, id, &unit.length, anew);
         self.wraps.show(session, id, &unit.length, anew);
+        self.skin.show(session, id, &unit.length, anew);
         self.widgets.fit_length.set_sensitive(rig.is_attached(index));
         self.nodes.show(profile, &solved.radii, &unit.length, anew);
     }
@@ -495,6 +500,7 @@ impl Panel for MusclePanel {
             self.widgets.refused.set_visible(false);
             self.way.forget_refusals();
             self.wraps.forget_refusals();
+            self.skin.forget_refusals();
         }
         let moves = ChangeSet::DOCUMENT
             | ChangeSet::DRIVE
