@@ -19,6 +19,7 @@ mod profile;
 mod save;
 mod schema;
 mod sets;
+mod skin_layer;
 
 use std::sync::{Mutex, PoisonError};
 

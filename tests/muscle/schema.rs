@@ -85,7 +85,7 @@ fn complete() -> [Value; 4] {
             "via": [{"bone": "upper arm", "offset": [3.0, -15.0, 0.0]}],
             "wrap": {"bone": "upper arm", "offset": [0.0, -33.0, 0.0], "radius": 1.5, "side": [1.0, 0.0, 0.0]},
             "tendons": {"origin": {"length": 2.0, "radius": 0.3}, "insertion": {"length": 4.0, "radius": 0.3}}}]}),
-        json!({"unit": 0.5, "clip": "clip.dae", "scale": "with bones", "skin": {"fat": 2.5, "reach": 30, "elasticity": 0.5},
+        json!({"unit": 0.5, "clip": "clip.dae", "scale": "with bones", "skin": {"fat": 0.01, "reach": 0.1, "elasticity": 0.5},
             "joint": {"bone": "b", "axis": [1.0, 0.0, 0.0], "range": [-10.0, 90.0]}, "muscles": [
             {"length": 25.0, "poses": [{"angle": 0.0, "radii": [1.0, 2.0]}, {"angle": 60.0, "radii": [1.5, 2.0]}]},
             {"length": 25.0, "poses": [{"length": 20.0, "radii": [1.0, 2.0]}, {"length": 30.0, "radii": [1.5, 2.0]}]}]}),
@@ -255,6 +255,8 @@ fn is_about_several_values(error: &ConfigErrorKind) -> bool {
         Kind::AttachedAtElbow(_) | Kind::BadRange { .. } | Kind::NoDirection(_) | Kind::UnknownArmBone { .. } => true,
         Kind::RepeatedJoint(_) | Kind::UnknownJoint { .. } | Kind::MotionAngles | Kind::BadBetween { .. } => true,
         Kind::TorusWithoutHole { .. } | Kind::SideAlongCylinder => true,
+        // A length of at most 1 m, in the unit of the file.
+        Kind::TooLarge { name, .. } => name.key != Some("elasticity"),
         // As many offsets as angles.
         Kind::WrongCount { name, .. } => name.key == Some("offsets") && name.items.is_empty(),
         Kind::Profile(error) => {
