@@ -15,7 +15,7 @@ ICONS = $(SHARE)/icons/hicolor
 MIME_CACHES := XMLnamespaces aliases generic-icons globs globs2 icons magic mime.cache subclasses treemagic types version
 COMPLETIONS = "$(SHARE)/bash-completion/completions/sinew" "$(SHARE)/zsh/site-functions/_sinew" "$(SHARE)/fish/vendor_completions.d/sinew.fish"
 
-.PHONY: run build test test-newer soak monkey shots plots bench fuzz install uninstall deb clean refresh clips
+.PHONY: run build test test-newer soak monkey shots plots bench fuzz install uninstall deb clean refresh clips walker-muscles pictures
 
 # The window starts with this biceps; without a display it is drawn instead.
 START := configs/biceps-measured.yaml
@@ -177,6 +177,11 @@ clips:
 walker-muscles: build
 	$(BINARY) attach configs/walker.dae --set body -o configs/walker-muscles.yaml --force
 	$(BINARY) render configs/walker-muscles.yaml -o resources/pictures/walker-muscles.gif --size 300x400 --fps 15 --yaw 40 --pitch 4 --zoom 1.1 --force
+
+# Draws the film and the picture of the skin that follows muscles again: resources/pictures.
+pictures: build
+	@resources/setup.sh test
+	resources/pictures.sh $(BINARY)
 
 clean:
 	$(CARGO) clean
