@@ -186,7 +186,7 @@ impl Session {
         self.overlays.rebind(&self.document, arrival == LoadMode::Again);
         (self.view.display.highlight.selected, self.view.display.highlight.hovered, self.view.display.highlight.weights) =
             (None, None, None);
-        self.state = PoseState { skinning: old_state.skinning, ..self.document.start_state() };
+        self.state = PoseState { skinning: old_state.skinning, skin: old_state.skin, ..self.document.start_state() };
         self.history = History::default();
         self.saved_files = self.document.muscle_files().cloned().collect();
         self.model = ModelTransform::default();

@@ -157,7 +157,7 @@ mod tests {
     use super::*;
     use crate::document::{Document, PoseBuffers};
     use crate::session::tests::{biceps, clip};
-    use sinew_muscle::Tendon;
+    use sinew_muscle::{SkinSpec, Tendon};
     use sinew_scene::{Frame, Mesh};
 
     /// The surfaces of the muscles of a session, in the memory where they stand.
@@ -173,6 +173,7 @@ mod tests {
             (0..2_usize, 0.0..60.0, 0.5..4.0).prop_map(|(end, length, radius)| Edit::Tendon(end, Tendon { length, radius })),
             (0..4_usize).prop_map(Edit::AddNode),
             (0.0..59.0).prop_map(Edit::Pennation),
+            (0.0..9.0, 0.0..60.0, 0.0..1.0).prop_map(|(fat, reach, elasticity)| Edit::Skin(Some(SkinSpec { fat, reach, elasticity }))),
             Just(Edit::Name("same".into())),
         ]
     }
@@ -255,6 +256,29 @@ mod tests {
         assert_eq!(radius(&session), Some(34.0));
         session.revert();
         assert_eq!((session.is_unsaved(), radius(&session)), (false, before));
+    }
+
+    #[test]
+    fn a_thicker_layer_moves_the_skin_until_it_is_undone() {
+        let mut session = clip();
+        session.new_muscle(biceps()).unwrap();
+        session.set_flexion(70.0);
+        let skin = |session: &mut Session| -> Vec<_> {
+            let surfaces = session.frame().surfaces.iter().filter(|surface| surface.skin);
+            surfaces.flat_map(|surface| (0..surface.mesh.positions.len() as u32).map(|vertex| surface.position(vertex))).collect()
+        };
+        let usual = skin(&mut session);
+        let unit = session.document().muscle_files().next().unwrap().unit_metres;
+        let layer = |fat: f64| Edit::Skin(Some(SkinSpec { fat: fat / unit, ..SkinSpec::in_unit(unit) }));
+        session.edit_muscle(MuscleId(0), &layer(0.012), UndoStep::New).unwrap();
+        let thick = skin(&mut session);
+        let farthest = usual.iter().zip(&thick).map(|(usual, thick)| usual.distance(*thick)).fold(0.0, f32::max);
+        assert!((0.001..0.02).contains(&farthest), "{farthest} m");
+        assert_eq!(session.undo_names().0, Some(&layer(0.0).message()));
+        assert!(session.edit_muscle(MuscleId(0), &layer(-0.001), UndoStep::New).is_err());
+        assert!(skin(&mut session) == thick);
+        session.undo();
+        assert!(skin(&mut session) == usual);
     }
 
     #[test]

@@ -1,5 +1,5 @@
 use super::*;
-use crate::document::SceneReaders;
+use crate::document::{SceneReaders, Skinning};
 use glam::DVec3;
 use sinew_muscle::AttachmentPoint;
 use sinew_muscle::presets::Preset;
@@ -53,6 +53,17 @@ fn every_change_is_told_once() {
     assert_eq!(session.take_changes(), ChangeSet::PLAYBACK);
     session.change_display(|display| display.grid = !display.grid);
     assert_eq!(session.take_changes(), ChangeSet::DISPLAY);
+}
+
+#[test]
+fn how_skins_are_bent_is_kept_when_another_document_comes() {
+    let mut session = session();
+    session.set_skinning(Skinning::DualQuaternion);
+    session.set_skin_follows_muscles(false);
+    for mode in [LoadMode::Again, LoadMode::New] {
+        session.show(two_clips(), mode);
+        assert_eq!((session.state().skinning, session.skin_follows_muscles()), (Skinning::DualQuaternion, false));
+    }
 }
 
 #[test]
