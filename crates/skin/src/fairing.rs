@@ -92,6 +92,8 @@ impl Coupling {
         self.starts.clear();
         self.shares.clear();
         self.crushed.clear();
+        // A later pose may crush what this one leaves alone.
+        self.crushed.reserve(elasticity.len());
         for (point, (elasticity, follows)) in elasticity.iter().zip(follows).enumerate() {
             let here = positions.get(point).copied().unwrap_or(Vec3::ZERO);
             let (first, mut sum) = (self.weights.len(), 0.0);
