@@ -1,11 +1,11 @@
 //! Whole sets of muscles from published models, carried to the bones of a figure.
 //!
-//! A model has paths on the segments of one body. Each segment is laid on the figure by a similarity ([`frames`]), so that joints come to lie on joints;
-//! volumes go with the cube of the scale ([`belly`]), wrap surfaces are as large as their segment, or smaller where a point of the muscle would lie inside.
+//! A model has paths on the segments of one body. Each segment is laid on the figure by a similarity (`frames`), so that joints come to lie on joints;
+//! volumes go with the cube of the scale (`belly`), wrap surfaces are as large as their segment, or smaller where a point of the muscle would lie inside.
 //! Joints of the file are the model's coordinates, with its names and signs; their angles count from the figure's rest pose, as those of all joints of muscle
 //! files do.
 //!
-//! The models are [`arm26`] and [`gait2392`], both licensed CC BY 3.0: their credit stands in each muscle that is made, and in [`MuscleSet::credits`].
+//! The models are `arm26` and `gait2392`, both licensed CC BY 3.0: their credit stands in each muscle that is made, and in [`MuscleSet::credits`].
 
 mod arm26;
 mod belly;
