@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::clearance::{Pair, lack};
 use crate::follow::following;
-use crate::layout::Layout;
+use crate::layout::{Layout, measured};
 use crate::lists::Lists;
 use crate::pieces::pieces_of;
 use crate::points::{Points, SkinMesh};
@@ -54,11 +54,12 @@ impl Binding {
         }
         let piece_of = |point: usize| points.pieces.get(point).and_then(|piece| pieces.get(*piece as usize));
         let normals = points.normals();
+        let (edges, _) = measured(&points.positions, &points.triangles);
         let (mut order, mut followings) = (Vec::new(), Vec::new());
-        for (point, (position, normal)) in points.positions.iter().zip(normals).enumerate() {
+        for (point, ((position, normal), edge)) in points.positions.iter().zip(normals).zip(edges).enumerate() {
             let Some(piece) = piece_of(point).filter(|piece| !piece.muscles.is_empty() && position.is_finite()) else { continue };
             let normal = if piece.inverted { -normal } else { normal };
-            let following = following(*position, normal, &piece.muscles, muscles, rest);
+            let following = following(*position, normal, edge, &piece.muscles, muscles, rest);
             if following.weight > 0.0 {
                 order.push(point as u32);
                 followings.push(following);

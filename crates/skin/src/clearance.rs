@@ -15,6 +15,8 @@ use crate::station::Station;
 const SMOOTHED: f32 = 0.0005;
 /// A value this much below the largest counts for nothing, times τ.
 const FORGOTTEN: f32 = 16.0;
+/// Longer edges are taken to be this long, metres: a skin so coarse shows no tendons.
+const LONGEST: f32 = 0.03;
 /// The height of a tent is at most so many times the longer half axis: √2, rounded up.
 const SLOPE: f32 = 1.4143;
 /// The directions of cross-sections whose values are less than this below the largest are blended, metres.
@@ -67,14 +69,15 @@ fn tent(q: f32, height: f32, across_squared: f32) -> f32 {
 /// length of the skin's edges there.
 ///
 /// Where neither can matter, both are infinite.
-fn lack_over(station: &Station, point: Vec3, edge: f32, layer: f32, scale: f32) -> (f32, f32) {
+pub(crate) fn lack_over(station: &Station, point: Vec3, edge: f32, layer: f32, scale: f32) -> (f32, f32) {
     let offset = point - station.center;
     let (along, height) = (offset.dot(station.along), offset.dot(station.outward));
     let sideways = (offset.length_squared() - along * along - height * height).max(0.0);
     let beyond = positive_part(along.abs() - 0.6 * station.half, 0.8 * station.half).powi(2);
     let (tall, wide) = (station.height * station.height, station.across * station.across);
     // Above the plane through the middle a point lacks at most the top of the tent less its distance.
-    let most = SLOPE * station.height.max(station.across) + CHORD * edge + (layer + NO_MATTER) * scale;
+    let chord = CHORD * edge.min(LONGEST * scale);
+    let most = SLOPE * station.height.max(station.across) + chord + (layer + NO_MATTER) * scale;
     if height > 0.0 && height * height + sideways + beyond > most * most {
         return (f32::NEG_INFINITY, f32::INFINITY);
     }
@@ -83,7 +86,7 @@ fn lack_over(station: &Station, point: Vec3, edge: f32, layer: f32, scale: f32) 
     let across = (sideways + beyond + least) / (sideways / wide + (beyond + least) / tall);
     let q = (sideways + beyond).sqrt();
     let thin = smooth_step((edge / station.height - 0.25) / 0.75);
-    let q = if thin > 0.0 { positive_part(q - CHORD * edge * thin, 0.002 * scale) } else { q };
+    let q = if thin > 0.0 { positive_part(q - chord * thin, 0.002 * scale) } else { q };
     let deep = if height < -DEEP * scale { 1.5 * positive_part(-height - DEEP * scale, SET_IN * scale) } else { 0.0 };
     let ratio = (height * height / tall + sideways / wide + beyond / tall + 1e-6).sqrt();
     let outside = (height * height + sideways + beyond).sqrt() * (1.0 - 1.0 / ratio);

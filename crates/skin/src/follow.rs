@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::clearance::Pair;
+use crate::clearance::{Pair, lack_over};
 use crate::section::MuscleTissue;
 use crate::soft::{positive_part, smooth_step};
 use crate::station::{Station, Stations};
@@ -20,6 +20,9 @@ const SPARE: f32 = 0.001;
 /// Share of the reach up to which skin follows in full.
 const IN_FULL: f32 = 0.5;
 
+/// A point that at rest lacks more than this to clear a cross-section and its layer, though it is outside of the muscle, does not lie over it, metres.
+const NOT_OVER: f32 = 0.008;
+
 /// A point among the muscles at rest.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Following {
@@ -30,8 +33,8 @@ pub(crate) struct Following {
     pub(crate) pairs: Vec<Pair>,
 }
 
-/// What the point at `position`, whose normal is `normal` (outward, of length 1), follows of `muscles`.
-pub(crate) fn following(position: Vec3, normal: Vec3, among: &[usize], muscles: &[MuscleTissue], rest: &Stations) -> Following {
+/// What the point at `position`, whose normal is `normal` (outward, of length 1) and whose edges have the length `edge`, follows of `muscles`.
+pub(crate) fn following(position: Vec3, normal: Vec3, edge: f32, among: &[usize], muscles: &[MuscleTissue], rest: &Stations) -> Following {
     let (mut following, mut apart) = (Following::default(), 1.0);
     let mut sum = 0.0;
     for index in among {
@@ -49,7 +52,10 @@ pub(crate) fn following(position: Vec3, normal: Vec3, among: &[usize], muscles: 
         following.elasticity += weight * muscle.layer.elasticity as f32;
         let layer = muscle.layer.fat as f32 + SPARE;
         for (number, station) in own.iter().enumerate() {
-            let penalty = penalty(station, position, normal);
+            let (lacks, _) = lack_over(station, position, edge, layer, rest.scale as f32);
+            // What is in doubt at rest is so in every pose, and says nothing of where the point lies.
+            let penalty =
+                penalty(station, position, normal) + station.doubt + 3.0 * positive_part(lacks + station.doubt - NOT_OVER, SET_IN);
             if penalty < LEFT_OUT {
                 following.pairs.push(Pair { station: (muscle.sections.start + number) as u32, layer, penalty });
             }
@@ -107,7 +113,7 @@ mod tests {
     #[test]
     fn skin_over_the_muscle_follows_and_skin_elsewhere_does_not() {
         let (muscles, rest) = rest();
-        let at = |x: f32, z: f32, normal: Vec3| following(Vec3::new(x, 0.0, z), normal, &[0], &muscles, &rest);
+        let at = |x: f32, z: f32, normal: Vec3| following(Vec3::new(x, 0.0, z), normal, 0.005, &[0], &muscles, &rest);
         let over = at(0.0, 0.04, Vec3::Z);
         assert!(over.weight > 0.999 && over.elasticity == 0.5);
         assert!(over.pairs.iter().any(|pair| (pair.layer - 0.004).abs() < 1e-6 && pair.penalty == 0.0));

@@ -73,7 +73,7 @@ fn vertices_of(points: &Points, numbers: &[Option<u32>], count: usize) -> Lists<
 }
 
 /// Mean length of the edges at each point, and a third of the areas of its triangles.
-fn measured(places: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<f32>, Vec<f32>) {
+pub(crate) fn measured(places: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<f32>, Vec<f32>) {
     let (mut lengths, mut counts, mut areas) = (vec![0.0f32; places.len()], vec![0.0f32; places.len()], vec![0.0f32; places.len()]);
     for triangle in triangles {
         let corners = triangle.map(|point| places.get(point as usize).copied().unwrap_or(Vec3::ZERO));
