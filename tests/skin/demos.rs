@@ -3,12 +3,14 @@
 use glam::DVec3;
 use sinew::document::{Document, PoseState};
 use sinew::formats::SCENE_READERS;
+use sinew::muscle::presets::PRESETS;
 use sinew::progress::Progress;
 use sinew::scene::{Frame, NodeId, Surface};
+use sinew::session::{LoadMode, Session};
 
 use crate::figures::{Shape, crossing_pairs};
 use crate::posed::{Posed, bent};
-use crate::support::config;
+use crate::support::{config, left_out, shared};
 
 const ARMS: [&str; 2] = ["curl-muscles.yaml", "atlas-muscles.yaml"];
 
@@ -152,4 +154,25 @@ fn skin_moves_without_a_jump_in_its_speed() {
     // Of a jump in the speed the second difference halves with the step; of a smooth function it is a quarter.
     assert!(fine < 0.4 * coarse, "{fine} {coarse}");
     assert!(fastest < 0.0025, "{fastest} m a degree");
+}
+
+#[test]
+fn presets_on_a_figure_with_straight_arms_throw_no_skin_out() {
+    let Some(shared) = shared() else { return left_out("real figures are not there") };
+    let document = Document::open(&[shared.join("models/walk.dae")], SCENE_READERS, &Progress::default()).unwrap();
+    let mut session = Session::default();
+    session.show(document, LoadMode::New);
+    for preset in PRESETS.iter().take(3) {
+        session.new_muscle(*preset).unwrap();
+    }
+    let document = session.document();
+    assert_eq!(document.muscles_under_skin().len(), 3);
+    let mut posed = Posed::new(document);
+    for (angle, state) in angles(document, 5.0) {
+        posed.at(&state);
+        for skin in posed.skins() {
+            let most = posed.moves(skin).iter().map(|by| by.length()).fold(0.0, f64::max);
+            assert!(most < 0.036, "{angle}°: {most}");
+        }
+    }
 }

@@ -30,6 +30,8 @@ pub(crate) struct Limb {
     /// The muscle's axis in front of the bone, and beside it.
     pub(crate) front: f64,
     pub(crate) side: f64,
+    /// How far in front of the second bone it ends.
+    pub(crate) end: f64,
     /// Its largest radius.
     pub(crate) thick: f64,
     /// Growth of its belly.
@@ -49,6 +51,7 @@ impl Default for Limb {
             open: false,
             front: 24.0,
             side: 0.0,
+            end: 14.0,
             thick: 15.0,
             growth: 2.0,
             more: String::new(),
@@ -71,14 +74,14 @@ impl Limb {
     }
 
     fn muscle(&self) -> String {
-        let Self { front, thick, growth, more, .. } = self;
+        let Self { front, end, thick, growth, more, .. } = self;
         let side = if self.mirrored { -self.side } else { self.side };
         let radii = [0.25, 0.6, 0.9, 1.0, 0.85, 0.5, 0.2].map(|share| format!("{:.3}", share * thick)).join(", ");
         let growths = [0.0, 0.6, 0.9, 1.0, 0.8, 0.5, 0.0].map(|share| format!("{:.3}", share * growth)).join(", ");
         format!(
             "unit: mm\nclip: limb.dae\njoint: {{bone: lower, axis: [0, 0, -1], range: [0, 120]}}\n{more}\nmuscles:\n  - name: Flexor\n    length: 220\n    \
              radii: [{radii}]\n    growth: [{growths}]\n    origin: {{bone: upper, offset: [{front}, 20, {side}]}}\n    \
-             via: [{{bone: upper, offset: [{front}, 200, {side}]}}]\n    insertion: {{bone: lower, offset: [14, 40, 0]}}\n    tendons:\n      \
+             via: [{{bone: upper, offset: [{front}, 200, {side}]}}]\n    insertion: {{bone: lower, offset: [{end}, 40, 0]}}\n    tendons:\n      \
              origin: {{length: 10, radius: 3}}\n      insertion: {{length: 60, radius: 2.5}}\n"
         )
     }

@@ -152,14 +152,14 @@ fn dual_quaternions_bend_a_skin_that_follows_too() {
 
 #[test]
 fn a_muscle_along_the_axis_of_its_bones_makes_no_spikes() {
-    for front in [1.0, 4.0, 8.0] {
-        let document = Limb { front, thick: 14.0, edge: 30.0, ..Limb::default() }.open();
+    for (front, end) in [(1.0, 1.0), (2.0, -2.0), (4.0, 2.0), (8.0, -6.0), (24.0, -3.0)] {
+        let document = Limb { front, end, thick: 14.0, edge: 30.0, ..Limb::default() }.open();
         let mut posed = Posed::new(&document);
         let mut before = 0.0;
         for angle in 0..=30 {
             posed.at(&bent(&document, f64::from(angle)));
             let most = largest(&posed.moves(posed.skins()[0]));
-            assert!((most - before) < 0.0025, "{front} mm in front of the bone at {angle}°: {before} {most}");
+            assert!((most - before).abs() < 0.008 && most < 0.03, "{front} mm in front of the bone at {angle}°: {before} {most}");
             before = most;
         }
     }
