@@ -18,8 +18,10 @@ pub(crate) struct Part {
     corners: Vec<usize>,
     /// All vertices in the world.
     pub placed: Vec<DVec3>,
-    /// The normals of all vertices in the world, of a primitive without a skin that has some.
+    /// The normals of all vertices in the world, of a primitive that has some.
     pub normals: Vec<DVec3>,
+    /// Whether a skin bends it.
+    pub skinned: bool,
     turned: bool,
 }
 
@@ -217,24 +219,35 @@ impl Glb {
                 known = Some((attributes, targets, [shape.clone(), directions.clone()]));
                 // Normals go by the inverse of the transposed matrix.
                 let upright = DMat3::from_mat4(at(number)).inverse().transpose();
-                let normals = match skin {
-                    None => directions.iter().map(|normal| (upright * *normal).normalize()).collect(),
-                    Some(_) => Vec::new(),
-                };
-                let placed: Vec<DVec3> = match skin {
-                    None => shape.iter().map(|point| at(number).transform_point3(*point)).collect(),
+                let (placed, normals): (Vec<DVec3>, Vec<DVec3>) = match skin {
+                    None => (
+                        shape.iter().map(|point| at(number).transform_point3(*point)).collect(),
+                        directions.iter().map(|normal| (upright * *normal).normalize()).collect(),
+                    ),
                     Some(skin) => {
                         let joints: Vec<usize> = list(skin, "joints").iter().filter_map(index).collect();
                         let inverse = self.rows(index(&skin["inverseBindMatrices"]).expect("matrices"));
                         let palette: Vec<DMat4> =
                             joints.iter().zip(&inverse).map(|(joint, rows)| at(*joint) * DMat4::from_cols_slice(rows)).collect();
-                        self.skinned(primitive, &shape, &palette)
+                        let blended = self.blended(primitive, shape.len(), &palette);
+                        let turned = |matrix: &DMat4| DMat3::from_mat4(*matrix).inverse().transpose();
+                        (
+                            blended.iter().zip(&shape).map(|(matrix, point)| matrix.transform_point3(*point)).collect(),
+                            blended.iter().zip(&directions).map(|(matrix, normal)| (turned(matrix) * *normal).normalize()).collect(),
+                        )
                     }
                 };
                 let corners = self.rows(index(&primitive["indices"]).expect("indices")).into_iter().flatten();
                 // A skinned mesh goes where its joints are, whatever node it hangs on; players still look at that node's matrix.
                 let turned = at(number).determinant() < 0.0;
-                parts.push(Part { node: number, corners: corners.map(|vertex| vertex as usize).collect(), placed, normals, turned });
+                parts.push(Part {
+                    node: number,
+                    corners: corners.map(|vertex| vertex as usize).collect(),
+                    placed,
+                    normals,
+                    skinned: skin.is_some(),
+                    turned,
+                });
             }
         }
         parts
@@ -256,20 +269,21 @@ impl Glb {
         shape
     }
 
-    fn skinned(&self, primitive: &Value, shape: &[DVec3], palette: &[DMat4]) -> Vec<DVec3> {
-        let mut placed = vec![DVec3::ZERO; shape.len()];
-        let mut sums = vec![0.0; shape.len()];
+    /// The matrix of each vertex: those of its joints, weighted.
+    fn blended(&self, primitive: &Value, vertices: usize, palette: &[DMat4]) -> Vec<DMat4> {
+        let mut blended = vec![DMat4::ZERO; vertices];
+        let mut sums = vec![0.0; vertices];
         for set in 0.. {
             let attribute = |name: &str| index(&primitive["attributes"][format!("{name}_{set}")]).map(|accessor| self.rows(accessor));
             let (Some(joints), Some(weights)) = (attribute("JOINTS"), attribute("WEIGHTS")) else { break };
-            for vertex in 0..shape.len() {
+            for vertex in 0..vertices {
                 for (joint, weight) in joints[vertex].iter().zip(&weights[vertex]) {
-                    placed[vertex] += palette[*joint as usize].transform_point3(shape[vertex]) * *weight;
+                    blended[vertex] += palette[*joint as usize] * *weight;
                     sums[vertex] += weight;
                 }
             }
         }
         assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 1e-6), "weights add up to 1");
-        placed
+        blended
     }
 }

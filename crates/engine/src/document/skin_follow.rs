@@ -137,6 +137,19 @@ impl Document {
         (0..self.muscle_count()).filter(under).map(|index| MuscleId(index as u32)).collect()
     }
 
+    /// The surfaces that follow muscles, by their place in the frame, each with the vertices that may move, rising.
+    pub fn bound_surfaces(&self) -> Vec<(usize, Vec<u32>)> {
+        if !self.may_have_bound_skins() {
+            return Vec::new();
+        }
+        let bound = |(index, binding): (usize, &Binding)| {
+            let mut vertices: Vec<u32> = binding.vertices().collect();
+            vertices.sort_unstable();
+            (index, vertices)
+        };
+        self.bound_skins().bindings().map(bound).collect()
+    }
+
     /// Number of vertices that follow muscles.
     pub fn bound_vertices(&self) -> usize {
         if !self.may_have_bound_skins() {

@@ -1,4 +1,5 @@
-//! Export of the whole document as glTF 2.0: node tree, meshes, skins, morphs, materials, images, cameras, lights and animations; muscles as a few morph targets each.
+//! Export of the whole document as glTF 2.0: node tree, meshes, skins, morphs, materials, images, cameras, lights and animations; muscles and the skin
+//! that follows them as a few morph targets each.
 //!
 //! What both formats express alike is written unchanged: values of nodes, LINEAR and STEP keys, Bézier translations at thirds as cubic splines.
 //! Everything else is taken from the same sampler that draws, with keys wherever interpolation between two deviates by more than [`MAX_ERROR`] of the scene's diagonal
@@ -7,6 +8,7 @@
 mod animations;
 mod buffer;
 mod container;
+mod following_skins;
 mod keyframe_reduction;
 mod materials;
 mod muscles;
@@ -28,6 +30,7 @@ use serde_json::{Value, json};
 
 use self::animations::{Animation, AnimationRange, Stage, Weights};
 use self::buffer::{Buffer, ENTRY};
+use self::following_skins::{FollowingSkins, WrittenSkin, WrittenSkins};
 use self::materials::GltfMaterials;
 use self::muscles::Muscles;
 use self::surfaces::{SkinBone, Surfaces, bones};
@@ -128,6 +131,8 @@ struct GltfWriter<'a> {
     mirrored: FxHashSet<NodeId>,
     /// Surfaces that the format cannot bend, as they stand at the start: by node and place among its contents.
     still: FxHashMap<(NodeId, usize), (Vec<Vec3>, Vec<Vec3>)>,
+    /// Skinned meshes, which may follow muscles.
+    skinned: WrittenSkins,
     /// Written nodes with morphs.
     morphed: Vec<(usize, Vec<MorphId>)>,
     unsupported: Vec<UnsupportedFeature>,
@@ -148,6 +153,7 @@ impl<'a> GltfWriter<'a> {
             cameras: Vec::new(),
             mirrored: FxHashSet::default(),
             still: FxHashMap::default(),
+            skinned: WrittenSkins::default(),
             morphed: Vec::new(),
             unsupported: Vec::new(),
         }
@@ -185,6 +191,13 @@ impl<'a> GltfWriter<'a> {
                 Weights { node: *node, morphs }.write(self.document, range, animation, &mut self.buffer);
             }
         }
+        FollowingSkins::new(self.document, &ranges, &self.skinned, &mut self.unsupported).write(
+            &mut animations,
+            &mut self.nodes,
+            &mut self.surfaces.meshes,
+            &mut self.buffer,
+            &mut self.unsupported,
+        );
         let muscles = Muscles::new(self.document, &ranges).write(
             &mut animations,
             &mut self.nodes,
@@ -289,7 +302,7 @@ impl<'a> GltfWriter<'a> {
                 match content {
                     Content::Mesh(instance) => match self.still.remove(&(id, place)) {
                         Some(posed) => self.write_rigid_mesh(id, instance, &posed),
-                        None => self.write_mesh(id, instance),
+                        None => self.write_mesh((id, place), instance),
                     },
                     Content::Light(light) => self.write_light(id, light.index()),
                     Content::Camera(camera) => self.write_camera(id, camera.index()),
@@ -315,7 +328,7 @@ impl<'a> GltfWriter<'a> {
         }
     }
 
-    fn write_mesh(&mut self, node: NodeId, instance: &MeshInstance) {
+    fn write_mesh(&mut self, (node, content): (NodeId, usize), instance: &MeshInstance) {
         let scene = &self.document.scene;
         let mirrored = instance.is_skinned() && self.mirrored.contains(&node);
         let made = self.surfaces.mesh(scene, instance, mirrored, &mut self.materials, &mut self.buffer, &mut self.unsupported);
@@ -336,7 +349,9 @@ impl<'a> GltfWriter<'a> {
                 let skin = self.surfaces.skin((instance.mesh, id), &skin.label().plain(), &joints, &bones, &mut self.buffer);
                 self.nodes.push(json!({"name": scene.graph.label(node).plain(), "skin": skin}));
                 self.roots.push(self.nodes.len() - 1);
-                self.nodes.len() - 1
+                let holder = self.nodes.len() - 1;
+                self.skinned.insert((node, content), WrittenSkin { holder, bones });
+                holder
             }
             None => self.holder(node, "mesh"),
         };

@@ -14,7 +14,7 @@ use super::materials::GltfMaterials;
 use super::shape_sampling::{AnimatedShapes, Displacements, MAX_SHAPES, MovingSurfaces, sample, thread_count};
 use super::surfaces::{IndexAccessors, MeshSides, given_shape, primitives};
 use super::unsupported_features::UnsupportedFeature;
-use sinew_engine::document::{Document, PoseBuffers};
+use sinew_engine::document::{Document, PoseBuffers, PoseState, SkinMotion};
 use sinew_scene::limits;
 use sinew_scene::{Frame, Mesh, MuscleId, NodeId, Surface, SurfaceGeometry};
 
@@ -69,7 +69,9 @@ impl MovingSurfaces for Muscles<'_> {
 
     fn pose(&self, range: usize, at: f64, scratch: &mut MuscleScratch) -> Vec<Displacements> {
         if let Some(range) = self.ranges.get(range) {
-            self.document.pose(&range.state(self.document, at), &mut scratch.buffers, &mut scratch.frame);
+            // Muscles stand where they do whether the skin follows them or not, and so it need not.
+            let state = PoseState { skin: SkinMotion::Skeleton, ..range.state(self.document, at) };
+            self.document.pose(&state, &mut scratch.buffers, &mut scratch.frame);
         }
         let less = |a: &[Vec3], b: &[Vec3]| -> Vec<Vec3> { a.iter().zip(b).map(|(a, b)| *a - *b).collect() };
         let displaced = |(place, rest): (&MuscleSurface, &MuscleShape)| match shape(&scratch.frame, place) {
@@ -82,6 +84,11 @@ impl MovingSurfaces for Muscles<'_> {
         };
         self.surfaces.iter().zip(&self.rest).map(displaced).collect()
     }
+}
+
+/// How far a vertex of a muscle, or of the skin over it, may be from where it belongs at any moment, metres, in a scene that starts as this frame.
+pub(super) fn largest_error(start: &Frame) -> f32 {
+    MAX_ERROR.min(MAX_RELATIVE_ERROR * start.bounds.diagonal())
 }
 
 /// A muscle in the space of its bone; `None` where it is not shown or the bone is flat.
@@ -98,7 +105,7 @@ fn shape(frame: &Frame, place: &MuscleSurface) -> Option<MuscleShape> {
 }
 
 /// How much longer a matrix makes a vector at most: exact where its columns are square to each other, else an upper bound (‖M‖₂² ≤ ‖MᵀM‖∞).
-fn stretch(matrix: &DMat4) -> f64 {
+pub(super) fn stretch(matrix: &DMat4) -> f64 {
     let upright = DMat3::from_mat4(*matrix);
     let square = upright.transpose() * upright;
     [square.row(0), square.row(1), square.row(2)].map(|row| row.abs().element_sum()).into_iter().fold(0.0, f64::max).sqrt()
@@ -129,7 +136,7 @@ impl<'a> Muscles<'a> {
         losses: &mut Vec<UnsupportedFeature>,
     ) -> Vec<(usize, Option<NodeId>)> {
         let moments: Vec<Vec<KeyTime>> = self.ranges.iter().map(|range| range.moments(self.document)).collect();
-        let error = MAX_ERROR.min(MAX_RELATIVE_ERROR * self.frame.bounds.diagonal());
+        let error = largest_error(&self.frame);
         // However many muscles there are, all shapes together stay within a bound.
         let most = (limits::SHAPE_VERTICES / self.vertices().into_iter().sum::<usize>().max(1)).min(MAX_SHAPES);
         let sampled = sample(self, &moments, error, most, thread_count());
@@ -202,8 +209,8 @@ impl<'a> Muscles<'a> {
     }
 }
 
-/// Writes the weights of a muscle over each range.
-fn write_weights(node: usize, shapes: &AnimatedShapes, animations: &mut [Animation], buffer: &mut Buffer) {
+/// Writes the weights of a node's shapes over each range.
+pub(super) fn write_weights(node: usize, shapes: &AnimatedShapes, animations: &mut [Animation], buffer: &mut Buffer) {
     if shapes.basis.shapes.is_empty() {
         return;
     }

@@ -12,7 +12,7 @@ use glam::Vec3;
 use super::keyframe_reduction::{KeyTime, thin};
 use super::shape_basis::{ShapeBasis, ShapeBasisBuilder, ShapeTolerance};
 
-/// Most shapes of one surface.
+/// Most shapes of a muscle.
 pub(super) const MAX_SHAPES: usize = 64;
 /// Most moments of all ranges together.
 const MAX_MOMENTS: usize = 4_096;
@@ -111,7 +111,7 @@ pub(super) struct SampledSurfaces {
 pub(super) fn sample<S: MovingSurfaces>(surfaces: &S, ranges: &[Vec<KeyTime>], error: f32, most: usize, threads: usize) -> SampledSurfaces {
     let tolerance = ShapeTolerance { projection: error * PROJECTION, omission: error * OMISSION, normal: NORMAL };
     let vertices = surfaces.vertices();
-    let builders = vertices.iter().map(|count| ShapeBasisBuilder::new(*count, tolerance, most.min(MAX_SHAPES))).collect();
+    let builders = vertices.iter().map(|count| ShapeBasisBuilder::new(*count, tolerance, most)).collect();
     let mut sampled = SampledSurfaces { builders, samples: vec![Vec::new(); ranges.len()], error, threads, exceeded: false };
     if sampled.builders.is_empty() {
         return sampled;

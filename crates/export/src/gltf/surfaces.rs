@@ -249,16 +249,19 @@ fn shape(mesh: &Mesh, buffer: &mut Buffer) -> GltfAttributes {
     attributes
 }
 
-/// Joints and weights, four to a set, the heaviest first, as many sets as the fullest point needs.
-fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> GltfAttributes {
+/// The joints of a point, by their place among [`bones`], with weights that add up to 1; the heaviest first.
+pub(super) type PointInfluences = Vec<(u16, f32)>;
+
+/// What is written for each point of a mesh.
+pub(super) fn influences_of_points(skin: &Skin, mesh: &Mesh) -> Vec<PointInfluences> {
     let root = skin.joints.len() as u16;
     // Points without weights come behind the root where they have a joint of their own, and at the root else.
     let own = match extras(skin, mesh) {
         (at_root, true) => root + u16::from(at_root),
         _ => root,
     };
-    let of_point = |point: usize| -> Vec<(u16, f32)> {
-        let mut found: Vec<(u16, f32)> = Vec::new();
+    let of_point = |point: usize| -> PointInfluences {
+        let mut found = PointInfluences::new();
         for influence in skin.influences_of(point) {
             let joint = u16::try_from(influence.joint).ok().filter(|joint| *joint < root).unwrap_or(root);
             let weight = influence.weight;
@@ -280,7 +283,12 @@ fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> GltfAttributes {
         found[0].1 = (1.0 - rest) as f32;
         found
     };
-    let points: Vec<Vec<(u16, f32)>> = (0..mesh.source_count as usize).map(of_point).collect();
+    (0..mesh.source_count as usize).map(of_point).collect()
+}
+
+/// Joints and weights, four to a set, the heaviest first, as many sets as the fullest point needs.
+fn influences(skin: &Skin, mesh: &Mesh, buffer: &mut Buffer) -> GltfAttributes {
+    let points = influences_of_points(skin, mesh);
     let sets = points.iter().map(Vec::len).max().unwrap_or(1).div_ceil(4).max(1);
     let mut attributes = GltfAttributes::new();
     for set in 0..sets {

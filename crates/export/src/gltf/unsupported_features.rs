@@ -36,6 +36,16 @@ pub enum UnsupportedFeature {
         /// How many shapes a muscle has at most; none = they keep one shape.
         kept: usize,
     },
+    /// A skin follows muscles and is morphed too, or is not bent by one skeleton alone: it is written as its skeleton and its morphs move it.
+    FollowingSkin {
+        /// The mesh's name.
+        mesh: String,
+    },
+    /// Skins that follow muscles have so many vertices, or clips so many keys, that fewer shapes or moments are kept than their movement needs.
+    SkinShapes {
+        /// How many shapes a mesh has at most.
+        kept: usize,
+    },
     /// A clip that starts before zero; its times are moved.
     Moved {
         /// The clip's name.
@@ -54,6 +64,8 @@ impl ToMessage for UnsupportedFeature {
             Self::Image { name } => message!("gltf-image", name = name),
             Self::AmbientLight { name } => message!("gltf-ambient", name = name),
             Self::Shapes { kept } => message!("gltf-shapes", count = kept),
+            Self::FollowingSkin { mesh } => message!("gltf-following-skin", mesh = mesh),
+            Self::SkinShapes { kept } => message!("gltf-skin-shapes", count = kept),
             Self::Moved { clip, milliseconds } => message!("gltf-moved", clip = clip, milliseconds = milliseconds),
         }
     }
