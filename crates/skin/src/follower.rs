@@ -195,3 +195,80 @@ fn clear_points(binding: &Binding, stations: &Stations, positions: &[Vec3], rang
         *room = follows * lack.room;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::points::SkinMesh;
+    use crate::section::{CrossSection, MuscleTissue, Segment, SkinLayer};
+    use glam::DVec3;
+
+    /// A tube of skin along y and a muscle of this radius in it.
+    fn tube(corners: u32, rings: u32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+        let at = |ring: u32, corner: u32| {
+            let angle = corner as f32 / corners as f32 * std::f32::consts::TAU;
+            Vec3::new(0.045 * angle.sin(), 0.3 * ring as f32 / (rings - 1) as f32, 0.045 * angle.cos())
+        };
+        let positions = (0..rings).flat_map(|ring| (0..corners).map(move |corner| at(ring, corner))).collect();
+        let square = |ring: u32, corner: u32| {
+            let (a, b) = (ring * corners + corner, ring * corners + (corner + 1) % corners);
+            [[a, b, a + corners], [b, b + corners, a + corners]]
+        };
+        let triangles = (0..rings - 1).flat_map(|ring| (0..corners).flat_map(move |corner| square(ring, corner))).collect();
+        (positions, triangles)
+    }
+
+    fn stations(muscles: &[MuscleTissue], radius: f64) -> Stations {
+        let section = |index: u32| CrossSection {
+            center: DVec3::new(0.0, 0.05 + 0.01 * f64::from(index), 0.02),
+            tangent: DVec3::Y,
+            radius,
+            flatness: 1.0,
+            flattened_along: DVec3::Z,
+            half_length: 0.005,
+            volume: std::f64::consts::PI * radius * radius * 0.01,
+            belly: true,
+        };
+        let sections: Vec<CrossSection> = (0..20).map(section).collect();
+        let mut stations = Stations::default();
+        stations.place(muscles, &sections, &[Segment { start: DVec3::ZERO, end: DVec3::Y * 0.3 }], 1.0);
+        stations
+    }
+
+    #[test]
+    fn two_threads_clear_points_to_the_same_bits_as_one() {
+        let muscles = [MuscleTissue { sections: 0..20, bones: vec![0], layer: SkinLayer::default() }];
+        let (positions, triangles) = tube(80, 90);
+        let mesh = SkinMesh { positions: &positions, triangles: &triangles };
+        let binding = Binding::new(&mesh, &muscles, &stations(&muscles, 0.014));
+        let bound = binding.bound_points();
+        assert!(bound > ALONE);
+        let thick = stations(&muscles, 0.027);
+        let mut follower = Follower::default();
+        assert!(follower.gather(&binding, &positions, 1.0));
+        follower.clear(&binding, &thick);
+        let (mut room, mut moves) = (vec![0.0; bound], vec![Vec3::ZERO; bound]);
+        let alone = Cleared { room: &mut room, moves: &mut moves, values: &mut Vec::new() };
+        clear_points(&binding, &thick, &follower.positions, 0..bound, alone);
+        assert!(moves.iter().any(|by| by.length() > 0.003));
+        assert_eq!((follower.moves(&binding), &follower.room), (moves.as_slice(), &room));
+    }
+
+    #[test]
+    fn a_position_that_is_no_number_leaves_the_skin_as_it_was() {
+        let muscles = [MuscleTissue { sections: 0..20, bones: vec![0], layer: SkinLayer::default() }];
+        let (positions, triangles) = tube(40, 40);
+        let mesh = SkinMesh { positions: &positions, triangles: &triangles };
+        let binding = Binding::new(&mesh, &muscles, &stations(&muscles, 0.014));
+        let mut bad = positions.clone();
+        bad[800] = Vec3::new(f32::NAN, 0.0, 0.0);
+        let (mut now, mut normals) = (bad.clone(), vec![Vec3::Y; bad.len()]);
+        Follower::default().follow(&binding, &stations(&muscles, 0.027), &mut now, &mut normals);
+        let bits = |list: &[Vec3]| list.iter().map(|p| p.to_array().map(f32::to_bits)).collect::<Vec<_>>();
+        assert!(bits(&now) == bits(&bad));
+        // So does a muscle that is nowhere.
+        let mut still = positions.clone();
+        Follower::default().follow(&binding, &stations(&muscles, f64::NAN), &mut still, &mut normals);
+        assert_eq!(still, positions);
+    }
+}
