@@ -210,3 +210,20 @@ fn own_mesh<'a>(node: usize, nodes: &mut [Value], meshes: &'a mut Vec<Value>) ->
     }
     meshes.get_mut(index)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nodes_with_the_same_mesh_get_one_each() {
+        let mut nodes = vec![json!({"mesh": 1}), json!({"mesh": 0}), json!({}), json!({"mesh": 1})];
+        let mut meshes = vec![json!({"name": "other"}), json!({"name": "skin"})];
+        for node in [0, 3] {
+            own_mesh(node, &mut nodes, &mut meshes).expect("a mesh")["weights"] = node.into();
+        }
+        assert_eq!(nodes, [json!({"mesh": 2}), json!({"mesh": 0}), json!({}), json!({"mesh": 1})]);
+        assert_eq!(meshes[1..], [json!({"name": "skin", "weights": 3}), json!({"name": "skin", "weights": 0})]);
+        assert!(own_mesh(2, &mut nodes, &mut meshes).is_none() && own_mesh(9, &mut nodes, &mut meshes).is_none());
+    }
+}
