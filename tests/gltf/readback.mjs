@@ -2,9 +2,10 @@
 //
 //   node readback.mjs cases.json
 //
-// cases.json: [{"file": "a.glb", "poses": [{"clip": "name", "time": 0.5, "obj": "a-0.obj"}]}]; the time is the one in the glTF file.
+// cases.json: [{"file": "a.glb", "poses": [{"clip": "name", "time": 0.5, "obj": "a-0.obj", "allowed": 0.001}]}]; the time is the one in the
+// glTF file, and the surfaces may be "allowed" apart.
 // Prints one JSON line a pose: {"file", "clip", "time", "off", "diagonal", "reach"}, where "off" is the largest distance from a vertex of one surface to
-// the nearest of the other, both ways, and "reach" is how far three.js' surface goes in each direction of `directions`.
+// the nearest of the other, both ways (4 · "allowed" where it is more), and "reach" is how far three.js' surface goes in each direction of `directions`.
 import fs from 'node:fs';
 
 globalThis.self ??= globalThis;
@@ -116,7 +117,7 @@ const cases = JSON.parse(fs.readFileSync(process.argv[2], 'utf8'));
 for (const { file, poses } of cases) {
   const gltf = await new Promise((done, failed) => new GLTFLoader().parse(withoutImages(fs.readFileSync(file)), '', done, failed));
   const mixer = new THREE.AnimationMixer(gltf.scene);
-  for (const { clip, time, obj } of poses) {
+  for (const { clip, time, obj, allowed } of poses) {
     mixer.stopAllAction();
     const found = gltf.animations.find((animation) => animation.name === clip);
     if (found) {
@@ -130,7 +131,8 @@ for (const { file, poses } of cases) {
     let [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
     for (const p of ours) for (let i = 0; i < 3; i++) { low[i] = Math.min(low[i], p[i]); high[i] = Math.max(high[i], p[i]); }
     const diagonal = Math.hypot(...high.map((h, i) => h - low[i]));
-    const cell = Math.max(diagonal / 64, 1e-9);
+    // Wide enough to tell whether the surfaces are as close as they may be, and no wider: a cell of a fine surface holds many vertices.
+    const cell = Math.max(4 * allowed, 1e-9);
     const off = ours.length && theirs.length ? Math.max(oneWay(ours, theirs, cell), oneWay(theirs, ours, cell)) : ours.length === theirs.length ? 0 : Infinity;
     console.log(JSON.stringify({ file, clip, time, off, diagonal, reach: reach(theirs) }));
   }
