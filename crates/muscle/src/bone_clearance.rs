@@ -32,7 +32,7 @@ pub(super) struct ClearanceResult {
 /// slide is taken that keeps clear up to the greatest angle.
 pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 2], range: [f64; 2]) -> ClearanceResult {
     let revolute = RevoluteJoint::elbow(arm, range);
-    let (side, tail) = (flexor_side(&revolute, line), tendons[1].length);
+    let side = flexor_side(&revolute, line);
     let end_radius = |end: usize, radius: Option<&f64>| {
         if tendons[end].length > 0.0 { tendons[end].radius } else { radius.copied().unwrap_or(0.0) }
     };
@@ -50,7 +50,7 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
             let out = DVec3::new(slid.local.x, 0.0, slid.local.z);
             if out.length() >= lift { point } else { Point { local: DVec3::new(side * lift, slid.local.y, 0.0), ..slid } }
         });
-        let drawn = CenterlineOffset { ends, side: DVec3::X * side, tail };
+        let drawn = CenterlineOffset { ends, side: DVec3::X * side };
         let mut clear = f64::NEG_INFINITY;
         for (angle, length) in &lengths {
             if gap(arm, &revolute.at(*angle), *length, profile, tendons, &drawn, &mut solved) < 0.0 {
@@ -66,7 +66,7 @@ pub(super) fn fit(arm: &Arm, line: &Line, profile: &Profile, tendons: &[Tendon; 
         }
     }
     // `SLIDES` is not empty, so there is a best one.
-    let (clear, drawn) = best.unwrap_or((range[1], CenterlineOffset { ends: [line.origin, line.insertion], side: DVec3::X * side, tail }));
+    let (clear, drawn) = best.unwrap_or((range[1], CenterlineOffset { ends: [line.origin, line.insertion], side: DVec3::X * side }));
     let flexion = if clear > range[1] - 5.0 { range[1] } else { clear.max(FREE_FLEXION).min(range[1]) };
     ClearanceResult { drawn, flexion }
 }

@@ -6,8 +6,7 @@
 //! What is drawn is another line of *exactly the same length*, so that the volume on the screen is the volume of the table. It leaves the line of action at
 //! its corners alone, which it rounds ([`super::rounded_centerline`]). On the two-rod arm the line of action may run between points on
 //! the rods' axes, so a belly drawn along it would swallow the rods; there an arch ([`Centerline::arc_between`]) is drawn whose ends lie on the rods' surfaces on
-//! the muscle's side, slid a few millimetres towards the elbow to give the arch its height ([`super::bone_clearance`]). Where such a line ends on a wrap surface,
-//! off the rod's axis, its end is drawn on the surface. Length and moment arm stay those of the
+//! the muscle's side, slid a few millimetres towards the elbow to give the arch its height ([`super::bone_clearance`]). Length and moment arm stay those of the
 //! line of action: on the straight-rod arm, the law of cosines.
 
 use glam::{DMat4, DVec3};
@@ -74,8 +73,6 @@ pub(super) struct CenterlineOffset {
     pub ends: [Point; 2],
     /// Side that the arch bulges to, in the axes of both ends' bones.
     pub side: DVec3,
-    /// How much of the line's end may be drawn on a wrap surface: as much as is tendon, for a belly has no corner where the arch ends.
-    pub tail: f64,
 }
 
 /// Share of the length in each shoulder of the arch: steep at the ends and flat along the belly.
@@ -187,10 +184,7 @@ impl Line {
     /// a limit, another.
     pub(super) fn draw(&self, frames: &(impl Frames + ?Sized), solver: &mut LineSolver, length: f64, centerline: &mut Centerline) {
         match &self.drawn {
-            Some(drawn) => {
-                let tail = WrappedTail::of(self, drawn, solver.solution());
-                drawn.draw_before(tail.as_ref(), frames, length, centerline);
-            }
+            Some(drawn) => drawn.draw(frames, length, centerline),
             None => {
                 let side = self.wraps.first().map_or(DVec3::X, |wrap| frames.frame(wrap.center.bone).transform_vector3(DVec3::X));
                 let LineSolver { solver, corners, .. } = solver;
@@ -200,68 +194,11 @@ impl Line {
     }
 }
 
-/// The end of a line of action that lies on a wrap surface, drawn as it is: an arch would take the short cut through the joint.
-///
-/// It is twice as long as the geodesic until that and the straight part behind it are covered, so that it comes in by and by where the line touches down.
-#[derive(Debug, Clone, Copy)]
-struct WrappedTail {
-    /// Its length.
-    length: f64,
-    /// Where it begins, and the line's direction there.
-    start: DVec3,
-    tangent: DVec3,
-    /// Towards the middle of the geodesic's circle, the radius of that, and the angle of what is drawn of it.
-    inward: DVec3,
-    radius: f64,
-    angle: f64,
-    /// Where the line leaves the surface, and where it ends.
-    leaves: DVec3,
-    end: DVec3,
-}
-
-impl WrappedTail {
-    /// `None` where the line touches no surface before its end, or the arch ends elsewhere.
-    fn of(line: &Line, drawn: &CenterlineOffset, solution: &Solution) -> Option<Self> {
-        let stretch = solution.stretches().last()?;
-        let arc = solution.arcs_of(stretch).last().filter(|_| drawn.ends[1] == line.insertion)?;
-        let (radius, straight) = (arc.circle()?, arc.end.distance(stretch.end));
-        let length = (2.0 * arc.length).min(arc.length + straight).min(drawn.tail);
-        let drawn = length - straight;
-        if drawn <= 0.0 {
-            let tangent = (stretch.end - arc.end).try_normalize()?;
-            let start = stretch.end - tangent * length;
-            return Some(Self { length, start, tangent, inward: DVec3::X, radius, angle: 0.0, leaves: start, end: stretch.end });
-        }
-        let (sin, cos) = ((arc.length - drawn) / radius).sin_cos();
-        let (along, inward) = (arc.start_tangent, -arc.start_normal());
-        Some(Self {
-            length,
-            start: arc.start + along * (radius * sin) + inward * (radius * (1.0 - cos)),
-            tangent: along * cos + inward * sin,
-            inward: inward * cos - along * sin,
-            radius,
-            angle: drawn / radius,
-            leaves: arc.end,
-            end: stretch.end,
-        })
-    }
-}
-
 impl CenterlineOffset {
     /// Writes the arch of this length between the drawn ends.
     pub(super) fn draw(&self, frames: &(impl Frames + ?Sized), length: f64, centerline: &mut Centerline) {
-        self.draw_before(None, frames, length, centerline);
-    }
-
-    /// Writes a line of this length: an arch, and behind it the tail that lies on a wrap surface.
-    fn draw_before(&self, tail: Option<&WrappedTail>, frames: &(impl Frames + ?Sized), length: f64, centerline: &mut Centerline) {
         let [start, end] = self.ends.map(|point| frames.place(point));
         let [above, below] = self.ends.map(|point| frames.frame(point.bone).transform_vector3(self.side));
-        let Some(tail) = tail.filter(|tail| tail.length < length) else {
-            return centerline.arch(start, end, length, SHOULDER, above + below);
-        };
-        centerline.arch(start, tail.start, length - tail.length, SHOULDER, above + below);
-        centerline.arc(tail.start, tail.tangent, tail.inward, tail.radius, tail.angle);
-        centerline.line(tail.leaves, tail.end);
+        centerline.arch(start, end, length, SHOULDER, above + below);
     }
 }
