@@ -56,10 +56,17 @@ impl Binding {
         let normals = points.normals();
         let (edges, _) = measured(&points.positions, &points.triangles);
         let (mut order, mut followings) = (Vec::new(), Vec::new());
+        // Most points are out of most muscles' reach.
+        let boxes: Vec<[Vec3; 2]> = muscles.iter().map(|muscle| reached(muscle, rest)).collect();
+        let mut near: Vec<usize> = Vec::new();
         for (point, ((position, normal), edge)) in points.positions.iter().zip(normals).zip(edges).enumerate() {
             let Some(piece) = piece_of(point).filter(|piece| !piece.muscles.is_empty() && position.is_finite()) else { continue };
             let normal = if piece.inverted { -normal } else { normal };
-            let following = following(*position, normal, edge, &piece.muscles, muscles, rest);
+            let reaches =
+                |muscle: &usize| boxes.get(*muscle).is_some_and(|[low, high]| position.cmpge(*low).all() && position.cmple(*high).all());
+            near.clear();
+            near.extend(piece.muscles.iter().copied().filter(reaches));
+            let following = following(*position, normal, edge, &near, muscles, rest);
             if following.weight > 0.0 {
                 order.push(point as u32);
                 followings.push(following);
@@ -127,4 +134,11 @@ impl Binding {
             self.splines.push(entries);
         }
     }
+}
+
+/// The box round all that a muscle may reach.
+fn reached(muscle: &MuscleTissue, rest: &Stations) -> [Vec3; 2] {
+    let own = rest.list.get(muscle.sections.clone()).unwrap_or(&[]);
+    let around = own.iter().map(|station| (station.center, station.half + station.height.max(station.across) + muscle.layer.reach as f32));
+    around.fold([Vec3::INFINITY, Vec3::NEG_INFINITY], |[low, high], (center, reach)| [low.min(center - reach), high.max(center + reach)])
 }
